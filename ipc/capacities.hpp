@@ -1,0 +1,24 @@
+// How much one machine can hold. Part of the layout hash: processes built with other numbers refuse to attach.
+// The control languages' own limits (8 channels, 32 axes, 16 spindles) are smaller and belong to the languages.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+namespace polyturn {
+
+inline constexpr std::size_t kMaxChannels = 16;
+inline constexpr std::size_t kMaxAxes = 96;
+inline constexpr std::size_t kMaxSpindles = 32;
+inline constexpr std::size_t kMaxGroups = 8;
+
+inline constexpr std::size_t kMaxPathAxes = 8;      // axes that one record moves together
+inline constexpr std::size_t kMaxCurveAxes = 5;     // axes that a blend can bend; a corner of more is a stop
+inline constexpr std::size_t kPathRing = 4096;      // records a channel can be ahead of the machine
+inline constexpr std::size_t kNoteRing = 1u << 20;  // bytes of event notes a channel can be ahead of its reader
+inline constexpr std::size_t kOffsets = 1000;       // offset numbers 0..999 of a channel; 0 is always zero
+inline constexpr std::size_t kWorkZeros = 320;      // zero offsets of a channel, see work_zero_index()
+inline constexpr std::size_t kChannelAxes = 16;     // axes of one channel
+inline constexpr std::size_t kPersistentVariables = 1000;  // variables a channel keeps over power-off
+inline constexpr std::size_t kInputs = 256;         // digital inputs of the machine
+
+}  // namespace polyturn
