@@ -1,0 +1,97 @@
+// The words of the shared image: what the small numbers in its fields mean.
+#pragma once
+#include <cstdint>
+
+namespace polyturn {
+
+inline constexpr std::uint64_t kMagic = 0x4E5255545953'4F50ull;
+
+enum class RecordKind : std::uint8_t {
+    None = 0,
+    Line,          // start to end, all slots in proportion
+    Arc,           // plane slots turn about shape[0..1], the others in proportion to the angle
+    Curve,         // a blend: polynomials in shape
+    Dwell,         // feed seconds or spindle revolutions (feed_mode)
+    Aux,           // M, S or T to the PLC; done when the PLC has finished it
+    SpindleMode,   // code: SpindleModeCode; value: 1/min or m/min or degrees; shape[0] limit 1/min (0 none),
+                   // shape[1] machine coordinate of the turning axis at diameter 0, axis[0] that axis
+    SpindleSpeed,  // S word: value 1/min for `spindle`; what it turns like is the PLC's SP_ROT
+    Wait,          // code, mask; flags kFlying
+    Barrier,       // the channel stands until this is executed; the kernel answers with BarrierReached
+    Variable,      // text names it, value; NaN empties it
+    Offset,        // a store write in path order: code table (StoreField), mask number, plane[0] field, value
+    Message,       // text for the operator
+    Stop,          // code: StopReason
+    Part,          // one part is finished (M99 of the main program, M30 of a counted part); value: count
+    Flag,          // reserved for couplings and exchanges: value written to a signal
+};
+
+enum RecordFlag : std::uint32_t {
+    kBlockBegin = 1u << 0,   // first record of a block: its move begins here
+    kBlockEnd = 1u << 1,     // last record of a block: single block stops here, its move ends here
+    kExactStop = 1u << 2,    // path speed is 0 at the end (corner that is no blend, G9, G61, last before a barrier)
+    kInPosition = 1u << 3,   // and the measured axes must be in position before the next record
+    kRapid = 1u << 4,        // rapid override acts, feed override does not
+    kThread = 1u << 5,       // follows the spindle's angle; overrides locked
+    kThreadChained = 1u << 6,// the thread goes on from the record before: no new start angle
+    kOverrideLocked = 1u << 7,  // feed override is 100 %
+    kDrains = 1u << 8,       // the channel waits for a BarrierReached when this is executed
+    kFlying = 1u << 9,       // a wait that does not brake if the partners are there
+    kThreadEnd = 1u << 10,   // last record of a thread: it may start once this one is in the ring
+    kSkipMove = 1u << 11,    // ends when the skip input comes
+    kReference = 1u << 12,   // reported as a move of kind reference
+};
+
+enum class FeedMode : std::uint8_t { Rapid = 0, PerMinute, PerRevolution, InverseTime, Thread, Seconds, Revolutions };
+enum class SpindleModeCode : std::int32_t { Rpm = 0, SurfaceSpeed, Position, Off, Limit };
+enum class StopReason : std::int32_t { None = 0, M00, M01, M02, M30, End, Held, Waiting, SingleBlock, Alarm, Reset, Death };
+enum class ChannelState : std::uint32_t { Absent = 0, Reset, Running, Held, Waiting, ProgramStop, Ended, Interrupted, Dead };
+enum class ChannelMode : std::uint32_t { Auto = 0, Mdi, Jog, Handwheel, Reference };
+enum class ProcessState : std::uint32_t { Absent = 0, Starting, Running, Stopped, Dead };
+
+enum class ChannelEventKind : std::uint32_t {
+    None = 0,
+    CycleStart,      // interpret from the selected program's start (or MDI text); value: parts to make
+    BarrierReached,  // `record` was executed; axis positions of that tick are in the machine status
+    Reset,           // epoch raised; all that was pushed and not executed is void; start again at the head
+    StoreChanged,    // offsets, zeros, parameters: take them at the next barrier
+    SelectProgram,   // text: file
+    Quit,            // end the process
+};
+
+enum class KernelEventKind : std::uint32_t {
+    None = 0,
+    RecordBegin,   // note, channel: a block's move (or aux, dwell ...) begins
+    RecordEnd,     // note, channel
+    CycleStarted, CycleEnded,  // channel; CycleEnded: code StopReason
+    Signal,        // a watched signal changed: code slot, line 0 NC / 1 PLC, value
+    Message,       // text for the operator; code Alarm of severity message or warning
+    Alarm,         // code Alarm, text detail, value, line
+    Stopped,       // channel stands: code StopReason
+    Idle,          // nothing can go on and no command is due: virtual time stands
+    ActionDue,     // a command that the supervisor must carry out itself (kill, stop): code command sequence
+    Tick,          // supervision: the clock
+    MachineState,  // value: machine_state
+};
+
+enum class CommandKind : std::uint32_t {
+    None = 0,
+    CycleStart, FeedHold, Reset, EmergencyStop, MachineOn, Mode, Select, Mdi, Jog, Step, Handwheel, Reference,
+    FeedOverride, RapidOverride, SpindleOverride, SingleBlock, OptionalStop, BlockSkip, DryRun, MachineLock,
+    SetSignal, ReleaseSignal, SetInput, DriveFault, SetParameter, Watch, IgnoreWaits, StopAfterPart,
+    Action,          // the supervisor acts when it is due (kill, stop, continue a process)
+    ProcessDied,     // object: process slot (see process_table.hpp); it has been reaped
+    ProcessStopped, ProcessContinued,
+    Restart, Retrace, JogInHold, Return,
+    EndRun,          // controlled end of the kernel
+};
+
+enum class StoreRequestKind : std::uint32_t {
+    None = 0, Parameter, OffsetValue, WorkZero, Variable, Counter, LastPosition, Query, Flush,
+};
+enum class OffsetTable : std::int32_t { Geometry = 0, Wear, SecondGeometry };
+enum class OffsetField : std::int32_t { X = 0, Y, Z, R, T };
+
+enum AxisFlag : std::uint32_t { kReferenced = 1u << 0, kInPos = 1u << 1, kMoving = 1u << 2, kExists = 1u << 3, kDriveFault = 1u << 4, kRotary = 1u << 5, kDiameter = 1u << 6 };
+
+}  // namespace polyturn

@@ -1,0 +1,143 @@
+#include "ipc/memory/segment.hpp"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <boost/interprocess/mapped_region.hpp>
+#include <boost/interprocess/shared_memory_object.hpp>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <thread>
+
+namespace polyturn {
+namespace bip = boost::interprocess;
+
+namespace {
+constexpr std::string_view kPrefix = "polyturn.";
+
+Diagnosis fault(Alarm alarm, std::string detail) { return Diagnosis{alarm, {}, {}, std::move(detail)}; }
+}  // namespace
+
+bool valid_instance(std::string_view instance) {
+    if (instance.empty() || instance.size() > 40) return false;
+    for (const char c : instance)
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_') return false;
+    return true;
+}
+
+std::string segment_name(std::string_view instance, SegmentKind kind, std::size_t number) {
+    static constexpr std::string_view kNames[] = {"supervisor", "kernel", "plc", "store", "channel"};
+    std::string name = std::string(kPrefix) + std::string(instance) + "." + std::string(kNames[static_cast<std::size_t>(kind)]);
+    if (kind == SegmentKind::Channel) name += std::to_string(number);
+    return name;
+}
+
+struct RawSegment::Parts {
+    bip::shared_memory_object object;
+    bip::mapped_region region;
+};
+
+RawSegment::RawSegment() = default;
+RawSegment::RawSegment(RawSegment&&) noexcept = default;
+RawSegment& RawSegment::operator=(RawSegment&&) noexcept = default;
+RawSegment::~RawSegment() = default;
+void* RawSegment::address() const { return parts_ ? parts_->region.get_address() : nullptr; }
+
+Result<RawSegment> RawSegment::create(const std::string& name, std::size_t size) {
+    // A predecessor's segment stays mapped by whoever still reads it; the name is taken over by a fresh one.
+    bip::shared_memory_object::remove(name.c_str());
+    try {
+        RawSegment out;
+        out.parts_ = std::make_unique<Parts>();
+        bip::permissions rights(0660);
+        out.parts_->object = bip::shared_memory_object(bip::create_only, name.c_str(), bip::read_write, rights);
+        out.parts_->object.truncate(static_cast<bip::offset_t>(size));
+        out.parts_->region = bip::mapped_region(out.parts_->object, bip::read_write, 0, size);
+        return out;
+    } catch (const bip::interprocess_exception& error) {
+        return fault(Alarm::SegmentCreate, name + ": " + error.what());
+    }
+}
+
+Result<RawSegment> RawSegment::attach(const std::string& name, std::size_t size) {
+    try {
+        RawSegment out;
+        out.parts_ = std::make_unique<Parts>();
+        out.parts_->object = bip::shared_memory_object(bip::open_only, name.c_str(), bip::read_only);
+        bip::offset_t have = 0;
+        if (!out.parts_->object.get_size(have) || static_cast<std::size_t>(have) < size) {
+            // Size 0: its writer has not come to truncate() yet. Any other size was made by another build.
+            return fault(have == 0 ? Alarm::SegmentNotReady : Alarm::SegmentLayout, name);
+        }
+        out.parts_->region = bip::mapped_region(out.parts_->object, bip::read_only, 0, size);
+        return out;
+    } catch (const bip::interprocess_exception&) {
+        return fault(Alarm::SegmentMissing, name);
+    }
+}
+
+void fill_header(SegmentHeader& header, std::string_view instance, std::uint64_t generation) {
+    header.magic = kMagic;
+    header.layout_hash = kLayoutHash ^ params::kTableHash;
+    header.generation = generation;
+    header.writer_pid = static_cast<std::int32_t>(getpid());
+    header.instance.fill(0);
+    std::memcpy(header.instance.data(), instance.data(), std::min(instance.size(), header.instance.size() - 1));
+}
+
+void publish_header(SegmentHeader& header) { header.ready.store(1, std::memory_order_release); }
+
+Result<void> check_header(const SegmentHeader& header, std::string_view instance) {
+    if (header.magic != kMagic) return fault(Alarm::SegmentLayout, std::string(instance) + ": no segment of Polyturn");
+    if (header.layout_hash != (kLayoutHash ^ params::kTableHash)) return fault(Alarm::SegmentLayout, std::string(instance));
+    if (std::string_view(header.instance.data()) != instance) return fault(Alarm::SegmentLayout, "belongs to instance " + std::string(header.instance.data()));
+    return {};
+}
+
+void sleep_ms(int milliseconds) { std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds)); }
+
+namespace {
+struct Found {
+    std::vector<std::string> names;
+    bool alive = false;
+};
+
+std::map<std::string, Found> instances_in_memory() {
+    std::map<std::string, Found> found;
+    std::error_code none;
+    for (const auto& entry : std::filesystem::directory_iterator("/dev/shm", none)) {
+        const std::string name = entry.path().filename().string();
+        if (name.rfind(kPrefix, 0) != 0) continue;
+        const std::size_t dot = name.find('.', kPrefix.size());
+        if (dot == std::string::npos) continue;
+        Found& instance = found[name.substr(kPrefix.size(), dot - kPrefix.size())];
+        instance.names.push_back(name);
+        const auto raw = RawSegment::attach(name, sizeof(SegmentHeader));
+        if (!raw) continue;
+        const auto& header = *static_cast<const SegmentHeader*>(raw->address());
+        if (header.magic == kMagic && header.writer_pid > 0 && (kill(header.writer_pid, 0) == 0 || errno == EPERM)) instance.alive = true;
+    }
+    return found;
+}
+}  // namespace
+
+std::vector<std::string> remove_dead_instances() {
+    std::vector<std::string> removed;
+    for (const auto& [instance, found] : instances_in_memory()) {
+        if (found.alive) continue;
+        for (const auto& name : found.names)
+            if (bip::shared_memory_object::remove(name.c_str())) removed.push_back(name);
+    }
+    return removed;
+}
+
+void remove_instance(std::string_view instance) {
+    for (const auto& [name, found] : instances_in_memory())
+        if (name == instance)
+            for (const auto& segment : found.names) bip::shared_memory_object::remove(segment.c_str());
+}
+
+}  // namespace polyturn

@@ -1,0 +1,103 @@
+// One mapped shared-memory segment of an instance. Created and mapped writable by its writer, attached read-only by all
+// others. Boost.Interprocess is used for the object and its mapping only: nothing named inside, no lock that could be
+// left held. Attaching refuses, with the reason, what another build or another instance has made.
+#pragma once
+#include <chrono>
+#include <memory>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "ipc/diagnosis/diagnosis.hpp"
+#include "ipc/image/segments.hpp"
+
+namespace polyturn {
+
+// "polyturn.<instance>.kernel", "polyturn.<instance>.channel3"; instance: letters, digits, - and _ only (up to 40).
+std::string segment_name(std::string_view instance, SegmentKind kind, std::size_t number = 0);
+bool valid_instance(std::string_view instance);
+
+// The mapping, without knowledge of what lies in it.
+class RawSegment {
+public:
+    RawSegment();
+    RawSegment(RawSegment&&) noexcept;
+    RawSegment& operator=(RawSegment&&) noexcept;
+    ~RawSegment();
+    static Result<RawSegment> create(const std::string& name, std::size_t size);  // removes an old one of that name
+    static Result<RawSegment> attach(const std::string& name, std::size_t size);  // read-only
+    void* address() const;
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+Result<void> check_header(const SegmentHeader& header, std::string_view instance);
+void fill_header(SegmentHeader& header, std::string_view instance, std::uint64_t generation);
+void publish_header(SegmentHeader& header);  // the last step of the writer: others may attach now
+
+// Writer's view.
+template <class Layout>
+class OwnSegment {
+public:
+    static Result<OwnSegment> create(std::string_view instance, std::uint64_t generation, std::size_t number = 0) {
+        auto raw = RawSegment::create(segment_name(instance, Layout::kKind, number), sizeof(Layout));
+        if (!raw) return raw.diagnosis();
+        OwnSegment own;
+        own.raw_ = std::move(*raw);
+        new (own.raw_.address()) Layout;  // default-initialises: fresh memory is zero, only members with values are written
+        fill_header(own->header, instance, generation);
+        return own;
+    }
+    void publish() { publish_header((*this)->header); }
+    Layout* operator->() const { return static_cast<Layout*>(raw_.address()); }
+    Layout& operator*() const { return *operator->(); }
+
+private:
+    RawSegment raw_;
+};
+
+// Everybody else's view.
+template <class Layout>
+class PeerSegment {
+public:
+    // Waits until the writer has published it, at most `patience`.
+    static Result<PeerSegment> attach(std::string_view instance, std::size_t number = 0, std::chrono::milliseconds patience = std::chrono::milliseconds(0));
+    const Layout* operator->() const { return static_cast<const Layout*>(raw_.address()); }
+    const Layout& operator*() const { return *operator->(); }
+    bool attached() const { return raw_.address() != nullptr; }
+
+private:
+    RawSegment raw_;
+};
+
+void sleep_ms(int milliseconds);
+
+template <class Layout>
+Result<PeerSegment<Layout>> PeerSegment<Layout>::attach(std::string_view instance, std::size_t number, std::chrono::milliseconds patience) {
+    const std::string name = segment_name(instance, Layout::kKind, number);
+    for (auto waited = std::chrono::milliseconds(0);; waited += std::chrono::milliseconds(1)) {
+        auto raw = RawSegment::attach(name, sizeof(Layout));
+        if (raw) {
+            const auto& header = static_cast<const Layout*>(raw->address())->header;
+            if (header.ready.load(std::memory_order_acquire) == 1) {
+                if (auto good = check_header(header, instance); !good) return good.diagnosis();
+                PeerSegment peer;
+                peer.raw_ = std::move(*raw);
+                return peer;
+            }
+        }
+        if (waited >= patience) {
+            if (!raw) return raw.diagnosis();
+            return Diagnosis{Alarm::SegmentNotReady, {}, {}, name};
+        }
+        sleep_ms(1);
+    }
+}
+
+// Removes the segments and sockets of instances none of whose processes live. Returns the names removed.
+std::vector<std::string> remove_dead_instances();
+void remove_instance(std::string_view instance);
+
+}  // namespace polyturn
