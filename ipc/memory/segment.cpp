@@ -12,11 +12,28 @@
 #include <map>
 #include <thread>
 
+#include "ipc/params/registry.hpp"
+
 namespace polyturn {
 namespace bip = boost::interprocess;
 
 namespace {
 constexpr std::string_view kPrefix = "polyturn.";
+
+// The table of fields and the parameters' slots: whoever was built with others means something else by the same bytes.
+std::uint64_t compute_layout_hash() {
+    std::uint64_t hash = kLayoutHash;
+    for (const params::Row& row : params::rows()) {
+        for (const char c : row.number) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
+        hash = (hash ^ row.first_slot) * 0x100000001b3ull;
+    }
+    return hash;
+}
+
+std::uint64_t layout_hash() {
+    static const std::uint64_t hash = compute_layout_hash();
+    return hash;
+}
 
 Diagnosis fault(Alarm alarm, std::string detail) { return Diagnosis{alarm, {}, {}, std::move(detail)}; }
 }  // namespace
@@ -81,7 +98,7 @@ Result<RawSegment> RawSegment::attach(const std::string& name, std::size_t size)
 
 void fill_header(SegmentHeader& header, std::string_view instance, std::uint64_t generation) {
     header.magic = kMagic;
-    header.layout_hash = kLayoutHash ^ params::kTableHash;
+    header.layout_hash = layout_hash();
     header.generation = generation;
     header.writer_pid = static_cast<std::int32_t>(getpid());
     header.instance.fill(0);
@@ -92,7 +109,7 @@ void publish_header(SegmentHeader& header) { header.ready.store(1, std::memory_o
 
 Result<void> check_header(const SegmentHeader& header, std::string_view instance) {
     if (header.magic != kMagic) return fault(Alarm::SegmentLayout, std::string(instance) + ": no segment of Polyturn");
-    if (header.layout_hash != (kLayoutHash ^ params::kTableHash)) return fault(Alarm::SegmentLayout, std::string(instance));
+    if (header.layout_hash != layout_hash()) return fault(Alarm::SegmentLayout, std::string(instance));
     if (std::string_view(header.instance.data()) != instance) return fault(Alarm::SegmentLayout, "belongs to instance " + std::string(header.instance.data()));
     return {};
 }

@@ -27,7 +27,11 @@ public:
     // Writer: the slot to fill (it holds an older value), then publish().
     T& draft() noexcept { return slots_[(version_.load(std::memory_order_relaxed) + 1) & 1]; }
     const T& published() const noexcept { return slots_[version_.load(std::memory_order_relaxed) & 1]; }
-    void publish() noexcept { version_.store(version_.load(std::memory_order_relaxed) + 1, std::memory_order_release); }
+    void publish() noexcept {
+        version_.store(version_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
+        // Stores into the next draft stay behind this one: else a reader could miss that its slot is being filled.
+        std::atomic_thread_fence(std::memory_order_release);
+    }
     void write(const T& value) noexcept { draft() = value; publish(); }
 
     std::uint64_t version() const noexcept { return version_.load(std::memory_order_acquire); }

@@ -1,0 +1,73 @@
+// Who may attach to a segment, and what is cleaned up when its writer is dead.
+#include "ipc/memory/segment.hpp"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+namespace polyturn {
+namespace {
+
+std::string fresh_instance() { return "test-" + std::to_string(getpid()) + "-segment"; }
+
+TEST(Segment, IsReadByAnotherProcessOnceItIsPublished) {
+    const std::string instance = fresh_instance();
+    auto own = OwnSegment<PlcSegment>::create(instance, 1);
+    ASSERT_TRUE(own.ok());
+    EXPECT_EQ(PeerSegment<PlcSegment>::attach(instance).diagnosis().alarm, Alarm::SegmentNotReady);
+    (*own)->cycle.store(42);
+    own->publish();
+    const pid_t child = fork();
+    if (child == 0) {
+        auto peer = PeerSegment<PlcSegment>::attach(instance);
+        _exit(peer.ok() && (*peer)->cycle.load() == 42 ? 0 : 1);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_EQ(status, 0);
+    remove_instance(instance);
+    EXPECT_EQ(PeerSegment<PlcSegment>::attach(instance).diagnosis().alarm, Alarm::SegmentMissing);
+}
+
+TEST(Segment, OfAnotherLayoutIsRefused) {
+    const std::string instance = fresh_instance();
+    auto own = OwnSegment<PlcSegment>::create(instance, 1);
+    ASSERT_TRUE(own.ok());
+    (*own)->header.layout_hash ^= 1;
+    own->publish();
+    const auto peer = PeerSegment<PlcSegment>::attach(instance);
+    ASSERT_FALSE(peer.ok());
+    EXPECT_EQ(peer.diagnosis().alarm, Alarm::SegmentLayout);
+    remove_instance(instance);
+}
+
+TEST(Segment, OfADeadWriterIsCleanedAndThatOfALivingOneIsNot) {
+    const std::string dead = fresh_instance() + "-dead", living = fresh_instance() + "-living";
+    const pid_t child = fork();
+    if (child == 0) {
+        auto own = OwnSegment<PlcSegment>::create(dead, 1);
+        if (own) own->publish();
+        _exit(0);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    auto own = OwnSegment<PlcSegment>::create(living, 1);
+    ASSERT_TRUE(own.ok());
+    own->publish();
+    const auto removed = remove_dead_instances();
+    EXPECT_NE(std::find(removed.begin(), removed.end(), segment_name(dead, SegmentKind::Plc)), removed.end());
+    EXPECT_EQ(std::find(removed.begin(), removed.end(), segment_name(living, SegmentKind::Plc)), removed.end());
+    EXPECT_TRUE(PeerSegment<PlcSegment>::attach(living).ok());
+    remove_instance(living);
+}
+
+TEST(Instance, NamesAreLettersDigitsDashAndUnderscore) {
+    for (const char* good : {"a", "line-3_left", "0"}) EXPECT_TRUE(valid_instance(good)) << good;
+    for (const char* bad : {"", "a.b", "a/b", "a b", "ü", "12345678901234567890123456789012345678901"}) EXPECT_FALSE(valid_instance(bad)) << bad;
+}
+
+}  // namespace
+}  // namespace polyturn
