@@ -1,0 +1,35 @@
+// What a program asks of the world. All answers belong to the barrier at which the runner stands (architecture 5.5):
+// the runner reports AtBarrier, the driver waits until everything before it has been executed, then lets it go on; only
+// then are the answers read. In check mode they come from setup and from what the program has commanded itself.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace polyturn::channels {
+
+struct CalendarTime {
+    int year = 2000, month = 1, day = 1, hour = 0, minute = 0, second = 0;
+};
+
+class Port {
+public:
+    virtual ~Port() = default;
+    // Machine coordinate (mm, X as a radius; degrees) of a machine axis (from 0); nothing: it stands where it was commanded.
+    virtual std::optional<double> axis_command(unsigned machine_axis) = 0;
+    virtual std::optional<double> axis_measured(unsigned machine_axis) = 0;
+    // Where a skip move ended; nothing: the signal did not come, the move went to its end.
+    virtual std::optional<double> axis_at_skip(unsigned machine_axis) = 0;
+    // Keys of the operator.
+    virtual bool block_skip(unsigned number) = 0;   // 1..9
+    virtual bool optional_stop() = 0;
+    virtual bool single_block() = 0;
+    // Interface inputs and outputs of the program (#1000.., #1100..).
+    virtual double interface_value(std::int32_t variable) = 0;
+    // A value that the setup gives to any other variable of the language; nothing: not given.
+    virtual std::optional<double> given_variable(std::string_view name) = 0;
+    virtual CalendarTime clock() = 0;
+    virtual double running_ms() = 0;                // #3001
+};
+
+}  // namespace polyturn::channels

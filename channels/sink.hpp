@@ -1,0 +1,148 @@
+// Where an interpreted program goes: elementary results in path order, one call each.
+//
+//   program text -> language -> machine state, cycles, compensation -> Sink
+//                                          check: prints events       run: makes path records and notes
+//
+// Invariants
+//   I1  Calls come in the order in which the machine must do the things.
+//   I2  Positions are machine coordinates: mm (X as a radius) and degrees, by the axis' place in its channel
+//       (MachineView::axes says which machine axis that is). Programmed positions beside them only serve the event.
+//   I3  What is passed by reference is good until the call returns.
+//   I4  A block without any call before block_end() does not call block_end() either.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "ipc/capacities.hpp"
+#include "ipc/diagnosis/diagnosis.hpp"
+#include "ipc/image/enums.hpp"
+
+namespace polyturn::channels {
+
+using AxisValues = std::array<double, kChannelAxes>;  // by the axis' place in the channel
+using AxisSet = std::uint32_t;                        // bit i: axis at place i
+
+enum class MoveKind : std::uint8_t { Rapid, Linear, ArcCw, ArcCcw, Thread, Skip, Reference };
+enum class CompSide : std::uint8_t { Off, Left, Right };
+
+// The tool as an event names it. A negative number or edge does not apply.
+struct ToolRef {
+    std::int64_t number = -1;
+    std::int32_t offset = -1;
+    std::int32_t edge = -1;
+    std::string_view name;
+};
+
+// Which block of which text causes it, and what holds while it is made.
+struct BlockContext {
+    std::uint16_t file = 0;        // index into the runner's program names
+    std::uint8_t stack_depth = 0;  // 0 in the main program
+    std::uint32_t line = 0;        // from 1
+    std::int64_t block = -1;       // block number N; -1 none
+    ToolRef tool;
+    CompSide comp = CompSide::Off;
+    std::string_view cycle;        // name of the cycle that makes it; empty none
+};
+
+struct Move {
+    MoveKind kind = MoveKind::Rapid;
+    FeedMode feed_mode = FeedMode::Rapid;
+    bool exact_stop = false;        // G9, G61
+    bool in_position = false;       // and wait for the measured position
+    bool override_locked = false;   // feed override is 100 %
+    bool thread_chained = false;    // goes on from the thread before without a new start angle
+    std::uint8_t skip_input = 0;    // Skip: number of the input; 0 the standard one
+    std::uint16_t spindle = 0;      // machine spindle (from 1) of feed per revolution and thread; 0 none
+    AxisSet moved = 0;              // axes whose machine coordinate changes
+    AxisValues machine_start{}, machine{};  // I2; arcs: the plane axes turn about `centre`
+    AxisValues pos{};               // as programmed, workpiece system, true mm and radius; see cli.md 3 `pos`
+    double feed = 0.0;              // mm/min (deg/min), mm/rev, 1/min; 0 for rapid
+    // Arcs. The plane's axes are places in the channel; the others move in proportion to the angle.
+    std::uint8_t plane_p = 0, plane_q = 0;        // G18: Z, X
+    double centre_p = 0.0, centre_q = 0.0;        // machine coordinates
+    double pos_centre_p = 0.0, pos_centre_q = 0.0;// workpiece system
+    double radius = 0.0, radius_end = 0.0;        // they differ by the tolerance at the most
+    double sweep = 0.0;             // rad, positive from p to q; more than 2 pi with several turns
+    std::int32_t turns = 0;         // full turns beyond the first
+    // Threads
+    double lead = 0.0;              // mm along the programmed lead axis, for the event
+    double lead_path = 0.0;         // mm along the path
+    double lead_change = 0.0;       // mm along the lead axis a revolution
+    double start_angle = 0.0;       // deg
+    std::int32_t starts = 0;        // 0 not told
+};
+
+struct Dwell {
+    bool revolutions = false;
+    double value = 0.0;             // seconds or revolutions
+    std::uint16_t spindle = 0;
+};
+
+struct Aux {
+    char letter = 'M';              // M, S, T, H, B ...
+    double value = 0.0;
+    std::string_view text;          // "M8", "T0303": as the machine sees it
+    bool drained = false;           // nothing behind it is read before it has been executed
+};
+
+enum class SpindleTurn : std::int8_t { Stop = 0, Cw = 1, Ccw = -1 };
+struct Spindle {
+    std::uint16_t spindle = 1;      // machine number
+    SpindleModeCode mode = SpindleModeCode::Rpm;
+    double value = 0.0;             // 1/min, m/min or degrees
+    SpindleTurn turn = SpindleTurn::Stop;
+    double limit = 0.0;             // 1/min; 0 none
+    std::int32_t css_axis = -1;     // SurfaceSpeed: place of the turning axis
+    double css_zero = 0.0;          // SurfaceSpeed: machine coordinate of that axis at diameter 0
+    bool mode_changed = false, speed_changed = false, turn_changed = false, limit_changed = false;
+};
+
+struct Wait {
+    std::int64_t code = 0;
+    std::string_view marker;        // a marker name instead of a code; empty none
+    std::uint32_t channels = 0;     // bit 0 is channel 1
+    bool flying = false;
+};
+
+struct Variable {
+    std::string_view name;
+    double value = 0.0;             // NaN: empty
+    std::int32_t persistent = -1;   // index into ChannelStore::variables; -1 it is not kept
+};
+
+struct OffsetWrite {
+    std::string_view table;         // geometry, wear, work or the language's own name
+    std::string_view axis;          // X, Z, R, T ...
+    std::string_view zero_name;     // work: G54
+    std::int32_t number = 0;
+    OffsetTable store_table = OffsetTable::Geometry;
+    OffsetField field = OffsetField::X;
+    bool work = false;              // a zero offset: row and place of ChannelStore::zeros
+    std::int32_t row = 0, place = 0;
+    double value = 0.0;             // as the table shows it (X as a diameter on a diameter axis)
+};
+
+struct Stop {
+    StopReason reason = StopReason::M00;
+};
+
+class Sink {
+public:
+    virtual ~Sink() = default;
+    virtual void move(const Move&, const BlockContext&) = 0;
+    virtual void dwell(const Dwell&, const BlockContext&) = 0;
+    virtual void aux(const Aux&, const BlockContext&) = 0;
+    virtual void spindle(const Spindle&, const BlockContext&) = 0;
+    virtual void wait(const Wait&, const BlockContext&) = 0;       // the runner then stands AtBarrier
+    virtual void variable(const Variable&, const BlockContext&) = 0;
+    virtual void offset(const OffsetWrite&, const BlockContext&) = 0;
+    virtual void message(std::string_view text, const BlockContext&) = 0;
+    virtual void stop(const Stop&, const BlockContext&) = 0;
+    virtual void part(double count, const BlockContext&) = 0;
+    virtual void alarm(const Diagnosis&, const BlockContext&) = 0; // errors end the program
+    virtual void barrier(const BlockContext&) = 0;                 // everything before must be executed; the runner stands AtBarrier
+    virtual void block_end(const BlockContext&) = 0;
+};
+
+}  // namespace polyturn::channels
