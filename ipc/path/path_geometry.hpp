@@ -22,7 +22,10 @@ struct PathDerivatives {
 };
 void derivatives_at(const PathRecord& record, double s, PathDerivatives& out) noexcept;
 
-// Layout of PathRecord::shape.
+// Layout of PathRecord::shape. A curve: coefficient k of slot i stands at kCoefficients + 6 i + k, those of u(s) from kParameter.
+// An arc whose radius changes (kRadiusEnd neither 0 nor kRadius) turns by the fraction f(s) of its sweep, its radius goes from
+// kRadius to kRadiusEnd in the same proportion, and so do the other slots; kParameter holds f(s). Without coefficients
+// there (kParameter + 1 is 0) f = s / length.
 namespace arc_shape { inline constexpr std::size_t kCentreP = 0, kCentreQ = 1, kRadius = 2, kStartAngle = 3, kSweep = 4, kRadiusEnd = 5; }
 namespace curve_shape { inline constexpr std::size_t kCoefficients = 0, kParameter = 30; }
 
