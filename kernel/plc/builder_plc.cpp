@@ -1,0 +1,95 @@
+#include "kernel/plc/builder_plc.hpp"
+
+#include <dlfcn.h>
+
+#include <cstdlib>
+#include <cstring>
+
+#include "ipc/params/registry.hpp"
+
+namespace polyturn::plc {
+
+namespace {
+
+constexpr std::size_t kLargestState = 256u << 20;
+
+// What init() may ask. The C interface has no place for a context: one init() at a time, in one thread.
+const params::Table* asked_parameters = nullptr;
+
+std::size_t instances_of(SignalScope scope) {
+    switch (scope) {
+        case SignalScope::Global: return 1;
+        case SignalScope::Channel: return kMaxChannels;
+        case SignalScope::Axis: return kMaxAxes;
+        case SignalScope::Spindle: return kMaxSpindles;
+    }
+    return 0;
+}
+
+std::int32_t slot(SignalWriter writer, const char* name, std::uint32_t instance) {
+    for (const SignalRow& row : signal_rows()) {
+        if (row.writer != writer || row.name != name) continue;
+        if (row.scope == SignalScope::Global) instance = 1;
+        if (instance < 1 || instance > instances_of(row.scope)) return -1;
+        return static_cast<std::int32_t>(row.slot + instance - 1);
+    }
+    return -1;
+}
+
+int parameter(const char* number, std::uint32_t instance, double* value) {
+    const params::Row* row = params::find(number);
+    if (!row || row->type == params::Type::Text || !asked_parameters) return 0;
+    if (row->scope == params::Scope::Global) instance = 1;
+    if (instance < 1 || instance > params::instances(row->scope)) return 0;
+    *value = asked_parameters->numbers[row->first_slot + (instance - 1) * row->array];
+    return 1;
+}
+
+Diagnosis fault(Alarm alarm, const std::string& library, const std::string& why) {
+    return Diagnosis{alarm, Place{library, 0, 0, 0}, {}, library + ": " + why};
+}
+
+}  // namespace
+
+void BuilderPlc::Free::operator()(void* memory) const noexcept { std::free(memory); }
+
+Result<BuilderPlc> BuilderPlc::load(const std::string& library) {
+    void* object = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (!object) return fault(Alarm::PlcLoad, library, dlerror());
+    const auto describe = reinterpret_cast<PolyturnPlcFunction>(dlsym(object, POLYTURN_PLC_SYMBOL));
+    if (!describe) return fault(Alarm::PlcLoad, library, "exports no function " POLYTURN_PLC_SYMBOL);
+    BuilderPlc out;
+    out.library_ = library;
+    out.plc_ = describe();
+    if (!out.plc_) return fault(Alarm::PlcLoad, library, POLYTURN_PLC_SYMBOL " gave no description");
+    if (out.plc_->api != POLYTURN_PLC_API)
+        return fault(Alarm::PlcVersion, library, "built for interface " + std::to_string(out.plc_->api) + ", this is " + std::to_string(POLYTURN_PLC_API));
+    if (!out.plc_->name || !out.plc_->init || !out.plc_->cycle || out.plc_->state_size > kLargestState)
+        return fault(Alarm::PlcLoad, library, "its description is incomplete");
+    return out;
+}
+
+Result<void> BuilderPlc::init(const params::Table& parameters, double tick_s) {
+    const std::size_t size = (plc_->state_size + 63) / 64 * 64 + 64;
+    state_.reset(std::aligned_alloc(64, size));
+    if (!state_) return fault(Alarm::PlcStart, library_, "no memory for its state");
+    std::memset(state_.get(), 0, size);
+    const PolyturnPlcHost host{
+        POLYTURN_PLC_API, kMaxChannels, kMaxAxes, kMaxSpindles, kInputs, tick_s,
+        [](const char* name, std::uint32_t instance) { return slot(SignalWriter::Nc, name, instance); },
+        [](const char* name, std::uint32_t instance) { return slot(SignalWriter::Plc, name, instance); }, parameter};
+    asked_parameters = &parameters;
+    const char* why = nullptr;
+    const int status = plc_->init(state_.get(), &host, &why);
+    asked_parameters = nullptr;
+    if (status != 0) return fault(Alarm::PlcStart, library_, why ? why : "it gave no reason");
+    return {};
+}
+
+void BuilderPlc::cycle(const PlcInputs& inputs, PlcOutputs& outputs) {
+    const PolyturnPlcInputs in{inputs.cycle, inputs.tick, inputs.signal.data(), inputs.input.data()};
+    PolyturnPlcOutputs out{outputs.signal.data(), outputs.output.data()};
+    plc_->cycle(state_.get(), &in, &out);
+}
+
+}  // namespace polyturn::plc

@@ -1,0 +1,32 @@
+// A machine builder's PLC in this process: the shared object, its state, and the slots and parameters it asks for.
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <string>
+
+#include "ipc/diagnosis/diagnosis.hpp"
+#include "ipc/params/table.hpp"
+#include "kernel/plc/plc_api.h"
+#include "polyturn/image_structs.hpp"
+
+namespace polyturn::plc {
+
+class BuilderPlc {
+public:
+    // Loads the object; it stays loaded while the process lives (its code may have registered whatever it likes).
+    static Result<BuilderPlc> load(const std::string& library);
+    // Fresh state, then the builder's init().
+    Result<void> init(const params::Table& parameters, double tick_s);
+    void cycle(const PlcInputs& inputs, PlcOutputs& outputs);
+    const char* name() const { return plc_->name; }
+
+private:
+    struct Free {
+        void operator()(void* memory) const noexcept;
+    };
+    const PolyturnPlc* plc_ = nullptr;
+    std::string library_;
+    std::unique_ptr<void, Free> state_;
+};
+
+}  // namespace polyturn::plc

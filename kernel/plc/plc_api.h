@@ -1,0 +1,78 @@
+/* The interface between Polyturn and a machine builder's PLC: a shared object that polyturn-plc loads.
+ *
+ * The object exports one function, polyturn_plc(), which returns a description of itself. Plain C, so that it can be
+ * written in any language that makes shared objects.
+ *
+ *   polyturn-plc                                   the shared object
+ *     |-- polyturn_plc() ------------------------->  its name, the size of its state
+ *     |-- init(state, host) ---------------------->  asks host for the slots of the signals it uses, keeps them
+ *     |-- cycle(state, inputs n, outputs n) ------>  reads, decides, writes     every PT_PLC_CYCLE (10 ms)
+ *
+ * Rules
+ *   R1  cycle() must return within a fraction of the cycle: no sleeping, no files, no waiting. A cycle that does not
+ *       return or crashes stops the machine along its paths, with an alarm.
+ *   R2  outputs keep their values from cycle to cycle; write what changes. They act exactly one PLC cycle later.
+ *   R3  Everything that must survive from cycle to cycle lies in `state`: `state_size` bytes, zero at init().
+ *       In virtual time two runs must be identical: no clock but inputs->tick, no random numbers.
+ *   R4  A code from the program (M, S, T) is a counter: while CN_MSTR L1 differs from what you last saw, CN_MCODE L1
+ *       holds a new code. Answer by setting CP_MFIN L1 to that count when the function is done. S and T likewise.
+ *   R5  The names of signals and what they mean: ipc/image/signals.csv, and the builder's chapter of the manual.
+ */
+#ifndef POLYTURN_PLC_API_H
+#define POLYTURN_PLC_API_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define POLYTURN_PLC_API 1u
+
+/* What polyturn-plc offers during init(). The functions may be called in init() only. */
+typedef struct PolyturnPlcHost {
+    uint32_t api;      /* POLYTURN_PLC_API of polyturn-plc */
+    uint32_t channels; /* instances that signals run to: capacities of the image, not of the machine */
+    uint32_t axes;
+    uint32_t spindles;
+    uint32_t points; /* digital inputs, and digital outputs */
+    double tick_s;   /* seconds from one value of inputs->tick to the next */
+    /* Slot of a signal that the NC writes (in inputs->signal) or the PLC writes (in outputs->signal); instance counts
+     * from 1 and is ignored for global ones. -1: there is no such signal. */
+    int32_t (*nc_slot)(const char* name, uint32_t instance);
+    int32_t (*plc_slot)(const char* name, uint32_t instance);
+    /* Value of a parameter ("PT_CHUCK_TIME", "N1203"); instance counts from 1 and is ignored for global ones.
+     * 0: there is no such number, *value is unchanged. A PLC reads its parameters at its start. */
+    int (*parameter)(const char* number, uint32_t instance, double* value);
+} PolyturnPlcHost;
+
+typedef struct PolyturnPlcInputs {
+    uint64_t cycle; /* counts PLC cycles from 1; a gap: cycles were missed */
+    int64_t tick;   /* the machine's time */
+    const int32_t* signal;
+    const uint8_t* input; /* digital inputs, 0 or 1 */
+} PolyturnPlcInputs;
+
+typedef struct PolyturnPlcOutputs {
+    int32_t* signal;
+    uint8_t* output; /* digital outputs, 0 or 1 */
+} PolyturnPlcOutputs;
+
+typedef struct PolyturnPlc {
+    uint32_t api;     /* POLYTURN_PLC_API the object was built with */
+    const char* name; /* shown to the operator */
+    size_t state_size;
+    /* 0: ready. Otherwise the PLC is not started, and *why (may stay unset) says the reason. */
+    int (*init)(void* state, const PolyturnPlcHost* host, const char** why);
+    void (*cycle)(void* state, const PolyturnPlcInputs* inputs, PolyturnPlcOutputs* outputs);
+} PolyturnPlc;
+
+/* The one function that the shared object exports. */
+#define POLYTURN_PLC_SYMBOL "polyturn_plc"
+typedef const PolyturnPlc* (*PolyturnPlcFunction)(void);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

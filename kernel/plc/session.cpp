@@ -1,0 +1,62 @@
+#include "kernel/plc/session.hpp"
+
+#include <memory>
+
+#include "ipc/memory/segment.hpp"
+#include "kernel/plc/cycle_watch.hpp"
+
+namespace polyturn::plc {
+
+namespace {
+
+constexpr std::chrono::milliseconds kPatience{10'000};
+constexpr std::int64_t kLookRoundUs = 100'000;  // how often a PLC without work looks for a stop or a new kernel
+constexpr int kSpins = 200;
+
+bool another_kernel(const std::string& instance, std::uint64_t generation) {
+    const auto kernel = PeerSegment<KernelSegment>::attach(instance);
+    return kernel && (*kernel)->header.generation != generation;
+}
+
+}  // namespace
+
+Result<SessionEnd> run_session(const std::string& instance, BuilderPlc& plc, const std::atomic<bool>& stop) {
+    auto kernel_segment = PeerSegment<KernelSegment>::attach(instance, 0, kPatience);
+    if (!kernel_segment) return kernel_segment.diagnosis();
+    const KernelSegment& kernel = **kernel_segment;
+    const std::uint64_t generation = kernel.header.generation;
+    {
+        auto store = PeerSegment<StoreSegment>::attach(instance, 0, kPatience);
+        if (!store) return store.diagnosis();
+        const auto parameters = std::make_unique<params::Table>();
+        while (!(*store)->parameters.read(*parameters)) sleep_ms(1);
+        const double tick_s = static_cast<double>(kernel.tick_ns.load(std::memory_order_acquire)) * 1e-9;
+        if (auto ready = plc.init(*parameters, tick_s); !ready) return ready.diagnosis();
+    }
+    auto own = OwnSegment<PlcSegment>::create(instance, generation);
+    if (!own) return own.diagnosis();
+    PlcSegment& segment = **own;
+    own->publish();
+
+    const auto inputs = std::make_unique<PlcInputs>();
+    const auto outputs = std::make_unique<PlcOutputs>();
+    std::uint64_t done = 0;
+    while (!stop.load(std::memory_order_relaxed)) {
+        const std::uint32_t rung = kernel.plc_bell.seen();
+        if (kernel.plc_inputs.read(*inputs) && inputs->cycle != done) {
+            cycle_watch::begin(inputs->cycle);
+            plc.cycle(*inputs, *outputs);
+            cycle_watch::end();
+            done = outputs->cycle = inputs->cycle;
+            segment.outputs.write(*outputs);
+            segment.cycle.store(done, std::memory_order_release);
+            segment.bell.ring();
+            continue;
+        }
+        kernel.plc_bell.wait(rung, kLookRoundUs, kSpins);
+        if (kernel.plc_bell.seen() == rung && another_kernel(instance, generation)) return SessionEnd::NewKernel;
+    }
+    return SessionEnd::Asked;
+}
+
+}  // namespace polyturn::plc
