@@ -1,0 +1,284 @@
+// The built-in lathe PLC as a table: what the NC shows it, what it answers.
+#include "kernel/plc/lathe/lathe_plc.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "kernel/plc/builder_plc.hpp"
+#include "kernel/plc/plc_api.h"
+
+namespace polyturn::plc {
+namespace {
+
+// A machine of two channels, a PLC cycle of 10 ticks of 1 ms; signals go by the names that the PLC itself asks for.
+class LatheRig : public ::testing::Test {
+protected:
+    static std::int32_t slot_of(std::vector<std::string>& names, const char* name, std::uint32_t instance) {
+        const std::string full = std::string(name) + " " + std::to_string(instance);
+        const auto found = std::find(names.begin(), names.end(), full);
+        if (found != names.end()) return static_cast<std::int32_t>(found - names.begin());
+        names.push_back(full);
+        return static_cast<std::int32_t>(names.size() - 1);
+    }
+    static inline std::vector<std::string> nc_names, plc_names;
+    static inline std::map<std::string, double> parameters;
+
+    void SetUp() override {
+        nc_names.clear();
+        plc_names.clear();
+        parameters = {{"PT_TURRET_TIME", 0.3}, {"PT_CHUCK_TIME", 0.8}, {"PT_TURRET_STATIONS", 12}, {"PT_DRIVEN_SPINDLE", 3}};
+        PolyturnPlcHost host{POLYTURN_PLC_API, 16, 96, 32, 256, 0.001,
+                             [](const char* name, std::uint32_t instance) { return slot_of(nc_names, name, instance); },
+                             [](const char* name, std::uint32_t instance) { return slot_of(plc_names, name, instance); },
+                             [](const char* number, std::uint32_t, double* value) {
+                                 const auto found = parameters.find(number);
+                                 if (found == parameters.end()) return 0;
+                                 *value = found->second;
+                                 return 1;
+                             }};
+        ASSERT_EQ(plc_.resolve(host), nullptr);
+        nc_.assign(nc_names.size(), 0);
+        plc_out_.assign(plc_names.size(), 0);
+        nc("N_MACHINE_ON") = 1;
+        for (const unsigned s : {1U, 2U, 3U, 4U}) nc("SN_N0", s) = nc("SN_NS", s) = 1;
+        nc("CN_SSEL", 1) = nc("CN_SSEL", 2) = 1;
+        run();
+    }
+
+    std::int32_t& nc(const char* name, unsigned instance = 1) { return nc_.at(static_cast<std::size_t>(slot_of(nc_names, name, instance))); }
+    std::int32_t plc(const char* name, unsigned instance = 1) { return plc_out_.at(static_cast<std::size_t>(slot_of(plc_names, name, instance))); }
+    std::uint8_t output(std::size_t point) const { return output_.at(point); }
+
+    void run(int cycles = 1) {
+        for (int i = 0; i < cycles; ++i) {
+            const PolyturnPlcInputs in{cycle_, static_cast<std::int64_t>(cycle_ - 1) * 10, nc_.data(), input_.data()};
+            PolyturnPlcOutputs out{plc_out_.data(), output_.data()};
+            plc_.cycle(in, out);
+            ++cycle_;
+        }
+    }
+    void m(int code, unsigned channel = 1) { nc("CN_MCODE", channel) = code, ++nc("CN_MSTR", channel), run(); }
+    void t(int code, unsigned channel = 1) { nc("CN_TCODE", channel) = code, ++nc("CN_TSTR", channel), run(); }
+    bool m_done(unsigned channel = 1) { return plc("CP_MFIN", channel) == nc("CN_MSTR", channel); }
+    bool t_done(unsigned channel = 1) { return plc("CP_TFIN", channel) == nc("CN_TSTR", channel); }
+    // The spindle answers as a real one: flags fall with the command, rise when it is there.
+    void spindle(unsigned s, int reached, int stands) { nc("SN_NS", s) = reached, nc("SN_N0", s) = stands; }
+
+    LathePlc plc_;
+    std::vector<std::int32_t> nc_, plc_out_;
+    std::vector<std::uint8_t> input_ = std::vector<std::uint8_t>(256), output_ = std::vector<std::uint8_t>(256);
+    std::uint64_t cycle_ = 1;
+};
+
+TEST_F(LatheRig, CodesThatMoveNothingAreFinishedInTheSameCycle) {
+    for (const int code : {0, 1, 2, 30, 8, 9, 41, 98, 500}) {
+        SCOPED_TRACE(code);
+        m(code);
+        EXPECT_TRUE(m_done());
+    }
+    ++nc("CN_SSTR");
+    run();
+    EXPECT_EQ(plc("CP_SFIN"), nc("CN_SSTR"));
+    EXPECT_EQ(plc("CP_FIN"), 10) << "nine M codes and one S code";
+}
+
+TEST_F(LatheRig, SpindleCodeWaitsForTheSpindleAndNotForTheFlagsOfBefore) {
+    struct Row { int code; int rotation; int reached, stands; };
+    for (const Row& row : {Row{3, 3, 1, 0}, Row{4, 4, 1, 0}, Row{5, 5, 1, 1}}) {
+        SCOPED_TRACE(row.code);
+        spindle(1, 1, 1);  // what still stands in the inputs when the code comes
+        m(row.code);
+        EXPECT_EQ(plc("SP_ROT", 1), row.rotation);
+        run(2);
+        EXPECT_FALSE(m_done()) << "the flags speak of the state before";
+        spindle(1, 0, 0);
+        run(50);
+        EXPECT_FALSE(m_done());
+        spindle(1, row.reached, row.stands);
+        run();
+        EXPECT_TRUE(m_done());
+    }
+}
+
+TEST_F(LatheRig, OrientationClosesTheLoopAndEndsInPosition) {
+    m(19);
+    EXPECT_EQ(plc("SP_ROT", 1), 19);
+    EXPECT_EQ(plc("SP_OREQ", 1), 1);
+    run(20);
+    EXPECT_FALSE(m_done());
+    nc("SN_INPOS", 1) = 1;
+    run();
+    EXPECT_TRUE(m_done());
+    m(5);
+    EXPECT_EQ(plc("SP_OREQ", 1), 0);
+}
+
+TEST_F(LatheRig, SelectedSpindleIsTheChannelsOwnChoice) {
+    nc("CN_SSEL", 2) = 2;
+    m(3, 1);
+    m(4, 2);
+    EXPECT_EQ(plc("SP_ROT", 1), 3);
+    EXPECT_EQ(plc("SP_ROT", 2), 4);
+}
+
+TEST_F(LatheRig, DrivenToolHasItsOwnCodesAndSpindle) {
+    m(3);
+    m(14);
+    EXPECT_EQ(plc("SP_ROT", 1), 3);
+    EXPECT_EQ(plc("SP_ROT", 3), 4);
+    m(15);
+    EXPECT_EQ(plc("SP_ROT", 1), 3);
+    EXPECT_EQ(plc("SP_ROT", 3), 5);
+}
+
+TEST_F(LatheRig, TurretTakesTheShorterWay) {
+    struct Row { int station; int steps; };  // from the row before, 12 stations, 0.3 s each = 30 cycles
+    for (const Row& row : {Row{1, 0}, Row{3, 2}, Row{12, 3}, Row{6, 6}, Row{6, 0}, Row{0, 0}, Row{5, 1}}) {
+        SCOPED_TRACE(row.station);
+        t(row.station);
+        int cycles = 1;
+        for (; !t_done() && cycles < 1000; ++cycles) run();
+        EXPECT_EQ(cycles, 1 + 30 * row.steps);
+        EXPECT_TRUE(row.station == 0 || plc("CP_ACTT") == row.station);
+        EXPECT_EQ(output(kTurretLocked), 1);
+    }
+}
+
+TEST_F(LatheRig, TurretsOfTwoChannelsTurnIndependently) {
+    t(2, 1);
+    t(3, 2);
+    EXPECT_EQ(output(0 * kOutputsPerChannel + kTurretTurns), 1);
+    EXPECT_EQ(output(1 * kOutputsPerChannel + kTurretTurns), 1);
+    run(31);
+    EXPECT_TRUE(t_done(1));
+    EXPECT_FALSE(t_done(2));
+    run(30);
+    EXPECT_TRUE(t_done(2));
+}
+
+TEST_F(LatheRig, StationThatTheTurretDoesNotHaveIsRefusedUntilReset) {
+    t(13);
+    run(1000);
+    EXPECT_FALSE(t_done());
+    EXPECT_EQ(plc("PLC_ALARM"), kNoSuchStation);
+    ++nc("CN_RESET");
+    run();
+    EXPECT_EQ(plc("PLC_ALARM"), kNoMessage);
+    EXPECT_TRUE(t_done());
+    t(2);
+    run(30);
+    EXPECT_TRUE(t_done());
+}
+
+TEST_F(LatheRig, ChuckOpensOnlyAtStandstillAndTakesItsTime) {
+    m(11);
+    run(79);
+    EXPECT_FALSE(m_done());
+    run(1);
+    EXPECT_TRUE(m_done());
+    EXPECT_EQ(output(kFirstSpindleOutput + kChuckOpen), 1);
+    m(3);
+    EXPECT_EQ(plc("PLC_ALARM"), kTurningWhileOpen);
+    EXPECT_EQ(plc("SP_ROT", 1), 5);
+    ++nc("CN_RESET");
+    run();
+    m(10);
+    run(80);
+    EXPECT_TRUE(m_done());
+    m(3);
+    spindle(1, 1, 0);
+    run(5);
+    EXPECT_TRUE(m_done());
+    m(11);
+    run(200);
+    EXPECT_FALSE(m_done());
+    EXPECT_EQ(plc("PLC_ALARM"), kChuckWhileTurning);
+    EXPECT_EQ(output(kFirstSpindleOutput + kChuckClamp), 1);
+}
+
+TEST_F(LatheRig, EndOfProgramStopsWhatTheChannelStartedAndNothingElse) {
+    m(8, 2);
+    m(8, 1);
+    m(3, 1);
+    m(30, 2);
+    EXPECT_EQ(plc("SP_ROT", 1), 3) << "L1 started it";
+    EXPECT_EQ(output(1 * kOutputsPerChannel + kCoolant), 0);
+    EXPECT_EQ(output(0 * kOutputsPerChannel + kCoolant), 1);
+    m(30, 1);
+    EXPECT_EQ(plc("SP_ROT", 1), 5);
+    EXPECT_EQ(output(kCoolant), 0);
+}
+
+TEST_F(LatheRig, ResetAnswersWhatWasPendingAndStopsTheSpindle) {
+    spindle(1, 0, 0);
+    m(3);
+    run(10);
+    EXPECT_FALSE(m_done());
+    ++nc("CN_RESET");
+    run();
+    EXPECT_TRUE(m_done());
+    EXPECT_EQ(plc("SP_ROT", 1), 5);
+}
+
+TEST_F(LatheRig, EmergencyStopStopsEverythingAndTheTurretHalts) {
+    m(3);
+    m(8);
+    t(5);
+    run(35);  // one station passed
+    nc("N_ESTOP") = 1;
+    run(100);
+    EXPECT_EQ(plc("SP_ROT", 1), 5);
+    EXPECT_EQ(output(kCoolant), 0);
+    EXPECT_EQ(output(kTurretTurns), 0);
+    EXPECT_EQ(plc("CP_ACTT"), 2);
+    EXPECT_FALSE(t_done()) << "the turret is not where the program wants it";
+    nc("N_ESTOP") = 0, ++nc("CN_RESET");
+    run();
+    t(5);
+    run(90);
+    EXPECT_TRUE(t_done());
+    EXPECT_EQ(plc("CP_ACTT"), 5);
+}
+
+TEST_F(LatheRig, NoSpindleSelectedIsSaid) {
+    nc("CN_SSEL") = 0;
+    m(3);
+    run(10);
+    EXPECT_FALSE(m_done());
+    EXPECT_EQ(plc("PLC_ALARM"), kNoSpindle);
+}
+
+TEST(LathePlcStart, DoesNotRepeatWhatAPredecessorWasAsked) {
+    // Cycle 57 is the first this PLC sees; an M3 of before stands in the inputs.
+    const auto table = std::make_unique<params::Table>(params::defaults());
+    auto plc = BuilderPlc::load(POLYTURN_BIN_DIR "/liblathe_plc.so");
+    ASSERT_TRUE(plc) << plc.diagnosis().text();
+    ASSERT_TRUE(plc->init(*table, 0.001));
+    auto in = std::make_unique<PlcInputs>();
+    auto out = std::make_unique<PlcOutputs>();
+    in->cycle = 57;
+    in->signal[signals::n_machine_on()] = 1;
+    in->signal[signals::cn_ssel(1)] = 1;
+    in->signal[signals::cn_mstr(1)] = 4;
+    in->signal[signals::cn_mcode(1)] = 3;
+    plc->cycle(*in, *out);
+    EXPECT_EQ(out->signal[signals::cp_mfin(1)], 4);
+    EXPECT_EQ(out->signal[signals::sp_rot(1)], 5);
+}
+
+TEST(BuilderPlcLoad, SaysWhatIsWrongWithAFile) {
+    struct Row { const char* library; Alarm alarm; };
+    for (const Row& row : {Row{"/nowhere/plc.so", Alarm::PlcLoad}, Row{POLYTURN_SOURCE_DIR "/LICENSE", Alarm::PlcLoad}, Row{"libm.so.6", Alarm::PlcLoad}}) {
+        SCOPED_TRACE(row.library);
+        const auto plc = BuilderPlc::load(row.library);
+        ASSERT_FALSE(plc);
+        EXPECT_EQ(plc.diagnosis().alarm, row.alarm);
+    }
+}
+
+}  // namespace
+}  // namespace polyturn::plc
