@@ -52,12 +52,13 @@ struct ParsedFile {
     std::vector<Diagnosis> diagnoses;         // every bad line; at the most kMostDiagnoses, then one that says so
     [[nodiscard]] bool ok() const noexcept;   // no error among the diagnoses
 };
-inline constexpr std::size_t kMostDiagnoses = 1000;
+inline constexpr std::size_t kMostDiagnoses = 200;   // more than that is another kind of file
 
 // A whole file: LF, CRLF or CR, with or without a UTF-8 byte order mark. `filename` goes into the places.
 [[nodiscard]] ParsedFile parse_param_file(std::string_view text, std::string_view filename);
 
-// Writes all of them or, when one is not valid, none.
+// Writes all of them or, when one is not valid, none. Call it as params::apply: unqualified, with a std::vector, the
+// compiler would take std::apply.
 [[nodiscard]] Result<void> apply(Table& table, std::span<const Assignment> assignments);
 // Also refuses a file with errors, with the first of them.
 [[nodiscard]] Result<void> apply(Table& table, const ParsedFile& file);

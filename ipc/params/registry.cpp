@@ -1,6 +1,7 @@
 #include "ipc/params/registry.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "ipc/params/row_table.hpp"
 
@@ -14,20 +15,25 @@ std::string upper(std::string_view text) {
     return out;
 }
 
-// Letters changed, added, dropped or swapped with the neighbour to get from one text to the other.
-std::size_t edit_distance(std::string_view from, std::string_view to) {
-    std::vector<std::size_t> before, above(to.size() + 1), now(to.size() + 1);
+constexpr std::size_t kLongest = 48;   // longer names are nobody's; bounds the work on rubbish
+
+// Letters changed, added, dropped or swapped with the neighbour to get from one text to the other; `limit` or more once
+// it is clear that it will not be less. Both texts at most kLongest long.
+std::size_t edit_distance(std::string_view from, std::string_view to, std::size_t limit) {
+    std::array<std::size_t, kLongest + 1> before{}, above{}, now{};
     for (std::size_t j = 0; j <= to.size(); ++j) above[j] = j;
     for (std::size_t i = 1; i <= from.size(); ++i) {
         now[0] = i;
+        std::size_t least = i;
         for (std::size_t j = 1; j <= to.size(); ++j) {
             const std::size_t change = above[j - 1] + (from[i - 1] == to[j - 1] ? 0 : 1);
             now[j] = std::min({change, above[j] + 1, now[j - 1] + 1});
-            if (i > 1 && j > 1 && from[i - 1] == to[j - 2] && from[i - 2] == to[j - 1])
-                now[j] = std::min(now[j], before[j - 2] + 1);
+            if (i > 1 && j > 1 && from[i - 1] == to[j - 2] && from[i - 2] == to[j - 1]) now[j] = std::min(now[j], before[j - 2] + 1);
+            least = std::min(least, now[j]);
         }
+        if (least > limit) return least;   // a swap still reaches back one line, hence not >=
         before = above;
-        std::swap(above, now);
+        above = now;
     }
     return above[to.size()];
 }
@@ -37,8 +43,9 @@ std::string_view family(std::string_view number) { return number.substr(0, numbe
 
 std::string without_leading_zeros(std::string_view number) {
     const std::size_t letters = family(number).size();
-    const std::size_t digits = number.find_first_not_of('0', letters);
-    return std::string(number.substr(0, letters)) + std::string(number.substr(std::min(digits, number.size())));
+    const std::size_t digits = std::min(number.find_first_not_of('0', letters), number.size());
+    std::string out(number.substr(0, letters));
+    return out.append(number.substr(digits));
 }
 
 }  // namespace
@@ -48,7 +55,6 @@ std::string Row::title() const { return std::string(number) + ' ' + std::string(
 std::span<const Row> rows() noexcept { return detail::kRows; }
 
 const Row* find(std::string_view number) noexcept {
-    constexpr std::size_t kLongest = 48;
     if (number.size() > kLongest) return nullptr;
     char key[kLongest];
     std::transform(number.begin(), number.end(), key,
@@ -62,25 +68,30 @@ const Row* find(std::string_view number) noexcept {
 }
 
 std::vector<std::string_view> nearest(std::string_view number, std::size_t count) {
-    const std::string wanted = upper(number.substr(0, 48));
+    const std::string wanted = upper(number.substr(0, kLongest));
+    const std::string wanted_short = without_leading_zeros(wanted);
     struct Candidate {
         std::size_t distance;
         std::string_view number;
     };
-    std::vector<Candidate> candidates;
-    for (const Row& row : rows()) {
-        // Leading zeros left out are the commonest slip (N304 for N0304): no distance at all. Another family is far.
-        std::size_t distance = 2 * edit_distance(wanted, row.number);
-        if (without_leading_zeros(wanted) == without_leading_zeros(row.number)) distance = 0;
-        if (family(wanted) != family(row.number)) ++distance;
-        candidates.push_back({distance, row.number});
-    }
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
-    std::vector<std::string_view> out;
+    if (count == 0) return {};
+    std::vector<Candidate> best;   // ascending, of equals the earlier row first
     const std::size_t far = wanted.size() + 1;   // more than half of the letters wrong: no resemblance worth showing
-    for (const Candidate& candidate : candidates)
-        if (out.size() < count && candidate.distance < far) out.push_back(candidate.number);
+    for (const Row& row : rows()) {
+        const std::size_t limit = best.size() < count ? far : best.back().distance;
+        const std::size_t lengths = std::max(wanted.size(), row.number.size()) - std::min(wanted.size(), row.number.size());
+        const bool zeros = wanted_short == without_leading_zeros(row.number);   // the commonest slip: N304 for N0304
+        if (!zeros && 2 * lengths >= limit) continue;
+        std::size_t distance = zeros ? 0 : 2 * edit_distance(wanted, row.number, limit / 2);
+        if (family(wanted) != family(row.number)) ++distance;
+        if (distance >= limit) continue;
+        const auto place = std::upper_bound(best.begin(), best.end(), distance,
+                                            [](std::size_t value, const Candidate& one) { return value < one.distance; });
+        best.insert(place, {distance, row.number});
+        if (best.size() > count) best.pop_back();
+    }
+    std::vector<std::string_view> out;
+    for (const Candidate& candidate : best) out.push_back(candidate.number);
     return out;
 }
 
