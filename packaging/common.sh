@@ -1,0 +1,34 @@
+# Sourced by demo and test: where the project is, progress, and the packages it needs.
+# shellcheck shell=bash
+
+top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+started=$SECONDS
+
+say() { printf '\n== %s  [%d s]\n' "$*" "$((SECONDS - started))"; }
+stop() { printf '\n%s\n' "$*" >&2; exit 2; }
+
+# Installs what is missing of dependencies.txt; touches nothing and needs no rights when all is there.
+install_packages() {
+    local package status missing=()
+    command -v dpkg-query >/dev/null || { say "No Debian here: packaging/dependencies.txt names what must be installed"; return; }
+    while read -r package; do
+        [[ -n $package ]] || continue
+        status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
+        [[ $status == installed ]] || missing+=("$package")
+    done <"$top/packaging/dependencies.txt"
+    if ((${#missing[@]} == 0)); then
+        say "All packages of packaging/dependencies.txt are installed"
+        return
+    fi
+    say "Installing ${missing[*]}"
+    local root=()
+    if ((EUID != 0)); then
+        command -v sudo >/dev/null || stop "Please install as root: apt-get install ${missing[*]}"
+        root=(sudo)
+    fi
+    "${root[@]}" apt-get update -q
+    "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"
+    started=$SECONDS  # what follows is timed without the installation
+}
+
+jobs=$(nproc)
