@@ -1,0 +1,32 @@
+#include "kernel/motion/jerk_profile.hpp"
+
+namespace polyturn::kernel {
+
+namespace {
+// Braking from (v, 0) to (w, 0): mean speed (v + w)/2 times the time of a symmetrical ramp.
+double braking_length(double v, double w, double a_max, double j_max) {
+    const double d = v - w;
+    const double time = d <= a_max * a_max / j_max ? 2 * std::sqrt(d / j_max) : d / a_max + a_max / j_max;
+    return (v + w) / 2 * time;
+}
+
+// Solves braking_length(v, w) = distance for v >= w by bisection: rises with v for a fixed w.
+double top_speed_to(double distance, double w, double a_max, double j_max) {
+    // With the ramp's jerk phase the length exceeds (v^2 - w^2)/(2 A): an upper bound of v.
+    double low = w, high = std::sqrt(w * w + 2 * a_max * distance);
+    for (int i = 0; i < 44 && high - low > 1e-12 * high; ++i) {
+        const double middle = (low + high) / 2;
+        (braking_length(middle, w, a_max, j_max) <= distance ? low : high) = middle;
+    }
+    return low;
+}
+}  // namespace
+
+double top_speed(double distance, double w, double a_max, double j_max) noexcept {
+    if (!(distance > 0)) return w;
+    const double to_w = top_speed_to(distance, w, a_max, j_max);
+    // The trap of the header: stopping first can be shorter than braking to a crawl.
+    return w == 0 ? to_w : std::max(to_w, top_speed_to(distance, 0, a_max, j_max));
+}
+
+}  // namespace polyturn::kernel

@@ -1,0 +1,161 @@
+// How fast is a channel on its path at this tick? Called once a tick by the cyclic thread: no allocation, lock, exception,
+// system call; work bounded by the window.
+//
+// The kernel hands over records one by one (append) and then asks each tick for a step; the planner knows lengths and
+// ceilings only, never geometry. Record numbers are the ring's own indices.
+//
+//     planner.clear(next ring index)                  at attach, reset, new epoch: the path stands
+//     while (planner.wants_record() && ring has more) planner.append(PlannedRecord::from(record, stands_before))
+//     const PathStep step = planner.tick(input);
+//         for i in [step.first_record, step.record): record i ended at step-fraction planner.end_fraction(i)
+//         position: record step.record at step.s
+//     step.stands != Moving tells why the path stands; BeforeRecord: execute step.record, then planner.skip(step.record + 1)
+//
+// Standstill before a record (PlannedRecord::stop_before): a record that is no motion, a thread, a wait. Notes of length 0
+// that need no standstill (Variable, Offset, SpindleSpeed) are appended with stop_before false; they are reported as
+// ended like any other record. A flying wait is appended with stop_before and let_pass() once its partners are there;
+// nothing ever turns from passing to stopping.
+// How it works, why it is right and what is weak: path_planner.cpp.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include "kernel/motion/jerk_profile.hpp"
+#include "polyturn/image_structs.hpp"
+
+namespace polyturn::kernel {
+
+inline constexpr std::uint32_t kPlannerWindow = 4096;  // slots; the horizon may be up to this less 2
+inline constexpr std::uint32_t kAppendsPerTick = 128;  // bounds the work of a tick
+
+// What the planner needs to know of a record. v_max, a_max, j_max hold along the whole record.
+struct PlannedRecord {
+    double length = 0;      // mm (degrees for a rotary path)
+    double v_max = 0;       // mm/s, geometry and axes: never exceeded
+    double a_max = 0;       // mm/s2
+    double j_max = 0;       // mm/s3; infinity: no axis limits jerk
+    double feed = 0;        // mm/s, or mm a revolution
+    std::uint16_t spindle = 0;        // from 1; feed per revolution
+    FeedMode feed_mode = FeedMode::PerMinute;
+    bool override_locked = false;     // feed override is 100 %
+    bool stop_before = false;         // path stands at its start until the kernel skips it
+    bool stop_after = false;          // path stands at its end (exact stop)
+    bool wait_in_position = false;    // ... until PathInput::in_position
+    bool block_end = false;           // single block stops here
+
+    static PlannedRecord from(const PathRecord& record, bool stop_before) noexcept;
+};
+
+struct PathInput {
+    double feed_override = 1;         // 0 .. 2
+    double rapid_override = 1;        // 0 .. 1
+    const double* spindle_rev_s = nullptr;  // revolutions a second (any sign) of spindle 1.., kMaxSpindles values; may be null
+    double dry_run_feed = 0;          // mm/s; > 0 replaces programmed feeds
+    double speed_ceiling = std::numeric_limits<double>::infinity();  // mm/s, wanted by couplings; kept as a feed is
+    bool hold = false;                // brake along the path, stand
+    bool single_block = false;        // stand at the end of the running block until step_block()
+    bool in_position = true;          // measured axes are where they should be
+    double emergency_dec = 0;         // mm/s2; > 0 brakes with it at once, exempt from jerk
+};
+
+enum class Stands : std::uint8_t {
+    Moving = 0,
+    NoRecord,      // nothing appended behind
+    BeforeRecord,  // record `record` has stop_before: it is the kernel's turn
+    InPosition,    // waits for the measured axes
+    Held,
+    BlockEnd,      // single block
+    NoFeed,        // feed or override is 0, spindle stands at feed per revolution
+};
+
+struct PathStep {
+    std::uint64_t first_record = 0;  // running at the beginning of the tick
+    std::uint64_t record = 0;        // running at the end of the tick
+    double s = 0;                    // mm along it
+    double speed = 0;                // mm/s
+    double acceleration = 0;         // mm/s2
+    bool first_began = false;        // first_record began to move at the beginning of this tick
+    Stands stands = Stands::NoRecord;
+};
+
+class PathPlanner {
+public:
+    // dt: tick in seconds. horizon: records looked at (PT_HORIZON).
+    void configure(double dt, std::uint32_t horizon) noexcept;
+    // Forget everything; the next appended record is number `next`; the path stands.
+    void clear(std::uint64_t next) noexcept;
+
+    // Fewer than the horizon are there (counted from the running one) and this tick has not taken its share yet.
+    [[nodiscard]] bool wants_record() const noexcept { return end_ - first_ < horizon_ && appended_ < kAppendsPerTick; }
+    void append(const PlannedRecord& record) noexcept;
+    [[nodiscard]] std::uint64_t next_record() const noexcept { return end_; }  // number that append() gives
+
+    PathStep tick(const PathInput& input) noexcept;
+
+    // The path stands at the beginning of `to - 1` (or anywhere, after a hold) and goes on at the start of `to`:
+    // the records between were executed or dropped by the kernel. `to` may be next_record().
+    void skip(std::uint64_t to) noexcept;
+    void let_pass(std::uint64_t record) noexcept;  // a record that stopped the path does so no more
+    void step_block() noexcept { block_latch_ = kNone; block_done_ = false; }  // single block: drive the next one
+
+    // Of a record that ended in the last tick: when, 0 (its beginning) to 1 (its end).
+    [[nodiscard]] double end_fraction(std::uint64_t record) const noexcept { return at(record).end_fraction; }
+    [[nodiscard]] double speed() const noexcept { return state_.v; }
+    [[nodiscard]] double acceleration() const noexcept { return state_.a; }
+    [[nodiscard]] bool at_rest() const noexcept { return state_.v == 0 && state_.a == 0; }
+    // Ticks in which no step within limits was found: stays 0; tests ask.
+    [[nodiscard]] std::uint64_t anomalies() const noexcept { return anomalies_; }
+
+private:
+    static constexpr std::uint64_t kNone = ~0ull;
+    static constexpr std::uint32_t kTargets = 96;
+    static constexpr std::uint32_t kDrops = 4;
+
+    struct Slot : PlannedRecord {
+        double end_fraction = 0;
+    };
+    struct Target { double distance, ceiling; };          // from the distance on, not above the ceiling
+    struct Drop { double distance, speed, a, j; };        // limits before it; speed from which all behind can be kept
+    // What lies ahead, as far as the path could matter at this tick. Distances from the present point.
+    struct View {
+        std::array<Target, kTargets> targets; std::uint32_t target_count;
+        std::array<Drop, kDrops> drops; std::uint32_t drop_count;
+        double ceiling;      // over what this tick can touch
+        double a, j;         // least limits over the whole view
+        double tick_a, tick_j;  // least limits over what this tick can touch
+        double end;          // where the path must stand; infinity: beyond the view
+        std::uint64_t end_record;  // ... that is the end of this record
+    };
+    enum class Ceilings : std::uint8_t { Hard, Wanted };
+
+    [[nodiscard]] const Slot& at(std::uint64_t record) const noexcept { return slots_[record % kPlannerWindow]; }
+    [[nodiscard]] Slot& at(std::uint64_t record) noexcept { return slots_[record % kPlannerWindow]; }
+    [[nodiscard]] double wanted_speed(const Slot& slot, const PathInput& input) const noexcept;
+    void look_ahead(View& view, Ceilings which, const PathInput& input) const noexcept;
+    static void add_target(View& view, double distance, double ceiling) noexcept;
+    [[nodiscard]] bool safe(const View& view, const PathState& state, double moved) const noexcept;
+    [[nodiscard]] PathState choose(const PathInput& input) noexcept;
+    [[nodiscard]] bool land(const View& view) noexcept;
+    void latch_block_end() noexcept;
+    void carry(const PathState& from, const PathState& to, PathStep& step) noexcept;
+    void leave_stop() noexcept;
+
+    double dt_ = 0.001;
+    std::uint32_t horizon_ = 1024;
+    std::uint64_t first_ = 0, end_ = 0;   // records of the window
+    std::uint32_t appended_ = 0;          // since the last tick
+    PathState state_;                     // s along record first_
+    bool began_ = false;                  // record first_ has begun to move
+    bool done_ = false;                   // stands at the end of record first_
+    std::uint64_t block_latch_ = kNone;   // single block: stand at the end of this record
+    bool block_done_ = false;
+    bool landing_ = false;                // on a fixed profile that ends in the end of record landing_end_
+    std::uint64_t landing_end_ = kNone;
+    SpeedProfile landing_profile_;
+    double landing_time_ = 0, landing_distance_ = 0, landing_moved_ = 0;
+    std::uint64_t anomalies_ = 0;
+    std::array<Slot, kPlannerWindow> slots_{};
+};
+
+}  // namespace polyturn::kernel
