@@ -19,7 +19,7 @@ enum class RecordKind : std::uint8_t {
     Wait,          // code, mask; flags kFlying
     Barrier,       // the channel stands until this is executed; the kernel answers with BarrierReached
     Variable,      // text names it, value; NaN empties it
-    Offset,        // a store write in path order: code table (StoreField), mask number, plane[0] field, value
+    Offset,        // a store write in path order: code OffsetTable, mask number (Work: row), plane[0] OffsetField (Work: place), value
     Message,       // text for the operator
     Stop,          // code: StopReason
     Part,          // one part is finished (M99 of the main program, M30 of a counted part); value: count
@@ -89,7 +89,7 @@ enum class CommandKind : std::uint32_t {
 enum class StoreRequestKind : std::uint32_t {
     None = 0, Parameter, OffsetValue, WorkZero, Variable, Counter, LastPosition, Query, Flush,
 };
-enum class OffsetTable : std::int32_t { Geometry = 0, Wear, SecondGeometry };
+enum class OffsetTable : std::int32_t { Geometry = 0, Wear, SecondGeometry, Work };   // Work: a row and place of ChannelStore::zeros
 enum class OffsetField : std::int32_t { X = 0, Y, Z, R, T };
 
 enum AxisFlag : std::uint32_t { kReferenced = 1u << 0, kInPos = 1u << 1, kMoving = 1u << 2, kExists = 1u << 3, kDriveFault = 1u << 4, kRotary = 1u << 5, kDiameter = 1u << 6 };
