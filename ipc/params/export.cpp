@@ -1,8 +1,10 @@
 #include "ipc/params/export.hpp"
 
-#include <cstdlib>
+#include <algorithm>
 
 #include <fmt/format.h>
+
+#include "ipc/params/unit.hpp"
 
 namespace polyturn::params {
 namespace {
@@ -31,6 +33,15 @@ bool is_default(const Row& row, const Table& table, unsigned instance, unsigned 
     return table.numbers[slot] == row.default_number(element);
 }
 
+bool alike(const Row& row, const Table& table, unsigned instance) {
+    for (unsigned element = 0; element < row.array; ++element) {
+        const std::size_t one = slot_of(row, 1, element), other = slot_of(row, instance, element);
+        const bool equal = row.type == Type::Text ? text_at(table, one) == text_at(table, other) : table.numbers[one] == table.numbers[other];
+        if (!equal) return false;
+    }
+    return true;
+}
+
 // Names of the bits that are on, for the comment.
 std::string bits_on(const Row& row, double value) {
     std::string out;
@@ -45,7 +56,9 @@ void append_line(std::string& out, const Row& row, const Table& table, const Tar
     std::string line = target_text(target) + '=' + value_text(row, table, instance, element);
     line.resize(std::max(line.size() + 1, kCommentColumn), ' ');
     out += line + "; " + std::string(row.name);
-    if (!row.unit.empty()) out += fmt::format(", {}", row.unit);
+    const bool every = target.instance == Target::kEveryInstance;   // then the axes may differ in their units
+    const std::string_view unit = every && row.scope != Scope::Global ? row.unit : unit_of(row, table, instance);
+    if (!unit.empty()) out += fmt::format(", {}", unit);
     if (row.type == Type::Bits) out += bits_on(row, table.numbers[slot_of(row, instance, element)]);
     out += '\n';
 }
@@ -53,15 +66,13 @@ void append_line(std::string& out, const Row& row, const Table& table, const Tar
 // The least number of lines that give this row: one for all instances when they are alike.
 void append_row(std::string& out, const Row& row, const Table& table, Content content) {
     const unsigned count = instances(row.scope);
-    bool alike = true;
-    for (unsigned instance = 2; instance <= count && alike; ++instance)
-        for (unsigned element = 0; element < row.array && alike; ++element)
-            alike = value_text(row, table, instance, element) == value_text(row, table, 1, element);
-    for (unsigned instance = 1; instance <= (alike ? 1 : count); ++instance) {
+    bool all_alike = true;
+    for (unsigned instance = 2; instance <= count && all_alike; ++instance) all_alike = alike(row, table, instance);
+    for (unsigned instance = 1; instance <= (all_alike ? 1 : count); ++instance) {
         for (unsigned element = 0; element < row.array; ++element) {
             if (content == Content::Changed && is_default(row, table, instance, element)) continue;
             Target target{&row};
-            if (!alike) target.instance = instance;
+            if (!all_alike) target.instance = instance;
             if (row.array > 1) target.element = static_cast<int>(element);
             append_line(out, row, table, target);
         }
@@ -137,7 +148,7 @@ std::vector<Difference> difference(const Table& before, const Table& after) {
                                                           : before.numbers[slot] == after.numbers[slot];
                 if (!equal)
                     out.push_back({&row, instance, element, value_text(row, before, instance, element),
-                                   value_text(row, after, instance, element)});
+                                   value_text(row, after, instance, element), unit_of(row, after, instance)});
             }
     return out;
 }
@@ -146,8 +157,8 @@ std::string to_string(const Difference& difference) {
     const Row& row = *difference.row;
     Target target{&row, difference.instance};
     if (row.array > 1) target.element = static_cast<int>(difference.element);
-    return fmt::format("{}: {} -> {}{}{}   ({})", target_text(target), difference.before, difference.after, row.unit.empty() ? "" : " ",
-                       row.unit, row.name);
+    return fmt::format("{}: {} -> {}{}{}   ({})", target_text(target), difference.before, difference.after,
+                       difference.unit.empty() ? "" : " ", difference.unit, row.name);
 }
 
 }  // namespace polyturn::params

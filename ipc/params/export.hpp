@@ -29,6 +29,7 @@ struct Difference {
     unsigned instance;      // from 1
     unsigned element;       // from 0
     std::string before, after;
+    std::string_view unit;
 };
 [[nodiscard]] std::vector<Difference> difference(const Table& before, const Table& after);
 // "N0304 A3: 10000 -> 12000 mm/min   (Rapid)"

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 #include <fmt/format.h>
 
+#include "ipc/params/export.hpp"
 #include "ipc/params/limits_text.hpp"
 #include "ipc/params/utf8.hpp"
 
@@ -98,6 +101,26 @@ bool ParsedFile::ok() const noexcept {
     return std::none_of(diagnoses.begin(), diagnoses.end(), [](const Diagnosis& one) { return one.severity() == Severity::Error; });
 }
 
+namespace {
+
+// Warns where a line sets again exactly what a line before it set: usually a copy that was not finished.
+void warn_of_repetitions(ParsedFile& file) {
+    using Key = std::tuple<const Row*, unsigned, int, int>;
+    std::map<Key, std::uint32_t> seen;
+    for (const Assignment& one : file.assignments) {
+        const auto [found, first] = seen.try_emplace(Key{one.row, one.instance, one.bit, one.element}, one.place.line);
+        if (first) continue;
+        Diagnosis out;
+        out.alarm = Alarm::ParamTwice;
+        out.place = one.place;
+        out.detail = fmt::format("{}, already on line {}", target_text(one), found->second);
+        found->second = one.place.line;
+        if (file.diagnoses.size() < kMostDiagnoses) file.diagnoses.push_back(std::move(out));
+    }
+}
+
+}  // namespace
+
 ParsedFile parse_param_file(std::string_view text, std::string_view filename) {
     ParsedFile out;
     if (text.substr(0, 2) == "\xff\xfe" || text.substr(0, 2) == "\xfe\xff") {
@@ -127,6 +150,7 @@ ParsedFile parse_param_file(std::string_view text, std::string_view filename) {
         diagnosis.place.line = number;
         out.diagnoses.push_back(std::move(diagnosis));
     }
+    warn_of_repetitions(out);
     return out;
 }
 

@@ -41,6 +41,12 @@ std::size_t edit_distance(std::string_view from, std::string_view to, std::size_
 // N, F, MD, PT, FG: what stands before the first digit, point or underscore.
 std::string_view family(std::string_view number) { return number.substr(0, number.find_first_of("0123456789._")); }
 
+// A name that begins as those of one family do is a slip within it; any other may be a slip in the letters.
+bool is_family(std::string_view letters) {
+    constexpr std::string_view kFamilies[] = {"N", "F", "MD", "SD", "PT", "FG", "MEFI"};
+    return std::find(std::begin(kFamilies), std::end(kFamilies), letters) != std::end(kFamilies);
+}
+
 std::string without_leading_zeros(std::string_view number) {
     const std::size_t letters = family(number).size();
     const std::size_t digits = std::min(number.find_first_not_of('0', letters), number.size());
@@ -77,13 +83,14 @@ std::vector<std::string_view> nearest(std::string_view number, std::size_t count
     if (count == 0) return {};
     std::vector<Candidate> best;   // ascending, of equals the earlier row first
     const std::size_t far = wanted.size() + 1;   // more than half of the letters wrong: no resemblance worth showing
+    const bool one_family = is_family(family(wanted));
     for (const Row& row : rows()) {
+        if (one_family && family(row.number) != family(wanted)) continue;
         const std::size_t limit = best.size() < count ? far : best.back().distance;
         const std::size_t lengths = std::max(wanted.size(), row.number.size()) - std::min(wanted.size(), row.number.size());
         const bool zeros = wanted_short == without_leading_zeros(row.number);   // the commonest slip: N304 for N0304
         if (!zeros && 2 * lengths >= limit) continue;
-        std::size_t distance = zeros ? 0 : 2 * edit_distance(wanted, row.number, limit / 2);
-        if (family(wanted) != family(row.number)) ++distance;
+        const std::size_t distance = zeros ? 0 : 2 * edit_distance(wanted, row.number, limit / 2);
         if (distance >= limit) continue;
         const auto place = std::upper_bound(best.begin(), best.end(), distance,
                                             [](std::size_t value, const Candidate& one) { return value < one.distance; });

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <memory>
 
+#include "ipc/params/unit.hpp"
+
 namespace polyturn::params {
 namespace {
 
@@ -57,7 +59,7 @@ RC_GTEST_PROP(ExportedParameters, ReadInAgainToTheSameTable, ()) {
     RC_ASSERT(apply(*table, std::span<const Assignment>(assignments)).ok());
     const Content content = *rc::gen::element(Content::Changed, Content::All);
     const ParsedFile file = parse_param_file(export_lines(*table, content), "export");
-    RC_ASSERT(file.diagnoses.empty());
+    RC_ASSERT(file.diagnoses.empty());   // not even a line twice
     auto again = fresh();
     RC_ASSERT(apply(*again, file).ok());
     RC_ASSERT(same(*table, *again));
@@ -102,6 +104,21 @@ TEST(ParameterDifference, SaysWhatWhereAndInWhichUnit) {
     ASSERT_EQ(list.size(), 2U);
     EXPECT_EQ(to_string(list[0]), "N0401 A3: 0.05 -> 0.1 s   (Acc Tc)");
     EXPECT_EQ(to_string(list[1]), "PT_HORIZON: 1024 -> 512 records   (Horizon)");
+}
+
+TEST(ParameterUnits, FollowTheAxisAndTheUnitOfItsChannel) {
+    auto table = fresh();
+    ASSERT_TRUE(apply(*table, parse_param_file("N0002 A1=1\nN0002 A2=1\nN0106#1 A2=1\nN0002 A3=2\nN0104#0 L2=1\n", "m")).ok());
+    const Row &rapid = *find("N0304"), &limit = *find("N0303"), &chord = *find("N1339"), &surface = *find("N0686");
+    EXPECT_EQ(unit_of(rapid, *table, 1), "mm/min");
+    EXPECT_EQ(unit_of(limit, *table, 2), "deg/min");
+    EXPECT_EQ(unit_of(rapid, *table, 3), "inch/min");
+    EXPECT_EQ(unit_of(chord, *table, 1), "mm");
+    EXPECT_EQ(unit_of(chord, *table, 2), "inch");
+    EXPECT_EQ(unit_of(surface, *table, 2), "ft/min");
+    EXPECT_EQ(unit_of(*find("PT_ESTOP_DEC"), *table, 2), "deg/s2");
+    EXPECT_EQ(unit_of(*find("PT_HORIZON"), *table, 1), "records");
+    EXPECT_EQ(unit_of(*find("N0000"), *table, 1), "");
 }
 
 TEST(ParameterValues, AreWrittenAsTheyAreRead) {

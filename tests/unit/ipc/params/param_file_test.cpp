@@ -78,6 +78,18 @@ TEST(ParameterFile, WithOneErrorChangesNothing) {
     EXPECT_TRUE(same(*table, *fresh()));
 }
 
+TEST(ParameterFile, WarnsWhereALineSetsTheSameAgain) {
+    const auto file = parse_param_file("N0304=1\nN0304 A1=2\nN0106#0 A1=1\nN0106#1 A1=1\nN0304 A1=3\n", "m");
+    EXPECT_TRUE(file.ok());
+    ASSERT_EQ(file.diagnoses.size(), 1U);
+    EXPECT_EQ(file.diagnoses[0].alarm, Alarm::ParamTwice);
+    EXPECT_EQ(file.diagnoses[0].place.line, 5U);
+    EXPECT_EQ(file.diagnoses[0].text(), "set twice: N0304 A1, already on line 2");
+    auto table = fresh();
+    ASSERT_TRUE(apply(*table, file).ok());
+    EXPECT_DOUBLE_EQ(get(*table, n0304_rapid, 1), 3.0);
+}
+
 // Assignments can be made without a line (HMI, store): the same limits hold.
 TEST(Assignments, AreCheckedAgainBeforeTheFirstIsWritten) {
     const Assignment good = *parse_assignment("N0304 A1=1");
