@@ -1,0 +1,110 @@
+#include "kernel/config/kernel_config.hpp"
+
+#include <algorithm>
+
+namespace polyturn::kernel {
+namespace p = params;
+
+namespace {
+constexpr double kMmPerInch = 25.4;
+
+// N0005 Auto: the more channels own axes, the longer the cycle (nct_parameters_part1 2.3).
+std::int64_t automatic_tick_ns(const KernelConfig& config) {
+    std::array<bool, kMaxChannels> owns{};
+    for (const AxisConfig& axis : config.axes)
+        if (axis.exists && axis.channel) owns[axis.channel - 1] = true;
+    const auto channels = std::count(owns.begin(), owns.end(), true);
+    return channels <= 2 ? 1'000'000 : channels <= 4 ? 2'000'000 : 5'000'000;
+}
+
+AxisConfig read_axis(const p::Table& t, unsigned a) {
+    AxisConfig axis;
+    const auto assigned = p::get(t, p::n0002_axis_assign, a);
+    const bool hypothetical = p::bit(t, p::n0106_axis_properties, a, 7);
+    axis.channel = assigned >= 1 && assigned <= static_cast<std::int64_t>(kMaxChannels) ? static_cast<std::uint32_t>(assigned) : 0;
+    axis.exists = axis.channel != 0 && !hypothetical;
+    axis.rotary = p::bit(t, p::n0106_axis_properties, a, 1);
+    axis.diameter = p::bit(t, p::n0106_axis_properties, a, 0);
+    // Parameters are in the machine's unit (1.3): inch only for linear axes of a channel with IND.
+    const bool inch = axis.channel && !axis.rotary && p::bit(t, p::n0104_unit_of_measure, axis.channel, 0);
+    const double unit = inch ? kMmPerInch : 1.0;
+    axis.rapid = p::get(t, p::n0304_rapid, a) * unit / 60.0;
+    axis.max_feed = p::get(t, p::n0305_max_feed, a) * unit / 60.0;
+    axis.acceleration = p::get(t, p::n0400_acceleration, a) * unit;
+    const double rise = p::get(t, p::n0401_acc_tc, a);
+    axis.jerk = rise > 0 ? axis.acceleration / rise : kUnlimited;
+    axis.gain = p::get(t, p::n0504_position_gain, a);
+    if (p::bit(t, p::n0515_feed_forward_control, a, 0)) {
+        axis.feedforward = p::get(t, p::n0511_feedforward, a);
+        axis.feedforward_in_rapid = p::bit(t, p::n0515_feed_forward_control, a, 1);
+    }
+    axis.in_position = p::get(t, p::n0516_inpos, a) * unit;
+    axis.error_standing = p::get(t, p::n0519_serrl1, a) * unit;
+    axis.error_moving = p::get(t, p::n0520_serrl2, a) * unit;
+    axis.error_absolute = p::get(t, p::n0521_serrl3, a) * unit;
+    axis.stroke_limited = p::bit(t, p::n1000_range_enable, a, 0);
+    axis.stroke_high = p::get(t, p::n1002_range1a_positive, a) * unit;
+    axis.stroke_low = p::get(t, p::n1003_range1a_negative, a) * unit;
+    axis.estop_deceleration = p::get(t, p::pt_estop_dec, a) * unit;
+    axis.drive_frequency_hz = p::get(t, p::pt_drive_freq, a);
+    axis.drive_damping = p::get(t, p::pt_drive_damping, a);
+    return axis;
+}
+
+SpindleConfig read_spindle(const p::Table& t, unsigned s) {
+    SpindleConfig spindle;
+    spindle.exists = p::bit(t, p::n0607_spindle_config, s, 0);
+    spindle.override_in_thread = p::bit(t, p::n0607_spindle_config, s, 5);
+    spindle.speed_min = static_cast<double>(p::get(t, p::n0642_r1_s_min, s));
+    spindle.speed_max = static_cast<double>(p::get(t, p::n0650_r1_s_max, s));
+    const auto ramp = [](std::int64_t rpm_per_s) { return rpm_per_s > 0 ? static_cast<double>(rpm_per_s) : kUnlimited; };
+    spindle.ramp_up = ramp(p::get(t, p::n0666_r1_s_ramp_up, s));
+    spindle.ramp_down = ramp(p::get(t, p::n0674_r1_s_ramp_down, s));
+    spindle.tolerance_percent = static_cast<double>(p::get(t, p::n0627_s_n, s));
+    spindle.tolerance_rpm = static_cast<double>(p::get(t, p::n0628_s_nw, s));
+    spindle.standstill_rpm = static_cast<double>(p::get(t, p::n0629_s_n0, s));
+    spindle.encoder_counts = static_cast<std::uint32_t>(p::get(t, p::pt_encoder_counts, s));
+    return spindle;
+}
+
+ChannelConfig read_channel(const p::Table& t, unsigned l) {
+    ChannelConfig channel;
+    channel.group = static_cast<std::uint32_t>(p::get(t, p::n0000_machine_group, l));
+    channel.exists = channel.group != 0;
+    channel.default_spindle = static_cast<std::uint32_t>(p::get(t, p::n0604_default_spindle, l));
+    channel.surface_speed_axis = static_cast<std::uint32_t>(p::get(t, p::n0687_default_g96_axis, l));
+    channel.surface_speed_min_rpm = static_cast<double>(p::get(t, p::n0688_min_spindle_speed_g96, l));
+    channel.in_position_timeout_s = p::get(t, p::n1340_inpos_timeout, l);
+    channel.in_position_at_rapid_end = p::bit(t, p::n1337_execution_config, l, 0);
+    if (channel.group >= 1 && channel.group <= kMaxGroups) {
+        channel.wait_timeout_s = p::get(t, p::pt_wait_timeout, channel.group);
+        channel.partner_death = static_cast<PartnerDeath>(p::get(t, p::pt_partner_death, channel.group));
+    }
+    return channel;
+}
+}  // namespace
+
+void read_config(const params::Table& t, KernelConfig& config, bool first) {
+    config.axis_count = config.spindle_count = 0;
+    for (unsigned a = 1; a <= kMaxAxes; ++a) {
+        config.axes[a - 1] = read_axis(t, a);
+        if (config.axes[a - 1].exists) config.axis_count = a;
+    }
+    for (unsigned s = 1; s <= kMaxSpindles; ++s) {
+        config.spindles[s - 1] = read_spindle(t, s);
+        if (config.spindles[s - 1].exists) config.spindle_count = s;
+    }
+    for (unsigned l = 1; l <= kMaxChannels; ++l) config.channels[l - 1] = read_channel(t, l);
+    config.channel_timeout_s = p::get(t, p::pt_channel_timeout);
+    config.supervisor_timeout_s = p::get(t, p::pt_supervisor_timeout);
+    config.late_max_ticks = p::get(t, p::pt_late_max);
+    if (!first) return;
+    const auto tick_us = p::get(t, p::n0005_nc_cycle_time);
+    config.tick_ns = tick_us > 0 ? tick_us * 1000 : automatic_tick_ns(config);
+    config.tick_s = static_cast<double>(config.tick_ns) * 1e-9;
+    config.horizon = static_cast<std::uint32_t>(p::get(t, p::pt_horizon));
+    config.plc_cycle_ticks = std::max<std::int64_t>(1, p::get(t, p::pt_plc_cycle) * 1'000'000 / config.tick_ns);
+    config.answer_ticks = p::get(t, p::pt_answer_ticks);
+}
+
+}  // namespace polyturn::kernel

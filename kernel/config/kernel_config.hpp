@@ -1,0 +1,77 @@
+// What the cyclic thread needs of the parameters, in the units it computes with (mm, degrees, seconds, 1/min), so that
+// no tick divides by 60 or asks which unit the machine was built in. Made from the table at the start and again at the
+// tick start at which parameters change; building it allocates nothing.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include "ipc/capacities.hpp"
+#include "ipc/params/table.hpp"
+
+namespace polyturn::kernel {
+
+inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+struct AxisConfig {
+    bool exists = false;
+    bool rotary = false;
+    bool diameter = false;
+    std::uint32_t channel = 0;            // from 1; 0: belongs to none
+    double rapid = 0, max_feed = 0;       // mm/s
+    double acceleration = 0;              // mm/s2
+    double jerk = kUnlimited;             // mm/s3; N0401 = 0 means that acceleration may step
+    double gain = 0;                      // 1/s
+    double feedforward = 0;               // 0 when N0515 FFE is off
+    bool feedforward_in_rapid = false;
+    double in_position = 0;               // mm
+    double estop_deceleration = 0;        // mm/s2, without jerk limit
+    double drive_frequency_hz = 60, drive_damping = 0.9;  // of the simulated drive
+    double error_standing = 0, error_moving = 0, error_absolute = 0;  // mm; N0519..N0521, 0: not supervised
+    bool stroke_limited = false;
+    double stroke_low = 0, stroke_high = 0;
+};
+
+struct SpindleConfig {
+    bool exists = false;
+    bool override_in_thread = false;      // N0607 TOE
+    double speed_min = 0, speed_max = 0;  // 1/min, of the engaged range
+    double ramp_up = kUnlimited, ramp_down = kUnlimited;  // 1/min per s
+    double tolerance_percent = 0, tolerance_rpm = 0, standstill_rpm = 0;
+    std::uint32_t encoder_counts = 4096;  // of the simulated encoder
+};
+
+// What the death of a channel's process means for the others of its machine group (PT_PARTNER_DEATH).
+enum class PartnerDeath : std::uint8_t { GoOn, Hold, Reset };
+
+struct ChannelConfig {
+    bool exists = false;
+    std::uint32_t group = 0;              // machine group
+    std::uint32_t default_spindle = 0;
+    std::uint32_t surface_speed_axis = 0; // from 1
+    double surface_speed_min_rpm = 0;
+    double in_position_timeout_s = 0;
+    double wait_timeout_s = 0;            // 0: never
+    PartnerDeath partner_death = PartnerDeath::GoOn;
+    bool in_position_at_rapid_end = false;  // N1337 PCH
+};
+
+struct KernelConfig {
+    std::int64_t tick_ns = 1'000'000;
+    double tick_s = 0.001;
+    std::uint32_t horizon = 1024;         // records
+    std::int64_t plc_cycle_ticks = 10;
+    std::int64_t answer_ticks = 10;
+    double channel_timeout_s = 1.0, supervisor_timeout_s = 5.0;
+    std::int64_t late_max_ticks = 5;
+    std::array<AxisConfig, kMaxAxes> axes{};
+    std::array<SpindleConfig, kMaxSpindles> spindles{};
+    std::array<ChannelConfig, kMaxChannels> channels{};
+    std::uint32_t axis_count = 0;         // highest existing one
+    std::uint32_t spindle_count = 0;
+};
+
+// The tick and the PLC cycle are taken once, at the start: `first`.
+void read_config(const params::Table& table, KernelConfig& config, bool first);
+
+}  // namespace polyturn::kernel

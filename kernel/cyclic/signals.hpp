@@ -1,0 +1,52 @@
+// All flags and registers between NC and PLC, as they act: what the PLC wrote, or what operator and scenario force on it.
+//
+// A forced signal (set AP_SYNCR A3=1) holds until it is released, whatever its writer says; both sides of the border can
+// be forced, because a scenario may also play the NC towards the PLC.
+#pragma once
+#include <array>
+#include <bitset>
+#include <cstdint>
+
+#include "polyturn/image_structs.hpp"
+
+namespace polyturn::kernel {
+
+class Signals {
+public:
+    // What acts.
+    std::int32_t plc(std::uint32_t slot) const noexcept { return plc_[slot]; }
+    std::int32_t nc(std::uint32_t slot) const noexcept { return nc_[slot]; }
+    bool input(std::size_t number) const noexcept { return input_[number]; }
+
+    // The NC's own writes; a forced slot keeps its forced value.
+    void set_nc(std::uint32_t slot, std::int32_t value) noexcept {
+        if (!forced_nc_[slot]) nc_[slot] = value;
+    }
+    // The PLC's answer of one of its cycles.
+    void take_plc(const PlcOutputs& outputs) noexcept {
+        for (std::size_t i = 0; i < kPlcSignals; ++i) {
+            answered_[i] = outputs.signal[i];
+            if (!forced_plc_[i]) plc_[i] = outputs.signal[i];
+        }
+    }
+    void force_plc(std::uint32_t slot, std::int32_t value) noexcept { forced_plc_[slot] = true, plc_[slot] = value; }
+    void force_nc(std::uint32_t slot, std::int32_t value) noexcept { forced_nc_[slot] = true, nc_[slot] = value; }
+    void release_plc(std::uint32_t slot) noexcept { forced_plc_[slot] = false, plc_[slot] = answered_[slot]; }
+    void release_nc(std::uint32_t slot) noexcept { forced_nc_[slot] = false; }
+    void set_input(std::size_t number, bool on) noexcept { input_[number] = on; }
+
+    void fill(PlcInputs& inputs) const noexcept {
+        inputs.signal = nc_;
+        for (std::size_t i = 0; i < kInputs; ++i) inputs.input[i] = input_[i];
+    }
+    void fill(PlcOutputs& seen) const noexcept { seen.signal = plc_; }
+
+private:
+    std::array<std::int32_t, kNcSignals> nc_{};
+    std::array<std::int32_t, kPlcSignals> plc_{}, answered_{};
+    std::bitset<kNcSignals> forced_nc_;
+    std::bitset<kPlcSignals> forced_plc_;
+    std::bitset<kInputs> input_;
+};
+
+}  // namespace polyturn::kernel

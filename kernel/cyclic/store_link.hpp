@@ -1,0 +1,52 @@
+// The kernel's two conversations with the store (toolmgmt), neither of which it ever waits for in real time:
+//   persist      what programs and operators write, in path order; applied and brought to the disk over there
+//   param_changes  values that act: taken at the start of a tick, all values of one import in the same tick
+//
+// A parameter that is set while the machine runs is asked for through persist and comes back as a change. In virtual time
+// the answer acts exactly PT_ANSWER_TICKS after the question, whatever the load of the computer (architecture 6).
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <utility>
+
+#include "ipc/image/segments.hpp"
+#include "kernel/config/kernel_config.hpp"
+
+namespace polyturn::kernel {
+
+class StoreLink {
+public:
+    StoreLink(KernelSegment& image, const StoreSegment& store)
+        : persist_(image.persist, store.persist_tail), changes_(store.param_changes, image.param_tail), store_(&store) {}
+
+    // False when the ring is full: the record that writes waits.
+    [[nodiscard]] bool write(StoreRequestKind kind, std::uint32_t channel, std::int32_t number, std::int32_t field, double value, std::string_view name) noexcept;
+    // A parameter line; its answer is due `answer_ticks` later.
+    [[nodiscard]] bool ask_parameter(std::string_view line, std::int64_t tick, std::int64_t answer_ticks) noexcept;
+
+    // Virtual time: must the store have answered before this tick, and has it?
+    bool answer_due(std::int64_t tick) const noexcept { return due_count_ > 0 && due_[0].tick <= tick; }
+    bool answered() const noexcept { return due_count_ == 0 || store_->persist_tail.tail.load(std::memory_order_acquire) >= due_[0].request; }
+    bool question_open() const noexcept { return due_count_ > 0; }
+    bool has_room() const noexcept { return persist_.head() - store_->persist_tail.tail.load(std::memory_order_acquire) + 1024 <= RingHead<StoreRequest, 8192>::capacity; }
+    // Takes complete imports into the table. True when something changed. `hold_back`: virtual time and a question is
+    // open that is not due yet, then nothing is taken before its tick.
+    bool take_changes(params::Table& table, std::int64_t tick, bool virtual_time) noexcept;
+    std::uint64_t id() const noexcept { return persist_.head(); }
+    bool rang() noexcept { return std::exchange(written_, false); }
+
+private:
+    struct Due {
+        std::int64_t tick;
+        std::uint64_t request;
+    };
+    RingProducer<RingHead<StoreRequest, 8192>> persist_;
+    RingConsumer<RingHead<ParamChange, 8192>> changes_;
+    const StoreSegment* store_;
+    std::array<Due, 64> due_{};
+    std::size_t due_count_ = 0;
+    bool written_ = false;
+};
+
+}  // namespace polyturn::kernel

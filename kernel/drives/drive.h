@@ -1,0 +1,80 @@
+/* The one interface behind which every drive lies (architecture 5.11): field bus, analog card or simulation. Plain C, so
+ * that a machine builder's shared object can provide it; words, states and modes are those of CiA 402.
+ *
+ * Each tick the kernel calls exchange() once: it hands over the command for the tick that begins and takes what the drive
+ * measured. exchange() runs in the cyclic thread: it must not allocate, lock, or enter the system.
+ * Increments are whole numbers; the kernel carries the remainder of its doubles, so nothing is lost however long it runs. */
+#ifndef POLYTURN_KERNEL_DRIVES_DRIVE_H
+#define POLYTURN_KERNEL_DRIVES_DRIVE_H
+#include <stdint.h>
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define POLYTURN_DRIVE_VERSION 1u
+
+/* Control word (object 6040h). */
+#define POLYTURN_DRIVE_SHUTDOWN 0x0006u
+#define POLYTURN_DRIVE_SWITCH_ON 0x0007u
+#define POLYTURN_DRIVE_ENABLE 0x000Fu
+#define POLYTURN_DRIVE_QUICK_STOP 0x000Bu   /* bit 2 low: stop by the drive's own ramp */
+#define POLYTURN_DRIVE_FAULT_RESET 0x0080u  /* rising edge */
+
+/* Status word (object 6041h), under POLYTURN_DRIVE_STATE_MASK. */
+#define POLYTURN_DRIVE_STATE_MASK 0x006Fu
+#define POLYTURN_DRIVE_SWITCH_ON_DISABLED 0x0040u
+#define POLYTURN_DRIVE_READY 0x0021u
+#define POLYTURN_DRIVE_SWITCHED_ON 0x0023u
+#define POLYTURN_DRIVE_OPERATING 0x0027u
+#define POLYTURN_DRIVE_FAULT 0x0008u
+
+/* Modes of operation (object 6060h). */
+#define POLYTURN_DRIVE_MODE_VELOCITY 9 /* cyclic synchronous velocity; the position loop is the kernel's */
+#define POLYTURN_DRIVE_MODE_POSITION 8 /* cyclic synchronous position */
+
+/* Touch probe function (60B8h) and status (60B9h): bit 0 probe 1 armed / seen. */
+#define POLYTURN_DRIVE_PROBE_ARMED 0x0001u
+
+typedef struct PolyturnDriveCommand {
+    uint16_t control;
+    int8_t mode;
+    uint8_t brake_release;        /* 1: the holding brake may open */
+    uint16_t torque_limit;        /* thousandths of the rated torque */
+    uint16_t touch_probe;
+    int64_t target_velocity;      /* thousandths of an increment per second */
+    int64_t target_position;      /* increments; mode position only */
+} PolyturnDriveCommand;
+
+typedef struct PolyturnDriveStatus {
+    uint16_t status;
+    uint16_t error_code;          /* 603Fh, 0 none */
+    uint16_t touch_probe;
+    uint8_t brake_open;
+    uint8_t reserved;
+    int64_t position;             /* increments, latched as this exchange begins: used one tick later */
+    int64_t probe_position;       /* increments */
+} PolyturnDriveStatus;
+
+typedef struct PolyturnDriveSetup {
+    uint32_t version;             /* POLYTURN_DRIVE_VERSION of the kernel */
+    uint32_t number;              /* axis or spindle, from 1 */
+    double tick_s;
+    double increments_per_unit;   /* millimetre, degree or revolution */
+    int64_t start_position;       /* simulated drives begin there */
+    double frequency_hz, damping; /* simulated drives: how their speed follows the command */
+} PolyturnDriveSetup;
+
+typedef struct PolyturnDriveApi {
+    uint32_t version;
+    void* (*open)(const PolyturnDriveSetup* setup);  /* NULL when it cannot */
+    void (*close)(void* drive);
+    void (*exchange)(void* drive, const PolyturnDriveCommand* command, PolyturnDriveStatus* status);
+} PolyturnDriveApi;
+
+/* A builder's shared object exports this. */
+const PolyturnDriveApi* polyturn_drive_api(void);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
