@@ -1,0 +1,226 @@
+#include "kernel/supervisor/check.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "ipc/text/read_file.hpp"
+#include "kernel/supervisor/child.hpp"
+#include "kernel/supervisor/event_text.hpp"
+#include "kernel/supervisor/job_plan.hpp"
+#include "kernel/supervisor/output.hpp"
+#include "kernel/supervisor/wait_match.hpp"
+
+namespace polyturn::supervisor {
+
+namespace {
+
+// A program that runs round a wait for ever can only be followed so far once its partner has left it.
+constexpr std::size_t kMostWaitsBehind = 10'000;
+
+// One channel's interpreter.
+struct Interpreter {
+    unsigned channel = 0;
+    Child child;
+    std::string buffer;
+    bool ended = false, alarmed = false, killed = false;
+    std::size_t waits_behind = 0;
+
+    // The next line without its end; false at the end of the output.
+    bool read_line(std::string& line) {
+        for (;;) {
+            if (const auto end = buffer.find('\n', scanned); end != std::string::npos) {
+                line.assign(buffer, start, end - start);
+                scanned = start = end + 1;
+                return true;
+            }
+            if (start > 0) buffer.erase(0, start), start = 0;
+            scanned = buffer.size();
+            char block[1 << 16];
+            const auto got = read(child.output_fd(), block, sizeof block);
+            if (got < 0 && errno == EINTR) continue;
+            if (got <= 0) break;
+            buffer.append(block, static_cast<std::size_t>(got));
+        }
+        if (start >= buffer.size()) return false;
+        line = buffer.substr(start);
+        start = scanned = buffer.size();
+        return true;
+    }
+    void go() const {
+        if (write(child.input_fd(), "go\n", 3) < 0) {}   // it has ended: the next read says so
+    }
+
+    std::size_t start = 0, scanned = 0;   // buffer: the next line begins at start; no end of line in [start, scanned)
+};
+
+class CheckRun {
+public:
+    CheckRun(const JobOptions& options, JobPlan plan) : options_(options), plan_(std::move(plan)) {}
+
+    int run() {
+        for (const auto& [channel, program] : plan_.programs) {
+            auto started = start(channel, program);
+            if (!started) {
+                report(started.diagnosis(), Dialect::Polyturn, 0);
+                return 2;
+            }
+            interpreters_[channel].channel = channel;
+            interpreters_[channel].child = std::move(*started);
+            matcher_.add_channel(channel);
+        }
+        interleave();
+        if (interpreters_.size() > 1) {
+            for (const WaitFault& fault : matcher_.find_faults()) report_fault(fault);
+            const bool all_right = !alarms_;
+            if (all_right) output_.write(std::move(EventText("sync").raw("ok", "true").number("meetings", static_cast<double>(matcher_.meetings()))).line());
+        }
+        output_.flush();
+        return unreadable_ ? 2 : alarms_ ? 1 : 0;
+    }
+
+private:
+    Result<Child> start(unsigned channel, const PlannedProgram& program) {
+        std::vector<std::string> arguments = {"--check", "--channel", std::to_string(channel), "--language", program.language};
+        for (auto& argument : plan_.machine_arguments()) arguments.push_back(std::move(argument));
+        if (options_.variables) arguments.push_back("--variables");
+        arguments.push_back(program.file);
+        return Child::start("polyturn-channel", arguments, {true, true});
+    }
+
+    // In channel number order, each to its next wait; complete sets go on. When nobody can, the rest is read without
+    // regard to waits, so that a fault is named with what follows it.
+    void interleave() {
+        bool behind = false;
+        for (bool again = true; again;) {
+            again = false;
+            for (auto& [channel, interpreter] : interpreters_) {
+                while (!interpreter.ended && (behind || !matcher_.stands(channel))) {
+                    again = true;
+                    to_next_wait(interpreter);
+                    if (behind && !interpreter.ended) {
+                        if (++interpreter.waits_behind > kMostWaitsBehind) {
+                            interpreter.child.kill_and_reap();
+                            interpreter.ended = interpreter.killed = true;
+                            matcher_.end(channel, true);
+                        } else {
+                            interpreter.go();
+                        }
+                    } else if (!interpreter.ended && interpreters_.size() == 1) {
+                        interpreter.go();
+                        matcher_ = {};   // one program alone: nobody to match with
+                    }
+                }
+            }
+            if (interpreters_.size() == 1) continue;
+            if (behind) break;
+            const auto released = matcher_.meet();
+            for (const unsigned channel : released) interpreters_[channel].go();
+            again = again || !released.empty();
+            if (!again) {
+                for (auto& [channel, interpreter] : interpreters_)
+                    if (!interpreter.ended) behind = true, interpreter.go();
+                again = behind;
+            }
+        }
+    }
+
+    void to_next_wait(Interpreter& interpreter) {
+        std::string line;
+        while (interpreter.read_line(line)) {
+            if (line.empty()) continue;
+            const std::string_view kind = event_kind(line);
+            if (!options_.quiet || passes_quiet(kind)) output_.write(line), output_.write("\n");
+            if (kind == "alarm") note_alarm(interpreter, line);
+            if (kind == "wait") {
+                matcher_.arrive(interpreter.channel, wait_point(interpreter.channel, line));
+                return;
+            }
+        }
+        interpreter.ended = true;
+        interpreter.child.close_input();
+        interpreter.child.end_within(10'000);
+        const int status = interpreter.child.status();
+        if (status < 0 || status > 2) {
+            report(Diagnosis{Alarm::ProcessDied, {}, {}, fmt::format("the interpreter of channel {} {}", interpreter.channel, describe_end(status))}, Dialect::Polyturn, interpreter.channel);
+            interpreter.alarmed = true;
+        }
+        if (status == 2) unreadable_ = true;
+        if (status != 0) ++alarms_;
+        matcher_.end(interpreter.channel, interpreter.alarmed || status != 0);
+    }
+
+    void note_alarm(Interpreter& interpreter, const std::string& line) {
+        if (line.find("\"severity\":\"warning\"") != std::string::npos) return;
+        interpreter.alarmed = true;
+        ++alarms_;
+    }
+
+    WaitPoint wait_point(unsigned channel, const std::string& line) {
+        WaitPoint wait;
+        const auto event = nlohmann::json::parse(line, nullptr, false);
+        if (event.is_discarded()) return wait;
+        if (const auto code = event.find("code"); code != event.end())
+            wait.code = code->is_string() ? code->get<std::string>() : (numbered_as_m(channel) ? "M" : "marker ") + std::to_string(code->get<long>());
+        if (const auto channels = event.find("channels"); channels != event.end() && channels->is_array())
+            for (const auto& one : *channels)
+                if (one.is_number_integer() && one.get<int>() >= 1 && one.get<int>() <= static_cast<int>(kMaxChannels)) wait.set |= 1u << (one.get<int>() - 1);
+        wait.file = event.value("file", "");
+        wait.line = event.value("line", 0u);
+        return wait;
+    }
+
+    // Languages that number their waits as M codes; the others have markers. A code is the same whatever the language.
+    bool numbered_as_m(unsigned) const { return true; }
+
+    void report(const Diagnosis& diagnosis, Dialect dialect, unsigned channel) {
+        print_diagnosis(diagnosis, dialect);
+        output_.write(alarm_event(diagnosis, dialect, channel));
+        ++alarms_;
+    }
+
+    // Both programs with their lines, because the mistake may stand in either.
+    void report_fault(const WaitFault& fault) {
+        const Dialect dialect = plan_.dialect(fault.channel);
+        output_.write(alarm_event(fault.diagnosis, dialect, fault.channel));
+        ++alarms_;
+        std::string out = render(fault.diagnosis, dialect, {});
+        const auto remedy_at = out.find('\n');
+        std::string places;
+        for (const auto& [channel, wait] : fault.places) {
+            const auto content = text::read_text_file(wait.file);
+            places += fmt::format("   channel {}, {}:{}\n{:5} | {}\n", channel, wait.file, wait.line, wait.line, content ? text::line_of(*content, wait.line) : std::string_view());
+        }
+        out.insert(remedy_at + 1, places);
+        std::fwrite(out.data(), 1, out.size(), stderr);
+    }
+
+    const JobOptions& options_;
+    JobPlan plan_;
+    std::map<unsigned, Interpreter> interpreters_;
+    WaitMatcher matcher_;
+    Output output_;
+    std::size_t alarms_ = 0;
+    bool unreadable_ = false;
+};
+
+}  // namespace
+
+int check_programs(const JobOptions& options) {
+    PlanFailure failure;
+    auto plan = plan_job(options, failure);
+    if (!plan) {
+        Output output;
+        for (const Diagnosis& diagnosis : failure.diagnoses) {
+            print_diagnosis(diagnosis, Dialect::Polyturn);
+            output.write(alarm_event(diagnosis, Dialect::Polyturn, 0));
+        }
+        return failure.exit_status;
+    }
+    return CheckRun(options, std::move(*plan)).run();
+}
+
+}  // namespace polyturn::supervisor

@@ -1,0 +1,187 @@
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <iostream>
+
+#include "kernel/supervisor/options.hpp"
+#include "kernel/supervisor/version.hpp"
+
+namespace polyturn::supervisor {
+
+namespace {
+
+constexpr const char* kExitStatus = "Exit status: 0 done; 1 the job ended with an alarm; 2 wrong usage or unreadable input.";
+
+// Each occurrence takes one argument, so that programs may follow it.
+CLI::Option* repeatable(CLI::App& app, const char* name, std::vector<std::string>& into, const char* text) {
+    return app.add_option(name, into, text)->allow_extra_args(false);
+}
+
+void add_job_options(CLI::App& app, JobOptions& job) {
+    app.add_option("PROGRAM", job.programs, "L=FILE (channel and file), FILE (the first for channel 1, and so on), or one NAME.job.toml")->required();
+    repeatable(app, "--language", job.languages, "[L=]NAME: fanuc, nct, fagor, sinumerik or mefi; otherwise the machine says");
+    app.add_option("--machine", job.machine, "parameter file, or folder with machine.params; default: examples/machines/twin-turret");
+    repeatable(app, "--set", job.sets, "one parameter: 'NAME [SCOPE]=VALUE', such as 'N1300 L1=5'; repeatable");
+    repeatable(app, "--param-file", job.param_files, "file of such lines; repeatable");
+    app.add_option("--setup", job.setup, "what an operator would have entered: positions, zeros, offsets, variables, keys (TOML)");
+    app.add_option("--instance", job.instance, "name of the private controller");
+    app.add_option("--like", job.like, "copies offsets, tools, zeros and parameters of this running controller");
+    app.add_option("--store", job.store, "keeps what the programs write in this folder");
+    app.add_flag("--variables", job.variables, "also report every variable that a program writes");
+    app.add_flag("--quiet", job.quiet, "only alarms, messages and the summary");
+    app.footer(kExitStatus);
+}
+
+void add_run_options(CLI::App& app, JobOptions& job) {
+    app.add_flag("--virtual", job.virtual_time, "virtual time: as fast as it goes, identical every time");
+    app.add_option("--trace", job.trace_file, "positions, speeds and states of each tick (CSV)");
+    app.add_option("--trace-every", job.trace_every, "a line each so many ticks")->check(CLI::Range(1u, 1'000'000u));
+    repeatable(app, "--watch", job.watch, "report each change of this flag or register, such as 'CN_WTNG L1'; repeatable");
+    repeatable(app, "--override", job.overrides, "[L=]PERCENT: feed override at the start");
+    repeatable(app, "--from", job.from, "L=N120: program restart at a block; repeatable");
+    app.add_option("--parts", job.parts, "parts to make (default 1, or what the job wants)")->check(CLI::Range(1u, 1'000'000'000u));
+    app.add_option("--plot", job.plot_file, "tool paths and the channels' timeline (SVG)");
+    app.add_option("--scenario", job.scenario, "what happens while it runs (TOML)");
+    app.add_flag("--report", job.report, "print where the time went, for reading, after the events");
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string out;
+    for (const auto& word : words) {
+        if (!out.empty()) out += ' ';
+        out += word;
+    }
+    return out;
+}
+
+// The words of press and set may begin with a sign ("-120"), so they are not looked at as options; --instance may stand
+// among them.
+void take_words(const CLI::App& app, CommandLine& line) {
+    std::vector<std::string> words = app.remaining();
+    for (std::size_t i = 0; i < words.size();) {
+        if (words[i] == "--instance" && i + 1 < words.size()) {
+            line.instance = words[i + 1];
+            words.erase(words.begin() + static_cast<std::ptrdiff_t>(i), words.begin() + static_cast<std::ptrdiff_t>(i) + 2);
+        } else if (words[i].rfind("--instance=", 0) == 0) {
+            line.instance = words[i].substr(11);
+            words.erase(words.begin() + static_cast<std::ptrdiff_t>(i));
+        } else {
+            ++i;
+        }
+    }
+    line.words = joined(words);
+}
+
+constexpr const char* kPressWords =
+    "What can be pressed:\n"
+    "  cycle_start [L]   feed_hold [L]   reset [L]   emergency_stop   machine_on\n"
+    "  mode L1=auto|mdi|jog|handwheel|reference   select L1=FILE   select JOB   mdi L1 G0 X50.\n"
+    "  jog A3+ 0.5s   step A3- 0.01   handwheel 1 A3 +120   reference A3|all\n"
+    "  feed_override L1=50   rapid_override L1=25   spindle_override S1=80\n"
+    "  single_block L1=on   optional_stop L1=on   block_skip L1=1   dry_run L1=on   machine_lock L1=on\n"
+    "  restart L1=N120 L2=N340   retrace L1=on   jog_in_hold L1   return L1   ignore_waits L2=on   stop_after_part\n";
+
+}  // namespace
+
+CommandLine read_command_line(int argc, char** argv) {
+    CommandLine line;
+    CLI::App app{"Polyturn: a multi-channel lathe controller", "polyturn"};
+    app.set_version_flag("--version", std::string("polyturn ") + kVersion);
+    app.footer(kExitStatus);
+    app.require_subcommand(1);
+
+    CLI::App* check = app.add_subcommand("check", "Interprets programs and matches their waits; nothing moves");
+    add_job_options(*check, line.job);
+    CLI::App* run = app.add_subcommand("run", "Runs programs on a private machine, in real or virtual time");
+    add_job_options(*run, line.job);
+    add_run_options(*run, line.job);
+    CLI::App* start = app.add_subcommand("start", "The controller; it stays in the foreground, SIGTERM is a controlled stop");
+    start->add_option("MACHINE", line.start.machine, "parameter file or folder; default: examples/machines/twin-turret");
+    start->add_option("--instance", line.start.instance, "its name; default polyturn");
+    start->add_option("--store", line.start.store, "folder of what must survive power-off; default $XDG_STATE_HOME/polyturn/NAME");
+    start->add_flag("--no-hmi", line.start.no_hmi, "without screens");
+    repeatable(*start, "--set", line.start.sets, "one parameter; repeatable");
+    repeatable(*start, "--param-file", line.start.param_files, "file of parameter lines; repeatable");
+
+    CLI::App* press = app.add_subcommand("press", "What an operator does, on a running controller")->prefix_command();
+    press->footer(std::string(kPressWords) + kExitStatus);
+    CLI::App* set = app.add_subcommand("set", "Forces a PLC signal, register, input or drive fault, or sets a parameter: 'AP_SYNCR A3=1'")->prefix_command();
+    CLI::App* release = app.add_subcommand("release", "Gives a forced signal back to the PLC: 'AP_SYNCR A3'")->prefix_command();
+    for (CLI::App* one : {press, set, release}) one->add_option("--instance", line.instance, "the controller; default polyturn");
+
+    CLI::App* status = app.add_subcommand("status", "What runs, and what it does");
+    CLI::App* alarms = app.add_subcommand("alarms", "The alarms since the controller was started");
+    for (CLI::App* one : {status, alarms}) {
+        one->add_option("--instance", line.instance, "the controller; default polyturn");
+        one->add_flag("--json", line.json, "for programs");
+    }
+
+    CLI::App* params = app.add_subcommand("params", "Parameters of a running controller (--instance) or of a machine file");
+    params->require_subcommand(1);
+    struct Action {
+        const char *name, *text, *argument, *meaning;
+        bool many, needed;
+    };
+    static constexpr Action kActions[] = {
+        {"list", "All parameters, or those whose number or name holds a text", "TEXT", "part of number, name or group", true, false},
+        {"get", "Everything about one parameter; its value last", "NAME", "'N1600 L1'", true, true},
+        {"set", "Sets one or more; returns when they are on disk", "LINE", "'N1600 L1=2.5'", true, true},
+        {"export", "Parameter lines that read in again to the same values", "FILE", "where to; default: standard output", false, false},
+        {"import", "Sets all lines of a file, or none when one is wrong", "FILE", "parameter file", false, true},
+        {"diff", "What differs between two machines or files", "FILE", "one file (compared with the machine) or two", true, true},
+        {"check", "Is the file right, and do its values fit together?", "FILE", "parameter file or machine folder; default: the machine", false, false},
+    };
+    std::vector<CLI::App*> actions;
+    for (const Action& action : kActions) {
+        CLI::App* one = params->add_subcommand(action.name, action.text);
+        auto* argument = one->add_option(action.argument, line.params.arguments, action.meaning);
+        if (!action.many) argument->expected(0, 1);
+        if (action.needed) argument->required();
+        one->add_option("--instance", line.params.instance, "a running controller");
+        one->add_option("--machine", line.params.machine, "parameter file or folder; default: examples/machines/twin-turret");
+        if (std::string_view(action.name) == "list") {
+            one->add_flag("--unused", line.params.unused, "only those without effect, with the reason");
+        } else if (std::string_view(action.name) == "export") {
+            one->add_flag("--all", line.params.all, "also what has its default");
+        }
+        one->footer(kExitStatus);
+        actions.push_back(one);
+    }
+
+    CLI::App* clean = app.add_subcommand("clean", "Removes what no living process holds: shared memory, sockets");
+    CLI::App* bench = app.add_subcommand("bench", "Runs the benchmarks of this build and prints their figures")->prefix_command();
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        const int code = app.exit(error, std::cout, std::cerr);   // 0 for help and version
+        line.exit_status = code == 0 ? 0 : 2;
+        return line;
+    }
+
+    if (*check) line.verb = Verb::Check;
+    if (*run) line.verb = Verb::Run;
+    if (*start) line.verb = Verb::Start;
+    if (*status) line.verb = Verb::Status;
+    if (*alarms) line.verb = Verb::Alarms;
+    if (*clean) line.verb = Verb::Clean;
+    if (*bench) line.verb = Verb::Bench, line.rest = bench->remaining();
+    for (auto [one, verb] : {std::pair{press, Verb::Press}, {set, Verb::Set}, {release, Verb::Release}})
+        if (*one) {
+            line.verb = verb;
+            take_words(*one, line);
+            if (line.words.empty() || line.words == "--help") {
+                (line.words.empty() ? std::cerr : std::cout) << one->help();
+                line.exit_status = line.words.empty() ? 2 : 0;
+                line.verb = Verb::None;
+            }
+        }
+    if (*params) {
+        line.verb = Verb::Params;
+        for (CLI::App* one : actions)
+            if (*one) line.params.action = one->get_name();
+    }
+    return line;
+}
+
+}  // namespace polyturn::supervisor

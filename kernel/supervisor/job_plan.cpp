@@ -1,0 +1,225 @@
+#include "kernel/supervisor/job_plan.hpp"
+
+#include <fmt/format.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include "ipc/text/read_file.hpp"
+#include "ipc/text/setup_text.hpp"
+
+namespace polyturn::supervisor {
+
+namespace {
+
+constexpr std::pair<std::string_view, Dialect> kLanguages[] = {
+    {"fanuc", Dialect::Fanuc}, {"nct", Dialect::Nct}, {"fagor", Dialect::Fagor}, {"sinumerik", Dialect::Sinumerik}, {"mefi", Dialect::Mefi}};
+
+// "2=fanuc": channel and rest; without a number the channel is 0. A file name may hold a '=' of its own.
+std::pair<unsigned, std::string> split_channel(const std::string& words) {
+    const auto at = words.find('=');
+    if (at == std::string::npos || at == 0 || at > 2 || words.find_first_not_of("0123456789") != at) {
+        const bool letter = at != std::string::npos && at >= 2 && at <= 3 && words[0] == 'L' && words.find_first_not_of("0123456789", 1) == at;
+        if (!letter) return {0, words};
+        return {static_cast<unsigned>(std::stoul(words.substr(1, at - 1))), words.substr(at + 1)};
+    }
+    return {static_cast<unsigned>(std::stoul(words.substr(0, at))), words.substr(at + 1)};
+}
+
+class Planner {
+public:
+    Planner(const JobOptions& options, PlanFailure& failure) : options_(options), failure_(failure) {}
+
+    std::optional<JobPlan> plan() {
+        programs();
+        if (!load_machine_table()) return std::nullopt;
+        languages();
+        check_channels();
+        load_setup();
+        if (!failure_.diagnoses.empty()) return std::nullopt;
+        return std::move(plan_);
+    }
+
+private:
+    void fault(Alarm alarm, std::string detail, double value = 0.0, Place place = {}) {
+        failure_.diagnoses.push_back(Diagnosis{alarm, std::move(place), {value, 0.0}, std::move(detail)});
+    }
+
+    void programs() {
+        for (const std::string& argument : options_.programs) {
+            if (text::is_job_file(argument)) {
+                read_job(argument);
+                continue;
+            }
+            auto [channel, file] = split_channel(argument);
+            if (channel == 0) {
+                channel = 1;
+                while (plan_.programs.count(channel)) ++channel;
+            }
+            if (channel > kMaxChannels) fault(Alarm::SetupChannelUnknown, argument, channel);
+            else if (plan_.programs.count(channel)) fault(Alarm::ProgramArgument, fmt::format("channel {} has two programs: {} and {}", channel, plan_.programs[channel].file, file));
+            else plan_.programs[channel].file = file;
+        }
+    }
+
+    void read_job(const std::string& path) {
+        if (plan_.job) {
+            fault(Alarm::ProgramArgument, "two jobs at once: " + path);
+            return;
+        }
+        const auto content = text::read_text_file(path);
+        if (!content) {
+            failure_.diagnoses.push_back(content.diagnosis());
+            return;
+        }
+        plan_.job = text::parse_job(*content, path, failure_.diagnoses);
+        for (const auto& [channel, program] : plan_.job->programs) {
+            if (plan_.programs.count(channel)) fault(Alarm::ProgramArgument, fmt::format("channel {} has a program from the job and one of its own", channel));
+            plan_.programs[channel].file = program.file;
+            plan_.programs[channel].language = program.language;
+            plan_.programs[channel].language_chosen = !program.language.empty();
+        }
+    }
+
+    bool load_machine_table() {
+        plan_.source.machine = options_.machine.empty() && plan_.job ? plan_.job->machine : options_.machine;
+        plan_.source.param_files = options_.param_files;
+        plan_.source.sets = options_.sets;
+        LoadedMachine loaded = load_machine(plan_.source);
+        plan_.table = std::move(loaded.table);
+        plan_.room_file = loaded.room_file;
+        if (!loaded.ok()) {
+            // A contradiction (PT09xx) means that every line could be read: the machine is wrong, not the input.
+            const bool unreadable = !failure_.diagnoses.empty() || std::any_of(loaded.diagnoses.begin(), loaded.diagnoses.end(), [](const Diagnosis& d) {
+                return d.severity() == Severity::Error && alarm_row(d.alarm).number[0].substr(0, 4) != "PT09";
+            });
+            failure_.exit_status = unreadable ? 2 : 1;
+            for (auto& diagnosis : loaded.diagnoses) failure_.diagnoses.push_back(std::move(diagnosis));
+            return false;
+        }
+        for (const auto& diagnosis : loaded.diagnoses) print_diagnosis(diagnosis, Dialect::Polyturn);   // warnings
+        plan_.machine = std::make_unique<MachineConfig>(derive_machine_config(*plan_.table));
+        return true;
+    }
+
+    void languages() {
+        for (const std::string& option : options_.languages) {
+            const auto [channel, name] = split_channel(option);
+            if (dialect_of(name) == Dialect::Polyturn) {
+                fault(Alarm::LanguageUnknown, option);
+                continue;
+            }
+            for (auto& [number, program] : plan_.programs)
+                if (channel == 0 || channel == number) program.language = name, program.language_chosen = true;
+        }
+        for (auto& [number, program] : plan_.programs) {
+            if (program.language.empty()) program.language = language_of(*plan_.table, number);
+            program.dialect = dialect_of(program.language);
+            if (program.dialect == Dialect::Polyturn) fault(Alarm::LanguageUnknown, program.language);
+        }
+    }
+
+    void check_channels() {
+        for (const auto& [number, program] : plan_.programs)
+            if (!plan_.machine->channel(number).exists()) fault(Alarm::SetupChannelUnknown, program.file, number);
+    }
+
+    void load_setup() {
+        std::string path = options_.setup;
+        if (path.empty() && plan_.job) path = plan_.job->setup;
+        if (!path.empty()) {
+            const auto content = text::read_text_file(path);
+            if (!content) {
+                failure_.diagnoses.push_back(content.diagnosis());
+                return;
+            }
+            plan_.setup = text::parse_setup(*content, path, failure_.diagnoses);
+            plan_.setup_path = path;
+        }
+        for (const auto& [number, channel] : plan_.setup.channels) check_setup_axes(number, channel);
+        if (!plan_.job || plan_.job->zeros.empty()) return;
+        // Zeros of the job come to the setup's; the other processes read the whole from one file that lives in memory.
+        for (const auto& [number, systems] : plan_.job->zeros)
+            for (const auto& [system, axes] : systems)
+                for (const auto& [axis, value] : axes) plan_.setup.channels[number].work[system].try_emplace(axis, value);
+        const std::string content = text::setup_text(plan_.setup);
+        plan_.setup_fd = memfd_create("setup.toml", 0);
+        if (plan_.setup_fd < 0 || write(plan_.setup_fd, content.data(), content.size()) != static_cast<ssize_t>(content.size())) {
+            fault(Alarm::OutputFile, "the setup of the job");
+            return;
+        }
+        plan_.setup_path = fmt::format("/proc/{}/fd/{}", getpid(), plan_.setup_fd);
+    }
+
+    void check_setup_axes(unsigned number, const text::ChannelSetup& channel) {
+        const Place place{plan_.setup.file, 0, 0, 0};
+        if (number > kMaxChannels || !plan_.machine->channel(number).exists()) {
+            fault(Alarm::SetupChannelUnknown, {}, number, place);
+            return;
+        }
+        const auto check = [&](const text::AxisValues& values, std::string_view what) {
+            for (const auto& [axis, value] : values)
+                if (!find_axis(*plan_.machine, number, axis)) fault(Alarm::SetupAxisUnknown, fmt::format("channel {} has no axis {} ({})", number, axis, what), 0.0, place);
+        };
+        check(channel.machine, "machine");
+        check(channel.pos, "pos");
+    }
+
+    const JobOptions& options_;
+    PlanFailure& failure_;
+    JobPlan plan_;
+};
+
+}  // namespace
+
+JobPlan::JobPlan(JobPlan&& other) noexcept
+    : source(std::move(other.source)), table(std::move(other.table)), machine(std::move(other.machine)), room_file(std::move(other.room_file)),
+      programs(std::move(other.programs)), setup(std::move(other.setup)), setup_path(std::move(other.setup_path)), job(std::move(other.job)),
+      setup_fd(std::exchange(other.setup_fd, -1)) {}
+
+JobPlan::~JobPlan() {
+    if (setup_fd >= 0) close(setup_fd);
+}
+
+Dialect JobPlan::dialect(unsigned channel) const {
+    const auto found = programs.find(channel);
+    if (found != programs.end()) return found->second.dialect;
+    return channel >= 1 && channel <= kMaxChannels ? dialect_of(language_of(*table, channel)) : Dialect::Polyturn;
+}
+
+std::vector<std::string> JobPlan::machine_arguments() const {
+    std::vector<std::string> out;
+    const auto add = [&](const char* option, const std::string& value) { out.push_back(option), out.push_back(value); };
+    if (!source.machine.empty()) add("--machine", source.machine);
+    for (const auto& file : source.param_files) add("--param-file", file);
+    for (const auto& line : source.sets) add("--set", line);
+    if (!setup_path.empty()) add("--setup", setup_path);
+    return out;
+}
+
+std::optional<JobPlan> plan_job(const JobOptions& options, PlanFailure& failure) { return Planner(options, failure).plan(); }
+
+Dialect dialect_of(std::string_view language) {
+    for (const auto& [name, dialect] : kLanguages)
+        if (name == language) return dialect;
+    return Dialect::Polyturn;
+}
+
+std::string language_of(const params::Table& table, unsigned channel) {
+    return std::string(params::get_text(table, params::pt_language, channel));
+}
+
+void print_diagnosis(const Diagnosis& diagnosis, Dialect dialect) {
+    std::string content, line;
+    if (diagnosis.place.line) {
+        if (auto read = text::read_text_file(diagnosis.place.file)) content = std::move(*read);
+        line = std::string(text::line_of(content, diagnosis.place.line));
+    }
+    const std::string rendered = render(diagnosis, dialect, line);
+    std::fwrite(rendered.data(), 1, rendered.size(), stderr);
+}
+
+}  // namespace polyturn::supervisor

@@ -1,0 +1,58 @@
+// What check and run work on, read and checked: machine, programs by channel, setup, job. Whatever is wrong is told
+// before anything starts.
+#pragma once
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ipc/machine/load_machine.hpp"
+#include "ipc/machine/machine_config.hpp"
+#include "ipc/text/job.hpp"
+#include "ipc/text/setup.hpp"
+#include "kernel/supervisor/options.hpp"
+
+namespace polyturn::supervisor {
+
+struct PlannedProgram {
+    std::string file;        // as written: events name it so
+    std::string language;    // never empty
+    Dialect dialect = Dialect::Polyturn;
+    bool language_chosen = false;   // by option or job, rather than by the machine
+};
+
+struct JobPlan {
+    MachineSource source;
+    std::unique_ptr<params::Table> table;
+    std::unique_ptr<MachineConfig> machine;
+    std::string room_file;
+    std::map<unsigned, PlannedProgram> programs;    // by channel
+    text::Setup setup;                              // zeros of the job included
+    std::string setup_path;                         // for the other processes; empty: none
+    std::optional<text::Job> job;
+    int setup_fd = -1;                              // of a setup that was put together here
+
+    Dialect dialect(unsigned channel) const;
+    JobPlan() = default;
+    JobPlan(JobPlan&&) noexcept;
+    JobPlan& operator=(JobPlan&&) = delete;
+    ~JobPlan();
+    // "--machine M --set S ... --param-file F ... --setup F", as every process of Polyturn takes them.
+    std::vector<std::string> machine_arguments() const;
+};
+
+// Diagnoses of plan_job: what to print and with which exit status to end.
+struct PlanFailure {
+    std::vector<Diagnosis> diagnoses;
+    int exit_status = 2;     // 1: a contradiction in the configuration; 2: unreadable input
+};
+
+std::optional<JobPlan> plan_job(const JobOptions& options, PlanFailure& failure);
+
+// Renders for people on stderr, with the line it speaks of where the file can be read, and as an alarm event.
+void print_diagnosis(const Diagnosis& diagnosis, Dialect dialect);
+Dialect dialect_of(std::string_view language);   // Polyturn for a name that is none
+std::string language_of(const params::Table& table, unsigned channel);
+
+}  // namespace polyturn::supervisor

@@ -1,0 +1,16 @@
+// The `polyturn` command: what it can do stands in docs and in cli.md.
+#include <csignal>
+
+#include "kernel/supervisor/check.hpp"
+#include "kernel/supervisor/options.hpp"
+
+int main(int argc, char** argv) {
+    using namespace polyturn::supervisor;
+    std::signal(SIGPIPE, SIG_IGN);   // a reader that goes away is no reason to leave a machine without its supervisor
+    const CommandLine line = read_command_line(argc, argv);
+    switch (line.verb) {
+        case Verb::Check: return check_programs(line.job);
+        default: break;
+    }
+    return line.exit_status;
+}

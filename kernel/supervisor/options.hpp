@@ -1,0 +1,52 @@
+// What the command line says, before anything is read or started (cli.md 1, 4, 7).
+#pragma once
+#include <string>
+#include <vector>
+
+namespace polyturn::supervisor {
+
+// check and run
+struct JobOptions {
+    std::vector<std::string> programs;      // "L=FILE", "FILE" or one NAME.job.toml
+    std::vector<std::string> languages;     // "NAME" or "L=NAME"
+    std::string machine, setup, instance, like, store;
+    std::vector<std::string> sets, param_files;
+    bool variables = false, quiet = false;
+    // run only
+    bool virtual_time = false, report = false;
+    std::string trace_file, plot_file, scenario;
+    unsigned trace_every = 1, parts = 0;
+    std::vector<std::string> watch, overrides, from;
+};
+
+struct StartOptions {
+    std::string machine, instance = "polyturn", store;
+    std::vector<std::string> sets, param_files;
+    bool no_hmi = false, virtual_time = false;
+};
+
+struct ParamsOptions {
+    std::string action;                     // list get set export import diff check
+    std::vector<std::string> arguments;
+    std::string machine, instance;
+    bool unused = false, all = false;
+};
+
+enum class Verb { None, Check, Run, Start, Press, Set, Release, Status, Alarms, Params, Clean, Bench, Tools };
+
+struct CommandLine {
+    Verb verb = Verb::None;
+    int exit_status = 0;                    // of Verb::None: help or version was printed (0), or the usage was wrong (2)
+    JobOptions job;
+    StartOptions start;
+    ParamsOptions params;
+    std::string instance = "polyturn";      // press, set, status, alarms
+    std::string words;                      // press, set, release: the rest of the line
+    std::vector<std::string> rest;          // bench
+    bool json = false;
+};
+
+// Reads the arguments; prints help, version or what is wrong with them itself.
+CommandLine read_command_line(int argc, char** argv);
+
+}  // namespace polyturn::supervisor
