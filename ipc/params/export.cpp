@@ -1,8 +1,8 @@
 #include "ipc/params/export.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 #include "ipc/params/unit.hpp"
 
@@ -12,8 +12,7 @@ namespace {
 constexpr std::size_t kCommentColumn = 24;
 
 std::string quoted_where_needed(std::string_view text) {
-    const bool plain = text.find_first_of(";\"") == std::string_view::npos &&
-                       (text.empty() || (text.front() != ' ' && text.back() != ' '));
+    const bool plain = text.find_first_of(";\"") == std::string_view::npos && (text.empty() || (text.front() != ' ' && text.back() != ' '));
     if (plain) return std::string(text);
     std::string out = "\"";
     for (const char c : text) {
@@ -56,7 +55,7 @@ void append_line(std::string& out, const Row& row, const Table& table, const Tar
     std::string line = target_text(target) + '=' + value_text(row, table, instance, element);
     line.resize(std::max(line.size() + 1, kCommentColumn), ' ');
     out += line + "; " + std::string(row.name);
-    const bool every = target.instance == Target::kEveryInstance;   // then the axes may differ in their units
+    const bool every = target.instance == Target::kEveryInstance;  // then the axes may differ in their units
     const std::string_view unit = every && row.scope != Scope::Global ? row.unit : unit_of(row, table, instance);
     if (!unit.empty()) out += fmt::format(", {}", unit);
     if (row.type == Type::Bits) out += bits_on(row, table.numbers[slot_of(row, instance, element)]);
@@ -144,11 +143,10 @@ std::vector<Difference> difference(const Table& before, const Table& after) {
         for (unsigned instance = 1; instance <= instances(row.scope); ++instance)
             for (unsigned element = 0; element < row.array; ++element) {
                 const std::size_t slot = slot_of(row, instance, element);
-                const bool equal = row.type == Type::Text ? text_at(before, slot) == text_at(after, slot)
-                                                          : before.numbers[slot] == after.numbers[slot];
+                const bool equal = row.type == Type::Text ? text_at(before, slot) == text_at(after, slot) : before.numbers[slot] == after.numbers[slot];
                 if (!equal)
-                    out.push_back({&row, instance, element, value_text(row, before, instance, element),
-                                   value_text(row, after, instance, element), unit_of(row, after, instance)});
+                    out.push_back({&row, instance, element, value_text(row, before, instance, element), value_text(row, after, instance, element),
+                                   unit_of(row, after, instance)});
             }
     return out;
 }
@@ -157,8 +155,8 @@ std::string to_string(const Difference& difference) {
     const Row& row = *difference.row;
     Target target{&row, difference.instance};
     if (row.array > 1) target.element = static_cast<int>(difference.element);
-    return fmt::format("{}: {} -> {}{}{}   ({})", target_text(target), difference.before, difference.after,
-                       difference.unit.empty() ? "" : " ", difference.unit, row.name);
+    return fmt::format("{}: {} -> {}{}{}   ({})", target_text(target), difference.before, difference.after, difference.unit.empty() ? "" : " ", difference.unit,
+                       row.name);
 }
 
 }  // namespace polyturn::params

@@ -10,8 +10,8 @@
 namespace polyturn::params {
 
 enum class Content : std::uint8_t {
-    Changed,   // only what differs from the default: what a machine file holds
-    All,       // every value; rows whose instances are all alike in one line
+    Changed,  // only what differs from the default: what a machine file holds
+    All,      // every value; rows whose instances are all alike in one line
 };
 
 // Lines with the group's name above and name and unit behind, as comments.
@@ -26,8 +26,8 @@ enum class Content : std::uint8_t {
 
 struct Difference {
     const Row* row;
-    unsigned instance;      // from 1
-    unsigned element;       // from 0
+    unsigned instance;  // from 1
+    unsigned element;   // from 0
     std::string before, after;
     std::string_view unit;
 };

@@ -13,17 +13,17 @@ namespace polyturn::params {
 enum class Scope : std::uint8_t { Global, Group, Channel, Axis, Spindle };
 
 enum class Type : std::uint8_t {
-    Bits,   // eight flags #0..#7 in one value 0..255
-    Int,    // whole number; the row says whether it may be negative
-    Real,   // finite double in the unit that the row names
-    Text,   // up to kTextCapacity bytes of UTF-8
+    Bits,  // eight flags #0..#7 in one value 0..255
+    Int,   // whole number; the row says whether it may be negative
+    Real,  // finite double in the unit that the row names
+    Text,  // up to kTextCapacity bytes of UTF-8
 };
 
 // When a changed value is first used.
 enum class Effect : std::uint8_t {
-    Tick,      // at the next tick
-    Barrier,   // when the channel concerned is next at a barrier: what it has already pushed keeps the old value
-    Restart,   // at the next start of the controller
+    Tick,     // at the next tick
+    Barrier,  // when the channel concerned is next at a barrier: what it has already pushed keeps the old value
+    Restart,  // at the next start of the controller
 };
 
 // Who may change it. Each level may also do what stands before it.
@@ -31,11 +31,16 @@ enum class Protection : std::uint8_t { Operator, Setter, Maker };
 
 constexpr unsigned instances(Scope scope) noexcept {
     switch (scope) {
-        case Scope::Group: return static_cast<unsigned>(kMaxGroups);
-        case Scope::Channel: return static_cast<unsigned>(kMaxChannels);
-        case Scope::Axis: return static_cast<unsigned>(kMaxAxes);
-        case Scope::Spindle: return static_cast<unsigned>(kMaxSpindles);
-        case Scope::Global: break;
+        case Scope::Group:
+            return static_cast<unsigned>(kMaxGroups);
+        case Scope::Channel:
+            return static_cast<unsigned>(kMaxChannels);
+        case Scope::Axis:
+            return static_cast<unsigned>(kMaxAxes);
+        case Scope::Spindle:
+            return static_cast<unsigned>(kMaxSpindles);
+        case Scope::Global:
+            break;
     }
     return 1;
 }
@@ -43,11 +48,16 @@ constexpr unsigned instances(Scope scope) noexcept {
 // The letter of a scope, 0 for the global one.
 constexpr char scope_letter(Scope scope) noexcept {
     switch (scope) {
-        case Scope::Group: return 'T';
-        case Scope::Channel: return 'L';
-        case Scope::Axis: return 'A';
-        case Scope::Spindle: return 'S';
-        case Scope::Global: break;
+        case Scope::Group:
+            return 'T';
+        case Scope::Channel:
+            return 'L';
+        case Scope::Axis:
+            return 'A';
+        case Scope::Spindle:
+            return 'S';
+        case Scope::Global:
+            break;
     }
     return '\0';
 }
@@ -58,10 +68,10 @@ template <Scope kScopeOf, Type kTypeOf>
 struct Handle {
     static constexpr Scope kScope = kScopeOf;
     static constexpr Type kType = kTypeOf;
-    std::uint32_t first_slot;   // of instance 1, element 0
-    std::uint16_t row;          // index in rows()
-    std::uint16_t array;        // elements per instance; 1 unless the name is indexed, as in MD20150[5]
-    std::uint16_t series;       // how many alike rows begin here: 8 at the first of eight gear ranges
+    std::uint32_t first_slot;  // of instance 1, element 0
+    std::uint16_t row;         // index in rows()
+    std::uint16_t array;       // elements per instance; 1 unless the name is indexed, as in MD20150[5]
+    std::uint16_t series;      // how many alike rows begin here: 8 at the first of eight gear ranges
 };
 
 // Number `n` (from 1) of the series that begins at `first`: nth(n0650_r1_s_max, 3) is the row for gear range 3.
@@ -69,9 +79,8 @@ struct Handle {
 template <Scope kScope, Type kType>
 constexpr Handle<kScope, kType> nth(Handle<kScope, kType> first, unsigned n) noexcept {
     if (n < 1 || n > first.series) __builtin_trap();
-    return {static_cast<std::uint32_t>(first.first_slot + (n - 1) * instances(kScope) * first.array),
-            static_cast<std::uint16_t>(first.row + n - 1), first.array,
-            static_cast<std::uint16_t>(first.series - (n - 1))};
+    return {static_cast<std::uint32_t>(first.first_slot + (n - 1) * instances(kScope) * first.array), static_cast<std::uint16_t>(first.row + n - 1),
+            first.array, static_cast<std::uint16_t>(first.series - (n - 1))};
 }
 
 }  // namespace polyturn::params

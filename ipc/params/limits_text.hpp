@@ -8,7 +8,7 @@
 
 namespace polyturn::params {
 
-[[nodiscard]] std::string limits_text(const Row& row);   // "0 to 255", "from 0", "one of fanuc, nct"
+[[nodiscard]] std::string limits_text(const Row& row);  // "0 to 255", "from 0", "one of fanuc, nct"
 
 // Whether a printable text may be stored in a text parameter.
 [[nodiscard]] bool text_allowed(const Row& row, std::string_view text) noexcept;

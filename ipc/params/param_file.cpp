@@ -1,11 +1,11 @@
 #include "ipc/params/param_file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
-
-#include <fmt/format.h>
 
 #include "ipc/params/export.hpp"
 #include "ipc/params/limits_text.hpp"
@@ -81,7 +81,7 @@ bool text_allowed(const Row& row, std::string_view text) noexcept {
     if (static_cast<double>(characters) < row.min || static_cast<double>(characters) > row.max) return false;
     if (row.text_rule == TextRule::Choice) return std::find(row.choices.begin(), row.choices.end(), text) != row.choices.end();
     if (row.text_rule == TextRule::Any || text.empty()) return true;
-    unsigned parts = 0;   // Ipv4: four numbers, no blanks, no leading zeros that could be taken for octal
+    unsigned parts = 0;  // Ipv4: four numbers, no blanks, no leading zeros that could be taken for octal
     for (std::string_view rest = text;; ++parts) {
         const std::size_t point = rest.find('.');
         const std::string_view part = rest.substr(0, point);
@@ -160,7 +160,8 @@ Result<void> apply(Table& table, std::span<const Assignment> assignments) {
         Diagnosis out;
         out.alarm = Alarm::ParamRange;
         out.place = assignment.place;
-        out.detail = assignment.row == nullptr ? std::string("no parameter") : fmt::format("{}, allowed {}", assignment.row->title(), limits_text(*assignment.row));
+        out.detail =
+            assignment.row == nullptr ? std::string("no parameter") : fmt::format("{}, allowed {}", assignment.row->title(), limits_text(*assignment.row));
         return out;
     }
     for (const Assignment& assignment : assignments) write(table, assignment);

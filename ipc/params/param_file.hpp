@@ -26,19 +26,19 @@ namespace polyturn::params {
 // Which value of a parameter is meant.
 struct Target {
     static constexpr unsigned kEveryInstance = 0;
-    static constexpr int kWhole = -1;         // not one bit, but the value
+    static constexpr int kWhole = -1;  // not one bit, but the value
     static constexpr int kEveryElement = -1;
 
     const Row* row = nullptr;
-    unsigned instance = kEveryInstance;       // from 1
-    int bit = kWhole;                         // 0..7
-    int element = kEveryElement;              // from 0
+    unsigned instance = kEveryInstance;  // from 1
+    int bit = kWhole;                    // 0..7
+    int element = kEveryElement;         // from 0
 };
 
 struct Assignment : Target {
-    double number = 0.0;                      // numbers and bits
-    std::string text;                         // Type::Text
-    Place place;                              // where it was written
+    double number = 0.0;  // numbers and bits
+    std::string text;     // Type::Text
+    Place place;          // where it was written
 };
 
 // One line such as the argument of --set; a comment behind it is allowed. A line without an assignment is an error.
@@ -48,11 +48,11 @@ struct Assignment : Target {
 [[nodiscard]] Result<Target> parse_target(std::string_view text);
 
 struct ParsedFile {
-    std::vector<Assignment> assignments;      // in the file's order; a later one wins
-    std::vector<Diagnosis> diagnoses;         // every bad line; at the most kMostDiagnoses, then one that says so
-    [[nodiscard]] bool ok() const noexcept;   // no error among the diagnoses
+    std::vector<Assignment> assignments;     // in the file's order; a later one wins
+    std::vector<Diagnosis> diagnoses;        // every bad line; at the most kMostDiagnoses, then one that says so
+    [[nodiscard]] bool ok() const noexcept;  // no error among the diagnoses
 };
-inline constexpr std::size_t kMostDiagnoses = 200;   // more than that is another kind of file
+inline constexpr std::size_t kMostDiagnoses = 200;  // more than that is another kind of file
 
 // A whole file: LF, CRLF or CR, with or without a UTF-8 byte order mark. `filename` goes into the places.
 [[nodiscard]] ParsedFile parse_param_file(std::string_view text, std::string_view filename);

@@ -1,10 +1,10 @@
 // One parameter line. Reading order: name, bit, element, scope, value; each step checks what it read at once, so that a
 // diagnosis names the first thing that is wrong and points at it.
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cmath>
 #include <optional>
-
-#include <fmt/format.h>
 
 #include "ipc/params/limits_text.hpp"
 #include "ipc/params/param_file.hpp"
@@ -13,12 +13,10 @@
 namespace polyturn::params {
 namespace {
 
-constexpr std::size_t kQuoteAtMost = 40;   // characters of the bad text that a diagnosis repeats
+constexpr std::size_t kQuoteAtMost = 40;  // characters of the bad text that a diagnosis repeats
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_name(char c) {
-    return is_digit(c) || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || c == '.';
-}
+bool is_name(char c) { return is_digit(c) || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || c == '.'; }
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
@@ -86,8 +84,7 @@ private:
     Fault unknown(std::size_t begin, std::string_view name) const {
         std::string detail = shown(name);
         const auto proposals = nearest(name);
-        for (std::size_t i = 0; i < proposals.size(); ++i)
-            detail += fmt::format("{}{}", i == 0 ? "; nearest: " : ", ", find(proposals[i])->title());
+        for (std::size_t i = 0; i < proposals.size(); ++i) detail += fmt::format("{}{}", i == 0 ? "; nearest: " : ", ", find(proposals[i])->title());
         return wrong(Alarm::ParamUnknown, begin, name.size(), detail);
     }
 
@@ -95,10 +92,8 @@ private:
         if (at_ == line_.size() || line_[at_] != '#') return std::nullopt;
         const std::size_t begin = at_++;
         const std::size_t length = digits();
-        if (out.row->type != Type::Bits)
-            return wrong(Alarm::ParamBit, begin, length + 1, fmt::format("{} is one value and has no bits", out.row->title()));
-        if (length != 1 || line_[begin + 1] > '7')
-            return wrong(Alarm::ParamBit, begin, length + 1, fmt::format("{} has the bits #0 to #7", out.row->title()));
+        if (out.row->type != Type::Bits) return wrong(Alarm::ParamBit, begin, length + 1, fmt::format("{} is one value and has no bits", out.row->title()));
+        if (length != 1 || line_[begin + 1] > '7') return wrong(Alarm::ParamBit, begin, length + 1, fmt::format("{} has the bits #0 to #7", out.row->title()));
         out.bit = line_[begin + 1] - '0';
         return std::nullopt;
     }
@@ -108,14 +103,11 @@ private:
         const std::size_t begin = at_++;
         const std::size_t length = digits();
         const auto index = whole(line_.substr(begin + 1, length));
-        if (!index || at_ == line_.size() || line_[at_] != ']')
-            return wrong(Alarm::ParamSyntax, begin, length + 1, "an index in brackets is a number: [5]");
+        if (!index || at_ == line_.size() || line_[at_] != ']') return wrong(Alarm::ParamSyntax, begin, length + 1, "an index in brackets is a number: [5]");
         ++at_;
-        if (out.row->array == 1)
-            return wrong(Alarm::ParamElement, begin, length + 2, fmt::format("{} has no index", out.row->title()));
+        if (out.row->array == 1) return wrong(Alarm::ParamElement, begin, length + 2, fmt::format("{} has no index", out.row->title()));
         if (*index >= out.row->array)
-            return wrong(Alarm::ParamElement, begin, length + 2,
-                         fmt::format("{} has the indices [0] to [{}]", out.row->title(), out.row->array - 1));
+            return wrong(Alarm::ParamElement, begin, length + 2, fmt::format("{} has the indices [0] to [{}]", out.row->title(), out.row->array - 1));
         out.element = static_cast<int>(*index);
         return std::nullopt;
     }
@@ -129,16 +121,13 @@ private:
         const char letter = scope_letter(row.scope);
         while (at_ < line_.size() && is_name(line_[at_])) ++at_;
         const std::string_view text = line_.substr(begin, at_ - begin);
-        if (text.empty() || gap == begin)
-            return wrong(Alarm::ParamSyntax, begin, word_length(), fmt::format("'{}' behind {}", word_from(begin), row.number));
-        if (letter == '\0')
-            return wrong(Alarm::ParamScope, begin, text.size(),
-                         fmt::format("{} exists once, {} cannot be chosen", row.title(), shown(text)));
+        if (text.empty() || gap == begin) return wrong(Alarm::ParamSyntax, begin, word_length(), fmt::format("'{}' behind {}", word_from(begin), row.number));
+        if (letter == '\0') return wrong(Alarm::ParamScope, begin, text.size(), fmt::format("{} exists once, {} cannot be chosen", row.title(), shown(text)));
         const auto index = whole(text.substr(1));
         if (upper(text[0]) != letter || !index)
             return wrong(Alarm::ParamScope, begin, text.size(),
-                         fmt::format("{} exists once per {} ({}1 to {}{}), not per {}", row.title(), to_string(row.scope), letter,
-                                     letter, instances(row.scope), shown(text)));
+                         fmt::format("{} exists once per {} ({}1 to {}{}), not per {}", row.title(), to_string(row.scope), letter, letter, instances(row.scope),
+                                     shown(text)));
         if (*index < 1 || *index > instances(row.scope))
             return wrong(Alarm::ParamScope, begin, text.size(),
                          fmt::format("{}: {} is outside {}1 to {}{}", row.title(), shown(text), letter, letter, instances(row.scope)));
@@ -157,23 +146,22 @@ private:
         if (out.bit != Target::kWhole) return bit_value(out, begin, text);
         if (out.row->type == Type::Bits && text.size() == 8 && text.find_first_not_of("01") == std::string_view::npos) {
             unsigned pattern = 0;
-            for (const char c : text) pattern = pattern << 1 | (c == '1' ? 1U : 0U);   // the leftmost digit is #7
+            for (const char c : text) pattern = pattern << 1 | (c == '1' ? 1U : 0U);  // the leftmost digit is #7
             out.number = pattern;
         } else if (auto fault = plain_number(*out.row, begin, text, out.number)) {
             return fault;
         }
         if (out.number < out.row->min || out.number > out.row->max)
-            return wrong(Alarm::ParamRange, begin, text.size(),
-                         fmt::format("{} = {}, allowed {}{}{}", out.row->title(), shown(text), limits_text(*out.row),
-                                     out.row->unit.empty() ? "" : " ", out.row->unit));
+            return wrong(
+                Alarm::ParamRange, begin, text.size(),
+                fmt::format("{} = {}, allowed {}{}{}", out.row->title(), shown(text), limits_text(*out.row), out.row->unit.empty() ? "" : " ", out.row->unit));
         return std::nullopt;
     }
 
     Fault bit_value(Assignment& out, std::size_t begin, std::string_view text) const {
         const Row& row = *out.row;
         if (text != "0" && text != "1")
-            return wrong(Alarm::ParamBit, begin, text.size(),
-                         fmt::format("{} bit #{} is 0 or 1, not '{}'", row.title(), out.bit, shown(text)));
+            return wrong(Alarm::ParamBit, begin, text.size(), fmt::format("{} bit #{} is 0 or 1, not '{}'", row.title(), out.bit, shown(text)));
         if (text == "1" && (static_cast<unsigned>(row.max) >> out.bit & 1U) == 0)
             return wrong(Alarm::ParamBit, begin, text.size(), fmt::format("{} bit #{} is reserved and stays 0", row.title(), out.bit));
         out.number = text == "1" ? 1.0 : 0.0;
@@ -188,15 +176,14 @@ private:
         const bool whole_read = end == digits.data() + digits.size();
         if (error == std::errc::result_out_of_range && whole_read)
             return wrong(Alarm::ParamRange, begin, text.size(), fmt::format("{} = {}, allowed {}", row.title(), shown(text), limits_text(row)));
-        if (error != std::errc() || !whole_read || !std::isfinite(number)) {   // also inf and nan, which from_chars reads
+        if (error != std::errc() || !whole_read || !std::isfinite(number)) {  // also inf and nan, which from_chars reads
             const bool comma = text.find(',') != std::string_view::npos;
             return wrong(Alarm::ParamValue, begin, text.size(),
                          fmt::format("{}: '{}' is no number{}", row.title(), shown(text), comma ? "; decimals stand behind a point" : ""));
         }
         if (row.type != Type::Real && number != std::trunc(number))
-            return wrong(Alarm::ParamValue, begin, text.size(),
-                         fmt::format("{} = {}, wanted a whole number", row.title(), shown(text)));
-        out = number + 0.0;   // -0 becomes 0: one value, one spelling
+            return wrong(Alarm::ParamValue, begin, text.size(), fmt::format("{} = {}, wanted a whole number", row.title(), shown(text)));
+        out = number + 0.0;  // -0 becomes 0: one value, one spelling
         return std::nullopt;
     }
 
@@ -211,8 +198,7 @@ private:
             ++end;
             at_ = end;
             skip_blanks();
-            if (at_ < line_.size() && line_[at_] != ';')
-                return wrong(Alarm::ParamSyntax, at_, word_length(), fmt::format("'{}' behind the text", word()));
+            if (at_ < line_.size() && line_[at_] != ';') return wrong(Alarm::ParamSyntax, at_, word_length(), fmt::format("'{}' behind the text", word()));
         } else {
             end = std::min(line_.find(';', begin), line_.size());
             while (end > begin && is_blank(line_[end - 1])) --end;

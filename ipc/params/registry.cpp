@@ -15,7 +15,7 @@ std::string upper(std::string_view text) {
     return out;
 }
 
-constexpr std::size_t kLongest = 48;   // longer names are nobody's; bounds the work on rubbish
+constexpr std::size_t kLongest = 48;  // longer names are nobody's; bounds the work on rubbish
 
 // Letters changed, added, dropped or swapped with the neighbour to get from one text to the other; `limit` or more once
 // it is clear that it will not be less. Both texts at most kLongest long.
@@ -31,7 +31,7 @@ std::size_t edit_distance(std::string_view from, std::string_view to, std::size_
             if (i > 1 && j > 1 && from[i - 1] == to[j - 2] && from[i - 2] == to[j - 1]) now[j] = std::min(now[j], before[j - 2] + 1);
             least = std::min(least, now[j]);
         }
-        if (least > limit) return least;   // a swap still reaches back one line, hence not >=
+        if (least > limit) return least;  // a swap still reaches back one line, hence not >=
         before = above;
         above = now;
     }
@@ -63,12 +63,10 @@ std::span<const Row> rows() noexcept { return detail::kRows; }
 const Row* find(std::string_view number) noexcept {
     if (number.size() > kLongest) return nullptr;
     char key[kLongest];
-    std::transform(number.begin(), number.end(), key,
-                   [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+    std::transform(number.begin(), number.end(), key, [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
     const std::string_view wanted(key, number.size());
     const auto order = detail::kByNumber;
-    const auto found = std::lower_bound(order.begin(), order.end(), wanted,
-                                        [](std::uint16_t row, std::string_view text) { return rows()[row].number < text; });
+    const auto found = std::lower_bound(order.begin(), order.end(), wanted, [](std::uint16_t row, std::string_view text) { return rows()[row].number < text; });
     if (found == order.end() || rows()[*found].number != wanted) return nullptr;
     return &rows()[*found];
 }
@@ -81,19 +79,18 @@ std::vector<std::string_view> nearest(std::string_view number, std::size_t count
         std::string_view number;
     };
     if (count == 0) return {};
-    std::vector<Candidate> best;   // ascending, of equals the earlier row first
-    const std::size_t far = wanted.size() + 1;   // more than half of the letters wrong: no resemblance worth showing
+    std::vector<Candidate> best;                // ascending, of equals the earlier row first
+    const std::size_t far = wanted.size() + 1;  // more than half of the letters wrong: no resemblance worth showing
     const bool one_family = is_family(family(wanted));
     for (const Row& row : rows()) {
         if (one_family && family(row.number) != family(wanted)) continue;
         const std::size_t limit = best.size() < count ? far : best.back().distance;
         const std::size_t lengths = std::max(wanted.size(), row.number.size()) - std::min(wanted.size(), row.number.size());
-        const bool zeros = wanted_short == without_leading_zeros(row.number);   // the commonest slip: N304 for N0304
+        const bool zeros = wanted_short == without_leading_zeros(row.number);  // the commonest slip: N304 for N0304
         if (!zeros && 2 * lengths >= limit) continue;
         const std::size_t distance = zeros ? 0 : 2 * edit_distance(wanted, row.number, limit / 2);
         if (distance >= limit) continue;
-        const auto place = std::upper_bound(best.begin(), best.end(), distance,
-                                            [](std::size_t value, const Candidate& one) { return value < one.distance; });
+        const auto place = std::upper_bound(best.begin(), best.end(), distance, [](std::size_t value, const Candidate& one) { return value < one.distance; });
         best.insert(place, {distance, row.number});
         if (best.size() > count) best.pop_back();
     }

@@ -11,8 +11,10 @@ void set_defaults(Table& table) noexcept {
     for (const Row& row : rows()) {
         const unsigned count = instances(row.scope) * row.array;
         for (unsigned i = 0; i < count; ++i) {
-            if (row.type == Type::Text) put_text_at(table, row.first_slot + i, row.default_text);
-            else table.numbers[row.first_slot + i] = row.default_number(i % row.array);
+            if (row.type == Type::Text)
+                put_text_at(table, row.first_slot + i, row.default_text);
+            else
+                table.numbers[row.first_slot + i] = row.default_number(i % row.array);
         }
     }
 }

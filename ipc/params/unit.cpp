@@ -5,7 +5,7 @@
 namespace polyturn::params {
 namespace {
 
-constexpr unsigned kRotary = 1, kInch = 0;   // bits of N0106 and N0104
+constexpr unsigned kRotary = 1, kInch = 0;  // bits of N0106 and N0104
 
 bool is_inch(const Table& table, std::int64_t channel) {
     if (channel < 1 || channel > static_cast<std::int64_t>(kMaxChannels)) return false;

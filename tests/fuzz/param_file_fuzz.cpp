@@ -20,7 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (file.assignments.empty()) return 0;
     set_defaults(table);
     set_defaults(again);
-    if (!polyturn::params::apply(table, file.assignments).ok()) std::abort();   // parsed means valid
+    if (!polyturn::params::apply(table, file.assignments).ok()) std::abort();  // parsed means valid
     const ParsedFile back = parse_param_file(export_lines(table, Content::Changed), "export");
     if (!apply(again, back).ok() || !same(table, again)) std::abort();
     return 0;

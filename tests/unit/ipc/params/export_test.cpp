@@ -59,7 +59,7 @@ RC_GTEST_PROP(ExportedParameters, ReadInAgainToTheSameTable, ()) {
     RC_ASSERT(apply(*table, std::span<const Assignment>(assignments)).ok());
     const Content content = *rc::gen::element(Content::Changed, Content::All);
     const ParsedFile file = parse_param_file(export_lines(*table, content), "export");
-    RC_ASSERT(file.diagnoses.empty());   // not even a line twice
+    RC_ASSERT(file.diagnoses.empty());  // not even a line twice
     auto again = fresh();
     RC_ASSERT(apply(*again, file).ok());
     RC_ASSERT(same(*table, *again));

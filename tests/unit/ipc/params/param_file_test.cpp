@@ -16,8 +16,8 @@ std::unique_ptr<Table> fresh() {
 }
 
 TEST(ParameterFile, IsReadWithAnyLineEnd) {
-    for (const char* text : {"; two axes\n\nN0304 A1=1\nN0304 A2=2\n", "; two axes\r\n\r\nN0304 A1=1\r\nN0304 A2=2\r\n",
-                             "; two axes\r\rN0304 A1=1\rN0304 A2=2", "\xef\xbb\xbf; two axes\n \t \nN0304 A1=1\nN0304 A2=2   ; last"}) {
+    for (const char* text : {"; two axes\n\nN0304 A1=1\nN0304 A2=2\n", "; two axes\r\n\r\nN0304 A1=1\r\nN0304 A2=2\r\n", "; two axes\r\rN0304 A1=1\rN0304 A2=2",
+                             "\xef\xbb\xbf; two axes\n \t \nN0304 A1=1\nN0304 A2=2   ; last"}) {
         SCOPED_TRACE(text);
         const ParsedFile file = parse_param_file(text, "machine.params");
         EXPECT_TRUE(file.ok());

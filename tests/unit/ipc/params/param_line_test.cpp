@@ -11,18 +11,18 @@ namespace {
 
 struct Good {
     std::string_view line;
-    std::string_view target;   // as target_text() writes it
+    std::string_view target;  // as target_text() writes it
     double number;
     std::string_view text = "";
 };
 constexpr Good kGood[] = {
     {"N1300 L1=5", "N1300 L1", 5},
-    {"N1300=5", "N1300", 5},                                  // every channel
+    {"N1300=5", "N1300", 5},  // every channel
     {"N1414#2=1", "N1414#2", 1},
     {"N2102#0 A6=1", "N2102#0 A6", 1},
     {"N2101 A6=2", "N2101 A6", 2},
     {"F5002#1=0", "F5002#1", 0},
-    {"F5002=00000010", "F5002", 2},                           // the leftmost of eight digits is #7
+    {"F5002=00000010", "F5002", 2},  // the leftmost of eight digits is #7
     {"F5002=10000001", "F5002", 129},
     {"F5002=129", "F5002", 129},
     {"F5002=00000000", "F5002", 0},
@@ -33,16 +33,16 @@ constexpr Good kGood[] = {
     {"N0304 A96=1e4", "N0304 A96", 10000},
     {"N0304 A1=+10000.", "N0304 A1", 10000},
     {"N0200 A1=-.5", "N0200 A1", -0.5},
-    {"N0200 A1=-0", "N0200 A1", 0},                           // one value, one spelling
+    {"N0200 A1=-0", "N0200 A1", 0},  // one value, one spelling
     {"N0634 S32=4000", "N0634 S32", 4000},
     {"PT_WAIT_TIMEOUT T8=30", "PT_WAIT_TIMEOUT T8", 30},
-    {"  n1300\t l16 = 5  ; power-on", "N1300 L16", 5},        // small letters, blanks, comment
+    {"  n1300\t l16 = 5  ; power-on", "N1300 L16", 5},  // small letters, blanks, comment
     {"N0003 L1=Upper", "N0003 L1", 0, "Upper"},
     {"N0003 L1 = up per ; left one", "N0003 L1", 0, "up per"},
     {"N0003 L1=\"a;b\"", "N0003 L1", 0, "a;b"},
     {"N0003 L1=\" \\\"\\\\ \" ; quoted", "N0003 L1", 0, " \"\\ "},
     {"N0003 L2=", "N0003 L2", 0, ""},
-    {"N0003 L1=\u00d6ffnen\u00df", "N0003 L1", 0, "\u00d6ffnen\u00df"},   // eight characters in ten bytes
+    {"N0003 L1=\u00d6ffnen\u00df", "N0003 L1", 0, "\u00d6ffnen\u00df"},  // eight characters in ten bytes
     {"PT_LANGUAGE L2=sinumerik", "PT_LANGUAGE L2", 0, "sinumerik"},
     {"N5101=192.168.0.1", "N5101", 0, "192.168.0.1"},
     {"N0512 A1=4294967296", "N0512 A1", 4294967296.0},
@@ -64,7 +64,7 @@ struct Bad {
     std::string_view line;
     Alarm alarm;
     unsigned column, length;
-    std::string_view says;   // part of the text that the operator reads
+    std::string_view says;  // part of the text that the operator reads
 };
 constexpr Bad kBad[] = {
     {"", Alarm::ParamSyntax, 1, 1, "name is missing"},
@@ -76,8 +76,8 @@ constexpr Bad kBad[] = {
     {"N1300 L1 L2=5", Alarm::ParamSyntax, 10, 2, "'='"},
     {"N1300L1=5", Alarm::ParamUnknown, 1, 7, "N1300L1"},
     {"N9999=5", Alarm::ParamUnknown, 1, 5, "N9999"},
-    {"N304 A1=5", Alarm::ParamUnknown, 1, 4, "N0304 Rapid"},             // proposes what was meant
-    {"MD20150[5]=2", Alarm::ParamUnknown, 1, 7, "MD20150"},              // known grammar, rows to come
+    {"N304 A1=5", Alarm::ParamUnknown, 1, 4, "N0304 Rapid"},  // proposes what was meant
+    {"MD20150[5]=2", Alarm::ParamUnknown, 1, 7, "MD20150"},   // known grammar, rows to come
     {"SD42440=1", Alarm::ParamUnknown, 1, 7, "SD42440"},
     {"FG.DIAM X=1", Alarm::ParamUnknown, 1, 7, "FG.DIAM"},
     {"PT_HORIZN=1", Alarm::ParamUnknown, 1, 9, "PT_HORIZON"},
@@ -128,7 +128,7 @@ constexpr Bad kBad[] = {
     {"N5101=1.2.3.4.5", Alarm::ParamText, 7, 9, "four numbers"},
     {"N5101=1.2.3.04", Alarm::ParamText, 7, 8, "four numbers"},
     {"\u00e9=1", Alarm::ParamSyntax, 1, 1, "\u00e9"},
-    {"N0003 \u00e9\u00e9=1", Alarm::ParamSyntax, 7, 2, "behind N0003"},   // columns count characters, not bytes
+    {"N0003 \u00e9\u00e9=1", Alarm::ParamSyntax, 7, 2, "behind N0003"},  // columns count characters, not bytes
 };
 
 TEST(ParameterLine, IsDiagnosedAtItsColumn) {

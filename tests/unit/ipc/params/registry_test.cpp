@@ -20,11 +20,10 @@ struct Range {
 };
 // Which numbers the machine parameters have; gaps are gaps in the numbering, such as N0517 and N1208.
 constexpr Range kMachineNumbers[] = {
-    {0, 5}, {100, 110}, {200, 217}, {300, 335}, {400, 423}, {500, 516}, {518, 540}, {600, 691},
-    {701, 823}, {900, 909}, {1000, 1009}, {1101, 1196}, {1200, 1207}, {1209, 1274}, {1300, 1372}, {1400, 1416},
-    {1500, 1539}, {1600, 1614}, {1700, 1761}, {1800, 1806}, {1900, 1914}, {2000, 2003}, {2100, 2108}, {2200, 2202},
-    {2300, 2308}, {2400, 2400}, {2500, 2510}, {2600, 2642}, {2700, 2711}, {2800, 2808}, {2900, 2924}, {3000, 3019},
-    {3100, 3112}, {3200, 3226}, {3300, 3302}, {5000, 5000}, {5100, 5111},
+    {0, 5},       {100, 110},   {200, 217},   {300, 335},   {400, 423},   {500, 516},   {518, 540},   {600, 691},   {701, 823},   {900, 909},
+    {1000, 1009}, {1101, 1196}, {1200, 1207}, {1209, 1274}, {1300, 1372}, {1400, 1416}, {1500, 1539}, {1600, 1614}, {1700, 1761}, {1800, 1806},
+    {1900, 1914}, {2000, 2003}, {2100, 2108}, {2200, 2202}, {2300, 2308}, {2400, 2400}, {2500, 2510}, {2600, 2642}, {2700, 2711}, {2800, 2808},
+    {2900, 2924}, {3000, 3019}, {3100, 3112}, {3200, 3226}, {3300, 3302}, {5000, 5000}, {5100, 5111},
 };
 
 TEST(ParameterRows, HoldEveryMachineParameterOnce) {
@@ -36,9 +35,7 @@ TEST(ParameterRows, HoldEveryMachineParameterOnce) {
             wanted.insert(text);
         }
     for (const Row& row : rows())
-        if (row.number[0] == 'N') {
-            EXPECT_TRUE(found.insert(std::string(row.number)).second) << row.number << " stands twice";
-        }
+        if (row.number[0] == 'N') { EXPECT_TRUE(found.insert(std::string(row.number)).second) << row.number << " stands twice"; }
     EXPECT_EQ(wanted.size(), 971U);
     EXPECT_EQ(found, wanted);
 }
@@ -104,14 +101,14 @@ TEST(FindParameter, KnowsNothingElse) {
 
 TEST(NearestParameters, ProposeWhatWasProbablyMeant) {
     const auto first = [](std::string_view name) { return nearest(name).at(0); };
-    EXPECT_EQ(first("N304"), "N0304");            // leading zero left out
+    EXPECT_EQ(first("N304"), "N0304");  // leading zero left out
     EXPECT_EQ(first("F1"), "F0001");
     EXPECT_EQ(first("n00304"), "N0304");
     EXPECT_EQ(first("PT_HORIZN"), "PT_HORIZON");
     EXPECT_EQ(first("PT_PATH_TOLERANCE"), "PT_PATH_TOL");
     EXPECT_EQ(first("N0340").substr(0, 2), "N0");
-    EXPECT_EQ(first("NO304"), "N0304");           // letter O
-    EXPECT_TRUE(nearest("MD11411").empty());      // nothing of another family, however alike the digits
+    EXPECT_EQ(first("NO304"), "N0304");       // letter O
+    EXPECT_TRUE(nearest("MD11411").empty());  // nothing of another family, however alike the digits
     EXPECT_TRUE(nearest("????????").empty());
     EXPECT_LE(nearest("N0305").size(), 3U);
 }
