@@ -1,0 +1,123 @@
+#include "channels/path/ceilings.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+namespace polyturn::channels {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kFlat = 1e-12;              // an axis' share below this does not move
+constexpr double kFastest = 1e6, kHardest = 1e9;  // where no axis limits: keeps arithmetic finite
+constexpr std::size_t kMostSamples = 80;
+
+struct Samples {
+    std::size_t count = 0;
+    std::array<PathDerivatives, kMostSamples> at;
+};
+
+Ceilings finite(Ceilings c) {
+    c.v = std::min(c.v, kFastest), c.a = std::min(c.a, kHardest);
+    return c;
+}
+
+Ceilings of_line(const PathRecord& r, const PathLimits& limits, bool rapid) {
+    Ceilings c{kInfinity, kInfinity, kInfinity};
+    for (std::size_t i = 0; i < r.axis_count; ++i) {
+        const double t = std::abs(r.end[i] - r.start[i]) / r.length;
+        if (t < kFlat) continue;
+        const PathAxis& axis = limits.axis[r.axis[i]];
+        c.v = std::min(c.v, (rapid ? axis.rapid : axis.feed) / t);
+        c.a = std::min(c.a, axis.accel / t);
+        c.j = std::min(c.j, axis.jerk / t);
+    }
+    return finite(c);
+}
+
+Ceilings of_samples(const PathRecord& r, const PathLimits& limits, bool rapid, const Samples& samples) {
+    Ceilings c{kInfinity, kInfinity, kInfinity};
+    double bend = 0, twist = 0;  // largest of v^-2 and v^-3 seen; roots are taken once
+    for (std::size_t n = 0; n < samples.count; ++n)
+        for (std::size_t i = 0; i < r.axis_count; ++i) {
+            const PathAxis& axis = limits.axis[r.axis[i]];
+            const PathDerivatives& at = samples.at[n];
+            const double t = std::abs(at.first[i]), k = std::abs(at.second[i]), p = std::abs(at.third[i]);
+            if (t > kFlat) c.v = std::min(c.v, (rapid ? axis.rapid : axis.feed) / t);
+            bend = std::max(bend, k / std::min(kBendShare * axis.accel, axis.normal));
+            twist = std::max(twist, p / (kTwistShare * axis.jerk));
+        }
+    if (bend > 0) c.v = std::min(c.v, std::sqrt(1 / bend));
+    if (twist > 0) c.v = std::min(c.v, std::cbrt(1 / twist));
+    c.v = std::min(c.v * kSampling, kFastest);
+
+    const double v2 = c.v * c.v, v3 = v2 * c.v;
+    const auto each = [&](auto&& use) {
+        for (std::size_t n = 0; n < samples.count; ++n)
+            for (std::size_t i = 0; i < r.axis_count; ++i)
+                use(limits.axis[r.axis[i]], std::abs(samples.at[n].first[i]), std::abs(samples.at[n].second[i]), std::abs(samples.at[n].third[i]));
+    };
+    each([&](const PathAxis& axis, double t, double k, double p) {
+        if (t > kFlat) c.a = std::min(c.a, (axis.accel - k * v2) / t);
+        if (k * c.v > kFlat) c.a = std::min(c.a, 0.5 * (axis.jerk - p * v3) / (3 * k * c.v));
+    });
+    c.a = std::min(c.a * kSampling, kHardest);
+    each([&](const PathAxis& axis, double t, double k, double p) {
+        if (t > kFlat) c.j = std::min(c.j, (axis.jerk - p * v3 - 3 * k * c.v * c.a) / t);
+    });
+    c.j *= kSampling;
+    return c;
+}
+
+// Evenly, and where a plane axis turns back (there its curvature or its speed is largest).
+void sample_arc(const PathRecord& r, Samples& samples) {
+    const double sweep = r.shape[arc_shape::kSweep], start = r.shape[arc_shape::kStartAngle];
+    const double seen = std::min(std::abs(sweep), 2 * std::numbers::pi);
+    const std::size_t steps = std::min<std::size_t>(64, 4 + static_cast<std::size_t>(seen * 10));
+    for (std::size_t n = 0; n <= steps; ++n)
+        derivatives_at(r, r.length * (seen / std::abs(sweep)) * static_cast<double>(n) / static_cast<double>(steps), samples.at[samples.count++]);
+    const double quarter = std::numbers::pi / 2, low = std::min(start, start + sweep), high = low + seen;
+    for (double angle = std::ceil(low / quarter) * quarter; angle <= high && samples.count < kMostSamples; angle += quarter)
+        derivatives_at(r, r.length * (angle - start) / sweep, samples.at[samples.count++]);
+}
+
+}  // namespace
+
+Ceilings ceilings_of(const PathRecord& r, const PathLimits& limits) {
+    const bool rapid = (r.flags & kRapid) != 0;
+    if (static_cast<RecordKind>(r.kind) == RecordKind::Line) return of_line(r, limits, rapid);
+    Samples samples;
+    if (static_cast<RecordKind>(r.kind) == RecordKind::Arc) {
+        sample_arc(r, samples);
+        Ceilings c = of_samples(r, limits, rapid, samples);
+        // N0310: sqrt(a r) of the softest axis, but never below Circ F Min, and the axes' limits above all.
+        double softest = kInfinity;
+        for (std::size_t i = 0; i < r.axis_count; ++i) softest = std::min(softest, limits.axis[r.axis[i]].accel);
+        const double radius = std::abs(r.shape[arc_shape::kRadius]);
+        if (!rapid) c.v = std::min(c.v, std::max(std::sqrt(softest * radius), limits.arc_feed_min));
+        return c;
+    }
+    constexpr std::size_t kSteps = 8;
+    for (std::size_t n = 0; n <= kSteps; ++n) derivatives_at(r, r.length * static_cast<double>(n) / kSteps, samples.at[samples.count++]);
+    return of_samples(r, limits, rapid, samples);
+}
+
+void store(const Ceilings& c, PathRecord& r) { r.v_max = c.v, r.a_max = c.a, r.j_max = c.j; }
+
+void apply_junction_rules(const JunctionSides& sides, double angle, const PathLimits& limits, Ceilings& c) {
+    if (!limits.corner_by_axis_step && limits.corner_feed > 0 && angle > limits.corner_angle) c.v = std::min(c.v, limits.corner_feed);
+    for (std::size_t i = 0; i < sides.count; ++i) {
+        const PathAxis& axis = limits.axis[sides.axis[i]];
+        const double turn = std::abs(sides.after[i] - sides.before[i]);
+        const double bend = std::abs(sides.bend_after[i] - sides.bend_before[i]);
+        if (limits.corner_by_axis_step && axis.speed_step > 0 && turn > kFlat) c.v = std::min(c.v, axis.speed_step / turn);
+        if (sides.arc) {
+            if (axis.accel_step_arc > 0 && bend > kFlat) c.v = std::min(c.v, std::sqrt(axis.accel_step_arc / bend));
+            if (axis.accel_step_arc > 0 && turn > kFlat) c.a = std::min(c.a, axis.accel_step_arc / turn);
+        } else if (axis.accel_step > 0 && turn > kFlat) {
+            c.a = std::min(c.a, axis.accel_step / turn);
+        }
+    }
+}
+
+}  // namespace polyturn::channels

@@ -1,0 +1,160 @@
+#include "channels/path/path_maker.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "channels/path/quintic.hpp"
+
+namespace polyturn::channels {
+namespace {
+
+constexpr double kNothing = 1e-9;   // mm: a move or a rest of one that is shorter does not exist
+
+bool has(const PathRecord& r, std::uint32_t flag) { return (r.flags & flag) != 0; }
+
+// A spiral's fraction of the sweep over s, so that |dp/ds| = 1 although its radius changes (see path_geometry.hpp).
+void fit_spiral(PathRecord& r) {
+    const double radius = r.shape[arc_shape::kRadius], last = r.shape[arc_shape::kRadiusEnd];
+    if (!(last > 0) || last == radius) return;
+    const double sweep = r.shape[arc_shape::kSweep], widening = last - radius;
+    const double turn = sweep * 0.5 * (radius + last);
+    const double others = std::max(0.0, r.length * r.length - turn * turn - widening * widening);
+    const auto speed = [&](double f) {
+        const double around = (radius + widening * f) * sweep;
+        return std::sqrt(around * around + widening * widening + others);
+    };
+    const auto growth = [&](double f) { return (radius + widening * f) * widening * sweep * sweep / speed(f); };
+    double length = 0;   // Simpson over 16 strips
+    constexpr int kStrips = 16;
+    for (int n = 0; n <= kStrips; ++n) length += (n == 0 || n == kStrips ? 1 : n % 2 ? 4 : 2) * speed(static_cast<double>(n) / kStrips);
+    length /= 3 * kStrips;
+    const double v0 = speed(0), v1 = speed(1);
+    const Quintic unit = hermite({0, length / v0, -length * length * growth(0) / (v0 * v0 * v0)},
+                                 {1, length / v1, -length * length * growth(1) / (v1 * v1 * v1)});
+    double power = 1;
+    for (std::size_t k = 0; k < 6; ++k) r.shape[curve_shape::kParameter + k] = unit[k] * power, power /= length;
+    r.length = length;
+}
+
+}  // namespace
+
+PathRecord& PathMaker::next_move() {
+    coming().move = {};
+    return coming().move;
+}
+
+void PathMaker::add_move() {
+    Kept& next = coming();
+    next.move.length = path_length(next.move, *limits_);
+    if (!(next.move.length > kNothing)) return;
+    if (static_cast<RecordKind>(next.move.kind) == RecordKind::Arc) fit_spiral(next.move);
+    next.ceilings = ceilings_of(next.move, *limits_);
+    next.from = 0;
+    next.begun = false;
+    if (have_) join();
+    current_ = 1 - current_;
+    have_ = true;
+}
+
+void PathMaker::add_event(const PathRecord& record, bool stops) {
+    if (stops) flush();
+    if (have_) {
+        between_.push_back(record);
+        return;
+    }
+    out_->claim() = record;
+    out_->commit();
+}
+
+void PathMaker::flush() {
+    if (have_) put_part(kept(), kept().move.length, true, true);
+    have_ = false;
+    put_between();
+}
+
+void PathMaker::discard() {
+    have_ = false;
+    between_.clear();
+}
+
+bool PathMaker::must_stop(const PathRecord& a, const PathRecord& b) const {
+    if (has(a, kExactStop)) return true;
+    if ((has(a, kRapid) || has(b, kRapid)) && !limits_->rapid_overlaps) return true;
+    if (has(a, kThread) != has(b, kThread)) return true;
+    if (has(b, kThread) && !has(b, kThreadChained)) return true;
+    return has(a, kSkipMove) || has(b, kSkipMove);
+}
+
+// The junction of the kept move with the coming one.
+void PathMaker::join() {
+    Kept &a = kept(), &b = coming();
+    Junction junction = Junction::Stop;
+    if (!must_stop(a.move, b.move))
+        junction = make_blend(a.move, 0.5 * a.move.length, b.move, 0.5 * b.move.length, std::min(a.ceilings.v, b.ceilings.v), *limits_, blend_);
+    if (junction != Junction::Blended) {
+        put_part(a, a.move.length, true, junction == Junction::Stop);
+        put_between();
+        return;
+    }
+    put_part(a, a.move.length - blend_.trim, false, false);
+    constexpr double kNoRule = std::numeric_limits<double>::infinity();
+    Ceilings rules{kNoRule, kNoRule, kNoRule};
+    apply_junction_rules(blend_.sides, blend_.angle, *limits_, rules);
+    put_pieces(a, blend_, 0, blend_.first_half, rules, true);
+    put_between();
+    put_pieces(b, blend_, blend_.first_half, blend_.count, rules, false);
+    b.from = blend_.trim;
+}
+
+// The record of `of` from what is out up to `to`. Nothing is left when both halves of a short move are blends.
+void PathMaker::put_part(Kept& of, double to, bool last, bool stop) {
+    if (to - of.from <= kNothing && !last) return;
+    PathRecord& r = out_->claim();
+    if (of.from == 0 && to == of.move.length) r = of.move;
+    else cut(of.move, of.from, to, r);
+    store(of.ceilings, r);
+    if (!of.begun) r.flags |= kBlockBegin;
+    of.begun = true;
+    if (last) r.flags |= kBlockEnd;
+    if (stop) r.flags |= kExactStop;
+    else r.flags &= ~std::uint32_t{kExactStop | kInPosition};
+    if (!last) r.flags &= ~std::uint32_t{kThreadEnd};
+    out_->commit();
+}
+
+void PathMaker::put_pieces(Kept& of, const Blend& blend, std::size_t first, std::size_t end, const Ceilings& rules, bool last) {
+    for (std::size_t n = first; n < end; ++n) {
+        const BlendPiece& piece = blend.piece[n];
+        PathRecord& r = out_->claim();
+        r = of.move;
+        r.kind = static_cast<std::uint8_t>(RecordKind::Curve);
+        r.flags &= ~std::uint32_t{kExactStop | kInPosition | kThreadEnd};
+        if (!of.begun) r.flags |= kBlockBegin;
+        of.begun = true;
+        if (last && n + 1 == end) r.flags |= kBlockEnd;
+        r.axis_count = blend.axis_count;
+        r.length = piece.length;
+        r.shape = {};
+        for (std::size_t k = 0; k < blend.axis_count; ++k) {
+            r.axis[k] = blend.axis[k];
+            for (std::size_t c = 0; c < 6; ++c) r.shape[6 * k + c] = piece.position[k][c];
+            r.start[k] = piece.position[k][0];
+            r.end[k] = at(piece.position[k], 1);
+        }
+        for (std::size_t c = 0; c < 6; ++c) r.shape[curve_shape::kParameter + c] = piece.parameter[c];
+        Ceilings own = ceilings_of(r, *limits_);
+        own.v = std::min(own.v, rules.v), own.a = std::min(own.a, rules.a);
+        store(own, r);
+        out_->commit();
+    }
+}
+
+void PathMaker::put_between() {
+    for (const PathRecord& record : between_) {
+        out_->claim() = record;
+        out_->commit();
+    }
+    between_.clear();
+}
+
+}  // namespace polyturn::channels

@@ -1,0 +1,73 @@
+// From programmed moves to final path records: corners become blends or stops, every record gets its ceilings.
+//
+//   programmed   |----------A----------|----------B----------|
+//   records      |---A---|~half~|~half~|----B----|~half~| ...       ~ blend; the first half belongs to A, the second to B
+//
+// Invariants
+//   I1  Consecutive records of one path meet in position, tangent and curvature, or the earlier one has kExactStop.
+//   I2  Each block that moves has exactly one record with kBlockBegin and one, the same or a later one, with kBlockEnd.
+//   I3  At most one move is kept back, and what it keeps back goes out before flush() returns.
+//   I4  What is not motion leaves in its place: between the last record of the move before and the first of the next.
+// A stop instead of a blend: asked for (G9, G61), tolerance 0, a turn of more than 160 degrees, more than kMaxCurveAxes in
+// the corner, one side measured in degrees and the other in millimetres, a rapid move on either side unless N0421 ROL, a
+// thread begins or ends, the record between needs one.
+#pragma once
+#include <vector>
+
+#include "channels/path/blend.hpp"
+
+namespace polyturn::channels {
+
+// Where finished records go: the ring, or a test's vector.
+class RecordOut {
+public:
+    virtual ~RecordOut() = default;
+    virtual PathRecord& claim() = 0;   // the slot to fill completely; may wait for room
+    virtual void commit() = 0;         // it is final
+};
+
+class PathMaker {
+public:
+    PathMaker(RecordOut& out, const PathLimits& limits) : out_(&out), limits_(&limits) {}
+
+    // The next move: fill the cleared record (kind Line or Arc, slots, start, end, shape of an arc, feed, flags except the
+    // block's begin and end, block, note), then add it. length and ceilings are computed here. kExactStop: stop at its end.
+    PathRecord& next_move();
+    void add_move();
+
+    // Something that is no motion. `stops`: the path comes to rest before it.
+    void add_event(const PathRecord& record, bool stops);
+
+    void flush();     // everything goes out; the path ends here
+    void discard();   // forget what is kept back: reset
+
+private:
+    struct Kept {
+        PathRecord move;            // as programmed
+        Ceilings ceilings;          // of the whole move
+        double from = 0;            // path before it is already out
+        bool begun = false;         // so is its kBlockBegin
+    };
+    Kept& kept() { return moves_[current_]; }
+    Kept& coming() { return moves_[1 - current_]; }
+    void join();
+    bool must_stop(const PathRecord& a, const PathRecord& b) const;
+    void put_part(Kept& of, double to, bool last, bool stop);
+    void put_pieces(Kept& of, const Blend& blend, std::size_t first, std::size_t end, const Ceilings& rules, bool last);
+    void put_between();
+
+    RecordOut* out_;
+    const PathLimits* limits_;
+    std::array<Kept, 2> moves_;
+    std::size_t current_ = 0;
+    bool have_ = false;
+    std::vector<PathRecord> between_;   // not motion, behind the kept move
+    Blend blend_;
+};
+
+// Length of a programmed move in its metric: millimetres over the linear axes, degrees when none of them moves.
+double path_length(const PathRecord& move, const PathLimits& limits);
+// The part [from, to] of a Line or Arc.
+void cut(const PathRecord& whole, double from, double to, PathRecord& part);
+
+}  // namespace polyturn::channels

@@ -1,0 +1,218 @@
+#include "channels/path/path_maker.hpp"
+
+#include <gtest/gtest.h>
+
+#include "path_rig.hpp"
+
+namespace polyturn::channels {
+namespace {
+
+using namespace rig;
+
+std::vector<PathRecord> made(const PathLimits& limits, auto&& program_text) {
+    Collected out;
+    Program program(out, limits);
+    program_text(program);
+    program.maker.flush();
+    return out.records;
+}
+
+// I1: position, tangent and curvature meet, or there is a stop.
+void expect_smooth(const std::vector<PathRecord>& records) {
+    for (std::size_t n = 0; n + 1 < records.size(); ++n) {
+        const PathRecord &a = records[n], &b = records[n + 1];
+        for (unsigned axis = 0; axis < 2; ++axis) {
+            const AxisState end = axis_state(a, a.length, axis), begin = axis_state(b, 0, axis);
+            ASSERT_NEAR(end.p, begin.p, 1e-9) << "record " << n;
+            if (a.flags & kExactStop) continue;
+            ASSERT_NEAR(end.t, begin.t, 2e-6) << "record " << n << " kinds " << int(a.kind) << int(b.kind) << " length " << a.length << " " << b.length;
+            const double scale = std::max({1.0, std::abs(end.k), std::abs(begin.k)});
+            ASSERT_NEAR(end.k / scale, begin.k / scale, 1e-5) << "record " << n << " kinds " << int(a.kind) << int(b.kind) << " length " << a.length << " " << b.length;
+        }
+    }
+}
+
+double to_segment(Point p, Point a, Point b) {
+    const double dx = b.x - a.x, dz = b.z - a.z, l2 = dx * dx + dz * dz;
+    const double f = l2 > 0 ? std::clamp(((p.x - a.x) * dx + (p.z - a.z) * dz) / l2, 0.0, 1.0) : 0;
+    return std::hypot(p.x - a.x - f * dx, p.z - a.z - f * dz);
+}
+
+Point point(const PathRecord& r, double s) { return {axis_state(r, s, 0).p, axis_state(r, s, 1).p}; }
+
+TEST(PathMaker, ASingleLineIsOneRecordThatStops) {
+    const auto records = made(easy_limits(), [](Program& p) { p.line({3, 4}); });
+    ASSERT_EQ(records.size(), 1u);
+    EXPECT_DOUBLE_EQ(records[0].length, 5);
+    EXPECT_EQ(records[0].flags, kBlockBegin | kBlockEnd | kExactStop);
+    EXPECT_DOUBLE_EQ(records[0].v_max, 166 / 0.8);
+    EXPECT_DOUBLE_EQ(records[0].a_max, 2000 / 0.8);
+    EXPECT_DOUBLE_EQ(records[0].j_max, 40000 / 0.8);
+}
+
+TEST(PathMaker, ARightAngleBecomesABlendWithinTolerance) {
+    const auto records = made(easy_limits(), [](Program& p) { p.line({10, 0}), p.line({10, 10}); });
+    ASSERT_GE(records.size(), 4u);
+    expect_smooth(records);
+    double nearest = 1;
+    for (const auto& r : records)
+        for (double f = 0; f <= 1; f += 0.05) nearest = std::min(nearest, std::hypot(point(r, f * r.length).x - 10, point(r, f * r.length).z));
+    EXPECT_LE(nearest, 0.005);
+    EXPECT_GT(nearest, 0.0045) << "the tolerance is used";
+    // The first half ends block 1, the second begins block 2.
+    for (std::size_t n = 0; n + 1 < records.size(); ++n)
+        if (records[n].block != records[n + 1].block) {
+            EXPECT_TRUE(records[n].flags & kBlockEnd);
+            EXPECT_TRUE(records[n + 1].flags & kBlockBegin);
+            EXPECT_EQ(kind_of(records[n]), RecordKind::Curve);
+            EXPECT_EQ(kind_of(records[n + 1]), RecordKind::Curve);
+        }
+}
+
+TEST(PathMaker, StopsWhereItMust) {
+    struct Row { const char* why; double turn; std::uint32_t first, second; double tolerance; bool stop; };
+    const Row rows[] = {
+        {"corner", 90, 0, 0, 0.005, false},
+        {"exact stop asked for", 90, kExactStop, 0, 0.005, true},
+        {"exact stop on a straight path", 0, kExactStop, 0, 0.005, true},
+        {"tolerance 0", 90, 0, 0, 0, true},
+        {"tolerance 0, straight on", 0, 0, 0, 0, false},
+        {"reversal", 180, 0, 0, 0.005, true},
+        {"nearly a reversal", 170, 0, 0, 0.005, true},
+        {"sharp", 150, 0, 0, 0.005, false},
+        {"rapid before", 90, kRapid, 0, 0.005, true},
+        {"rapid behind", 90, 0, kRapid, 0.005, true},
+        {"thread begins", 0, 0, kThread, 0.005, true},
+        {"threads in a row", 10, kThread, kThread | kThreadChained, 0.005, false},
+    };
+    for (const Row& row : rows) {
+        SCOPED_TRACE(row.why);
+        PathLimits limits = easy_limits();
+        limits.tolerance = row.tolerance;
+        const double turn = row.turn * std::numbers::pi / 180;
+        const auto records = made(limits, [&](Program& p) {
+            p.line({10, 0}, row.first);
+            p.line({10 + 10 * std::cos(turn), 10 * std::sin(turn)}, row.second);
+        });
+        std::size_t stops = 0;
+        for (const auto& r : records) stops += (r.flags & kExactStop) != 0;
+        EXPECT_EQ(stops, row.stop ? 2u : 1u);
+        expect_smooth(records);
+    }
+}
+
+TEST(PathMaker, ATangentialArcGetsATransitionUnlessNoAxisHasAJerkLimit) {
+    const auto text = [](Program& p) { p.line({10, 0}), p.arc({10, 5}, 1.5); };
+    auto records = made(easy_limits(), text);
+    EXPECT_EQ(records.size(), 4u);
+    expect_smooth(records);
+    PathLimits unlimited = easy_limits();
+    for (auto& axis : unlimited.axis) axis.jerk = std::numeric_limits<double>::infinity();
+    records = made(unlimited, text);
+    ASSERT_EQ(records.size(), 2u);
+    EXPECT_FALSE(records[0].flags & kExactStop);
+}
+
+TEST(PathMaker, MovesOfNoLengthVanish) {
+    const auto records = made(easy_limits(), [](Program& p) { p.line({1, 0}), p.line({1, 0}), p.line({2, 0}); });
+    EXPECT_EQ(records.size(), 2u);
+}
+
+TEST(PathMaker, EventsKeepTheirPlaceBetweenTheBlocks) {
+    Collected out;
+    const PathLimits limits = easy_limits();
+    Program p(out, limits);
+    PathRecord event;
+    event.kind = static_cast<std::uint8_t>(RecordKind::SpindleSpeed);
+    p.line({10, 0});
+    p.maker.add_event(event, false);
+    p.line({10, 10});
+    event.kind = static_cast<std::uint8_t>(RecordKind::Aux);
+    p.maker.add_event(event, true);
+    p.line({0, 10});
+    p.maker.flush();
+    std::size_t speed = 0, aux = 0;
+    for (std::size_t n = 0; n < out.records.size(); ++n) {
+        if (kind_of(out.records[n]) == RecordKind::SpindleSpeed) speed = n;
+        if (kind_of(out.records[n]) == RecordKind::Aux) aux = n;
+    }
+    ASSERT_GT(speed, 0u);
+    EXPECT_EQ(out.records[speed - 1].block, 1);
+    EXPECT_FALSE(out.records[speed - 1].flags & kExactStop);
+    EXPECT_EQ(out.records[speed + 1].block, 2);
+    EXPECT_TRUE(out.records[aux - 1].flags & kExactStop);
+}
+
+TEST(PathMaker, RandomPathsAreSmoothCompleteAndNamedByTheirBlocks) {
+    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+        SCOPED_TRACE(seed);
+        std::mt19937_64 random(seed);
+        const int moves = 60;
+        const auto records = made(easy_limits(), [&](Program& p) { random_path(p, random, moves); });
+        expect_smooth(records);
+        if (testing::Test::HasFatalFailure()) return;
+        std::int64_t block = 0;
+        bool open = false;
+        for (const auto& r : records) {   // I2
+            if (r.flags & kBlockBegin) {
+                EXPECT_FALSE(open);
+                EXPECT_EQ(r.block, ++block);
+                open = true;
+            }
+            EXPECT_EQ(r.block, block);
+            EXPECT_GT(r.length, 0);
+            EXPECT_GT(r.v_max, 0);
+            EXPECT_GT(r.a_max, 0);
+            EXPECT_GT(r.j_max, 0);
+            if (r.flags & kBlockEnd) open = false;
+        }
+        EXPECT_EQ(block, moves);
+    }
+}
+
+TEST(PathMaker, SpeedAlongEachRecordIsOneAndItsLengthIsTrue) {
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        std::mt19937_64 random(seed);
+        const auto records = made(easy_limits(), [&](Program& p) { random_path(p, random, 60); });
+        for (const auto& r : records)
+            for (double f = 0; f <= 1.0001; f += 1.0 / 32) {
+                const double speed = std::hypot(axis_state(r, f * r.length, 0).t, axis_state(r, f * r.length, 1).t);
+                ASSERT_NEAR(speed, 1, 1.1e-4) << "seed " << seed << " kind " << int(r.kind) << " f " << f;
+            }
+    }
+}
+
+// Oracle: distance of dense samples to the programmed polyline, and of its corners to the samples.
+TEST(PathMaker, PolylinesAreFollowedWithinTolerance) {
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+        std::mt19937_64 random(seed);
+        std::uniform_real_distribution<double> unit(0, 1);
+        std::vector<Point> corners{{0, 0}};
+        const auto records = made(easy_limits(), [&](Program& p) {
+            double heading = 0;
+            for (int n = 0; n < 40; ++n) {
+                heading += (unit(random) - 0.5) * 2 * std::numbers::pi;
+                const double length = std::pow(10.0, -3 + 5 * unit(random));
+                p.line({p.at.x + length * std::cos(heading), p.at.z + length * std::sin(heading)});
+                corners.push_back(p.at);
+            }
+        });
+        for (const auto& r : records)
+            for (double f = 0; f <= 1; f += 0.1) {
+                const Point at = point(r, f * r.length);
+                double off = 1e9;
+                for (std::size_t n = 0; n + 1 < corners.size(); ++n) off = std::min(off, to_segment(at, corners[n], corners[n + 1]));
+                ASSERT_LE(off, 0.005 + 1e-9) << "seed " << seed;
+            }
+        std::size_t block = 0;
+        for (std::size_t n = 0; n + 1 < records.size(); ++n)
+            if (records[n].block != records[n + 1].block) {
+                const Point middle = point(records[n], records[n].length);
+                ++block;
+                ASSERT_LE(std::hypot(middle.x - corners[block].x, middle.z - corners[block].z), 0.005 + 1e-9) << "seed " << seed << " corner " << block;
+            }
+    }
+}
+
+}  // namespace
+}  // namespace polyturn::channels
