@@ -7,8 +7,9 @@
 //     planner.clear(next ring index)                  at attach, reset, new epoch: the path stands
 //     while (planner.wants_record() && ring has more) planner.append(PlannedRecord::from(record, stands_before))
 //     const PathStep step = planner.tick(input);
-//         for i in [step.first_record, step.record): record i ended at step-fraction planner.end_fraction(i)
-//         position: record step.record at step.s
+//         records [began_from, began_to) began in this tick, at the part planner.begin_fraction(i) of it (0 to 1)
+//         records [ended_from, ended_to) ended in this tick, at planner.end_fraction(i)
+//         position: record step.record at step.s; before the first append after clear() it means nothing (record == next)
 //     step.stands != Moving tells why the path stands; BeforeRecord: execute step.record, then planner.skip(step.record + 1)
 //
 // Standstill before a record (PlannedRecord::stop_before): a record that is no motion, a thread, a wait. Notes of length 0
@@ -70,12 +71,12 @@ enum class Stands : std::uint8_t {
 };
 
 struct PathStep {
-    std::uint64_t first_record = 0;  // running at the beginning of the tick
-    std::uint64_t record = 0;        // running at the end of the tick
+    std::uint64_t record = 0;        // running at the end of the tick, or standing at its end
     double s = 0;                    // mm along it
     double speed = 0;                // mm/s
     double acceleration = 0;         // mm/s2
-    bool first_began = false;        // first_record began to move at the beginning of this tick
+    std::uint64_t began_from = 0, began_to = 0;
+    std::uint64_t ended_from = 0, ended_to = 0;
     Stands stands = Stands::NoRecord;
 };
 
@@ -99,7 +100,8 @@ public:
     void let_pass(std::uint64_t record) noexcept;  // a record that stopped the path does so no more
     void step_block() noexcept { block_latch_ = kNone; block_done_ = false; }  // single block: drive the next one
 
-    // Of a record that ended in the last tick: when, 0 (its beginning) to 1 (its end).
+    // Of a record that began or ended in the last tick: when, 0 (the tick's beginning) to 1 (its end).
+    [[nodiscard]] double begin_fraction(std::uint64_t record) const noexcept { return at(record).begin_fraction; }
     [[nodiscard]] double end_fraction(std::uint64_t record) const noexcept { return at(record).end_fraction; }
     [[nodiscard]] double speed() const noexcept { return state_.v; }
     [[nodiscard]] double acceleration() const noexcept { return state_.a; }
@@ -109,52 +111,56 @@ public:
 
 private:
     static constexpr std::uint64_t kNone = ~0ull;
-    static constexpr std::uint32_t kTargets = 96;
+    static constexpr std::uint32_t kTargets = 256;
     static constexpr std::uint32_t kDrops = 4;
 
     struct Slot : PlannedRecord {
-        double end_fraction = 0;
+        double begin_fraction = 0, end_fraction = 0;
     };
-    struct Target { double distance, ceiling; };          // from the distance on, not above the ceiling
-    struct Drop { double distance, speed, a, j; };        // limits before it; speed from which all behind can be kept
-    // What lies ahead, as far as the path could matter at this tick. Distances from the present point.
-    struct View {
-        std::array<Target, kTargets> targets; std::uint32_t target_count;
-        std::array<Drop, kDrops> drops; std::uint32_t drop_count;
-        double ceiling;      // over what this tick can touch
-        double a, j;         // least limits over the whole view
-        double tick_a, tick_j;  // least limits over what this tick can touch
-        double end;          // where the path must stand; infinity: beyond the view
-        std::uint64_t end_record;  // ... that is the end of this record
-    };
+    struct Target { double distance, ceiling; };    // from this distance on not above the ceiling
+    struct Drop { double distance, speed, a, j; };  // limits before it; speed from which all behind it can be kept
     enum class Ceilings : std::uint8_t { Hard, Wanted };
+    // What lies ahead, as far as it can matter to this tick. Distances from the present point.
+    struct View {
+        std::array<Target, kTargets> targets;
+        std::array<Drop, kDrops> drops;
+        std::uint32_t target_count, drop_count;
+        double ceiling;         // over what this tick can touch
+        double tick_a, tick_j;  // least limits over what this tick can touch
+        double a, j;            // least limits over the whole view
+        double end;             // the path must stand there; infinity: beyond the view
+        std::uint64_t end_record;  // that is the end of this record; kNone: the view was full
+    };
 
     [[nodiscard]] const Slot& at(std::uint64_t record) const noexcept { return slots_[record % kPlannerWindow]; }
     [[nodiscard]] Slot& at(std::uint64_t record) noexcept { return slots_[record % kPlannerWindow]; }
-    [[nodiscard]] double wanted_speed(const Slot& slot, const PathInput& input) const noexcept;
-    void look_ahead(View& view, Ceilings which, const PathInput& input) const noexcept;
-    static void add_target(View& view, double distance, double ceiling) noexcept;
-    [[nodiscard]] bool safe(const View& view, const PathState& state, double moved) const noexcept;
+    [[nodiscard]] double ceiling_of(const Slot& slot, Ceilings which, const PathInput& input) const noexcept;
+    [[nodiscard]] bool stops_at_end(std::uint64_t record) const noexcept;
+    void look_ahead(View& view, Ceilings which, const PathInput& input) noexcept;
+    void settle_drops(View& view) const noexcept;
+    [[nodiscard]] static bool safe(const View& view, const PathState& next) noexcept;
+    [[nodiscard]] bool best_towards(const View& view, double goal, double a, double j, PathState& next) const noexcept;
     [[nodiscard]] PathState choose(const PathInput& input) noexcept;
-    [[nodiscard]] bool land(const View& view) noexcept;
-    void latch_block_end() noexcept;
-    void carry(const PathState& from, const PathState& to, PathStep& step) noexcept;
-    void leave_stop() noexcept;
+    [[nodiscard]] bool begin_landing(const View& view) noexcept;
+    [[nodiscard]] PathState landing_step() noexcept;
+    [[nodiscard]] Stands leave_standstill(const PathInput& input, PathStep& step) noexcept;
+    void carry(const PathState& next, PathStep& step) noexcept;
 
     double dt_ = 0.001;
     std::uint32_t horizon_ = 1024;
-    std::uint64_t first_ = 0, end_ = 0;   // records of the window
-    std::uint32_t appended_ = 0;          // since the last tick
-    PathState state_;                     // s along record first_
-    bool began_ = false;                  // record first_ has begun to move
-    bool done_ = false;                   // stands at the end of record first_
-    std::uint64_t block_latch_ = kNone;   // single block: stand at the end of this record
-    bool block_done_ = false;
-    bool landing_ = false;                // on a fixed profile that ends in the end of record landing_end_
-    std::uint64_t landing_end_ = kNone;
-    SpeedProfile landing_profile_;
+    std::uint64_t first_ = 0, end_ = 0;  // records of the window; first_ runs
+    std::uint32_t appended_ = 0;         // since the last tick
+    PathState state_;                    // s along record first_
+    bool began_ = false;                 // record first_ has begun
+    bool done_ = false;                  // the path stands at the end of record first_, which has ended
+    std::uint64_t block_latch_ = kNone;  // single block: stand at the end of this record
+    bool block_done_ = false;            // and it does
+    std::uint64_t landing_end_ = kNone;  // on a fixed profile that ends at the end of this record
+    SpeedProfile landing_;
+    PathState landing_start_;
     double landing_time_ = 0, landing_distance_ = 0, landing_moved_ = 0;
     std::uint64_t anomalies_ = 0;
+    View view_{};  // of this tick; a member because it is large
     std::array<Slot, kPlannerWindow> slots_{};
 };
 

@@ -1,0 +1,435 @@
+#include "kernel/motion/path_planner.hpp"
+
+#include <cmath>
+
+namespace polyturn::kernel {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// Planning uses a little less jerk than allowed; the rest is what landing() needs to end exactly at a point.
+constexpr double kPlannedJerk = 0.995;
+constexpr double kCeilingTolerance = 1e-9;  // mm
+
+// Ceiling c from distance d on, from (v, a): can it be kept?
+bool keeps(double v, double a, double d, double c, double a_max, double j_max) noexcept {
+    const double release = release_speed(v, a, j_max);
+    if (release <= c) {
+        if (a >= 0 || v <= c) return d >= 0 || v * v + 2 * std::min(a, 0.0) * d <= c * c * (1 + 1e-9);
+        return release_distance_to(v, a, c, j_max) <= d + kCeilingTolerance;
+    }
+    const double limit = d + kCeilingTolerance;
+    return distance_to_speed(v, a, c, a_max, j_max) <= limit || stopping_distance(v, a, a_max, j_max) <= limit;
+}
+
+}  // namespace
+
+PlannedRecord PlannedRecord::from(const PathRecord& record, bool stop_before) noexcept {
+    PlannedRecord planned;
+    planned.length = record.length;
+    planned.v_max = record.v_max;
+    planned.a_max = record.a_max;
+    planned.j_max = record.j_max;
+    planned.feed = record.feed;
+    planned.spindle = record.spindle;
+    planned.feed_mode = (record.flags & kRapid) != 0 ? FeedMode::Rapid : static_cast<FeedMode>(record.feed_mode);
+    planned.override_locked = (record.flags & (kOverrideLocked | kThread)) != 0;
+    planned.stop_before = stop_before;
+    planned.stop_after = (record.flags & (kExactStop | kInPosition)) != 0;
+    planned.wait_in_position = (record.flags & kInPosition) != 0;
+    planned.block_end = (record.flags & kBlockEnd) != 0;
+    return planned;
+}
+
+void PathPlanner::configure(double dt, std::uint32_t horizon) noexcept {
+    dt_ = dt;
+    horizon_ = std::clamp<std::uint32_t>(horizon, 2, kPlannerWindow - 2);
+}
+
+void PathPlanner::clear(std::uint64_t next) noexcept {
+    first_ = end_ = next;
+    state_ = {};
+    began_ = done_ = false;
+    block_latch_ = landing_end_ = kNone;
+    block_done_ = false;
+    appended_ = 0;
+}
+
+void PathPlanner::append(const PlannedRecord& record) noexcept {
+    Slot& slot = at(end_);
+    static_cast<PlannedRecord&>(slot) = record;
+    slot.begin_fraction = slot.end_fraction = 0;
+    slot.length = std::max(record.length, 0.0);
+    if (!(slot.length > 0)) {  // a note: narrows nothing
+        slot.v_max = slot.a_max = slot.j_max = kInfinity;
+    } else {
+        slot.v_max = std::max(record.v_max, 1e-6);
+        slot.a_max = std::max(record.a_max, 1e-6);
+        // No jerk limit: change acceleration within a hundredth of a tick.
+        slot.j_max = kPlannedJerk * std::clamp(record.j_max, 1e-6, 100 * slot.a_max / dt_);
+    }
+    ++end_;
+    ++appended_;
+}
+
+void PathPlanner::skip(std::uint64_t to) noexcept {
+    first_ = std::max(first_, std::min(to, end_));
+    state_ = {};
+    began_ = done_ = false;
+    landing_end_ = kNone;
+    if (block_latch_ != kNone && block_latch_ < first_) block_latch_ = kNone;
+}
+
+void PathPlanner::let_pass(std::uint64_t record) noexcept {
+    if (record >= first_ && record < end_) at(record).stop_before = false;
+}
+
+double PathPlanner::ceiling_of(const Slot& slot, Ceilings which, const PathInput& input) const noexcept {
+    if (which == Ceilings::Hard || !(slot.length > 0)) return slot.v_max;
+    double wanted = slot.feed;
+    if (slot.feed_mode == FeedMode::Rapid) {
+        wanted = slot.v_max * input.rapid_override;
+    } else {
+        if (slot.feed_mode == FeedMode::PerRevolution || slot.feed_mode == FeedMode::Thread) {
+            const bool known = input.spindle_rev_s != nullptr && slot.spindle >= 1 && slot.spindle <= kMaxSpindles;
+            wanted *= known ? std::abs(input.spindle_rev_s[slot.spindle - 1]) : 0.0;
+        }
+        if (input.dry_run_feed > 0) wanted = input.dry_run_feed;
+        if (!slot.override_locked) wanted *= input.feed_override;
+    }
+    return std::max(0.0, std::min({wanted, slot.v_max, input.speed_ceiling}));
+}
+
+bool PathPlanner::stops_at_end(std::uint64_t record) const noexcept {
+    return at(record).stop_after || record + 1 == end_ || at(record + 1).stop_before;
+}
+
+void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input) noexcept {
+    view.target_count = view.drop_count = 0;
+    view.end = kInfinity;
+    view.end_record = kNone;
+    const double v = state_.v, a = state_.a;
+    const Slot& running = at(first_);
+    double run_a = running.a_max, run_j = running.j_max;
+    view.tick_a = run_a;
+    view.tick_j = run_j;
+    view.ceiling = ceiling_of(running, which, input);
+    double lowest = kInfinity;  // ceilings of the targets so far
+    double distance = running.length - state_.s;
+    double reach = 0, need = 0;
+    // How far this tick can lead, and how far from there to a standstill.
+    const auto measure = [&] {
+        const double up = std::max(a, 0.0) + run_j * dt_;
+        const double v_next = v + up * dt_;
+        reach = v_next * dt_;
+        need = reach + stopping_distance(v_next, std::min(up, std::max(run_a, a)), run_a, run_j);
+        for (std::uint32_t i = 0; i < view.drop_count; ++i) {
+            need = std::max(need, view.drops[i].distance + stopping_distance(view.drops[i].speed, 0, run_a, run_j));
+        }
+    };
+    measure();
+    const bool blocks = which == Ceilings::Wanted && input.single_block;
+    for (std::uint64_t record = first_;;) {
+        if (blocks && at(record).block_end && block_latch_ == kNone && distance >= stopping_distance(v, a, run_a, run_j)) {
+            block_latch_ = record;
+        }
+        if (stops_at_end(record) || (blocks && record == block_latch_)) {
+            view.end = distance;
+            view.end_record = record;
+            break;
+        }
+        if (distance >= need) break;
+        const Slot& slot = at(++record);
+        if (slot.length > 0) {
+            const double ceiling = ceiling_of(slot, which, input);
+            if (slot.a_max < run_a || slot.j_max < run_j) {
+                const bool counts = slot.a_max < 0.98 * run_a || slot.j_max < 0.98 * run_j;
+                if (counts && view.drop_count < kDrops) view.drops[view.drop_count++] = {distance, ceiling, run_a, run_j};
+                run_a = std::min(run_a, slot.a_max);
+                run_j = std::min(run_j, slot.j_max);
+                measure();
+            }
+            if (distance <= reach) {
+                view.tick_a = run_a;
+                view.tick_j = run_j;
+                view.ceiling = std::min(view.ceiling, ceiling);
+            }
+            if (ceiling < lowest) {
+                if (view.target_count == kTargets) {  // full: stand here rather than forget something
+                    view.end = distance;
+                    break;
+                }
+                view.targets[view.target_count++] = {distance, ceiling};
+                lowest = ceiling;
+            }
+            distance += slot.length;
+        }
+    }
+    view.a = run_a;
+    view.j = run_j;
+    if (view.drop_count > 0) settle_drops(view);
+}
+
+// Lower each drop's speed until everything behind it can be kept from there with acceleration 0.
+void PathPlanner::settle_drops(View& view) const noexcept {
+    for (std::uint32_t d = 0; d < view.drop_count; ++d) {
+        Drop& drop = view.drops[d];
+        for (std::uint32_t i = 0; i < view.target_count; ++i) {
+            const Target& target = view.targets[i];
+            if (target.distance <= drop.distance || target.ceiling >= drop.speed) continue;
+            const double gap = target.distance - drop.distance;
+            if (!keeps(drop.speed, 0, gap, target.ceiling, view.a, view.j)) drop.speed = std::min(drop.speed, top_speed(gap, target.ceiling, view.a, view.j));
+        }
+        if (view.end < kInfinity) {
+            const double gap = std::max(0.0, view.end - drop.distance);
+            if (stopping_distance(drop.speed, 0, view.a, view.j) > gap) drop.speed = top_speed(gap, 0, view.a, view.j);
+        }
+    }
+}
+
+bool PathPlanner::safe(const View& view, const PathState& next) noexcept {
+    const double v = next.v, a = next.a;
+    if (v < 0) return false;
+    if (a < 0 && release_speed(v, a, view.j) < -1e-9) return false;  // could not but reverse
+    const auto all_kept = [&](double until, double a_max, double j_max) {
+        for (std::uint32_t i = 0; i < view.target_count && view.targets[i].distance < until; ++i) {
+            if (!keeps(v, a, view.targets[i].distance - next.s, view.targets[i].ceiling, a_max, j_max)) return false;
+        }
+        return true;
+    };
+    if (std::abs(a) <= view.a * (1 + 1e-12) &&
+        (view.end == kInfinity || stopping_distance(v, a, view.a, view.j) <= view.end - next.s) && all_kept(kInfinity, view.a, view.j)) {
+        return true;
+    }
+    for (std::uint32_t d = 0; d < view.drop_count; ++d) {
+        const Drop& drop = view.drops[d];
+        const double gap = drop.distance - next.s;
+        if (gap < 0 || std::abs(a) > drop.a * (1 + 1e-12)) continue;
+        // Acceleration must be gone there.
+        const double w = std::min(drop.speed, std::max(0.0, release_speed(v, a, drop.j)));
+        const bool reached = distance_to_speed(v, a, w, drop.a, drop.j) <= gap + kCeilingTolerance ||
+                             stopping_distance(v, a, drop.a, drop.j) <= gap;
+        if (reached && all_kept(drop.distance, drop.a, drop.j)) return true;
+    }
+    return false;
+}
+
+// The fastest safe step among those towards a speed up to goal.
+bool PathPlanner::best_towards(const View& view, double goal, double a, double j, PathState& next) const noexcept {
+    const PathState start{0, state_.v, state_.a};
+    next = towards_speed(start, goal, a, j, dt_);
+    if (safe(view, next)) return true;
+    // What a tick of full jerk either way leads to bounds the speeds worth asking for.
+    const PathState down = towards_speed(start, 0, a, j, dt_);
+    if (!safe(view, down)) return false;
+    const double up_a = std::min(start.a + j * dt_, a);
+    const double highest = release_speed(start.v + std::max(start.a, up_a) * dt_, up_a, j);
+    double low = std::clamp(release_speed(down.v, down.a, j), 0.0, goal), high = std::min(goal, highest);
+    next = down;
+    for (int i = 0; i < 12 && low < high; ++i) {
+        const double middle = (low + high) / 2;
+        const PathState tried = towards_speed(start, middle, a, j, dt_);
+        if (safe(view, tried)) {
+            next = tried;
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return true;
+}
+
+PathState PathPlanner::choose(const PathInput& input) noexcept {
+    const PathState start{0, state_.v, state_.a};
+    look_ahead(view_, Ceilings::Wanted, input);
+    if (landing_end_ != kNone) {
+        if (view_.end_record == landing_end_) return landing_step();
+        landing_end_ = kNone;  // the way goes on
+    }
+    const double goal = input.hold ? 0 : view_.ceiling;
+    PathState next = towards_speed(start, goal, view_.tick_a, view_.tick_j, dt_);
+    if (safe(view_, next)) return next;
+    if (begin_landing(view_)) return landing_step();
+    if (best_towards(view_, goal, view_.tick_a, view_.tick_j, next)) return next;
+    if (best_towards(view_, goal, view_.a, view_.j, next)) return next;
+    // What is wanted cannot be kept (a feed has been lowered): brake to the lowest that is violated, as the hard limits allow.
+    double wanted = goal;
+    for (std::uint32_t i = 0; i < view_.target_count; ++i) {
+        const Target& target = view_.targets[i];
+        if (!keeps(next.v, next.a, target.distance - next.s, target.ceiling, view_.a, view_.j)) {
+            wanted = std::min(wanted, target.ceiling);
+            break;
+        }
+    }
+    look_ahead(view_, Ceilings::Hard, input);
+    if (begin_landing(view_)) return landing_step();
+    if (best_towards(view_, wanted, view_.tick_a, view_.tick_j, next)) return next;
+    if (best_towards(view_, wanted, view_.a, view_.j, next)) return next;
+    for (std::uint32_t d = 0; d < view_.drop_count; ++d) {
+        const Drop& drop = view_.drops[d];
+        next = towards_speed(start, std::min(wanted, drop.speed), drop.a, drop.j, dt_);
+        if (safe(view_, next)) return next;
+    }
+    ++anomalies_;
+    return towards_speed(start, 0, view_.a, view_.j, dt_);
+}
+
+bool PathPlanner::begin_landing(const View& view) noexcept {
+    const double v = state_.v, a = state_.a, distance = view.end;
+    if (view.end_record == kNone || !(v > 0) || std::abs(a) > view.a * (1 + 1e-12)) return false;
+    const double allowed = view.j / kPlannedJerk;
+    // Now, or can more speed still be had?
+    if (stopping_distance(v, a, view.a, 0.95 * view.j) <= distance && stopping_time(v, a, view.a, view.j) > 12 * dt_) return false;
+    double low = std::max(view.j / 100, a < 0 ? a * a / (2 * v) : 0.0), high = allowed;
+    if (low > high || stopping_distance(v, a, view.a, high) > distance || stopping_distance(v, a, view.a, low) < distance) return false;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = (low + high) / 2;
+        (stopping_distance(v, a, view.a, middle) <= distance ? high : low) = middle;
+    }
+    for (std::uint32_t i = 0; i < view.target_count; ++i) {
+        if (!keeps(v, a, view.targets[i].distance, view.targets[i].ceiling, view.a, high)) return false;
+    }
+    landing_ = profile_to_speed(v, a, 0, view.a, high);
+    landing_start_ = {0, v, a};
+    landing_time_ = landing_moved_ = 0;
+    landing_distance_ = distance;
+    landing_end_ = view.end_record;
+    return true;
+}
+
+PathState PathPlanner::landing_step() noexcept {
+    landing_time_ += dt_;
+    const double left = landing_.duration() - landing_time_;
+    PathState next{landing_distance_, 0, 0};
+    if (left > 1e-9 * dt_) {
+        if (left < landing_.time[2]) {  // counted from the end, so that it ends there exactly
+            const double j = landing_.jerk[2];
+            next = {landing_distance_ - j * left * left * left / 6, j * left * left / 2, -j * left};
+        } else {
+            next = landing_start_;
+            double time = landing_time_;
+            for (int i = 0; i < 3; ++i) {
+                const double t = std::min(time, landing_.time[i]);
+                next = advanced(next, landing_.jerk[i], t);
+                time -= t;
+            }
+        }
+    }
+    const double before = landing_moved_;
+    landing_moved_ = next.s;
+    next.s -= before;
+    return next;
+}
+
+// At rest: which record is next, or why none.
+Stands PathPlanner::leave_standstill(const PathInput& input, PathStep& step) noexcept {
+    if (!input.single_block) {
+        block_latch_ = kNone;
+        block_done_ = false;
+    }
+    for (;;) {
+        if (first_ == end_) return Stands::NoRecord;
+        if (done_) {
+            if (at(first_).wait_in_position && !input.in_position) return Stands::InPosition;
+            if (block_done_) return Stands::BlockEnd;
+            if (first_ + 1 == end_) return Stands::NoRecord;
+            ++first_;
+            state_ = {};
+            began_ = done_ = false;
+        }
+        const Slot& slot = at(first_);
+        if (state_.s == 0 && slot.stop_before) return Stands::BeforeRecord;
+        if (slot.length - state_.s > 0) {
+            if (input.hold) return Stands::Held;
+            return ceiling_of(slot, Ceilings::Wanted, input) > 0 ? Stands::Moving : Stands::NoFeed;
+        }
+        // A note: over as soon as it is reached.
+        if (!began_) {
+            if (step.began_to == step.began_from) step.began_from = first_;
+            step.began_to = first_ + 1;
+            at(first_).begin_fraction = 0;
+        }
+        if (step.ended_to == step.ended_from) step.ended_from = first_;
+        step.ended_to = first_ + 1;
+        at(first_).end_fraction = 0;
+        began_ = done_ = true;
+        if (input.single_block && slot.block_end) block_done_ = true;
+    }
+}
+
+void PathPlanner::carry(const PathState& next, PathStep& step) noexcept {
+    const double v0 = state_.v, v1 = next.v, moved = next.s;
+    // Part of the tick after which a distance is done, with the speed taken as linear in time.
+    const auto part_at = [&](double distance) {
+        if (!(moved > 0)) return 1.0;
+        const double ratio = std::clamp(distance / moved, 0.0, 1.0);
+        const double root = std::sqrt(std::max(0.0, v0 * v0 + (v1 * v1 - v0 * v0) * ratio));
+        return v0 + root > 0 ? std::min(1.0, ratio * (v0 + v1) / (v0 + root)) : 1.0;
+    };
+    const bool landed = landing_end_ != kNone && v1 == 0 && next.a == 0 && landing_moved_ == landing_distance_;
+    double s = state_.s + moved, done = -state_.s;  // done: from the tick's beginning to the beginning of the record
+    double fraction = 0;
+    state_ = {s, v1, next.a};
+    for (;;) {
+        Slot& slot = at(first_);
+        if (!began_) {
+            if (step.began_to == step.began_from) step.began_from = first_;
+            step.began_to = first_ + 1;
+            slot.begin_fraction = fraction;
+            began_ = true;
+        }
+        const bool lands_here = landed && first_ == landing_end_;
+        if (!lands_here && !(landed && first_ < landing_end_) && s < slot.length) break;
+        done += slot.length;
+        s -= slot.length;
+        fraction = part_at(done);
+        slot.end_fraction = fraction;
+        if (step.ended_to == step.ended_from) step.ended_from = first_;
+        step.ended_to = first_ + 1;
+        if (lands_here || stops_at_end(first_)) {
+            if (!lands_here && v1 > 1e-3) ++anomalies_;
+            state_ = {slot.length, 0, 0};
+            done_ = true;
+            if (first_ == block_latch_) {
+                block_done_ = true;
+                block_latch_ = kNone;
+            }
+            landing_end_ = kNone;
+            return;
+        }
+        ++first_;
+        began_ = false;
+    }
+    state_.s = std::max(s, 0.0);
+}
+
+PathStep PathPlanner::tick(const PathInput& input) noexcept {
+    appended_ = 0;
+    PathStep step;
+    step.began_from = step.began_to = step.ended_from = step.ended_to = first_;
+    step.stands = Stands::Moving;
+    if (at_rest()) step.stands = leave_standstill(input, step);
+    if (step.stands == Stands::Moving) {
+        if (input.emergency_dec > 0) {
+            landing_end_ = kNone;
+            const double time = std::min(dt_, state_.v / input.emergency_dec);
+            carry({time * (state_.v - input.emergency_dec * time / 2), time < dt_ ? 0.0 : state_.v - input.emergency_dec * time, 0}, step);
+        } else {
+            const double left = at(first_).length - state_.s;
+            if (at_rest() && left < 1e-9 && stops_at_end(first_)) {  // nothing to drive: rounding of an earlier stop
+                landing_end_ = first_;
+                landing_distance_ = landing_moved_ = left;
+                carry({left, 0, 0}, step);
+            } else {
+                carry(choose(input), step);
+            }
+        }
+        if (at_rest() && !done_ && input.hold) step.stands = Stands::Held;
+    }
+    step.record = first_;
+    step.s = state_.s;
+    step.speed = state_.v;
+    step.acceleration = state_.a;
+    return step;
+}
+
+}  // namespace polyturn::kernel
