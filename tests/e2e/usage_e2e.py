@@ -1,0 +1,50 @@
+#!/usr/bin/env python3
+"""What the command line promises to scripts: version, help, exit statuses, parameters of a private controller."""
+import unittest
+
+from polyturn_runner import Case
+
+
+class Usage(Case):
+    def test_version_and_help(self):
+        done = self.polyturn("--version")
+        self.assertEqual(done.status, 0)
+        self.assertRegex(done.out, r"\d+\.\d+\.\d+")
+        for verb in ("check", "run", "start", "press", "params", "status", "clean"):
+            with self.subTest(verb):
+                done = self.polyturn(verb, "--help")
+                self.assertEqual(done.status, 0, done.said())
+                self.assertTrue(done.out.strip())
+
+    def test_events_of_a_check(self):
+        program = self.write("a.nc", "N10 G0 X50. Z2.\nN20 G1 Z-10. F0.2\nN30 G4 U1.5\nN40 M8\nN50 M30\n")
+        done = self.polyturn("check", program)
+        self.assertEqual(done.status, 0, done.said())
+        for event in done.events:
+            self.assertIn("ev", event)
+            self.assertTrue("ch" in event or event["ev"] == "sync", event)
+        self.assertEqual([e["kind"] for e in done.of("move")], ["rapid", "linear"])
+        cut = done.of("move")[1]
+        self.assertEqual((cut["n"], cut["line"], cut["pos"]["X"], cut["pos"]["Z"]), (20, 2, 50, -10))
+        self.assertEqual(cut["feed"], {"mode": "per_rev", "value": 0.2})
+        self.assertEqual(done.of("dwell")[0]["seconds"], 1.5)
+        self.assertEqual(done.of("aux")[0]["code"], "M8")
+        self.assertEqual(done.of("stop")[0]["reason"], "M30")
+
+    def test_quiet_keeps_alarms_and_summary(self):
+        program = self.write("a.nc", "G98\nG0 X50. Z2.\nG1 Z-10. F500.\nM30\n")
+        done = self.polyturn("run", "--virtual", "--quiet", program)
+        self.assertEqual(done.status, 0, done.said())
+        self.assertTrue(set(e["ev"] for e in done.events) <= {"alarm", "message", "summary"}, done.out)
+        self.assertEqual(len(done.of("summary")), 1)
+
+    def test_a_job_that_waits_for_nobody_ends_with_status_1(self):
+        one = self.write("one.nc", "M500 P12\nM30\n")
+        two = self.write("two.nc", "M30\n")
+        done = self.polyturn("run", "--virtual", f"1={one}", f"2={two}")
+        self.assertEqual(done.status, 1, done.said())
+        self.assertTrue(done.of("stop", ch=1, reason="waiting"), done.said())
+
+
+if __name__ == "__main__":
+    unittest.main()
