@@ -1,0 +1,33 @@
+// What the fields of a Command mean, kind by kind. Written by the supervisor (press, set, scenario), carried out by the
+// kernel at the start of Command::tick. channel, axis, spindle count from 1; channel 0 means all that exist.
+//
+//   CycleStart, FeedHold, Reset   channel
+//   EmergencyStop, MachineOn      -
+//   Mode                          channel, value: ChannelMode
+//   Select                        channel, text: program file
+//   Mdi                           channel, text: the block
+//   Jog                           object: axis, value: seconds with the sign of the direction; 0 stops it
+//   Step                          object: axis, value: true mm or degrees, signed
+//   Handwheel                     object: axis, flags: number of the wheel, value: clicks, signed
+//   Reference                     object: axis, 0 all
+//   FeedOverride, RapidOverride   channel, value: 1 is 100 %
+//   SpindleOverride               object: spindle (0 all), value: 1 is 100 %
+//   SingleBlock, OptionalStop, DryRun, MachineLock, IgnoreWaits, Retrace   channel, value: 1 on, 0 off
+//   BlockSkip                     channel, flags: level 1..9 (0 every level), value: 1 on, 0 off
+//   SetSignal, ReleaseSignal      object: slot, flags: 0 written by the NC, 1 by the PLC; value
+//   SetInput                      object: number of the input, value: 0 or 1; flags 1: given back to sensors and PLC
+//   DriveFault                    object: axis (flags 0) or spindle (flags 1), value: 1 fault, 0 gone
+//   SetParameter                  text: a parameter line
+//   Watch                         object: slot, flags as SetSignal: each change is logged as a Signal event
+//   Restart                       channel, value: block number N
+//   JogInHold, Return             channel
+//   StopAfterPart                 channel, value: 1 on, 0 off
+//   Action                        nothing but an ActionDue event with code = seq
+//   ProcessDied, ProcessStopped, ProcessContinued   object: process slot (kProcessKernel ...)
+//   EndRun                        controlled end: axes and spindles come to rest, then the kernel ends
+#pragma once
+#include "polyturn/image_structs.hpp"
+
+namespace polyturn {
+inline constexpr std::uint32_t kSlotOfNc = 0, kSlotOfPlc = 1;   // Command::flags and KernelEvent::line of signals
+}  // namespace polyturn
