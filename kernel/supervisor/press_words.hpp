@@ -1,0 +1,27 @@
+// What an operator can do, in words (cli.md 5): one grammar for scenario and command line. Words become commands whose
+// tick is still 0; who sends them sets it.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ipc/diagnosis/diagnosis.hpp"
+#include "ipc/machine/machine_config.hpp"
+#include "polyturn/image_structs.hpp"
+
+namespace polyturn::supervisor {
+
+// "feed_hold L2", "mode L1=mdi", "jog A3+ 0.5s" ... Programs are named relative to `folder`.
+Result<std::vector<Command>> parse_press(std::string_view words, const MachineConfig& machine, const std::string& folder = {});
+// "AP_SYNCR A3=1", "drive A3=fault", "input 5=1", a parameter line.
+Result<std::vector<Command>> parse_set(std::string_view words, const MachineConfig& machine);
+// "AP_SYNCR A3", "input 5".
+Result<std::vector<Command>> parse_release(std::string_view words, const MachineConfig& machine);
+
+// The first words of everything that can be pressed, for tests and help.
+std::vector<std::string_view> press_names();
+
+// Copies a text into a fixed field; false when it is too long.
+bool put_text(Command& command, std::string_view words);
+
+}  // namespace polyturn::supervisor
