@@ -1,0 +1,151 @@
+#include "toolmgmt/apply_request.hpp"
+
+#include <bit>
+#include <cmath>
+#include <memory>
+#include <string_view>
+
+#include "ipc/machine/shortest_text.hpp"
+#include "ipc/machine/work_zeros.hpp"
+#include "ipc/params/export.hpp"
+#include "ipc/params/param_file.hpp"
+
+namespace polyturn::toolmgmt {
+namespace {
+
+Diagnosis refused(std::string why) { return Diagnosis{Alarm::StoreRequestBad, {}, {}, std::move(why)}; }
+
+std::string_view name_of(const StoreRequest& request) { return {request.name.data(), ::strnlen(request.name.data(), request.name.size())}; }
+
+// Bits, because an empty variable (NaN) equals nothing, and -0 must be stored over 0.
+bool differs(double a, double b) { return std::bit_cast<std::uint64_t>(a) != std::bit_cast<std::uint64_t>(b); }
+
+Result<Applied> set_number(StoreValues& values, const Key& key, double value) {
+    double* at = number_at(values, key);
+    if (!at) return refused(describe(key) + " does not exist");
+    Applied applied;
+    if (differs(*at, value)) applied.changes.push_back({key, *at, value, {}, {}, false});
+    *at = value;
+    return applied;
+}
+
+bool channel_exists(const StoreRequest& request, const MachineConfig& machine) {
+    return request.channel >= 1 && request.channel <= kMaxChannels && machine.channel(request.channel).exists();
+}
+
+Diagnosis no_channel(const StoreRequest& request) { return refused("channel L" + std::to_string(request.channel) + " does not exist"); }
+
+Result<Applied> set_offset(const StoreRequest& request, Origin origin, const MachineConfig& machine, StoreValues& values) {
+    if (!channel_exists(request, machine)) return no_channel(request);
+    const ChannelConfig& channel = machine.channel(request.channel);
+    const Key key{Kind::Offset, static_cast<std::int32_t>(request.channel), request.number, request.field, {}};
+    if (!std::isfinite(request.value)) return refused(describe(key) + ": not a number");
+    const auto table = static_cast<OffsetTable>(request.field / 256);
+    const auto field = static_cast<OffsetField>(request.field % 256);
+    if (field == OffsetField::T && (request.value < 0 || request.value > 9 || request.value != std::trunc(request.value)))
+        return refused(describe(key) + "=" + shortest_text(request.value) + ": tip directions are 0 to 9");
+    if (origin == Origin::Operator) {
+        if (request.number > channel.offset_count)
+            return refused("offset " + std::to_string(request.number) + ": channel L" + std::to_string(request.channel) + " has " + std::to_string(channel.offset_count) + " (N1400)");
+        // N1415: 0 stands for one millimetre (part 1, 15.1).
+        const double stated = params::get(values.parameters, params::n1415_max_amount_of_wear_comp, channel.number) * channel.length_unit_mm();
+        const double most = stated > 0 ? stated : 1.0;
+        if (table == OffsetTable::Wear && field != OffsetField::T && std::abs(request.value) > most)
+            return refused(describe(key) + "=" + shortest_text(request.value) + ": wear is " + shortest_text(most) + " mm at the most (N1415)");
+    }
+    return set_number(values, key, request.value);
+}
+
+// "G54 X", "shift Z": the zero's name and an axis of the channel.
+Result<Key> zero_by_name(std::string_view name, const StoreRequest& request, const MachineConfig& machine) {
+    const std::size_t blank = name.rfind(' ');
+    if (blank == std::string_view::npos) return refused("\"" + std::string(name) + "\": write zero and axis, as in G54 X");
+    const auto row = work_zero_row(name.substr(0, blank));
+    if (!row) return refused("there is no zero offset " + std::string(name.substr(0, blank)));
+    const AxisConfig* axis = find_axis(machine, request.channel, name.substr(blank + 1));
+    if (!axis) return refused("channel L" + std::to_string(request.channel) + " has no axis " + std::string(name.substr(blank + 1)));
+    return Key{Kind::WorkZero, static_cast<std::int32_t>(request.channel), static_cast<std::int32_t>(*row), axis->slot, {}};
+}
+
+Result<Applied> set_work_zero(const StoreRequest& request, const MachineConfig& machine, StoreValues& values) {
+    if (!channel_exists(request, machine)) return no_channel(request);
+    if (!std::isfinite(request.value)) return refused("zero offset: not a number");
+    if (const std::string_view name = name_of(request); !name.empty()) {
+        const Result<Key> key = zero_by_name(name, request, machine);
+        return key ? set_number(values, *key, request.value) : Result<Applied>(key.diagnosis());
+    }
+    return set_number(values, {Kind::WorkZero, static_cast<std::int32_t>(request.channel), request.number, request.field, {}}, request.value);
+}
+
+Result<Applied> set_variable(const StoreRequest& request, const MachineConfig& machine, StoreValues& values) {
+    if (!channel_exists(request, machine)) return no_channel(request);
+    if (std::isinf(request.value)) return refused("variable: not a number");
+    std::int32_t index = request.number;
+    if (const std::string_view name = name_of(request); !name.empty()) {
+        const auto kept = kept_variable(name);
+        if (!kept) return Applied{};   // #100 and the like live only as long as the channel
+        index = static_cast<std::int32_t>(*kept);
+    }
+    return set_number(values, {Kind::Variable, static_cast<std::int32_t>(request.channel), index, 0, {}}, request.value);
+}
+
+// Everything that differs between two tables, by name, instance and element.
+void add_differences(const params::Table& before, const params::Table& after, std::vector<Change>& changes) {
+    for (const params::Row& row : params::rows()) {
+        const std::size_t count = std::size_t{params::instances(row.scope)} * row.array;
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::size_t slot = row.first_slot + i;
+            const Key key{Kind::Parameter, static_cast<std::int32_t>(i / row.array + 1), static_cast<std::int32_t>(i % row.array), 0, std::string(row.number)};
+            if (row.type == params::Type::Text) {
+                const std::string_view was = params::text_at(before, slot), is = params::text_at(after, slot);
+                if (was != is) changes.push_back({key, 0, 0, std::string(was), std::string(is), true});
+            } else if (differs(before.numbers[slot], after.numbers[slot])) {
+                changes.push_back({key, before.numbers[slot], after.numbers[slot], {}, {}, false});
+            }
+        }
+    }
+}
+
+Result<Applied> set_parameter(const StoreRequest& request, StoreValues& values) {
+    const std::string_view line = name_of(request);
+    if (line.empty()) return refused("parameter line is empty");
+    const Result<params::Assignment> assignment = params::parse_assignment(line);
+    if (!assignment) return assignment.diagnosis();
+    auto before = std::make_unique<params::Table>(values.parameters);
+    if (const Result<void> done = params::apply(values.parameters, {&*assignment, 1}); !done) return done.diagnosis();
+    Applied applied;
+    add_differences(*before, values.parameters, applied.changes);
+    return applied;
+}
+
+Result<Applied> query(const StoreRequest& request, const StoreValues& values) {
+    const Result<params::Target> target = params::parse_target(name_of(request));
+    if (!target) return target.diagnosis();
+    return Applied{{}, params::value_text(values.parameters, *target)};
+}
+
+Result<Applied> set_plain(const StoreRequest& request, StoreValues& values) {
+    if (!std::isfinite(request.value)) return refused("not a number");
+    if (static_cast<StoreRequestKind>(request.kind) == StoreRequestKind::Counter)
+        return set_number(values, {Kind::Counter, 0, request.number, 0, {}}, request.value);
+    return set_number(values, {Kind::Position, request.number, 0, 0, {}}, request.value);
+}
+
+}  // namespace
+
+Result<Applied> apply_request(const StoreRequest& request, Origin origin, const MachineConfig& machine, StoreValues& values) {
+    switch (static_cast<StoreRequestKind>(request.kind)) {
+        case StoreRequestKind::Parameter: return set_parameter(request, values);
+        case StoreRequestKind::Query: return query(request, values);
+        case StoreRequestKind::OffsetValue: return set_offset(request, origin, machine, values);
+        case StoreRequestKind::WorkZero: return set_work_zero(request, machine, values);
+        case StoreRequestKind::Variable: return set_variable(request, machine, values);
+        case StoreRequestKind::Counter:
+        case StoreRequestKind::LastPosition: return set_plain(request, values);
+        case StoreRequestKind::Flush: return Applied{};
+        case StoreRequestKind::None: break;
+    }
+    return refused("unknown kind " + std::to_string(request.kind));
+}
+
+}  // namespace polyturn::toolmgmt

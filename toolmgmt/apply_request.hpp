@@ -1,0 +1,24 @@
+// What one request does to the values: checked whole, then written, with the list of what changed for disk and kernel.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ipc/diagnosis/diagnosis.hpp"
+#include "ipc/machine/machine_config.hpp"
+#include "toolmgmt/store_values.hpp"
+
+namespace polyturn::toolmgmt {
+
+// Who asks: an operator's entry keeps to the limits of the tables (N1400, N1415); a program's was checked by its language.
+enum class Origin : std::uint8_t { Operator, Program, Setup };
+
+struct Applied {
+    std::vector<Change> changes;     // values that really differ now
+    std::string answer;              // of a query
+};
+
+// Nothing is written when it is refused.
+[[nodiscard]] Result<Applied> apply_request(const StoreRequest& request, Origin origin, const MachineConfig& machine, StoreValues& values);
+
+}  // namespace polyturn::toolmgmt

@@ -1,0 +1,158 @@
+#include "toolmgmt/database.hpp"
+
+#include <cmath>
+#include <filesystem>
+
+#include "ipc/machine/shortest_text.hpp"
+#include "ipc/params/param_file.hpp"
+#include "toolmgmt/schema.hpp"
+#include "toolmgmt/statement.hpp"
+
+namespace polyturn::toolmgmt {
+
+struct Database::Parts {
+    sqlite3* db = nullptr;
+    std::string path;
+    ~Parts() { sqlite3_close_v2(db); }
+
+    Diagnosis fault(Alarm alarm) const { return {alarm, {path, 0, 0, 0}, {}, sqlite3_errmsg(db)}; }
+    // What went wrong while the file was opened or read.
+    Diagnosis open_fault() const {
+        switch (sqlite3_errcode(db) & 0xff) {
+            case SQLITE_NOTADB:
+            case SQLITE_CORRUPT: return fault(Alarm::StoreDamaged);
+            case SQLITE_BUSY:
+            case SQLITE_LOCKED: return fault(Alarm::StoreBusy);
+            default: return fault(Alarm::StoreOpen);
+        }
+    }
+};
+
+Database::Database(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Database::Database(Database&&) noexcept = default;
+Database& Database::operator=(Database&&) noexcept = default;
+Database::~Database() = default;
+
+namespace {
+
+struct TableOf {
+    Kind kind;
+    const char* name;
+};
+constexpr TableOf kTables[] = {
+    {Kind::Offset, "offsets"}, {Kind::WorkZero, "zeros"}, {Kind::Variable, "variables"}, {Kind::Counter, "counters"}, {Kind::Position, "positions"},
+};
+
+// One owner: with an exclusive lock nobody else can write, and the log needs no shared memory of its own.
+constexpr const char* kSettings =
+    "PRAGMA locking_mode=EXCLUSIVE; PRAGMA journal_mode=WAL; PRAGMA synchronous=FULL; PRAGMA wal_autocheckpoint=500; PRAGMA trusted_schema=OFF;";
+
+bool intact(sqlite3* db, std::string& what) {
+    Statement check(db, "PRAGMA quick_check(1)");
+    if (!check.row()) return false;
+    what = check.text(0);
+    return what == "ok";
+}
+
+std::string shown(double number, const std::string& text, bool is_text) {
+    if (is_text) return text;
+    return std::isnan(number) ? std::string("empty") : shortest_text(number);
+}
+
+// A stored value must still be within the limits of its row: another version may have narrowed them.
+bool parameter_fits(const std::string& name, int instance, int element, double number, const std::string& text, bool is_text) {
+    const params::Row* row = params::find(name);
+    if (!row || instance < 1 || static_cast<unsigned>(instance) > params::instances(row->scope) || element < 0 || element >= row->array) return false;
+    if (is_text != (row->type == params::Type::Text)) return false;
+    if (is_text) return text.size() <= params::kTextCapacity;
+    if (!(number >= row->min && number <= row->max)) return false;
+    return row->type == params::Type::Real || number == std::trunc(number);
+}
+
+}  // namespace
+
+Result<Database> Database::open(const std::string& folder) {
+    auto parts = std::make_unique<Parts>();
+    parts->path = (std::filesystem::path(folder) / kFile).string();
+    std::error_code wrong;
+    std::filesystem::create_directories(folder, wrong);
+    if (wrong) return Diagnosis{Alarm::StoreOpen, {folder, 0, 0, 0}, {}, wrong.message()};
+    if (sqlite3_open_v2(parts->path.c_str(), &parts->db, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr) != SQLITE_OK) return parts->open_fault();
+    sqlite3_extended_result_codes(parts->db, 1);
+    sqlite3_busy_timeout(parts->db, 2000);   // a predecessor that was just killed may still be going away
+    if (!run(parts->db, kSettings)) return parts->open_fault();
+    const int version = schema_version(parts->db);
+    if (version < 0) return parts->open_fault();
+    if (version > newest_schema_version())
+        return Diagnosis{Alarm::StoreVersion, {parts->path, 0, 0, 0}, {}, "schema " + std::to_string(version) + ", known up to " + std::to_string(newest_schema_version())};
+    std::string what;
+    if (version > 0 && !intact(parts->db, what)) return what.empty() ? parts->open_fault() : Diagnosis{Alarm::StoreDamaged, {parts->path, 0, 0, 0}, {}, what};
+    // Also an up-to-date file takes the write lock here, so that a second owner is refused at once.
+    if (!migrate(parts->db)) return parts->open_fault();
+    return Database(std::move(parts));
+}
+
+Result<void> Database::read_into(StoreValues& values, std::vector<Diagnosis>& warnings) {
+    const auto left_out = [&](const std::string& what) { warnings.push_back({Alarm::StoreRowIgnored, {parts_->path, 0, 0, 0}, {}, what}); };
+    Statement parameters(parts_->db, "SELECT name, instance, element, number, text FROM parameters");
+    while (parameters.row()) {
+        const Key key{Kind::Parameter, static_cast<std::int32_t>(parameters.whole(1)), static_cast<std::int32_t>(parameters.whole(2)), 0, parameters.text(0)};
+        const bool is_text = !parameters.null(4);
+        const double number = parameters.number(3);
+        const std::string text = parameters.text(4);
+        if (!parameter_fits(key.name, key.scope, key.number, number, text, is_text) || !write_value(values, key, number, text, is_text))
+            left_out(describe(key) + "=" + shown(number, text, is_text));
+    }
+    if (!parameters.done()) return parts_->open_fault();
+    for (const TableOf& table : kTables) {
+        Statement rows(parts_->db, (std::string("SELECT channel, number, field, value FROM ") + table.name).c_str());
+        while (rows.row()) {
+            const Key key{table.kind, static_cast<std::int32_t>(rows.whole(0)), static_cast<std::int32_t>(rows.whole(1)), static_cast<std::int32_t>(rows.whole(2)), {}};
+            const double value = rows.number(3);
+            const bool may_be_empty = table.kind == Kind::Variable || table.kind == Kind::Position;
+            if (std::isinf(value) || (std::isnan(value) && !may_be_empty) || !write_value(values, key, value, {}, false)) left_out(describe(key));
+        }
+        if (!rows.done()) return parts_->open_fault();
+    }
+    return {};
+}
+
+Result<void> Database::commit(const std::vector<Change>& changes, std::string_view who) {
+    sqlite3* db = parts_->db;
+    Transaction transaction(db);
+    if (!transaction.begun()) return parts_->fault(Alarm::StoreWrite);
+    Statement parameter(db, "INSERT OR REPLACE INTO parameters(name, instance, element, number, text) VALUES(?, ?, ?, ?, ?)");
+    Statement history(db, "INSERT INTO history(utc, who, what, old, new) VALUES(?, ?, ?, ?, ?)");
+    const std::string utc = utc_now();
+    for (const Change& change : changes) {
+        const Key& key = change.key;
+        bool good = false;
+        if (key.kind == Kind::Parameter) {
+            parameter.bind(1, key.name).bind(2, std::int64_t{key.scope}).bind(3, std::int64_t{key.number});
+            if (change.is_text) parameter.bind_null(4).bind(5, change.text_after);
+            else parameter.bind(4, change.after).bind_null(5);
+            good = parameter.run();
+        } else {
+            const char* table = kTables[static_cast<std::size_t>(key.kind) - static_cast<std::size_t>(Kind::Offset)].name;
+            Statement row(db, (std::string("INSERT OR REPLACE INTO ") + table + "(channel, number, field, value) VALUES(?, ?, ?, ?)").c_str());
+            good = row.bind(1, std::int64_t{key.scope}).bind(2, std::int64_t{key.number}).bind(3, std::int64_t{key.field}).bind(4, change.after).run();
+        }
+        good = good && history.bind(1, utc).bind(2, who).bind(3, describe(key))
+                           .bind(4, shown(change.before, change.text_before, change.is_text))
+                           .bind(5, shown(change.after, change.text_after, change.is_text)).run();
+        if (!good) return parts_->fault(Alarm::StoreWrite);
+    }
+    if (!transaction.commit()) return parts_->fault(Alarm::StoreWrite);
+    return {};
+}
+
+Result<std::vector<std::string>> Database::history(int most) {
+    Statement rows(parts_->db, "SELECT utc, who, what, old, new FROM history ORDER BY id DESC LIMIT ?");
+    rows.bind(1, std::int64_t{most});
+    std::vector<std::string> lines;
+    while (rows.row()) lines.push_back(rows.text(0) + " " + rows.text(1) + " " + rows.text(2) + ": " + rows.text(3) + " -> " + rows.text(4));
+    if (!rows.done()) return parts_->open_fault();
+    return lines;
+}
+
+}  // namespace polyturn::toolmgmt

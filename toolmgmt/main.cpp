@@ -1,0 +1,66 @@
+// polyturn-toolmgmt: the only writer of the store. Started by polyturn before kernel, PLC and channels, which read what it
+// publishes. Exit status: 0 ended by SIGTERM, 1 the store cannot be used, 2 machine or setup cannot be read.
+#include <signal.h>
+
+#include <atomic>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "ipc/memory/segment.hpp"
+#include "toolmgmt/database.hpp"
+#include "toolmgmt/options.hpp"
+#include "toolmgmt/service.hpp"
+#include "toolmgmt/start_values.hpp"
+
+namespace {
+
+using namespace polyturn;
+using namespace polyturn::toolmgmt;
+
+std::atomic<bool> stop{false};
+
+void catch_signals() {
+    struct sigaction action {};
+    action.sa_handler = [](int) { stop = true; };
+    sigaction(SIGTERM, &action, nullptr);
+    sigaction(SIGINT, &action, nullptr);
+    // A full disk or a closed standard error is a diagnosis, not an end.
+    action.sa_handler = SIG_IGN;
+    sigaction(SIGXFSZ, &action, nullptr);
+    sigaction(SIGPIPE, &action, nullptr);
+}
+
+void complain(const Diagnosis& diagnosis) { std::fprintf(stderr, "polyturn-toolmgmt: %s", render(diagnosis, Dialect::Polyturn, "").c_str()); }
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const Options options = read_options(argc, argv);
+    if (options.exit_status >= 0) return options.exit_status;
+    catch_signals();
+
+    std::optional<Database> disk;
+    if (!options.memory) {
+        auto opened = Database::open(options.store);
+        if (!opened) return complain(opened.diagnosis()), 1;
+        disk.emplace(std::move(*opened));
+    }
+    auto values = std::make_unique<StoreValues>();
+    std::vector<Diagnosis> diagnoses;
+    const Result<void> started = load_start_values(options, disk ? &*disk : nullptr, *values, diagnoses);
+    for (const Diagnosis& diagnosis : diagnoses) complain(diagnosis);
+    if (!started) return complain(started.diagnosis()), 1;
+    if (any_error(diagnoses)) return 2;
+
+    auto supervisor = PeerSegment<SupervisorSegment>::attach(options.instance, 0, std::chrono::seconds(5));
+    if (!supervisor) return complain(supervisor.diagnosis()), 1;
+    auto image = StoreImage::create(options.instance, (*supervisor)->header.generation);
+    if (!image) return complain(image.diagnosis()), 1;
+
+    Service service(options.instance, std::move(*supervisor), std::move(*image), *values, disk ? &*disk : nullptr);
+    while (!stop)
+        if (!service.step()) service.wait();
+    service.finish();
+    return 0;
+}

@@ -1,0 +1,65 @@
+#include "toolmgmt/schema.hpp"
+
+#include <time.h>
+
+#include <array>
+#include <cstdio>
+
+#include "toolmgmt/statement.hpp"
+
+namespace polyturn::toolmgmt {
+namespace {
+
+// Step n leads from version n to n + 1. A step that was released is never edited: files in the field went through it.
+constexpr std::array kSteps = {
+    R"sql(
+    CREATE TABLE migrations(version INTEGER PRIMARY KEY, utc TEXT NOT NULL);
+    CREATE TABLE parameters(name TEXT NOT NULL, instance INTEGER NOT NULL, element INTEGER NOT NULL, number REAL, text TEXT,
+                            PRIMARY KEY(name, instance, element)) WITHOUT ROWID;
+    CREATE TABLE offsets(channel INTEGER NOT NULL, number INTEGER NOT NULL, field INTEGER NOT NULL, value REAL,
+                         PRIMARY KEY(channel, number, field)) WITHOUT ROWID;
+    CREATE TABLE zeros(channel INTEGER NOT NULL, number INTEGER NOT NULL, field INTEGER NOT NULL, value REAL,
+                       PRIMARY KEY(channel, number, field)) WITHOUT ROWID;
+    CREATE TABLE variables(channel INTEGER NOT NULL, number INTEGER NOT NULL, field INTEGER NOT NULL, value REAL,
+                           PRIMARY KEY(channel, number, field)) WITHOUT ROWID;
+    CREATE TABLE counters(channel INTEGER NOT NULL, number INTEGER NOT NULL, field INTEGER NOT NULL, value REAL,
+                          PRIMARY KEY(channel, number, field)) WITHOUT ROWID;
+    CREATE TABLE positions(channel INTEGER NOT NULL, number INTEGER NOT NULL, field INTEGER NOT NULL, value REAL,
+                           PRIMARY KEY(channel, number, field)) WITHOUT ROWID;
+    CREATE TABLE history(id INTEGER PRIMARY KEY, utc TEXT NOT NULL, who TEXT NOT NULL, what TEXT NOT NULL, old TEXT, new TEXT);
+    )sql",
+};
+
+}  // namespace
+
+int newest_schema_version() { return static_cast<int>(kSteps.size()); }
+
+int schema_version(sqlite3* db) {
+    Statement statement(db, "PRAGMA user_version");
+    return statement.row() ? static_cast<int>(statement.whole(0)) : -1;
+}
+
+bool migrate(sqlite3* db) {
+    Transaction transaction(db);
+    if (!transaction.begun()) return false;
+    for (int version = schema_version(db); version < newest_schema_version(); ++version) {
+        if (version < 0 || !run(db, kSteps[static_cast<std::size_t>(version)])) return false;
+        Statement note(db, "INSERT INTO migrations(version, utc) VALUES(?, ?)");
+        if (!note.bind(1, std::int64_t{version + 1}).bind(2, utc_now()).run()) return false;
+        if (!run(db, ("PRAGMA user_version=" + std::to_string(version + 1)).c_str())) return false;
+    }
+    return transaction.commit();
+}
+
+std::string utc_now() {
+    timespec now{};
+    clock_gettime(CLOCK_REALTIME, &now);
+    tm parts{};
+    gmtime_r(&now.tv_sec, &parts);
+    char text[40];
+    const std::size_t size = strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S", &parts);
+    std::snprintf(text + size, sizeof text - size, ".%03ldZ", now.tv_nsec / 1'000'000);
+    return text;
+}
+
+}  // namespace polyturn::toolmgmt

@@ -1,0 +1,224 @@
+#include "toolmgmt/service.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "ipc/machine/config_check.hpp"
+#include "ipc/params/registry.hpp"
+#include "toolmgmt/wait_any.hpp"
+
+namespace polyturn::toolmgmt {
+namespace {
+
+constexpr std::uint64_t kMostPerStep = 1024;   // persist requests before somebody else is looked at
+constexpr std::chrono::seconds kRetry{1};      // after the disk refused
+
+void copy_text(auto& to, std::string_view from) {
+    to.fill(0);
+    std::copy_n(from.begin(), std::min(from.size(), to.size() - 1), to.begin());
+}
+
+std::string one_line(const Diagnosis& diagnosis) {
+    return std::string(alarm_number(diagnosis.alarm, Dialect::Polyturn)) + " " + diagnosis.text() + ". " + std::string(diagnosis.remedy());
+}
+
+}  // namespace
+
+Service::Service(std::string instance, PeerSegment<SupervisorSegment> supervisor, StoreImage image, StoreValues& values, Database* disk)
+    : instance_(std::move(instance)), supervisor_(std::move(supervisor)), image_(std::move(image)), values_(values), disk_(disk),
+      machine_(derive_machine_config(values.parameters)) {
+    image_.publish_all(values_);
+    pending_index_ = image_.segment().persist_tail.tail.load();
+}
+
+bool Service::step() {
+    supervisor_seen_ = supervisor_->store_bell.seen();
+    look_for_kernel();
+    if (kernel_.attached()) kernel_seen_ = kernel_->store_bell.seen();
+    bool worked = take_persist();
+    worked |= take_requests();
+    const auto now = Clock::now();
+    if (!pending_.empty() && now - pending_since_ >= kBatchMs && now >= next_try_) {
+        if (const Result<void> done = commit_pending({}, "program"); !done) {
+            std::fprintf(stderr, "polyturn-toolmgmt: %s\n", one_line(done.diagnosis()).c_str());
+            next_try_ = now + kRetry;
+        }
+        worked = true;
+    }
+    return worked;
+}
+
+void Service::wait() {
+    std::int64_t timeout_us = kernel_.attached() ? 100'000 : 4'000;   // a new kernel rings no bell of ours
+    if (!pending_.empty()) timeout_us = 5'000;
+    std::array<Watched, 2> bells{{{&supervisor_->store_bell, supervisor_seen_}, {nullptr, 0}}};
+    std::size_t count = 1;
+    if (kernel_.attached()) bells[count++] = {&kernel_->store_bell, kernel_seen_};
+    wait_any(std::span(bells).first(count), timeout_us);
+}
+
+void Service::finish() {
+    if (pending_.empty()) return;
+    if (const Result<void> done = commit_pending({}, "program"); !done)
+        std::fprintf(stderr, "polyturn-toolmgmt: %s\n", one_line(done.diagnosis()).c_str());
+}
+
+// A kernel that is started anew has a new segment under the old name: the supervisor's table says which one lives.
+void Service::look_for_kernel() {
+    const std::int32_t pid = supervisor_->processes[kProcessKernel].pid;
+    if (pid <= 0 || (kernel_.attached() && kernel_->header.writer_pid == pid)) return;
+    auto fresh = PeerSegment<KernelSegment>::attach(instance_);
+    if (!fresh || (*fresh)->header.writer_pid != pid) return;
+    StoreSegment& own = image_.segment();
+    if (kernel_.attached()) {
+        while (take_persist()) {}   // what the dead one pushed is final and still counts
+        commit_pending({}, "program").ok();
+        own.persist_tail.tail.store(0, std::memory_order_release);
+        own.on_disk.store(0, std::memory_order_release);
+    }
+    kernel_ = std::move(*fresh);
+    // A predecessor of ours may have been killed so long ago that the ring has gone round.
+    const auto head = kernel_->persist.head.load(std::memory_order_acquire), tail = own.persist_tail.tail.load();
+    constexpr auto kCapacity = decltype(KernelSegment::persist)::capacity;
+    if (tail > head || head - tail > kCapacity) own.persist_tail.tail.store(head - std::min(head, kCapacity), std::memory_order_release);
+    pending_index_ = own.persist_tail.tail.load();
+}
+
+bool Service::take_persist() {
+    if (!kernel_.attached()) return false;
+    StoreSegment& own = image_.segment();
+    const auto head = kernel_->persist.head.load(std::memory_order_acquire);
+    auto index = own.persist_tail.tail.load(std::memory_order_relaxed);
+    if (index >= head) return false;
+    const auto end = std::min(head, index + kMostPerStep);
+    std::vector<Change> changes;
+    for (; index < end; ++index) {
+        const StoreRequest request = kernel_->persist.slot(index);
+        Result<Applied> applied = apply_request(request, Origin::Program, machine_, values_);
+        if (!applied) {
+            std::fprintf(stderr, "polyturn-toolmgmt: %s\n", one_line(applied.diagnosis()).c_str());
+            continue;
+        }
+        refresh_machine(applied->changes);
+        push_parameter_changes(applied->changes);
+        std::move(applied->changes.begin(), applied->changes.end(), std::back_inserter(changes));
+    }
+    image_.publish(values_, changes);
+    keep_pending(changes);
+    pending_index_ = end;
+    own.persist_tail.tail.store(end, std::memory_order_release);   // the image is out: virtual time may go on
+    own.bell.ring();
+    if (pending_.empty()) own.on_disk.store(end, std::memory_order_release);
+    return true;
+}
+
+bool Service::take_requests() {
+    StoreSegment& own = image_.segment();
+    bool worked = false;
+    for (;;) {
+        const auto index = own.request_tail.tail.load(std::memory_order_relaxed);
+        if (index >= supervisor_->requests.head.load(std::memory_order_acquire)) return worked;
+        // Room for the answer first: an operator's change whose answer cannot be given must not be made.
+        if (own.answers.head.load(std::memory_order_relaxed) - supervisor_->answer_tail.tail.load(std::memory_order_acquire) >= decltype(StoreSegment::answers)::capacity) return worked;
+        const StoreRequest request = supervisor_->requests.slot(index);
+        Result<Applied> applied = apply_request(request, Origin::Operator, machine_, values_);
+        if (applied) {
+            // Also a query: what it shows counts as written, so what came before it goes to the disk with it.
+            const Result<void> done = commit_pending(applied->changes, "operator");
+            if (!done) {
+                undo(applied->changes);
+                applied = done.diagnosis();
+            } else {
+                refresh_machine(applied->changes);
+                image_.publish(values_, applied->changes);
+                push_parameter_changes(applied->changes);
+            }
+        }
+        answer(request, applied);
+        own.request_tail.tail.store(index + 1, std::memory_order_release);
+        own.bell.ring();
+        worked = true;
+    }
+}
+
+void Service::answer(const StoreRequest& request, const Result<Applied>& applied) {
+    StoreAnswer out{};
+    out.id = request.id;
+    out.ok = applied ? 1 : 0;
+    if (!applied) {
+        copy_text(out.text, one_line(applied.diagnosis()));
+    } else if (!applied->answer.empty()) {
+        copy_text(out.text, applied->answer);
+    } else if (static_cast<StoreRequestKind>(request.kind) == StoreRequestKind::Parameter) {
+        // Stored, because the other half of the change may be on its way; but a start with it would be refused.
+        if (const auto wrong = check_machine_config(values_.parameters); !wrong.empty()) copy_text(out.text, "stored, but: " + one_line(wrong.front()));
+    }
+    auto& ring = image_.segment().answers;
+    const auto head = ring.head.load(std::memory_order_relaxed);
+    ring.slot(head) = out;
+    ring.head.store(head + 1, std::memory_order_release);
+}
+
+// All numbers of one request are one import: the kernel takes them in the same tick.
+void Service::push_parameter_changes(const std::vector<Change>& changes) {
+    StoreSegment& own = image_.segment();
+    std::vector<ParamChange> out;
+    for (const Change& change : changes) {
+        const double* at = change.key.kind == Kind::Parameter && !change.is_text ? number_at(values_, change.key) : nullptr;
+        if (!at) continue;
+        ParamChange next{};
+        next.import_id = import_id_ + 1;
+        next.slot = static_cast<std::uint32_t>(at - values_.parameters.numbers.data());
+        next.value = *at;
+        out.push_back(next);
+    }
+    if (out.empty()) return;
+    ++import_id_;
+    out.back().last = 1;
+    auto& ring = own.param_changes;
+    constexpr auto kCapacity = decltype(StoreSegment::param_changes)::capacity;
+    for (const ParamChange& next : out) {
+        const auto head = ring.head.load(std::memory_order_relaxed);
+        // A live kernel takes them every tick; one that does not within a second is dead or stopped, and its successor
+        // reads the whole table. Without a kernel nobody reads the ring.
+        for (int ms = 0; kernel_.attached() && head - kernel_->param_tail.tail.load(std::memory_order_acquire) >= kCapacity && ms < 1000; ++ms) sleep_ms(1);
+        ring.slot(head) = next;
+        ring.head.store(head + 1, std::memory_order_release);
+    }
+}
+
+void Service::keep_pending(const std::vector<Change>& changes) {
+    if (!disk_) return;
+    if (pending_.empty() && !changes.empty()) pending_since_ = Clock::now();
+    for (const Change& change : changes) {
+        const auto [at, fresh] = pending_.emplace(change.key, change);
+        if (fresh) continue;
+        at->second.after = change.after;
+        at->second.text_after = change.text_after;
+    }
+}
+
+Result<void> Service::commit_pending(const std::vector<Change>& more, std::string_view who) {
+    if (disk_) {
+        std::vector<Change> batch;
+        for (const auto& [key, change] : pending_) batch.push_back(change);
+        if (!batch.empty())
+            if (Result<void> done = disk_->commit(batch, "program"); !done) return done;
+        pending_.clear();
+    }
+    image_.segment().on_disk.store(pending_index_, std::memory_order_release);
+    if (disk_ && !more.empty()) return disk_->commit(more, who);
+    return {};
+}
+
+void Service::undo(const std::vector<Change>& changes) {
+    for (const Change& change : changes) write_value(values_, change.key, change.before, change.text_before, change.is_text);
+}
+
+void Service::refresh_machine(const std::vector<Change>& changes) {
+    const bool parameters = std::any_of(changes.begin(), changes.end(), [](const Change& c) { return c.key.kind == Kind::Parameter; });
+    if (parameters) machine_ = derive_machine_config(values_.parameters);
+}
+
+}  // namespace polyturn::toolmgmt

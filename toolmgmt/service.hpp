@@ -1,0 +1,68 @@
+// The store at work: takes requests of operator (through the supervisor) and programs (through the kernel), brings them
+// to the image and to the disk.
+//
+//   operator   checked -> on disk -> image -> answer. Refused by the disk: nothing changed, and the answer says so.
+//   program    image at once, in path order -> the disk within kBatchMs, several in one transaction.
+//
+// One thread does both. A disk that takes long to sync delays the next image, never the kernel in real time, for it does
+// not wait for the store; in virtual time the kernel waits for persist_tail, which moves only after the image is out.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ipc/image/segments.hpp"
+#include "ipc/machine/machine_config.hpp"
+#include "toolmgmt/apply_request.hpp"
+#include "toolmgmt/database.hpp"
+#include "toolmgmt/store_image.hpp"
+#include "toolmgmt/store_values.hpp"
+
+namespace polyturn::toolmgmt {
+
+class Service {
+public:
+    static constexpr std::chrono::milliseconds kBatchMs{40};   // architecture 9 allows 100
+
+    // disk: nullptr keeps nothing. `values` are already what the image is to show.
+    Service(std::string instance, PeerSegment<SupervisorSegment> supervisor, StoreImage image, StoreValues& values, Database* disk);
+
+    // Looks once for work and does it; false when there was none.
+    bool step();
+    // Sleeps until there may be work again.
+    void wait();
+    // Everything that is still pending goes to the disk.
+    void finish();
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    void look_for_kernel();
+    bool take_persist();
+    bool take_requests();
+    void answer(const StoreRequest& request, const Result<Applied>& applied);
+    void push_parameter_changes(const std::vector<Change>& changes);
+    void keep_pending(const std::vector<Change>& changes);
+    Result<void> commit_pending(const std::vector<Change>& more, std::string_view who);
+    void undo(const std::vector<Change>& changes);
+    void refresh_machine(const std::vector<Change>& changes);
+
+    std::string instance_;
+    PeerSegment<SupervisorSegment> supervisor_;
+    PeerSegment<KernelSegment> kernel_;
+    StoreImage image_;
+    StoreValues& values_;
+    Database* disk_;
+    MachineConfig machine_;
+    std::uint64_t import_id_ = 0;
+    std::map<Key, Change> pending_;              // in the image, not yet on disk
+    std::uint64_t pending_index_ = 0;            // persist requests before it are in the image
+    Clock::time_point pending_since_{}, next_try_{};
+    std::uint32_t supervisor_seen_ = 0, kernel_seen_ = 0;
+};
+
+}  // namespace polyturn::toolmgmt

@@ -1,0 +1,73 @@
+#include "toolmgmt/start_values.hpp"
+
+#include <bit>
+#include <memory>
+
+#include "ipc/machine/apply_setup.hpp"
+#include "ipc/machine/config_check.hpp"
+#include "ipc/machine/machine_config.hpp"
+#include "ipc/text/read_file.hpp"
+#include "ipc/text/setup.hpp"
+
+namespace polyturn::toolmgmt {
+namespace {
+
+void append(std::vector<Diagnosis>& to, std::vector<Diagnosis> from) { std::move(from.begin(), from.end(), std::back_inserter(to)); }
+
+// Every cell of a channel in which the two stores differ.
+void add_differences(std::int32_t channel, const ChannelStore& before, StoreValues& values, std::vector<Change>& changes) {
+    auto older = std::make_unique<StoreValues>();
+    older->channels[static_cast<std::size_t>(channel - 1)] = before;
+    const auto compare = [&](const Key& key) {
+        const double* was = number_at(*older, key);
+        const double* is = number_at(values, key);
+        if (was && is && std::bit_cast<std::uint64_t>(*was) != std::bit_cast<std::uint64_t>(*is)) changes.push_back({key, *was, *is, {}, {}, false});
+    };
+    for (int number = 1; number < static_cast<int>(kOffsets); ++number)
+        for (int table = 0; table < 3; ++table)
+            for (int field = 0; field < 5; ++field)
+                if (table == 0 || field < 4) compare({Kind::Offset, channel, number, table * 256 + field, {}});
+    for (int row = 0; row < static_cast<int>(kWorkZeros); ++row)
+        for (int place = 0; place < static_cast<int>(kChannelAxes); ++place) compare({Kind::WorkZero, channel, row, place, {}});
+    for (int index = 0; index < static_cast<int>(kPersistentVariables); ++index) compare({Kind::Variable, channel, index, 0, {}});
+}
+
+Result<void> enter_setup(const std::string& path, Database* disk, StoreValues& values, std::vector<Diagnosis>& diagnoses) {
+    const Result<std::string> content = text::read_text_file(path);
+    if (!content) {
+        diagnoses.push_back(content.diagnosis());
+        return {};
+    }
+    const text::Setup setup = text::parse_setup(*content, path, diagnoses);
+    const MachineConfig machine = derive_machine_config(values.parameters);
+    std::vector<Change> changes;
+    for (const auto& [number, channel] : setup.channels) {
+        if (number < 1 || number > kMaxChannels || !machine.channel(number).exists()) {
+            diagnoses.push_back({Alarm::SetupEntry, {path, 0, 0, 0}, {}, "channel " + std::to_string(number) + " does not exist"});
+            continue;
+        }
+        const auto before = std::make_unique<ChannelStore>(values.channels[number - 1]);
+        apply_setup(setup, machine, number, values.channels[number - 1], diagnoses);
+        if (disk) add_differences(static_cast<std::int32_t>(number), *before, values, changes);
+    }
+    if (disk && !changes.empty() && !any_error(diagnoses)) return disk->commit(changes, "setup");
+    return {};
+}
+
+}  // namespace
+
+Result<void> load_start_values(const Options& options, Database* disk, StoreValues& values, std::vector<Diagnosis>& diagnoses) {
+    clear(values);
+    LoadedMachine loaded = load_machine_file(options.machine.machine);
+    append(diagnoses, std::move(loaded.diagnoses));
+    values.parameters = *loaded.table;
+    if (disk)
+        if (Result<void> done = disk->read_into(values, diagnoses); !done) return done;
+    apply_overrides(options.machine, values.parameters, diagnoses);
+    if (any_error(diagnoses)) return {};
+    append(diagnoses, check_machine_config(values.parameters));
+    if (any_error(diagnoses) || options.setup.empty()) return {};
+    return enter_setup(options.setup, disk, values, diagnoses);
+}
+
+}  // namespace polyturn::toolmgmt
