@@ -1,0 +1,100 @@
+#include "kernel/supervisor/event_joiner.hpp"
+
+#include "kernel/supervisor/event_text.hpp"
+
+namespace polyturn::supervisor {
+
+namespace {
+void append_key(std::string& text, std::string_view key, double value) {
+    if (!text.empty() && text.back() == '}') text.pop_back();
+    text += ",\"";
+    text += key;
+    text += "\":";
+    append_json_number(text, value);
+    text += '}';
+}
+
+// The same rounding as in the text, so that order and text never disagree.
+double rounded(double t_s) {
+    const double micro = t_s * 1e6;
+    return static_cast<double>(static_cast<long long>(micro < 0 ? micro - 0.5 : micro + 0.5)) / 1e6;
+}
+}  // namespace
+
+void EventJoiner::note(unsigned channel, std::uint64_t number, std::string_view text) {
+    while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.remove_suffix(1);
+    channels_[channel].waiting[number] = std::string(text);
+}
+
+std::string_view EventJoiner::insert(unsigned channel, double t_s, std::string text, Entry entry, Key* key_out) {
+    const Key key{rounded(t_s), channel, ++sequence_};
+    append_key(text, "t", key.t_s);
+    entry.text = std::move(text);
+    if (key_out) *key_out = key;
+    return entries_.emplace(key, std::move(entry)).first->second.text;
+}
+
+std::string_view EventJoiner::begin(unsigned channel, std::uint64_t number, double t_s) {
+    Channel& own = channels_[channel];
+    const auto found = own.waiting.find(number);
+    if (found == own.waiting.end()) return {};
+    std::string text = std::move(found->second);
+    own.waiting.erase(own.waiting.begin(), std::next(found));   // older ones were discarded with their records
+    own.last = text;
+    const std::string_view kind = event_kind(text);
+    Entry entry;
+    entry.number = number;
+    entry.shows_end = kind == "move" || kind == "dwell";
+    entry.complete = !entry.shows_end;
+    Key key{};
+    const std::string_view out = insert(channel, t_s, std::move(text), std::move(entry), &key);
+    own.open.emplace(number, key);
+    return out;
+}
+
+void EventJoiner::end(unsigned channel, std::uint64_t number, double t_s) {
+    Channel& own = channels_[channel];
+    const auto found = own.open.find(number);
+    if (found == own.open.end()) return;
+    const auto entry = entries_.find(found->second);
+    own.open.erase(found);
+    if (entry == entries_.end()) return;   // given out already: it showed no end
+    entry->second.end_s = rounded(t_s);
+    entry->second.ended = entry->second.complete = true;
+}
+
+void EventJoiner::close_channel(unsigned channel, double t_s) {
+    Channel& own = channels_[channel];
+    while (!own.open.empty()) end(channel, own.open.begin()->first, t_s);
+    own.waiting.clear();
+}
+
+std::string_view EventJoiner::plain(unsigned channel, double t_s, std::string text) {
+    Entry entry;
+    entry.complete = true;
+    return insert(channel, t_s, std::move(text), std::move(entry), nullptr);
+}
+
+void EventJoiner::drain(double until_s, const Sink& sink) {
+    while (!entries_.empty()) {
+        const auto first = entries_.begin();
+        if (!first->second.complete || first->first.t_s >= until_s) return;
+        Event event{std::move(first->second.text), first->first.t_s, first->second.ended ? first->second.end_s : -1.0, first->first.channel};
+        if (first->second.shows_end && first->second.ended) append_key(event.text, "end", first->second.end_s);
+        entries_.erase(first);
+        sink(event);
+    }
+}
+
+void EventJoiner::finish(const Sink& sink) {
+    for (auto& [key, entry] : entries_) entry.complete = true;
+    drain(1e300, sink);
+    for (auto& [number, channel] : channels_) channel.open.clear();
+}
+
+const std::string* EventJoiner::last_begun(unsigned channel) const {
+    const auto found = channels_.find(channel);
+    return found == channels_.end() || found->second.last.empty() ? nullptr : &found->second.last;
+}
+
+}  // namespace polyturn::supervisor

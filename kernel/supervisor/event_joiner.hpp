@@ -1,0 +1,80 @@
+// Brings together what a block is (the channel's note) and when it happened (the kernel's RecordBegin and RecordEnd), and
+// gives the events out in their order: by t, then channel, then sequence (cli.md 5).
+//
+// An event is final when nothing can come before it any more: the log has passed its time, and it is complete itself.
+// Moves and dwells are complete when they have ended, so a long cut holds back what happens meanwhile in other channels.
+//
+//   log      begin 1 (t 0)   begin 2 (t 1)   end 2 (t 3)   end 1 (t 5)
+//   out                                                    1 {t 0, end 5}  2 {t 1, end 3}
+//
+// Pure: no image, no files.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+namespace polyturn::supervisor {
+
+class EventJoiner {
+public:
+    // A finished event as text without its end of line; `end_s` below 0: it has none.
+    struct Event {
+        std::string text;
+        double t_s = 0.0, end_s = -1.0;
+        unsigned channel = 0;
+    };
+    using Sink = std::function<void(const Event&)>;
+
+    // The channel's description of a block, a JSON object without t and end. Numbers grow within a channel.
+    void note(unsigned channel, std::uint64_t number, std::string_view text);
+    // The block began. Returns its text with t, for stimuli that wait for it; empty when there is no such note.
+    std::string_view begin(unsigned channel, std::uint64_t number, double t_s);
+    void end(unsigned channel, std::uint64_t number, double t_s);
+    // The channel was reset or has died: what was under way has ended here.
+    void close_channel(unsigned channel, double t_s);
+    // An event that comes without a note (alarm, flag, stop); a JSON object without t.
+    std::string_view plain(unsigned channel, double t_s, std::string text);
+
+    // Gives out what is final, knowing that nothing before `until_s` can come any more.
+    void drain(double until_s, const Sink& sink);
+    // The end of the run: everything, what did not end without its `end`.
+    void finish(const Sink& sink);
+
+    // Text of the block that the channel began last, and whether there is one: alarms are placed by it.
+    const std::string* last_begun(unsigned channel) const;
+
+private:
+    struct Key {
+        double t_s;
+        unsigned channel;
+        std::uint64_t sequence;
+        bool operator<(const Key& other) const {
+            if (t_s != other.t_s) return t_s < other.t_s;
+            if (channel != other.channel) return channel < other.channel;
+            return sequence < other.sequence;
+        }
+    };
+    struct Entry {
+        std::string text;         // ends with '}'
+        std::uint64_t number = 0;
+        double end_s = -1.0;
+        bool complete = false;    // may be given out
+        bool shows_end = false;   // a move or dwell
+        bool ended = false;
+    };
+    struct Channel {
+        std::map<std::uint64_t, std::string> waiting;         // notes whose block has not begun
+        std::unordered_map<std::uint64_t, Key> open;          // begun, not ended
+        std::string last;
+    };
+    std::string_view insert(unsigned channel, double t_s, std::string text, Entry entry, Key* key_out);
+
+    std::map<Key, Entry> entries_;
+    std::map<unsigned, Channel> channels_;
+    std::uint64_t sequence_ = 0;
+};
+
+}  // namespace polyturn::supervisor
