@@ -8,6 +8,8 @@ namespace polyturn::plc {
 namespace {
 // An output acts one PLC cycle later, and the flags that answer it come with the inputs after that.
 constexpr std::uint64_t kCyclesUntilAnswer = 3;
+// A PLC that starts with its machine may find the first code already waiting; one that comes later must not repeat old ones.
+constexpr double kFreshMachineS = 1.0;
 }  // namespace
 
 const char* LathePlc::resolve(const PolyturnPlcHost& host) {
@@ -52,7 +54,7 @@ std::int64_t LathePlc::ticks(double seconds) const { return static_cast<std::int
 
 void LathePlc::cycle(const PolyturnPlcInputs& in, PolyturnPlcOutputs& out) {
     const View view{in, out};
-    if (first_ && in.cycle > 1) {
+    if (first_ && static_cast<double>(in.tick) * tick_s_ > kFreshMachineS) {
         // Started into a machine that has run before: what was asked of a predecessor is not done a second time.
         for (std::uint32_t c = 1; c <= kChannels; ++c)
             at(c).reset_seen = in.signal[slots(c).reset], at(c).m_seen = in.signal[slots(c).m_strobe], at(c).s_seen = in.signal[slots(c).s_strobe],

@@ -253,14 +253,15 @@ TEST_F(LatheRig, NoSpindleSelectedIsSaid) {
 }
 
 TEST(LathePlcStart, DoesNotRepeatWhatAPredecessorWasAsked) {
-    // Cycle 57 is the first this PLC sees; an M3 of before stands in the inputs.
+    // The machine has run for a while when this PLC comes; an M3 of before stands in the inputs.
     const auto table = std::make_unique<params::Table>(params::defaults());
     auto plc = BuilderPlc::load(POLYTURN_BIN_DIR "/liblathe_plc.so");
     ASSERT_TRUE(plc) << plc.diagnosis().text();
     ASSERT_TRUE(plc->init(*table, 0.001));
     auto in = std::make_unique<PlcInputs>();
     auto out = std::make_unique<PlcOutputs>();
-    in->cycle = 57;
+    in->cycle = 1;
+    in->tick = 5'000;
     in->signal[signals::n_machine_on()] = 1;
     in->signal[signals::cn_ssel(1)] = 1;
     in->signal[signals::cn_mstr(1)] = 4;
@@ -268,6 +269,22 @@ TEST(LathePlcStart, DoesNotRepeatWhatAPredecessorWasAsked) {
     plc->cycle(*in, *out);
     EXPECT_EQ(out->signal[signals::cp_mfin(1)], 4);
     EXPECT_EQ(out->signal[signals::sp_rot(1)], 5);
+}
+
+TEST(LathePlcStart, TakesTheFirstCodeOfAFreshMachine) {
+    const auto table = std::make_unique<params::Table>(params::defaults());
+    auto plc = BuilderPlc::load(POLYTURN_BIN_DIR "/liblathe_plc.so");
+    ASSERT_TRUE(plc && plc->init(*table, 0.001));
+    auto in = std::make_unique<PlcInputs>();
+    auto out = std::make_unique<PlcOutputs>();
+    in->cycle = 1;
+    in->tick = 10;
+    in->signal[signals::n_machine_on()] = 1;
+    in->signal[signals::cn_ssel(1)] = 1;
+    in->signal[signals::cn_mstr(1)] = 1;
+    in->signal[signals::cn_mcode(1)] = 3;
+    plc->cycle(*in, *out);
+    EXPECT_EQ(out->signal[signals::sp_rot(1)], 3);
 }
 
 TEST(BuilderPlcLoad, SaysWhatIsWrongWithAFile) {
