@@ -8,6 +8,7 @@ namespace polyturn::plc {
 namespace {
 // An output acts one PLC cycle later, and the flags that answer it come with the inputs after that.
 constexpr std::uint64_t kCyclesUntilAnswer = 3;
+constexpr double kMeantToStandS = 1.0;
 // A PLC that starts with its machine may find the first code already waiting; one that comes later must not repeat old ones.
 constexpr double kFreshMachineS = 1.0;
 }  // namespace
@@ -126,7 +127,7 @@ void LathePlc::start_m(View view, std::uint32_t channel, std::int32_t code) {
             const bool stands = view.in.signal[spindle_slots_[selected - 1].stands] != 0 && spindles_[selected - 1].rotation == Rotation::Stop;
             if (open && !stands) return refuse(channel, kChuckWhileTurning);
             spindles_[selected - 1].chuck_open = open;
-            me.pending = {Task::Chuck, selected, 0, view.in.tick + ticks(chuck_time_s_[selected - 1])};
+            me.pending = {Task::Chuck, selected, 0, view.in.tick + ticks(chuck_time_s_[selected - 1]), 0};
             return;
         }
         case 2:
@@ -143,11 +144,11 @@ void LathePlc::turn(View view, std::uint32_t channel, std::uint32_t spindle, Rot
     s.rotation = rotation;
     s.started_by = rotation == Rotation::Stop ? 0 : channel;
     const Task task = rotation == Rotation::Stop ? Task::Standstill : rotation == Rotation::Orient ? Task::InPosition : Task::Speed;
-    at(channel).pending = {task, spindle, view.in.cycle + kCyclesUntilAnswer, 0};
+    at(channel).pending = {task, spindle, view.in.cycle + kCyclesUntilAnswer, view.in.tick + ticks(kSpindleTimeS), view.in.tick};
 }
 
 void LathePlc::refuse(std::uint32_t channel, Message message) {
-    at(channel).pending = {Task::Refused, 0, 0, 0};
+    at(channel).pending = {Task::Refused, 0, 0, 0, 0};
     at(channel).message = message;
 }
 
@@ -158,19 +159,24 @@ void LathePlc::finish_m(View view, std::uint32_t channel) {
 }
 
 void LathePlc::watch_pending(View view, std::uint32_t channel) {
-    const Pending& pending = at(channel).pending;
-    const auto flag = [&](std::int32_t SpindleSlots::*which) {
-        return view.in.cycle >= pending.believe_cycle && view.in.signal[spindle_slots_[pending.spindle - 1].*which] != 0;
-    };
+    Pending& pending = at(channel).pending;
+    if (pending.task == Task::None || pending.task == Task::Refused) return;
+    if (pending.task == Task::Chuck) {
+        if (view.in.tick >= pending.due_tick) finish_m(view, channel);
+        return;
+    }
+    const auto& flags = spindle_slots_[pending.spindle - 1];
+    const bool stands = view.in.signal[flags.stands] != 0;
+    if (!stands) pending.stood_tick = view.in.tick;
     bool done = false;
     switch (pending.task) {
-        case Task::None:
-        case Task::Refused: return;
-        case Task::Speed: done = flag(&SpindleSlots::reached); break;
-        case Task::Standstill: done = flag(&SpindleSlots::stands); break;
-        case Task::InPosition: done = flag(&SpindleSlots::in_position); break;
-        case Task::Chuck: done = view.in.tick >= pending.due_tick; break;
+        // At standstill both flags are 1, also in the first moments of a start. A spindle that stays there is meant to.
+        case Task::Speed: done = view.in.signal[flags.reached] != 0 && (!stands || view.in.tick - pending.stood_tick >= ticks(kMeantToStandS)); break;
+        case Task::Standstill: done = stands; break;
+        default: done = view.in.signal[flags.in_position] != 0; break;
     }
+    if (view.in.cycle < pending.believe_cycle) return;
+    if (!done && view.in.tick >= pending.due_tick) return refuse(channel, kSpindleTooSlow);
     if (done) finish_m(view, channel);
 }
 

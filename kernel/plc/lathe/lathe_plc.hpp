@@ -1,8 +1,8 @@
 // The built-in PLC: a lathe with chucks on its spindles, turrets with driven tools, and coolant.
 //
 //   code            what happens                                              finished
-//   M3 M4           CN_SSEL's spindle turns right, left; refused while its    speed reached (SN_NS)
-//                   chuck is open
+//   M3 M4           CN_SSEL's spindle turns right, left; refused while its    speed reached (SN_NS, not SN_N0),
+//                   chuck is open                                             or standing for a second: S0
 //   M5              CN_SSEL's spindle stops                                   standstill (SN_N0)
 //   M19             CN_SSEL's spindle is oriented                             in position (SN_INPOS)
 //   M8 M9           coolant of the channel on, off                            at once
@@ -28,6 +28,7 @@
 
 namespace polyturn::plc {
 
+inline constexpr double kSpindleTimeS = 15.0;
 inline constexpr std::size_t kChannels = 16, kSpindles = 32;
 
 // Values of PLC_ALARM.
@@ -37,6 +38,7 @@ enum Message : std::int32_t {
     kTurningWhileOpen = 2,   // M3, M4, M19 while the chuck is open
     kNoSuchStation = 3,      // T beyond PT_TURRET_STATIONS
     kNoSpindle = 4,          // a spindle code, and neither CN_SSEL nor a driven tool names a spindle
+    kSpindleTooSlow = 5,     // speed, standstill or position was not reached within kSpindleTimeS
 };
 
 // Digital outputs (from 0), for each channel and each spindle.
@@ -56,7 +58,8 @@ private:
         Task task = Task::None;
         std::uint32_t spindle = 0;       // from 1
         std::uint64_t believe_cycle = 0; // from this cycle on the spindle's flags speak of the new command
-        std::int64_t due_tick = 0;
+        std::int64_t due_tick = 0;       // Chuck: done; spindle: given up
+        std::int64_t stood_tick = 0;     // Speed: when the spindle was last seen to turn, or the code came
     };
     struct Turret {
         std::int32_t station = 1, target = 1;

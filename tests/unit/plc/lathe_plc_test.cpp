@@ -104,6 +104,24 @@ TEST_F(LatheRig, SpindleCodeWaitsForTheSpindleAndNotForTheFlagsOfBefore) {
     }
 }
 
+TEST_F(LatheRig, SpindleThatIsMeantToStandIsAtItsSpeedAfterASecond) {
+    m(3);  // S0: both flags stay 1
+    run(99);
+    EXPECT_FALSE(m_done());
+    run(1);
+    EXPECT_TRUE(m_done());
+}
+
+TEST_F(LatheRig, SpindleThatDoesNotGetThereIsReported) {
+    spindle(1, 0, 0);
+    m(3);
+    run(1499);
+    EXPECT_EQ(plc("PLC_ALARM"), kNoMessage);
+    run(1);
+    EXPECT_EQ(plc("PLC_ALARM"), kSpindleTooSlow);
+    EXPECT_FALSE(m_done());
+}
+
 TEST_F(LatheRig, OrientationClosesTheLoopAndEndsInPosition) {
     m(19);
     EXPECT_EQ(plc("SP_ROT", 1), 19);
