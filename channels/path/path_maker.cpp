@@ -43,6 +43,11 @@ PathRecord& PathMaker::next_move() {
     return coming().move;
 }
 
+double PathMaker::length_of_next() {
+    const double length = path_length(coming().move, *limits_);
+    return length > kNothing ? length : 0;   // such a move vanishes
+}
+
 void PathMaker::add_move() {
     Kept& next = coming();
     next.move.length = path_length(next.move, *limits_);
@@ -52,6 +57,7 @@ void PathMaker::add_move() {
     next.from = 0;
     next.begun = false;
     if (have_) join();
+    else next.move.flags &= ~std::uint32_t{kThreadChained};   // nothing to go on from
     current_ = 1 - current_;
     have_ = true;
 }
@@ -67,7 +73,10 @@ void PathMaker::add_event(const PathRecord& record, bool stops) {
 }
 
 void PathMaker::flush() {
-    if (have_) put_part(kept(), kept().move.length, true, true);
+    if (have_) {
+        if (has(kept().move, kThread)) kept().move.flags |= kThreadEnd;
+        put_part(kept(), kept().move.length, true, true);
+    }
     have_ = false;
     put_between();
 }
@@ -88,6 +97,7 @@ bool PathMaker::must_stop(const PathRecord& a, const PathRecord& b) const {
 // The junction of the kept move with the coming one.
 void PathMaker::join() {
     Kept &a = kept(), &b = coming();
+    if (has(a.move, kThread) && !has(b.move, kThreadChained)) a.move.flags |= kThreadEnd;
     Junction junction = Junction::Stop;
     if (!must_stop(a.move, b.move))
         junction = make_blend(a.move, 0.5 * a.move.length, b.move, 0.5 * b.move.length, std::min(a.ceilings.v, b.ceilings.v), *limits_, blend_);

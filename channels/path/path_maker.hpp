@@ -33,6 +33,7 @@ public:
     // The next move: fill the cleared record (kind Line or Arc, slots, start, end, shape of an arc, feed, flags except the
     // block's begin and end, block, note), then add it. length and ceilings are computed here. kExactStop: stop at its end.
     PathRecord& next_move();
+    double length_of_next();
     void add_move();
 
     // Something that is no motion. `stops`: the path comes to rest before it.

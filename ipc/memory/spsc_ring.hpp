@@ -78,7 +78,8 @@ private:
 template <class Half>
 class RingConsumer {
 public:
-    RingConsumer(const Half& half, RingTail& tail) : half_(&half), tail_(&tail) {}
+    // A successor goes on where `tail` stands.
+    RingConsumer(const Half& half, RingTail& tail) : half_(&half), tail_(&tail), seen_(tail.tail.load(std::memory_order_relaxed)) {}
     // The oldest record, good until pop(); nullptr when there is none.
     [[nodiscard]] const typename Half::value_type* front() noexcept {
         const auto tail = tail_->tail.load(std::memory_order_relaxed);
@@ -94,7 +95,7 @@ public:
 private:
     const Half* half_;
     RingTail* tail_;
-    std::uint64_t seen_ = 0;
+    std::uint64_t seen_;
 };
 
 }  // namespace polyturn

@@ -1,0 +1,231 @@
+#include "channels/process/channel_process.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+
+namespace polyturn::channels {
+namespace {
+
+constexpr auto kPatience = std::chrono::milliseconds(10'000);  // for the processes that start before this one
+constexpr std::int64_t kSleepUs = 50'000;
+constexpr int kStepsBetweenLooks = 32;
+constexpr std::size_t kNames = 32, kNameSize = 256;
+
+std::string_view text_of(const ChannelEvent& event) { return {event.text.data(), ::strnlen(event.text.data(), event.text.size())}; }
+
+}  // namespace
+
+Result<std::unique_ptr<ChannelProcess>> ChannelProcess::create(const std::string& instance, unsigned channel, ProcessServices services) {
+    auto supervisor = PeerSegment<SupervisorSegment>::attach(instance, 0, kPatience);
+    if (!supervisor) return supervisor.diagnosis();
+    auto store = PeerSegment<StoreSegment>::attach(instance, 0, kPatience);
+    if (!store) return store.diagnosis();
+    auto kernel = PeerSegment<KernelSegment>::attach(instance, 0, kPatience);
+    if (!kernel) return kernel.diagnosis();
+    auto own = OwnSegment<ChannelSegment>::create(instance, (*kernel)->header.generation, channel);
+    if (!own) return own.diagnosis();
+    return std::unique_ptr<ChannelProcess>(
+        new ChannelProcess(std::move(*supervisor), std::move(*store), std::move(*kernel), std::move(*own), channel, std::move(services)));
+}
+
+ChannelProcess::ChannelProcess(PeerSegment<SupervisorSegment> supervisor, PeerSegment<StoreSegment> store, PeerSegment<KernelSegment> kernel,
+                               OwnSegment<ChannelSegment> own, unsigned channel, ProcessServices services)
+    : supervisor_(std::move(supervisor)), store_(std::move(store)), kernel_(std::move(kernel)), own_(std::move(own)), channel_(channel),
+      services_(std::move(services)),
+      inbox_([&]() -> EventInbox {
+          // A successor has seen nothing of what its predecessor was told, and must not.
+          own_->event_tail.tail.store(kernel_->events[channel - 1].head.load(std::memory_order_acquire), std::memory_order_relaxed);
+          return {*kernel_, channel - 1, *own_};
+      }()),
+      notes_(own_->notes, supervisor_->note_tail[channel - 1]), port_(*kernel_, channel) {
+    seen_event_ = own_->event_tail.tail.load(std::memory_order_relaxed);
+    own_->quiet.store(seen_event_, std::memory_order_relaxed);
+    own_->notes.head.store(supervisor_->note_tail[channel - 1].load(std::memory_order_acquire), std::memory_order_relaxed);
+    own_->epoch.store(1, std::memory_order_relaxed);
+    own_.publish();
+    view_ = std::make_unique<MachineView>();
+    auto table = std::make_unique<params::Table>();
+    while (!store_->parameters.read(*table)) {}
+    const auto horizon = static_cast<std::uint64_t>(params::get(*table, params::pt_horizon));
+    ring_ = std::make_unique<RingOut>(*own_, *kernel_, channel - 1, horizon, inbox_);
+    maker_ = std::make_unique<PathMaker>(*ring_, limits_);
+    own_->bell.ring();
+}
+
+void ChannelProcess::run() {
+    while (turn(true)) {}
+}
+
+bool ChannelProcess::turn(bool sleep) {
+    if (quit_) return false;
+    const Doorbell& bell = kernel_->channel_bell[channel_ - 1];
+    const std::uint32_t rings = bell.seen();
+    own_->heartbeat.fetch_add(1, std::memory_order_relaxed);
+    inbox_.poll();
+    if (!inbox_.empty()) {
+        act(inbox_.take());
+        return !quit_;
+    }
+    if (state_ == State::Reading) {
+        read_program();
+        return true;
+    }
+    say_quiet();
+    if (sleep) bell.wait(rings, kSleepUs);
+    return true;
+}
+
+void ChannelProcess::say_quiet() {
+    if (own_->quiet.load(std::memory_order_relaxed) == seen_event_) return;
+    own_->quiet.store(seen_event_, std::memory_order_release);   // I1: everything pushed is visible with it
+    own_->bell.ring();
+}
+
+void ChannelProcess::act(const ChannelEvent& event) {
+    seen_event_ = event.seq;
+    switch (static_cast<ChannelEventKind>(event.kind)) {
+        case ChannelEventKind::CycleStart:
+            if (state_ != State::Idle) break;   // the kernel starts only what rests
+            parts_left_ = event.value > 1 ? event.value : 1;
+            running_ = choice_;
+            running_.mdi = std::string(text_of(event));
+            if (!running_.mdi.empty()) running_.path.clear();
+            begin_program();
+            break;
+        case ChannelEventKind::BarrierReached:
+            if (state_ == State::Standing && event.record >= sink_->drain_index()) go_on();
+            break;
+        case ChannelEventKind::Reset: reset(event); break;
+        case ChannelEventKind::StoreChanged: store_changed_ = true; break;
+        case ChannelEventKind::SelectProgram: choice_.path = std::string(text_of(event)); break;
+        case ChannelEventKind::Quit: quit_ = true; break;
+        case ChannelEventKind::None: break;
+    }
+}
+
+// What was written before is applied over there first; the program then sees all of it.
+bool ChannelProcess::take_store() {
+    const std::uint64_t asked = kernel_->persist.head.load(std::memory_order_acquire);
+    const Doorbell& bell = store_->bell;
+    while (store_->persist_tail.tail.load(std::memory_order_acquire) < asked) {
+        const std::uint32_t rings = bell.seen();
+        own_->heartbeat.fetch_add(1, std::memory_order_relaxed);
+        inbox_.poll();
+        if (inbox_.interrupts()) return false;
+        if (store_->persist_tail.tail.load(std::memory_order_acquire) < asked) bell.wait(rings, 5'000);
+    }
+    while (!store_->channels[channel_ - 1].read(*view_->store)) {}
+    store_changed_ = false;
+    return true;
+}
+
+void ChannelProcess::begin_program() {
+    auto table = std::make_unique<params::Table>();
+    while (!store_->parameters.read(*table)) {}
+    run_.reset();
+    if (sink_) last_note_ = sink_->next_note() - 1;
+    sink_.reset();
+    describer_.reset();
+    *view_ = make_machine_view(*table, channel_);
+    if (!take_store()) return;
+    port_.configure(view_->machine, services_.setup);
+    port_.look();
+    for (unsigned i = 0; i < view_->axis_count; ++i) view_->start[i] = *port_.axis_command(view_->axes[i].machine_axis);
+    limits_ = path_limits(view_->machine, view_->table(), channel_);
+    maker_->discard();
+    ring_->resume();
+    if (supervisor_->options.notes && services_.make_describer) describer_ = services_.make_describer(*view_, note_text_);
+    sink_ = std::make_unique<RecordSink>(*view_, *maker_, *ring_, describer_.get(), &note_text_,
+                                         [this](std::uint64_t number, std::string_view text) { put_note(number, text); });
+    sink_->continue_notes(last_note_);
+    sink_->more_parts(parts_left_ > 1);
+    run_ = services_.make_run(*view_, *sink_, port_, running_);
+    names_published_ = 0;
+    next_part_ = false;
+    if (const auto started = run_->start(); !started) {
+        fail(started.diagnosis());
+        return;
+    }
+    state_ = State::Reading;
+}
+
+// The barrier has been executed: take what has changed outside, then read on.
+void ChannelProcess::go_on() {
+    port_.look();
+    if (next_part_) {
+        begin_program();
+        return;
+    }
+    if (store_changed_ && !take_store()) return;
+    run_->barrier_done();
+    state_ = State::Reading;
+}
+
+void ChannelProcess::read_program() {
+    for (int n = 0; n < kStepsBetweenLooks; ++n) {
+        const Step step = run_->step();
+        if (run_->file_count() != names_published_) publish_names();
+        if (ring_->aborted()) return;   // the interrupt that caused it is in the inbox
+        switch (step) {
+            case Step::Continue: break;
+            case Step::AtBarrier:
+                sink_->reach_barrier();
+                state_ = State::Standing;
+                return;
+            case Step::Ended: end_program(StopReason::End); return;
+            case Step::Failed: end_program(StopReason::Alarm); return;
+        }
+    }
+}
+
+void ChannelProcess::end_program(StopReason reason) {
+    if (reason != StopReason::Alarm && !sink_->failed() && parts_left_ > 1) {
+        parts_left_ -= 1;
+        sink_->end_of_part();
+        next_part_ = true;
+        state_ = State::Standing;
+        return;
+    }
+    sink_->finish(reason);
+    state_ = State::Idle;
+}
+
+void ChannelProcess::fail(const Diagnosis& diagnosis) {
+    sink_->alarm(diagnosis, {});
+    sink_->finish(StopReason::Alarm);
+    state_ = State::Idle;
+}
+
+void ChannelProcess::reset(const ChannelEvent& event) {
+    maker_->discard();
+    ring_->resume();
+    run_.reset();
+    state_ = State::Idle;
+    next_part_ = false;
+    own_->epoch.store(event.epoch, std::memory_order_release);
+}
+
+void ChannelProcess::publish_names() {
+    names_published_ = run_->file_count();
+    ProgramNames& names = own_->programs.draft();
+    names.count = static_cast<std::uint32_t>(std::min(names_published_, kNames));
+    names.running = 0;
+    names.name.fill(0);
+    for (std::size_t i = 0; i < names.count; ++i) {
+        const std::string name = run_->file_name(i);
+        std::memcpy(&names.name[i * kNameSize], name.data(), std::min(name.size(), kNameSize - 1));
+    }
+    own_->programs.publish();
+}
+
+void ChannelProcess::put_note(std::uint64_t number, std::string_view text) {
+    while (!ring_->aborted() && !notes_.push(number, text)) {
+        const std::uint32_t rings = supervisor_->bell.seen();
+        if (!ring_->may_wait()) return;
+        if (notes_.push(number, text)) return;
+        supervisor_->bell.wait(rings, 5'000);
+    }
+}
+
+}  // namespace polyturn::channels

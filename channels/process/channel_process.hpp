@@ -1,0 +1,103 @@
+// The channel process in run mode: acts on what the kernel tells, interprets, pushes records.
+//
+//            CycleStart               AtBarrier                  BarrierReached
+//   Idle ----------------> Reading ------------> Standing ------------------------> Reading ...
+//     ^                       |                     |
+//     '-- Reset, end, alarm --'---------------------'
+//
+// Invariants
+//   I1  `quiet` becomes n only when event n and all before it have been acted on, everything that follows from them is in the
+//       ring, and nothing more comes without another event: Idle or Standing.
+//   I2  What a program reads of the outside belongs to its cycle start or to the barrier at which it stands (architecture 5.5).
+//   I3  The heartbeat grows at least every 50 ms while the process lives, whatever it waits for.
+#pragma once
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "channels/language.hpp"
+#include "channels/process/record_sink.hpp"
+#include "channels/process/run_port.hpp"
+#include "ipc/memory/segment.hpp"
+
+namespace polyturn::channels {
+
+struct ProgramChoice {
+    std::string path;   // selected file
+    std::string mdi;    // a text instead of a file
+};
+
+// Interprets one program, seen from here. Made anew for each cycle start.
+class ProgramRun {
+public:
+    virtual ~ProgramRun() = default;
+    virtual Result<void> start() = 0;
+    virtual Step step() = 0;
+    virtual void barrier_done() = 0;
+    virtual std::size_t file_count() const = 0;
+    virtual std::string file_name(std::size_t index) const = 0;
+};
+
+struct ProcessServices {
+    std::function<std::unique_ptr<ProgramRun>(MachineView&, Sink&, Port&, const ProgramChoice&)> make_run;
+    // A sink that appends event objects to `text`, for the notes; may be empty.
+    std::function<std::unique_ptr<Sink>(const MachineView&, std::string& text)> make_describer;
+    const text::Setup* setup = nullptr;
+};
+
+class ChannelProcess {
+public:
+    // Attaches to supervisor, store and kernel, makes the channel's own segment.
+    static Result<std::unique_ptr<ChannelProcess>> create(const std::string& instance, unsigned channel, ProcessServices services);
+    // Until Quit.
+    void run();
+    // One event, or a piece of interpretation; false after Quit. For tests that play the kernel in the same thread.
+    bool turn(bool sleep);
+
+private:
+    enum class State : std::uint8_t { Idle, Reading, Standing };
+
+    ChannelProcess(PeerSegment<SupervisorSegment> supervisor, PeerSegment<StoreSegment> store, PeerSegment<KernelSegment> kernel,
+                   OwnSegment<ChannelSegment> own, unsigned channel, ProcessServices services);
+    void act(const ChannelEvent& event);
+    void begin_program();
+    void go_on();
+    void read_program();
+    void end_program(StopReason reason);
+    void reset(const ChannelEvent& event);
+    void say_quiet();
+    bool take_store();
+    void fail(const Diagnosis& diagnosis);
+    void publish_names();
+    void put_note(std::uint64_t number, std::string_view text);
+
+    PeerSegment<SupervisorSegment> supervisor_;
+    PeerSegment<StoreSegment> store_;
+    PeerSegment<KernelSegment> kernel_;
+    OwnSegment<ChannelSegment> own_;
+    unsigned channel_;
+    ProcessServices services_;
+    EventInbox inbox_;
+    std::unique_ptr<RingOut> ring_;
+    NoteWriter notes_;
+    RunPort port_;
+    PathLimits limits_;
+    std::unique_ptr<PathMaker> maker_;
+    std::unique_ptr<MachineView> view_;
+    std::string note_text_;
+    std::unique_ptr<Sink> describer_;
+    std::unique_ptr<RecordSink> sink_;
+    std::unique_ptr<ProgramRun> run_;
+    ProgramChoice choice_, running_;
+    State state_ = State::Idle;
+    std::uint64_t seen_event_ = 0;
+    std::uint64_t last_note_ = 0;
+    double parts_left_ = 1;
+    bool next_part_ = false;       // standing between two parts
+    bool store_changed_ = false;
+    bool quit_ = false;
+    std::size_t names_published_ = 0;
+};
+
+}  // namespace polyturn::channels

@@ -1,0 +1,39 @@
+// What the kernel has told this channel and the process has not acted on yet. Taken out of the ring as soon as it is looked
+// at, so that a reset is found behind other events.
+#pragma once
+#include <deque>
+
+#include "ipc/image/segments.hpp"
+
+namespace polyturn::channels {
+
+class EventInbox {
+public:
+    EventInbox(const KernelSegment& kernel, unsigned index, ChannelSegment& own) : ring_(kernel.events[index], own.event_tail) {}
+
+    void poll() {
+        while (const ChannelEvent* event = ring_.front()) {
+            const auto kind = static_cast<ChannelEventKind>(event->kind);
+            if (kind == ChannelEventKind::Reset || kind == ChannelEventKind::Quit) ++interrupts_;
+            events_.push_back(*event);
+            ring_.pop();
+        }
+    }
+    // Interpretation must not go on: a reset or the end is among what has come.
+    bool interrupts() const { return interrupts_ > 0; }
+    bool empty() const { return events_.empty(); }
+    ChannelEvent take() {
+        const ChannelEvent event = events_.front();
+        events_.pop_front();
+        const auto kind = static_cast<ChannelEventKind>(event.kind);
+        if (kind == ChannelEventKind::Reset || kind == ChannelEventKind::Quit) --interrupts_;
+        return event;
+    }
+
+private:
+    RingConsumer<RingHead<ChannelEvent, 64>> ring_;
+    std::deque<ChannelEvent> events_;
+    int interrupts_ = 0;
+};
+
+}  // namespace polyturn::channels

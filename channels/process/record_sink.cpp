@@ -1,0 +1,235 @@
+#include "channels/process/record_sink.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+namespace polyturn::channels {
+namespace {
+
+void copy_text(std::string_view from, std::array<char, 48>& to) {
+    to.fill(0);
+    std::memcpy(to.data(), from.data(), std::min(from.size(), to.size() - 1));
+}
+
+void place(const BlockContext& at, PathRecord& r) {
+    r.file = at.file;
+    r.stack_depth = at.stack_depth;
+    r.line = at.line;
+    r.block = at.block;
+}
+
+std::uint8_t code_of(RecordKind kind) { return static_cast<std::uint8_t>(kind); }
+
+}  // namespace
+
+// The describing sink writes its line into *text_; a call may also describe nothing.
+template <class Call>
+std::uint64_t RecordSink::note(Call&& call) {
+    if (!describe_) return 0;
+    std::string& text = *text_;
+    text.clear();
+    call(*describe_);
+    if (text.empty()) return 0;
+    if (text.back() == '\n') text.pop_back();
+    put_note_(++note_, text);
+    return note_;
+}
+
+PathRecord RecordSink::event(RecordKind kind, const BlockContext& at, std::uint64_t note) const {
+    PathRecord r;
+    r.kind = code_of(kind);
+    r.flags = kBlockBegin | kBlockEnd;
+    r.note = note;
+    place(at, r);
+    return r;
+}
+
+void RecordSink::push(PathRecord& r, bool stands, bool drains) {
+    if (drains) r.flags |= kDrains;
+    maker_->add_event(r, stands || drains);
+    drained_ = drains;
+    if (drains) drain_index_ = ring_->last_index();
+}
+
+void RecordSink::move(const Move& move, const BlockContext& at) {
+    PathRecord& r = maker_->next_move();
+    const bool arc = move.kind == MoveKind::ArcCw || move.kind == MoveKind::ArcCcw;
+    r.kind = code_of(arc ? RecordKind::Arc : RecordKind::Line);
+    AxisSet moved = move.moved;
+    if (arc) moved |= 1u << move.plane_p | 1u << move.plane_q;
+    for (unsigned i = 0; i < view_->axis_count && r.axis_count < kMaxPathAxes; ++i) {
+        if (!(moved >> i & 1)) continue;
+        if (arc && i == move.plane_p) r.plane[0] = r.axis_count;
+        if (arc && i == move.plane_q) r.plane[1] = r.axis_count;
+        r.axis[r.axis_count] = view_->axes[i].machine_axis;
+        r.start[r.axis_count] = move.machine_start[i];
+        r.end[r.axis_count++] = move.machine[i];
+    }
+    if (arc) fill_arc(move, r);
+    place(at, r);
+    r.spindle = move.spindle;
+    r.feed_mode = static_cast<std::uint8_t>(move.feed_mode);
+    switch (move.feed_mode) {
+        case FeedMode::PerMinute: r.feed = move.feed / 60; break;
+        case FeedMode::InverseTime:   // 1/min over the length of this block: a speed like any other once that is known
+            r.feed = move.feed / 60 * maker_->length_of_next();
+            r.feed_mode = static_cast<std::uint8_t>(FeedMode::PerMinute);
+            break;
+        default: r.feed = move.feed; break;
+    }
+    if (move.kind == MoveKind::Rapid || move.kind == MoveKind::Reference) r.flags |= kRapid;
+    if (move.kind == MoveKind::Reference) r.flags |= kReference;
+    if (move.kind == MoveKind::Skip) {
+        r.flags |= kSkipMove;
+        r.code = move.skip_input;
+    }
+    if (move.kind == MoveKind::Thread) {
+        r.flags |= kThread | kOverrideLocked;
+        if (move.thread_chained) r.flags |= kThreadChained;
+        r.feed_mode = static_cast<std::uint8_t>(FeedMode::Thread);
+        r.lead = move.lead_path;
+        r.lead_change = move.lead > 0 ? move.lead_change * move.lead_path / move.lead : 0;
+        r.start_angle = move.start_angle;
+    }
+    if (move.exact_stop) r.flags |= kExactStop;
+    if (move.in_position) r.flags |= kExactStop | kInPosition;
+    if (move.override_locked) r.flags |= kOverrideLocked;
+    if (maker_->length_of_next() > 0) {
+        r.note = note([&](Sink& sink) { sink.move(move, at); });
+        maker_->add_move();
+        drained_ = false;
+    }
+    last_ = at;
+}
+
+// Radii and angles from the points themselves, so that the record meets them exactly whatever was rounded on the way.
+void RecordSink::fill_arc(const Move& move, PathRecord& r) const {
+    const std::size_t p = r.plane[0], q = r.plane[1];
+    const double p0 = r.start[p] - move.centre_p, q0 = r.start[q] - move.centre_q;
+    const double p1 = r.end[p] - move.centre_p, q1 = r.end[q] - move.centre_q;
+    const double start = std::atan2(q0, p0);
+    const double rest = std::remainder(std::atan2(q1, p1) - start - move.sweep, 2 * std::numbers::pi);
+    r.shape[arc_shape::kCentreP] = move.centre_p;
+    r.shape[arc_shape::kCentreQ] = move.centre_q;
+    r.shape[arc_shape::kRadius] = std::hypot(p0, q0);
+    r.shape[arc_shape::kStartAngle] = start;
+    r.shape[arc_shape::kSweep] = move.sweep + rest;
+    const double last = std::hypot(p1, q1);   // nearly the same is the same: no parameter needed
+    r.shape[arc_shape::kRadiusEnd] = std::abs(last - r.shape[arc_shape::kRadius]) > 1e-9 ? last : r.shape[arc_shape::kRadius];
+}
+
+void RecordSink::dwell(const Dwell& dwell, const BlockContext& at) {
+    PathRecord r = event(RecordKind::Dwell, at, note([&](Sink& sink) { sink.dwell(dwell, at); }));
+    r.feed_mode = static_cast<std::uint8_t>(dwell.revolutions ? FeedMode::Revolutions : FeedMode::Seconds);
+    r.feed = dwell.value;
+    r.spindle = dwell.spindle;
+    push(r, true, false);
+}
+
+void RecordSink::aux(const Aux& aux, const BlockContext& at) {
+    PathRecord r = event(RecordKind::Aux, at, note([&](Sink& sink) { sink.aux(aux, at); }));
+    r.code = aux.letter;
+    r.value = aux.value;
+    copy_text(aux.text, r.text);
+    push(r, true, aux.drained);
+}
+
+void RecordSink::spindle(const Spindle& spindle, const BlockContext& at) {
+    std::uint64_t number = spindle.silent ? 0 : note([&](Sink& sink) { sink.spindle(spindle, at); });
+    PathRecord r = event(RecordKind::SpindleMode, at, number);
+    r.spindle = spindle.spindle;
+    r.code = static_cast<std::int32_t>(spindle.mode);
+    r.value = spindle.value;
+    r.shape[0] = spindle.limit;
+    if (spindle.css_axis >= 0) {
+        r.axis[0] = view_->axes[static_cast<std::size_t>(spindle.css_axis)].machine_axis;
+        r.shape[1] = spindle.css_zero;
+    }
+    // An S word alone is a speed; what it turns like is the PLC's.
+    const bool plain = spindle.mode == SpindleModeCode::Rpm && !spindle.mode_changed && !spindle.limit_changed;
+    if (plain) r.kind = code_of(RecordKind::SpindleSpeed);
+    push(r, spindle.mode == SpindleModeCode::Position, false);
+}
+
+void RecordSink::wait(const Wait& wait, const BlockContext& at) {
+    PathRecord r = event(RecordKind::Wait, at, note([&](Sink& sink) { sink.wait(wait, at); }));
+    r.code = static_cast<std::int32_t>(wait.code);
+    r.mask = wait.channels;
+    copy_text(wait.marker, r.text);
+    if (wait.flying) r.flags |= kFlying;
+    push(r, true, true);
+}
+
+void RecordSink::variable(const Variable& variable, const BlockContext& at) {
+    const std::uint64_t number = note([&](Sink& sink) { sink.variable(variable, at); });
+    if (variable.persistent < 0 && number == 0) return;   // nobody outside this process would notice
+    PathRecord r = event(RecordKind::Variable, at, number);
+    r.code = variable.persistent;
+    r.value = variable.value;
+    copy_text(variable.name, r.text);
+    push(r, false, false);
+}
+
+void RecordSink::offset(const OffsetWrite& offset, const BlockContext& at) {
+    PathRecord r = event(RecordKind::Offset, at, note([&](Sink& sink) { sink.offset(offset, at); }));
+    r.code = static_cast<std::int32_t>(offset.work ? OffsetTable::Work : offset.store_table);
+    r.mask = static_cast<std::uint32_t>(offset.work ? offset.row : offset.number);
+    r.plane[0] = static_cast<std::uint8_t>(offset.work ? offset.place : static_cast<std::int32_t>(offset.field));
+    r.value = offset.value;
+    push(r, false, false);
+}
+
+void RecordSink::message(std::string_view text, const BlockContext& at) {
+    PathRecord r = event(RecordKind::Message, at, note([&](Sink& sink) { sink.message(text, at); }));
+    copy_text(text, r.text);
+    push(r, false, false);
+}
+
+void RecordSink::stop(const Stop& stop, const BlockContext& at) {
+    PathRecord r = event(RecordKind::Stop, at, note([&](Sink& sink) { sink.stop(stop, at); }));
+    r.code = static_cast<std::int32_t>(stop.reason);
+    const bool goes_on = stop.reason == StopReason::M00 || stop.reason == StopReason::M01;
+    if (!goes_on && more_parts_) r.kind = code_of(RecordKind::Barrier);   // reported, but the machine goes on with the next part
+    push(r, true, goes_on || more_parts_);
+    if (!goes_on) stopped_ = true;
+}
+
+void RecordSink::part(double count, const BlockContext& at) {
+    PathRecord r = event(RecordKind::Part, at, note([&](Sink& sink) { sink.part(count, at); }));
+    r.value = count;
+    push(r, false, false);
+}
+
+// In path order: the machine drives what stands before it, then reports it and stands.
+void RecordSink::alarm(const Diagnosis& diagnosis, const BlockContext& at) {
+    const std::uint64_t number = note([&](Sink& sink) { sink.alarm(diagnosis, at); });
+    const bool error = diagnosis.severity() == Severity::Error;
+    PathRecord r = event(error ? RecordKind::Stop : RecordKind::Message, at, number);
+    r.code = error ? static_cast<std::int32_t>(StopReason::Alarm) : 0;
+    r.value = static_cast<double>(static_cast<std::int32_t>(diagnosis.alarm));
+    copy_text(diagnosis.text(), r.text);
+    push(r, error, false);
+    if (error) stopped_ = failed_ = true;
+}
+
+void RecordSink::barrier(const BlockContext& at) {
+    PathRecord r = event(RecordKind::Barrier, at, 0);
+    push(r, true, true);
+}
+
+void RecordSink::block_end(const BlockContext& at) { last_ = at; }
+
+void RecordSink::reach_barrier() {
+    if (!drained_) barrier(last_);
+}
+
+void RecordSink::finish(StopReason reason) {
+    if (stopped_) maker_->flush();
+    else stop({reason}, last_);
+}
+
+void RecordSink::end_of_part() { reach_barrier(); }
+
+}  // namespace polyturn::channels

@@ -1,0 +1,74 @@
+// The sink of a running channel: elementary results become records of the ring, in path order, and notes that describe them.
+//
+// Invariants
+//   I1  A note is in its ring before the record that names it.
+//   I2  A record that is not motion leaves behind the last move before it; where the machine must stand for it, that move
+//       ends with a stop. Standing: dwell, M S T to the PLC, wait (a flying one brakes only if it must), program stop,
+//       barrier, spindle positioning. Not: spindle speed and surface speed, variables, offsets, messages, parts.
+//   I3  Behind a record with kDrains nothing is pushed before the kernel has answered it; drain_index() is its place.
+#pragma once
+#include <functional>
+
+#include "channels/machine_view.hpp"
+#include "channels/path/path_maker.hpp"
+#include "channels/process/ring_out.hpp"
+#include "channels/sink.hpp"
+
+namespace polyturn::channels {
+
+class RecordSink : public Sink {
+public:
+    // describe: a sink that appends its event objects to `text`, one a line; nullptr when nobody wants notes.
+    // put_note: number and text into the note ring, waiting for room.
+    using PutNote = std::function<void(std::uint64_t, std::string_view)>;
+    RecordSink(const MachineView& view, PathMaker& maker, RingOut& ring, Sink* describe, std::string* text, PutNote put_note)
+        : view_(&view), maker_(&maker), ring_(&ring), describe_(describe), text_(text), put_note_(std::move(put_note)) {}
+
+    void move(const Move&, const BlockContext&) override;
+    void dwell(const Dwell&, const BlockContext&) override;
+    void aux(const Aux&, const BlockContext&) override;
+    void spindle(const Spindle&, const BlockContext&) override;
+    void wait(const Wait&, const BlockContext&) override;
+    void variable(const Variable&, const BlockContext&) override;
+    void offset(const OffsetWrite&, const BlockContext&) override;
+    void message(std::string_view text, const BlockContext&) override;
+    void stop(const Stop&, const BlockContext&) override;
+    void part(double count, const BlockContext&) override;
+    void alarm(const Diagnosis&, const BlockContext&) override;
+    void barrier(const BlockContext&) override;
+    void block_end(const BlockContext&) override;
+
+    // The program has come to a barrier, or to its end: everything is out afterwards. `stop`: what ends it unless the
+    // program itself has; a barrier without a record of its own gets one.
+    void reach_barrier();
+    void finish(StopReason reason);
+    void end_of_part();   // the program has ended, another part follows: a barrier instead of the stop
+    void more_parts(bool more) { more_parts_ = more; }
+
+    std::uint64_t drain_index() const { return drain_index_; }
+    bool failed() const { return failed_; }
+    std::uint64_t next_note() const { return note_ + 1; }
+    void continue_notes(std::uint64_t last) { note_ = last; }
+
+private:
+    PathRecord event(RecordKind kind, const BlockContext& at, std::uint64_t note) const;
+    void push(PathRecord& record, bool stands, bool drains);
+    template <class Call> std::uint64_t note(Call&& call);
+    void fill_arc(const Move& move, PathRecord& record) const;
+
+    const MachineView* view_;
+    PathMaker* maker_;
+    RingOut* ring_;
+    Sink* describe_;
+    std::string* text_;
+    PutNote put_note_;
+    std::uint64_t note_ = 0;
+    std::uint64_t drain_index_ = 0;
+    bool drained_ = false;      // the newest record drains
+    bool stopped_ = false;      // the program has ended itself
+    bool failed_ = false;       // an error was delivered
+    bool more_parts_ = false;
+    BlockContext last_{};       // place of the newest record, without texts
+};
+
+}  // namespace polyturn::channels

@@ -1,0 +1,39 @@
+#include "channels/process/ring_out.hpp"
+
+namespace polyturn::channels {
+
+RingOut::RingOut(ChannelSegment& own, const KernelSegment& kernel, unsigned index, std::uint64_t horizon, EventInbox& inbox)
+    : own_(&own), kernel_(&kernel), index_(index), horizon_(horizon), inbox_(&inbox), producer_(own.path, kernel.path_tail[index]) {}
+
+bool RingOut::may_wait() {
+    own_->heartbeat.fetch_add(1, std::memory_order_relaxed);
+    inbox_->poll();
+    if (inbox_->interrupts()) aborted_ = true;
+    else own_->bell.ring();
+    return !aborted_;
+}
+
+bool RingOut::wait_for_kernel() {
+    const Doorbell& bell = kernel_->channel_bell[index_];
+    const std::uint32_t seen = bell.seen();
+    if (!may_wait()) return false;
+    if (!producer_.claim()) bell.wait(seen, 20'000);
+    return true;
+}
+
+PathRecord& RingOut::claim() {
+    while (!aborted_) {
+        if (PathRecord* slot = producer_.claim()) return *(claimed_ = slot);
+        if (!wait_for_kernel()) break;
+    }
+    return scratch_;
+}
+
+void RingOut::commit() {
+    if (aborted_) return;
+    claimed_->epoch = own_->epoch.load(std::memory_order_relaxed);
+    producer_.commit();
+    if (producer_.head() - kernel_->path_tail[index_].tail.load(std::memory_order_acquire) == horizon_) own_->bell.ring();
+}
+
+}  // namespace polyturn::channels

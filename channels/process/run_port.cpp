@@ -1,0 +1,76 @@
+#include "channels/process/run_port.hpp"
+
+#include <ctime>
+
+namespace polyturn::channels {
+
+RunPort::RunPort(const KernelSegment& kernel, unsigned channel)
+    : kernel_(&kernel), channel_(channel), status_(std::make_unique<MachineStatus>()), plc_(std::make_unique<PlcOutputs>()) {}
+
+void RunPort::look() {
+    // A reader that is overtaken 64 times tries again: the picture must be whole, and the kernel never waits for it.
+    while (!kernel_->status.read(*status_)) {}
+    while (!kernel_->plc_seen.read(*plc_)) {}
+}
+
+std::optional<double> RunPort::axis_command(unsigned machine_axis) { return status_->axes[machine_axis].cmd; }
+std::optional<double> RunPort::axis_measured(unsigned machine_axis) { return status_->axes[machine_axis].act; }
+std::optional<double> RunPort::axis_at_skip(unsigned machine_axis) { return status_->axes[machine_axis].cmd; }
+
+bool RunPort::block_skip(unsigned number) { return number >= 1 && number <= 9 && (own().keys & (kKeyBlockSkip1 << (number - 1))) != 0; }
+bool RunPort::optional_stop() { return (own().keys & kKeyOptionalStop) != 0; }
+bool RunPort::single_block() { return (own().keys & kKeySingleBlock) != 0; }
+
+// #1000.. are the machine's inputs, #1100.. its outputs, one bit each.
+double RunPort::interface_value(std::int32_t variable) {
+    if (const auto given = given_variable("#" + std::to_string(variable))) return *given;
+    if (variable >= 1000 && variable < 1000 + static_cast<std::int32_t>(kInputs) && variable < 1100) {
+        PlcInputs inputs;
+        while (!kernel_->plc_inputs.read(inputs)) {}
+        return inputs.input[static_cast<std::size_t>(variable - 1000)];
+    }
+    if (variable >= 1100 && variable < 1200) return plc_->output[static_cast<std::size_t>(variable - 1100)];
+    return 0;
+}
+
+std::optional<double> RunPort::given_variable(std::string_view name) {
+    if (!setup_) return std::nullopt;
+    for (const text::SetupVariable& variable : setup_->channel(channel_).variables)
+        if (variable.name == name && !variable.is_text) return variable.value;
+    return std::nullopt;
+}
+
+// The setup's clock goes on with the machine's time, so that a virtual run reads the same every time.
+CalendarTime RunPort::clock() {
+    std::tm at{};
+    if (setup_ && setup_->clock) {
+        const text::Clock& c = *setup_->clock;
+        at.tm_year = c.year - 1900, at.tm_mon = c.month - 1, at.tm_mday = c.day;
+        at.tm_hour = c.hour, at.tm_min = c.minute, at.tm_sec = c.second + static_cast<int>(running_ms() / 1000);
+        at.tm_isdst = -1;
+        timegm(&at);   // brings seconds beyond 59 into minutes, hours, days
+    } else {
+        const std::time_t now = std::time(nullptr);
+        localtime_r(&now, &at);
+    }
+    return {at.tm_year + 1900, at.tm_mon + 1, at.tm_mday, at.tm_hour, at.tm_min, at.tm_sec};
+}
+
+double RunPort::running_ms() {
+    return static_cast<double>(status_->tick) * static_cast<double>(kernel_->tick_ns.load(std::memory_order_relaxed)) * 1e-6;
+}
+
+bool RunPort::stroke_limits(unsigned machine_axis, double& min, double& max) {
+    const StrokeRange& stroke = machine_->axes[machine_axis].stroke;
+    if (!stroke.enabled) return false;
+    const bool all_b = plc_->signal[PlcSignal{signals::cp_limsel}(channel_)] != 0;
+    const bool max_b = all_b || plc_->signal[PlcSignal{signals::ap_limselp}(machine_axis + 1)] != 0;
+    const bool min_b = all_b || plc_->signal[PlcSignal{signals::ap_limseln}(machine_axis + 1)] != 0;
+    max = max_b ? stroke.max_b_mm : stroke.max_a_mm;
+    min = min_b ? stroke.min_b_mm : stroke.min_a_mm;
+    return true;
+}
+
+Port::Turning RunPort::started_by_others(unsigned) { return Turning::Watched; }
+
+}  // namespace polyturn::channels

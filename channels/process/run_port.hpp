@@ -1,0 +1,43 @@
+// The port of a running channel: answers from the machine's picture as of the tick at which the barrier was reached.
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "channels/port.hpp"
+#include "ipc/image/segments.hpp"
+#include "ipc/machine/machine_config.hpp"
+#include "ipc/text/setup.hpp"
+
+namespace polyturn::channels {
+
+class RunPort : public Port {
+public:
+    RunPort(const KernelSegment& kernel, unsigned channel);
+    void configure(const MachineConfig& machine, const text::Setup* setup) { machine_ = &machine, setup_ = setup; }
+    void look();   // takes the picture: at cycle start and when a barrier has been reached
+
+    std::optional<double> axis_command(unsigned machine_axis) override;
+    std::optional<double> axis_measured(unsigned machine_axis) override;
+    std::optional<double> axis_at_skip(unsigned machine_axis) override;
+    bool block_skip(unsigned number) override;
+    bool optional_stop() override;
+    bool single_block() override;
+    double interface_value(std::int32_t variable) override;
+    std::optional<double> given_variable(std::string_view name) override;
+    CalendarTime clock() override;
+    double running_ms() override;
+    bool stroke_limits(unsigned machine_axis, double& min, double& max) override;
+    Turning started_by_others(unsigned spindle) override;
+    const MachineStatus& picture() const { return *status_; }
+
+private:
+    const ChannelStatus& own() const { return status_->channels[channel_ - 1]; }
+    const KernelSegment* kernel_;
+    unsigned channel_;
+    const MachineConfig* machine_ = nullptr;
+    const text::Setup* setup_ = nullptr;
+    std::unique_ptr<MachineStatus> status_;
+    std::unique_ptr<PlcOutputs> plc_;
+};
+
+}  // namespace polyturn::channels
