@@ -12,7 +12,7 @@
 //          a < -A at the start: jerk +J to -A first; (1) holds with that state.
 // Cost     One square root.
 // The trap: the distance to (w, 0) is not monotonous in w; to a crawl it can be longer than to a stop. For a fixed start
-//          it rises and then falls as w grows from 0, so the least over [0, w] lies at an end: shortest_to_below().
+//          it rises and then falls as w grows from 0, so the least over [0, w] lies at an end.
 // Source   Biagiotti, Melchiorri: Trajectory Planning for Automatic Machines and Robots, 2008, section 3.4.
 #pragma once
 #include <algorithm>
@@ -83,10 +83,12 @@ struct SpeedProfile {
         x = advanced(x, p.jerk[i], t);
         left -= t;
     }
-    if (left > 0) {
+    if (p.duration() <= dt * (1 + 1e-6)) {  // there: exactly, not but for rounding
         x.v = w;
         x.a = 0;
         x.s += w * left;
+    } else if (x.v < 0 && x.v > -1e-9) {
+        x.v = 0;
     }
     return x;
 }
@@ -97,6 +99,13 @@ struct SpeedProfile {
 }
 [[nodiscard]] inline double stopping_distance(double v, double a, double a_max, double j_max) noexcept {
     return distance_to_speed(v, a, 0, a_max, j_max);
+}
+// No speed at all takes longer to brake to than this: the stopping distance and what the trap adds at the most. With
+// u = v + a^2/(2J), the speed of which (v, a) is a part of the braking: the longest is to u/3, by 0.0887 u sqrt(u/J), as
+// long as A is not reached; with A reached to A^2/(2J), by A^3/(8 J^2).
+[[nodiscard]] inline double longest_braking(double v, double a, double a_max, double j_max) noexcept {
+    const double u = v + a * a / (2 * j_max);
+    return stopping_distance(v, a, a_max, j_max) + std::min(0.09 * u * std::sqrt(u / j_max), a_max * a_max * a_max / (8 * j_max * j_max));
 }
 [[nodiscard]] inline double stopping_time(double v, double a, double a_max, double j_max) noexcept {
     return profile_to_speed(v, a, 0, a_max, j_max).duration();

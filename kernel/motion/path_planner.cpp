@@ -9,16 +9,19 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Planning uses a little less jerk than allowed; the rest is what landing() needs to end exactly at a point.
 constexpr double kPlannedJerk = 0.995;
 constexpr double kCeilingTolerance = 1e-9;  // mm
+// Rounding of distances that are computed again from the next tick's state.
+double with_rounding(double distance) noexcept { return distance * (1 + 1e-10) + 1e-13; }
 
 // Ceiling c from distance d on, from (v, a): can it be kept?
-bool keeps(double v, double a, double d, double c, double a_max, double j_max) noexcept {
+// stop_short: standing before d counts, which can be shorter than slowing to a crawl but costs time.
+bool keeps(double v, double a, double d, double c, double a_max, double j_max, bool stop_short) noexcept {
     const double release = release_speed(v, a, j_max);
-    if (release <= c) {
-        if (a >= 0 || v <= c) return d >= 0 || v * v + 2 * std::min(a, 0.0) * d <= c * c * (1 + 1e-9);
+    if (release <= c * (1 + 1e-9)) {
+        if (a >= 0 || v <= c * (1 + 1e-9)) return true;
         return release_distance_to(v, a, c, j_max) <= d + kCeilingTolerance;
     }
     const double limit = d + kCeilingTolerance;
-    return distance_to_speed(v, a, c, a_max, j_max) <= limit || stopping_distance(v, a, a_max, j_max) <= limit;
+    return distance_to_speed(v, a, c, a_max, j_max) <= limit || (stop_short && stopping_distance(v, a, a_max, j_max) <= limit);
 }
 
 }  // namespace
@@ -105,15 +108,20 @@ bool PathPlanner::stops_at_end(std::uint64_t record) const noexcept {
 
 void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input) noexcept {
     view.target_count = view.drop_count = 0;
+    view.has_witness = false;
+    Drop kept{};
+    view.stop_short = which == Ceilings::Hard;
     view.end = kInfinity;
     view.end_record = kNone;
+    view.beyond = first_ + 1;
     const double v = state_.v, a = state_.a;
     const Slot& running = at(first_);
     double run_a = running.a_max, run_j = running.j_max;
     view.tick_a = run_a;
     view.tick_j = run_j;
     view.ceiling = ceiling_of(running, which, input);
-    double lowest = kInfinity;  // ceilings of the targets so far
+    view.top = running.v_max;
+    double lowest = view.ceiling;  // of the targets so far
     double distance = running.length - state_.s;
     double reach = 0, need = 0;
     // How far this tick can lead, and how far from there to a standstill.
@@ -121,9 +129,9 @@ void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input)
         const double up = std::max(a, 0.0) + run_j * dt_;
         const double v_next = v + up * dt_;
         reach = v_next * dt_;
-        need = reach + stopping_distance(v_next, std::min(up, std::max(run_a, a)), run_a, run_j);
+        need = reach + longest_braking(v_next, std::min(up, std::max(run_a, a)), run_a, run_j);
         for (std::uint32_t i = 0; i < view.drop_count; ++i) {
-            need = std::max(need, view.drops[i].distance + stopping_distance(view.drops[i].speed, 0, run_a, run_j));
+            need = std::max(need, view.drops[i].distance + longest_braking(view.drops[i].speed, 0, run_a, run_j));
         }
     };
     measure();
@@ -139,11 +147,15 @@ void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input)
         }
         if (distance >= need) break;
         const Slot& slot = at(++record);
+        if (record == witness_.record && which == Ceilings::Hard) {
+            kept = {distance, witness_.speed, witness_.a, witness_.j, record};
+            view.has_witness = true;
+        }
+        view.beyond = record + 1;
         if (slot.length > 0) {
-            const double ceiling = ceiling_of(slot, which, input);
+            const double ceiling = ceiling_of(slot, which, input), before_a = run_a, before_j = run_j;
             if (slot.a_max < run_a || slot.j_max < run_j) {
-                const bool counts = slot.a_max < 0.98 * run_a || slot.j_max < 0.98 * run_j;
-                if (counts && view.drop_count < kDrops) view.drops[view.drop_count++] = {distance, ceiling, run_a, run_j};
+                if (view.drop_count < kDrops) view.drops[view.drop_count++] = {distance, ceiling, run_a, run_j, record};
                 run_a = std::min(run_a, slot.a_max);
                 run_j = std::min(run_j, slot.j_max);
                 measure();
@@ -158,7 +170,7 @@ void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input)
                     view.end = distance;
                     break;
                 }
-                view.targets[view.target_count++] = {distance, ceiling};
+                view.targets[view.target_count++] = {distance, ceiling, before_a, before_j};
                 lowest = ceiling;
             }
             distance += slot.length;
@@ -166,7 +178,10 @@ void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input)
     }
     view.a = run_a;
     view.j = run_j;
+    const double now = ceiling_of(running, which, input);
+    if (release_speed(v, std::max(a, 0.0), run_j) <= now) view.top = now;
     if (view.drop_count > 0) settle_drops(view);
+    view.drops[view.drop_count] = kept;
 }
 
 // Lower each drop's speed until everything behind it can be kept from there with acceleration 0.
@@ -177,7 +192,7 @@ void PathPlanner::settle_drops(View& view) const noexcept {
             const Target& target = view.targets[i];
             if (target.distance <= drop.distance || target.ceiling >= drop.speed) continue;
             const double gap = target.distance - drop.distance;
-            if (!keeps(drop.speed, 0, gap, target.ceiling, view.a, view.j)) drop.speed = std::min(drop.speed, top_speed(gap, target.ceiling, view.a, view.j));
+            if (!keeps(drop.speed, 0, gap, target.ceiling, view.a, view.j, true)) drop.speed = std::min(drop.speed, top_speed(gap, target.ceiling, view.a, view.j));
         }
         if (view.end < kInfinity) {
             const double gap = std::max(0.0, view.end - drop.distance);
@@ -186,50 +201,87 @@ void PathPlanner::settle_drops(View& view) const noexcept {
     }
 }
 
-bool PathPlanner::safe(const View& view, const PathState& next) noexcept {
+PathPlanner::Step PathPlanner::step_towards(double speed, double a, double j) const noexcept {
+    return {speed, a, j, towards_speed({0, state_.v, state_.a}, speed, a, j, dt_)};
+}
+
+// Where a step has come to a distance, found by bisection: how fast is it there?
+double PathPlanner::speed_at(const Step& step, double distance) const noexcept {
+    const PathState start{0, state_.v, state_.a};
+    double low = 0, high = dt_;
+    for (int i = 0; i < 40; ++i) {
+        const double middle = (low + high) / 2;
+        (towards_speed(start, step.speed, step.a, step.j, middle).s < distance ? low : high) = middle;
+    }
+    return towards_speed(start, step.speed, step.a, step.j, high).v;
+}
+
+// Can everything in view be kept after this step, and is it kept in it?
+bool PathPlanner::safe(const View& view, const Step& step, Witness& witness) const noexcept {
+    const PathState& next = step.next;
     const double v = next.v, a = next.a;
     if (v < 0) return false;
-    if (a < 0 && release_speed(v, a, view.j) < -1e-9) return false;  // could not but reverse
+    for (std::uint32_t i = 0; i < view.target_count && view.targets[i].distance < next.s; ++i) {
+        if (speed_at(step, view.targets[i].distance) > view.targets[i].ceiling * (1 + 1e-4)) return false;
+    }
     const auto all_kept = [&](double until, double a_max, double j_max) {
+        if (a > 0 && release_speed(v, a, j_max) > view.top * (1 + 1e-9)) return false;
         for (std::uint32_t i = 0; i < view.target_count && view.targets[i].distance < until; ++i) {
-            if (!keeps(v, a, view.targets[i].distance - next.s, view.targets[i].ceiling, a_max, j_max)) return false;
+            if (!keeps(v, a, view.targets[i].distance - next.s, view.targets[i].ceiling, a_max, j_max, view.stop_short)) return false;
         }
         return true;
     };
-    if (std::abs(a) <= view.a * (1 + 1e-12) &&
-        (view.end == kInfinity || stopping_distance(v, a, view.a, view.j) <= view.end - next.s) && all_kept(kInfinity, view.a, view.j)) {
+    const auto cannot_but_reverse = [&](double j_max) { return a < 0 && release_speed(v, a, j_max) < -1e-9; };
+    // Under the least limits of the whole view; acceleration above them must have gone before the first drop.
+    bool within = std::abs(a) <= view.a * (1 + 1e-12);
+    if (!within && view.drop_count > 0) {
+        const double j = a > 0 ? -view.j : view.j;
+        within = advanced(next, j, (std::abs(a) - view.a) / view.j).s <= view.drops[0].distance;
+    }
+    if (within && !cannot_but_reverse(view.j) &&
+        (view.end == kInfinity || stopping_distance(v, a, view.a, view.j) <= with_rounding(view.end - next.s)) && all_kept(kInfinity, view.a, view.j)) {
+        witness = {view.beyond, 0, view.a, view.j};
         return true;
     }
-    for (std::uint32_t d = 0; d < view.drop_count; ++d) {
+    // Or down to the speed of a drop, under the limits before it.
+    for (std::uint32_t d = 0; d < view.drop_count + (view.has_witness ? 1 : 0); ++d) {
         const Drop& drop = view.drops[d];
         const double gap = drop.distance - next.s;
-        if (gap < 0 || std::abs(a) > drop.a * (1 + 1e-12)) continue;
-        // Acceleration must be gone there.
-        const double w = std::min(drop.speed, std::max(0.0, release_speed(v, a, drop.j)));
+        if (gap < 0 || std::abs(a) > drop.a * (1 + 1e-12) || cannot_but_reverse(drop.j)) continue;
+        const double w = std::min(drop.speed, std::max(0.0, release_speed(v, a, drop.j)));  // acceleration must be gone there
         const bool reached = distance_to_speed(v, a, w, drop.a, drop.j) <= gap + kCeilingTolerance ||
-                             stopping_distance(v, a, drop.a, drop.j) <= gap;
-        if (reached && all_kept(drop.distance, drop.a, drop.j)) return true;
+                             (view.stop_short && stopping_distance(v, a, drop.a, drop.j) <= gap + kCeilingTolerance);
+        if (reached && all_kept(drop.distance, drop.a, drop.j)) {
+            witness = {drop.record, drop.speed, drop.a, drop.j};
+            return true;
+        }
     }
     return false;
 }
 
+bool PathPlanner::take(const View& view, const Step& step) noexcept {
+    Witness witness;
+    if (!safe(view, step, witness)) return false;
+    witness_ = witness;
+    return true;
+}
+
 // The fastest safe step among those towards a speed up to goal.
-bool PathPlanner::best_towards(const View& view, double goal, double a, double j, PathState& next) const noexcept {
-    const PathState start{0, state_.v, state_.a};
-    next = towards_speed(start, goal, a, j, dt_);
-    if (safe(view, next)) return true;
+bool PathPlanner::best_towards(const View& view, double goal, double a, double j, PathState& next) noexcept {
+    const Step most = step_towards(goal, a, j), least = step_towards(0, a, j);
+    next = most.next;
+    if (take(view, most)) return true;
+    next = least.next;
+    if (!take(view, least)) return false;
     // What a tick of full jerk either way leads to bounds the speeds worth asking for.
-    const PathState down = towards_speed(start, 0, a, j, dt_);
-    if (!safe(view, down)) return false;
-    const double up_a = std::min(start.a + j * dt_, a);
-    const double highest = release_speed(start.v + std::max(start.a, up_a) * dt_, up_a, j);
-    double low = std::clamp(release_speed(down.v, down.a, j), 0.0, goal), high = std::min(goal, highest);
-    next = down;
+    const double up_a = std::min(state_.a + j * dt_, a);
+    const double highest = release_speed(state_.v + std::max(state_.a, up_a) * dt_, up_a, j);
+    double low = std::clamp(release_speed(least.next.v, least.next.a, j), 0.0, goal), high = std::min(goal, highest);
     for (int i = 0; i < 12 && low < high; ++i) {
         const double middle = (low + high) / 2;
-        const PathState tried = towards_speed(start, middle, a, j, dt_);
-        if (safe(view, tried)) {
-            next = tried;
+        const Step tried = step_towards(middle, a, j);
+        if (take(view, tried)) {
+            next = tried.next;
             low = middle;
         } else {
             high = middle;
@@ -239,38 +291,46 @@ bool PathPlanner::best_towards(const View& view, double goal, double a, double j
 }
 
 PathState PathPlanner::choose(const PathInput& input) noexcept {
-    const PathState start{0, state_.v, state_.a};
     look_ahead(view_, Ceilings::Wanted, input);
     if (landing_end_ != kNone) {
         if (view_.end_record == landing_end_) return landing_step();
         landing_end_ = kNone;  // the way goes on
     }
     const double goal = input.hold ? 0 : view_.ceiling;
-    PathState next = towards_speed(start, goal, view_.tick_a, view_.tick_j, dt_);
-    if (safe(view_, next)) return next;
+    Step step = step_towards(goal, view_.tick_a, view_.tick_j);
+    if (take(view_, step)) return step.next;
     if (begin_landing(view_)) return landing_step();
+    PathState next;
     if (best_towards(view_, goal, view_.tick_a, view_.tick_j, next)) return next;
     if (best_towards(view_, goal, view_.a, view_.j, next)) return next;
     // What is wanted cannot be kept (a feed has been lowered): brake to the lowest that is violated, as the hard limits allow.
-    double wanted = goal;
+    const PathState down = step_towards(0, view_.tick_a, view_.tick_j).next;
+    double wanted = std::min(goal, state_.v);
     for (std::uint32_t i = 0; i < view_.target_count; ++i) {
         const Target& target = view_.targets[i];
-        if (!keeps(next.v, next.a, target.distance - next.s, target.ceiling, view_.a, view_.j)) {
-            wanted = std::min(wanted, target.ceiling);
-            break;
-        }
+        if (!keeps(down.v, down.a, target.distance - down.s, target.ceiling, target.a, target.j, false)) wanted = std::min(wanted, target.ceiling);
     }
     look_ahead(view_, Ceilings::Hard, input);
     if (begin_landing(view_)) return landing_step();
     if (best_towards(view_, wanted, view_.tick_a, view_.tick_j, next)) return next;
     if (best_towards(view_, wanted, view_.a, view_.j, next)) return next;
+    // As the last step promised.
+    for (const double speed : {witness_.speed, 0.0}) {
+        step = step_towards(speed, witness_.a, witness_.j);
+        if (take(view_, step)) return step.next;
+    }
     for (std::uint32_t d = 0; d < view_.drop_count; ++d) {
         const Drop& drop = view_.drops[d];
-        next = towards_speed(start, std::min(wanted, drop.speed), drop.a, drop.j, dt_);
-        if (safe(view_, next)) return next;
+        for (const double speed : {std::min(wanted, drop.speed), 0.0}) {
+            step = step_towards(speed, drop.a, drop.j);
+            if (take(view_, step)) return step.next;
+        }
     }
+#ifdef PLANNER_TRACE
+    PLANNER_TRACE
+#endif
     ++anomalies_;
-    return towards_speed(start, 0, view_.a, view_.j, dt_);
+    return step_towards(0, view_.a, view_.j).next;
 }
 
 bool PathPlanner::begin_landing(const View& view) noexcept {
@@ -278,7 +338,7 @@ bool PathPlanner::begin_landing(const View& view) noexcept {
     if (view.end_record == kNone || !(v > 0) || std::abs(a) > view.a * (1 + 1e-12)) return false;
     const double allowed = view.j / kPlannedJerk;
     // Now, or can more speed still be had?
-    if (stopping_distance(v, a, view.a, 0.95 * view.j) <= distance && stopping_time(v, a, view.a, view.j) > 12 * dt_) return false;
+    if (stopping_distance(v, a, view.a, 0.95 * view.j) <= distance && stopping_time(v, a, view.a, view.j) > 3 * dt_) return false;
     double low = std::max(view.j / 100, a < 0 ? a * a / (2 * v) : 0.0), high = allowed;
     if (low > high || stopping_distance(v, a, view.a, high) > distance || stopping_distance(v, a, view.a, low) < distance) return false;
     for (int i = 0; i < 60; ++i) {
@@ -286,7 +346,7 @@ bool PathPlanner::begin_landing(const View& view) noexcept {
         (stopping_distance(v, a, view.a, middle) <= distance ? high : low) = middle;
     }
     for (std::uint32_t i = 0; i < view.target_count; ++i) {
-        if (!keeps(v, a, view.targets[i].distance, view.targets[i].ceiling, view.a, high)) return false;
+        if (!keeps(v, a, view.targets[i].distance, view.targets[i].ceiling, view.a, high, true)) return false;
     }
     landing_ = profile_to_speed(v, a, 0, view.a, high);
     landing_start_ = {0, v, a};

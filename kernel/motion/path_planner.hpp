@@ -112,24 +112,41 @@ public:
 private:
     static constexpr std::uint64_t kNone = ~0ull;
     static constexpr std::uint32_t kTargets = 256;
-    static constexpr std::uint32_t kDrops = 4;
+    static constexpr std::uint32_t kDrops = 8;
 
     struct Slot : PlannedRecord {
         double begin_fraction = 0, end_fraction = 0;
     };
-    struct Target { double distance, ceiling; };    // from this distance on not above the ceiling
-    struct Drop { double distance, speed, a, j; };  // limits before it; speed from which all behind it can be kept
+    struct Target {  // from this distance on not above the ceiling
+        double distance, ceiling;
+        double a, j;  // least limits before it
+    };
+    struct Drop {  // limits fall here
+        double distance, speed;  // speed from which, with acceleration 0, all behind it can be kept
+        double a, j;             // least limits before it
+        std::uint64_t record;    // that begins here
+    };
+    // What made the last step safe: from it one can be at the speed, with acceleration 0, where the record begins, or stand
+    // before it. Good until the record is reached, whatever else comes into view.
+    struct Witness {
+        std::uint64_t record;
+        double speed, a, j;
+    };
     enum class Ceilings : std::uint8_t { Hard, Wanted };
     // What lies ahead, as far as it can matter to this tick. Distances from the present point.
     struct View {
         std::array<Target, kTargets> targets;
-        std::array<Drop, kDrops> drops;
+        std::array<Drop, kDrops + 1> drops;  // the last one used may be the witness of the step before
         std::uint32_t target_count, drop_count;
+        bool has_witness;       // drops[drop_count] is
+        std::uint64_t beyond;   // first record that was not looked at
         double ceiling;         // over what this tick can touch
+        double top;             // ceiling now that is not violated yet
         double tick_a, tick_j;  // least limits over what this tick can touch
         double a, j;            // least limits over the whole view
         double end;             // the path must stand there; infinity: beyond the view
         std::uint64_t end_record;  // that is the end of this record; kNone: the view was full
+        bool stop_short;        // standing before a slow place is as good as slowing down for it
     };
 
     [[nodiscard]] const Slot& at(std::uint64_t record) const noexcept { return slots_[record % kPlannerWindow]; }
@@ -138,8 +155,16 @@ private:
     [[nodiscard]] bool stops_at_end(std::uint64_t record) const noexcept;
     void look_ahead(View& view, Ceilings which, const PathInput& input) noexcept;
     void settle_drops(View& view) const noexcept;
-    [[nodiscard]] static bool safe(const View& view, const PathState& next) noexcept;
-    [[nodiscard]] bool best_towards(const View& view, double goal, double a, double j, PathState& next) const noexcept;
+    // A tick of profile_to_speed.
+    struct Step {
+        double speed, a, j;  // towards this speed, with these limits
+        PathState next;
+    };
+    [[nodiscard]] Step step_towards(double speed, double a, double j) const noexcept;
+    [[nodiscard]] double speed_at(const Step& step, double distance) const noexcept;
+    [[nodiscard]] bool safe(const View& view, const Step& step, Witness& witness) const noexcept;
+    [[nodiscard]] bool best_towards(const View& view, double goal, double a, double j, PathState& next) noexcept;
+    [[nodiscard]] bool take(const View& view, const Step& step) noexcept;
     [[nodiscard]] PathState choose(const PathInput& input) noexcept;
     [[nodiscard]] bool begin_landing(const View& view) noexcept;
     [[nodiscard]] PathState landing_step() noexcept;
@@ -155,6 +180,7 @@ private:
     bool done_ = false;                  // the path stands at the end of record first_, which has ended
     std::uint64_t block_latch_ = kNone;  // single block: stand at the end of this record
     bool block_done_ = false;            // and it does
+    Witness witness_{kNone, 0, 0, 0};
     std::uint64_t landing_end_ = kNone;  // on a fixed profile that ends at the end of this record
     SpeedProfile landing_;
     PathState landing_start_;
