@@ -7,7 +7,6 @@
 //   Counter      0..99                      -                             -                value
 //   LastPosition axis, from 1               -                             -                machine coordinate, true mm or degrees
 //   Parameter    -                          -                             "N1600 L1=2.5"   -
-//                slot of params::Table      kParameterSlot                -                value
 //   Query        -                          -                             "N1600 L1"       -
 //   Flush        answered when everything before it is on disk
 //
@@ -19,12 +18,11 @@
 #include <optional>
 #include <string_view>
 
-#include "polyturn/image_structs.hpp"
 #include "ipc/image/enums.hpp"
+#include "polyturn/image_structs.hpp"
 
 namespace polyturn {
 
-inline constexpr std::int32_t kParameterSlot = 1;
 inline constexpr std::int32_t kCounters = 100;
 
 inline StoreRequest store_request(StoreRequestKind kind, std::uint32_t channel, std::int32_t number, std::int32_t field, double value) noexcept {

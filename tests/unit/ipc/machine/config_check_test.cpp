@@ -1,0 +1,140 @@
+#include "ipc/machine/config_check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "ipc/machine/machine_config.hpp"
+#include "ipc/params/param_file.hpp"
+
+namespace {
+
+using namespace polyturn;
+
+std::string read(const std::string& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+params::Table twin_turret_with(const std::vector<const char*>& lines) {
+    params::Table table = params::defaults();
+    const std::string path = std::string(POLYTURN_SOURCE_DIR) + "/examples/machines/twin-turret/machine.params";
+    const auto file = params::parse_param_file(read(path), path);
+    EXPECT_TRUE(file.ok());
+    EXPECT_TRUE(params::apply(table, file));
+    for (const char* line : lines) {
+        const auto assignment = params::parse_assignment(line);
+        EXPECT_TRUE(assignment && params::apply(table, {&*assignment, 1})) << line;
+    }
+    return table;
+}
+
+// Each set of lines makes the twin-turret lathe contradict itself in exactly one way.
+struct Row {
+    std::vector<const char*> lines;
+    Alarm alarm;
+    const char* names;   // what the operator must read: the parameter with scope and value
+};
+const Row kRows[] = {
+    {{"N0002 A7=5"}, Alarm::ConfigAxisChannel, "N0002 A7=5"},
+    {{"N0002 A7=50"}, Alarm::ConfigAxisChannel, "N0002 A7=50"},
+    {{"N0002 A7=1", "N0100 A7=88"}, Alarm::ConfigAxisNameTwice, "A1 (X) and A7 (X)"},
+    {{"N0100 A5=68"}, Alarm::ConfigAxisName, "N0100 A5=68"},
+    {{"N0101 A5=40"}, Alarm::ConfigAxisName, "N0101 A5=40"},
+    {{"N0101 A5=65", "N0102 A5=40"}, Alarm::ConfigAxisName, "N0102 A5=40"},
+    {{"N0103 A5=3"}, Alarm::ConfigPlaneRole, "N0103 A5=3"},
+    {{"N0103 A5=4"}, Alarm::ConfigPlaneRole, "N0103 A5=4"},
+    {{"N0005=50"}, Alarm::ConfigTick, "N0005=50"},
+    {{"N0304 A1=0"}, Alarm::ConfigMotionLimit, "N0304 A1=0"},
+    {{"N0305 A1=0"}, Alarm::ConfigMotionLimit, "N0305 A1=0"},
+    {{"N0400 A4=0"}, Alarm::ConfigMotionLimit, "N0400 A4=0"},
+    {{"N0504 A4=0"}, Alarm::ConfigMotionLimit, "N0504 A4=0"},
+    {{"N1002 A2=-900"}, Alarm::ConfigStroke, "N1002 A2=-900"},
+    {{"N1004 A2=-900"}, Alarm::ConfigStroke, "N1004 A2=-900"},
+    {{"N1000 A2=00000101", "N1008 A2=1", "N1009 A2=2"}, Alarm::ConfigStroke, "N1008 A2=1"},
+    {{"N1000 A2=00000011", "N1001#1 L1=1", "N1006 A2=1", "N1007 A2=2"}, Alarm::ConfigStroke, "N1006 A2=1"},
+    {{"N0604 L2=7"}, Alarm::ConfigSpindleMissing, "N0604 L2=7"},
+    {{"N0687 L2=1"}, Alarm::ConfigSurfaceAxis, "N0687 L2=1"},
+    {{"N0687 L1=5"}, Alarm::ConfigSurfaceAxis, "N0687 L1=5"},
+    {{"N2201=700"}, Alarm::ConfigWaitCodes, "N2201=700"},
+    {{"N2201=30"}, Alarm::ConfigWaitCodes, "N2201=30"},
+    {{"N2201=0"}, Alarm::ConfigWaitCodes, "N2201=0"},
+    {{"N0503 A2=1"}, Alarm::ConfigOutputShared, "N0503 A1=1 and N0503 A2=1"},
+    {{"N0603 S3=41"}, Alarm::ConfigOutputShared, "N0603 S1=41 and N0603 S3=41"},
+    {{"N0108 A5=0"}, Alarm::ConfigRollover, "N0108 A5=0"},
+    {{"N0642 S1=4600"}, Alarm::ConfigSpindleSpeed, "N0642 S1=4600"},
+    {{"N0650 S1=5100"}, Alarm::ConfigSpindleSpeed, "N0650 S1=5100"},
+    {{"N2101 A2=9"}, Alarm::ConfigAxisReference, "N2101 A2=9"},
+    {{"N2104 A2=2"}, Alarm::ConfigAxisReference, "N2104 A2=2"},
+    {{"N0534 A2=12"}, Alarm::ConfigAxisReference, "N0534 A2=12"},
+    {{"N1400 L1=990"}, Alarm::ConfigOffsets, "N1400 L1=990"},
+    {{"N1333 L1=67"}, Alarm::ConfigAuxAddress, "N1333 L1=67"},
+    {{"N0421#0 L1=1", "N1337#0 L1=1"}, Alarm::ConfigRapidOverlap, "N0421 L1"},
+    // Pitch tables: part 2, section 26.
+    {{"N0106 A2=4", "N2500 A2=8", "N2507 A2=2", "N2508 A2=10500", "N2509 A2=10510", "N2510 A2=25"}, Alarm::ConfigPitch, "N2510 A2=25"},
+    {{"N2500 A2=8", "N2507 A2=2", "N2508 A2=10500", "N2509 A2=10510", "N2510 A2=20"}, Alarm::ConfigPitch, "N2500 A2=00001000"},
+    {{"N2500 A5=5", "N2501 A5=10", "N2502 A5=10000", "N2503 A5=10000", "N2504 A5=10030"}, Alarm::ConfigPitch, "N2506 A5=360"},
+    {{"N2500 A2=1", "N2501 A2=10", "N2502 A2=20000", "N2503 A2=10000", "N2504 A2=10030"}, Alarm::ConfigPitch, "N2502 A2=20000"},
+    {{"N2500 A2=1", "N2501 A2=0", "N2502 A2=10000", "N2503 A2=10000", "N2504 A2=10030"}, Alarm::ConfigPitch, "N2501 A2=0"},
+};
+
+TEST(MachineCheck, NamesParameterScopeAndValueOfEachContradiction) {
+    for (const Row& row : kRows) {
+        SCOPED_TRACE(row.names);
+        const auto found = check_machine_config(twin_turret_with(row.lines));
+        ASSERT_EQ(found.size(), 1u) << (found.size() > 1 ? found[1].text() : "nothing found");
+        EXPECT_EQ(found[0].alarm, row.alarm) << found[0].text();
+        EXPECT_NE(found[0].detail.find(row.names), std::string::npos) << found[0].detail;
+    }
+}
+
+// What looks like a contradiction and is none.
+TEST(MachineCheck, LetsPassWhatTheSpecificationAllows) {
+    const std::vector<const char*> kGood[] = {
+        {},                                                    // the machine as it is; C axes share their spindles' drives
+        {"N2201=0", "N2202=0"},                                // no waiting codes
+        {"N0002 A7=99"},                                       // measured only
+        {"N0002 A7=1", "N0100 A7=88", "N0101 A7=50"},          // X2 beside X
+        {"N0002 A7=2", "N0100 A7=89", "N0103 A7=5"},           // parallel to X
+        {"N0106 A6=10000010", "N0400 A6=0", "N0503 A6=1"},     // hypothetical: no drive of its own
+        {"N1000 A2=0", "N1002 A2=-900"},                       // a range that is not watched
+        {"N0604 L2=0", "N0687 L2=0"},                          // none
+        {"N2500 A5=5", "N2501 A5=10", "N2502 A5=10000", "N2503 A5=10000", "N2504 A5=10036", "N2506 A5=360"},
+    };
+    for (const auto& lines : kGood) {
+        const auto found = check_machine_config(twin_turret_with(lines));
+        EXPECT_TRUE(found.empty()) << (lines.empty() ? "plain" : lines[0]) << ": " << (found.empty() ? "" : found[0].text());
+    }
+}
+
+TEST(MachineCheck, FindsAllContradictionsAtOnce) {
+    const auto found = check_machine_config(twin_turret_with({"N0002 A7=5", "N0604 L2=7", "N2201=700", "N0304 A1=0"}));
+    EXPECT_EQ(found.size(), 4u);
+}
+
+TEST(MachineCheck, CountsAxesOfAChannelButNotDirectMeasuringDevices) {
+    params::Table table = twin_turret_with({});
+    for (unsigned a = 7; a <= 19; ++a) {   // with A1, A2, A5 sixteen axes of L1, named U0 to U9, V0 ...
+        params::put(table, params::n0002_axis_assign, 1, a);
+        params::put(table, params::n0100_axis_name1, a < 17 ? 'U' : 'V', a);
+        params::put(table, params::n0101_axis_name2, '0' + (a - 7) % 10, a);
+    }
+    EXPECT_TRUE(check_machine_config(table).empty());
+    params::put(table, params::n0002_axis_assign, 1, 20);
+    auto found = check_machine_config(table);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].alarm, Alarm::ConfigAxisCount);
+    params::put(table, params::n0534_dual_position_axis_number, 20, 1);   // A20 carries the scale of A1
+    EXPECT_TRUE(check_machine_config(table).empty());
+}
+
+TEST(MachineCheck, MissesNothingWhenThereIsNoMachineAtAll) {
+    const auto found = check_machine_config(params::defaults());
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].alarm, Alarm::ConfigNoChannel);
+}
+
+}  // namespace
