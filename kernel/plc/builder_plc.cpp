@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <cstring>
+#include <utility>
 
 #include "ipc/params/registry.hpp"
 
@@ -45,8 +46,9 @@ int parameter(const char* number, std::uint32_t instance, double* value) {
     return 1;
 }
 
-Diagnosis fault(Alarm alarm, const std::string& library, const std::string& why) {
-    return Diagnosis{alarm, Place{library, 0, 0, 0}, {}, library + ": " + why};
+Diagnosis fault(Alarm alarm, const std::string& library, std::string why) {
+    if (why.rfind(library + ": ", 0) == 0) why.erase(0, library.size() + 2);  // dlerror() names the file too
+    return Diagnosis{alarm, Place{library, 0, 0, 0}, {}, std::move(why)};
 }
 
 }  // namespace

@@ -1,0 +1,161 @@
+// polyturn-plc as a process, beside a kernel and a store that this test plays: answers, exit, and what each fault of a
+// builder's PLC ends in.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <string>
+#include <thread>
+
+#include "ipc/memory/segment.hpp"
+
+namespace polyturn::plc {
+namespace {
+
+class PlcProcess : public ::testing::Test {
+protected:
+    void SetUp() override {
+        instance_ = "test-plc-" + std::to_string(getpid());
+        auto kernel = OwnSegment<KernelSegment>::create(instance_, 7);
+        auto store = OwnSegment<StoreSegment>::create(instance_, 7);
+        ASSERT_TRUE(kernel && store);
+        kernel_ = std::move(*kernel);
+        store_ = std::move(*store);
+        params::set_defaults((*store_).parameters.draft());
+        (*store_).parameters.publish();
+        (*kernel_).tick_ns = 1'000'000;
+        kernel_.publish();
+        store_.publish();
+    }
+    void TearDown() override {
+        if (child_ > 0) kill(child_, SIGKILL), waitpid(child_, nullptr, 0);
+        remove_instance(instance_);
+    }
+    void start(const std::string& library) {
+        child_ = fork();
+        ASSERT_GE(child_, 0);
+        if (child_ == 0) {
+            const std::string program = POLYTURN_BIN_DIR "/polyturn-plc";
+            execl(program.c_str(), program.c_str(), "--instance", instance_.c_str(), "--library", library.c_str(), nullptr);
+            _exit(127);
+        }
+    }
+    void attach() {
+        auto plc = PeerSegment<PlcSegment>::attach(instance_, 0, std::chrono::seconds(10));
+        ASSERT_TRUE(plc) << plc.diagnosis().text();
+        plc_ = std::move(*plc);
+    }
+    // Sends the next inputs; true when they were answered.
+    bool cycle() {
+        KernelSegment& kernel = *kernel_;
+        PlcInputs& in = kernel.plc_inputs.draft();
+        in = inputs;
+        in.cycle = ++cycle_;
+        in.tick = static_cast<std::int64_t>(10 * cycle_);
+        kernel.plc_inputs.publish();
+        kernel.plc_bell.ring();
+        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+        while (plc_->cycle.load() != cycle_) {
+            if (waitpid(child_, &status_, WNOHANG) == child_) return child_ = 0, false;
+            if (std::chrono::steady_clock::now() > until) return false;
+            std::this_thread::yield();
+        }
+        return plc_->outputs.read(outputs) && outputs.cycle == cycle_;
+    }
+    bool dies() {
+        for (int i = 0; i < 1000; ++i) {
+            if (child_ > 0 && waitpid(child_, &status_, WNOHANG) == child_) child_ = 0;
+            if (child_ == 0) return true;
+            sleep_ms(10);
+        }
+        return false;
+    }
+
+    std::string instance_;
+    OwnSegment<KernelSegment> kernel_;
+    OwnSegment<StoreSegment> store_;
+    PeerSegment<PlcSegment> plc_;
+    PlcInputs inputs{};
+    PlcOutputs outputs{};
+    std::uint64_t cycle_ = 0;
+    pid_t child_ = -1;
+    int status_ = 0;
+};
+
+TEST_F(PlcProcess, AnswersEachCycleAndEndsWhenAsked) {
+    start(POLYTURN_BIN_DIR "/liblathe_plc.so");
+    attach();
+    inputs.signal[signals::n_machine_on()] = 1;
+    for (int i = 0; i < 200; ++i) ASSERT_TRUE(cycle());
+    inputs.signal[signals::cn_mcode(2)] = 8;
+    inputs.signal[signals::cn_mstr(2)] = 1;
+    ASSERT_TRUE(cycle());
+    EXPECT_EQ(outputs.signal[signals::cp_mfin(2)], 1);
+    EXPECT_EQ(outputs.output[8], 1) << "coolant of L2";
+    EXPECT_EQ(plc_->header.generation, 7U);
+    kill(child_, SIGTERM);
+    ASSERT_TRUE(dies());
+    EXPECT_TRUE(WIFEXITED(status_) && WEXITSTATUS(status_) == 0);
+}
+
+TEST_F(PlcProcess, BuilderExampleWorks) {
+    start(POLYTURN_BIN_DIR "/minimal_plc.so");
+    attach();
+    ASSERT_TRUE(cycle());
+    inputs.signal[signals::cn_mcode(1)] = 8;
+    inputs.signal[signals::cn_mstr(1)] = 1;
+    ASSERT_TRUE(cycle());
+    EXPECT_EQ(outputs.signal[signals::cp_mfin(1)], 1);
+    EXPECT_EQ(outputs.output[0], 1);
+}
+
+struct Fault { const char* library; bool signal; int number; };
+class PlcFault : public PlcProcess, public ::testing::WithParamInterface<Fault> {};
+
+TEST_P(PlcFault, EndsTheProcessAndTheLastOutputsStayWhole) {
+    start(std::string(POLYTURN_BIN_DIR "/") + GetParam().library);
+    attach();
+    for (int i = 0; i < 10; ++i) ASSERT_TRUE(cycle());
+    EXPECT_FALSE(cycle());
+    ASSERT_TRUE(dies());
+    EXPECT_EQ(WIFSIGNALED(status_), GetParam().signal);
+    EXPECT_EQ(GetParam().signal ? WTERMSIG(status_) : WEXITSTATUS(status_), GetParam().number);
+    ASSERT_TRUE(plc_->outputs.read(outputs));
+    EXPECT_EQ(outputs.cycle, 10U);
+    EXPECT_EQ(outputs.output[0], 1);
+}
+INSTANTIATE_TEST_SUITE_P(Builders, PlcFault,
+                         ::testing::Values(Fault{"crash_plc.so", true, SIGSEGV}, Fault{"endless_plc.so", false, 3}, Fault{"scribble_plc.so", true, SIGSEGV}));
+
+TEST_F(PlcProcess, PlcThatDoesNotStartIsRefusedWithExitStatus2) {
+    for (const char* library : {"unready_plc.so", "old_plc.so", "nowhere_plc.so"}) {
+        SCOPED_TRACE(library);
+        start(std::string(POLYTURN_BIN_DIR "/") + library);
+        ASSERT_TRUE(dies());
+        EXPECT_TRUE(WIFEXITED(status_) && WEXITSTATUS(status_) == 2) << status_;
+    }
+}
+
+TEST_F(PlcProcess, FollowsToANewKernel) {
+    start(POLYTURN_BIN_DIR "/liblathe_plc.so");
+    attach();
+    ASSERT_TRUE(cycle());
+    auto next = OwnSegment<KernelSegment>::create(instance_, 8);
+    ASSERT_TRUE(next);
+    (**next).tick_ns = 1'000'000;
+    next->publish();
+    kernel_ = std::move(*next);
+    for (int i = 0; i < 500 && plc_->header.generation != 8; ++i) {
+        sleep_ms(10);
+        auto plc = PeerSegment<PlcSegment>::attach(instance_);
+        if (plc) plc_ = std::move(*plc);
+    }
+    ASSERT_EQ(plc_->header.generation, 8U);
+    cycle_ = 0;
+    EXPECT_TRUE(cycle());
+}
+
+}  // namespace
+}  // namespace polyturn::plc
