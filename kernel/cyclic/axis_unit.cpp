@@ -38,7 +38,7 @@ bool AxisUnit::brake(double tick_s) noexcept {
     return v != 0.0;
 }
 
-void AxisUnit::exchange(double tick_s, bool powered, bool rapid) noexcept {
+void AxisUnit::exchange(double tick_s, bool powered) noexcept {
     if (powered && !powered_) command_ = target_ = measured_;  // follow-up (N0514 FUP = 0): closing the loop moves nothing
     powered_ = powered;
     const double v = (target_ - command_) / tick_s;

@@ -37,6 +37,7 @@ public:
     Fault fault() const noexcept { return fault_; }
     void clear_fault() noexcept { fault_ = Fault::None; }
     bool referenced = false;
+    bool rapid = false;                                    // feedforward in rapid is a choice of its own (N0515 FFR)
     std::uint32_t owner = 0;                               // channel (from 1) that moves it now
     std::uint32_t stroke_side = 0;                         // bit 0 at the positive end, bit 1 at the negative end
 
@@ -45,7 +46,7 @@ public:
     // Own braking at PT_ESTOP_DEC, away from any path (emergency stop, drive fault). True while it still moves.
     bool brake(double tick_s) noexcept;
     // The position loop and the drive; ends the tick. `powered`: the loop is closed.
-    void exchange(double tick_s, bool powered, bool rapid) noexcept;
+    void exchange(double tick_s, bool powered) noexcept;
     void* drive() const noexcept { return drive_; }
 
 private:

@@ -1,0 +1,227 @@
+// What operator, machine and supervision ask of a channel; acts at a tick's start.
+#include "kernel/cyclic/channel_runner.hpp"
+
+namespace polyturn::kernel {
+
+void ChannelRunner::stand(ChannelState state, StopReason reason) noexcept {
+    state_ = state;
+    stop_reason_ = reason;
+    core_.event(KernelEventKind::Stopped, number_, static_cast<std::int32_t>(reason), 0, line_);
+}
+
+void ChannelRunner::raise(Alarm number, std::string_view detail, double value) noexcept {
+    if (alarm_) return;  // the first one is the cause
+    alarm_ = true;
+    interrupted_ = true;  // settle() makes it the state once the path rests
+    core_.alarm(number, number_, detail, value, line_);
+}
+
+void ChannelRunner::interrupt() noexcept {
+    if (!program_runs()) return;
+    alarm_ = true;
+    interrupted_ = true;
+}
+
+void ChannelRunner::cycle_start() noexcept {
+    if (!segment_ || dead_ || stopped_) {
+        core_.alarm(Alarm::NotReady, number_, "no program can run in this channel: its process is not there");
+        return;
+    }
+    if (!core_.on()) {
+        core_.alarm(Alarm::NotReady, number_, "the machine is not switched on");
+        return;
+    }
+    switch (state_) {
+        case ChannelState::Reset:
+        case ChannelState::Ended:
+            for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
+                if (core_.config.axes[a].exists && core_.config.axes[a].channel == number_ && !core_.axes[a].referenced) {
+                    core_.alarm(Alarm::NotReady, number_, name_of('A', a).view());
+                    return;
+                }
+            if (resetting_) return;  // still coming to rest: the start is not remembered
+            state_ = ChannelState::Running;
+            stop_reason_ = StopReason::None;
+            hold_ = false;
+            cutting_s_ = rapid_s_ = waiting_s_ = cycle_s_ = 0;
+            blocks_ = 0;
+            core_.event(KernelEventKind::CycleStarted, number_);
+            tell(ChannelEventKind::CycleStart, cursor_, static_cast<double>(core_.supervisor.options.parts ? core_.supervisor.options.parts : 1),
+                 mode_ == ChannelMode::Mdi ? std::string_view(mdi_.data()) : std::string_view{});
+            return;
+        case ChannelState::Held:
+            hold_ = false;
+            state_ = phase_ == Phase::Waiting ? ChannelState::Waiting : ChannelState::Running;
+            stop_reason_ = StopReason::None;
+            return;
+        case ChannelState::ProgramStop:
+            hold_ = false;
+            continue_ = phase_ == Phase::Stopped;
+            if (stop_reason_ == StopReason::SingleBlock) planner_->step_block();
+            state_ = ChannelState::Running;
+            stop_reason_ = StopReason::None;
+            return;
+        case ChannelState::Running:
+        case ChannelState::Waiting: hold_ = false; return;  // pressed hold and start before it came to rest
+        default: return;
+    }
+}
+
+void ChannelRunner::feed_hold() noexcept {
+    if (state_ == ChannelState::Running || state_ == ChannelState::Waiting) hold_ = true;
+}
+
+void ChannelRunner::reset() noexcept {
+    if (!segment_) return;
+    if (dead_ || stopped_) {  // nothing to tell anybody; a successor attaches in reset state
+        alarm_ = false;
+        return;
+    }
+    resetting_ = true;
+}
+
+// The path rests: what was pushed and not executed is void, the channel begins again behind it.
+void ChannelRunner::finish_reset() noexcept {
+    resetting_ = false;
+    core_.waits.leave(index_);
+    const bool ran = program_runs() || state_ == ChannelState::Interrupted;
+    ++epoch_;
+    ++resets_;
+    cursor_ = segment_->path.head.load(std::memory_order_acquire);
+    planner_->clear(cursor_);
+    step_ = {};
+    step_.record = cursor_;
+    flying_ = kNoRecord;
+    phase_ = Phase::None;
+    at_boundary_ = true;
+    begun_ = hold_ = interrupted_ = alarm_ = continue_ = released_ = passing_ = false;
+    state_ = ChannelState::Reset;
+    stop_reason_ = StopReason::Reset;
+    for (SpindleUnit& spindle : core_.spindles)
+        if (spindle.locked_by == number_) spindle.locked_by = 0, spindle.override_locked = false;
+    for (AxisUnit& axis : core_.axes)
+        if (axis.owner == number_) axis.owner = 0;
+    core_.event(KernelEventKind::Stopped, number_, static_cast<std::int32_t>(StopReason::Reset), 0, line_);
+    if (ran) core_.event(KernelEventKind::CycleEnded, number_, static_cast<std::int32_t>(StopReason::Reset), cycle_s_, line_);
+    line_ = 0;
+    tell(ChannelEventKind::Reset, cursor_);
+}
+
+void ChannelRunner::select(std::string_view file) noexcept {
+    if (!segment_ || dead_) return;
+    if (program_runs()) {
+        core_.alarm(Alarm::NotReady, number_, "another program is selected only in reset or after the end");
+        return;
+    }
+    tell(ChannelEventKind::SelectProgram, cursor_, 0, file);
+}
+
+void ChannelRunner::set_mode(ChannelMode mode) noexcept {
+    if (!program_runs()) mode_ = mode;
+}
+
+void ChannelRunner::mdi(std::string_view text) noexcept {
+    if (program_runs()) {
+        core_.alarm(Alarm::NotReady, number_, "a block is entered only in reset or after the end");
+        return;
+    }
+    mode_ = ChannelMode::Mdi;
+    copy_text(mdi_, text);
+    cycle_start();
+}
+
+void ChannelRunner::quit() noexcept {
+    if (segment_ && !dead_) tell(ChannelEventKind::Quit, cursor_);
+}
+
+void ChannelRunner::process_died(Alarm reason) noexcept {
+    if (!segment_ || dead_) return;
+    // limit_ is what was visible at this tick: records beyond the horizon do not exist.
+    dead_ = true;
+    alarm_ = true;
+    rest_reported_ = false;
+    if (phase_ == Phase::Waiting) core_.waits.leave(index_);
+    const bool ran = program_runs();
+    state_ = ChannelState::Dead;
+    stop_reason_ = StopReason::Death;
+    core_.alarm(reason, number_, name_of('L', index_).view(), 0, line_);
+    if (ran) core_.event(KernelEventKind::CycleEnded, number_, static_cast<std::int32_t>(StopReason::Death), cycle_s_, line_);
+}
+
+void ChannelRunner::process_stopped(bool stopped) noexcept {
+    if (!segment_ || dead_) return;
+    stopped_ = stopped;
+    stopped_since_ = core_.tick;
+}
+
+bool ChannelRunner::silent_too_long() const noexcept {
+    return stopped_ && !dead_ && static_cast<double>(core_.tick - stopped_since_) * core_.config.tick_s >= core_.config.channel_timeout_s;
+}
+
+void ChannelRunner::emergency() noexcept {
+    emergency_ = true;
+    interrupt();
+}
+
+void ChannelRunner::release_wait() noexcept {
+    passing_ = false;
+    if (phase_ != Phase::Waiting) return;
+    released_ = true;
+    if (state_ == ChannelState::Waiting) state_ = ChannelState::Running;
+}
+
+// Of those that still wait when all meetings of this tick have taken place.
+void ChannelRunner::after_waits(std::span<ChannelRunner* const> all) noexcept {
+    if (passing_) {  // its partner left between letting it pass and its coming: it counts as met
+        passing_ = false;
+        core_.waits.leave(index_);
+        return;
+    }
+    if (phase_ != Phase::Waiting || released_ || interrupted_) return;
+    if (!judged_) {
+        judged_ = true;
+        const auto verdict = core_.waits.judge(index_, core_.no_wait());
+        if (verdict.fault != WaitBoard::Fault::None) {
+            ShortText text;
+            describe_wait(text);
+            for (unsigned k = 0; k < kMaxChannels; ++k)
+                if (verdict.with >> k & 1u) text << "; ", all[k]->describe_wait(text);
+            raise(verdict.fault == WaitBoard::Fault::OtherSet ? Alarm::WaitOtherSet : Alarm::WaitCircle, text.view());
+            return;
+        }
+    }
+    const ChannelSet missing = core_.waits.missing(index_, core_.no_wait());
+    for (unsigned k = 0; k < kMaxChannels; ++k) {
+        const ChannelSet bit = ChannelSet{1} << k;
+        if (!(missing & bit)) continue;
+        if (all[k]->program_runs()) {
+            warned_ &= ~bit;
+            continue;
+        }
+        if (warned_ & bit) continue;
+        warned_ |= bit;
+        ShortText text;
+        text << "L" << k + 1 << " (M" << core_.waits.at(index_).code << ")";
+        core_.alarm(Alarm::WaitPartnerAbsent, number_, text.view(), 0, line_);
+    }
+    const double limit = core_.config.channels[index_].wait_timeout_s;
+    if (limit > 0 && static_cast<double>(core_.tick - wait_since_) * core_.config.tick_s >= limit) {
+        ShortText text;
+        describe_wait(text);
+        text << ", missing ";
+        text.channels(missing);
+        raise(Alarm::WaitTimeout, text.view());
+    }
+}
+
+// "L2 O2001.nc:17 M502 (L1, L2)"
+void ChannelRunner::describe_wait(ShortText& text) noexcept {
+    text << "L" << number_ << " ";
+    const std::string_view name = program();
+    if (!name.empty()) text << name;
+    text << ":" << line_ << " M" << core_.waits.at(index_).code << " (";
+    text.channels(core_.waits.at(index_).set);
+    text << ")";
+}
+
+}  // namespace polyturn::kernel

@@ -1,0 +1,224 @@
+// What a record that is no motion does when its turn comes: the standing ones (they hold the path until they are done) and
+// the instant ones (they happen between two moves and cost no time).
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+#include "kernel/cyclic/channel_runner.hpp"
+
+namespace polyturn::kernel {
+namespace {
+constexpr int kStandingPerTick = 64;  // bounds the work of a tick; more standing records go on with the next one
+constexpr double kStandingRevS = 1e-3;
+
+std::string_view text_of(const PathRecord& r) noexcept { return {r.text.data(), ::strnlen(r.text.data(), r.text.size())}; }
+}  // namespace
+
+void ChannelRunner::execute_standing(double& left) noexcept {
+    for (int i = 0; i < kStandingPerTick; ++i) {
+        if (cursor_ >= planner_->next_record()) return;
+        const PathRecord& r = record(cursor_);
+        if (!stops_path(r)) return;
+        if (!begun_) {
+            // A new step needs a running program; one that has begun is brought to its end in a hold too.
+            if (state_ != ChannelState::Running || hold_ || interrupted_ || resetting_ || dead_ || core_.all_stop) return;
+            line_ = r.line;
+            block_ = r.block;
+            file_ = r.file;
+            begun_ = true;
+            phase_since_ = core_.tick;
+            begin_record(r, (1.0 - left) * core_.config.tick_s);
+        }
+        if (!execute(r, left)) return;
+        const std::uint64_t index = cursor_++;
+        planner_->skip(cursor_);
+        begun_ = false;
+        phase_ = Phase::None;
+        at_boundary_ = true;
+        finished(r, index, (1.0 - left) * core_.config.tick_s);
+        if ((keys & kKeySingleBlock) && (r.flags & kBlockEnd) && state_ == ChannelState::Running) {
+            stand(ChannelState::ProgramStop, StopReason::SingleBlock);
+            return;
+        }
+    }
+}
+
+bool ChannelRunner::execute(const PathRecord& r, double& left) noexcept {
+    switch (static_cast<RecordKind>(r.kind)) {
+        case RecordKind::Dwell: return dwell(r, left);
+        case RecordKind::Aux: return handshake(r);
+        case RecordKind::Wait: return arrive(r);
+        case RecordKind::Barrier: return true;
+        case RecordKind::Stop: return stop(r);
+        case RecordKind::Line:
+        case RecordKind::Arc:
+        case RecordKind::Curve: return thread(r, left);
+        default:
+            raise(Alarm::RecordInvalid, "unknown kind");
+            return false;
+    }
+}
+
+bool ChannelRunner::execute_instant(const PathRecord& r, double offset_s) noexcept {
+    switch (static_cast<RecordKind>(r.kind)) {
+        case RecordKind::Variable: return core_.store.write(StoreRequestKind::Variable, number_, 0, 0, r.value, text_of(r));
+        case RecordKind::Offset:
+            return core_.store.write(static_cast<StoreRequestKind>(r.code), number_, static_cast<std::int32_t>(r.mask), r.plane[0], r.value, text_of(r));
+        case RecordKind::SpindleMode:
+        case RecordKind::SpindleSpeed: spindle_mode(r); return true;
+        case RecordKind::Message: {
+            if (KernelEvent* event = core_.log.claim(KernelEventKind::Message, number_, core_.tick, offset_s)) {
+                event->note = r.note;
+                event->line = r.line;
+                copy_text(event->text, text_of(r));
+                core_.log.put();
+            }
+            return true;
+        }
+        case RecordKind::Part: ++parts_; return true;
+        case RecordKind::Wait:  // a flying wait that was let pass: it is an arrival like any other
+            core_.waits.arrive(index_, r.code, r.mask);
+            passing_ = true;
+            return true;
+        default: return true;
+    }
+}
+
+bool ChannelRunner::dwell(const PathRecord& r, double& left) noexcept {
+    if (phase_ != Phase::Dwell) {
+        phase_ = Phase::Dwell;
+        dwell_left_ = r.feed;
+    }
+    if (hold_ || interrupted_ || core_.all_stop || state_ != ChannelState::Running) return false;
+    double rate = 1.0;  // seconds or revolutions a second
+    if (static_cast<FeedMode>(r.feed_mode) == FeedMode::Revolutions) {
+        const bool known = r.spindle >= 1 && r.spindle <= kMaxSpindles;
+        rate = known ? std::fabs(core_.spindle_rev_s[r.spindle - 1]) : 0.0;
+        if (!known || (core_.spindles[r.spindle - 1].command() == 0.0 && rate < kStandingRevS)) {
+            raise(Alarm::SpindleStands, name_of('S', r.spindle ? r.spindle - 1u : 0u).view());
+            return false;
+        }
+    }
+    const double available = rate * left * core_.config.tick_s;
+    // A dwell of whole ticks ends with the last of them, whatever the rounding of the sum.
+    if (dwell_left_ > available + 1e-9 * rate) {
+        dwell_left_ -= available;
+        left = 0.0;
+        return false;
+    }
+    left = available > 0 ? std::fmax(0.0, left * (1.0 - dwell_left_ / available)) : left;
+    return true;
+}
+
+// M, S and T go to the PLC: a new number in the strobe register is a new code, the same number in the answer finishes it.
+bool ChannelRunner::handshake(const PathRecord& r) noexcept {
+    struct Lines {
+        NcSignal strobe, code;
+        PlcSignal finished;
+    };
+    const Lines lines = r.code == 'S' ? Lines{signals::cn_sstr, signals::cn_scode, signals::cp_sfin}
+                      : r.code == 'T' ? Lines{signals::cn_tstr, signals::cn_tcode, signals::cp_tfin}
+                                      : Lines{signals::cn_mstr, signals::cn_mcode, signals::cp_mfin};
+    if (phase_ != Phase::Handshake) {
+        if (r.code != 'M' && r.code != 'S' && r.code != 'T') {  // second auxiliary function: a value without a handshake
+            core_.signals.set_nc(signals::cn_aux1c(number_), static_cast<std::int32_t>(std::lround(r.value)));
+            return true;
+        }
+        phase_ = Phase::Handshake;
+        strobe_ = core_.signals.nc(lines.strobe(number_)) + 1;
+        core_.signals.set_nc(lines.code(number_), static_cast<std::int32_t>(std::lround(r.value)));
+        core_.signals.set_nc(lines.strobe(number_), strobe_);
+        return false;
+    }
+    if (core_.signals.plc(lines.finished(number_)) != strobe_) return false;
+    if (r.code == 'T') core_.signals.set_nc(signals::cn_potno(number_), static_cast<std::int32_t>(std::lround(r.value)));
+    return true;
+}
+
+bool ChannelRunner::arrive(const PathRecord& r) noexcept {
+    if (phase_ == Phase::Waiting) {
+        if (!released_) return false;
+        if (hold_ || state_ != ChannelState::Running) return false;  // opened while held: goes on after the start
+        released_ = false;
+        return true;
+    }
+    phase_ = Phase::Waiting;
+    released_ = false;
+    wait_since_ = core_.tick;
+    warned_ = 0;
+    judged_ = false;
+    core_.waits.arrive(index_, r.code, r.mask | 1u << index_);
+    state_ = ChannelState::Waiting;
+    return false;
+}
+
+bool ChannelRunner::stop(const PathRecord& r) noexcept {
+    const auto reason = static_cast<StopReason>(r.code);
+    if (reason == StopReason::M01 && !(keys & kKeyOptionalStop)) return true;
+    if (phase_ == Phase::Stopped) return std::exchange(continue_, false);
+    switch (reason) {
+        case StopReason::M00:
+        case StopReason::M01:
+            phase_ = Phase::Stopped;
+            continue_ = false;
+            stand(ChannelState::ProgramStop, reason);
+            return false;
+        case StopReason::Alarm:  // the program cannot be read on; the channel has said why
+            alarm_ = true;
+            ++core_.alarm_count;
+            interrupted_ = true;
+            stand(ChannelState::Interrupted, reason);
+            core_.event(KernelEventKind::CycleEnded, number_, r.code, cycle_s_, r.line);
+            return true;
+        default:
+            stand(ChannelState::Ended, reason);
+            core_.event(KernelEventKind::CycleEnded, number_, r.code, cycle_s_, r.line);
+            return true;
+    }
+}
+
+bool ChannelRunner::thread(const PathRecord&, double&) noexcept {
+    raise(Alarm::RecordInvalid, "thread");
+    return false;
+}
+
+// Ownership (architecture 5.9): who commanded last owns the spindle, unless the PLC says who; nobody takes it away from a
+// channel that needs its speed just now.
+bool ChannelRunner::take_spindle(std::uint32_t number, bool lock) noexcept {
+    if (number == 0 || number > kMaxSpindles || !core_.spindles[number - 1].exists()) {
+        raise(Alarm::SpindleUnknown, name_of('S', number ? number - 1 : 0).view());
+        return false;
+    }
+    SpindleUnit& spindle = core_.spindles[number - 1];
+    const auto assigned = static_cast<std::uint32_t>(core_.signals.plc(signals::sp_chan(number)));
+    const std::uint32_t owner = assigned ? assigned : spindle.locked_by;
+    if (owner != 0 && owner != number_) {
+        ShortText text = name_of('S', number - 1);
+        text << " belongs to L" << owner;
+        raise(Alarm::SpindleOwned, text.view());
+        return false;
+    }
+    spindle.owner = number_;
+    spindle.locked_by = lock ? number_ : 0;
+    core_.signals.set_nc(signals::sn_chan(number), static_cast<std::int32_t>(number_));
+    core_.signals.set_nc(signals::cn_ssel(number_), static_cast<std::int32_t>(number));
+    return true;
+}
+
+void ChannelRunner::spindle_mode(const PathRecord& r) noexcept {
+    const std::uint32_t number = r.spindle ? r.spindle : core_.config.channels[index_].default_spindle;
+    const auto mode = static_cast<RecordKind>(r.kind) == RecordKind::SpindleSpeed ? SpindleModeCode::Rpm : static_cast<SpindleModeCode>(r.code);
+    if (!take_spindle(number, mode == SpindleModeCode::SurfaceSpeed)) return;
+    SpindleUnit& spindle = core_.spindles[number - 1];
+    switch (mode) {
+        case SpindleModeCode::Rpm: spindle.demand_speed(std::fabs(r.value)); break;
+        case SpindleModeCode::Off: spindle.demand_speed(0.0); break;
+        case SpindleModeCode::Limit: spindle.limit_surface_speed(r.shape[0] > 0 ? r.shape[0] : r.value); break;
+        case SpindleModeCode::SurfaceSpeed:
+            spindle.demand_surface_speed(r.value, r.shape[0], core_.config.channels[index_].surface_speed_min_rpm, r.axis[0], r.shape[1]);
+            break;
+        case SpindleModeCode::Position: break;  // the PLC orients the spindle (SP_ROT 19)
+    }
+}
+
+}  // namespace polyturn::kernel

@@ -1,0 +1,342 @@
+#include "kernel/cyclic/channel_runner.hpp"
+
+#include <algorithm>
+
+namespace polyturn::kernel {
+namespace {
+// A channel sleeps when its ring is full; it is woken when this much has become free, not for every record.
+constexpr std::uint64_t kWakeChunk = 1024;
+constexpr double kStandingRevS = 1e-3;
+}  // namespace
+
+ChannelRunner::ChannelRunner(Core& core, unsigned index) : core_(core), index_(index), number_(index + 1), names_(std::make_unique<ProgramNames>()) {}
+
+void ChannelRunner::attach(const ChannelSegment& segment) {
+    if (!planner_) planner_ = std::make_unique<PathPlanner>();
+    planner_->configure(core_.config.tick_s, std::min<std::uint32_t>(core_.config.horizon, kPlannerWindow - 2));
+    epoch_ = segment.epoch.load(std::memory_order_acquire);
+    cursor_ = 0;
+    core_.image.path_tail[index_].tail.store(0, std::memory_order_release);
+    planner_->clear(0);
+    // A successor has seen none of the events of its predecessor and must not: it starts with the next one.
+    events_sent_ = core_.image.events[index_].head.load(std::memory_order_relaxed);
+    outbox_count_ = 0;
+    limit_ = ~0ull;
+    rung_at_ = 0;
+    at_boundary_ = true;
+    phase_ = Phase::None;
+    begun_ = hold_ = dead_ = stopped_ = resetting_ = interrupted_ = alarm_ = false;
+    state_ = ChannelState::Reset;
+    stop_reason_ = StopReason::None;
+    segment_ = &segment;
+}
+
+bool ChannelRunner::stops_path(const PathRecord& r) noexcept {
+    switch (static_cast<RecordKind>(r.kind)) {
+        case RecordKind::Line:
+        case RecordKind::Arc:
+        case RecordKind::Curve: return (r.flags & kThread) != 0;
+        case RecordKind::Variable:
+        case RecordKind::Offset:
+        case RecordKind::SpindleMode:
+        case RecordKind::SpindleSpeed:
+        case RecordKind::Message:
+        case RecordKind::Part:
+        case RecordKind::Flag: return false;
+        default: return true;
+    }
+}
+
+// After a reset the ring still holds what the channel pushed before it heard of it. Nothing of that is executed.
+void ChannelRunner::drop_old_epochs() noexcept {
+    if (!planner_ || planner_->next_record() != cursor_ || !planner_->at_rest()) return;
+    const auto head = segment_->path.head.load(std::memory_order_acquire);
+    const auto from = cursor_;
+    while (cursor_ < head && record(cursor_).epoch != epoch_) ++cursor_;
+    if (cursor_ == from) return;
+    planner_->clear(cursor_);
+    core_.image.path_tail[index_].tail.store(cursor_, std::memory_order_release);
+}
+
+bool ChannelRunner::supplied() noexcept {
+    if (!listens()) return true;
+    // Quiet first: what it pushed before it became quiet is then visible in the head that supply() reads (P1).
+    const bool quiet = segment_->quiet.load(std::memory_order_acquire) >= events_sent_;
+    drop_old_epochs();
+    return quiet || segment_->path.head.load(std::memory_order_acquire) - cursor_ >= core_.config.horizon;
+}
+
+void ChannelRunner::supply() noexcept {
+    if (!segment_) return;
+    drop_old_epochs();
+    const auto head = segment_->path.head.load(std::memory_order_acquire);
+    if (!dead_ && !stopped_) limit_ = std::min(head, cursor_ + core_.config.horizon);
+    visible_end_ = limit_;
+    while (planner_->wants_record() && planner_->next_record() < visible_end_) {
+        const PathRecord& r = record(planner_->next_record());
+        if (r.epoch != epoch_) break;  // pushed after a reset of which the path has not come to rest yet
+        const bool flying = static_cast<RecordKind>(r.kind) == RecordKind::Wait && (r.flags & kFlying);
+        if (flying && flying_ == kNoRecord) flying_ = planner_->next_record();
+        planner_->append(PlannedRecord::from(r, stops_path(r)));
+    }
+}
+
+void ChannelRunner::run() noexcept {
+    moving_ = false;
+    if (!segment_) return;
+    double left = 1.0;  // part of the tick that is still to be used
+    if (at_boundary_) execute_standing(left);
+    // What took a part of the tick ends within it: motion begins with the next one.
+    const bool frozen = (interrupted_ || dead_) && planner_->at_rest();
+    if (phase_ == Phase::None && left == 1.0 && !frozen) {
+        drive();
+        if (at_boundary_) {
+            if (step_.ended_to > step_.ended_from) left = 1.0 - planner_->end_fraction(step_.ended_to - 1);
+            execute_standing(left);
+        }
+    }
+    settle();
+    if (program_runs()) cycle_s_ += core_.config.tick_s;
+    if (moving_) (moving_rapid_ ? rapid_s_ : cutting_s_) += core_.config.tick_s;
+    if (state_ == ChannelState::Waiting) waiting_s_ += core_.config.tick_s;
+    const auto& tail = core_.image.path_tail[index_].tail;
+    if (tail.load(std::memory_order_relaxed) != cursor_) core_.image.path_tail[index_].tail.store(cursor_, std::memory_order_release);
+}
+
+// States that begin with the path at rest.
+void ChannelRunner::settle() noexcept {
+    if (!planner_->at_rest()) return;
+    if (resetting_ && phase_ != Phase::Thread) finish_reset();
+    if (dead_ && !rest_reported_) {
+        rest_reported_ = true;
+        core_.waits.leave(index_);
+        core_.event(KernelEventKind::Stopped, number_, static_cast<std::int32_t>(StopReason::Death), 0, line_);
+    }
+    if (interrupted_ && state_ != ChannelState::Interrupted && !dead_) stand(ChannelState::Interrupted, StopReason::Alarm);
+    if (hold_ && !interrupted_ && state_ == ChannelState::Running && phase_ != Phase::Handshake) stand(ChannelState::Held, StopReason::Held);
+    if (state_ == ChannelState::Running && step_.stands == Stands::BlockEnd) stand(ChannelState::ProgramStop, StopReason::SingleBlock);
+}
+
+void ChannelRunner::drive() noexcept {
+    if (flying_ != kNoRecord && planner_->next_record() > flying_) {
+        const PathRecord& r = record(flying_);
+        if (core_.waits.open_for(index_, r.code, r.mask, core_.no_wait())) planner_->let_pass(flying_), flying_ = kNoRecord;
+    }
+    PathInput input;
+    input.feed_override = feed_override;
+    input.rapid_override = rapid_override;
+    input.spindle_rev_s = core_.spindle_rev_s.data();
+    input.hold = hold_ || resetting_ || dead_ || interrupted_ || core_.all_stop || !core_.on() || !program_runs();
+    input.single_block = (keys & kKeySingleBlock) != 0;
+    input.in_position = axes_in_position();
+    if (emergency_) input.emergency_dec = emergency_deceleration();
+    if (keys & kKeyDryRun) input.dry_run_feed = dry_run_feed();
+    step_ = planner_->tick(input);
+    report_progress();
+    const bool ended = step_.ended_to > step_.record;  // it stands at the end of that record
+    cursor_ = ended ? step_.record + 1 : step_.record;
+    moving_ = step_.speed > 0 || step_.ended_to > step_.ended_from;
+    // The boundary is free when nothing but the record behind it keeps the path: not in position, not single block.
+    at_boundary_ = step_.stands == Stands::BeforeRecord || step_.stands == Stands::NoRecord;
+    if (step_.stands == Stands::NoRecord) cursor_ = planner_->next_record();
+    if (step_.stands == Stands::Moving && ended && planner_->at_rest()) {
+        const PathRecord& last = record(step_.record);
+        at_boundary_ = !(last.flags & kInPosition) && !(input.single_block && (last.flags & kBlockEnd));
+    }
+    if (ended || cursor_ >= planner_->next_record()) return;
+    const PathRecord& r = record(cursor_);
+    if (!is_motion(r) || (r.flags & kThread)) return;
+    moving_rapid_ = (r.flags & kRapid) != 0;
+    if (step_.s > 0) place_axes(r, step_.s);
+    line_ = r.line;
+    block_ = r.block;
+    file_ = r.file;
+    watch_standstill(r);
+}
+
+void ChannelRunner::report_progress() noexcept {
+    const double dt = core_.config.tick_s;
+    const bool any_began = step_.began_to > step_.began_from, any_ended = step_.ended_to > step_.ended_from;
+    if (!any_began && !any_ended) return;
+    const std::uint64_t from = !any_began ? step_.ended_from : !any_ended ? step_.began_from : std::min(step_.began_from, step_.ended_from);
+    for (std::uint64_t i = from; i < std::max(step_.began_to, step_.ended_to); ++i) {
+        const PathRecord& r = record(i);
+        if (i >= step_.began_from && i < step_.began_to) begin_record(r, planner_->begin_fraction(i) * dt);
+        if (i < step_.ended_from || i >= step_.ended_to) continue;
+        const double offset_s = planner_->end_fraction(i) * dt;
+        if (is_motion(r)) place_axes(r, r.length);
+        else execute_instant(r, offset_s);
+        finished(r, i, offset_s);
+    }
+}
+
+// A path that stands though a program runs: is it for a reason that the operator must be told?
+void ChannelRunner::watch_standstill(const PathRecord& r) noexcept {
+    if (step_.stands != Stands::NoFeed && step_.stands != Stands::InPosition) {
+        stands_since_ = core_.tick;
+        return;
+    }
+    const double stood_s = static_cast<double>(core_.tick - stands_since_) * core_.config.tick_s;
+    if (step_.stands == Stands::InPosition) {
+        const double limit = core_.config.channels[index_].in_position_timeout_s;
+        if (limit > 0 && stood_s > limit) raise_not_in_position();
+        return;
+    }
+    const bool per_revolution = static_cast<FeedMode>(r.feed_mode) == FeedMode::PerRevolution;
+    if (!per_revolution || r.spindle == 0 || r.spindle > kMaxSpindles) return;
+    const SpindleUnit& spindle = core_.spindles[r.spindle - 1];
+    // The PLC may still be writing SP_ROT: some of its cycles of grace before this is an alarm rather than a hang.
+    const double grace_s = 3.0 * static_cast<double>(core_.config.plc_cycle_ticks) * core_.config.tick_s;
+    if (spindle.command() == 0.0 && std::abs(core_.spindle_rev_s[r.spindle - 1]) < kStandingRevS && stood_s > grace_s)
+        raise(Alarm::SpindleStands, name_of('S', r.spindle - 1u).view());
+}
+
+bool ChannelRunner::axes_in_position() const noexcept {
+    for (std::uint32_t i = 0; i < last_axis_count_; ++i)
+        if (!core_.axes[last_axes_[i]].in_position()) return false;
+    return true;
+}
+
+void ChannelRunner::raise_not_in_position() noexcept {
+    for (std::uint32_t i = 0; i < last_axis_count_; ++i)
+        if (!core_.axes[last_axes_[i]].in_position()) return raise(Alarm::NotInPosition, name_of('A', last_axes_[i]).view(), core_.axes[last_axes_[i]].error());
+}
+
+// Along the path no axis may brake harder than its own emergency deceleration.
+double ChannelRunner::emergency_deceleration() const noexcept {
+    double least = kUnlimited;
+    for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
+        if (core_.axes[a].owner == number_) least = std::min(least, core_.config.axes[a].estop_deceleration);
+    return least < kUnlimited ? least : 1e4;
+}
+
+// In dry run a path feed moves as fast as N0305 lets the axes of the channel go; the ceilings of the records still hold.
+double ChannelRunner::dry_run_feed() const noexcept {
+    double feed = 0;
+    for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
+        if (core_.config.axes[a].channel == number_ && !core_.config.axes[a].rotary) feed = std::max(feed, core_.config.axes[a].max_feed);
+    return feed;
+}
+
+void ChannelRunner::place_axes(const PathRecord& r, double s) noexcept {
+    SlotVector position;
+    position_at(r, s, position);
+    for (std::uint32_t i = 0; i < r.axis_count; ++i) {
+        AxisUnit& axis = core_.axes[r.axis[i]];
+        axis.owner = number_;
+        axis.rapid = (r.flags & kRapid) != 0;
+        if (!(keys & kKeyMachineLock)) axis.move_to(position[i]);
+        last_axes_[i] = r.axis[i];
+    }
+    last_axis_count_ = r.axis_count;
+}
+
+void ChannelRunner::report(KernelEventKind kind, const PathRecord& r, double offset_s) noexcept {
+    if (r.note == 0) return;
+    KernelEvent* event = core_.log.claim(kind, number_, core_.tick, offset_s);
+    if (!event) return;
+    event->note = r.note;
+    event->line = r.line;
+    event->code = r.kind;
+    core_.log.put();
+}
+
+void ChannelRunner::begin_record(const PathRecord& r, double offset_s) noexcept {
+    if (!is_motion(r) || (r.flags & kBlockBegin)) report(KernelEventKind::RecordBegin, r, offset_s);
+}
+
+void ChannelRunner::finished(const PathRecord& r, std::uint64_t index, double offset_s) noexcept {
+    if (!is_motion(r) || (r.flags & kBlockEnd)) report(KernelEventKind::RecordEnd, r, offset_s);
+    if (r.flags & kBlockEnd) ++blocks_;
+    if (r.flags & kDrains) tell(ChannelEventKind::BarrierReached, index, r.value);
+}
+
+void ChannelRunner::tell(ChannelEventKind kind, std::uint64_t index, double value, std::string_view text) noexcept {
+    if (outbox_count_ == outbox_.size()) return;  // 16 events a tick: more only by a fault of ours, and the ring holds 64
+    ChannelEvent& event = outbox_[outbox_count_++];
+    event.kind = static_cast<std::uint32_t>(kind);
+    event.epoch = epoch_;
+    event.tick = core_.tick + 1;  // positions and states that the channel reads are those of the end of this tick
+    event.record = index;
+    event.value = value;
+    copy_text(event.text, text);
+}
+
+void ChannelRunner::send_events() noexcept {
+    if (!segment_) return;
+    if (store_changed_) store_changed_ = false, tell(ChannelEventKind::StoreChanged, cursor_);
+    bool rang = false;
+    if (outbox_count_ > 0) {
+        RingProducer<RingHead<ChannelEvent, 64>> ring(core_.image.events[index_], segment_->event_tail);
+        std::size_t sent = 0;
+        while (sent < outbox_count_) {
+            outbox_[sent].seq = events_sent_ + 1;
+            if (!ring.push(outbox_[sent])) break;
+            ++events_sent_;
+            ++sent;
+        }
+        std::move(outbox_.begin() + static_cast<std::ptrdiff_t>(sent), outbox_.begin() + static_cast<std::ptrdiff_t>(outbox_count_), outbox_.begin());
+        outbox_count_ -= sent;
+        rang = sent > 0;
+    }
+    if (!rang && cursor_ - rung_at_ < kWakeChunk) return;
+    rung_at_ = cursor_;
+    wake();
+}
+
+void ChannelRunner::publish(ChannelStatus& status) noexcept {
+    status.state = static_cast<std::uint32_t>(state_);
+    status.mode = static_cast<std::uint32_t>(mode_);
+    status.feed_override = feed_override;
+    status.rapid_override = rapid_override;
+    status.path_speed = moving_ ? step_.speed : 0.0;
+    const bool motion = segment_ && cursor_ < visible_end_ && is_motion(record(cursor_));
+    status.path_left = motion ? record(cursor_).length - step_.s : 0.0;
+    status.record = cursor_;
+    status.line = line_;
+    status.file = file_;
+    status.block = block_;
+    const auto& arrival = core_.waits.at(index_);
+    status.wait_code = arrival.here ? arrival.code : 0;
+    status.wait_set = arrival.here ? arrival.set : 0;
+    status.wait_missing = arrival.here ? core_.waits.missing(index_, core_.no_wait()) : 0;
+    status.wait_since = arrival.here ? wait_since_ : 0;
+    status.parts = parts_;
+    status.cutting_s = cutting_s_;
+    status.rapid_s = rapid_s_;
+    status.waiting_s = waiting_s_;
+    status.cycle_s = cycle_s_;
+    status.blocks = blocks_;
+    status.epoch = epoch_;
+    status.stop_reason = static_cast<std::int32_t>(stop_reason_);
+    status.keys = keys;
+    core_.signals.set_nc(signals::cn_state(number_), static_cast<std::int32_t>(state_));
+    core_.signals.set_nc(signals::cn_run(number_), state_ == ChannelState::Running || state_ == ChannelState::Waiting);
+    core_.signals.set_nc(signals::cn_hold(number_), hold_);
+    core_.signals.set_nc(signals::cn_wtng(number_), arrival.here);
+    core_.signals.set_nc(signals::cn_alarm(number_), alarm_);
+    core_.signals.set_nc(signals::cn_reset(number_), resets_);
+    core_.signals.set_nc(signals::cn_end(number_), state_ == ChannelState::Ended);
+}
+
+bool ChannelRunner::can_go_on() const noexcept {
+    if (!segment_) return false;
+    if (planner_ && !planner_->at_rest()) return true;
+    if (resetting_ || outbox_count_ > 0) return true;
+    if (stopped_ && !dead_) return true;  // the timeout counts
+    if (state_ == ChannelState::Waiting) return core_.config.channels[index_].wait_timeout_s > 0 && !interrupted_;
+    if (state_ != ChannelState::Running) return phase_ == Phase::Handshake;
+    if (phase_ != Phase::None) return true;
+    if (step_.stands == Stands::NoFeed) return feed_override > 0;  // a spindle may come up to speed
+    return cursor_ < visible_end_ || step_.stands == Stands::Moving;
+}
+
+std::string_view ChannelRunner::program() noexcept {
+    if (!segment_ || !segment_->programs.read(*names_)) return {};
+    const std::size_t at = std::min<std::size_t>(file_, 31) * 256;
+    const std::string_view path(&names_->name[at], ::strnlen(&names_->name[at], 255));
+    const std::size_t slash = path.rfind('/');
+    return slash == std::string_view::npos ? path : path.substr(slash + 1);
+}
+
+}  // namespace polyturn::kernel

@@ -1,0 +1,148 @@
+// Executes the records of one channel, in ring order (architecture 5): motion through the planner, everything else at the
+// standstill or the instant between two moves that its place in the ring means.
+//
+//   ring   ... | done | running | planned ...      | seen, not planned | not to be used this tick |
+//              tail ^ (published)   planner.next_record() ^      visible_end_ ^          head ^
+//
+// A tick: supply() shows the planner what is visible (at most the horizon: PT_HORIZON), run() executes what stands at a
+// boundary, drives the path, reports what began and ended. Waits are released by the machine between the channels' runs.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "ipc/path/path_geometry.hpp"
+#include "kernel/cyclic/core.hpp"
+#include "kernel/motion/path_planner.hpp"
+
+namespace polyturn::kernel {
+
+class ChannelRunner {
+public:
+    ChannelRunner(Core& core, unsigned index);
+
+    // Once its process has made its segment; again for a successor.
+    void attach(const ChannelSegment& segment);
+    bool attached() const noexcept { return segment_ != nullptr; }
+
+    // --- once a tick, in this order ---
+    void supply() noexcept;
+    void run() noexcept;
+    void release_wait() noexcept;   // the meeting took place
+    void after_waits(std::span<ChannelRunner* const> all) noexcept;  // messages and alarms of those that still wait
+    void publish(ChannelStatus& status) noexcept;
+    void send_events() noexcept;    // what the channel must know, after the status of this tick is published
+
+    // --- commands, at a tick's start ---
+    void cycle_start() noexcept;
+    void feed_hold() noexcept;
+    void reset() noexcept;
+    void select(std::string_view file) noexcept;
+    void mdi(std::string_view text) noexcept;
+    void set_mode(ChannelMode mode) noexcept;
+    void quit() noexcept;
+    void store_changed() noexcept { store_changed_ = true; }
+    void process_died(Alarm reason) noexcept;
+    void process_stopped(bool stopped) noexcept;
+    // The machine stops for a reason that is not the channel's: along the path, until reset.
+    void interrupt() noexcept;
+    void fault(Alarm number, std::string_view detail, double value) noexcept { raise(number, detail, value); }
+    void emergency() noexcept;      // forget the path: the axes brake by themselves
+    double feed_override = 1, rapid_override = 1;
+    std::uint32_t keys = 0;         // ChannelKey
+
+    // --- for the clock ---
+    // Virtual time may go on: enough records for the horizon, or the process has nothing more to say.
+    bool supplied() noexcept;
+    bool listens() const noexcept { return segment_ && !dead_ && !stopped_; }
+    void wake() const noexcept { core_.image.channel_bell[index_].ring(); }
+    bool silent_too_long() const noexcept;
+    bool can_go_on() const noexcept;  // something of it moves, counts down or waits for an answer
+    bool in_handshake() const noexcept { return phase_ == Phase::Handshake; }
+
+    ChannelState state() const noexcept { return state_; }
+    StopReason stop_reason() const noexcept { return stop_reason_; }
+    bool program_runs() const noexcept { return state_ == ChannelState::Running || state_ == ChannelState::Held || state_ == ChannelState::Waiting || state_ == ChannelState::ProgramStop; }
+    std::uint32_t line() const noexcept { return line_; }
+    std::string_view program() noexcept;  // file name of the running record, without folders
+
+private:
+    // What the record that the path stands before is doing.
+    enum class Phase : std::uint8_t { None, Dwell, Handshake, Waiting, Stopped, Thread };
+    static constexpr std::uint64_t kNoRecord = ~0ull;
+
+    const PathRecord& record(std::uint64_t index) const noexcept { return segment_->path.slot(index); }
+    static bool is_motion(const PathRecord& r) noexcept { return r.kind >= 1 && r.kind <= static_cast<std::uint8_t>(RecordKind::Curve); }
+    static bool stops_path(const PathRecord& r) noexcept;
+    void drop_old_epochs() noexcept;
+    void execute_standing(double& left) noexcept;
+    bool execute(const PathRecord& r, double& left) noexcept;    // true: done, the next one may begin
+    bool execute_instant(const PathRecord& r, double offset_s) noexcept;
+    bool handshake(const PathRecord& r) noexcept;
+    bool dwell(const PathRecord& r, double& left) noexcept;
+    bool arrive(const PathRecord& r) noexcept;
+    bool thread(const PathRecord& r, double& left) noexcept;
+    void describe_wait(ShortText& text) noexcept;
+    bool stop(const PathRecord& r) noexcept;
+    void finished(const PathRecord& r, std::uint64_t index, double offset_s) noexcept;
+    void begin_record(const PathRecord& r, double offset_s) noexcept;
+    void drive() noexcept;
+    void settle() noexcept;
+    void report_progress() noexcept;
+    void watch_standstill(const PathRecord& r) noexcept;
+    void raise_not_in_position() noexcept;
+    bool axes_in_position() const noexcept;
+    double dry_run_feed() const noexcept;
+    double emergency_deceleration() const noexcept;
+    void place_axes(const PathRecord& r, double s) noexcept;
+    void report(KernelEventKind kind, const PathRecord& r, double offset_s) noexcept;
+    void finish_reset() noexcept;
+    void stand(ChannelState state, StopReason reason) noexcept;
+    void raise(Alarm number, std::string_view detail = {}, double value = 0) noexcept;
+    void spindle_mode(const PathRecord& r) noexcept;
+    bool take_spindle(std::uint32_t number, bool lock) noexcept;
+    void tell(ChannelEventKind kind, std::uint64_t record, double value = 0, std::string_view text = {}) noexcept;
+
+    Core& core_;
+    unsigned index_;                       // from 0
+    std::uint32_t number_;                 // from 1
+    const ChannelSegment* segment_ = nullptr;
+    std::unique_ptr<PathPlanner> planner_;
+    ChannelState state_ = ChannelState::Absent;
+    ChannelMode mode_ = ChannelMode::Auto;
+    StopReason stop_reason_ = StopReason::None;
+    std::uint32_t epoch_ = 0;
+    std::uint64_t cursor_ = 0;             // running record, or the one before which the path stands
+    std::uint64_t visible_end_ = 0, limit_ = ~0ull;  // limit_: what a dead or stopped process had promised
+    bool at_boundary_ = true;              // the path stands and the record at cursor_ may begin
+    std::uint64_t flying_ = kNoRecord;     // nearest flying wait that still stops the path
+    Phase phase_ = Phase::None;
+    bool begun_ = false;                   // the standing record has reported its beginning
+    bool hold_ = false, dead_ = false, stopped_ = false, resetting_ = false, interrupted_ = false, alarm_ = false, continue_ = false;
+    bool rest_reported_ = false, released_ = false, passing_ = false, judged_ = false, emergency_ = false;
+    std::array<char, 160> mdi_{};
+    bool store_changed_ = false, moving_rapid_ = false, moving_ = false;
+    std::int64_t stopped_since_ = 0, phase_since_ = 0, wait_since_ = 0, stands_since_ = 0;
+    std::array<std::uint8_t, kMaxPathAxes> last_axes_{};  // of the last move: who must be in position
+    std::uint32_t last_axis_count_ = 0;
+    double dwell_left_ = 0;
+    std::int32_t strobe_ = 0;
+    std::uint32_t warned_ = 0;             // partners of this wait that the operator was told about
+    std::uint64_t events_sent_ = 0, rung_at_ = 0;
+    std::int32_t resets_ = 0;
+    PathStep step_{};
+    std::uint32_t line_ = 0, file_ = 0;
+    std::int64_t block_ = -1;
+    std::uint32_t parts_ = 0;
+    double cutting_s_ = 0, rapid_s_ = 0, waiting_s_ = 0, cycle_s_ = 0;
+    std::uint64_t blocks_ = 0;
+    std::unique_ptr<ProgramNames> names_;
+    std::array<ChannelEvent, 16> outbox_{};
+    std::size_t outbox_count_ = 0;
+};
+
+}  // namespace polyturn::kernel

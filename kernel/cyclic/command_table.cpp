@@ -1,0 +1,141 @@
+// What each command does, at the start of its tick.
+#include <algorithm>
+
+#include "kernel/cyclic/machine.hpp"
+#include "kernel/drives/simulated_drive.hpp"
+
+namespace polyturn::kernel {
+namespace {
+std::string_view text_of(const Command& c) noexcept { return {c.text.data(), ::strnlen(c.text.data(), c.text.size())}; }
+}  // namespace
+
+template <class Act>
+void Machine::each_channel(const Command& command, Act act) noexcept {
+    for (unsigned l = 0; l < kMaxChannels; ++l)
+        if (channels_[l]->attached() && (command.channel == 0 || command.channel == l + 1)) act(*channels_[l]);
+}
+
+void Machine::take_commands() noexcept {
+    commands_.drain(core_.tick);
+    while (const Command* command = commands_.next_due(core_.tick)) {
+        const Command due = *command;  // an action may bring further commands into the queue
+        run_command(due);
+        plc_.touched();  // it may have changed what the PLC will see
+    }
+}
+
+void Machine::run_command(const Command& c) noexcept {
+    const bool on = c.value != 0.0;
+    const auto key = [&](std::uint32_t bits) {
+        each_channel(c, [&](ChannelRunner& r) { r.keys = on ? r.keys | bits : r.keys & ~bits; });
+    };
+    switch (static_cast<CommandKind>(c.kind)) {
+        case CommandKind::CycleStart: each_channel(c, [](ChannelRunner& r) { r.cycle_start(); }); break;
+        case CommandKind::FeedHold: each_channel(c, [](ChannelRunner& r) { r.feed_hold(); }); break;
+        case CommandKind::Reset:
+            each_channel(c, [](ChannelRunner& r) { r.reset(); });
+            reset_machine();
+            break;
+        case CommandKind::EmergencyStop: emergency_stop(Alarm::EmergencyStop, 0, {}, 0); break;
+        case CommandKind::MachineOn:
+            for (AxisUnit& axis : core_.axes) axis.clear_fault();
+            core_.all_stop = plc_.dead();
+            if (!core_.on()) set_state(MachineState::On);
+            break;
+        case CommandKind::Mode: each_channel(c, [&](ChannelRunner& r) { r.set_mode(static_cast<ChannelMode>(static_cast<std::uint32_t>(c.value))); }); break;
+        case CommandKind::Select: each_channel(c, [&](ChannelRunner& r) { r.select(text_of(c)); }); break;
+        case CommandKind::Mdi: each_channel(c, [&](ChannelRunner& r) { r.mdi(text_of(c)); }); break;
+        case CommandKind::FeedOverride: each_channel(c, [&](ChannelRunner& r) { r.feed_override = std::clamp(c.value, 0.0, 2.0); }); break;
+        case CommandKind::RapidOverride: each_channel(c, [&](ChannelRunner& r) { r.rapid_override = std::clamp(c.value, 0.0, 1.0); }); break;
+        case CommandKind::SpindleOverride:
+            for (std::uint32_t s = 0; s < kMaxSpindles; ++s)
+                if (c.object == 0 || c.object == s + 1) core_.spindles[s].override_factor = std::clamp(c.value, 0.0, 2.0);
+            break;
+        case CommandKind::SingleBlock: key(kKeySingleBlock); break;
+        case CommandKind::OptionalStop: key(kKeyOptionalStop); break;
+        case CommandKind::DryRun: key(kKeyDryRun); break;
+        case CommandKind::MachineLock: key(kKeyMachineLock); break;
+        case CommandKind::BlockSkip: key(c.flags ? kKeyBlockSkip1 << (std::min<std::uint32_t>(c.flags, 9) - 1) : 0x1FFu * kKeyBlockSkip1); break;
+        case CommandKind::IgnoreWaits:
+            for (std::uint32_t l = 1; l <= kMaxChannels; ++l)
+                if (c.channel == 0 || c.channel == l) {
+                    if (on) core_.signals.force_plc(signals::cp_nowt(l), 1);
+                    else core_.signals.release_plc(signals::cp_nowt(l));
+                }
+            break;
+        case CommandKind::SetSignal:
+            if (c.flags && c.object < kPlcSignals) core_.signals.force_plc(c.object, static_cast<std::int32_t>(c.value));
+            else if (!c.flags && c.object < kNcSignals) core_.signals.force_nc(c.object, static_cast<std::int32_t>(c.value));
+            break;
+        case CommandKind::ReleaseSignal:
+            if (c.flags && c.object < kPlcSignals) core_.signals.release_plc(c.object);
+            else if (!c.flags && c.object < kNcSignals) core_.signals.release_nc(c.object);
+            break;
+        case CommandKind::SetInput:
+            if (c.object < kInputs) core_.signals.set_input(c.object, on);
+            break;
+        case CommandKind::DriveFault:
+            if (!c.flags && c.object >= 1 && c.object <= kMaxAxes && core_.axes[c.object - 1].exists())
+                static_cast<SimulatedDrive*>(core_.axes[c.object - 1].drive())->fail(on);
+            break;
+        case CommandKind::SetParameter: (void)core_.store.ask_parameter(text_of(c), core_.tick, core_.config.answer_ticks); break;
+        case CommandKind::Watch:
+            if (watch_count_ < watches_.size() && c.object < (c.flags ? kPlcSignals : kNcSignals))
+                watches_[watch_count_++] = {c.flags != 0, c.object, c.flags ? core_.signals.plc(c.object) : core_.signals.nc(c.object)};
+            break;
+        case CommandKind::Reference:
+            for (std::uint32_t a = 0; a < kMaxAxes; ++a)
+                if ((c.object == 0 || c.object == a + 1) && core_.axes[a].exists()) core_.axes[a].referenced = true;
+            break;
+        case CommandKind::Action:
+            core_.event(KernelEventKind::ActionDue, c.channel, static_cast<std::int32_t>(c.seq), c.value, c.object, text_of(c));
+            // What it brings about (the death of a process) belongs to this very tick.
+            if (on_action) on_action(on_action_context), commands_.drain(core_.tick);
+            break;
+        case CommandKind::ProcessDied: process_died(c.object); break;
+        case CommandKind::ProcessStopped: process_stopped(c.object, true); break;
+        case CommandKind::ProcessContinued: process_stopped(c.object, false); break;
+        case CommandKind::EndRun:
+            for (auto& channel : channels_) channel->quit();
+            core_.end_run = true;
+            break;
+        default: break;  // refused by the supervisor, which knows what is built
+    }
+}
+
+// Reset clears what stopped the whole machine, but not an emergency stop, and not a PLC that is still dead.
+void Machine::reset_machine() noexcept {
+    if (core_.state != MachineState::EmergencyStop && !plc_.dead()) core_.all_stop = false;
+}
+
+void Machine::partner_death(unsigned index) noexcept {
+    const ChannelConfig& dead = core_.config.channels[index];
+    for (unsigned l = 0; l < kMaxChannels; ++l) {
+        if (l == index || core_.config.channels[l].group != dead.group) continue;
+        if (dead.partner_death == PartnerDeath::Hold) channels_[l]->feed_hold();
+        if (dead.partner_death == PartnerDeath::Reset) channels_[l]->reset();
+    }
+}
+
+void Machine::process_died(std::uint32_t slot) noexcept {
+    if (slot >= kProcessChannel && slot < kProcesses) {
+        const unsigned index = slot - static_cast<unsigned>(kProcessChannel);
+        if (!channels_[index]->attached() || channels_[index]->state() == ChannelState::Dead) return;
+        channels_[index]->process_died(Alarm::ChannelDied);
+        partner_death(index);
+    } else if (slot == kProcessPlc && !plc_.dead()) {
+        plc_.died();
+        stop_all(Alarm::PlcDied);
+    } else if (slot == kProcessStore && !store_dead_) {
+        store_dead_ = true;
+        core_.alarm(Alarm::StoreDied, 0);
+    }
+}
+
+void Machine::process_stopped(std::uint32_t slot, bool stopped) noexcept {
+    if (slot >= kProcessChannel && slot < kProcesses) channels_[slot - kProcessChannel]->process_stopped(stopped);
+    else if (slot == kProcessPlc) plc_.stopped(stopped);
+    else if (slot == kProcessStore) store_dead_ = stopped;
+}
+
+}  // namespace polyturn::kernel

@@ -1,0 +1,78 @@
+// What all parts of the cyclic thread share: the image, the machine as it is at this tick, and the way to say that
+// something happened. No behaviour beyond that; machine.hpp has the order of a tick.
+#pragma once
+#include <array>
+#include <atomic>
+#include <cstdint>
+
+#include "ipc/image/segments.hpp"
+#include "kernel/cyclic/axis_unit.hpp"
+#include "kernel/cyclic/event_log.hpp"
+#include "kernel/cyclic/signals.hpp"
+#include "kernel/cyclic/spindle_unit.hpp"
+#include "kernel/cyclic/store_link.hpp"
+#include "kernel/cyclic/waits.hpp"
+
+namespace polyturn::kernel {
+
+enum class MachineState : std::uint32_t { EmergencyStop = 0, Off = 1, On = 2 };
+
+struct Core {
+    Core(KernelSegment& own, const SupervisorSegment& super, const StoreSegment& keeper)
+        : image(own), supervisor(super), log(own, super), store(own, keeper) {}
+
+    KernelSegment& image;
+    const SupervisorSegment& supervisor;
+    // Attached later than the kernel starts, by another thread; nullptr until then.
+    std::array<std::atomic<const ChannelSegment*>, kMaxChannels> channel_segment{};
+    std::atomic<const PlcSegment*> plc_segment{nullptr};
+
+    params::Table table{};
+    KernelConfig config{};
+    bool virtual_time = true;
+    std::int64_t tick = 0;                 // the running one: from tick * tick_s on
+    MachineState state = MachineState::Off;
+    bool all_stop = false;                 // PLC dead, ticks late, supervisor silent: everything rests until reset
+    bool end_run = false;
+    std::uint32_t alarm_count = 0;
+
+    EventLog log;
+    Signals signals;
+    StoreLink store;
+    std::array<AxisUnit, kMaxAxes> axes{};
+    std::array<SpindleUnit, kMaxSpindles> spindles{};
+    WaitBoard waits;
+    std::array<double, kMaxSpindles> spindle_rev_s{};  // measured, for feed per revolution
+
+    bool on() const noexcept { return state == MachineState::On; }
+    std::uint32_t no_wait() const noexcept {
+        std::uint32_t set = 0;
+        for (std::size_t l = 1; l <= kMaxChannels; ++l)
+            if (signals.plc(polyturn::signals::cp_nowt(l))) set |= 1u << (l - 1);
+        return set;
+    }
+    void event(KernelEventKind kind, std::uint32_t channel, std::int32_t code = 0, double value = 0, std::uint32_t line = 0, std::string_view text = {}) noexcept {
+        KernelEvent* e = log.claim(kind, channel, tick);
+        if (!e) return;
+        e->code = code;
+        e->value = value;
+        e->line = line;
+        copy_text(e->text, text);
+        log.put();
+    }
+    // Says it; what stands still because of it is the caller's business.
+    void alarm(Alarm number, std::uint32_t channel, std::string_view detail = {}, double value = 0, std::uint32_t line = 0) noexcept {
+        const bool error = alarm_row(number).severity == Severity::Error;
+        if (error) ++alarm_count;
+        event(error ? KernelEventKind::Alarm : KernelEventKind::Message, channel, static_cast<std::int32_t>(number), value, line, detail);
+    }
+};
+
+// "A3": how parameters and traces name an axis; S and L likewise.
+inline ShortText name_of(char letter, std::size_t index_from_0) noexcept {
+    ShortText text;
+    text << std::string_view(&letter, 1) << static_cast<std::int64_t>(index_from_0 + 1);
+    return text;
+}
+
+}  // namespace polyturn::kernel

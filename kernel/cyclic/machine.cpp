@@ -1,0 +1,191 @@
+#include "kernel/cyclic/machine.hpp"
+
+#include <cmath>
+
+#include "kernel/drives/simulated_drive.hpp"
+
+namespace polyturn::kernel {
+namespace {
+constexpr double kStrokeTolerance = 1e-6;          // mm: a move to the limit itself is allowed
+constexpr double kPlcQuietS = 0.2;                 // a PLC whose signals stand for so long counts down nothing
+constexpr double kHandshakeQuietS = 20.0;          // ... unless an M, S or T is open: turrets and chucks take their time
+}  // namespace
+
+Machine::Machine(KernelSegment& image, const SupervisorSegment& supervisor, const StoreSegment& store)
+    : store_segment_(store), core_(image, supervisor, store), commands_(supervisor, image), plc_(core_), trace_ring_(image.trace, supervisor.trace_tail) {
+    for (unsigned i = 0; i < kMaxChannels; ++i) {
+        channels_[i] = std::make_unique<ChannelRunner>(core_, i);
+        runners_[i] = channels_[i].get();
+    }
+}
+
+Machine::~Machine() {
+    for (AxisUnit& axis : core_.axes) axis.close();
+    for (SpindleUnit& spindle : core_.spindles) spindle.close();
+}
+
+void Machine::start() {
+    const RunOptions& options = core_.supervisor.options;
+    core_.virtual_time = options.virtual_time != 0;
+    read_config(core_.table, core_.config, true);
+    core_.image.tick_ns.store(static_cast<std::uint64_t>(core_.config.tick_ns), std::memory_order_release);
+    for (unsigned a = 0; a < kMaxAxes; ++a) {
+        if (!core_.config.axes[a].exists) continue;
+        const double at = options.start_known[a] ? options.start_position[a] : 0.0;
+        core_.axes[a].open(a + 1, core_.config.axes[a], core_.config.tick_s, at, simulated_drive_api());
+        core_.axes[a].referenced = options.ready != 0 || params::bit(core_.table, params::n0900_reference_type, a + 1, 3);
+    }
+    for (unsigned s = 0; s < kMaxSpindles; ++s)
+        if (core_.config.spindles[s].exists) core_.spindles[s].open(s + 1, core_.config.spindles[s], core_.config.tick_s);
+    for (unsigned l = 0; l < kMaxChannels; ++l) {
+        const double factor = options.feed_override[l];
+        channels_[l]->feed_override = factor > 0 ? factor : 1.0;
+        if (core_.config.channels[l].exists) core_.signals.set_nc(signals::cn_ssel(l + 1), static_cast<std::int32_t>(core_.config.channels[l].default_spindle));
+    }
+    set_state(options.ready ? MachineState::On : MachineState::Off);
+    publish();
+}
+
+void Machine::attach_channel(unsigned index, const ChannelSegment& segment) {
+    core_.channel_segment[index].store(&segment, std::memory_order_release);
+    channels_[index]->attach(segment);
+}
+
+void Machine::attach_plc(const PlcSegment& segment) {
+    core_.plc_segment.store(&segment, std::memory_order_release);
+    plc_.started();
+}
+
+void Machine::set_state(MachineState state) noexcept {
+    core_.state = state;
+    core_.signals.set_nc(signals::n_machine_on(), state == MachineState::On);
+    core_.signals.set_nc(signals::n_estop(), state == MachineState::EmergencyStop);
+    core_.event(KernelEventKind::MachineState, 0, 0, static_cast<double>(state));
+}
+
+void Machine::tick() noexcept {
+    take_commands();
+    take_answers();
+    supervise();
+    run_channels();
+    run_spindles();
+    run_axes();
+    watch_signals();
+    trace();
+    ++core_.tick;
+    publish();
+    for (auto& channel : channels_) channel->send_events();
+    --core_.tick;
+    plc_.send_inputs();
+    ++core_.tick;
+}
+
+void Machine::take_answers() noexcept {
+    if (core_.store.take_changes(core_.table, core_.tick, core_.virtual_time)) {
+        read_config(core_.table, core_.config, false);
+        for (unsigned a = 0; a < core_.config.axis_count; ++a) core_.axes[a].configure(core_.config.axes[a]);
+        for (unsigned s = 0; s < core_.config.spindle_count; ++s) core_.spindles[s].configure(core_.config.spindles[s]);
+        for (auto& channel : channels_) channel->store_changed();
+    }
+    if (plc_.take_outputs() == PlcLink::Take::Late) {
+        plc_.died();
+        stop_all(Alarm::PlcLate);
+    }
+}
+
+void Machine::supervise() noexcept {
+    for (unsigned l = 0; l < kMaxChannels; ++l)
+        if (channels_[l]->silent_too_long()) {
+            channels_[l]->process_died(Alarm::ChannelSilent);
+            partner_death(l);
+        }
+    const std::int32_t message = core_.signals.plc(signals::plc_alarm());
+    if (message != builder_message_) {
+        builder_message_ = message;
+        if (message) core_.alarm(Alarm::BuilderMessage, 0, {}, message);
+    }
+}
+
+void Machine::run_channels() noexcept {
+    for (auto& channel : channels_) channel->supply();
+    for (auto& channel : channels_) channel->run();
+    const ChannelSet released = core_.waits.release(core_.no_wait());
+    for (unsigned l = 0; released >> l; ++l)
+        if (released >> l & 1u) channels_[l]->release_wait();
+    for (auto& channel : channels_) channel->after_waits(runners_);
+}
+
+void Machine::run_spindles() noexcept {
+    for (std::uint32_t s = 0; s < core_.config.spindle_count; ++s) {
+        SpindleUnit& spindle = core_.spindles[s];
+        if (!spindle.exists()) continue;
+        const double factor = spindle.override_locked && !spindle.config().override_in_thread ? 1.0 : spindle.override_factor;
+        const double at = core_.axes[spindle.surface_axis()].target();
+        spindle.step(core_.config.tick_s, core_.signals.plc(signals::sp_rot(s + 1)), factor, at, core_.on(), core_.all_stop);
+        core_.spindle_rev_s[s] = spindle.speed() / 60.0;
+        core_.signals.set_nc(signals::sn_ns(s + 1), spindle.reached() || spindle.standing());
+        core_.signals.set_nc(signals::sn_n0(s + 1), spindle.standing());
+    }
+}
+
+void Machine::run_axes() noexcept {
+    for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) {
+        AxisUnit& axis = core_.axes[a];
+        if (!axis.exists()) continue;
+        const bool was_faulted = axis.faulted();
+        const AxisConfig& config = axis.config();
+        if (config.stroke_limited && axis.referenced) {
+            // The channel refuses targets outside; this is the last defence. At v the axis needs at least v^2/2a to stop.
+            const double v = (axis.target() - axis.command()) / core_.config.tick_s;
+            const double ends = axis.target() + (v > 0 ? v * v : -v * v) / (2.0 * config.acceleration);
+            axis.stroke_side = (axis.target() >= config.stroke_high ? 1u : 0u) | (axis.target() <= config.stroke_low ? 2u : 0u);
+            const bool out = (v > 0 && ends > config.stroke_high + kStrokeTolerance) || (v < 0 && ends < config.stroke_low - kStrokeTolerance);
+            if (out && axis.owner) channels_[axis.owner - 1]->fault(Alarm::StrokeLimit, name_of('A', a).view(), v > 0 ? config.stroke_high : config.stroke_low);
+            core_.signals.set_nc(signals::an_otp(a + 1), axis.stroke_side & 1u);
+            core_.signals.set_nc(signals::an_otn(a + 1), axis.stroke_side >> 1 & 1u);
+        }
+        axis.exchange(core_.config.tick_s, core_.state != MachineState::Off);
+        if (axis.faulted() && !was_faulted) axis_fault(a);
+        core_.signals.set_nc(signals::an_inpos(a + 1), axis.in_position());
+        core_.signals.set_nc(signals::an_move(a + 1), axis.moving());
+        core_.signals.set_nc(signals::an_ref(a + 1), axis.referenced);
+    }
+}
+
+void Machine::axis_fault(std::size_t a) noexcept {
+    const AxisUnit& axis = core_.axes[a];
+    const Alarm reason = axis.fault() == AxisUnit::Fault::Drive ? Alarm::DriveFault
+                       : axis.fault() == AxisUnit::Fault::FollowingError ? Alarm::FollowingError : Alarm::StandstillError;
+    emergency_stop(reason, axis.config().channel, name_of('A', a).view(), axis.error());
+}
+
+void Machine::emergency_stop(Alarm reason, std::uint32_t channel, std::string_view detail, double value) noexcept {
+    core_.alarm(reason, channel, detail, value);
+    for (auto& runner : channels_) runner->emergency();
+    core_.all_stop = true;
+    if (core_.state != MachineState::EmergencyStop) set_state(MachineState::EmergencyStop);
+}
+
+void Machine::stop_all(Alarm reason, double value) noexcept {
+    core_.alarm(reason, 0, {}, value);
+    core_.all_stop = true;
+    for (auto& runner : channels_) runner->interrupt();
+}
+
+bool Machine::idle() noexcept {
+    commands_.drain(core_.tick);
+    if (!commands_.empty() || core_.store.question_open()) return false;
+    bool handshake = false;
+    for (auto& channel : channels_) {
+        if (channel->in_handshake()) handshake = true;
+        else if (channel->can_go_on()) return false;
+    }
+    for (std::uint32_t s = 0; s < core_.config.spindle_count; ++s)
+        if (core_.spindles[s].exists() && !core_.spindles[s].settled()) return false;
+    for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
+        if (core_.axes[a].exists() && core_.axes[a].moving()) return false;
+    const double quiet_s = static_cast<double>(plc_.quiet_ticks()) * core_.config.tick_s;
+    return !plc_.present() ? !handshake || plc_.dead() : quiet_s >= (handshake ? kHandshakeQuietS : kPlcQuietS);
+}
+
+}  // namespace polyturn::kernel

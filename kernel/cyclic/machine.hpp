@@ -1,0 +1,97 @@
+// The cyclic thread's whole machine and the order of a tick (architecture 6, nct_parameters_part1 21.6):
+//
+//   commands   what operator and scenario ask at this tick
+//   answers    what other processes owe to this tick: parameter changes, PLC outputs
+//   channels   records, path, threads; then the waits, so that all channels of a meeting leave in the same tick
+//   spindles   speed and ramp, surface speed from where the axes will be
+//   axes       limits, position loop, drives
+//   publish    signals, status, then events to the channels, trace, PLC inputs
+//
+// Commands and answers act at the start of the tick, so a tick is a pure function of what was there when it began. The
+// machine knows no clock: the real one (clock_real) and the virtual one (clock_virtual) call tick().
+#pragma once
+#include <array>
+#include <memory>
+
+#include "kernel/cyclic/channel_runner.hpp"
+#include "kernel/cyclic/command_queue.hpp"
+#include "kernel/cyclic/core.hpp"
+#include "kernel/cyclic/plc_link.hpp"
+
+namespace polyturn::kernel {
+
+class Machine {
+public:
+    Machine(KernelSegment& image, const SupervisorSegment& supervisor, const StoreSegment& store);
+    ~Machine();
+    Machine(const Machine&) = delete;
+    Machine& operator=(const Machine&) = delete;
+
+    // Not in the cyclic thread.
+    void start();                                             // reads parameters and options, opens the drives
+    void attach_channel(unsigned index, const ChannelSegment& segment);
+    void attach_plc(const PlcSegment& segment);
+
+    void tick() noexcept;
+    bool ended() const noexcept { return core_.end_run; }
+
+    // Stops everything along the paths, spindles too, until reset.
+    void stop_all(Alarm reason, double value = 0) noexcept;
+
+    Core& core() noexcept { return core_; }
+    PlcLink& plc() noexcept { return plc_; }
+    CommandQueue& commands() noexcept { return commands_; }
+    ChannelRunner& channel(unsigned index) noexcept { return *channels_[index]; }
+    const StoreSegment& store_segment() const noexcept { return store_segment_; }
+    bool trace_has_room() const noexcept { return trace_ring_.head() - core_.supervisor.trace_tail.tail.load(std::memory_order_acquire) + 1 < 1024; }
+    // Virtual time: called when a command that the supervisor must carry out itself is due; returns when it is done.
+    void (*on_action)(void*) = nullptr;
+    void* on_action_context = nullptr;
+    // Nothing moves, counts down or waits for an answer: only a command can change anything (virtual time stands).
+    bool idle() noexcept;
+
+private:
+    friend class CommandTable;
+    void take_answers() noexcept;
+    void take_commands() noexcept;
+    void run_command(const Command& command) noexcept;
+    void run_channels() noexcept;
+    void run_spindles() noexcept;
+    void run_axes() noexcept;
+    void axis_fault(std::size_t a) noexcept;
+    void supervise() noexcept;
+    void publish() noexcept;
+    void trace() noexcept;
+    void watch_signals() noexcept;
+    void set_state(MachineState state) noexcept;
+    void emergency_stop(Alarm reason, std::uint32_t channel, std::string_view detail, double value) noexcept;
+    void partner_death(unsigned index) noexcept;
+    void process_died(std::uint32_t slot) noexcept;
+    void process_stopped(std::uint32_t slot, bool stopped) noexcept;
+    void reset_machine() noexcept;
+    template <class Act>
+    void each_channel(const Command& command, Act act) noexcept;
+
+    const StoreSegment& store_segment_;
+    Core core_;
+    CommandQueue commands_;
+    PlcLink plc_;
+    std::array<std::unique_ptr<ChannelRunner>, kMaxChannels> channels_;
+    std::array<ChannelRunner*, kMaxChannels> runners_{};
+    struct Watch {
+        bool plc = false;
+        std::uint32_t slot = 0;
+        std::int32_t last = 0;
+    };
+    std::array<Watch, 64> watches_{};
+    std::size_t watch_count_ = 0;
+    bool store_dead_ = false;
+    std::int32_t builder_message_ = 0;
+    RingProducer<RingHead<TraceSample, 1024>> trace_ring_;
+    TraceSample pending_trace_{};
+    bool trace_pending_ = false;
+    std::uint64_t trace_dropped_ = 0;
+    std::uint64_t store_version_ = 0;
+};
+
+}  // namespace polyturn::kernel

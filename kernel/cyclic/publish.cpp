@@ -1,0 +1,72 @@
+// What the machine shows at the end of a tick: status, watched signals, trace.
+#include "kernel/cyclic/machine.hpp"
+
+namespace polyturn::kernel {
+
+void Machine::publish() noexcept {
+    // The draft is two pictures old; everything that exists is written anew, the rest stays zero.
+    MachineStatus& status = core_.image.status.draft();
+    status.tick = core_.tick;
+    status.machine_state = static_cast<std::uint32_t>(core_.state);
+    status.alarm_count = core_.alarm_count;
+    for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) {
+        const AxisUnit& axis = core_.axes[a];
+        if (!axis.exists()) continue;
+        AxisStatus& out = status.axes[a];
+        out.cmd = axis.command();
+        out.act = axis.measured();
+        out.velocity = axis.velocity();
+        out.error = axis.error();
+        out.owner = axis.owner;
+        out.flags = kExists | (axis.referenced ? kReferenced : 0u) | (axis.in_position() ? kInPos : 0u) | (axis.moving() ? kMoving : 0u) |
+                    (axis.faulted() ? kDriveFault : 0u) | (axis.config().rotary ? kRotary : 0u) | (axis.config().diameter ? kDiameter : 0u);
+    }
+    for (std::uint32_t s = 0; s < core_.config.spindle_count; ++s) {
+        const SpindleUnit& spindle = core_.spindles[s];
+        if (!spindle.exists()) continue;
+        SpindleStatus& out = status.spindles[s];
+        out.command = spindle.command();
+        out.speed = spindle.speed();
+        out.angle = spindle.angle();
+        out.override = spindle.override_factor;
+        out.owner = spindle.owner;
+        out.flags = (spindle.reached() ? 1u : 0u) | (spindle.standing() ? 2u : 0u) | (spindle.mode() == SpindleUnit::Mode::SurfaceSpeed ? 4u : 0u);
+    }
+    for (unsigned l = 0; l < kMaxChannels; ++l)
+        if (core_.config.channels[l].exists || channels_[l]->attached()) channels_[l]->publish(status.channels[l]);
+    core_.image.status.publish();
+    core_.image.tick.store(static_cast<std::uint64_t>(core_.tick), std::memory_order_release);
+}
+
+void Machine::watch_signals() noexcept {
+    for (std::size_t i = 0; i < watch_count_; ++i) {
+        Watch& watch = watches_[i];
+        const std::int32_t now = watch.plc ? core_.signals.plc(watch.slot) : core_.signals.nc(watch.slot);
+        if (now == watch.last) continue;
+        watch.last = now;
+        core_.event(KernelEventKind::Signal, 0, static_cast<std::int32_t>(watch.slot), now, watch.plc ? 1u : 0u);
+    }
+}
+
+// A sample shows command and measurement of the same moment. What the drives measured at the end of a tick is known at the
+// end of the next one, so a sample waits for one tick.
+void Machine::trace() noexcept {
+    const std::uint32_t every = core_.supervisor.options.trace_every;
+    if (every == 0) return;
+    if (trace_pending_) {
+        for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) pending_trace_.act[a] = core_.axes[a].measured();
+        if (!trace_ring_.push(pending_trace_)) ++trace_dropped_;
+        trace_pending_ = false;
+    }
+    if ((core_.tick + 1) % every != 0) return;
+    pending_trace_.tick = core_.tick + 1;
+    for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) pending_trace_.cmd[a] = core_.axes[a].command();
+    for (std::uint32_t s = 0; s < core_.config.spindle_count; ++s) {
+        pending_trace_.speed[s] = core_.spindles[s].true_speed();
+        pending_trace_.angle[s] = core_.spindles[s].true_angle();
+    }
+    for (unsigned l = 0; l < kMaxChannels; ++l) pending_trace_.state[l] = static_cast<std::uint8_t>(channels_[l]->state());
+    trace_pending_ = true;
+}
+
+}  // namespace polyturn::kernel

@@ -1,0 +1,58 @@
+// polyturn-kernel: the cyclic process of one controller. Started by the supervisor; ends with it.
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <string>
+
+#include "ipc/memory/segment.hpp"
+#include "kernel/cyclic/attach.hpp"
+#include "kernel/cyclic/clock_real.hpp"
+#include "kernel/cyclic/clock_virtual.hpp"
+
+namespace {
+using namespace polyturn;
+
+constexpr auto kPatience = std::chrono::seconds(30);
+
+int fail(const Diagnosis& diagnosis) {
+    std::fprintf(stderr, "polyturn-kernel: %s\n", render(diagnosis, Dialect::Polyturn, {}).c_str());
+    return 2;
+}
+
+int run(const std::string& instance) {
+    auto supervisor = PeerSegment<SupervisorSegment>::attach(instance, 0, kPatience);
+    if (!supervisor) return fail(supervisor.diagnosis());
+    auto store = PeerSegment<StoreSegment>::attach(instance, 0, kPatience);
+    if (!store) return fail(store.diagnosis());
+    auto own = OwnSegment<KernelSegment>::create(instance, (*supervisor)->header.generation);
+    if (!own) return fail(own.diagnosis());
+
+    const auto machine = std::make_unique<kernel::Machine>(**own, **supervisor, **store);
+    while (!(*store)->parameters.read(machine->core().table)) {}
+    machine->start();
+    own->publish();
+    kernel::Peers peers(instance, **supervisor);
+    peers.attach_all(*machine);
+
+    if ((*supervisor)->options.virtual_time) {
+        kernel::VirtualClock clock(*machine);
+        clock.run();
+    } else {
+        kernel::RealClock clock(*machine);
+        if (const std::string refused = clock.claim_real_time(); !refused.empty()) {
+            std::fprintf(stderr, "polyturn-kernel: no real-time priority or locked memory (%s): the computer may be late\n", refused.c_str());
+            machine->core().alarm(Alarm::NoRealTime, 0, refused);
+        }
+        clock.run();
+    }
+    return 0;
+}
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 3 || std::strcmp(argv[1], "--instance") != 0 || !valid_instance(argv[2])) {
+        std::fprintf(stderr, "usage: polyturn-kernel --instance NAME\n  The cyclic process of a controller; polyturn start and polyturn run start it.\n");
+        return argc == 2 && std::strcmp(argv[1], "--help") == 0 ? 0 : 2;
+    }
+    return run(argv[2]);
+}
