@@ -3,6 +3,7 @@
 
 #include "kernel/supervisor/check.hpp"
 #include "kernel/supervisor/options.hpp"
+#include "kernel/supervisor/run.hpp"
 
 int main(int argc, char** argv) {
     using namespace polyturn::supervisor;
@@ -10,6 +11,7 @@ int main(int argc, char** argv) {
     const CommandLine line = read_command_line(argc, argv);
     switch (line.verb) {
         case Verb::Check: return check_programs(line.job);
+        case Verb::Run: return run_programs(line.job);
         default: break;
     }
     return line.exit_status;

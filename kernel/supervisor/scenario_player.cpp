@@ -57,6 +57,7 @@ struct ScenarioPlayer::Parts {
 
 ScenarioPlayer::ScenarioPlayer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 ScenarioPlayer::ScenarioPlayer(ScenarioPlayer&&) noexcept = default;
+ScenarioPlayer& ScenarioPlayer::operator=(ScenarioPlayer&&) noexcept = default;
 ScenarioPlayer::~ScenarioPlayer() = default;
 
 std::optional<std::size_t> process_slot(std::string_view words) {
@@ -166,6 +167,18 @@ std::vector<Planned> ScenarioPlayer::match(std::string_view event_text, double t
 
 bool ScenarioPlayer::waits_for_events() const {
     return std::any_of(parts_->whens.begin(), parts_->whens.end(), [](const When& when) { return !when.happened; });
+}
+
+std::set<unsigned> ScenarioPlayer::channels_that_read() const {
+    std::set<unsigned> out;
+    const auto look = [&](const Planned& planned) {
+        const auto kind = static_cast<CommandKind>(planned.command.kind);
+        if (!planned.action && planned.command.channel && (kind == CommandKind::Select || kind == CommandKind::Mdi)) out.insert(planned.command.channel);
+    };
+    for (const Planned& planned : parts_->timed) look(planned);
+    for (const When& when : parts_->whens)
+        for (const Planned& planned : when.planned) look(planned);
+    return out;
 }
 
 }  // namespace polyturn::supervisor

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,7 @@ class ScenarioPlayer {
 public:
     ~ScenarioPlayer();
     ScenarioPlayer(ScenarioPlayer&&) noexcept;
+    ScenarioPlayer& operator=(ScenarioPlayer&&) noexcept;
     // Understands all words; the diagnoses have the places in the scenario file.
     static std::optional<ScenarioPlayer> make(const text::Scenario& scenario, const MachineConfig& machine, std::vector<Diagnosis>& diagnoses);
 
@@ -45,6 +47,7 @@ public:
     // What the event starts. Each stimulus acts once, at its first match. t_s: of the event.
     std::vector<Planned> match(std::string_view event_text, double t_s);
     bool waits_for_events() const;    // a `when` that has not happened
+    std::set<unsigned> channels_that_read() const;   // by select and mdi: they need a process
 
 private:
     struct Parts;

@@ -1,0 +1,249 @@
+#include "kernel/supervisor/controller.hpp"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/random.h>
+#include <unistd.h>
+
+#include <atomic>
+
+namespace polyturn::supervisor {
+
+namespace {
+
+constexpr auto kAttachPatience = std::chrono::seconds(20);   // a loaded computer that starts sanitised programs
+
+std::atomic<bool> g_end{false};
+
+std::string program_of(std::size_t slot) {
+    switch (slot) {
+        case kProcessKernel: return "polyturn-kernel";
+        case kProcessPlc: return "polyturn-plc";
+        case kProcessStore: return "polyturn-toolmgmt";
+        case kProcessHmi: return "polyturn-hmi";
+        case kProcessCell: return "polyturn-cell";
+        default: return "polyturn-channel";
+    }
+}
+
+}  // namespace
+
+void catch_signals() {
+    struct sigaction action {};
+    action.sa_handler = [](int) {};   // no SA_RESTART: waits return
+    sigaction(SIGCHLD, &action, nullptr);
+    action.sa_handler = [](int) { g_end = true; };
+    sigaction(SIGTERM, &action, nullptr);
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGHUP, &action, nullptr);
+}
+
+bool end_requested() { return g_end; }
+
+std::string private_instance_name() {
+    std::uint32_t random = 0;
+    if (getrandom(&random, sizeof random, GRND_NONBLOCK) < 0) random = static_cast<std::uint32_t>(getpid());
+    return fmt::format("run-{}-{:08x}", getpid(), random);
+}
+
+Result<std::unique_ptr<Controller>> Controller::start(ControllerPlan plan) {
+    std::unique_ptr<Controller> out(new Controller(std::move(plan)));
+    if (auto launched = out->launch(); !launched) return launched.diagnosis();
+    return out;
+}
+
+Controller::~Controller() {
+    children_.clear();   // SIGKILL and reaped
+    if (own_) remove_instance(plan_.instance);
+}
+
+void Controller::mark(std::size_t slot, ProcessState state, int pid) {
+    ProcessEntry& entry = own().processes[slot];
+    entry.pid = pid;
+    entry.state.store(static_cast<std::uint32_t>(state), std::memory_order_release);
+}
+
+Result<void> Controller::launch() {
+    auto own = OwnSegment<SupervisorSegment>::create(plan_.instance, plan_.generation);
+    if (!own) return own.diagnosis();
+    own_ = std::make_unique<OwnSegment<SupervisorSegment>>(std::move(*own));
+    (*own_)->options = plan_.options;
+    // Who will take part is said before the kernel starts: virtual time does not begin without them.
+    for (const std::size_t slot : {kProcessStore, kProcessKernel, kProcessPlc}) mark(slot, ProcessState::Starting, 0);
+    for (const unsigned number : plan_.channels) mark(kProcessChannel + number - 1, ProcessState::Starting, 0);
+    own_->publish();
+
+    if (auto done = spawn(kProcessStore); !done) return done;
+    auto store = attach<StoreSegment>(kProcessStore, 0);
+    if (!store) return store.diagnosis();
+    store_ = std::make_unique<PeerSegment<StoreSegment>>(std::move(*store));
+    requests_ = std::make_unique<RingProducer<RingHead<StoreRequest, 256>>>((*own_)->requests, (*store_)->request_tail);
+    answers_ = std::make_unique<RingConsumer<RingHead<StoreAnswer, 256>>>((*store_)->answers, (*own_)->answer_tail);
+
+    if (auto done = spawn(kProcessKernel); !done) return done;
+    auto kernel = attach<KernelSegment>(kProcessKernel, 0);
+    if (!kernel) return kernel.diagnosis();
+    kernel_ = std::make_unique<PeerSegment<KernelSegment>>(std::move(*kernel));
+    commands_ = std::make_unique<RingProducer<RingHead<Command, 1024>>>((*own_)->commands, (*kernel_)->command_tail);
+
+    if (auto done = spawn(kProcessPlc); !done) return done;
+    for (const unsigned number : plan_.channels)
+        if (auto done = spawn(kProcessChannel + number - 1); !done) return done;
+    for (const unsigned number : plan_.channels) {
+        auto channel = attach<ChannelSegment>(kProcessChannel + number - 1, number);
+        if (!channel) return channel.diagnosis();
+        channels_.insert_or_assign(number, std::move(*channel));
+    }
+    return {};
+}
+
+Result<void> Controller::spawn(std::size_t slot) {
+    std::vector<std::string> arguments = {"--instance", plan_.instance};
+    if (slot == kProcessStore) {
+        arguments.insert(arguments.end(), plan_.store_arguments.begin(), plan_.store_arguments.end());
+        arguments.insert(arguments.end(), plan_.machine_arguments.begin(), plan_.machine_arguments.end());
+    } else if (slot == kProcessPlc && !plan_.plc_library.empty()) {
+        arguments.insert(arguments.end(), {"--library", plan_.plc_library});
+    } else if (slot >= kProcessChannel) {
+        arguments.insert(arguments.end(), {"--channel", std::to_string(slot - kProcessChannel + 1)});
+        arguments.insert(arguments.end(), plan_.channel_arguments.begin(), plan_.channel_arguments.end());
+    }
+    auto child = Child::start(program_of(slot), arguments);
+    if (!child) return child.diagnosis();
+    const int pid = child->pid();
+    children_.insert_or_assign(slot, std::move(*child));
+    mark(slot, ProcessState::Running, pid);
+    return {};
+}
+
+template <class Layout>
+Result<PeerSegment<Layout>> Controller::attach(std::size_t slot, std::size_t number) {
+    const auto until = std::chrono::steady_clock::now() + kAttachPatience;
+    for (;;) {
+        auto peer = PeerSegment<Layout>::attach(plan_.instance, number, std::chrono::milliseconds(5));
+        if (peer) {
+            // A segment that a dead predecessor left is not this one's.
+            if ((*peer)->header.writer_pid == children_[slot].pid()) return peer;
+        } else if (peer.diagnosis().alarm == Alarm::SegmentLayout) {
+            return peer.diagnosis();
+        }
+        if (children_[slot].reap()) return Diagnosis{Alarm::ProcessDied, {}, {}, fmt::format("{} {} while it started", program_of(slot), describe_end(children_[slot].status()))};
+        if (std::chrono::steady_clock::now() > until) return Diagnosis{Alarm::NoProgress, {}, {}, fmt::format("{} does not get ready", program_of(slot))};
+        if (end_requested()) return Diagnosis{Alarm::ProcessDied, {}, {}, "stopped while it started"};
+    }
+}
+
+const ChannelSegment* Controller::channel(unsigned number) const {
+    const auto found = channels_.find(number);
+    return found == channels_.end() ? nullptr : &*found->second;
+}
+
+std::uint64_t Controller::send(Command command, std::int64_t tick) {
+    command.tick = tick;
+    command.seq = ++sequence_;
+    while (!commands_->push(command)) {
+        own().bell.ring();
+        if (children_[kProcessKernel].reap() || !children_[kProcessKernel].running()) return command.seq;   // nobody will read it
+        sleep_ms(1);
+    }
+    own().bell.ring();
+    return command.seq;
+}
+
+bool Controller::ask_store(const StoreRequest& request) {
+    StoreRequest copy = request;
+    copy.id = ++request_;
+    if (!requests_->push(copy)) return false;
+    own().store_bell.ring();
+    return true;
+}
+
+bool Controller::next_answer(StoreAnswer& answer) {
+    const StoreAnswer* next = answers_->front();
+    if (!next) return false;
+    answer = *next;
+    answers_->pop();
+    return true;
+}
+
+bool Controller::running(std::size_t slot) const {
+    const auto found = children_.find(slot);
+    return found != children_.end() && found->second.running();
+}
+
+void Controller::watch(const std::function<void(std::size_t, int)>& on_death) {
+    for (auto& [slot, child] : children_) {
+        if (!child.running() || !child.reap()) continue;
+        mark(slot, ProcessState::Dead, 0);
+        if (slot != kProcessKernel && running(kProcessKernel)) {
+            Command died{};
+            died.kind = static_cast<std::uint32_t>(CommandKind::ProcessDied);
+            died.object = static_cast<std::uint32_t>(slot);
+            send(died);
+        }
+        on_death(slot, child.status());
+    }
+}
+
+void Controller::act(const ProcessAction& action, const std::function<void(std::size_t, int)>& on_death) {
+    const auto found = children_.find(action.slot);
+    if (found == children_.end() || !found->second.running()) return;
+    Command told{};
+    told.object = static_cast<std::uint32_t>(action.slot);
+    switch (action.kind) {
+        case ProcessAction::Kind::Kill: {
+            found->second.kill_and_reap();
+            mark(action.slot, ProcessState::Dead, 0);
+            if (action.slot != kProcessKernel) {
+                told.kind = static_cast<std::uint32_t>(CommandKind::ProcessDied);
+                send(told);
+            }
+            on_death(action.slot, found->second.status());
+            return;
+        }
+        case ProcessAction::Kind::Stop:
+            found->second.signal(SIGSTOP);
+            mark(action.slot, ProcessState::Stopped, found->second.pid());
+            told.kind = static_cast<std::uint32_t>(CommandKind::ProcessStopped);
+            break;
+        case ProcessAction::Kind::Continue:
+            found->second.signal(SIGCONT);
+            mark(action.slot, ProcessState::Running, found->second.pid());
+            told.kind = static_cast<std::uint32_t>(CommandKind::ProcessContinued);
+            break;
+    }
+    if (action.slot != kProcessKernel) send(told);
+}
+
+Result<void> Controller::restart(std::size_t slot) {
+    if (auto done = spawn(slot); !done) return done;
+    if (slot < kProcessChannel) return {};
+    const unsigned number = static_cast<unsigned>(slot - kProcessChannel + 1);
+    auto channel = attach<ChannelSegment>(slot, number);
+    if (!channel) return channel.diagnosis();
+    own().note_tail[number - 1].store(0, std::memory_order_release);
+    channels_.insert_or_assign(number, std::move(*channel));
+    return {};
+}
+
+void Controller::beat() { own().heartbeat.fetch_add(1, std::memory_order_release); }
+
+void Controller::wait(std::uint32_t seen, std::int64_t timeout_us, int spins) const { kernel().supervisor_bell.wait(seen, timeout_us, spins); }
+
+void Controller::stop(int patience_ms) {
+    if (kernel_ && running(kProcessKernel)) {
+        Command end{};
+        end.kind = static_cast<std::uint32_t>(CommandKind::EndRun);
+        send(end);
+        children_[kProcessKernel].end_within(patience_ms);
+    }
+    mark(kProcessKernel, ProcessState::Dead, 0);
+    for (auto& [slot, child] : children_)
+        if (child.running()) child.signal(SIGCONT), child.signal(SIGTERM);
+    // The store last: what the others still wrote must reach the disk.
+    for (auto& [slot, child] : children_)
+        if (slot != kProcessStore) child.end_within(1000);
+    children_[kProcessStore].end_within(patience_ms);
+}
+
+}  // namespace polyturn::supervisor

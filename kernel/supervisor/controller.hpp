@@ -1,0 +1,90 @@
+// One running controller as its supervisor sees it: the processes, their segments, the commands to the kernel.
+//
+// Order of the start: supervisor's segment, toolmgmt (parameters and offsets), kernel, PLC, channels. Every process dies
+// with this one. A process counts as dead only when it has been reaped (architecture 4.4); then the kernel is told.
+#pragma once
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ipc/memory/segment.hpp"
+#include "kernel/supervisor/child.hpp"
+#include "kernel/supervisor/scenario_player.hpp"
+
+namespace polyturn::supervisor {
+
+struct ControllerPlan {
+    std::string instance;
+    std::uint64_t generation = 1;
+    RunOptions options{};
+    std::vector<std::string> machine_arguments;     // for toolmgmt: --machine, --set, --param-file, --setup
+    std::vector<std::string> store_arguments;       // --memory or --store DIR
+    std::vector<std::string> channel_arguments;     // --setup FILE, --variables
+    std::vector<unsigned> channels;                 // that get a process
+    std::string plc_library;                        // empty: the built-in one
+};
+
+class Controller {
+public:
+    static Result<std::unique_ptr<Controller>> start(ControllerPlan plan);
+    ~Controller();
+    Controller(const Controller&) = delete;
+    Controller& operator=(const Controller&) = delete;
+
+    const KernelSegment& kernel() const { return **kernel_; }
+    SupervisorSegment& own() { return **own_; }
+    const ChannelSegment* channel(unsigned number) const;    // nullptr: it has no process
+    const StoreSegment& store() const { return **store_; }
+    const std::string& instance() const { return plan_.instance; }
+    const ControllerPlan& plan() const { return plan_; }
+
+    // Sends a command that acts at `tick` (0: at the next one). Returns its number. Waits for room while the kernel lives.
+    std::uint64_t send(Command command, std::int64_t tick = 0);
+    // Asks the store; the answer comes through answer().
+    bool ask_store(const StoreRequest& request);
+    bool next_answer(StoreAnswer& answer);
+
+    // Reaps what has died and tells the kernel. on_death(slot, status) once for each.
+    void watch(const std::function<void(std::size_t slot, int status)>& on_death);
+    void act(const ProcessAction& action, const std::function<void(std::size_t slot, int status)>& on_death);
+    bool running(std::size_t slot) const;
+    Result<void> restart(std::size_t slot);                  // a successor, after watch() has reported the death
+    void beat();                                             // "the supervisor lives"
+    // Waits until the kernel rings, a child dies or the time is over.
+    void wait(std::uint32_t seen, std::int64_t timeout_us, int spins) const;
+    std::uint32_t bell() const { return kernel().supervisor_bell.seen(); }
+
+    // Controlled end: the kernel brings everything to rest; then all processes end.
+    void stop(int patience_ms);
+
+private:
+    explicit Controller(ControllerPlan plan) : plan_(std::move(plan)) {}
+    Result<void> launch();
+    Result<void> spawn(std::size_t slot);
+    template <class Layout>
+    Result<PeerSegment<Layout>> attach(std::size_t slot, std::size_t number);
+    void mark(std::size_t slot, ProcessState state, int pid);
+
+    ControllerPlan plan_;
+    std::unique_ptr<OwnSegment<SupervisorSegment>> own_;
+    std::unique_ptr<PeerSegment<StoreSegment>> store_;
+    std::unique_ptr<PeerSegment<KernelSegment>> kernel_;
+    std::map<unsigned, PeerSegment<ChannelSegment>> channels_;
+    std::map<std::size_t, Child> children_;
+    std::unique_ptr<RingProducer<RingHead<Command, 1024>>> commands_;
+    std::unique_ptr<RingProducer<RingHead<StoreRequest, 256>>> requests_;
+    std::unique_ptr<RingConsumer<RingHead<StoreAnswer, 256>>> answers_;
+    std::uint64_t sequence_ = 0;
+    std::uint64_t request_ = 0;
+};
+
+// SIGCHLD interrupts waits, so that a death is noticed at once. SIGTERM and SIGINT ask for a controlled end.
+void catch_signals();
+bool end_requested();
+
+// "run-4711-1": a name that no other controller has.
+std::string private_instance_name();
+
+}  // namespace polyturn::supervisor

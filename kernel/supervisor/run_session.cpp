@@ -1,0 +1,495 @@
+#include "kernel/supervisor/run_session.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ipc/image/commands.hpp"
+#include "kernel/supervisor/event_text.hpp"
+#include "kernel/supervisor/press_words.hpp"
+#include "kernel/supervisor/program_stops.hpp"
+#include "kernel/supervisor/start_position.hpp"
+
+namespace polyturn::supervisor {
+
+namespace {
+using Clock = std::chrono::steady_clock;
+
+// The cycle starts a fixed time after the kernel: the PLC has answered a few cycles, and virtual runs are all alike.
+constexpr std::int64_t kStartTick = 100;
+constexpr double kStopAnswer_s = 1.0;                    // a programmed stop is answered by cycle start so much later
+constexpr auto kNoProgress = std::chrono::seconds(15);   // of virtual time, before the run is given up
+
+bool is(std::uint32_t kind, CommandKind wanted) { return kind == static_cast<std::uint32_t>(wanted); }
+
+std::string_view reason_text(StopReason reason) {
+    switch (reason) {
+        case StopReason::M00: return "M00";
+        case StopReason::M01: return "M01";
+        case StopReason::M02: return "M02";
+        case StopReason::M30: return "M30";
+        case StopReason::Held: return "held";
+        case StopReason::Waiting: return "waiting";
+        case StopReason::SingleBlock: return "single_block";
+        case StopReason::Alarm: return "alarm";
+        case StopReason::Reset: return "reset";
+        case StopReason::Death: return "death";
+        default: return "end";
+    }
+}
+}  // namespace
+
+RunSession::RunSession(const JobOptions& options, JobPlan& plan, RunWishes wishes)
+    : options_(options), plan_(plan), wishes_(std::move(wishes)), output_(1, !options.virtual_time) {
+    record_.wanted = options.report || !options.plot_file.empty();
+    sink_ = [this](const EventJoiner::Event& event) { give_out(event); };
+    for (const auto& [channel, program] : plan_.programs) tracks_[channel];
+}
+
+RunSession::~RunSession() = default;
+
+int RunSession::run() {
+    catch_signals();
+    if (auto started = start(); !started) {
+        print_diagnosis(started.diagnosis(), Dialect::Polyturn);
+        output_.write(alarm_event(started.diagnosis(), Dialect::Polyturn, 0));
+        return started.diagnosis().alarm == Alarm::OutputFile ? 2 : 1;
+    }
+    send_start();
+    loop();
+    finish();
+    return alarms_ || stopped_short_ ? 1 : 0;
+}
+
+Result<void> RunSession::start() {
+    if (!options_.trace_file.empty()) {
+        auto file = TraceFile::create(options_.trace_file, *plan_.machine);
+        if (!file) return file.diagnosis();
+        trace_file_ = std::move(*file);
+    }
+    ControllerPlan plan;
+    plan.instance = options_.instance.empty() ? private_instance_name() : options_.instance;
+    plan.options.virtual_time = options_.virtual_time ? 1 : 0;
+    plan.options.trace_every = trace_file_ ? options_.trace_every : 0;
+    plan.options.notes = 1;
+    plan.options.parts = options_.parts ? options_.parts : plan_.job && plan_.job->parts_wanted ? plan_.job->parts_wanted : 1;
+    plan.options.ready = 1;
+    for (unsigned number = 1; number <= kMaxChannels; ++number) {
+        const auto found = wishes_.feed_override.find(number);
+        plan.options.feed_override[number - 1] = found == wishes_.feed_override.end() ? 1.0 : found->second;
+    }
+    set_start_positions(plan_, plan.options);
+    const bool reacts = wishes_.scenario && (wishes_.scenario->has_when() || wishes_.scenario->has_actions());
+    follow_log_ = options_.virtual_time && (reacts || (plan_.programs.size() > 1 && programs_may_stop()));
+    plan.options.follow_log = follow_log_ ? 1 : 0;
+    plan.machine_arguments = plan_.machine_arguments();
+    for (const auto& [channel, program] : plan_.programs)
+        if (program.language_chosen) plan.machine_arguments.insert(plan.machine_arguments.end(), {"--set", fmt::format("PT_LANGUAGE L{}={}", channel, program.language)});
+    if (options_.store.empty()) plan.store_arguments = {"--memory"};
+    else plan.store_arguments = {"--store", options_.store};
+    if (!plan_.setup_path.empty()) plan.channel_arguments = {"--setup", plan_.setup_path};
+    if (options_.variables) plan.channel_arguments.push_back("--variables");
+    for (const auto& [channel, program] : plan_.programs) plan.channels.push_back(channel);
+    if (wishes_.scenario)
+        for (const unsigned channel : wishes_.scenario->channels_that_read())
+            if (!plan_.programs.count(channel)) plan.channels.push_back(channel);
+
+    auto controller = Controller::start(std::move(plan));
+    if (!controller) return controller.diagnosis();
+    controller_ = std::move(*controller);
+    log_ = std::make_unique<RingConsumer<RingHead<KernelEvent, 16384>>>(controller_->kernel().log, controller_->own().log_tail);
+    trace_ = std::make_unique<RingConsumer<RingHead<TraceSample, 1024>>>(controller_->kernel().trace, controller_->own().trace_tail);
+    tick_s_ = static_cast<double>(controller_->kernel().tick_ns.load(std::memory_order_acquire)) * 1e-9;
+    origin_ = options_.virtual_time ? kStartTick : static_cast<std::int64_t>(controller_->kernel().tick.load(std::memory_order_acquire)) + kStartTick;
+    return {};
+}
+
+// Programs whose text holds a programmed stop: its answer must come at an exact tick, so the kernel has to wait for us.
+bool RunSession::programs_may_stop() const {
+    if (wishes_.scenario && wishes_.scenario->presses_cycle_start()) return false;
+    std::vector<std::string> files;
+    for (const auto& [channel, program] : plan_.programs) files.push_back(program.file);
+    for (const auto& [channel, setup] : plan_.setup.channels) files.insert(files.end(), setup.subprograms.begin(), setup.subprograms.end());
+    return may_hold_program_stop(files);
+}
+
+void RunSession::send_at(const Command& command, double t_s) {
+    // Rounded up: what is asked for at t does not act before t.
+    const auto ticks = static_cast<std::int64_t>(std::ceil(t_s / tick_s_ - 1e-6));
+    const std::int64_t tick = origin_ + std::max<std::int64_t>(ticks, 0);
+    sent_ticks_.insert(tick);
+    if (is(command.kind, CommandKind::CycleStart) || is(command.kind, CommandKind::Mdi) || is(command.kind, CommandKind::Restart)) starts_planned_.insert(tick);
+    controller_->send(command, tick);
+}
+
+void RunSession::send_planned(const Planned& planned) {
+    if (!planned.action) return send_at(planned.command, planned.t_s);
+    const auto ticks = static_cast<std::int64_t>(std::ceil(planned.t_s / tick_s_ - 1e-6));
+    const std::int64_t tick = origin_ + std::max<std::int64_t>(ticks, 0);
+    sent_ticks_.insert(tick);
+    actions_[controller_->send(planned.command, tick)] = *planned.action;
+}
+
+void RunSession::send_start() {
+    const auto make = [](CommandKind kind, unsigned channel, double value) {
+        Command command{};
+        command.kind = static_cast<std::uint32_t>(kind);
+        command.channel = channel;
+        command.value = value;
+        return command;
+    };
+    for (const WatchedSignal& watched : wishes_.watch) {
+        Command command = make(CommandKind::Watch, 0, 0);
+        command.object = watched.slot;
+        command.flags = watched.side;
+        send_at(command, 0.0);
+    }
+    for (const auto& [channel, setup] : plan_.setup.channels) {
+        const text::KeySetup& keys = setup.keys;
+        if (keys.single_block) send_at(make(CommandKind::SingleBlock, channel, 1), 0.0);
+        if (keys.optional_stop) send_at(make(CommandKind::OptionalStop, channel, 1), 0.0);
+        if (keys.dry_run) send_at(make(CommandKind::DryRun, channel, 1), 0.0);
+        if (keys.machine_lock) send_at(make(CommandKind::MachineLock, channel, 1), 0.0);
+        for (const int level : keys.block_skip) {
+            Command command = make(CommandKind::BlockSkip, channel, 1);
+            command.flags = static_cast<std::uint32_t>(std::max(level, 1));
+            send_at(command, 0.0);
+        }
+    }
+    for (const auto& [channel, program] : plan_.programs) {
+        Command select = make(CommandKind::Select, channel, 0);
+        if (!put_text(select, program.file)) {
+            report(Diagnosis{Alarm::FileUnreadable, Place{program.file, 0, 0, 0}, {}, fmt::format("its name is longer than {} characters", select.text.size() - 1)}, channel, 0.0);
+            tracks_[channel].over = true;
+            continue;
+        }
+        send_at(select, 0.0);
+    }
+    // What a scenario sets at time 0 is there when the programs start.
+    std::vector<Planned> timed;
+    if (wishes_.scenario) timed = wishes_.scenario->timed();
+    const auto is_key = [](const Planned& planned) {
+        return !planned.action && planned.t_s <= 0.0 && !is(planned.command.kind, CommandKind::CycleStart) && !is(planned.command.kind, CommandKind::FeedHold) &&
+               !is(planned.command.kind, CommandKind::Reset);
+    };
+    for (const Planned& planned : timed)
+        if (is_key(planned)) send_planned(planned);
+    for (const auto& [channel, program] : plan_.programs) {
+        const auto restart = wishes_.restart_at.find(channel);
+        send_at(restart == wishes_.restart_at.end() ? make(CommandKind::CycleStart, channel, 1) : make(CommandKind::Restart, channel, restart->second), 0.0);
+    }
+    for (const Planned& planned : timed)
+        if (!is_key(planned)) send_planned(planned);
+}
+
+void RunSession::loop() {
+    progress_at_ = still_since_ = checked_at_ = Clock::now();
+    while (!done_) {
+        const std::uint32_t seen = controller_->bell();
+        const bool moved = drain();
+        if (done_) break;
+        controller_->beat();
+        const auto now = Clock::now();
+        if (now - checked_at_ > std::chrono::milliseconds(10)) {
+            checked_at_ = now;
+            controller_->watch([this](std::size_t slot, int status) { process_died(slot, status); });
+            if (!options_.virtual_time) watch_real_time();
+            watch_progress();
+            if (end_requested()) done_ = stopped_short_ = true;
+        }
+        if (!moved) controller_->wait(seen, 5'000, follow_log_ ? 4'000 : 0);
+        else if (!follow_log_ && options_.virtual_time) usleep(300);   // a batch at a time: each wake-up costs the kernel a tick
+    }
+}
+
+bool RunSession::drain() {
+    bool moved = drain_log();
+    moved = drain_trace() || moved;
+    if (moved) {
+        joiner_.drain(static_cast<double>(log_tick_ - origin_) * tick_s_, sink_);
+        controller_->own().bell.ring();
+    }
+    return moved;
+}
+
+void RunSession::drain_notes() {
+    for (unsigned number = 1; number <= kMaxChannels; ++number) {
+        const ChannelSegment* channel = controller_->channel(number);
+        if (!channel) continue;
+        NoteReader reader(channel->notes, controller_->own().note_tail[number - 1]);
+        std::uint64_t note = 0;
+        std::string_view text;
+        while (reader.front(note, text)) {
+            joiner_.note(number, note, text);
+            reader.pop();
+        }
+    }
+}
+
+bool RunSession::drain_log() {
+    drain_notes();
+    bool moved = false;
+    while (const KernelEvent* event = log_->front()) {
+        // The note of a record is in its ring before the record, and so before this event.
+        if (static_cast<KernelEventKind>(event->kind) == KernelEventKind::RecordBegin) drain_notes();
+        const KernelEvent copy = *event;
+        log_->pop();
+        moved = true;
+        take(copy);
+        if (follow_log_) {
+            controller_->own().log_seen.store(copy.seq, std::memory_order_release);
+            controller_->own().bell.ring();
+        }
+        if (done_) break;
+    }
+    return moved;
+}
+
+bool RunSession::drain_trace() {
+    bool moved = false;
+    while (const TraceSample* sample = trace_->front()) {
+        moved = true;
+        if (trace_file_ && sample->tick >= origin_) trace_file_->write(*sample, static_cast<double>(sample->tick - origin_) * tick_s_);
+        trace_->pop();
+    }
+    return moved;
+}
+
+void RunSession::take(const KernelEvent& event) {
+    log_tick_ = std::max(log_tick_, event.tick);
+    sent_ticks_.erase(sent_ticks_.begin(), sent_ticks_.lower_bound(event.tick));
+    starts_planned_.erase(starts_planned_.begin(), starts_planned_.lower_bound(event.tick));
+    const double t_s = seconds(event);
+    const auto track = tracks_.find(event.channel);
+    switch (static_cast<KernelEventKind>(event.kind)) {
+        case KernelEventKind::RecordBegin: take_begin(event, t_s); break;
+        case KernelEventKind::RecordEnd: joiner_.end(event.channel, event.note, t_s); break;
+        case KernelEventKind::CycleStarted:
+            if (track != tracks_.end()) track->second.started = true, track->second.over = false;
+            break;
+        case KernelEventKind::CycleEnded:
+            joiner_.close_channel(event.channel, t_s);
+            if (track != tracks_.end()) track->second.over = true;
+            end_s_ = std::max(end_s_, t_s);
+            if (all_over() && !start_is_planned()) done_ = true;
+            break;
+        case KernelEventKind::Signal: {
+            for (const WatchedSignal& watched : wishes_.watch)
+                if (watched.slot == static_cast<std::uint32_t>(event.code) && watched.side == event.line) {
+                    std::string text = std::move(EventText("flag").text("name", watched.name).number("value", event.value)).line();
+                    text.pop_back();
+                    react(joiner_.plain(event.channel, t_s, std::move(text)), t_s);
+                }
+            break;
+        }
+        case KernelEventKind::Message:
+        case KernelEventKind::Alarm: take_alarm(event, t_s); break;
+        case KernelEventKind::Stopped: take_stopped(event, t_s); break;
+        case KernelEventKind::ActionDue: take_action(event); break;
+        case KernelEventKind::Idle: take_idle(t_s); break;
+        default: break;
+    }
+}
+
+void RunSession::take_begin(const KernelEvent& event, double t_s) {
+    const std::string_view text = joiner_.begin(event.channel, event.note, t_s);
+    if (text.empty()) return;
+    if (event_kind(text) == "alarm" && text.find("\"severity\":\"warning\"") == std::string_view::npos) ++alarms_;
+    react(text, t_s);
+}
+
+// Stimuli that wait for this event.
+void RunSession::react(std::string_view event_text, double t_s) {
+    if (!wishes_.scenario || !wishes_.scenario->waits_for_events()) return;
+    for (const Planned& planned : wishes_.scenario->match(event_text, t_s)) {
+        Planned later = planned;
+        // At the next tick's start at the earliest, even when the event lies within this tick.
+        later.t_s = std::max(later.t_s, static_cast<double>(log_tick_ + 1 - origin_) * tick_s_);
+        send_planned(later);
+    }
+}
+
+void RunSession::take_stopped(const KernelEvent& event, double t_s) {
+    const auto track = tracks_.find(event.channel);
+    const auto reason = static_cast<StopReason>(event.code);
+    if ((reason == StopReason::M00 || reason == StopReason::M01) && !(wishes_.scenario && wishes_.scenario->presses_cycle_start())) {
+        Command start{};
+        start.kind = static_cast<std::uint32_t>(CommandKind::CycleStart);
+        start.channel = event.channel;
+        send_at(start, t_s + kStopAnswer_s);
+    }
+    if ((reason == StopReason::Alarm || reason == StopReason::Death) && track != tracks_.end()) {
+        joiner_.close_channel(event.channel, t_s);
+        track->second.over = track->second.alarmed = true;
+        end_s_ = std::max(end_s_, t_s);
+        if (all_over() && !start_is_planned()) done_ = true;
+    }
+}
+
+void RunSession::take_alarm(const KernelEvent& event, double t_s) {
+    Diagnosis diagnosis;
+    diagnosis.alarm = event.code >= 0 && event.code < kAlarmCount ? static_cast<Alarm>(event.code) : Alarm::NoProgress;
+    diagnosis.values[0] = event.value;
+    diagnosis.detail = event.text.data();
+    diagnosis.place.line = event.line;
+    if (event.line) {
+        // The kernel knows lines, the channel's last block knows the file: a subprogram's, perhaps.
+        const auto program = plan_.programs.find(event.channel);
+        if (program != plan_.programs.end()) diagnosis.place.file = program->second.file;
+        if (const std::string* last = joiner_.last_begun(event.channel)) {
+            const auto at = last->find("\"file\":\"");
+            if (at != std::string::npos && last->find(fmt::format("\"line\":{},", event.line)) != std::string::npos)
+                diagnosis.place.file = last->substr(at + 8, last->find('"', at + 8) - at - 8);
+        }
+    }
+    report(diagnosis, event.channel, t_s);
+}
+
+void RunSession::report(const Diagnosis& diagnosis, unsigned channel, double t_s) {
+    const Dialect dialect = channel ? plan_.dialect(channel) : Dialect::Polyturn;
+    if (!options_.quiet || diagnosis.severity() != Severity::Message) print_diagnosis(diagnosis, dialect);
+    std::string text = alarm_event(diagnosis, dialect, channel);
+    text.pop_back();
+    if (diagnosis.severity() == Severity::Error) ++alarms_;
+    react(joiner_.plain(channel, t_s, std::move(text)), t_s);
+}
+
+void RunSession::take_action(const KernelEvent& event) {
+    const auto found = actions_.find(static_cast<std::uint64_t>(event.code));
+    if (found == actions_.end()) return;
+    const ProcessAction action = found->second;
+    actions_.erase(found);
+    controller_->act(action, [this](std::size_t slot, int status) { process_died(slot, status); });
+}
+
+// Nothing can go on. Commands that the kernel has not looked at yet may change that: it says so again.
+void RunSession::take_idle(double t_s) {
+    if (sent_ticks_.upper_bound(log_tick_) != sent_ticks_.end()) return;
+    if (controller_->kernel().command_tail.tail.load(std::memory_order_acquire) != controller_->own().commands.head.load(std::memory_order_relaxed)) return;
+    end_s_ = std::max(end_s_, t_s);
+    done_ = true;
+    MachineStatus status;
+    if (!controller_->kernel().status.read(status)) return;
+    for (auto& [number, track] : tracks_) {
+        if (track.over) continue;
+        const ChannelStatus& channel = status.channels[number - 1];
+        StopReason reason = static_cast<StopReason>(channel.stop_reason);
+        switch (static_cast<ChannelState>(channel.state)) {
+            case ChannelState::Held: reason = StopReason::Held; break;
+            case ChannelState::Waiting: reason = StopReason::Waiting; break;
+            case ChannelState::ProgramStop: break;
+            case ChannelState::Reset:
+            case ChannelState::Ended: continue;
+            case ChannelState::Interrupted:
+            case ChannelState::Dead: track.alarmed = true; continue;
+            default: break;
+        }
+        stopped_short_ = true;
+        std::string text = std::move(EventText("stop").number("ch", number).text("reason", reason == StopReason::None ? "stopped" : reason_text(reason))).line();
+        text.pop_back();
+        joiner_.plain(number, t_s, std::move(text));
+    }
+}
+
+bool RunSession::all_over() const {
+    return std::all_of(tracks_.begin(), tracks_.end(), [](const auto& track) { return track.second.over; });
+}
+
+bool RunSession::start_is_planned() const { return starts_planned_.upper_bound(log_tick_) != starts_planned_.end(); }
+
+void RunSession::process_died(std::size_t slot, int status) {
+    const double t_s = std::max(0.0, static_cast<double>(log_tick_ - origin_) * tick_s_);
+    const bool channel = slot >= kProcessChannel;
+    if (slot == kProcessKernel) {
+        kernel_dead_ = done_ = true;
+        drain_log();
+        done_ = true;
+    }
+    // The kernel names channel and PLC in its own alarm, at the tick at which it acts.
+    if (channel || slot == kProcessPlc) return;
+    report(Diagnosis{Alarm::ProcessDied, {}, {}, fmt::format("the process {} {}", process_name(slot), describe_end(status))}, 0, t_s);
+}
+
+void RunSession::watch_progress() {
+    const std::uint64_t tick = controller_->kernel().tick.load(std::memory_order_acquire);
+    const auto now = Clock::now();
+    if (tick != progress_tick_) {
+        progress_tick_ = tick;
+        progress_at_ = now;
+        return;
+    }
+    if (now - progress_at_ < kNoProgress) return;
+    std::string who = fmt::format("the kernel stands at tick {}", tick);
+    for (const auto& [number, track] : tracks_) {
+        const ChannelSegment* channel = controller_->channel(number);
+        if (!channel) continue;
+        const std::uint64_t sent = controller_->kernel().events[number - 1].head.load(std::memory_order_acquire);
+        who += fmt::format("; channel {} has answered {} of {} events, {} records", number, channel->quiet.load(std::memory_order_acquire), sent,
+                           channel->path.head.load(std::memory_order_acquire) - controller_->kernel().path_tail[number - 1].tail.load(std::memory_order_acquire));
+    }
+    who += fmt::format("; PLC cycle {}", controller_->kernel().plc_inputs.version());
+    report(Diagnosis{Alarm::NoProgress, {}, {}, std::move(who)}, 0, std::max(0.0, static_cast<double>(log_tick_ - origin_) * tick_s_));
+    done_ = stopped_short_ = true;
+}
+
+// In real time nobody says that nothing can go on: when no channel has run for a while and nothing is planned, it is so.
+void RunSession::watch_real_time() {
+    const auto now = Clock::now();
+    MachineStatus status;
+    if (!controller_->kernel().status.read(status)) return;
+    bool stands = status.tick > origin_ && sent_ticks_.upper_bound(status.tick) == sent_ticks_.end();
+    for (const auto& [number, track] : tracks_) stands = stands && static_cast<ChannelState>(status.channels[number - 1].state) != ChannelState::Running;
+    for (const AxisStatus& axis : status.axes) stands = stands && !(axis.flags & kMoving);
+    if (!stands) still_since_ = now;
+    if (now - still_since_ < std::chrono::milliseconds(500)) return;
+    log_tick_ = std::max(log_tick_, status.tick);
+    take_idle(static_cast<double>(status.tick - origin_) * tick_s_);
+}
+
+void RunSession::give_out(const EventJoiner::Event& event) {
+    const std::string_view kind = event_kind(event.text);
+    if (record_.wanted) record_.add(event.text, event.t_s, event.end_s, true);
+    if (options_.quiet && !passes_quiet(kind)) return;
+    output_.write(event.text);
+    output_.write("\n");
+}
+
+void RunSession::finish() {
+    if (!kernel_dead_) {
+        drain_trace();
+        MachineStatus status;
+        if (controller_->kernel().status.read(status))
+            for (const auto& [number, track] : tracks_) {
+                const ChannelStatus& channel = status.channels[number - 1];
+                record_.channels[number] = {channel.cycle_s, channel.cutting_s, channel.rapid_s, channel.waiting_s, channel.blocks};
+            }
+    }
+    joiner_.finish(sink_);
+    record_.seconds = end_s_;
+    std::string channels = "[";
+    for (const auto& [number, times] : record_.channels) {
+        if (channels.size() > 1) channels += ',';
+        channels += fmt::format("{{\"ch\":{},\"seconds\":", number);
+        append_json_number(channels, times.cycle_s);
+        channels += ",\"cutting\":";
+        append_json_number(channels, times.cutting_s);
+        channels += ",\"rapid\":";
+        append_json_number(channels, times.rapid_s);
+        channels += ",\"waiting\":";
+        append_json_number(channels, times.waiting_s);
+        channels += fmt::format(",\"blocks\":{}}}", times.blocks);
+    }
+    channels += ']';
+    output_.write(std::move(EventText("summary").number("seconds", end_s_).raw("channels", channels).number("alarms", static_cast<double>(alarms_))).line());
+    output_.flush();
+    controller_->stop(3'000);
+    if (trace_file_ && !trace_file_->close()) {
+        print_diagnosis(Diagnosis{Alarm::OutputFile, {}, {}, options_.trace_file}, Dialect::Polyturn);
+        stopped_short_ = true;
+    }
+    controller_.reset();
+}
+
+}  // namespace polyturn::supervisor

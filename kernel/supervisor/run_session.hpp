@@ -1,0 +1,96 @@
+// One run from the start of the processes to the summary. Time 0 is the cycle start.
+#pragma once
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "kernel/supervisor/controller.hpp"
+#include "kernel/supervisor/event_joiner.hpp"
+#include "kernel/supervisor/job_plan.hpp"
+#include "kernel/supervisor/output.hpp"
+#include "kernel/supervisor/run_record.hpp"
+#include "kernel/supervisor/scenario_player.hpp"
+#include "kernel/supervisor/trace_file.hpp"
+
+namespace polyturn::supervisor {
+
+struct WatchedSignal {
+    std::string name;          // as it was asked for
+    std::uint32_t slot = 0, side = 0;
+};
+
+// What is wanted beside the job itself, already understood.
+struct RunWishes {
+    std::vector<WatchedSignal> watch;
+    std::map<unsigned, double> feed_override;        // 1 is 100 %
+    std::map<unsigned, double> restart_at;           // block number
+    std::optional<ScenarioPlayer> scenario;
+};
+
+class RunSession {
+public:
+    RunSession(const JobOptions& options, JobPlan& plan, RunWishes wishes);
+    ~RunSession();
+    int run();                                        // exit status
+    const RunRecord& record() const { return record_; }
+
+private:
+    struct Track {
+        bool started = false, over = false;
+        bool alarmed = false;
+    };
+
+    Result<void> start();
+    void send_start();
+    void send_planned(const Planned& planned);
+    void send_at(const Command& command, double t_s);
+    void loop();
+    bool drain();
+    void drain_notes();
+    bool drain_log();
+    bool drain_trace();
+    void take(const KernelEvent& event);
+    void take_begin(const KernelEvent& event, double t_s);
+    void take_stopped(const KernelEvent& event, double t_s);
+    void take_alarm(const KernelEvent& event, double t_s);
+    void take_action(const KernelEvent& event);
+    void take_idle(double t_s);
+    void report(const Diagnosis& diagnosis, unsigned channel, double t_s);
+    void react(std::string_view event_text, double t_s);
+    void give_out(const EventJoiner::Event& event);
+    void process_died(std::size_t slot, int status);
+    void watch_progress();
+    void watch_real_time();
+    bool all_over() const;
+    bool start_is_planned() const;
+    bool programs_may_stop() const;
+    void finish();
+    double seconds(const KernelEvent& event) const { return static_cast<double>(event.tick - origin_) * tick_s_ + event.offset_s; }
+
+    const JobOptions& options_;
+    JobPlan& plan_;
+    RunWishes wishes_;
+    std::unique_ptr<Controller> controller_;
+    std::unique_ptr<RingConsumer<RingHead<KernelEvent, 16384>>> log_;
+    std::unique_ptr<RingConsumer<RingHead<TraceSample, 1024>>> trace_;
+    std::unique_ptr<TraceFile> trace_file_;
+    EventJoiner joiner_;
+    EventJoiner::Sink sink_;
+    Output output_;
+    RunRecord record_;
+    std::map<unsigned, Track> tracks_;
+    std::map<std::uint64_t, ProcessAction> actions_;  // by the sequence of their Action command
+    std::multiset<std::int64_t> sent_ticks_;          // of commands that have not acted yet
+    std::multiset<std::int64_t> starts_planned_;      // cycle starts still to come
+    std::int64_t origin_ = 0, log_tick_ = 0;
+    double tick_s_ = 0.001, end_s_ = 0.0;
+    bool follow_log_ = false, done_ = false, stopped_short_ = false, kernel_dead_ = false;
+    std::size_t alarms_ = 0;
+    std::uint64_t progress_tick_ = 0;
+    std::chrono::steady_clock::time_point progress_at_{}, still_since_{}, checked_at_{};
+};
+
+}  // namespace polyturn::supervisor
