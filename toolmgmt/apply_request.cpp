@@ -82,9 +82,8 @@ Result<Applied> set_variable(const StoreRequest& request, const MachineConfig& m
     if (std::isinf(request.value)) return refused("variable: not a number");
     std::int32_t index = request.number;
     if (const std::string_view name = name_of(request); !name.empty()) {
-        const auto kept = kept_variable(name);
-        if (!kept) return Applied{};   // #100 and the like live only as long as the channel
-        index = static_cast<std::int32_t>(*kept);
+        if (const auto kept = kept_variable(name)) index = static_cast<std::int32_t>(*kept);
+        else if (index < 500) return Applied{};   // #100 and the like live only as long as the channel
     }
     return set_number(values, {Kind::Variable, static_cast<std::int32_t>(request.channel), index, 0, {}}, request.value);
 }

@@ -3,7 +3,7 @@
 //   kind         number                     field                         name             value
 //   OffsetValue  offset number 1..999       table * 256 + OffsetField     -                as the table shows it
 //   WorkZero     row of ChannelStore::zeros place of the axis             or "G54 X"       as the table shows it
-//   Variable     index of the kept ones     -                             or "#500"        NaN: empty
+//   Variable     index of the kept ones, -1 -                             or "#500"        NaN: empty
 //   Counter      0..99                      -                             -                value
 //   LastPosition axis, from 1               -                             -                machine coordinate, true mm or degrees
 //   Parameter    -                          -                             "N1600 L1=2.5"   -
@@ -11,7 +11,8 @@
 //   Flush        answered when everything before it is on disk
 //
 // A name, where there is one, wins over the numbers. "As the table shows it": millimetres or degrees, X as a diameter
-// where the axis is a diameter axis. A variable whose name is none of the kept ones is no error: it is just not stored.
+// where the axis is a diameter axis. Indices 0..499 of the kept variables are #500..#999; those from 500 belong to
+// languages with other names. A variable that is none of the kept ones is no error: it is just not stored.
 #pragma once
 
 #include <cstring>
@@ -59,8 +60,11 @@ inline StoreRequest parameter_request(std::string_view line) noexcept {
 
 // What a record of kind Offset or Variable asks of the store; for the kernel, which forwards it in path order.
 inline StoreRequest request_of_record(std::uint32_t channel, const PathRecord& record) noexcept {
-    if (static_cast<RecordKind>(record.kind) == RecordKind::Variable)
-        return variable_request(channel, std::string_view(record.text.data(), ::strnlen(record.text.data(), record.text.size())), record.value);
+    if (static_cast<RecordKind>(record.kind) == RecordKind::Variable) {
+        StoreRequest request = variable_request(channel, std::string_view(record.text.data(), ::strnlen(record.text.data(), record.text.size())), record.value);
+        request.number = record.code;   // -1: not kept
+        return request;
+    }
     const auto table = static_cast<OffsetTable>(record.code);
     const auto number = static_cast<std::int32_t>(record.mask);
     if (table == OffsetTable::Work) return work_zero_request(channel, number, record.plane[0], record.value);
