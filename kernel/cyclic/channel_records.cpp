@@ -4,6 +4,7 @@
 #include <cstring>
 #include <utility>
 
+#include "ipc/machine/store_requests.hpp"
 #include "kernel/cyclic/channel_runner.hpp"
 
 namespace polyturn::kernel {
@@ -61,9 +62,11 @@ bool ChannelRunner::execute(const PathRecord& r, double& left) noexcept {
 
 bool ChannelRunner::execute_instant(const PathRecord& r, double offset_s) noexcept {
     switch (static_cast<RecordKind>(r.kind)) {
-        case RecordKind::Variable: return core_.store.write(StoreRequestKind::Variable, number_, 0, 0, r.value, text_of(r));
-        case RecordKind::Offset:
-            return core_.store.write(static_cast<StoreRequestKind>(r.code), number_, static_cast<std::int32_t>(r.mask), r.plane[0], r.value, text_of(r));
+        case RecordKind::Variable:
+        case RecordKind::Offset: {
+            const StoreRequest q = request_of_record(number_, r);
+            return core_.store.write(static_cast<StoreRequestKind>(q.kind), q.channel, q.number, q.field, q.value, {q.name.data(), ::strnlen(q.name.data(), q.name.size())});
+        }
         case RecordKind::SpindleMode:
         case RecordKind::SpindleSpeed: spindle_mode(r); return true;
         case RecordKind::Message: {

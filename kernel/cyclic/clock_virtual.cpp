@@ -82,10 +82,8 @@ void VirtualClock::run() {
     while (!machine_.ended()) {
         if (step()) continue;
         // Virtual time stands. What wakes it is a command; all of a batch are there when the supervisor has seen «idle».
-        const bool follow = core.supervisor.options.follow_log != 0;
         await(core.supervisor.bell, kProcesses, core.image.supervisor_bell, none, [&] {
-            const bool heard = !follow || core.supervisor.log_seen.load(std::memory_order_acquire) >= core.log.newest();
-            return heard && !machine_.commands().empty();
+            return core.supervisor.log_seen.load(std::memory_order_acquire) >= core.log.newest() && !machine_.commands().empty();
         });
     }
     core.image.supervisor_bell.ring();

@@ -238,10 +238,9 @@ bool RunSession::drain_log() {
         log_->pop();
         moved = true;
         take(copy);
-        if (follow_log_) {
-            controller_->own().log_seen.store(copy.seq, std::memory_order_release);
-            controller_->own().bell.ring();
-        }
+        // Always said: the kernel does not leave «idle» before it, so a batch of commands (the start) acts as one.
+        controller_->own().log_seen.store(copy.seq, std::memory_order_release);
+        if (follow_log_) controller_->own().bell.ring();
         if (done_) break;
     }
     return moved;
