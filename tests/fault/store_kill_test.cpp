@@ -1,0 +1,140 @@
+// SIGKILL of the store at random moments: whatever was acknowledged is there afterwards, and nothing is half written.
+// Acknowledged is an operator's change whose answer came (ok), and a program's write before the index `on_disk`.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <random>
+
+#include "../unit/toolmgmt/store_rig.hpp"
+
+namespace {
+
+using namespace polyturn;
+using polyturn::test::StoreRig;
+
+const std::string kMachine = std::string(POLYTURN_SOURCE_DIR) + "/examples/machines/twin-turret";
+
+unsigned rounds() {
+    const char* chosen = std::getenv("POLYTURN_STORE_KILLS");
+    return chosen ? static_cast<unsigned>(std::atoi(chosen)) : 40;
+}
+
+// What is known about one cell: its last acknowledged value and everything asked since.
+struct Cell {
+    double acknowledged = 0.0;
+    std::vector<double> asked;
+    bool possible(double value) const {
+        return value == acknowledged || std::find(asked.begin(), asked.end(), value) != asked.end();
+    }
+    void acknowledge(double value) {   // values of one cell are asked for and acknowledged in the same order
+        asked.erase(asked.begin(), std::find(asked.begin(), asked.end(), value) + 1);
+        acknowledged = value;
+    }
+};
+
+TEST(StoreKilled, LosesNothingThatWasAcknowledged) {
+    StoreRig rig("kill");
+    rig.make_kernel();
+    const std::vector<std::string> arguments = {"--store", rig.folder + "/store", "--machine", kMachine};
+    std::mt19937 random(20'26);
+    std::map<int, Cell> offsets, variables;   // wear X of offsets of L1 by operator; #500.. of L2 by program
+    std::map<std::uint64_t, std::pair<int, double>> written;   // persist index behind it -> variable, value
+    std::map<std::uint64_t, std::pair<int, double>> open;      // request id -> offset, value; a successor answers what is left
+    double next = 0.0;
+    std::size_t acknowledged = 0;
+    for (unsigned round = 0; round < rounds(); ++round) {
+        SCOPED_TRACE("round " + std::to_string(round));
+        ASSERT_TRUE(rig.start(arguments)) << rig.messages();
+        // What the new process shows now.
+        const auto l1 = rig.channel(1), l2 = rig.channel(2);
+        for (auto& [number, cell] : offsets) {
+            const double value = l1->offsets[static_cast<std::size_t>(number)].wear[0];
+            ASSERT_TRUE(cell.possible(value)) << "offset " << number << ": " << value << ", acknowledged " << cell.acknowledged;
+        }
+        for (auto& [index, cell] : variables) {
+            const double value = l2->variables[static_cast<std::size_t>(index)];
+            const double seen = std::isnan(value) ? 0.0 : value;
+            ASSERT_TRUE(cell.possible(seen)) << "variable " << index << ": " << seen << ", acknowledged " << cell.acknowledged;
+        }
+        const auto until = std::chrono::steady_clock::now() + std::chrono::microseconds(random() % 150'000);
+        while (std::chrono::steady_clock::now() < until) {
+            next += 1.0 / 1024;   // exact in binary and below the wear limit for a long time
+            if (random() % 2 && open.size() < 100) {
+                const int number = 1 + static_cast<int>(random() % 30);
+                const double value = std::fmod(next, 1.0);
+                offsets[number].asked.push_back(value);
+                open[rig.send(offset_request(1, number, OffsetTable::Wear, OffsetField::X, value))] = {number, value};
+            } else if ((*rig.kernel)->persist.head - (*rig.store)->persist_tail.tail < 4000) {
+                const int index = static_cast<int>(random() % 50);
+                variables[index].asked.push_back(next);
+                written[rig.push(variable_request(2, "#" + std::to_string(500 + index), next))] = {index, next};
+            }
+            while (const auto answer = rig.take_answer()) {
+                const auto found = open.find(answer->id);
+                if (found == open.end()) continue;   // answered twice: killed between the answer and its tail
+                ASSERT_EQ(answer->ok, 1u) << answer->text.data();
+                offsets[found->second.first].acknowledge(found->second.second);
+                open.erase(found);
+                ++acknowledged;
+            }
+            if (random() % 4 == 0) usleep(static_cast<useconds_t>(random() % 300));
+        }
+        rig.kill_now();
+        // Read after the death: what on_disk said last was promised.
+        const auto promised = (*rig.store)->on_disk.load();
+        while (!written.empty() && written.begin()->first <= promised) {
+            const auto [index, value] = written.begin()->second;
+            variables[index].acknowledge(value);
+            written.erase(written.begin());
+            ++acknowledged;
+        }
+    }
+    EXPECT_GT(acknowledged, 100u);
+    RecordProperty("acknowledged", static_cast<int>(acknowledged));
+}
+
+// The kernel's ring still holds what only the image of the dead store had: the next store takes it from there, so that
+// a program loses nothing as long as the kernel lives.
+TEST(StoreKilled, AProgramsWritesAreTakenAgainFromTheKernel) {
+    StoreRig rig("again");
+    rig.make_kernel();
+    const std::vector<std::string> arguments = {"--store", rig.folder + "/store", "--machine", kMachine};
+    ASSERT_TRUE(rig.start(arguments)) << rig.messages();
+    std::uint64_t index = 0;
+    for (int i = 0; i < 500; ++i) index = rig.push(variable_request(1, "#" + std::to_string(500 + i), i));
+    ASSERT_TRUE(StoreRig::reached((*rig.store)->persist_tail.tail, index));
+    rig.kill_now();   // most likely before the batch reached the disk
+    ASSERT_TRUE(rig.start(arguments)) << rig.messages();
+    ASSERT_TRUE(StoreRig::reached((*rig.store)->on_disk, index));
+    const auto l1 = rig.channel(1);
+    for (int i = 0; i < 500; ++i) EXPECT_EQ(l1->variables[static_cast<std::size_t>(i)], i);
+}
+
+// A new kernel begins a new ring: what the dead one pushed last still counts, and the new one is served from its start.
+TEST(StoreOfADeadKernel, FinishesItsRingAndServesTheNextOne) {
+    StoreRig rig("kernel");
+    rig.make_kernel();
+    ASSERT_TRUE(rig.start({"--store", rig.folder + "/store", "--machine", kMachine})) << rig.messages();
+    ASSERT_TRUE(StoreRig::reached((*rig.store)->persist_tail.tail, rig.push(variable_request(1, "#500", 1))));
+    // The next kernel under the same name; its pid differs, as the supervisor's table says.
+    auto fresh = OwnSegment<KernelSegment>::create(rig.instance, 2);
+    ASSERT_TRUE(fresh);
+    (*fresh)->header.writer_pid = getpid() + 1;
+    fresh->publish();
+    rig.push(variable_request(1, "#501", 2));   // the old one's last words
+    rig.supervisor->processes[kProcessKernel].pid = getpid() + 1;
+    rig.kernel.emplace(std::move(*fresh));
+    rig.push(variable_request(1, "#502", 3));
+    for (int ms = 0; ms < 5000 && rig.channel(1)->variables[2] != 3; ++ms) sleep_ms(1);
+    const auto l1 = rig.channel(1);
+    EXPECT_EQ(l1->variables[0], 1);
+    EXPECT_EQ(l1->variables[1], 2);
+    EXPECT_EQ(l1->variables[2], 3);
+    EXPECT_TRUE(StoreRig::reached((*rig.store)->on_disk, 1));
+    EXPECT_EQ((*rig.store)->persist_tail.tail.load(), 1u);
+}
+
+}  // namespace
