@@ -5,6 +5,7 @@
 #include <sys/random.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 
 namespace polyturn::supervisor {
@@ -141,6 +142,10 @@ const ChannelSegment* Controller::channel(unsigned number) const {
 std::uint64_t Controller::send(Command command, std::int64_t tick) {
     command.tick = tick;
     command.seq = ++sequence_;
+    if (batching_) {
+        batch_.push_back(command);
+        return command.seq;
+    }
     while (!commands_->push(command)) {
         own().bell.ring();
         if (children_[kProcessKernel].reap() || !children_[kProcessKernel].running()) return command.seq;   // nobody will read it
@@ -148,6 +153,28 @@ std::uint64_t Controller::send(Command command, std::int64_t tick) {
     }
     own().bell.ring();
     return command.seq;
+}
+
+void Controller::end_batch() {
+    batching_ = false;
+    auto& ring = own().commands;
+    const auto head = ring.head.load(std::memory_order_relaxed);
+    const auto tail = kernel().command_tail.tail.load(std::memory_order_acquire);
+    // Earliest first: if they do not all fit, the rest is due late enough to come singly.
+    std::stable_sort(batch_.begin(), batch_.end(), [](const Command& a, const Command& b) { return a.tick < b.tick; });
+    const std::size_t fit = std::min<std::size_t>(batch_.size(), ring.capacity - (head - tail));
+    for (std::size_t i = 0; i < fit; ++i) ring.slot(head + i) = batch_[i];
+    ring.head.store(head + fit, std::memory_order_release);
+    own().bell.ring();
+    std::vector<Command> rest(batch_.begin() + static_cast<std::ptrdiff_t>(fit), batch_.end());
+    batch_.clear();
+    for (const Command& command : rest)
+        while (!commands_->push(command)) {
+            own().bell.ring();
+            if (!children_[kProcessKernel].running() || children_[kProcessKernel].reap()) return;
+            sleep_ms(1);
+        }
+    if (!rest.empty()) own().bell.ring();
 }
 
 bool Controller::ask_store(const StoreRequest& request) {
@@ -221,7 +248,6 @@ Result<void> Controller::restart(std::size_t slot) {
     const unsigned number = static_cast<unsigned>(slot - kProcessChannel + 1);
     auto channel = attach<ChannelSegment>(slot, number);
     if (!channel) return channel.diagnosis();
-    own().note_tail[number - 1].store(0, std::memory_order_release);
     channels_.insert_or_assign(number, std::move(*channel));
     return {};
 }

@@ -42,6 +42,9 @@ public:
 
     // Sends a command that acts at `tick` (0: at the next one). Returns its number. Waits for room while the kernel lives.
     std::uint64_t send(Command command, std::int64_t tick = 0);
+    // What is sent between these two appears in the ring at once: virtual time cannot begin with half of it.
+    void begin_batch() { batching_ = true; }
+    void end_batch();
     // Asks the store; the answer comes through answer().
     bool ask_store(const StoreRequest& request);
     bool next_answer(StoreAnswer& answer);
@@ -78,6 +81,8 @@ private:
     std::unique_ptr<RingConsumer<RingHead<StoreAnswer, 256>>> answers_;
     std::uint64_t sequence_ = 0;
     std::uint64_t request_ = 0;
+    bool batching_ = false;
+    std::vector<Command> batch_;
 };
 
 // SIGCHLD interrupts waits, so that a death is noticed at once. SIGTERM and SIGINT ask for a controlled end.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "ipc/text/read_file.hpp"
 #include "ipc/text/setup_text.hpp"
@@ -220,6 +221,38 @@ void print_diagnosis(const Diagnosis& diagnosis, Dialect dialect) {
     }
     const std::string rendered = render(diagnosis, dialect, line);
     std::fwrite(rendered.data(), 1, rendered.size(), stderr);
+}
+
+void print_alarm_event(std::string_view event_text, Dialect dialect) {
+    const auto event = nlohmann::json::parse(event_text, nullptr, false);
+    if (event.is_discarded()) return;
+    const std::string words = event.value("text", "");
+    std::string number;
+    if (const auto found = event.find("number"); found != event.end()) number = found->is_string() ? found->get<std::string>() : std::to_string(found->get<long>());
+    // The row whose fixed words the text has: several rows may share a number of one control.
+    std::string_view remedy;
+    std::size_t best = 0;
+    for (std::uint16_t i = 0; i < kAlarmCount; ++i) {
+        const AlarmRow& row = alarm_row(static_cast<Alarm>(i));
+        std::string_view own = alarm_number(row.id, dialect);
+        while (own.size() > 1 && own.size() > number.size() && own.front() == '0') own.remove_prefix(1);
+        const std::string_view fixed = row.text.substr(0, row.text.find('{'));
+        if (own == number && words.compare(0, fixed.size(), fixed) == 0 && fixed.size() + 1 > best) best = fixed.size() + 1, remedy = row.remedy;
+    }
+    const std::string file = event.value("file", "");
+    const auto line = event.value("line", 0u), column = event.value("column", 0u);
+    std::string out = file;
+    if (line) out += fmt::format(":{}", line);
+    if (column) out += fmt::format(":{}", column);
+    if (out.empty() && event.contains("ch")) out = fmt::format("channel {}", event.value("ch", 0u));
+    out += fmt::format("{}{} {}: {}\n", out.empty() ? "" : ": ", event.value("severity", "error") == "warning" ? "warning" : "alarm", number, words);
+    if (line)
+        if (const auto content = text::read_text_file(file)) {
+            out += fmt::format("{:5} | {}\n", line, text::line_of(*content, line));
+            if (column) out += fmt::format("      | {}^\n", std::string(column - 1, ' '));
+        }
+    if (!remedy.empty()) out += fmt::format("   {}\n", remedy);
+    std::fwrite(out.data(), 1, out.size(), stderr);
 }
 
 }  // namespace polyturn::supervisor

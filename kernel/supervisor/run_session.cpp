@@ -82,7 +82,7 @@ Result<void> RunSession::start() {
     }
     set_start_positions(plan_, plan.options);
     const bool reacts = wishes_.scenario && (wishes_.scenario->has_when() || wishes_.scenario->has_actions());
-    follow_log_ = options_.virtual_time && (reacts || (plan_.programs.size() > 1 && programs_may_stop()));
+    follow_log_ = options_.virtual_time && (reacts || programs_may_stop());
     plan.options.follow_log = follow_log_ ? 1 : 0;
     plan.machine_arguments = plan_.machine_arguments();
     for (const auto& [channel, program] : plan_.programs)
@@ -140,6 +140,7 @@ void RunSession::send_start() {
         command.value = value;
         return command;
     };
+    controller_->begin_batch();
     for (const WatchedSignal& watched : wishes_.watch) {
         Command command = make(CommandKind::Watch, 0, 0);
         command.object = watched.slot;
@@ -182,14 +183,17 @@ void RunSession::send_start() {
     }
     for (const Planned& planned : timed)
         if (!is_key(planned)) send_planned(planned);
+    controller_->end_batch();
 }
 
 void RunSession::loop() {
     progress_at_ = still_since_ = checked_at_ = Clock::now();
     while (!done_) {
         const std::uint32_t seen = controller_->bell();
+        // Everything of the last tick is in the log once the kernel shows the next one.
+        const bool complete = ending() && static_cast<std::int64_t>(controller_->kernel().tick.load(std::memory_order_acquire)) > end_tick_;
         const bool moved = drain();
-        if (done_) break;
+        if (done_ || complete) break;
         controller_->beat();
         const auto now = Clock::now();
         if (now - checked_at_ > std::chrono::milliseconds(10)) {
@@ -234,6 +238,10 @@ bool RunSession::drain_log() {
     while (const KernelEvent* event = log_->front()) {
         // The note of a record is in its ring before the record, and so before this event.
         if (static_cast<KernelEventKind>(event->kind) == KernelEventKind::RecordBegin) drain_notes();
+        if (event->tick > end_tick_) {   // after the end
+            done_ = true;
+            break;
+        }
         const KernelEvent copy = *event;
         log_->pop();
         moved = true;
@@ -250,7 +258,7 @@ bool RunSession::drain_trace() {
     bool moved = false;
     while (const TraceSample* sample = trace_->front()) {
         moved = true;
-        if (trace_file_ && sample->tick >= origin_) trace_file_->write(*sample, static_cast<double>(sample->tick - origin_) * tick_s_);
+        if (trace_file_ && sample->tick >= origin_ && sample->tick <= end_tick_) trace_file_->write(*sample, static_cast<double>(sample->tick - origin_) * tick_s_);
         trace_->pop();
     }
     return moved;
@@ -269,10 +277,10 @@ void RunSession::take(const KernelEvent& event) {
             if (track != tracks_.end()) track->second.started = true, track->second.over = false;
             break;
         case KernelEventKind::CycleEnded:
-            joiner_.close_channel(event.channel, t_s);
-            if (track != tracks_.end()) track->second.over = true;
-            end_s_ = std::max(end_s_, t_s);
-            if (all_over() && !start_is_planned()) done_ = true;
+            // A dead channel's axes still come to rest; Stopped says when.
+            if (static_cast<StopReason>(event.code) == StopReason::Death) break;
+            if (track != tracks_.end()) track->second.alarmed = track->second.alarmed || static_cast<StopReason>(event.code) == StopReason::Alarm;
+            end_if_over(event, t_s);
             break;
         case KernelEventKind::Signal: {
             for (const WatchedSignal& watched : wishes_.watch)
@@ -295,7 +303,10 @@ void RunSession::take(const KernelEvent& event) {
 void RunSession::take_begin(const KernelEvent& event, double t_s) {
     const std::string_view text = joiner_.begin(event.channel, event.note, t_s);
     if (text.empty()) return;
-    if (event_kind(text) == "alarm" && text.find("\"severity\":\"warning\"") == std::string_view::npos) ++alarms_;
+    if (event_kind(text) == "alarm") {
+        if (text.find("\"severity\":\"warning\"") == std::string_view::npos) ++alarms_;
+        print_alarm_event(text, plan_.dialect(event.channel));
+    }
     react(text, t_s);
 }
 
@@ -320,11 +331,20 @@ void RunSession::take_stopped(const KernelEvent& event, double t_s) {
         send_at(start, t_s + kStopAnswer_s);
     }
     if ((reason == StopReason::Alarm || reason == StopReason::Death) && track != tracks_.end()) {
-        joiner_.close_channel(event.channel, t_s);
-        track->second.over = track->second.alarmed = true;
-        end_s_ = std::max(end_s_, t_s);
-        if (all_over() && !start_is_planned()) done_ = true;
+        track->second.alarmed = true;
+        end_if_over(event, t_s);
     }
+}
+
+// The channel's program is over. When all are, so is the run; after an alarm it goes on until the machine rests.
+void RunSession::end_if_over(const KernelEvent& event, double t_s) {
+    joiner_.close_channel(event.channel, t_s);
+    const auto track = tracks_.find(event.channel);
+    if (track == tracks_.end() || track->second.over) return;
+    track->second.over = true;
+    end_s_ = std::max(end_s_, t_s);
+    const bool calm = std::none_of(tracks_.begin(), tracks_.end(), [](const auto& one) { return one.second.alarmed; });
+    if (calm && all_over() && !start_is_planned()) end_at(event.tick);
 }
 
 void RunSession::take_alarm(const KernelEvent& event, double t_s) {
@@ -367,7 +387,8 @@ void RunSession::take_action(const KernelEvent& event) {
 void RunSession::take_idle(double t_s) {
     if (sent_ticks_.upper_bound(log_tick_) != sent_ticks_.end()) return;
     if (controller_->kernel().command_tail.tail.load(std::memory_order_acquire) != controller_->own().commands.head.load(std::memory_order_relaxed)) return;
-    end_s_ = std::max(end_s_, t_s);
+    if (!all_over()) end_s_ = std::max(end_s_, t_s);
+    end_at(log_tick_);
     done_ = true;
     MachineStatus status;
     if (!controller_->kernel().status.read(status)) return;

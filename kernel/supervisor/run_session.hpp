@@ -53,6 +53,8 @@ private:
     bool drain_log();
     bool drain_trace();
     void take(const KernelEvent& event);
+    void end_at(std::int64_t tick) { end_tick_ = std::min(end_tick_, tick); }
+    bool ending() const { return end_tick_ != INT64_MAX; }
     void take_begin(const KernelEvent& event, double t_s);
     void take_stopped(const KernelEvent& event, double t_s);
     void take_alarm(const KernelEvent& event, double t_s);
@@ -63,6 +65,7 @@ private:
     void give_out(const EventJoiner::Event& event);
     void process_died(std::size_t slot, int status);
     void watch_progress();
+    void end_if_over(const KernelEvent& event, double t_s);
     void watch_real_time();
     bool all_over() const;
     bool start_is_planned() const;
@@ -86,6 +89,7 @@ private:
     std::multiset<std::int64_t> sent_ticks_;          // of commands that have not acted yet
     std::multiset<std::int64_t> starts_planned_;      // cycle starts still to come
     std::int64_t origin_ = 0, log_tick_ = 0;
+    std::int64_t end_tick_ = INT64_MAX;               // the last tick of the run, once it is known
     double tick_s_ = 0.001, end_s_ = 0.0;
     bool follow_log_ = false, done_ = false, stopped_short_ = false, kernel_dead_ = false;
     std::size_t alarms_ = 0;
