@@ -17,13 +17,14 @@ Diagnosis refused(std::string why) { return Diagnosis{Alarm::StoreRequestBad, {}
 
 std::string_view name_of(const StoreRequest& request) { return {request.name.data(), ::strnlen(request.name.data(), request.name.size())}; }
 
-// Bits, because an empty variable (NaN) equals nothing, and -0 must be stored over 0.
+// Bits, because an empty variable (NaN) equals nothing.
 bool differs(double a, double b) { return std::bit_cast<std::uint64_t>(a) != std::bit_cast<std::uint64_t>(b); }
 
 Result<Applied> set_number(StoreValues& values, const Key& key, double value) {
     double* at = number_at(values, key);
     if (!at) return refused(describe(key) + " does not exist");
     Applied applied;
+    value += 0.0;   // -0 becomes 0: the disk knows no other
     if (differs(*at, value)) applied.changes.push_back({key, *at, value, {}, {}, false});
     *at = value;
     return applied;

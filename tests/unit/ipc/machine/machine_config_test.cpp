@@ -113,7 +113,7 @@ TEST(MachineConfig, ChoosesTheTickByTheChannelsThatOwnAxes) {
 
 // Whatever the parameters say within their limits, every number in the result can be used as an index.
 TEST(MachineConfig, IsSafeToIndexForAnyParameters) {
-    rc::check("random tables", [] {
+    const bool good = rc::check("random tables", [] {
         auto t = std::make_unique<params::Table>(params::defaults());
         const auto put_some = [&](const auto& handle, int low, int high) {
             const unsigned count = params::instances(std::decay_t<decltype(handle)>::kScope);
@@ -145,6 +145,7 @@ TEST(MachineConfig, IsSafeToIndexForAnyParameters) {
             RC_ASSERT(a.on_spindle == 0 || m->spindle(a.on_spindle).exists());
         }
     });
+    EXPECT_TRUE(good);
 }
 
 TEST(LoadMachine, SaysEveryWrongLineWithItsPlace) {
