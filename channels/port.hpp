@@ -30,6 +30,11 @@ public:
     virtual std::optional<double> given_variable(std::string_view name) = 0;
     virtual CalendarTime clock() = 0;
     virtual double running_ms() = 0;                // #3001
+    // Stroke limits of a machine axis that hold now (the PLC selects sets); false: those of the parameters' set A.
+    virtual bool stroke_limits(unsigned machine_axis, double& min, double& max) = 0;
+    // This program cuts per revolution on a spindle that it has not started itself. Has somebody else?
+    enum class Turning : unsigned char { No, Unknown, Watched };   // Watched: the kernel sees to it, nothing to say here
+    virtual Turning started_by_others(unsigned spindle) = 0;
 };
 
 }  // namespace polyturn::channels

@@ -96,6 +96,7 @@ struct Spindle {
     std::int32_t css_axis = -1;     // SurfaceSpeed: place of the turning axis
     double css_zero = 0.0;          // SurfaceSpeed: machine coordinate of that axis at diameter 0
     bool mode_changed = false, speed_changed = false, turn_changed = false, limit_changed = false;
+    bool silent = false;            // a record for the kernel (G96 follows a new zero), no event
 };
 
 struct Wait {

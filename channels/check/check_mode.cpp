@@ -1,0 +1,149 @@
+#include "channels/check/check_mode.hpp"
+
+#include <cstdio>
+#include <filesystem>
+
+#include "channels/check/check_port.hpp"
+#include "channels/check/event_text.hpp"
+#include "channels/language.hpp"
+#include "ipc/machine/apply_setup.hpp"
+
+namespace polyturn::channels {
+namespace {
+
+Dialect dialect_of(std::string_view language) {
+    if (language == "nct") return Dialect::Nct;
+    if (language == "fagor") return Dialect::Fagor;
+    if (language == "sinumerik") return Dialect::Sinumerik;
+    if (language == "mefi") return Dialect::Mefi;
+    return Dialect::Fanuc;
+}
+
+// Prints events as they come in pieces, so that a long program needs no memory; after a wait it asks for the way on.
+class Printer {
+public:
+    std::string text;
+    void flush() {
+        std::fwrite(text.data(), 1, text.size(), stdout);
+        std::fflush(stdout);
+        text.clear();
+    }
+    void flush_large() {
+        if (text.size() > 1u << 16) flush();
+    }
+};
+
+// What is wrong is printed as an event, and for people on standard error.
+int refuse(const Diagnosis& diagnosis, const EventScene& scene, Printer& printer) {
+    append_event(printer.text, scene, diagnosis, BlockContext{});
+    printer.text += '\n';
+    printer.flush();
+    std::fputs(render(diagnosis, scene.dialect, {}).c_str(), stderr);
+    return 2;
+}
+
+void place_axes(Core& core, const text::ChannelSetup& setup) {
+    MachineView& view = core.view();
+    AxisValues machine = view.start;
+    for (const auto& [name, value] : setup.machine)
+        if (const int place = view.axis_by_name(name); place >= 0) machine[static_cast<std::size_t>(place)] = view.from_shown(static_cast<unsigned>(place), value);
+    for (const auto& [name, value] : setup.pos)
+        if (const int place = view.axis_by_name(name); place >= 0) {
+            const auto i = static_cast<std::size_t>(place);
+            machine[i] = view.from_shown(static_cast<unsigned>(place), value) + core.path.zero[i];
+        }
+    core.start_at_machine(machine);
+}
+
+// Remembers whether the next thing to do is to wait for the others.
+class WaitWatch final : public Sink {
+public:
+    explicit WaitWatch(Sink& next) : next_(&next) {}
+    bool waiting = false;
+    void move(const Move& m, const BlockContext& at) override { next_->move(m, at); }
+    void dwell(const Dwell& d, const BlockContext& at) override { next_->dwell(d, at); }
+    void aux(const Aux& a, const BlockContext& at) override { next_->aux(a, at); }
+    void spindle(const Spindle& s, const BlockContext& at) override { next_->spindle(s, at); }
+    void wait(const Wait& w, const BlockContext& at) override { waiting = true, next_->wait(w, at); }
+    void variable(const Variable& v, const BlockContext& at) override { next_->variable(v, at); }
+    void offset(const OffsetWrite& o, const BlockContext& at) override { next_->offset(o, at); }
+    void message(std::string_view text, const BlockContext& at) override { next_->message(text, at); }
+    void stop(const Stop& s, const BlockContext& at) override { next_->stop(s, at); }
+    void part(double count, const BlockContext& at) override { next_->part(count, at); }
+    void alarm(const Diagnosis& d, const BlockContext& at) override { next_->alarm(d, at); }
+    void barrier(const BlockContext& at) override { next_->barrier(at); }
+    void block_end(const BlockContext& at) override { next_->block_end(at); }
+
+private:
+    Sink* next_;
+};
+
+bool ask_to_go_on() {
+    char line[64];
+    return std::fgets(line, sizeof line, stdin) != nullptr;
+}
+
+}  // namespace
+
+int run_check(const CheckOptions& options) {
+    Printer printer;
+    LoadedMachine machine = load_machine(options.machine);
+    MachineView empty;
+    EventScene scene{&empty, nullptr, Dialect::Polyturn};
+    empty.channel = options.channel;
+    if (!machine.ok())
+        for (const Diagnosis& diagnosis : machine.diagnoses)
+            if (diagnosis.severity() == Severity::Error) return refuse(diagnosis, scene, printer);
+    MachineView view = make_machine_view(*machine.table, options.channel);
+    scene.view = &view;
+    if (!view.config().exists())
+        return refuse({Alarm::ProgramNumberMissing, {options.program, 0, 0, 0}, {}, {}}, scene, printer);
+    const std::string language = options.language.empty() ? std::string(params::get_text(*machine.table, params::pt_language, options.channel)) : options.language;
+    scene.dialect = dialect_of(language);
+
+    text::Setup setup;
+    if (!options.setup.empty()) {
+        auto loaded = text::load_setup(options.setup);
+        if (!loaded) return refuse(loaded.diagnosis(), scene, printer);
+        setup = std::move(*loaded);
+        std::vector<Diagnosis> diagnoses;
+        apply_setup(setup, view.machine, options.channel, *view.store, diagnoses);
+        for (const Diagnosis& diagnosis : diagnoses)
+            if (diagnosis.severity() == Severity::Error) return refuse(diagnosis, scene, printer);
+    }
+    const text::ChannelSetup& own = setup.channel(options.channel);
+
+    ProgramFiles files;
+    scene.files = &files;
+    for (const std::string& path : own.subprograms) files.add_library(path);
+    files.add_folder(std::filesystem::path(options.program).parent_path().string());
+    const auto main = files.open(options.program);
+    if (!main) return refuse(main.diagnosis(), scene, printer);
+
+    EventSink events(scene, printer.text, options.variables, '\n');
+    WaitWatch sink(events);
+    CheckPort port(setup, options.channel, options.alone);
+    const std::unique_ptr<Language> interpreter = make_language(language, view, sink, port, files);
+    if (!interpreter) return refuse({Alarm::NotBuilt, {options.program, 0, 0, 0}, {}, "the language " + language}, scene, printer);
+    if (const auto started = interpreter->start(*main); !started) return refuse(started.diagnosis(), scene, printer);
+    place_axes(interpreter->core(), own);
+    for (const text::SetupVariable& variable : own.variables)
+        if (!variable.is_text) interpreter->preset_variable(variable.name, variable.value);
+
+    for (;;) {
+        const Step step = interpreter->step();
+        printer.flush_large();
+        if (step == Step::Continue) continue;
+        if (step != Step::AtBarrier) break;
+        if (sink.waiting) {
+            sink.waiting = false;
+            printer.flush();
+            if (!ask_to_go_on()) break;   // nobody is there who could release it
+        }
+        interpreter->barrier_done();
+    }
+    printer.flush();
+    return events.errors() ? 1 : 0;
+}
+
+}  // namespace polyturn::channels

@@ -1,0 +1,22 @@
+// `polyturn-channel --check`: interprets one program without a machine and prints its events (cli.md 3).
+#pragma once
+#include <string>
+
+#include "ipc/machine/load_machine.hpp"
+
+namespace polyturn::channels {
+
+struct CheckOptions {
+    unsigned channel = 1;
+    std::string language;     // empty: PT_LANGUAGE of the channel
+    MachineSource machine;
+    std::string setup;        // file; empty: none
+    std::string program;
+    bool variables = false;
+    bool alone = false;       // no other program takes part
+};
+
+// Exit status: 0 done, 1 an alarm ended the program, 2 something could not be read.
+int run_check(const CheckOptions& options);
+
+}  // namespace polyturn::channels

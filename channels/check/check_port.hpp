@@ -1,0 +1,33 @@
+// The port of check mode: there is no machine, so a barrier is reached at once and setup answers what a program asks.
+#pragma once
+#include "channels/machine_view.hpp"
+#include "channels/port.hpp"
+#include "ipc/text/setup.hpp"
+
+namespace polyturn::channels {
+
+class CheckPort final : public Port {
+public:
+    // `alone`: no other channel's program belongs to the check, so nobody else can have started a spindle.
+    CheckPort(const text::Setup& setup, unsigned channel, bool alone) : setup_(&setup), own_(&setup.channel(channel)), alone_(alone) {}
+
+    std::optional<double> axis_command(unsigned) override { return std::nullopt; }
+    std::optional<double> axis_measured(unsigned) override { return std::nullopt; }
+    std::optional<double> axis_at_skip(unsigned) override { return std::nullopt; }
+    bool block_skip(unsigned number) override;
+    bool optional_stop() override { return own_->keys.optional_stop; }
+    bool single_block() override { return own_->keys.single_block; }
+    double interface_value(std::int32_t variable) override;
+    std::optional<double> given_variable(std::string_view name) override;
+    CalendarTime clock() override;
+    double running_ms() override { return 0.0; }
+    bool stroke_limits(unsigned, double&, double&) override { return false; }
+    Turning started_by_others(unsigned) override { return alone_ ? Turning::No : Turning::Unknown; }
+
+private:
+    const text::Setup* setup_;
+    const text::ChannelSetup* own_;
+    bool alone_;
+};
+
+}  // namespace polyturn::channels

@@ -1,0 +1,80 @@
+#include "channels/cycles/simple_cycles.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace polyturn::channels::cycles {
+namespace {
+
+struct Places {
+    unsigned x = 0, z = 0;
+};
+
+bool find_places(Core& core, Places& places) {
+    const int x = core.view().axis_by_role(PlaneRole::BasicX), z = core.view().axis_by_role(PlaneRole::BasicZ);
+    if (x < 0 || z < 0) return core.fail(Alarm::PlaneAxisMissing, 'G');
+    places = {static_cast<unsigned>(x), static_cast<unsigned>(z)};
+    return true;
+}
+
+}  // namespace
+
+bool turning(Core& core, const SimpleCycle& cycle) {
+    Places at;
+    if (!find_places(core, at)) return false;
+    const AxisValues start = core.path.programmed;
+    AxisValues point = start;
+    point[at.x] = cycle.end[at.x] + cycle.taper;
+    if (!core.rapid(point)) return false;
+    if (!core.linear(cycle.end)) return false;
+    point = cycle.end;
+    point[at.x] = start[at.x];
+    return core.linear(point) && core.rapid(start);
+}
+
+bool facing(Core& core, const SimpleCycle& cycle) {
+    Places at;
+    if (!find_places(core, at)) return false;
+    const AxisValues start = core.path.programmed;
+    AxisValues point = start;
+    point[at.z] = cycle.end[at.z] + cycle.taper;
+    if (!core.rapid(point)) return false;
+    if (!core.linear(cycle.end)) return false;
+    point = cycle.end;
+    point[at.z] = start[at.z];
+    return core.linear(point) && core.rapid(start);
+}
+
+bool thread(Core& core, const SimpleCycle& cycle) {
+    Places at;
+    if (!find_places(core, at)) return false;
+    const AxisValues start = core.path.programmed;
+    AxisValues point = start;
+    point[at.x] = cycle.end[at.x] + cycle.taper;
+    if (!core.rapid(point)) return false;
+    const double dz = cycle.end[at.z] - point[at.z], dx = cycle.end[at.x] - point[at.x];
+    const double run_out = std::fmin(cycle.chamfer, std::fabs(dz));
+    if (run_out > 0) {
+        // The last part of the thread leaves the work towards the start diameter.
+        const double share = (std::fabs(dz) - run_out) / std::fabs(dz);
+        AxisValues leave = cycle.end;
+        leave[at.z] = point[at.z] + dz * share;
+        leave[at.x] = point[at.x] + dx * share;
+        if (share > 0 && !core.thread(leave, cycle.thread)) return false;
+        const double lift = run_out * std::tan(cycle.chamfer_angle * std::numbers::pi / 180.0);
+        const double away = start[at.x] - leave[at.x];
+        AxisValues out = cycle.end;
+        out[at.x] = leave[at.x] + std::copysign(std::fmin(lift, std::fabs(away)), away);
+        ThreadCall call = cycle.thread;   // the lead still counts along Z
+        call.by_axis = true;
+        call.axis = static_cast<std::uint8_t>(at.z);
+        if (!core.thread(out, call)) return false;
+    } else if (!core.thread(cycle.end, cycle.thread)) {
+        return false;
+    }
+    point = core.path.programmed;
+    point[at.x] = start[at.x];
+    return core.rapid(point) && core.rapid(start);
+}
+
+}  // namespace polyturn::channels::cycles

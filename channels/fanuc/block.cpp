@@ -1,0 +1,237 @@
+// One block of words: what it codes, whether every word has a taker, and the order in which it acts.
+#include <cmath>
+
+#include "channels/fanuc/interpreter.hpp"
+
+namespace polyturn::channels::fanuc {
+namespace {
+
+constexpr std::uint32_t kAlways = letter_set("NOFSTMG");
+constexpr std::uint32_t bit_of(GGroup group) { return 1u << static_cast<unsigned>(group); }
+
+std::string g_name(double value) {
+    std::string text = "G" + std::to_string(static_cast<long>(value));
+    const long tenth = std::lround((value - std::floor(value)) * 10);
+    if (tenth) text += "." + std::to_string(tenth);
+    return text;
+}
+
+}  // namespace
+
+// Sorts the words: G rows by group, M words, axis words.
+bool Interpreter::classify() {
+    coded_groups_ = 0;
+    m_count_ = axis_word_count_ = g_count_ = 0;
+    for (unsigned i = 0; i < block_.count; ++i) {
+        const Word& word = block_.words[i];
+        if (word.axis >= 0) {
+            if (axis_word_count_ < axis_words_.size()) axis_words_[axis_word_count_++] = static_cast<std::uint8_t>(i);
+            continue;
+        }
+        const char letter = word.address;
+        if (letter >= 'a') {
+            fault_column_ = word.column;
+            fault_length_ = word.length;
+            return core_.fail(Alarm::NotBuilt, 0, std::string(",") + static_cast<char>(letter - 32));
+        }
+        if (letter == 'G') {
+            const double tenths = word.value * 10.0, whole_tenths = std::nearbyint(tenths);
+            const GCode* row = std::fabs(tenths - whole_tenths) < 1e-6 && whole_tenths >= 0 && whole_tenths < 10000
+                                   ? table_.find(static_cast<std::uint32_t>(whole_tenths)) : nullptr;
+            if (!row) {
+                fault_column_ = word.column;
+                fault_length_ = word.length;
+                return core_.fail(Alarm::GCodeUnknown, 'G', g_name(word.value));
+            }
+            if (g_count_ < g_words_.size()) g_words_[g_count_++] = static_cast<std::uint8_t>(i);
+            coded_[static_cast<std::size_t>(row->group)] = row;
+            coded_groups_ |= bit_of(row->group);
+        } else if (letter == 'M') {
+            if (m_count_ == m_words_.size()) return core_.fail(Alarm::WordsTooMany, 'M');
+            m_words_[m_count_++] = static_cast<std::uint8_t>(i);
+        } else if (axis_letters_ >> (letter - 'A') & 1u) {
+            if (axis_word_count_ == axis_words_.size()) return core_.fail(Alarm::WordsTooMany, letter);
+            axis_words_[axis_word_count_++] = static_cast<std::uint8_t>(i);
+        }
+    }
+    return true;
+}
+
+// Every word must have a taker: a word that nobody uses is a mistake of the program.
+bool Interpreter::check_words() {
+    std::uint32_t taken = kAlways;
+    for (std::uint32_t left = coded_groups_; left; left &= left - 1) {
+        const GCode* row = coded_[static_cast<std::size_t>(__builtin_ctz(left))];
+        taken |= takes_[static_cast<std::size_t>(row - g_codes().data())];
+    }
+    if (!(coded_groups_ & (bit_of(GGroup::OneShot) | bit_of(GGroup::Motion)))) taken |= takes_[static_cast<std::size_t>(motion_ - g_codes().data())];
+    if (m_count_) taken |= letter_set("PQL");
+    if (parameter_input_) taken |= letter_set("NPR");
+    for (const char letter : settings_.aux_letters)
+        if (letter) taken |= letter_bit(letter);
+    const std::uint32_t extra = block_.letters & ~taken;
+    if (!extra) return true;
+    const char letter = static_cast<char>('A' + __builtin_ctz(extra));
+    return core_.fail(Alarm::AddressIllegal, letter, std::string(1, letter));
+}
+
+Step Interpreter::nc_block() {
+    jumped_ = called_ = wants_barrier_ = false;
+    const std::uint64_t moves_before = core_.moves();
+    bool calls = false;
+    if (!settings_.g_calls.empty() || !settings_.m_calls.empty() || !settings_.letter_calls.empty() || settings_.t_calls) {
+        if (!code_calls(calls)) return fault(core_.fault());
+    }
+    if (!calls && !(classify() && (is_macro_call() ? macro_call() : check_words() && act()))) return fault(core_.fault());
+    if (sub_program_ >= 0) {
+        const std::int64_t program = sub_program_;
+        sub_program_ = -1;
+        called_ = true;
+        if (!ended_ && !call_program(program, sub_repeats_, nullptr, true, false, 0)) return fault(core_.fault());
+    }
+    if (core_.emitted()) {
+        fresh_ = false;
+        core_.end_block();
+    }
+    if (!ended_ && !called_ && !modal_calls_.empty()) {
+        const ModalCall& modal = modal_calls_.back();
+        if ((modal.every_block && modal.armed) || core_.moves() != moves_before) {
+            const LocalSet arguments = modal.arguments;
+            if (!call_program(modal.program, modal.repeats, &arguments, false, true, 'P')) return fault(core_.fault());
+        }
+    }
+    if (!modal_calls_.empty()) modal_calls_.back().armed = true;
+    if (ended_) return Step::Ended;
+    return wants_barrier_ ? Step::AtBarrier : Step::Continue;
+}
+
+// In the block of G65 and G66 all other words are arguments.
+bool Interpreter::is_macro_call() const {
+    const auto has = [this](GGroup group) { return (coded_groups_ & bit_of(group)) != 0; };
+    return (has(GGroup::OneShot) && coded_[static_cast<std::size_t>(GGroup::OneShot)]->act == &Interpreter::g_macro_call) ||
+           (has(GGroup::MacroModal) && coded_[static_cast<std::size_t>(GGroup::MacroModal)]->act == &Interpreter::g_macro_modal);
+}
+
+bool Interpreter::macro_call() {
+    const GGroup group = coded_groups_ & bit_of(GGroup::MacroModal) ? GGroup::MacroModal : GGroup::OneShot;
+    const GCode* row = coded_[static_cast<std::size_t>(group)];
+    if (group == GGroup::MacroModal) active_[static_cast<std::size_t>(group)] = row;
+    return (this->*row->act)(*row);
+}
+
+bool Interpreter::act() {
+    if (parameter_input_ && !(coded_groups_ & bit_of(GGroup::OneShot))) return g10_parameter_block();
+    // Settings, in the order of GGroup.
+    constexpr std::uint32_t kLate = bit_of(GGroup::OneShot) | bit_of(GGroup::Motion) | bit_of(GGroup::MacroModal) | bit_of(GGroup::Surface);
+    for (std::uint32_t left = coded_groups_ & ~kLate; left; left &= left - 1) {
+        const GCode* row = coded_[static_cast<std::size_t>(__builtin_ctz(left))];
+        if (!row->act) return core_.fail(Alarm::NotBuilt, 'G', std::string(row->name));
+        if (!(this->*row->act)(*row)) return false;
+        active_[static_cast<std::size_t>(row->group)] = row;
+    }
+    const GCode* one_shot = coded_groups_ & bit_of(GGroup::OneShot) ? coded_[static_cast<std::size_t>(GGroup::OneShot)] : nullptr;
+    if (coded_groups_ & bit_of(GGroup::Motion)) {
+        motion_ = coded_[static_cast<std::size_t>(GGroup::Motion)];
+        active_[static_cast<std::size_t>(GGroup::Motion)] = motion_;
+    }
+    if (block_.has('F') && !set_feed(block_.word('F'))) return false;
+    if (coded_groups_ & bit_of(GGroup::Surface)) {
+        const GCode* row = coded_[static_cast<std::size_t>(GGroup::Surface)];
+        if (!(this->*row->act)(*row)) return false;
+        active_[static_cast<std::size_t>(GGroup::Surface)] = row;
+    }
+    constexpr std::uint32_t kFunctions = letter_set("STMBACUVWDEH");
+    const bool functions = (block_.letters & kFunctions & ~axis_letters_) != 0;
+    if (functions) {
+        if (block_.has('S') && !spindle_word()) return false;
+        if (block_.has('T') && !tool_word()) return false;
+        if (!m_before()) return false;
+    } else if (coded_groups_ & bit_of(GGroup::Surface)) {
+        if (!core_.commit_spindle()) return false;
+    }
+    if (coded_groups_ & bit_of(GGroup::MacroModal)) {
+        const GCode* row = coded_[static_cast<std::size_t>(GGroup::MacroModal)];
+        if (!row->act) return core_.fail(Alarm::NotBuilt, 'G', std::string(row->name));
+        active_[static_cast<std::size_t>(GGroup::MacroModal)] = row;
+        return (this->*row->act)(*row);
+    }
+    if (one_shot) {
+        if (!one_shot->act) return core_.fail(Alarm::NotBuilt, 'G', std::string(one_shot->name));
+        if (!(this->*one_shot->act)(*one_shot)) return false;
+    } else if (axis_word_count_ || (coded_groups_ & bit_of(GGroup::Motion)) || block_.has('I') || block_.has('J') || block_.has('K') || block_.has('R')) {
+        if (!motion_->act) return core_.fail(Alarm::NotBuilt, 'G', std::string(motion_->name));
+        if (!(this->*motion_->act)(*motion_)) return false;
+    }
+    return m_count_ ? m_after() : true;
+}
+
+// Millimetres or degrees of a word, on the scale on which the axis is programmed.
+double Interpreter::length(const Word& word, int place) const {
+    const MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    const bool rotary = place >= 0 && view.axes[static_cast<std::size_t>(place)].rotary;
+    const double step = place >= 0 ? view.axes[static_cast<std::size_t>(place)].increment : view.axes[0].increment;
+    const double increment = inch_ && !rotary ? step * 0.1 : step;   // one more decimal place in inches
+    double value = word.value;
+    if (word.from_expression) value = std::nearbyint(value / increment) * increment;
+    else if (!word.has_point && !settings_.point_means_nothing) value *= increment;
+    return rotary ? value : value * unit_;
+}
+
+double Interpreter::radius_length(char letter) const { return block_.has(letter) ? length(block_.word(letter), -1) : 0.0; }
+
+bool Interpreter::axis_word(const Word& word, AxisValues& target, AxisSet& named) {
+    int place = word.axis;
+    bool incremental = !absolute_;
+    if (place < 0) {
+        const auto letter = static_cast<std::size_t>(word.address - 'A');
+        place = absolute_axis_[letter];
+        if (place < 0) {
+            place = incremental_axis_[letter];
+            incremental = true;
+        }
+    }
+    const auto i = static_cast<std::size_t>(place);
+    const ChannelAxis& axis = core_.view().axes[i];
+    const double value = length(word, place) * (axis.diameter ? 0.5 : 1.0);
+    named |= 1u << i;
+    if (axis.rollover) target[i] = core_.rollover_target(static_cast<unsigned>(place), value, !incremental);
+    else target[i] = incremental ? core_.path.programmed[i] + value : value;
+    return true;
+}
+
+// The target of the block: the programmed point with the block's axis words in it.
+bool Interpreter::read_axis_words(AxisValues& target, AxisSet* named) {
+    const unsigned count = core_.view().axis_count;
+    for (unsigned i = 0; i < count; ++i) target[i] = core_.path.programmed[i];
+    AxisSet set = 0;
+    for (unsigned k = 0; k < axis_word_count_; ++k)
+        if (!axis_word(block_.words[axis_words_[k]], target, set)) return false;
+    if (named) *named = set;
+    return true;
+}
+
+bool Interpreter::whole(char letter, std::int64_t& value) {
+    const Word& word = block_.word(letter);
+    const double rounded = std::nearbyint(word.value);
+    if (!word.from_expression && word.has_point) return core_.fail(Alarm::PointForbidden, letter, std::string(1, letter));
+    if (rounded < 0) return core_.fail(Alarm::NegativeSign, letter, std::string(1, letter));
+    value = static_cast<std::int64_t>(rounded);
+    return true;
+}
+
+bool Interpreter::set_feed(const Word& word) {
+    if (word.value < 0) return core_.fail(Alarm::NegativeSign, 'F', "F");
+    const GCode* one_shot = coded_groups_ & bit_of(GGroup::OneShot) ? coded_[static_cast<std::size_t>(GGroup::OneShot)] : nullptr;
+    const bool plain = word.has_point || word.from_expression || settings_.point_means_nothing;
+    const bool threading = !one_shot && (motion_->act == &Interpreter::g_thread || motion_->act == &Interpreter::g_thread_variable ||
+                                         motion_->act == &Interpreter::g_cycle_thread);
+    // Without a point a feed per revolution and a lead count small steps; a feed per minute is whole millimetres.
+    const double small = settings_.series15 ? 0.01 : 0.0001;
+    const double fine = (plain ? word.value : word.value * (inch_ ? small * 0.01 : small)) * unit_;
+    if (threading) lead_ = fine;
+    if (core_.path.feed_mode == FeedMode::PerRevolution) core_.path.feed = fine;
+    else if (!threading) core_.path.feed = word.value * unit_;
+    return true;
+}
+
+}  // namespace polyturn::channels::fanuc

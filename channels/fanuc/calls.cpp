@@ -1,0 +1,151 @@
+// Macro calls: G65, G66, G67, and the G, M, T codes and letters that call programs.
+#include <algorithm>
+#include <cmath>
+
+#include "channels/fanuc/interpreter.hpp"
+
+namespace polyturn::channels::fanuc {
+namespace {
+
+// Argument specification I: letter -> variable; 0: cannot pass an argument.
+constexpr std::array<std::uint8_t, 26> kArgument = {
+    1, 2, 3, 7, 8, 9, 0, 11, 4, 5, 6, 0, 13, 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
+
+}  // namespace
+
+// Words from `from_word` on become #1 ... #33. I, J, K may come in up to ten sets (specification II).
+bool Interpreter::gather_arguments(LocalSet& arguments, std::size_t from_word) {
+    arguments = empty_locals();
+    std::size_t set = 0;      // of I J K, from 0
+    char last_of_set = 0;
+    for (std::size_t k = from_word; k < block_.count; ++k) {
+        const Word& word = block_.words[k];
+        const char letter = word.address;
+        if (letter == 'N' || letter == 'O' || letter == 'P' || letter == 'L') continue;
+        const auto refuse = [&] {
+            fault_column_ = word.column;
+            fault_length_ = word.length;
+            return core_.fail(Alarm::MacroArgument, 0, std::string(1, letter));
+        };
+        if (word.axis >= 0 || letter >= 'a') return refuse();
+        std::size_t variable = kArgument[static_cast<std::size_t>(letter - 'A')];
+        if (letter >= 'I' && letter <= 'K') {
+            if (last_of_set && letter <= last_of_set) ++set;
+            last_of_set = letter;
+            if (set == 10) return refuse();
+            variable += 3 * set;
+        }
+        if (variable == 0) return refuse();
+        double value = word.value;
+        // Without a point: the least increment of an address that is a length, whole numbers otherwise.
+        if (!word.has_point && !word.from_expression && !settings_.point_means_nothing) {
+            static constexpr std::uint32_t kLengths = letter_set("ABCDEHIJKQRUVWXYZ");
+            if (kLengths & letter_bit(letter)) value *= core_.view().axes[0].increment * (letter == 'D' || letter == 'H' ? 1.0 / core_.view().axes[0].increment : 1.0) * (inch_ ? 0.1 : 1.0);
+        }
+        arguments[variable] = value;
+    }
+    return true;
+}
+
+bool Interpreter::macro_words(std::int64_t& program, std::int64_t& repeats, LocalSet& arguments) {
+    if (!block_.has('P')) return core_.fail(Alarm::SubprogramWordMissing, 'G');
+    if (!whole('P', program)) return false;
+    repeats = 1;
+    if (block_.has('L') && !whole('L', repeats)) return false;
+    std::size_t from = 0;
+    for (std::size_t k = 0; k < block_.count; ++k)
+        if (block_.words[k].address == 'G') from = k + 1;
+    return gather_arguments(arguments, from);
+}
+
+bool Interpreter::g_macro_call(const GCode&) {
+    std::int64_t program = 0, repeats = 1;
+    LocalSet arguments;
+    if (!macro_words(program, repeats, arguments)) return false;
+    called_ = true;
+    return call_program(program, repeats, &arguments, false, false, 'P');
+}
+
+bool Interpreter::g_macro_modal(const GCode& row) {
+    ModalCall call;
+    if (!macro_words(call.program, call.repeats, call.arguments)) return false;
+    if (modal_calls_.size() >= settings_.macro_levels) return core_.fail(Alarm::MacroTooDeep, 'G', {}, settings_.macro_levels);
+    call.every_block = row.tenths == 661;
+    modal_calls_.push_back(call);
+    return true;
+}
+
+bool Interpreter::g_macro_modal_off(const GCode&) {
+    if (!modal_calls_.empty()) modal_calls_.pop_back();
+    return true;
+}
+
+// Codes that call programs instead of acting. `called` tells whether the block was used up by a call.
+bool Interpreter::code_calls(bool& called) {
+    sub_program_ = -1;
+    const bool inside = std::any_of(frames_.begin() + 1, frames_.end(), [](const Frame& f) { return f.by_code; });
+    if (inside && !settings_.nested_calls) return true;
+    for (std::size_t k = 0; k < block_.count; ++k) {
+        const Word& word = block_.words[k];
+        const char word_letter = word.address;
+        if (word.axis >= 0 || word_letter >= 'a') continue;
+        // A subprogram is called when the rest of the block has acted, as by M98; the word itself does nothing else.
+        const auto later = [&](std::int32_t program, std::int64_t repeats) {
+            sub_program_ = program;
+            sub_repeats_ = repeats;
+            block_.words[k].address = 'N';
+            bool another = false;
+            for (std::size_t j = 0; j < block_.count; ++j) another = another || block_.words[j].address == word_letter;
+            if (!another) block_.letters &= ~letter_bit(word_letter);
+            return true;
+        };
+        const auto use = [&](const CodeCall& call, std::int32_t program) {
+            LocalSet arguments = empty_locals();
+            std::int64_t repeats = 1;
+            if (block_.has('L') && !whole('L', repeats)) return false;
+            if (!call.macro) return later(program, repeats);
+            called = called_ = true;
+            // Every other word of the block is an argument.
+            if (word.address == 'M') {
+                const Word code = word;
+                block_.words[k].address = 'N';
+                const bool good = gather_arguments(arguments, 0);
+                block_.words[k] = code;
+                if (!good) return false;
+            } else if (!gather_arguments(arguments, k + 1)) {
+                return false;
+            }
+            if (call.modal) {
+                ModalCall modal;
+                modal.program = program;
+                modal.repeats = repeats;
+                modal.every_block = call.modal == 2;
+                modal.arguments = arguments;
+                if (modal_calls_.size() >= settings_.macro_levels) return core_.fail(Alarm::MacroTooDeep, word.address, {}, settings_.macro_levels);
+                modal_calls_.push_back(modal);
+                return true;
+            }
+            return call_program(program, repeats, &arguments, true, false, word.address);
+        };
+        if (word.address == 'G') {
+            const auto tenths = static_cast<std::int32_t>(std::lround(word.value * 10));
+            for (const CodeCall& call : settings_.g_calls)
+                if (call.code == tenths) return use(call, call.program);
+        } else if (word.address == 'M') {
+            for (const CodeCall& call : settings_.m_calls)
+                if (call.code == static_cast<std::int32_t>(word.value)) {
+                    if (block_.words[0].address != 'N' && k > 0 && call.macro && !settings_.nct) continue;   // must be the first word
+                    return use(call, call.program);
+                }
+        } else {
+            for (const Settings::LetterCall& call : settings_.letter_calls)
+                if (call.letter == word.address) {
+                    if (variables_.write(call.variable, word.value) != VariableStatus::Ok) return core_.fail(Alarm::VariableUnknown, word.address, variable_name(call.variable));
+                    return later(call.program, 1);
+                }
+        }
+    }
+    return true;
+}
+
+}  // namespace polyturn::channels::fanuc

@@ -1,0 +1,175 @@
+// G10: offsets, work zeros and parameters written by the program.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "channels/fanuc/interpreter.hpp"
+#include "ipc/machine/work_zeros.hpp"
+#include "ipc/params/param_file.hpp"
+
+namespace polyturn::channels::fanuc {
+namespace {
+
+constexpr const char* kFieldNames[] = {"X", "Y", "Z", "R", "T"};
+
+double& cell_of(OffsetCell& cell, OffsetTable table, OffsetField field) {
+    const auto k = static_cast<std::size_t>(field);
+    if (field == OffsetField::T) return cell.tip;
+    if (field == OffsetField::R) return table == OffsetTable::Geometry ? cell.geometry_r : cell.wear_r;
+    return table == OffsetTable::Geometry ? cell.geometry[k] : cell.wear[k];
+}
+
+}  // namespace
+
+void Interpreter::write_offset(OffsetTable table, std::int32_t number, OffsetField field, double value) {
+    cell_of(core_.view().store->offsets[static_cast<std::size_t>(number)], table, field) = value;
+    OffsetWrite write;
+    write.table = table == OffsetTable::Geometry ? "geometry" : "wear";
+    write.axis = kFieldNames[static_cast<std::size_t>(field)];
+    write.number = number;
+    write.store_table = table;
+    write.field = field;
+    write.value = value;
+    core_.mark_emitted();
+    core_.sink().offset(write, core_.at);
+}
+
+void Interpreter::write_zero(std::int32_t row, unsigned place, double value) {
+    core_.view().store->zeros[static_cast<std::size_t>(row) * kChannelAxes + place] = value;
+    const std::string name = work_zero_name(static_cast<std::size_t>(row));
+    OffsetWrite write;
+    write.table = "work";
+    write.zero_name = name;
+    write.axis = core_.view().axes[place].name;
+    write.number = row;
+    write.work = true;
+    write.row = row;
+    write.place = static_cast<std::int32_t>(place);
+    write.value = value;
+    core_.mark_emitted();
+    core_.sink().offset(write, core_.at);
+    core_.load_zeros();
+}
+
+bool Interpreter::g_data(const GCode&) {
+    if (block_.has('L')) {
+        const auto kind = static_cast<int>(block_.value('L'));
+        if (kind == 50 || kind == 52) {
+            parameter_input_ = true;
+            return true;
+        }
+        if (kind == 2 || kind == 20) return g10_zero();
+        if (kind == 10 || kind == 11) return g10_offset();
+        return core_.fail(Alarm::NotBuilt, 'L', fmt::format("G10 L{}", kind));
+    }
+    return g10_offset();
+}
+
+// G10 P_ X_ Z_ R_ Q_ (U_ W_ C_): P0 work shift, P1.. wear, P10001.. geometry. With L10 geometry and L11 wear by number.
+bool Interpreter::g10_offset() {
+    std::int64_t p = 0;
+    if (!block_.has('P')) return core_.fail(Alarm::CycleWordMissing, 'G', "P");
+    if (!whole('P', p)) return false;
+    OffsetTable table = OffsetTable::Wear;
+    std::int64_t number = p;
+    if (block_.has('L')) table = block_.value('L') == 10 ? OffsetTable::Geometry : OffsetTable::Wear;
+    else if (p > 10000) table = OffsetTable::Geometry, number = p - 10000;
+    const MachineView& view = core_.view();
+    const int limit = view.config().offset_count;
+    if (number > limit || (number == 0 && (p != 0 || block_.has('L')))) return core_.fail(Alarm::OffsetNumberIllegal, 'P', {}, static_cast<double>(number), limit);
+    const auto cell = [&](OffsetField field) { return cell_of(core_.view().store->offsets[static_cast<std::size_t>(number)], table, field); };
+    for (unsigned k = 0; k < block_.count; ++k) {
+        const Word& word = block_.words[k];
+        if (word.axis >= 0) return core_.fail(Alarm::NotBuilt, 0, "G10 with a long axis name");
+        const auto letter = static_cast<std::size_t>(word.address - 'A');
+        int place = absolute_axis_[letter];
+        bool incremental = !absolute_;
+        if (word.address == 'C' && place >= 0 && p != 0) place = -1;   // C is the increment of the nose radius here
+        if (place < 0 && word.address != 'C') {
+            place = incremental_axis_[letter];
+            incremental = true;
+        }
+        if (place < 0) continue;
+        const auto i = static_cast<unsigned>(place);
+        const double value = length(word, place);   // as the table shows it
+        if (p == 0 && !block_.has('L')) {
+            const double before = view.store->zeros[static_cast<std::size_t>(kZeroShiftRow) * kChannelAxes + i];
+            write_zero(kZeroShiftRow, i, incremental ? before + value : value);
+            continue;
+        }
+        OffsetField field = OffsetField::X;
+        switch (view.axes[i].role) {
+            case PlaneRole::BasicX: break;
+            case PlaneRole::BasicY: field = OffsetField::Y; break;
+            case PlaneRole::BasicZ: field = OffsetField::Z; break;
+            default: return core_.fail(Alarm::AddressIllegal, word.address, std::string(1, word.address));
+        }
+        write_offset(table, static_cast<std::int32_t>(number), field, incremental ? cell(field) + value : value);
+    }
+    if (p == 0 && !block_.has('L')) return true;
+    const auto n = static_cast<std::int32_t>(number);
+    if (block_.has('R')) write_offset(table, n, OffsetField::R, radius_length('R'));
+    if (block_.has('C')) write_offset(table, n, OffsetField::R, cell(OffsetField::R) + radius_length('C'));
+    if (block_.has('Q')) {
+        std::int64_t tip = 0;
+        if (!whole('Q', tip)) return false;
+        if (tip > 9) return core_.fail(Alarm::OffsetValueIllegal, 'Q', {}, static_cast<double>(tip));
+        write_offset(table, n, OffsetField::T, static_cast<double>(tip));
+    }
+    return true;
+}
+
+// G10 L2 Pn, G10 L20 Pn: work zeros; P0 is the external shift.
+bool Interpreter::g10_zero() {
+    std::int64_t p = 0;
+    if (block_.has('P') && !whole('P', p)) return false;
+    const bool extended = block_.value('L') == 20;
+    if (p > (extended ? 300 : 6) || (extended && p < 1)) return core_.fail(Alarm::OffsetNumberIllegal, 'P', {}, static_cast<double>(p), extended ? 300 : 6);
+    const std::int32_t row = extended ? kZeroG541Row + static_cast<std::int32_t>(p) : static_cast<std::int32_t>(p);
+    for (unsigned k = 0; k < axis_word_count_; ++k) {
+        const Word& word = block_.words[axis_words_[k]];
+        int place = word.axis;
+        bool incremental = !absolute_;
+        if (place < 0) {
+            const auto letter = static_cast<std::size_t>(word.address - 'A');
+            place = absolute_axis_[letter];
+            if (place < 0) place = incremental_axis_[letter], incremental = true;
+        }
+        const auto i = static_cast<unsigned>(place);
+        const double before = core_.view().store->zeros[static_cast<std::size_t>(row) * kChannelAxes + i];
+        const double value = length(word, place);
+        write_zero(row, i, incremental ? before + value : value);
+    }
+    return true;
+}
+
+// A block between G10 L50 and G11: N parameter, P axis, R value (bit parameters: eight digits, #7 first).
+bool Interpreter::g10_parameter_block() {
+    if (m_count_ || axis_word_count_ || coded_groups_) return core_.fail(Alarm::TextInParameterInput, 'G');
+    if (!block_.has('N') || !block_.has('R')) return core_.fail(Alarm::ParameterInputIllegal, 'N', "N and R are needed");
+    const auto number = static_cast<std::int64_t>(block_.value('N'));
+    core_.at.block = -1;
+    const std::string name = fmt::format("{}{:04}", settings_.nct ? 'N' : 'F', number);
+    const params::Row* row = params::find(name);
+    if (!row || row->type == params::Type::Text) return core_.fail(Alarm::ParameterInputIllegal, 'N', name);
+    MachineView& view = core_.view();
+    std::string line = name;
+    if (row->scope == params::Scope::Channel) {
+        line += fmt::format(" L{}", view.channel);
+    } else if (row->scope == params::Scope::Axis) {
+        const auto axis = block_.has('P') ? static_cast<std::int64_t>(block_.value('P')) : 0;
+        if (axis < 1 || axis > view.axis_count) return core_.fail(Alarm::ParameterInputIllegal, 'P', name + " needs P with the axis");
+        line += fmt::format(" A{}", view.axes[static_cast<std::size_t>(axis - 1)].machine_axis + 1);
+    }
+    const double value = block_.value('R');
+    if (row->type == params::Type::Bits) line += fmt::format("={:08.0f}", value);
+    else line += fmt::format("={}", value);
+    const auto parsed = params::parse_assignment(line);
+    if (!parsed) return core_.fail(Alarm::ParameterInputIllegal, 'R', parsed.diagnosis().text());
+    const auto applied = params::apply(*view.parameters, std::span(&*parsed, 1));
+    if (!applied) return core_.fail(Alarm::ParameterInputIllegal, 'R', applied.diagnosis().text());
+    reload_settings();
+    return true;
+}
+
+}  // namespace polyturn::channels::fanuc

@@ -1,0 +1,62 @@
+// Expressions of custom macro B, evaluated where they stand in the text.
+//
+//   comparison  EQ NE GT GE LT LE          lowest; gives 1 or 0
+//   sum         + - OR XOR
+//   product     * / AND MOD
+//   factor      number  #n  #[..]  [..]  FUNCTION[..]  ATAN[y]/[x]
+//
+// Empty (NaN) survives only where it stands alone and in EQ and NE; everywhere else it counts as 0 (fanuc_lathe 6.2).
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "channels/fanuc/variables.hpp"
+#include "ipc/diagnosis/diagnosis.hpp"
+
+namespace polyturn::channels::fanuc {
+
+struct ExpressionFault {
+    Alarm alarm{};
+    const char* at = nullptr;     // where in the text
+    std::string detail;
+    double value = 0.0;
+};
+
+class Expression {
+public:
+    enum class Status : std::uint8_t { Ok, NeedsBarrier, Fault };
+    static constexpr unsigned kDepth = 5;   // brackets within brackets
+
+    Expression(VariableSet& variables, bool angle_positive) : variables_(&variables), angle_positive_(angle_positive) {}
+
+    // Reads a whole expression; `at` is moved behind it.
+    Status evaluate(const char*& at, const char* end, double& value);
+    // Only #.. or [..], as behind an address.
+    Status operand(const char*& at, const char* end, double& value);
+    // The number of a variable behind '#', for an assignment.
+    Status variable_number(const char*& at, const char* end, std::int64_t& number);
+    const ExpressionFault& fault() const { return fault_; }
+
+private:
+    bool comparison(double& value), sum(double& value), product(double& value), factor(double& value), bracket(double& value);
+    bool variable(double& value), number_of_variable(std::int64_t& number), function(double& value);
+    bool fail(Alarm alarm, std::string detail = {}, double value = 0.0);
+    bool in_range(double value);
+    void blanks() { while (p_ != end_ && (*p_ == ' ' || *p_ == '\t')) ++p_; }
+    std::string_view word();      // letters at p_, not consumed
+    Status finish(bool ok, const char*& at);
+
+    VariableSet* variables_;
+    bool angle_positive_;
+    const char* p_ = nullptr;
+    const char* end_ = nullptr;
+    unsigned depth_ = 0;
+    bool needs_barrier_ = false;
+    ExpressionFault fault_;
+};
+
+// The name of a variable as events and alarms write it.
+std::string variable_name(std::int64_t number);
+
+}  // namespace polyturn::channels::fanuc

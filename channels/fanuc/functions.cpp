@@ -1,0 +1,259 @@
+// S, T and M words: spindle, tool and its offsets, auxiliary functions, waits, program stops, M98 and M99.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "channels/fanuc/interpreter.hpp"
+
+namespace polyturn::channels::fanuc {
+namespace {
+
+constexpr std::int64_t power_of_ten(unsigned digits) {
+    std::int64_t value = 1;
+    while (digits--) value *= 10;
+    return value;
+}
+
+bool in_ranges(const std::vector<std::pair<double, double>>& ranges, double code) {
+    for (const auto& [low, high] : ranges)
+        if (code >= low && code <= high) return true;
+    return false;
+}
+
+// M codes that act behind the block's motion: what ends something must not end it before the cut.
+bool acts_late(double code, const MachineConfig& machine) {
+    return code == 0 || code == 1 || code == 2 || code == 5 || code == 9 || code == 30 || code == 98 || code == 99 || machine.is_wait_code(code);
+}
+
+}  // namespace
+
+bool Interpreter::is_draining(double code) const { return in_ranges(settings_.draining_m, code); }
+
+bool Interpreter::spindle_word() {
+    const Word& word = block_.word('S');
+    const bool one_shot = (coded_groups_ >> static_cast<unsigned>(GGroup::OneShot)) & 1u;
+    if (one_shot && coded_[static_cast<std::size_t>(GGroup::OneShot)]->act == &Interpreter::g_preset) {
+        return core_.spindle_limit(word.value) && core_.commit_spindle();
+    }
+    double value = word.value;
+    if (core_.path.spindle.mode == SpindleModeCode::SurfaceSpeed && inch_) value *= 0.3048;   // feet a minute
+    if (!core_.spindle_speed(value)) return false;
+    if (settings_.s_drains) wants_barrier_ = true;
+    return true;
+}
+
+bool Interpreter::tool_word() {
+    std::int64_t value = 0;
+    if (!whole('T', value)) return false;
+    const ToolCode& code = settings_.tool;
+    const std::int64_t modulus = power_of_ten(code.offset_digits);
+    const std::int64_t tool = value / modulus;
+    const auto offset = static_cast<std::int32_t>(value % modulus);
+    ToolState& state = core_.path.tool;
+    const int limit = core_.view().config().offset_count;
+    std::int64_t geometry = code.geometry_by_tool ? tool : offset;
+    if (code.offset_digits == 0) geometry = code.geometry_by_tool ? tool : state.geometry;
+    if (offset == 0 && code.offset_digits != 0) {
+        if (settings_.nct) geometry = code.geometry_by_tool && !code.zero_cancels_geometry ? tool : 0;
+        else if (!code.geometry_by_tool && !code.geometry_travels && !code.zero_cancels_geometry) geometry = state.geometry;
+    }
+    if (offset > limit || geometry > limit)
+        return core_.fail(Alarm::OffsetNumberIllegal, 'T', {}, static_cast<double>(offset > limit ? offset : geometry), limit);
+    state.ref.number = tool;
+    state.ref.offset = offset;
+    state.geometry = static_cast<std::int32_t>(geometry);
+    if (code.offset_digits != 0) state.wear = offset;
+    last_t_ = value;
+    core_.at.tool = state.ref;
+    const std::string text = fmt::format("T{:0{}}", value, code.offset_digits + 2);
+    core_.aux('T', static_cast<double>(value), text, settings_.t_drains);
+    if (settings_.t_drains) wants_barrier_ = true;
+    if (!apply_tool_offsets()) return false;
+    // A T word alone travels the change of the vector at once, unless it waits for the next move (5002#6).
+    constexpr std::uint32_t kMoving = (1u << static_cast<unsigned>(GGroup::OneShot));
+    const bool alone = axis_word_count_ == 0 && !(coded_groups_ & kMoving);
+    if (alone && !code.with_next_move && core_.vector_pending()) {
+        const AxisValues here = core_.path.programmed;
+        return motion_->tenths == 0 ? core_.rapid(here) : core_.linear(here);
+    }
+    return true;
+}
+
+bool Interpreter::apply_tool_offsets() {
+    const ToolCode& code = settings_.tool;
+    ToolState& state = core_.path.tool;
+    MachineView& view = core_.view();
+    const OffsetCell& geometry = view.store->offsets[static_cast<std::size_t>(state.geometry)];
+    const OffsetCell& wear = view.store->offsets[static_cast<std::size_t>(state.wear)];
+    AxisValues shift{}, vector{};
+    static constexpr PlaneRole kRoles[] = {PlaneRole::BasicX, PlaneRole::BasicY, PlaneRole::BasicZ};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const int place = view.axis_by_role(kRoles[k]);
+        if (place < 0) continue;
+        const auto i = static_cast<unsigned>(place);
+        const double g = state.geometry ? view.from_shown(i, geometry.geometry[k]) : 0.0;
+        const double w = state.wear ? view.from_shown(i, wear.wear[k]) : 0.0;
+        (code.geometry_travels ? vector : shift)[i] += g;
+        (code.wear_travels ? vector : shift)[i] += w;
+    }
+    state.nose_radius = (state.geometry ? geometry.geometry_r : 0.0) + (state.wear ? wear.wear_r : 0.0);
+    const std::int32_t tip_number = code.tip_from_wear ? state.wear : state.geometry;
+    state.tip = tip_number ? static_cast<std::int32_t>(view.store->offsets[static_cast<std::size_t>(tip_number)].tip) : 0;
+    core_.set_shift(shift);
+    core_.set_wanted(vector);
+    return true;
+}
+
+bool Interpreter::m_before() {
+    for (unsigned k = 0; k < m_count_; ++k) {
+        const double code = block_.words[m_words_[k]].value;
+        for (unsigned other = 0; other < k && !settings_.m_groups.empty(); ++other) {
+            const double before = block_.words[m_words_[other]].value;
+            for (const auto& [low, high] : settings_.m_groups)
+                if (code >= low && code <= high && before >= low && before <= high && code != before)
+                    return core_.fail(Alarm::MCodesContradict, 'M', fmt::format("M{:.0f} and M{:.0f}", before, code));
+        }
+        if (code == 3 || code == 4) {
+            if (!core_.spindle_turn(code == 3 ? SpindleTurn::Cw : SpindleTurn::Ccw)) return false;
+        }
+    }
+    if (!core_.commit_spindle()) return false;
+    for (unsigned k = 0; k < m_count_; ++k) {
+        const Word& word = block_.words[m_words_[k]];
+        if (acts_late(word.value, core_.view().machine)) continue;
+        if (!function_code(word, false)) return false;
+    }
+    for (const char letter : settings_.aux_letters) {
+        if (!letter || !block_.has(letter) || (axis_letters_ & letter_bit(letter))) continue;
+        const double value = block_.value(letter);
+        core_.aux(letter, value, fmt::format("{}{}", letter, value), false);
+    }
+    return true;
+}
+
+bool Interpreter::function_code(const Word& word, bool late) {
+    const double code = word.value;
+    if (code < 0 || code != std::floor(code)) {
+        fault_column_ = word.column;
+        fault_length_ = word.length;
+        return core_.fail(code < 0 ? Alarm::NegativeSign : Alarm::PointForbidden, 'M', "M");
+    }
+    if (late && code == 5 && !(core_.spindle_turn(SpindleTurn::Stop) && core_.commit_spindle())) return false;
+    if (code == 19 && !core_.spindle_position(0.0)) return false;
+    const bool drains = is_draining(code);
+    char text[24];
+    const auto end = fmt::format_to_n(text, sizeof text, "M{}", static_cast<std::int64_t>(code));
+    core_.aux('M', code, {text, end.size}, drains);
+    last_m_ = static_cast<std::int64_t>(code);
+    if (drains) wants_barrier_ = true;
+    if (settings_.part_code != 0 && code == settings_.part_code) core_.sink().part(++parts_, core_.at);
+    return true;
+}
+
+bool Interpreter::m_after() {
+    bool waits = false;
+    const Word* last = nullptr;   // what ends or leaves the block: M0 M1 M2 M30 M98 M99
+    for (unsigned k = 0; k < m_count_; ++k) {
+        const Word& word = block_.words[m_words_[k]];
+        const double code = word.value;
+        if (!acts_late(code, core_.view().machine)) continue;
+        if (core_.view().machine.is_wait_code(code)) {
+            if (waits) return core_.fail(Alarm::ClampTooLong, 'M', {}, code);
+            waits = true;
+            if (!wait_code(word)) return false;
+        } else if (code == 5 || code == 9) {
+            if (!function_code(word, true)) return false;
+        } else {
+            if (last && last->value != code) return core_.fail(Alarm::CodesContradict, 'M', fmt::format("M{:.0f} and M{:.0f}", last->value, code));
+            last = &word;
+        }
+    }
+    if (block_.has_list && !waits) return core_.fail(Alarm::PointListForbidden, 'P');
+    if (!last) return true;
+    const auto code = static_cast<int>(last->value);
+    switch (code) {
+        case 0:
+        case 1:
+            if (code == 1 && !core_.port().optional_stop()) return true;
+            core_.mark_emitted();
+            core_.sink().stop({code == 0 ? StopReason::M00 : StopReason::M01}, core_.at);
+            wants_barrier_ = true;
+            return true;
+        case 2:
+        case 30:
+            if (settings_.part_code == 0) core_.sink().part(++parts_, core_.at);
+            finish(code == 2 ? StopReason::M02 : StopReason::M30);
+            return true;
+        case 98: return sub_call();
+        default: break;
+    }
+    // M99
+    std::int64_t target = 0;
+    const bool has_target = block_.has('P');
+    if (has_target && !whole('P', target)) return false;
+    called_ = true;
+    return return_from(has_target, target);
+}
+
+bool Interpreter::sub_call() {
+    if (!block_.has('P')) return core_.fail(Alarm::SubprogramWordMissing, 'M');
+    if (block_.has('Q')) return core_.fail(Alarm::NotBuilt, 'Q', "M98 Q");
+    std::int64_t number = 0, repeats = 1;
+    if (!whole('P', number)) return false;
+    if (!settings_.nct) {
+        if (settings_.series15) {
+            number %= 10000;
+        } else if (number > 9999) {   // the count stands before the four digits of the number
+            repeats = number / 10000;
+            number %= 10000;
+        }
+    }
+    if (block_.has('L') && !whole('L', repeats)) return false;
+    called_ = true;
+    return call_program(number, repeats, nullptr, false, false, 'P');
+}
+
+// A waiting code: digits of P name channels 1 to 9, P=1.12.16 any.
+bool Interpreter::wait_code(const Word& word) {
+    const MachineConfig& machine = core_.view().machine;
+    const unsigned own = core_.view().channel;
+    std::uint32_t channels = 0;
+    if (block_.has('P')) {
+        const Word& p = block_.word('P');
+        const std::string_view text = text_of(p);
+        const bool list = text.find('.') != std::string_view::npos && !p.from_expression;
+        std::string digits = p.from_expression ? fmt::format("{:.0f}", p.value) : std::string(text.substr(1));
+        const auto add = [&](unsigned channel) {
+            if (channel < 1 || channel > kMaxChannels || !machine.channel(channel).exists())
+                return core_.fail(Alarm::WaitSetIllegal, 'P', std::to_string(channel), word.value);
+            channels |= 1u << (channel - 1);
+            return true;
+        };
+        unsigned number = 0;
+        bool any = false;
+        for (const char c : digits) {
+            if (c >= '0' && c <= '9') {
+                number = list ? number * 10 + static_cast<unsigned>(c - '0') : static_cast<unsigned>(c - '0');
+                if (number > 1000) number = 1000;
+                any = true;
+                if (list) continue;
+            } else if (c != '.') {
+                continue;
+            }
+            if (any && !add(number)) return false;
+            number = 0;
+            any = false;
+        }
+        if (any && !add(number)) return false;
+        if (!(channels >> (own - 1) & 1u)) return core_.fail(Alarm::WaitSetWithoutSelf, 'P', {}, word.value);
+    } else {
+        channels = machine.channels_of_group(machine.channel(own).group);
+        if (__builtin_popcount(channels) != 2) return core_.fail(Alarm::WaitSetMissing, 'M', {}, word.value);
+    }
+    core_.mark_emitted();
+    core_.sink().wait({static_cast<std::int64_t>(word.value), {}, channels, false}, core_.at);
+    wants_barrier_ = true;
+    return true;
+}
+
+}  // namespace polyturn::channels::fanuc

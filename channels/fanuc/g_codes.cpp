@@ -1,0 +1,146 @@
+#include "channels/fanuc/g_codes.hpp"
+
+#include "channels/fanuc/interpreter.hpp"
+
+namespace polyturn::channels::fanuc {
+namespace {
+
+using I = Interpreter;
+using G = GGroup;
+
+constexpr auto kRows = std::to_array<GCode>({
+    {"G0", 0, kAll, G::Motion, &I::g_rapid, "x", true, "Rapid traverse"},
+    {"G1", 10, kAll, G::Motion, &I::g_linear, "x", false, "Line at feed"},
+    {"G2", 20, kAll, G::Motion, &I::g_arc, "xIJKR", false, "Arc, clockwise"},
+    {"G3", 30, kAll, G::Motion, &I::g_arc, "xIJKR", false, "Arc, anticlockwise"},
+    {"G4", 40, kAll, G::OneShot, &I::g_dwell, "PXU", false, "Dwell"},
+    {"G7.1", 71, kAll, G::OneShot, nullptr, "", false, "Cylindrical interpolation"},
+    {"G9", 90, kAll, G::ExactStop, &I::g_exact_once, "", false, "Exact stop at the end of this block"},
+    {"G10", 100, kAll, G::OneShot, &I::g_data, "xPLRQCNIJK", false, "Data input: offsets, zeros, parameters"},
+    {"G11", 110, kAll, G::OneShot, &I::g_nothing, "", false, "End of data input"},
+    {"G12.1", 121, kAll, G::OneShot, nullptr, "", false, "Polar interpolation"},
+    {"G13.1", 131, kAll, G::OneShot, &I::g_nothing, "", true, "Polar interpolation off"},
+    {"G17", 170, kAll, G::Plane, &I::g_plane, "", false, "Plane X Y"},
+    {"G18", 180, kAll, G::Plane, &I::g_plane, "", true, "Plane Z X"},
+    {"G19", 190, kAll, G::Plane, &I::g_plane, "", false, "Plane Y Z"},
+    {"G20", 200, kAll, G::Units, &I::g_units, "", false, "Input in inches"},
+    {"G21", 210, kAll, G::Units, &I::g_units, "", true, "Input in millimetres"},
+    {"G22", 220, kAll, G::StrokeArea, nullptr, "", false, "Stroke area check on"},
+    {"G23", 230, kAll, G::StrokeArea, &I::g_nothing, "", true, "Stroke area check off"},
+    {"G25", 250, kAll, G::SpindleWatch, &I::g_nothing, "", true, "Spindle speed watch off"},
+    {"G26", 260, kAll, G::SpindleWatch, nullptr, "", false, "Spindle speed watch on"},
+    {"G27", 270, kAll, G::OneShot, &I::g_reference_check, "x", false, "Check of the reference position"},
+    {"G28", 280, kAll, G::OneShot, &I::g_reference, "x", false, "To the reference position through a point"},
+    {"G30", 300, kAll, G::OneShot, &I::g_reference, "xP", false, "To a further reference position through a point"},
+    {"G31", 310, kAll, G::OneShot, nullptr, "x", false, "Move until a signal"},
+    {"G32", 320, kA, G::Motion, &I::g_thread, "xQE", false, "Thread"},
+    {"G33", 330, kBCN, G::Motion, &I::g_thread, "xQE", false, "Thread"},
+    {"G34", 340, kAll, G::Motion, &I::g_thread_variable, "xKQ", false, "Thread with changing lead"},
+    {"G36", 360, kAll, G::OneShot, nullptr, "x", false, "Automatic tool offset X"},
+    {"G37", 370, kAll, G::OneShot, nullptr, "x", false, "Automatic tool offset Z"},
+    {"G37.1", 371, kAll, G::OneShot, nullptr, "x", false, "Automatic tool offset X"},
+    {"G37.2", 372, kAll, G::OneShot, nullptr, "x", false, "Automatic tool offset Z"},
+    {"G40", 400, kAll, G::Comp, &I::g_comp_off, "IJK", true, "Nose-radius compensation off"},
+    {"G41", 410, kAll, G::Comp, nullptr, "", false, "Compensation, left of the path"},
+    {"G42", 420, kAll, G::Comp, nullptr, "", false, "Compensation, right of the path"},
+    {"G49", 490, kN, G::OneShot, &I::g_nothing, "", true, "Length compensation off"},
+    {"G50", 500, kA, G::OneShot, &I::g_preset, "xS", false, "Coordinate setting; spindle speed limit"},
+    {"G50", 500, kBCN, G::Scale, &I::g_nothing, "", true, "Scaling off"},
+    {"G50.1", 501, kBCN, G::Mirror, &I::g_nothing, "x", true, "Mirror off"},
+    {"G50.2", 502, kAll, G::OneShot, nullptr, "", false, "Polygon turning off"},
+    {"G51", 510, kBCN, G::Scale, nullptr, "", false, "Scaling"},
+    {"G51.1", 511, kBCN, G::Mirror, nullptr, "x", false, "Mirror"},
+    {"G51.2", 512, kAll, G::OneShot, nullptr, "PQ", false, "Polygon turning"},
+    {"G52", 520, kAll, G::OneShot, &I::g_local_zero, "x", false, "Local coordinate system"},
+    {"G53", 530, kAll, G::OneShot, &I::g_machine, "x", false, "Move in machine coordinates"},
+    {"G54", 540, kAll, G::Zero, &I::g_zero, "", true, "Work zero 1"},
+    {"G54.1", 541, kAll, G::Zero, &I::g_zero_extended, "P", false, "Further work zeros"},
+    {"G55", 550, kAll, G::Zero, &I::g_zero, "", false, "Work zero 2"},
+    {"G56", 560, kAll, G::Zero, &I::g_zero, "", false, "Work zero 3"},
+    {"G57", 570, kAll, G::Zero, &I::g_zero, "", false, "Work zero 4"},
+    {"G58", 580, kAll, G::Zero, &I::g_zero, "", false, "Work zero 5"},
+    {"G59", 590, kAll, G::Zero, &I::g_zero, "", false, "Work zero 6"},
+    {"G61", 610, kAll, G::ExactStop, &I::g_exact_stop, "", false, "Exact stop mode"},
+    {"G62", 620, kN, G::ExactStop, nullptr, "", false, "Corner override"},
+    {"G63", 630, kAll, G::ExactStop, &I::g_exact_stop, "", false, "Feed override off"},
+    {"G64", 640, kAll, G::ExactStop, &I::g_exact_stop, "", true, "Cutting mode"},
+    {"G65", 650, kAll, G::OneShot, &I::g_macro_call, "", false, "Macro call"},
+    {"G66", 660, kAll, G::MacroModal, &I::g_macro_modal, "", false, "Macro call after each move"},
+    {"G66.1", 661, kN, G::MacroModal, &I::g_macro_modal, "", false, "Macro call after each block"},
+    {"G67", 670, kAll, G::MacroModal, &I::g_macro_modal_off, "", true, "End of the modal macro call"},
+    {"G68", 680, kAll, G::Rotation, nullptr, "", false, "Rotation or mirror of double turrets"},
+    {"G69", 690, kAll, G::Rotation, &I::g_nothing, "", true, "Rotation or mirror off"},
+    {"G70", 700, kAll, G::OneShot, nullptr, "", false, "Finishing cycle"},
+    {"G71", 710, kAll, G::OneShot, nullptr, "", false, "Stock removal in turning"},
+    {"G72", 720, kAll, G::OneShot, nullptr, "", false, "Stock removal in facing"},
+    {"G73", 730, kAll, G::OneShot, nullptr, "", false, "Pattern repeating"},
+    {"G74", 740, kAll, G::OneShot, nullptr, "", false, "Peck drilling along Z"},
+    {"G75", 750, kAll, G::OneShot, nullptr, "", false, "Grooving along X"},
+    {"G76", 760, kAll, G::OneShot, nullptr, "", false, "Threading cycle in several passes"},
+    {"G77", 770, kBCN, G::Motion, &I::g_cycle_turning, "xRI", false, "Turning cycle"},
+    {"G78", 780, kBCN, G::Motion, &I::g_cycle_thread, "xRIQ", false, "Threading cycle"},
+    {"G79", 790, kBCN, G::Motion, &I::g_cycle_facing, "xRK", false, "Facing cycle"},
+    {"G80", 800, kAll, G::Drilling, &I::g_nothing, "", true, "Drilling cycles off"},
+    {"G81", 810, kAll, G::Drilling, nullptr, "", false, "Drilling"},
+    {"G82", 820, kAll, G::Drilling, nullptr, "", false, "Drilling with dwell"},
+    {"G83", 830, kAll, G::Drilling, nullptr, "", false, "Peck drilling"},
+    {"G83.1", 831, kAll, G::Drilling, nullptr, "", false, "High-speed peck drilling"},
+    {"G84", 840, kAll, G::Drilling, nullptr, "", false, "Tapping"},
+    {"G84.2", 842, kAll, G::Drilling, nullptr, "", false, "Rigid tapping"},
+    {"G84.3", 843, kAll, G::Drilling, nullptr, "", false, "Rigid tapping, left"},
+    {"G85", 850, kAll, G::Drilling, nullptr, "", false, "Boring"},
+    {"G86", 860, kAll, G::Drilling, nullptr, "", false, "Boring with stop"},
+    {"G87", 870, kAll, G::Drilling, nullptr, "", false, "Side drilling"},
+    {"G88", 880, kAll, G::Drilling, nullptr, "", false, "Side tapping"},
+    {"G89", 890, kAll, G::Drilling, nullptr, "", false, "Boring with dwell"},
+    {"G90", 900, kA, G::Motion, &I::g_cycle_turning, "xRI", false, "Turning cycle"},
+    {"G90", 900, kBCN, G::Distance, &I::g_distance, "", true, "Absolute words"},
+    {"G91", 910, kBCN, G::Distance, &I::g_distance, "", false, "Incremental words"},
+    {"G92", 920, kA, G::Motion, &I::g_cycle_thread, "xRIQ", false, "Threading cycle"},
+    {"G92", 920, kBCN, G::OneShot, &I::g_preset, "xS", false, "Coordinate setting; spindle speed limit"},
+    {"G94", 940, kA, G::Motion, &I::g_cycle_facing, "xRK", false, "Facing cycle"},
+    {"G94", 940, kBCN, G::FeedMode, &I::g_feed_mode, "", true, "Feed per minute"},
+    {"G95", 950, kBCN, G::FeedMode, &I::g_feed_mode, "", false, "Feed per revolution"},
+    {"G96", 960, kAll, G::Surface, &I::g_surface, "P", false, "Constant surface speed"},
+    {"G97", 970, kAll, G::Surface, &I::g_surface, "", true, "Constant spindle speed"},
+    {"G98", 980, kA, G::FeedMode, &I::g_feed_mode, "", true, "Feed per minute"},
+    {"G98", 980, kBCN, G::ReturnLevel, &I::g_nothing, "", true, "Drilling returns to the initial level"},
+    {"G99", 990, kA, G::FeedMode, &I::g_feed_mode, "", false, "Feed per revolution"},
+    {"G99", 990, kBCN, G::ReturnLevel, &I::g_nothing, "", false, "Drilling returns to the R level"},
+    {"G107", 1070, kFanuc, G::OneShot, nullptr, "", false, "Cylindrical interpolation"},
+    {"G112", 1120, kFanuc, G::OneShot, nullptr, "", false, "Polar interpolation"},
+    {"G113", 1130, kFanuc, G::OneShot, &I::g_nothing, "", false, "Polar interpolation off"},
+    {"G250", 2500, kFanuc, G::OneShot, nullptr, "", false, "Polygon turning off"},
+    {"G251", 2510, kFanuc, G::OneShot, nullptr, "PQ", false, "Polygon turning"},
+});
+
+// One row for each code of a system.
+constexpr bool rows_are_unique() {
+    for (std::size_t i = 0; i < kRows.size(); ++i)
+        for (std::size_t j = i + 1; j < kRows.size(); ++j)
+            if (kRows[i].tenths == kRows[j].tenths && (kRows[i].systems & kRows[j].systems)) return false;
+    return true;
+}
+constexpr bool one_reset_state_per_group() {
+    for (const std::uint8_t system : {kA, kB, kC, kN})
+        for (std::size_t i = 0; i < kRows.size(); ++i)
+            for (std::size_t j = i + 1; j < kRows.size(); ++j)
+                if (kRows[i].at_reset && kRows[j].at_reset && kRows[i].group == kRows[j].group && kRows[i].group != G::OneShot &&
+                    (kRows[i].systems & kRows[j].systems & system))
+                    return false;
+    return true;
+}
+static_assert(kRows.size() < 255, "GTable keeps the row in a byte");
+static_assert(rows_are_unique());
+static_assert(one_reset_state_per_group());
+
+}  // namespace
+
+std::span<const GCode> g_codes() { return kRows; }
+
+GTable::GTable(GSystem system) {
+    for (std::size_t row = 0; row < kRows.size(); ++row)
+        if (kRows[row].systems & system) index_[kRows[row].tenths] = static_cast<std::uint8_t>(row + 1);
+}
+
+}  // namespace polyturn::channels::fanuc

@@ -1,0 +1,126 @@
+// Handlers of moves: G0 to G3, threads, G53, reference.
+#include <cmath>
+
+#include "channels/fanuc/interpreter.hpp"
+
+namespace polyturn::channels::fanuc {
+
+bool Interpreter::g_rapid(const GCode&) {
+    if (!axis_word_count_) return true;
+    return read_axis_words(target_) && core_.rapid(target_);
+}
+
+bool Interpreter::g_linear(const GCode&) {
+    if (!axis_word_count_) return true;
+    return read_axis_words(target_) && core_.linear(target_);
+}
+
+bool Interpreter::g_arc(const GCode& row) {
+    const bool centre_words = block_.has('I') || block_.has('J') || block_.has('K');
+    if (!axis_word_count_ && !centre_words) return block_.has('R') ? core_.fail(Alarm::ArcWithoutRadius) : true;
+    AxisSet named = 0;
+    if (!read_axis_words(target_, &named)) return false;
+    int p = -1, q = -1;
+    core_.plane_axes(p, q);
+    if (p < 0 || q < 0) return core_.fail(Alarm::PlaneAxisMissing, 'G');
+    ArcCall call;
+    call.clockwise = row.tenths == 20;
+    call.tolerance = settings_.arc_tolerance;
+    if (block_.has('R')) {
+        call.has_radius = true;
+        call.radius = radius_length('R');
+        if (call.radius <= 0 && !settings_.nct) return core_.fail(Alarm::ArcRadiusIllegal, 'R');
+        return core_.arc(target_, call);
+    }
+    if (!centre_words) return core_.fail(Alarm::ArcWithoutRadius, 'G');
+    static constexpr char kCentre[3][2] = {{'I', 'J'}, {'K', 'I'}, {'J', 'K'}};   // by plane: first, second axis
+    static constexpr char kForeign[3] = {'K', 'J', 'I'};
+    const auto plane = static_cast<std::size_t>(core_.path.plane);
+    if (block_.has(kForeign[plane])) return core_.fail(Alarm::PlaneAxisIllegal, kForeign[plane], std::string(1, kForeign[plane]));
+    const double cp = radius_length(kCentre[plane][0]), cq = radius_length(kCentre[plane][1]);
+    const auto pi = static_cast<std::size_t>(p), qi = static_cast<std::size_t>(q);
+    if (settings_.centre_absolute) {
+        call.centre_p = cp;
+        call.centre_q = cq;
+    } else {
+        call.centre_p = core_.path.programmed[pi] + cp;
+        call.centre_q = core_.path.programmed[qi] + cq;
+    }
+    return core_.arc(target_, call);
+}
+
+bool Interpreter::g_thread(const GCode&) {
+    if (!axis_word_count_) return true;
+    if (!read_axis_words(target_)) return false;
+    ThreadCall call;
+    if (block_.has('E')) {
+        const Word& word = block_.word('E');
+        lead_ = (word.has_point ? word.value : word.value * (settings_.series15 ? 0.01 : 0.0001)) * unit_;
+    }
+    call.lead = lead_ > 0 ? lead_ : core_.path.feed_mode == FeedMode::PerRevolution ? core_.path.feed : 0.0;
+    if (block_.has('Q')) {
+        const Word& word = block_.word('Q');
+        // Fanuc counts thousandths of a degree and knows no point here; series 15 programs accept Q without effect.
+        call.start_angle = word.has_point || settings_.nct ? word.value : word.value * 0.001;
+        call.has_start_angle = true;
+        if (settings_.series15) call.start_angle = 0.0;
+    }
+    return core_.thread(target_, call);
+}
+
+bool Interpreter::g_thread_variable(const GCode&) {
+    if (!axis_word_count_) return true;
+    if (!read_axis_words(target_)) return false;
+    ThreadCall call;
+    call.lead = lead_ > 0 ? lead_ : core_.path.feed_mode == FeedMode::PerRevolution ? core_.path.feed : 0.0;
+    call.lead_change = block_.has('K') ? block_.value('K') * unit_ : 0.0;
+    if (block_.has('Q')) call.start_angle = block_.word('Q').has_point || settings_.nct ? block_.value('Q') : block_.value('Q') * 0.001;
+    return core_.thread(target_, call);
+}
+
+bool Interpreter::g_machine(const GCode&) {
+    AxisValues machine = core_.path.machine;
+    AxisSet which = 0;
+    for (unsigned k = 0; k < axis_word_count_; ++k) {
+        const Word& word = block_.words[axis_words_[k]];
+        int place = word.axis >= 0 ? word.axis : absolute_axis_[static_cast<std::size_t>(word.address - 'A')];
+        if (place < 0 || !absolute_) continue;   // an incremental word is ignored with G53
+        const auto i = static_cast<std::size_t>(place);
+        machine[i] = length(word, place) * (core_.view().axes[i].diameter ? 0.5 : 1.0);
+        which |= 1u << i;
+    }
+    return which ? core_.machine_rapid(machine, which) : true;
+}
+
+// G28, G30: rapid to the point of the block, then to the reference position.
+bool Interpreter::g_reference(const GCode& row) {
+    if (!axis_word_count_) return core_.fail(Alarm::ReferenceAxisMissing, 'G', std::string(row.name));
+    AxisSet named = 0;
+    if (!read_axis_words(target_, &named)) return false;
+    std::size_t position = 0;
+    if (row.tenths == 300) {
+        std::int64_t p = settings_.nct ? 1 : 2;
+        if (block_.has('P') && !whole('P', p)) return false;
+        // Fanuc counts the second to fourth reference position, nct the three further ones.
+        const std::int64_t index = settings_.nct ? p : p - 1;
+        if (index < 1 || index > 3) return core_.fail(Alarm::OffsetValueIllegal, 'P', {}, static_cast<double>(p));
+        position = static_cast<std::size_t>(index);
+    }
+    if (!core_.rapid(target_)) return false;
+    AxisValues machine = core_.path.machine;
+    for (unsigned i = 0; i < core_.view().axis_count; ++i)
+        if (named >> i & 1u) machine[i] = core_.view().axes[i].reference_mm[position];
+    return core_.reference(machine, named, MoveKind::Reference);
+}
+
+bool Interpreter::g_reference_check(const GCode& row) {
+    if (!axis_word_count_) return core_.fail(Alarm::ReferenceAxisMissing, 'G', std::string(row.name));
+    AxisSet named = 0;
+    if (!read_axis_words(target_, &named) || !core_.rapid(target_)) return false;
+    for (unsigned i = 0; i < core_.view().axis_count; ++i)
+        if ((named >> i & 1u) && std::fabs(core_.path.machine[i] - core_.view().axes[i].reference_mm[0]) > 1e-6)
+            return core_.fail(Alarm::ReferenceNotReached, core_.view().axes[i].name[0], std::string(core_.view().axes[i].name));
+    return true;
+}
+
+}  // namespace polyturn::channels::fanuc

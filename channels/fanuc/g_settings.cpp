@@ -1,0 +1,126 @@
+// Handlers of settings: units, plane, feed mode, zeros, coordinate setting, dwell.
+#include <cmath>
+
+#include "channels/fanuc/interpreter.hpp"
+
+namespace polyturn::channels::fanuc {
+
+bool Interpreter::g_nothing(const GCode& row) {
+    if (row.tenths == 110) parameter_input_ = false;
+    return true;
+}
+
+bool Interpreter::g_units(const GCode& row) {
+    const bool inch = row.tenths == 200;
+    if (inch == inch_) return true;
+    inch_ = inch;
+    unit_ = inch ? 25.4 : 1.0;
+    return true;
+}
+
+bool Interpreter::g_plane(const GCode& row) {
+    const Plane before = core_.path.plane;
+    core_.path.plane = row.tenths == 170 ? Plane::XY : row.tenths == 180 ? Plane::ZX : Plane::YZ;
+    if (before != core_.path.plane) core_.path.after_thread = false;
+    return true;
+}
+
+bool Interpreter::g_distance(const GCode& row) {
+    absolute_ = row.tenths == 900;
+    return true;
+}
+
+bool Interpreter::g_feed_mode(const GCode& row) {
+    const FeedMode mode = row.tenths == 990 || row.tenths == 950 ? FeedMode::PerRevolution : FeedMode::PerMinute;
+    if (mode == core_.path.feed_mode) return true;
+    core_.path.feed_mode = mode;
+    // A number of the other kind would be a thousand times too fast: F must be programmed again.
+    core_.path.feed = mode == FeedMode::PerRevolution ? settings_.feed_per_revolution : settings_.feed_per_minute;
+    return true;
+}
+
+bool Interpreter::g_exact_stop(const GCode& row) {
+    core_.path.exact_stop_mode = row.tenths == 610;
+    core_.path.override_locked = row.tenths == 630;
+    return true;
+}
+
+bool Interpreter::g_exact_once(const GCode&) {
+    core_.force_exact_stop();
+    return true;
+}
+
+bool Interpreter::g_surface(const GCode& row) { return core_.surface_speed(row.tenths == 960); }
+
+bool Interpreter::g_comp_off(const GCode&) { return true; }
+
+bool Interpreter::g_zero(const GCode& row) {
+    core_.select_zero(kZeroG54Row + (row.tenths - 540) / 10);
+    return true;
+}
+
+bool Interpreter::g_zero_extended(const GCode&) {
+    std::int64_t number = 1;
+    if (block_.has('P') && !whole('P', number)) return false;
+    if (number < 1 || number > 300) return core_.fail(Alarm::OffsetNumberIllegal, 'P', {}, static_cast<double>(number), 300);
+    core_.select_zero(kZeroG541Row + static_cast<std::int32_t>(number));
+    return true;
+}
+
+// G50 (system A), G92: the present point gets the programmed coordinates, or the spindle its highest speed.
+bool Interpreter::g_preset(const GCode&) {
+    if (!axis_word_count_) {
+        if (!block_.has('S')) return core_.fail(Alarm::CycleWordMissing, 'G', "S");
+        return true;   // S was taken as the limit already
+    }
+    for (unsigned k = 0; k < axis_word_count_; ++k) {
+        const Word& word = block_.words[axis_words_[k]];
+        int place = word.axis;
+        bool incremental = !absolute_;
+        if (place < 0) {
+            const auto letter = static_cast<std::size_t>(word.address - 'A');
+            place = absolute_axis_[letter];
+            if (place < 0) place = incremental_axis_[letter], incremental = true;
+        }
+        const auto i = static_cast<unsigned>(place);
+        const double value = length(word, place) * (core_.view().axes[i].diameter ? 0.5 : 1.0);
+        if (incremental) core_.preset_by(i, value);
+        else core_.preset(i, value);
+    }
+    return true;
+}
+
+bool Interpreter::g_local_zero(const GCode&) {
+    AxisSet named = 0;
+    for (unsigned k = 0; k < axis_word_count_; ++k) {
+        const Word& word = block_.words[axis_words_[k]];
+        int place = word.axis >= 0 ? word.axis : absolute_axis_[static_cast<std::size_t>(word.address - 'A')];
+        if (place < 0) return core_.fail(Alarm::AddressIllegal, word.address, std::string(1, word.address));
+        const auto i = static_cast<unsigned>(place);
+        named |= 1u << i;
+        core_.local_zero(i, length(word, place) * (core_.view().axes[i].diameter ? 0.5 : 1.0));
+    }
+    return named ? true : core_.fail(Alarm::CoordinateAxisNone, 'G', "G52");
+}
+
+double Interpreter::seconds(const Word& word) const {
+    if (word.address == 'P') {
+        if (!settings_.dwell_p_milliseconds) return word.value;
+        return word.has_point && !word.from_expression ? word.value : word.value * 0.001;   // thousandths
+    }
+    return word.has_point || settings_.point_means_nothing || settings_.nct ? word.value : word.value * 0.001;
+}
+
+bool Interpreter::g_dwell(const GCode&) {
+    char letter = 0;
+    for (const char candidate : {'P', 'X', 'U'})
+        if (block_.has(candidate)) letter = candidate;
+    if (!letter) return core_.fail(Alarm::CycleWordMissing, 'G', "P");
+    const Word& word = block_.word(letter);
+    if (letter == 'P' && word.has_point && !word.from_expression && !settings_.nct) return core_.fail(Alarm::PointForbidden, 'P', "P");
+    if (word.value < 0) return core_.fail(Alarm::NegativeSign, letter, std::string(1, letter));
+    const bool revolutions = settings_.dwell_by_feed_mode && core_.path.feed_mode == FeedMode::PerRevolution;
+    return core_.dwell(seconds(word), revolutions);
+}
+
+}  // namespace polyturn::channels::fanuc

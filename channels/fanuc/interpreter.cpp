@@ -1,0 +1,392 @@
+// Reading blocks and the flow between programs. What a block does stands in block.cpp and behind the handlers.
+#include "channels/fanuc/interpreter.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+namespace polyturn::channels::fanuc {
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// The number behind `letter` at the beginning of a line, behind blanks and block skip signs; -1: another line.
+std::int64_t leading_number(std::string_view line, char letter, bool colon) {
+    std::size_t i = 0;
+    for (;;) {
+        while (i < line.size() && is_blank(line[i])) ++i;
+        if (i < line.size() && line[i] == '/') {
+            ++i;
+            if (i < line.size() && is_digit(line[i])) ++i;
+            continue;
+        }
+        break;
+    }
+    if (i == line.size()) return -1;
+    const char c = line[i];
+    if (c != letter && c != letter + 32 && !(colon && c == ':')) return -1;
+    ++i;
+    while (i < line.size() && is_blank(line[i])) ++i;
+    if (i == line.size() || !is_digit(line[i])) return -1;
+    std::int64_t number = 0;
+    for (unsigned digits = 0; i < line.size() && is_digit(line[i]) && digits < 15; ++i, ++digits) number = number * 10 + (line[i] - '0');
+    return number;
+}
+
+}  // namespace
+
+Interpreter::Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles& files, MakeSettings make_settings)
+    : core_(view, sink, port), files_(&files), make_settings_(make_settings), settings_(make_settings(view.table(), view.channel)), table_(settings_.system), scanner_(*this),
+      variables_(*this, *view.store, settings_.common_first, settings_.common_last),
+      expression_(variables_, settings_.angle_positive) {
+    absolute_axis_.fill(-1);
+    incremental_axis_.fill(-1);
+    for (unsigned i = 0; i < view.axis_count; ++i) {
+        const std::string_view name = view.axes[i].name;
+        if (name.size() == 1) absolute_axis_[static_cast<std::size_t>(name[0] - 'A')] = static_cast<std::int8_t>(i);
+        else has_long_names = true;
+    }
+    static constexpr char kIncrements[][2] = {{'U', 'X'}, {'V', 'Y'}, {'W', 'Z'}, {'H', 'C'}};
+    for (const auto& [increment, axis] : kIncrements) {
+        const std::int8_t place = absolute_axis_[static_cast<std::size_t>(axis - 'A')];
+        if (place >= 0 && absolute_axis_[static_cast<std::size_t>(increment - 'A')] < 0) incremental_axis_[static_cast<std::size_t>(increment - 'A')] = place;
+    }
+    for (std::size_t i = 0; i < 26; ++i)
+        if (absolute_axis_[i] >= 0 || incremental_axis_[i] >= 0) axis_letters_ |= 1u << i;
+    for (const GCode& row : g_codes()) {
+        std::uint32_t mask = 0;
+        for (const char letter : row.takes) mask |= letter == 'x' ? axis_letters_ : letter_bit(letter);
+        takes_.push_back(mask);
+    }
+    frames_.reserve(32);
+    clear_modal();
+}
+
+// The state of cycle start: what the parameters say, else the rows marked at_reset.
+void Interpreter::clear_modal() {
+    active_.fill(nullptr);
+    for (const GCode& row : g_codes())
+        if ((row.systems & settings_.system) && row.at_reset) active_[static_cast<std::size_t>(row.group)] = &row;
+    const auto choose = [this](std::uint16_t tenths) {
+        const GCode* row = table_.find(tenths);
+        active_[static_cast<std::size_t>(row->group)] = row;
+        return row;
+    };
+    motion_ = choose(settings_.power_on_g1 ? 10 : 0);
+    static constexpr std::uint16_t kPlanes[] = {170, 180, 190};
+    choose(kPlanes[settings_.power_on_plane]);
+    core_.path.plane = static_cast<Plane>(settings_.power_on_plane);
+    inch_ = settings_.power_on_inch;
+    choose(inch_ ? 200 : 210);
+    unit_ = inch_ ? 25.4 : 1.0;
+    absolute_ = settings_.system == kA || !settings_.power_on_incremental;
+    if (settings_.system != kA) choose(absolute_ ? 900 : 910);
+    const bool per_revolution = settings_.power_on_per_revolution;
+    if (settings_.system == kA) choose(per_revolution ? 990 : 980);
+    else choose(per_revolution ? 950 : 940);
+    core_.path.feed_mode = per_revolution ? FeedMode::PerRevolution : FeedMode::PerMinute;
+    core_.path.feed = per_revolution ? settings_.feed_per_revolution : settings_.feed_per_minute;
+    core_.path.exact_stop_mode = core_.path.override_locked = false;
+    parameter_input_ = false;
+    modal_calls_.clear();
+}
+
+Result<void> Interpreter::start(FileId main) {
+    clear_modal();
+    frames_.clear();
+    loops_.clear();
+    while (variables_.depth() > 1) variables_.pop_locals();
+    Frame frame;
+    frame.file = main;
+    frames_.push_back(std::move(frame));
+    source_ = &files_->source(main);
+    source_->seek({0, 1});
+    line_left_ = tape_begun_ = blocks_begun_ = ended_ = reread_ = false;
+    fresh_ = true;   // cycle start is a barrier
+    program_number_ = 0;
+    core_.refresh_limits();
+    core_.load_zeros();
+    return {};
+}
+
+void Interpreter::barrier_done() {
+    fresh_ = true;
+    core_.refresh_limits();
+    for (unsigned i = 0; i < core_.view().axis_count; ++i)
+        if (const auto now = core_.port().axis_command(core_.view().axes[i].machine_axis)) core_.take_machine(i, *now);
+}
+
+Step Interpreter::fault_at(Alarm alarm, std::uint32_t column, std::uint32_t length, std::string detail, double v0, double v1) {
+    Diagnosis diagnosis;
+    diagnosis.alarm = alarm;
+    diagnosis.place = {files_->path(frames_.back().file), source_->position().line, column ? character_column(line_, column) : 0, length};
+    diagnosis.values = {v0, v1};
+    diagnosis.detail = std::move(detail);
+    core_.sink().alarm(diagnosis, core_.at);
+    ended_ = true;
+    return Step::Failed;
+}
+
+Step Interpreter::fault(Fault fault) {
+    std::uint32_t column = fault_column_, length = fault_length_;
+    if (!column && fault.letter >= 'A' && fault.letter <= 'Z' && block_.has(fault.letter)) {
+        const Word& word = block_.word(fault.letter);
+        column = word.column;
+        length = word.length;
+    }
+    return fault_at(fault.alarm, column, length, std::move(fault.detail), fault.value0, fault.value1);
+}
+
+void Interpreter::finish(StopReason reason) {
+    core_.mark_emitted();
+    core_.sink().stop({reason}, core_.at);
+    ended_ = true;
+}
+
+Step Interpreter::end_of_text() {
+    core_.at.line = source_->position().line;
+    core_.at.block = -1;
+    line_ = {};
+    if (frames_.size() > 1) return fault_at(Alarm::ProgramNotEnded, 0, 0, "M99");
+    if (tape_begun_) return fault_at(Alarm::ProgramNotEnded, 0, 0, "%");
+    core_.begin_block();
+    finish(StopReason::End);
+    core_.end_block();
+    return Step::Ended;
+}
+
+Step Interpreter::step() {
+    if (ended_) return Step::Ended;
+    return read_block();
+}
+
+Step Interpreter::read_block() {
+    if (reread_) {
+        reread_ = false;
+    } else if (!line_left_) {
+        switch (source_->next(line_)) {
+            case LineSource::Status::Line: break;
+            case LineSource::Status::End: return end_of_text();
+            case LineSource::Status::TooLong: return fault_at(Alarm::LineTooLong, 0, 0);
+            case LineSource::Status::ReadError: return fault_at(Alarm::FileUnreadable, 0, 0, "reading failed");
+        }
+        column_ = 0;
+    }
+    line_left_ = false;
+    fault_column_ = fault_length_ = 0;
+    has_pending_fault_ = false;
+    core_.begin_block();
+    const Frame& frame = frames_.back();
+    BlockContext& at = core_.at;
+    at.file = frame.file;
+    at.stack_depth = static_cast<std::uint8_t>(frames_.size() - 1);
+    at.line = source_->position().line;
+    at.block = -1;
+    at.cycle = {};
+    const ScanStop stop = scanner_.scan(line_, column_, block_);
+    switch (stop) {
+        case ScanStop::EndOfLine:
+        case ScanStop::Skipped: break;
+        case ScanStop::EndOfBlock:
+            line_left_ = true;
+            break;
+        case ScanStop::TapeMark:
+            if (!blocks_begun_ && !tape_begun_ && block_.count == 0) {
+                tape_begun_ = true;   // the rest of the line is the tape's title
+                return Step::Continue;
+            }
+            if (block_.count == 0) {
+                tape_begun_ = false;
+                return end_of_text();
+            }
+            return fault_at(Alarm::CharacterUnknown, static_cast<std::uint32_t>(scanner_.stopped_at() + 1), 1, "%");
+        case ScanStop::NeedsBarrier:
+            reread_ = true;
+            line_left_ = false;
+            core_.sink().barrier(core_.at);
+            return Step::AtBarrier;
+        case ScanStop::Fault:
+            if (has_pending_fault_) return fault(pending_fault_);
+            return fault_at(scanner_.fault().alarm, scanner_.fault().column, scanner_.fault().length,
+                            scanner_.fault().letter ? std::string(1, scanner_.fault().letter) : std::string{});
+        case ScanStop::Macro: {
+            if (block_.has('N')) at.block = last_n_ = static_cast<std::int64_t>(block_.value('N'));
+            blocks_begun_ = true;
+            return macro_statement(scanner_.stopped_at());
+        }
+    }
+    if (stop == ScanStop::Skipped && block_.count == 0) return Step::Continue;
+    const std::size_t next_column = scanner_.stopped_at();
+    if (block_.count == 0) {
+        column_ = next_column;
+        return Step::Continue;
+    }
+    if (block_.has('N')) at.block = last_n_ = static_cast<std::int64_t>(block_.value('N'));
+    if (block_.has('O')) {
+        if (blocks_begun_) {   // the next program of the text begins
+            tape_begun_ = false;
+            return end_of_text();
+        }
+        program_number_ = static_cast<std::int64_t>(block_.value('O'));
+    }
+    blocks_begun_ = true;
+    const Step step = nc_block();
+    if (!jumped_ && !reread_) column_ = next_column;
+    else if (jumped_) line_left_ = false;
+    return step;
+}
+
+// Block number `number` of the running program: forward from here, then from its beginning.
+std::optional<TextPosition> Interpreter::find_block(std::int64_t number) {
+    const TextPosition here = source_->next_position();
+    const TextPosition begin = frames_.back().begin;
+    std::string_view line;
+    const auto search = [&](TextPosition from, std::uint64_t until) -> std::optional<TextPosition> {
+        source_->seek(from);
+        bool own_head = from.offset == begin.offset;   // the program's own % and O are no end
+        while (source_->next_position().offset < until && source_->next(line) == LineSource::Status::Line) {
+            if (leading_number(line, 'N', false) == number) return source_->position();
+            const bool o_word = leading_number(line, 'O', true) >= 0;
+            if ((o_word || (!line.empty() && line[0] == '%')) && !own_head) break;
+            if (o_word || leading_number(line, 'N', false) >= 0) own_head = false;
+        }
+        return std::nullopt;
+    };
+    auto found = search(here, ~std::uint64_t{0});
+    if (!found) found = search(begin, here.offset);
+    source_->seek(here);
+    return found;
+}
+
+bool Interpreter::jump_to(std::int64_t number) {
+    const auto found = find_block(number);
+    if (!found) return core_.fail(Alarm::SequenceNumberMissing, 0, std::to_string(number));
+    source_->seek(*found);
+    jumped_ = true;
+    line_left_ = false;
+    return true;
+}
+
+std::optional<TextPosition> Interpreter::find_program_in(FileId file, std::int64_t number) {
+    LineSource& source = files_->source(file);
+    const TextPosition back = source.next_position();
+    source.seek({0, 1});
+    std::string_view line;
+    std::optional<TextPosition> found;
+    while (!found && source.next(line) == LineSource::Status::Line)
+        if (leading_number(line, 'O', true) == number) found = source.position();
+    source.seek(back);
+    return found;
+}
+
+bool Interpreter::call_program(std::int64_t number, std::int64_t repeats, const LocalSet* arguments, bool by_code, bool modal, char letter) {
+    if (repeats < 1) return true;
+    unsigned subs = 0, macros = 0;
+    for (std::size_t i = 1; i < frames_.size(); ++i) ++(frames_[i].macro ? macros : subs);
+    if (arguments && macros >= settings_.macro_levels) return core_.fail(Alarm::MacroTooDeep, letter, {}, settings_.macro_levels);
+    if (!arguments && subs >= settings_.sub_levels) return core_.fail(Alarm::CallTooDeep, letter, {}, settings_.sub_levels);
+    Frame frame;
+    if (const auto file = files_->find_number(number)) {
+        frame.file = *file;
+        if (const auto begin = find_program_in(*file, number)) frame.begin = *begin;
+    } else if (const auto begin = find_program_in(frames_.back().file, number)) {
+        frame.file = frames_.back().file;
+        frame.begin = *begin;
+    } else {
+        return core_.fail(Alarm::SubprogramMissing, letter, "O" + std::to_string(number));
+    }
+    if (line_left_) {
+        frame.resume = source_->position();
+        frame.resume_column = scanner_.stopped_at();
+    } else {
+        frame.resume = source_->next_position();
+    }
+    frame.repeats = repeats - 1;
+    frame.macro = arguments != nullptr;
+    frame.by_code = by_code;
+    frame.modal_call = modal;
+    frame.loops = loops_.size();
+    frame.outer_program = program_number_;
+    frame.program = number;
+    if (arguments) {
+        frame.arguments = *arguments;
+        variables_.push_locals(*arguments);
+    }
+    frame.outer_modals = modal_calls_;
+    if (modal) modal_calls_.pop_back();
+    source_ = &files_->source(frame.file);
+    source_->seek(frame.begin);
+    frames_.push_back(std::move(frame));
+    blocks_begun_ = false;
+    line_left_ = false;
+    jumped_ = true;
+    return true;
+}
+
+// M99: the next repetition, the caller, or (in the main program) the end of a part.
+bool Interpreter::return_from(bool has_target, std::int64_t target) {
+    Frame& frame = frames_.back();
+    if (frames_.size() == 1) {
+        if (has_target) return jump_to(target);
+        core_.mark_emitted();
+        core_.sink().part(1, core_.at);
+        ended_ = true;
+        return true;
+    }
+    loops_.resize(frame.loops);
+    if (frame.repeats > 0 && !has_target) {
+        --frame.repeats;
+        if (frame.macro) variables_.locals() = frame.arguments;
+        source_->seek(frame.begin);
+        blocks_begun_ = false;
+        jumped_ = true;
+        line_left_ = false;
+        return true;
+    }
+    const Frame done = std::move(frame);
+    frames_.pop_back();
+    if (done.macro) variables_.pop_locals();
+    if (done.modal_call) modal_calls_ = done.outer_modals;
+    program_number_ = done.outer_program;
+    source_ = &files_->source(frames_.back().file);
+    source_->seek(done.resume);
+    blocks_begun_ = true;
+    jumped_ = true;
+    line_left_ = false;
+    if (has_target) return jump_to(target);
+    if (done.resume_column) {   // the call stood before a ';' in its line
+        if (source_->next(line_) == LineSource::Status::Line) {
+            column_ = done.resume_column;
+            line_left_ = true;
+        }
+    }
+    return true;
+}
+
+bool Interpreter::block_skip(unsigned number) { return core_.port().block_skip(number); }
+
+std::size_t Interpreter::axis_name(const char* at, const char* end, int& axis) {
+    const MachineView& view = core_.view();
+    std::size_t longest = 0;
+    for (unsigned i = 0; i < view.axis_count; ++i) {
+        const std::string_view name = view.axes[i].name;
+        if (name.size() < 2 || name.size() <= longest || static_cast<std::size_t>(end - at) <= name.size()) continue;
+        bool same = true;
+        for (std::size_t k = 0; k < name.size(); ++k) same = same && (at[k] == name[k] || at[k] == name[k] + 32);
+        // A name that ends in a digit must be followed by '='.
+        if (same && is_digit(name.back()) && at[name.size()] != '=') same = false;
+        if (same) longest = name.size(), axis = static_cast<int>(i);
+    }
+    return longest;
+}
+
+// Parameters were changed by the program: all but the G code system is taken at once.
+void Interpreter::reload_settings() {
+    const GSystem system = settings_.system;
+    settings_ = make_settings_(core_.view().table(), core_.view().channel);
+    settings_.system = system;
+}
+
+bool Interpreter::barrier_fresh() { return fresh_; }
+
+}  // namespace polyturn::channels::fanuc

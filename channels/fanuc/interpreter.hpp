@@ -1,0 +1,223 @@
+// The fanuc family: address words, G codes by table, custom macro B. Used for fanuc (systems A, B, C) and nct.
+//
+// One step() reads one block:
+//   scan -> words   classify -> G rows, M codes   check -> every word is taken by somebody   act, in the order of GGroup
+//   settings -> F -> S -> T -> M that begin -> one-shot or motion -> M that end -> calls
+// A block that needs a live value stops before anything has been done: AtBarrier, then it is read again (architecture 5.5).
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "channels/fanuc/settings.hpp"
+#include "channels/fanuc/expression.hpp"
+#include "channels/fanuc/variables.hpp"
+#include "channels/language.hpp"
+#include "channels/text/word_scanner.hpp"
+
+namespace polyturn::channels::fanuc {
+
+// G66: called after each block that moves.
+struct ModalCall {
+    std::int64_t program = 0;
+    std::int64_t repeats = 1;
+    bool every_block = false;        // G66.1
+    bool armed = false;              // its own block is past
+    LocalSet arguments{};
+};
+
+// A program that is being run: the main program, a subprogram or a macro.
+struct Frame {
+    FileId file = 0;
+    TextPosition resume;             // where the caller goes on
+    std::size_t resume_column = 0;   // byte in that line
+    TextPosition begin;              // first block of the program, for repetitions and jumps
+    std::int64_t repeats = 0;        // calls still to come after this one
+    bool macro = false;              // it has local variables of its own
+    bool by_code = false;            // called by a G, M or T code: no such calls inside
+    bool modal_call = false;         // called by G66
+    std::size_t loops = 0;           // entries of loops_ that belong to outer frames
+    std::int64_t program = 0;        // its O number
+    std::int64_t outer_program = 0;
+    LocalSet arguments{};            // of a macro, for its repetitions
+    std::vector<ModalCall> outer_modals;   // a macro called by G66 runs without its own G66
+};
+
+struct Loop {
+    std::uint8_t number = 0;
+    TextPosition at;
+};
+
+class Interpreter final : public Language, private ScanHook, private VariableHost {
+public:
+    using MakeSettings = Settings (*)(const params::Table&, unsigned channel);
+    Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles& files, MakeSettings make_settings);
+
+    Result<void> start(FileId main) override;
+    Step step() override;
+    void barrier_done() override;
+    bool preset_variable(std::string_view name, double value) override;
+    Core& core() override { return core_; }
+    const Settings& settings() const { return settings_; }
+
+    // --- handlers of g_codes.cpp
+    bool g_units(const GCode&);
+    bool g_plane(const GCode&);
+    bool g_distance(const GCode&);
+    bool g_feed_mode(const GCode&);
+    bool g_exact_stop(const GCode&);
+    bool g_exact_once(const GCode&);
+    bool g_surface(const GCode&);
+    bool g_comp_off(const GCode&);
+    bool g_nothing(const GCode&);
+    bool g_zero(const GCode&);
+    bool g_zero_extended(const GCode&);
+    bool g_rapid(const GCode&);
+    bool g_linear(const GCode&);
+    bool g_arc(const GCode&);
+    bool g_thread(const GCode&);
+    bool g_thread_variable(const GCode&);
+    bool g_dwell(const GCode&);
+    bool g_data(const GCode&);
+    bool g_reference(const GCode&);
+    bool g_reference_check(const GCode&);
+    bool g_local_zero(const GCode&);
+    bool g_machine(const GCode&);
+    bool g_preset(const GCode&);
+    bool g_macro_call(const GCode&);
+    bool g_macro_modal(const GCode&);
+    bool g_macro_modal_off(const GCode&);
+    bool g_cycle_turning(const GCode&);
+    bool g_cycle_facing(const GCode&);
+    bool g_cycle_thread(const GCode&);
+
+private:
+    // reading and flow (interpreter.cpp)
+    Step read_block();
+    Step fault(Fault fault);
+    Step fault_at(Alarm alarm, std::uint32_t column, std::uint32_t length, std::string detail = {}, double v0 = 0, double v1 = 0);
+    Step end_of_text();
+    void finish(StopReason reason);
+    void clear_modal();
+    std::optional<TextPosition> find_block(std::int64_t number);
+    std::optional<TextPosition> find_program_in(FileId file, std::int64_t number);
+    bool read_line(LineSource::Status& status);
+    bool jump_to(std::int64_t number);
+    bool call_program(std::int64_t number, std::int64_t repeats, const LocalSet* arguments, bool by_code, bool modal, char letter);
+    bool return_from(bool has_target, std::int64_t target);
+
+    // one block (block.cpp)
+    Step nc_block();
+    bool classify();
+    bool check_words();
+    bool act();
+    bool read_axis_words(AxisValues& target, AxisSet* named = nullptr);
+    bool axis_word(const Word& word, AxisValues& target, AxisSet& named);
+    double length(const Word& word, int place) const;     // mm or degrees, as the axis is programmed (not halved)
+    double radius_length(char letter) const;              // I K R: mm
+    double seconds(const Word& word) const;
+    bool whole(char letter, std::int64_t& value);
+    bool set_feed(const Word& word);
+    bool is_macro_call() const;
+    bool macro_call();
+
+    // S, T, M (functions.cpp)
+    bool spindle_word();
+    bool tool_word();
+    bool apply_tool_offsets();
+    bool m_before(), m_after();
+    bool is_draining(double code) const;
+    bool wait_code(const Word& word);
+    bool code_calls(bool& called);
+    bool function_code(const Word& word, bool late);
+    bool sub_call();
+    std::string_view text_of(const Word& word) const { return line_.substr(word.column - 1u, word.length); }
+
+    // macro (macro.cpp, macro_flow.cpp)
+    Step macro_statement(std::size_t at);
+    enum class Flow : std::uint8_t { Done, NeedsBarrier, Fault };
+    Flow run_statement(const char*& at, const char* end);
+    Flow assignment(const char*& at, const char* end);
+    Flow condition(const char*& at, const char* end, bool& holds);
+    Flow evaluate(const char*& at, const char* end, double& value);
+    Flow flow_fault(Alarm alarm, const char* at, std::string detail = {}, double value = 0.0);
+    Flow flow_of(Expression::Status status);
+    Flow loop_number(const char*& at, const char* end, std::uint8_t& number);
+    Flow skip_loop(std::uint8_t number, const char* at);
+    Flow jump(const char*& at, const char* end);
+    bool written(std::int64_t number, double value, std::string_view comment);
+    bool gather_arguments(LocalSet& arguments, std::size_t from_word);
+    bool macro_words(std::int64_t& program, std::int64_t& repeats, LocalSet& arguments);
+    bool g10_offset(), g10_zero(), g10_parameter_block();
+    void reload_settings();
+    void write_offset(OffsetTable table, std::int32_t number, OffsetField field, double value);
+    void write_zero(std::int32_t row, unsigned place, double value);
+
+    // ScanHook
+    Read read_value(const char*& at, const char* end, double& value) override;
+    bool block_skip(unsigned number) override;
+    std::size_t axis_name(const char* at, const char* end, int& axis) override;
+    // VariableHost
+    VariableStatus read_system(std::int64_t number, double& value) override;
+    VariableStatus write_system(std::int64_t number, double value) override;
+    bool barrier_fresh() override;
+
+    Core core_;
+    ProgramFiles* files_;
+    MakeSettings make_settings_;
+    Settings settings_;
+    GTable table_;
+    WordScanner scanner_;
+    VariableSet variables_;
+    Expression expression_;
+    Block block_;
+
+    // the text
+    std::vector<std::uint32_t> takes_;   // by row of g_codes(): letters it consumes
+    std::vector<Frame> frames_;
+    std::vector<Loop> loops_;
+    std::vector<ModalCall> modal_calls_;
+    LineSource* source_ = nullptr;
+    std::string_view line_;
+    std::size_t column_ = 0;          // next byte of line_ to read
+    bool line_left_ = false;          // line_ holds a further block
+    bool tape_begun_ = false;         // a % was read
+    bool blocks_begun_ = false;       // of the running program text
+    std::int64_t program_number_ = 0; // O of the running program
+
+    // modal state of the language
+    const GCode* motion_ = nullptr;
+    std::array<const GCode*, static_cast<std::size_t>(GGroup::Count)> active_{};
+    bool absolute_ = true, inch_ = false;
+    std::int64_t last_m_ = 0, last_t_ = 0, last_n_ = 0;
+    bool parameter_input_ = false;    // between G10 L50 and G11
+
+    // the block
+    std::array<const GCode*, static_cast<std::size_t>(GGroup::Count)> coded_{};
+    std::uint32_t coded_groups_ = 0;
+    std::array<std::uint8_t, 12> m_words_{};
+    std::array<std::uint8_t, kChannelAxes * 2> axis_words_{};
+    unsigned m_count_ = 0, axis_word_count_ = 0, g_count_ = 0;
+    std::array<std::uint8_t, 12> g_words_{};
+    AxisValues target_{};
+    double parts_ = 0;
+    std::int64_t sub_program_ = -1, sub_repeats_ = 1;   // called by a code of this block when the block has acted
+    bool wants_barrier_ = false, ended_ = false, jumped_ = false, called_ = false;
+    bool reread_ = false;             // the block stands before a barrier and is read again behind it
+    bool fresh_ = false;              // live values are those of the barrier just passed
+    bool moved_ = false;              // the block moved: G66 calls follow
+    std::uint32_t fault_column_ = 0, fault_length_ = 0;   // by the macro parser; 0: the letter tells
+    Fault pending_fault_;
+    bool has_pending_fault_ = false;
+    std::string message_;             // text of #3000, #3006 while it is told
+
+    // letters -> axes
+    std::array<std::int8_t, 26> absolute_axis_{}, incremental_axis_{};
+    std::uint32_t axis_letters_ = 0;
+    double unit_ = 1.0;               // mm in a programmed millimetre or inch
+    double lead_ = 0.0;               // of the last thread, mm
+    bool single_block_off_ = false, no_finish_wait_ = false;   // #3003
+    int automatic_control_ = 0;       // #3004
+};
+
+}  // namespace polyturn::channels::fanuc

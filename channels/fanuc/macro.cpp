@@ -1,0 +1,295 @@
+// Statements of custom macro B: assignments, IF, WHILE, DO, END, GOTO.
+#include <cmath>
+
+#include "channels/fanuc/interpreter.hpp"
+
+namespace polyturn::channels::fanuc {
+namespace {
+
+bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+char capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; }
+void blanks(const char*& at, const char* end) {
+    while (at != end && (*at == ' ' || *at == '\t')) ++at;
+}
+
+// Takes the word at `at` if it is `name` (letters up to a character that is none).
+bool take(const char*& at, const char* end, std::string_view name) {
+    blanks(at, end);
+    const char* p = at;
+    for (const char c : name)
+        if (p == end || capital(*p++) != c) return false;
+    at = p;
+    return true;
+}
+
+// The text of a comment that begins at `at`, for #3000=1(TEXT).
+std::string_view comment_text(const char*& at, const char* end) {
+    blanks(at, end);
+    if (at == end || *at != '(') return {};
+    const char* const begin = ++at;
+    while (at != end && *at != ')') ++at;
+    const std::string_view text(begin, static_cast<std::size_t>(at - begin));
+    if (at != end) ++at;
+    return text;
+}
+
+}  // namespace
+
+Interpreter::Flow Interpreter::flow_fault(Alarm alarm, const char* at, std::string detail, double value) {
+    fault_column_ = static_cast<std::uint32_t>(at - line_.data()) + 1;
+    fault_length_ = 1;
+    core_.fail(alarm, 0, std::move(detail), value);
+    return Flow::Fault;
+}
+
+Interpreter::Flow Interpreter::flow_of(Expression::Status status) {
+    if (status == Expression::Status::Ok) return Flow::Done;
+    if (status == Expression::Status::NeedsBarrier) return Flow::NeedsBarrier;
+    const ExpressionFault& f = expression_.fault();
+    return flow_fault(f.alarm, f.at, f.detail, f.value);
+}
+
+Interpreter::Flow Interpreter::evaluate(const char*& at, const char* end, double& value) { return flow_of(expression_.evaluate(at, end, value)); }
+
+// The scanner's question: a value behind an address.
+ScanHook::Read Interpreter::read_value(const char*& at, const char* end, double& value) {
+    switch (expression_.operand(at, end, value)) {
+        case Expression::Status::Ok: return is_null(value) ? Read::Null : Read::Value;
+        case Expression::Status::NeedsBarrier: return Read::NeedsBarrier;
+        case Expression::Status::Fault: break;
+    }
+    const ExpressionFault& f = expression_.fault();
+    pending_fault_ = {f.alarm, 0, f.value, 0.0, f.detail};
+    has_pending_fault_ = true;
+    fault_column_ = static_cast<std::uint32_t>(f.at - line_.data()) + 1;
+    fault_length_ = 1;
+    return Read::Fault;
+}
+
+Step Interpreter::macro_statement(std::size_t from) {
+    jumped_ = called_ = wants_barrier_ = false;
+    const char* at = line_.data() + from;
+    const char* const end = line_.data() + line_.size();
+    Flow flow = run_statement(at, end);
+    if (flow == Flow::Done && !jumped_) {
+        blanks(at, end);
+        if (at != end && *at == '(') comment_text(at, end);
+        blanks(at, end);
+        if (at != end && *at == ';') {
+            line_left_ = true;
+            column_ = static_cast<std::size_t>(at - line_.data()) + 1;
+        } else if (at != end) {
+            flow = flow_fault(Alarm::MacroFormat, at, std::string(at, end));
+        }
+    }
+    if (flow == Flow::NeedsBarrier) {
+        reread_ = true;
+        line_left_ = false;
+        core_.sink().barrier(core_.at);
+        return Step::AtBarrier;
+    }
+    if (flow == Flow::Fault) return fault(core_.fault());
+    if (core_.emitted()) {
+        fresh_ = false;
+        core_.end_block();
+    }
+    if (ended_) return Step::Ended;
+    return wants_barrier_ ? Step::AtBarrier : Step::Continue;
+}
+
+Interpreter::Flow Interpreter::run_statement(const char*& at, const char* end) {
+    blanks(at, end);
+    if (at == end) return Flow::Done;
+    if (*at == '#') return assignment(at, end);
+    const char* const begin = at;
+    if (take(at, end, "IF")) {
+        bool holds = false;
+        if (const Flow flow = condition(at, end, holds); flow != Flow::Done) return flow;
+        if (take(at, end, "GOTO")) {
+            if (holds) return jump(at, end);
+            double ignored = 0.0;
+            blanks(at, end);
+            return at != end && (*at == '#' || *at == '[') ? flow_of(expression_.operand(at, end, ignored)) : evaluate(at, end, ignored);
+        }
+        if (!take(at, end, "THEN")) return flow_fault(Alarm::MacroFormat, at, "IF without GOTO or THEN");
+        if (!holds) {
+            at = end;
+            return Flow::Done;
+        }
+        blanks(at, end);
+        if (at == end || *at != '#') return flow_fault(Alarm::MacroFormat, at, "THEN takes an assignment");
+        return assignment(at, end);
+    }
+    if (take(at, end, "GOTO")) return jump(at, end);
+    if (take(at, end, "WHILE")) {
+        bool holds = false;
+        const TextPosition here = source_->position();
+        if (const Flow flow = condition(at, end, holds); flow != Flow::Done) return flow;
+        if (!take(at, end, "DO")) return flow_fault(Alarm::MacroFormat, at, "WHILE without DO");
+        std::uint8_t number = 0;
+        if (const Flow flow = loop_number(at, end, number); flow != Flow::Done) return flow;
+        // A loop that is entered again (jumped out of, or the next round) replaces its old entry and what was inside.
+        while (loops_.size() > frames_.back().loops && loops_.back().number == number) loops_.pop_back();
+        if (!holds) return skip_loop(number, begin);
+        loops_.push_back({number, here});
+        return Flow::Done;
+    }
+    if (take(at, end, "DO")) {
+        std::uint8_t number = 0;
+        if (const Flow flow = loop_number(at, end, number); flow != Flow::Done) return flow;
+        while (loops_.size() > frames_.back().loops && loops_.back().number == number) loops_.pop_back();
+        loops_.push_back({number, source_->position()});
+        return Flow::Done;
+    }
+    if (take(at, end, "END")) {
+        std::uint8_t number = 0;
+        if (const Flow flow = loop_number(at, end, number); flow != Flow::Done) return flow;
+        std::size_t found = loops_.size();
+        while (found > frames_.back().loops && loops_[found - 1].number != number) --found;
+        if (found == frames_.back().loops) return flow_fault(Alarm::DoEndMismatch, begin);
+        const Loop loop = loops_[found - 1];
+        loops_.resize(found - 1);   // loops inside were left by a jump
+        source_->seek(loop.at);
+        jumped_ = true;
+        line_left_ = false;
+        return Flow::Done;
+    }
+    std::string name;
+    for (const char* p = at; p != end && is_letter(*p); ++p) name += *p;
+    if (name == "POPEN" || name == "PCLOS" || name == "DPRNT" || name == "BPRNT" || name == "SETVN")
+        return flow_fault(Alarm::NotBuilt, at, name);
+    return flow_fault(Alarm::WordUnknown, at, name);
+}
+
+Interpreter::Flow Interpreter::condition(const char*& at, const char* end, bool& holds) {
+    blanks(at, end);
+    if (at == end || *at != '[') return flow_fault(Alarm::BracketMissing, at);
+    double value = 0.0;
+    const Flow flow = flow_of(expression_.operand(at, end, value));
+    holds = !is_null(value) && value != 0.0;
+    return flow;
+}
+
+Interpreter::Flow Interpreter::loop_number(const char*& at, const char* end, std::uint8_t& number) {
+    blanks(at, end);
+    const char* const begin = at;
+    double value = 0.0;
+    if (const Flow flow = evaluate(at, end, value); flow != Flow::Done) return flow;
+    if (value != 1 && value != 2 && value != 3) return flow_fault(Alarm::DoNumberIllegal, begin);
+    number = static_cast<std::uint8_t>(value);
+    return Flow::Done;
+}
+
+// Goes on behind END number.
+Interpreter::Flow Interpreter::skip_loop(std::uint8_t number, const char* from) {
+    const TextPosition back = source_->next_position();
+    const std::size_t column = static_cast<std::size_t>(from - line_.data());
+    std::string_view line;
+    while (source_->next(line) == LineSource::Status::Line) {
+        const char* at = line.data();
+        const char* const end = at + line.size();
+        blanks(at, end);
+        if (at != end && capital(*at) == 'N') {   // N120 END1
+            ++at;
+            while (at != end && (*at == ' ' || (*at >= '0' && *at <= '9'))) ++at;
+        }
+        if (!take(at, end, "END")) continue;
+        blanks(at, end);
+        if (at != end && *at == '0' + number) {
+            jumped_ = true;
+            line_left_ = false;
+            return Flow::Done;
+        }
+    }
+    source_->seek(back);
+    fault_column_ = static_cast<std::uint32_t>(column) + 1;
+    fault_length_ = 5;
+    line_ = {};
+    core_.fail(Alarm::DoEndMismatch);
+    return Flow::Fault;
+}
+
+Interpreter::Flow Interpreter::jump(const char*& at, const char* end) {
+    blanks(at, end);
+    const char* const begin = at;
+    double value = 0.0;
+    const Flow flow = evaluate(at, end, value);
+    if (flow != Flow::Done) return flow;
+    const double number = std::nearbyint(value);
+    if (is_null(value) || number < 1 || number > static_cast<double>(settings_.goto_max)) return flow_fault(Alarm::GotoNumberIllegal, begin, {}, is_null(value) ? 0.0 : value);
+    fault_column_ = static_cast<std::uint32_t>(begin - line_.data()) + 1;
+    fault_length_ = 1;
+    const std::string line(line_);   // searching moves the window
+    if (!jump_to(static_cast<std::int64_t>(number))) {
+        line_ = {};
+        return Flow::Fault;
+    }
+    at = end;
+    return Flow::Done;
+}
+
+Interpreter::Flow Interpreter::assignment(const char*& at, const char* end) {
+    const char* const begin = at;
+    std::int64_t number = 0;
+    if (const Flow flow = flow_of(expression_.variable_number(at, end, number)); flow != Flow::Done) return flow;
+    blanks(at, end);
+    if (at == end || *at != '=') return flow_fault(Alarm::MacroFormat, at == end ? begin : at, "= is missing");
+    ++at;
+    double value = 0.0;
+    if (const Flow flow = evaluate(at, end, value); flow != Flow::Done) return flow;
+    const std::string_view comment = comment_text(at, end);
+    fault_column_ = static_cast<std::uint32_t>(begin - line_.data()) + 1;
+    fault_length_ = static_cast<std::uint32_t>(at - begin);
+    if (!written(number, value, comment)) return Flow::Fault;
+    fault_column_ = fault_length_ = 0;
+    return Flow::Done;
+}
+
+// A variable is written: the channel sees it at once, the others when the record is executed.
+bool Interpreter::written(std::int64_t number, double value, std::string_view comment) {
+    if (number == 3000) {   // an alarm of the program's own
+        message_ = comment;
+        if (message_.empty()) message_ = "alarm of the program";
+        return core_.fail(Alarm::MacroAlarm, 0, message_, 3000 + (is_null(value) ? 0 : std::nearbyint(value)));
+    }
+    if (number == 3006) {   // a message, and the program stops
+        core_.mark_emitted();
+        core_.sink().message(comment, core_.at);
+        core_.sink().stop({StopReason::M00}, core_.at);
+        wants_barrier_ = true;
+        return true;
+    }
+    switch (variables_.write(number, value)) {
+        case VariableStatus::Ok: break;
+        case VariableStatus::ReadOnly: return core_.fail(Alarm::VariableReadOnly, 0, variable_name(number));
+        case VariableStatus::Fault: return false;
+        default: return core_.fail(Alarm::VariableUnknown, 0, variable_name(number));
+    }
+    char text[24] = {'#'};
+    char* last = text + 1;
+    std::int64_t rest = number;
+    char digits[20];
+    int count = 0;
+    do digits[count++] = static_cast<char>('0' + rest % 10); while (rest /= 10);
+    while (count) *last++ = digits[--count];
+    Variable variable;
+    variable.name = {text, static_cast<std::size_t>(last - text)};
+    variable.value = value;
+    if (number >= 500 && number < 1000) variable.persistent = static_cast<std::int32_t>(number - 500);
+    core_.mark_emitted();
+    core_.sink().variable(variable, core_.at);
+    return true;
+}
+
+bool Interpreter::preset_variable(std::string_view name, double value) {
+    if (name.size() < 2 || name[0] != '#') return false;
+    std::int64_t number = 0;
+    for (const char c : name.substr(1)) {
+        if (c < '0' || c > '9' || number > 10'000'000) return false;
+        number = number * 10 + (c - '0');
+    }
+    if (number >= 1000) return false;
+    return variables_.write(number, value) == VariableStatus::Ok;
+}
+
+}  // namespace polyturn::channels::fanuc

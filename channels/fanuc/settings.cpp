@@ -1,0 +1,63 @@
+#include "channels/fanuc/settings.hpp"
+
+namespace polyturn::channels::fanuc {
+
+using namespace params;
+
+// What fanuc and nct read from the same N parameters: the machine is its parameters, whatever language a channel speaks.
+void common_settings(Settings& s, const Table& t, unsigned l) {
+    s.power_on_g1 = bit(t, n1300_defaultg1, l, 0);
+    const bool g18 = bit(t, n1300_defaultg1, l, 1), g19 = bit(t, n1300_defaultg1, l, 2);
+    s.power_on_plane = g18 ? 1 : g19 ? 2 : 0;
+    s.power_on_inch = bit(t, n1300_defaultg1, l, 3);
+    s.power_on_incremental = bit(t, n1300_defaultg1, l, 7);
+    s.power_on_per_revolution = bit(t, n1301_defaultg2, l, 0);
+    s.arc_tolerance = get(t, n1339_radius_diff, l) * (bit(t, n0104_unit_of_measure, l, 0) ? 25.4 : 1.0);
+    for (unsigned n = 1; n <= 10; ++n) {
+        const auto code = static_cast<double>(get(t, nth(n1307_m_suppr_b1, n), l));
+        if (code > 0) s.draining_m.emplace_back(code, code);
+    }
+    for (unsigned n = 1; n <= 8; ++n) {
+        const auto low = static_cast<double>(get(t, nth(n1317_m_gr_low_suppr_b1, n), l));
+        const auto high = static_cast<double>(get(t, nth(n1325_m_gr_high_suppr_b1, n), l));
+        if (high > 0) s.draining_m.emplace_back(low, high);
+    }
+    s.part_code = get(t, n2305_part_count_m, l);
+    s.s_drains = bit(t, n1336_funct_suppr_b, l, 0);
+    s.t_drains = bit(t, n1336_funct_suppr_b, l, 1);
+    for (unsigned n = 1; n <= 3; ++n) s.aux_letters[n - 1] = static_cast<char>(get(t, nth(n1333_aux_fu_addr1, n), l));
+    for (unsigned n = 1; n <= 16; ++n) {
+        const auto low = static_cast<double>(get(t, nth(n1341_m_gr_low_1, n), l)), high = static_cast<double>(get(t, nth(n1357_m_gr_high_1, n), l));
+        if (low != 0 || high != 0) s.m_groups.emplace_back(low, high);
+    }
+}
+
+Settings fanuc_settings(const Table& t, unsigned l) {
+    Settings s;
+    common_settings(s, t, l);
+    s.system = bit(t, f3401, l, 7) ? kC : bit(t, f3401, l, 6) ? kB : kA;
+    s.point_means_nothing = bit(t, f3401, l, 0);
+    s.series15 = bit(t, f0001, l, 1);
+    s.tool.offset_digits = bit(t, f5002, l, 0) ? 1 : 2;
+    s.tool.geometry_by_tool = bit(t, f5002, l, 1);
+    s.tool.geometry_travels = bit(t, f5002, l, 4);
+    s.tool.zero_cancels_geometry = bit(t, f5002, l, 5);
+    s.tool.with_next_move = bit(t, f5002, l, 6);
+    s.tool.tip_from_wear = bit(t, f5002, l, 7);
+    s.angle_positive = !bit(t, f6004, l, 0);
+    s.t_calls = bit(t, f6001, l, 5);
+    for (unsigned n = 0; n < 10; ++n) {
+        const auto g = static_cast<std::int32_t>(get(t, nth(f6050, n + 1), l));
+        if (g > 0) s.g_calls.push_back({g * 10, static_cast<std::int32_t>(9010 + n), true, 0});
+        const auto sub = static_cast<std::int32_t>(get(t, nth(f6070, n + 1), l));
+        if (sub > 0) s.m_calls.push_back({sub, static_cast<std::int32_t>(9000 + n), false, 0});
+        const auto macro = static_cast<std::int32_t>(get(t, nth(f6080, n + 1), l));
+        if (macro > 0) s.m_calls.push_back({macro, static_cast<std::int32_t>(9020 + n), true, 0});
+        const auto drain = static_cast<double>(get(t, nth(f3411, n + 1), l));
+        if (drain > 0) s.draining_m.emplace_back(drain, drain);
+    }
+    s.common_last = 199;
+    return s;
+}
+
+}  // namespace polyturn::channels::fanuc

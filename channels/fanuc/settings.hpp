@@ -1,0 +1,66 @@
+// Where the controls of the fanuc family differ, as values: made from the F parameters (fanuc/settings.cpp) or from the
+// N parameters (nct/settings.cpp). The interpreter asks these, never which control it is, except for names and numbers.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "channels/fanuc/g_codes.hpp"
+#include "ipc/diagnosis/diagnosis.hpp"
+#include "ipc/params/table.hpp"
+
+namespace polyturn::channels::fanuc {
+
+// How a T word names tool and offsets, and how offsets act (fanuc_lathe 1, nct part 1 15.5).
+struct ToolCode {
+    unsigned offset_digits = 2;          // last digits of T that are the offset number
+    bool geometry_by_tool = false;       // LGN, GTN
+    bool tip_from_wear = false;          // WNP; nct QGW = 0
+    bool geometry_travels = false;       // LGT: geometry is travelled like wear
+    bool wear_travels = true;            // fanuc; nct shifts both
+    bool zero_cancels_geometry = false;  // LGC; nct ZCG
+    bool with_next_move = false;         // LWM: T alone does not move
+};
+
+// G, M codes and addresses that call programs.
+struct CodeCall {
+    std::int32_t code = 0;       // G and M: number (G in tenths)
+    std::int32_t program = 0;
+    bool macro = false;          // with arguments and local variables of its own
+    std::uint8_t modal = 0;      // 0 no, 1 like G66, 2 like G66.1
+};
+
+struct Settings {
+    GSystem system = kA;
+    Dialect dialect = Dialect::Fanuc;
+    bool nct = false;
+    bool point_means_nothing = false;    // F3401#0: numbers without a point are whole millimetres
+    bool series15 = false;               // F0001#1: program format of series 10/11/15
+    ToolCode tool;
+    bool centre_absolute = false;        // nct CCA
+    bool dwell_by_feed_mode = false;     // G4 P and X: seconds with feed per minute, revolutions with feed per revolution
+    bool dwell_p_milliseconds = true;    // fanuc; nct: seconds
+    bool power_on_g1 = false, power_on_incremental = false, power_on_inch = false, power_on_per_revolution = true;
+    std::uint8_t power_on_plane = 1;     // 0 G17, 1 G18, 2 G19
+    double feed_per_minute = 0.0, feed_per_revolution = 0.0;   // until F; 0: F must be programmed
+    double arc_tolerance = 0.02;
+    unsigned sub_levels = 4, macro_levels = 4;
+    std::int64_t goto_max = 99999;
+    bool angle_positive = true;          // F6004#0 NAT = 0: ASIN, ATAN from 0 to 360
+    bool t_calls = false;                // F6001#5, nct #4 of N1746
+    std::vector<CodeCall> g_calls, m_calls;
+    struct LetterCall { char letter; std::int32_t program; std::int32_t variable; };
+    std::vector<LetterCall> letter_calls;
+    bool nested_calls = false;           // nct ENC
+    std::vector<std::pair<double, double>> draining_m;   // ranges of M codes behind which nothing is read ahead
+    double part_code = 0;                // N2305: M code that counts a part; 0: M2 and M30
+    bool s_drains = false, t_drains = false;
+    std::vector<std::pair<double, double>> m_groups;     // contradictory M codes
+    std::array<char, 3> aux_letters{};   // second auxiliary functions
+    unsigned locals = 33, common_first = 100, common_last = 199;
+};
+
+void common_settings(Settings& settings, const params::Table& table, unsigned channel);
+Settings fanuc_settings(const params::Table& table, unsigned channel);
+
+}  // namespace polyturn::channels::fanuc

@@ -1,0 +1,59 @@
+// Variables #n of custom macro B. Empty (null) is NaN in here and nowhere else.
+//
+//   #0 null   #1..#33 local, one set a macro level   #100.. common   #500..#999 kept (ChannelStore)   #1000.. system
+#pragma once
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "polyturn/image_structs.hpp"
+
+namespace polyturn::channels::fanuc {
+
+inline constexpr double kNull = std::numeric_limits<double>::quiet_NaN();
+inline bool is_null(double value) { return std::isnan(value); }
+
+inline constexpr std::size_t kLocals = 34;   // index is the variable's number; 0 stays null
+using LocalSet = std::array<double, kLocals>;
+inline LocalSet empty_locals() {
+    LocalSet set;
+    set.fill(kNull);
+    return set;
+}
+
+enum class VariableStatus : std::uint8_t { Ok, Unknown, ReadOnly, NeedsBarrier, Fault };
+
+// What lies behind system variables: the interpreter.
+class VariableHost {
+public:
+    virtual ~VariableHost() = default;
+    virtual VariableStatus read_system(std::int64_t number, double& value) = 0;
+    virtual VariableStatus write_system(std::int64_t number, double value) = 0;
+    virtual bool barrier_fresh() = 0;
+};
+
+class VariableSet {
+public:
+    VariableSet(VariableHost& host, ChannelStore& store, unsigned common_first, unsigned common_last)
+        : host_(&host), store_(&store), common_first_(common_first), common_(common_last - common_first + 1, kNull), levels_{empty_locals()} {}
+
+    VariableStatus read(std::int64_t number, double& value);
+    VariableStatus write(std::int64_t number, double value);
+    LocalSet& locals() { return levels_.back(); }
+    void push_locals(const LocalSet& set) { levels_.push_back(set); }
+    void pop_locals() { if (levels_.size() > 1) levels_.pop_back(); }
+    std::size_t depth() const { return levels_.size(); }
+    // Reset and end of program: locals and commons become empty.
+    void clear();
+
+private:
+    VariableHost* host_;
+    ChannelStore* store_;
+    unsigned common_first_;
+    std::vector<double> common_;
+    std::vector<LocalSet> levels_;
+};
+
+}  // namespace polyturn::channels::fanuc

@@ -1,0 +1,36 @@
+// What every NC language is to the rest of the channel: something that goes on block by block. A language translates into
+// calls of Core, cycles and calls of subprograms; it owns no rule of motion.
+#pragma once
+#include <memory>
+#include <string_view>
+
+#include "channels/program_files.hpp"
+#include "channels/state/core.hpp"
+
+namespace polyturn::channels {
+
+enum class Step : std::uint8_t {
+    Continue,   // a block has been interpreted (or a part of a cycle)
+    AtBarrier,  // everything delivered so far must be executed; then call barrier_done() and go on
+    Ended,      // M30, M02, end of the text, or M99 in the main program
+    Failed,     // an alarm was delivered
+};
+
+class Language {
+public:
+    virtual ~Language() = default;
+    // From the beginning of the file; modal state as after cycle start.
+    virtual Result<void> start(FileId main) = 0;
+    virtual Step step() = 0;
+    virtual void barrier_done() = 0;
+    // A value that setup or operator give to a variable by its name in this language; false: no such variable.
+    virtual bool preset_variable(std::string_view name, double value) = 0;
+    virtual Core& core() = 0;
+};
+
+// By the name that --language takes; nothing for a language that is not built.
+std::unique_ptr<Language> make_language(std::string_view name, MachineView& view, Sink& sink, Port& port, ProgramFiles& files);
+std::unique_ptr<Language> make_fanuc(MachineView& view, Sink& sink, Port& port, ProgramFiles& files);
+std::unique_ptr<Language> make_nct(MachineView& view, Sink& sink, Port& port, ProgramFiles& files);
+
+}  // namespace polyturn::channels

@@ -1,0 +1,58 @@
+#include "channels/machine_view.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace polyturn::channels {
+
+void clear_store(ChannelStore& store) {
+    std::memset(static_cast<void*>(&store), 0, sizeof store);
+    for (double& value : store.variables) value = std::numeric_limits<double>::quiet_NaN();
+}
+
+MachineView make_machine_view(const params::Table& table, unsigned channel) {
+    MachineView view;
+    view.channel = channel;
+    view.machine = derive_machine_config(table);
+    view.parameters = std::make_unique<params::Table>(table);
+    view.store = std::make_unique<ChannelStore>();
+    clear_store(*view.store);
+    const ChannelConfig& config = view.config();
+    view.axis_count = config.axis_count;
+    for (unsigned place = 0; place < view.axis_count; ++place) {
+        const AxisConfig& from = view.machine.axis(config.axes[place]);
+        ChannelAxis& to = view.axes[place];
+        to.name = from.name_text();
+        to.machine_axis = static_cast<std::uint8_t>(from.number - 1);
+        to.role = from.role;
+        to.diameter = from.diameter;
+        to.rotary = from.rotary;
+        to.hypothetical = from.hypothetical;
+        to.rollover = from.rollover;
+        to.rollover_shortest = from.rollover_shortest;
+        to.rollover_sign_is_direction = from.rollover_sign_is_direction;
+        to.rollover_reduces_increments = from.rollover_reduces_increments;
+        to.rollover_deg = from.rollover_deg > 0 ? from.rollover_deg : 360.0;
+        to.increment = std::pow(10.0, -static_cast<double>(config.decimals()));
+        to.max_feed_mm_min = from.limits.max_feed_mm_s * 60.0;
+        to.reference_mm = from.reference_mm;
+        to.limited = from.stroke.enabled && !from.hypothetical;
+        to.limit_max = from.stroke.max_a_mm;
+        to.limit_min = from.stroke.min_a_mm;
+    }
+    return view;
+}
+
+int MachineView::axis_by_role(PlaneRole role) const {
+    for (unsigned place = 0; place < axis_count; ++place)
+        if (axes[place].role == role) return static_cast<int>(place);
+    return -1;
+}
+
+int MachineView::axis_by_name(std::string_view name) const {
+    for (unsigned place = 0; place < axis_count; ++place)
+        if (axes[place].name == name) return static_cast<int>(place);
+    return -1;
+}
+
+}  // namespace polyturn::channels

@@ -1,0 +1,51 @@
+// The machine as one channel's program sees it: its axes under their names, what the parameters say, and what the store
+// holds for it. Made at cycle start, renewed at barriers; the interpreter writes into `store` what its program writes, so
+// that it sees its own values at once (architecture 5.4).
+#pragma once
+#include <memory>
+#include <string_view>
+
+#include "channels/sink.hpp"
+#include "ipc/machine/machine_config.hpp"
+#include "ipc/params/table.hpp"
+#include "polyturn/image_structs.hpp"
+
+namespace polyturn::channels {
+
+struct ChannelAxis {
+    std::string_view name;          // "X", "XMA"
+    std::uint8_t machine_axis = 0;  // from 0
+    PlaneRole role = PlaneRole::None;
+    bool diameter = false, rotary = false, hypothetical = false;
+    bool rollover = false, rollover_shortest = false, rollover_sign_is_direction = false, rollover_reduces_increments = false;
+    double rollover_deg = 360.0;
+    double increment = 0.001;       // smallest step that can be programmed, mm (metric) or degrees
+    double max_feed_mm_min = 0.0;   // N0305
+    std::array<double, 4> reference_mm{};
+    bool limited = false;           // stroke range 1 is watched
+    double limit_max = 0.0, limit_min = 0.0;
+};
+
+struct MachineView {
+    unsigned channel = 1;
+    MachineConfig machine;
+    std::unique_ptr<params::Table> parameters;
+    std::unique_ptr<ChannelStore> store;
+    std::array<ChannelAxis, kChannelAxes> axes;
+    unsigned axis_count = 0;
+    AxisValues start{};             // machine coordinates at cycle start; X as a radius
+
+    const ChannelConfig& config() const { return machine.channel(channel); }
+    const params::Table& table() const { return *parameters; }
+    int axis_by_role(PlaneRole role) const;          // place; -1 none
+    int axis_by_name(std::string_view name) const;   // place; -1 none
+    // True millimetres from what the offset table or a screen shows on that axis.
+    double from_shown(unsigned place, double value) const { return axes[place].diameter ? value * 0.5 : value; }
+    double to_shown(unsigned place, double value) const { return axes[place].diameter ? value * 2.0 : value; }
+};
+
+// `channel` must exist in the machine (config().exists()); the store begins empty: zeros, variables null.
+MachineView make_machine_view(const params::Table& table, unsigned channel);
+void clear_store(ChannelStore& store);
+
+}  // namespace polyturn::channels

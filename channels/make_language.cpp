@@ -1,0 +1,21 @@
+#include "channels/fanuc/interpreter.hpp"
+#include "channels/language.hpp"
+#include "channels/nct/settings.hpp"
+
+namespace polyturn::channels {
+
+std::unique_ptr<Language> make_fanuc(MachineView& view, Sink& sink, Port& port, ProgramFiles& files) {
+    return std::make_unique<fanuc::Interpreter>(view, sink, port, files, &fanuc::fanuc_settings);
+}
+
+std::unique_ptr<Language> make_nct(MachineView& view, Sink& sink, Port& port, ProgramFiles& files) {
+    return std::make_unique<fanuc::Interpreter>(view, sink, port, files, &nct::nct_settings);
+}
+
+std::unique_ptr<Language> make_language(std::string_view name, MachineView& view, Sink& sink, Port& port, ProgramFiles& files) {
+    if (name == "fanuc") return make_fanuc(view, sink, port, files);
+    if (name == "nct") return make_nct(view, sink, port, files);
+    return nullptr;
+}
+
+}  // namespace polyturn::channels

@@ -1,0 +1,66 @@
+#include "channels/nct/settings.hpp"
+
+#include <cstdlib>
+
+namespace polyturn::channels::nct {
+
+using namespace params;
+
+namespace {
+
+// A run of codes that call a run of programs; a negative start makes the calls modal.
+void add_run(std::vector<fanuc::CodeCall>& calls, std::int64_t start, std::int64_t program, std::int64_t count, std::int32_t scale, std::int32_t step, bool macro, std::uint8_t modal) {
+    for (std::int64_t k = 0; k < count && k < 1000; ++k)
+        calls.push_back({static_cast<std::int32_t>(std::llabs(start) * scale + k * step), static_cast<std::int32_t>(program + k), macro,
+                         start < 0 ? modal : std::uint8_t{0}});
+}
+
+}  // namespace
+
+fanuc::Settings nct_settings(const Table& t, unsigned l) {
+    fanuc::Settings s;
+    fanuc::common_settings(s, t, l);
+    s.system = fanuc::kN;
+    s.dialect = Dialect::Nct;
+    s.nct = true;
+    s.tool.offset_digits = static_cast<unsigned>(get(t, n1413_no_of_digits_of_offs_no_in_t_code, l));
+    s.tool.geometry_by_tool = bit(t, n1414_comp_config_on_lathes, l, 1);
+    s.tool.tip_from_wear = s.tool.geometry_by_tool && !bit(t, n1414_comp_config_on_lathes, l, 2);
+    s.tool.zero_cancels_geometry = bit(t, n1414_comp_config_on_lathes, l, 3);
+    s.tool.wear_travels = false;
+    s.tool.with_next_move = true;
+    s.centre_absolute = bit(t, n1337_execution_config, l, 2);
+    s.dwell_by_feed_mode = !bit(t, n1337_execution_config, l, 1);
+    s.dwell_p_milliseconds = false;
+    s.feed_per_minute = get(t, n0300_default_f_g94, l);
+    s.feed_per_revolution = get(t, n0301_default_f_g95, l);
+    s.sub_levels = 16;
+    s.common_last = 499;
+    s.angle_positive = false;
+    const std::uint8_t modal = bit(t, n1755_macro_contr, l, 0) ? 2 : 1;
+    s.nested_calls = bit(t, n1755_macro_contr, l, 1);
+    for (unsigned n = 0; n < 10; ++n) {
+        const auto g = get(t, nth(n1704_g_9010, n + 1), l);
+        if (g != 0) s.g_calls.push_back({static_cast<std::int32_t>(std::llabs(g) == 1000 ? 0 : std::llabs(g) * 10), static_cast<std::int32_t>(9010 + n), true, g < 0 ? modal : std::uint8_t{0}});
+        const auto sub = get(t, nth(n1720_m_9000, n + 1), l);
+        if (sub > 0) s.m_calls.push_back({static_cast<std::int32_t>(sub), static_cast<std::int32_t>(9000 + n), false, 0});
+        const auto macro = get(t, nth(n1733_m_9020, n + 1), l);
+        if (macro > 0) s.m_calls.push_back({static_cast<std::int32_t>(macro), static_cast<std::int32_t>(9020 + n), true, 0});
+    }
+    add_run(s.g_calls, get(t, n1714_start_g_macro, l), get(t, n1715_start_prg_no, l), get(t, n1716_no_of_g_codes, l), 10, 10, true, modal);
+    add_run(s.g_calls, get(t, n1717_start_dec_g_macro, l), get(t, n1718_start_prg_no_dec_g, l), get(t, n1719_no_of_dec_g_codes, l), 10, 1, true, modal);
+    add_run(s.m_calls, get(t, n1730_start_m_subp, l), get(t, n1731_start_prg_no_m_subp, l), get(t, n1732_no_of_m_codes, l), 1, 1, false, 0);
+    add_run(s.m_calls, get(t, n1743_start_m_macro, l), get(t, n1744_start_prg_no_m_macro, l), get(t, n1745_no_of_m_macro_codes, l), 1, 1, true, 0);
+    static constexpr char kLetters[] = {'A', 'B', 'C', 'S', 'T'};
+    for (unsigned n = 0; n < 5; ++n)
+        if (bit(t, n1746_abcst, l, n)) s.letter_calls.push_back({kLetters[n], static_cast<std::int32_t>(9030 + n), static_cast<std::int32_t>(195 + n)});
+    for (unsigned n = 0; n < 4; ++n) {
+        const auto letter = get(t, nth(n1747_ascii_code_subp1, n + 1), l);
+        const auto program = get(t, nth(n1751_prg_no_ascii_call1, n + 1), l);
+        if (letter >= 'A' && letter <= 'Z' && program > 0)
+            s.letter_calls.push_back({static_cast<char>(letter), static_cast<std::int32_t>(program), static_cast<std::int32_t>(191 + n)});
+    }
+    return s;
+}
+
+}  // namespace polyturn::channels::nct

@@ -1,0 +1,44 @@
+// The program files that a channel can reach, under their names and numbers. A file is opened when it is first needed and
+// stays open; its number goes into records and events.
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "channels/text/line_source.hpp"
+
+namespace polyturn::channels {
+
+using FileId = std::uint16_t;
+
+class ProgramFiles {
+public:
+    // Files that calls may name, as setup and store give them.
+    void add_library(const std::string& path) { library_.push_back(path); }
+    void add_folder(const std::string& folder) { folders_.push_back(folder); }
+
+    Result<FileId> open(const std::string& path);
+    Result<FileId> open_text(std::string_view text, std::string_view name);   // the text must outlive this
+    // The file of program `number`: a library file or a file of the folders whose name or first O word says so.
+    std::optional<FileId> find_number(std::int64_t number);
+    // A file by name ("PROFILE" or "PROFILE.SPF"), whatever its case.
+    std::optional<FileId> find_name(std::string_view name);
+
+    LineSource& source(FileId id) { return files_[id]->source; }
+    const std::string& path(FileId id) const { return files_[id]->path; }
+    std::size_t count() const { return files_.size(); }
+
+private:
+    struct File {
+        std::string path;
+        LineSource source;
+    };
+    std::optional<FileId> open_if(const std::string& path);
+
+    std::vector<std::unique_ptr<File>> files_;
+    std::vector<std::string> library_, folders_;
+};
+
+}  // namespace polyturn::channels

@@ -1,0 +1,136 @@
+#include "channels/state/core.hpp"
+
+#include <cmath>
+
+namespace polyturn::channels {
+
+Core::Core(MachineView& view, Sink& sink, Port& port) : view_(&view), sink_(&sink), port_(&port) {
+    check_before_move_ = params::bit(view.table(), params::n1001_strkcont, view.channel, 2);
+    path.spindle.spindle = view.config().default_spindle;
+}
+
+bool Core::fail(Alarm alarm, char letter, std::string detail, double v0, double v1) {
+    fault_ = {alarm, letter, v0, v1, std::move(detail)};
+    return false;
+}
+
+void Core::start_at_machine(const AxisValues& machine) {
+    path.machine = machine;
+    for (unsigned i = 0; i < view_->axis_count; ++i) rebase(i);
+}
+
+void Core::take_machine(unsigned place, double machine) {
+    path.machine[place] = machine;
+    rebase(place);
+}
+
+void Core::refresh_limits() {
+    for (unsigned i = 0; i < view_->axis_count; ++i) {
+        ChannelAxis& axis = view_->axes[i];
+        double min = axis.limit_min, max = axis.limit_max;
+        if (axis.limited && port_->stroke_limits(axis.machine_axis, min, max)) axis.limit_min = min, axis.limit_max = max;
+    }
+}
+
+// I1 from the machine's side: the axis stands still, its programmed number follows.
+void Core::rebase(unsigned i) {
+    const ChannelAxis& axis = view_->axes[i];
+    double programmed = path.machine[i] - path.zero[i] - path.shift[i] - path.vector[i];
+    if (axis.rollover) {
+        const double turns = std::floor(programmed / axis.rollover_deg) * axis.rollover_deg;
+        path.turns_deg[i] = turns;
+        programmed -= turns;
+    }
+    path.programmed[i] = programmed;
+}
+
+void Core::sum_zeros() {
+    for (unsigned i = 0; i < view_->axis_count; ++i) {
+        path.zero[i] = path.external[i] + path.work[i] + path.preset[i] + path.local[i];
+        rebase(i);
+    }
+}
+
+void Core::load_zeros() {
+    const auto& zeros = view_->store->zeros;
+    const auto row = static_cast<std::size_t>(path.zero_row);
+    for (unsigned i = 0; i < view_->axis_count; ++i) {
+        const double external = zeros[kZeroExternalRow * kChannelAxes + i] + zeros[kZeroShiftRow * kChannelAxes + i];
+        path.external[i] = view_->from_shown(i, external);
+        path.work[i] = view_->from_shown(i, zeros[row * kChannelAxes + i]);
+    }
+    sum_zeros();
+}
+
+void Core::select_zero(std::int32_t row) {
+    path.zero_row = row;
+    load_zeros();
+    refresh_surface_zero();
+}
+
+void Core::preset(unsigned i, double programmed) {
+    // The word is what the display shall show with the travelled offset in it: G50 X Z T (fanuc_lathe 1.4).
+    path.preset[i] += path.machine[i] - path.turns_deg[i] - programmed - path.zero[i] - path.shift[i];
+    sum_zeros();
+    refresh_surface_zero();
+}
+
+void Core::preset_by(unsigned i, double increment) {
+    path.preset[i] -= increment;
+    sum_zeros();
+    refresh_surface_zero();
+}
+
+void Core::local_zero(unsigned i, double value) {
+    path.local[i] = value;
+    sum_zeros();
+    refresh_surface_zero();
+}
+
+void Core::clear_preset() {
+    path.preset = {};
+    sum_zeros();
+}
+
+void Core::set_shift(const AxisValues& shift) {
+    for (unsigned i = 0; i < view_->axis_count; ++i) {
+        path.shift[i] = shift[i];
+        rebase(i);
+    }
+    refresh_surface_zero();
+}
+
+void Core::set_wanted(const AxisValues& vector) { path.wanted = vector; }
+
+bool Core::vector_pending() const {
+    for (unsigned i = 0; i < view_->axis_count; ++i)
+        if (path.wanted[i] != path.vector[i]) return true;
+    return false;
+}
+
+AxisSet Core::plane_axes(int& p, int& q) const {
+    static constexpr PlaneRole kRoles[3][2] = {
+        {PlaneRole::BasicX, PlaneRole::BasicY}, {PlaneRole::BasicZ, PlaneRole::BasicX}, {PlaneRole::BasicY, PlaneRole::BasicZ}};
+    const auto& roles = kRoles[static_cast<std::size_t>(path.plane)];
+    p = view_->axis_by_role(roles[0]);
+    q = view_->axis_by_role(roles[1]);
+    AxisSet set = 0;
+    if (p >= 0) set |= 1u << p;
+    if (q >= 0) set |= 1u << q;
+    return set;
+}
+
+bool Core::dwell(double value, bool revolutions) {
+    if (revolutions && !spindle_ready(Alarm::SpindleStopped)) return false;
+    emitted_ = true;
+    path.after_thread = false;
+    sink_->dwell({revolutions, value, path.spindle.spindle}, at);
+    return true;
+}
+
+void Core::aux(char letter, double value, std::string_view text, bool drained) {
+    emitted_ = true;
+    sink_->aux({letter, value, text, drained}, at);
+}
+
+}  // namespace polyturn::channels

@@ -1,0 +1,177 @@
+// What a channel's program has brought about so far, and how the next word changes it: positions, zeros, offsets, feed,
+// spindle. Every language translates into calls of this class; nothing in here knows a G code (architecture 5.12).
+//
+//   machine = programmed + zero + shift + vector (+ whole turns of a roll-over axis)
+//
+//   programmed  in the active workpiece system, X as a radius; what `pos` of an event shows
+//   zero        external, G54.., G92/G50, G52: changing it moves nothing, the programmed position becomes another number
+//   shift       tool offset that acts as a shift of the system (fanuc geometry with LGT=0, nct): likewise
+//   vector      tool offset that is travelled (wear): `wanted` by the last T, taken over by the next move
+//
+// Invariants
+//   I1  The equation above holds for every axis of the channel between two calls.
+//   I2  A call that returns false has changed nothing and told why in fault().
+//   I3  No call allocates, except to tell a fault.
+#pragma once
+#include <string>
+
+#include "channels/machine_view.hpp"
+#include "channels/port.hpp"
+#include "channels/sink.hpp"
+
+namespace polyturn::channels {
+
+// Rows of ChannelStore::zeros (segments.hpp says all of them).
+inline constexpr std::int32_t kZeroExternalRow = 0, kZeroG54Row = 1, kZeroShiftRow = 7, kZeroG541Row = 10;
+
+enum class Plane : std::uint8_t { XY, ZX, YZ };   // G17 G18 G19: first axis, second axis
+
+// Why something cannot be done. `letter` names the word to point at; 0: the block.
+struct Fault {
+    Alarm alarm{};
+    char letter = 0;
+    double value0 = 0.0, value1 = 0.0;
+    std::string detail;
+};
+
+struct ToolState {
+    ToolRef ref;
+    std::int32_t geometry = 0, wear = 0;    // offset numbers in use; 0 none
+    double nose_radius = 0.0;
+    std::int32_t tip = 0;
+};
+
+struct SpindleState {
+    std::uint16_t spindle = 0;              // machine number; 0 none
+    SpindleModeCode mode = SpindleModeCode::Rpm;
+    SpindleTurn turn = SpindleTurn::Stop;
+    bool commanded = false;                 // this program has commanded it at all
+    double rpm = 0.0;                       // last S in G97
+    double surface_m_min = 0.0;             // last S in G96
+    double limit_rpm = 0.0;                 // 0: none
+};
+
+// All of it, plain: a resume state is a copy.
+struct PathState {
+    AxisValues programmed{}, machine{};
+    AxisValues shift{}, vector{}, wanted{};
+    AxisValues zero{};                      // sum of the following
+    AxisValues external{}, work{}, preset{}, local{};
+    AxisValues turns_deg{};                 // whole turns of roll-over axes
+    std::int32_t zero_row = kZeroG54Row;    // row of ChannelStore::zeros
+    FeedMode feed_mode = FeedMode::PerMinute;
+    double feed = 0.0;                      // mm/min, mm/rev
+    Plane plane = Plane::ZX;
+    bool exact_stop_mode = false, override_locked = false;
+    bool after_thread = false;              // the move before was a thread: a further one chains
+    double thread_lead = 0.0;
+    ToolState tool;
+    SpindleState spindle;
+};
+
+struct ArcCall {
+    bool clockwise = true;                  // seen against the third axis: G2
+    bool has_radius = false;
+    double radius = 0.0;                    // true mm; negative: more than half a turn
+    double centre_p = 0.0, centre_q = 0.0;  // workpiece system, when not has_radius
+    std::int32_t turns = 0;
+    double tolerance = 0.02;
+};
+
+struct ThreadCall {
+    double lead = 0.0;                      // mm along the axis that travels most
+    double lead_change = 0.0;               // mm a revolution
+    double start_angle = 0.0;               // deg
+    bool has_start_angle = false;
+    std::int32_t starts = 0;
+    bool by_axis = false;                   // lead counts along `axis`, not along the longest
+    std::uint8_t axis = 0;
+};
+
+class Core {
+public:
+    Core(MachineView& view, Sink& sink, Port& port);
+
+    PathState path;
+    BlockContext at;                        // filled by the language for each block
+    MachineView& view() { return *view_; }
+    Sink& sink() { return *sink_; }
+    Port& port() { return *port_; }
+    const Fault& fault() const { return fault_; }
+    bool fail(Alarm alarm, char letter = 0, std::string detail = {}, double v0 = 0.0, double v1 = 0.0);
+    void set_fault(Fault fault) { fault_ = std::move(fault); }
+    bool emitted() const { return emitted_; }   // something was delivered since begin_block()
+    void begin_block() { emitted_ = false; }
+    void end_block() { if (emitted_) sink_->block_end(at); }
+    void mark_emitted() { emitted_ = true; }
+    std::uint64_t moves() const { return moves_; }   // delivered so far
+
+    // --- positions
+    void start_at_machine(const AxisValues& machine);
+    void take_machine(unsigned place, double machine);    // after a barrier: where the axis really is
+    void refresh_limits();                                // stroke limits that hold now
+    AxisSet plane_axes(int& p, int& q) const;             // places of the plane's axes; -1 missing
+
+    // --- zeros and offsets: nothing moves
+    void load_zeros();                                    // from the store: external and the active row
+    void select_zero(std::int32_t row);
+    void preset(unsigned place, double programmed);       // the present point gets this coordinate (G92, G50)
+    void preset_by(unsigned place, double increment);
+    void local_zero(unsigned place, double value);        // G52
+    void clear_preset();
+    void set_shift(const AxisValues& shift);              // tool offset as a shift
+    void set_wanted(const AxisValues& vector);            // tool offset that the next move travels
+    bool vector_pending() const;
+
+    // --- moves; target in the workpiece system (X as a radius). A block that moves nothing makes no move.
+    bool rapid(const AxisValues& target);
+    bool linear(const AxisValues& target);
+    bool arc(const AxisValues& target, const ArcCall& call);
+    bool thread(const AxisValues& target, const ThreadCall& call);
+    bool machine_rapid(const AxisValues& machine, AxisSet which);      // G53
+    bool reference(const AxisValues& machine, AxisSet which, MoveKind kind);   // end point of G28, G30
+    // A word of a roll-over axis as its target: absolute or incremental, see the parameters.
+    double rollover_target(unsigned place, double word, bool absolute);
+    void force_exact_stop() { exact_once_ = true; }
+
+    // --- everything else
+    bool dwell(double value, bool revolutions);
+    void aux(char letter, double value, std::string_view text, bool drained);
+    // What a block says about the spindle is gathered and told once, by commit_spindle().
+    bool spindle_speed(double value);                     // S word: 1/min, or m/min with G96
+    bool spindle_turn(SpindleTurn turn);
+    bool surface_speed(bool on);
+    bool spindle_limit(double rpm);
+    bool spindle_position(double degrees);
+    bool commit_spindle();
+    void refresh_surface_zero();                          // G96: the zero of X may have changed
+
+private:
+    bool begin_move(const AxisValues& target, MoveKind kind);
+    bool feed_ready();
+    bool spindle_ready(Alarm otherwise);
+    bool within_stroke(const AxisValues& machine, AxisSet moved);
+    void deliver();
+    void accept(const AxisValues& target);
+    void sum_zeros();
+    void rebase(unsigned place);
+    double surface_zero(int place) const;
+    int surface_axis() const;
+    double spindle_rpm_at(double radius_mm) const;        // 0: not known
+
+    MachineView* view_;
+    Sink* sink_;
+    Port* port_;
+    Move move_;
+    Fault fault_;
+    bool emitted_ = false;
+    bool exact_once_ = false;
+    std::uint64_t moves_ = 0;
+    bool warned_spindle_ = false;
+    bool check_before_move_ = true;
+    double surface_zero_told_ = 0.0;
+    bool mode_changed_ = false, speed_changed_ = false, turn_changed_ = false, limit_changed_ = false;
+    double position_deg_ = 0.0;
+};
+
+}  // namespace polyturn::channels

@@ -1,0 +1,268 @@
+// Moves: from a target in the workpiece system to what the machine's axes do.
+#include <cmath>
+#include <numbers>
+
+#include "channels/state/core.hpp"
+
+namespace polyturn::channels {
+namespace {
+
+constexpr double kSame = 1e-9;          // mm: no movement
+constexpr double kSamePoint = 1e-7;     // mm: an arc that ends where it starts is a full circle
+constexpr double kLimitSlack = 1e-6;    // mm: exactly on the limit is inside
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+double wrapped(double value, double period) { return value - std::floor(value / period) * period; }
+
+}  // namespace
+
+double Core::rollover_target(unsigned i, double word, bool absolute) {
+    const ChannelAxis& axis = view_->axes[i];
+    const double period = axis.rollover_deg, now = path.programmed[i];
+    double distance = 0.0;
+    if (!absolute) {
+        distance = axis.rollover_reduces_increments ? std::fmod(word, period) : word;
+    } else if (axis.rollover_shortest) {
+        distance = wrapped(word, period) - now;
+        if (distance > period / 2) distance -= period;
+        if (distance <= -period / 2) distance += period;   // half a turn goes the positive way
+    } else {
+        const double target = wrapped(axis.rollover_sign_is_direction ? std::fabs(word) : word, period);
+        distance = std::signbit(word) ? -wrapped(now - target, period) : wrapped(target - now, period);
+    }
+    return now + distance;
+}
+
+// Fills start, end and the set of moving axes of move_. I2: path is untouched.
+bool Core::begin_move(const AxisValues& target, MoveKind kind) {
+    const unsigned count = view_->axis_count;
+    AxisSet moved = 0;
+    for (unsigned i = 0; i < count; ++i) {
+        const double end = target[i] + path.turns_deg[i] + path.zero[i] + path.shift[i] + path.wanted[i];
+        move_.machine_start[i] = path.machine[i];
+        move_.pos[i] = target[i];
+        if (std::fabs(end - path.machine[i]) > kSame) {
+            moved |= 1u << i;
+            move_.machine[i] = end;
+        } else {
+            move_.machine[i] = path.machine[i];
+        }
+    }
+    move_.kind = kind;
+    move_.moved = moved;
+    return within_stroke(move_.machine, moved);
+}
+
+bool Core::within_stroke(const AxisValues& machine, AxisSet moved) {
+    for (AxisSet left = moved; left; left &= left - 1) {
+        const auto i = static_cast<unsigned>(__builtin_ctz(left));
+        const ChannelAxis& axis = view_->axes[i];
+        if (axis.hypothetical) return fail(Alarm::AxisHypothetical, axis.name[0], std::string(axis.name));
+        if (!axis.limited || !check_before_move_) continue;
+        if (machine[i] > axis.limit_max + kLimitSlack || machine[i] < axis.limit_min - kLimitSlack) {
+            const double limit = machine[i] > axis.limit_max ? axis.limit_max : axis.limit_min;
+            return fail(Alarm::StrokeExceeded, axis.name[0], std::string(axis.name), view_->to_shown(i, machine[i]), view_->to_shown(i, limit));
+        }
+    }
+    return true;
+}
+
+void Core::deliver() {
+    move_.exact_stop = exact_once_ || path.exact_stop_mode;
+    move_.in_position = move_.exact_stop;
+    move_.override_locked = path.override_locked;
+    exact_once_ = false;
+    emitted_ = true;
+    ++moves_;
+    for (unsigned i = 0; i < view_->axis_count; ++i)
+        if (view_->axes[i].rollover) move_.pos[i] = wrapped(move_.pos[i], view_->axes[i].rollover_deg);
+    sink_->move(move_, at);
+}
+
+void Core::accept(const AxisValues& target) {
+    for (unsigned i = 0; i < view_->axis_count; ++i) {
+        path.programmed[i] = target[i];
+        path.vector[i] = path.wanted[i];
+        path.machine[i] = move_.machine[i];
+        if (view_->axes[i].rollover) rebase(i);
+    }
+}
+
+bool Core::feed_ready() {
+    if (path.feed <= 0.0) return fail(Alarm::FeedMissing);
+    if (path.feed_mode == FeedMode::PerRevolution && !spindle_ready(Alarm::SpindleStopped)) return false;
+    move_.feed_mode = path.feed_mode;
+    move_.feed = path.feed;
+    move_.spindle = path.spindle.spindle;
+    return true;
+}
+
+bool Core::rapid(const AxisValues& target) {
+    if (!begin_move(target, MoveKind::Rapid)) return false;
+    if (move_.moved) {
+        move_.feed_mode = FeedMode::Rapid;
+        move_.feed = 0.0;
+        move_.spindle = 0;
+        deliver();
+        path.after_thread = false;
+    }
+    accept(target);
+    return true;
+}
+
+bool Core::linear(const AxisValues& target) {
+    if (!begin_move(target, MoveKind::Linear)) return false;
+    if (move_.moved) {
+        if (!feed_ready()) return false;
+        deliver();
+        path.after_thread = false;
+    }
+    accept(target);
+    return true;
+}
+
+bool Core::machine_rapid(const AxisValues& machine, AxisSet which) {
+    AxisValues target = path.programmed;
+    for (unsigned i = 0; i < view_->axis_count; ++i)
+        if (which >> i & 1u) target[i] = machine[i] - path.turns_deg[i] - path.zero[i] - path.shift[i] - path.wanted[i];
+    return rapid(target);
+}
+
+bool Core::reference(const AxisValues& machine, AxisSet which, MoveKind kind) {
+    AxisValues target = path.programmed;
+    for (unsigned i = 0; i < view_->axis_count; ++i)
+        if (which >> i & 1u) target[i] = machine[i] - path.turns_deg[i] - path.zero[i] - path.shift[i] - path.wanted[i];
+    if (!begin_move(target, kind)) return false;
+    if (move_.moved) {
+        move_.feed_mode = FeedMode::Rapid;
+        move_.feed = 0.0;
+        move_.spindle = 0;
+        deliver();
+        path.after_thread = false;
+    }
+    accept(target);
+    return true;
+}
+
+bool Core::arc(const AxisValues& target, const ArcCall& call) {
+    int pi = -1, qi = -1;
+    plane_axes(pi, qi);
+    if (pi < 0 || qi < 0) return fail(Alarm::PlaneAxisMissing);
+    const auto p = static_cast<unsigned>(pi), q = static_cast<unsigned>(qi);
+    if (!begin_move(target, call.clockwise ? MoveKind::ArcCw : MoveKind::ArcCcw)) return false;
+    const double to_machine_p = path.zero[p] + path.shift[p] + path.wanted[p];
+    const double to_machine_q = path.zero[q] + path.shift[q] + path.wanted[q];
+    const double sp = move_.machine_start[p], sq = move_.machine_start[q], ep = move_.machine[p], eq = move_.machine[q];
+    const double chord = std::hypot(ep - sp, eq - sq);
+    double cp = 0.0, cq = 0.0;
+    if (call.has_radius) {
+        if (call.radius == 0.0) return fail(Alarm::ArcRadiusIllegal, 'R');
+        if (chord < kSamePoint) {   // an arc by its radius that goes nowhere has no angle
+            accept(target);
+            return true;
+        }
+        const double radius = std::fabs(call.radius), half = chord / 2;
+        if (half - radius > call.tolerance + kSame) return fail(Alarm::RadiusTooSmall, 'R', {}, half - radius);
+        const double height = radius > half ? std::sqrt((radius - half) * (radius + half)) : 0.0;
+        // The centre lies to the left of the chord for a short arc anticlockwise and for a long one clockwise.
+        const double side = (call.clockwise != (call.radius < 0)) ? -1.0 : 1.0;
+        cp = (sp + ep) / 2 - side * height * (eq - sq) / chord;
+        cq = (sq + eq) / 2 + side * height * (ep - sp) / chord;
+    } else {
+        cp = call.centre_p + to_machine_p;
+        cq = call.centre_q + to_machine_q;
+    }
+    const double rs = std::hypot(sp - cp, sq - cq), re = std::hypot(ep - cp, eq - cq);
+    if (rs < kSamePoint || re < kSamePoint) return fail(Alarm::ArcWithoutRadius);
+    if (std::fabs(rs - re) > call.tolerance + kSame) return fail(Alarm::ArcRadiusDiffers, 0, {}, std::fabs(rs - re), call.tolerance);
+    const double a0 = std::atan2(sq - cq, sp - cp), a1 = std::atan2(eq - cq, ep - cp);
+    double sweep = call.clockwise ? a0 - a1 : a1 - a0;   // in the direction of travel
+    sweep = wrapped(sweep, kTurn);
+    if (chord < kSamePoint) sweep = kTurn;
+    else if (kTurn - sweep < 1e-12) sweep = 0.0;
+    sweep += kTurn * call.turns;
+    move_.plane_p = static_cast<std::uint8_t>(p);
+    move_.plane_q = static_cast<std::uint8_t>(q);
+    move_.centre_p = cp;
+    move_.centre_q = cq;
+    move_.pos_centre_p = cp - to_machine_p;
+    move_.pos_centre_q = cq - to_machine_q;
+    move_.radius = rs;
+    move_.radius_end = re;
+    move_.sweep = call.clockwise ? -sweep : sweep;
+    move_.turns = call.turns;
+    if (sweep == 0.0) {
+        accept(target);
+        return true;
+    }
+    // Where the arc bulges beyond both ends: at whole quarter turns inside the sweep.
+    const double first = call.clockwise ? a1 : a0;   // lower end of the angle range
+    AxisValues extreme = move_.machine;
+    for (int k = static_cast<int>(std::ceil(first / (kTurn / 4) - 1e-12)); k * (kTurn / 4) < first + sweep && k < 16; ++k) {
+        extreme[p] = cp + (k & 1 ? 0.0 : (k & 2 ? -rs : rs));
+        extreme[q] = cq + (k & 1 ? (k & 2 ? -rs : rs) : 0.0);
+        if (!within_stroke(extreme, (1u << p) | (1u << q))) {
+            fault_.alarm = Alarm::MirrorOfStroke;
+            return false;
+        }
+    }
+    move_.moved |= (1u << p) | (1u << q);
+    if (!feed_ready()) return false;
+    deliver();
+    path.after_thread = false;
+    accept(target);
+    return true;
+}
+
+bool Core::thread(const AxisValues& target, const ThreadCall& call) {
+    if (call.lead <= 0.0) return fail(Alarm::LeadMissing, 'F');
+    if (!begin_move(target, MoveKind::Thread)) return false;
+    if (!move_.moved) {
+        accept(target);
+        return true;
+    }
+    if (!spindle_ready(Alarm::ThreadSpindleStopped)) return false;
+    // The lead counts along the linear axis that travels most, Z where two are equal.
+    double length2 = 0.0, longest = 0.0;
+    unsigned along = 0;
+    bool any = false;
+    double nearest_x = 0.0;
+    for (unsigned i = 0; i < view_->axis_count; ++i) {
+        const ChannelAxis& axis = view_->axes[i];
+        if (axis.rotary) continue;
+        const double distance = std::fabs(move_.machine[i] - move_.machine_start[i]);
+        length2 += distance * distance;
+        const bool better = distance > longest + kSame || (distance > longest - kSame && axis.role == PlaneRole::BasicZ);
+        if (distance > kSame && (!any || better)) along = i, longest = distance, any = true;
+        if (axis.role == PlaneRole::BasicX) nearest_x = std::fmin(std::fabs(path.programmed[i]), std::fabs(target[i]));
+    }
+    if (!any) return fail(Alarm::LeadIllegal, 'F', {}, call.lead);
+    if (call.by_axis) along = call.axis, longest = std::fabs(move_.machine[along] - move_.machine_start[along]);
+    if (longest <= kSame) return fail(Alarm::LeadIllegal, 'F', {}, call.lead);
+    const double length = std::sqrt(length2), lead_path = call.lead * length / longest;
+    if (const double rpm = spindle_rpm_at(nearest_x); rpm > 0) {
+        double most = rpm;
+        int slow = -1;
+        for (unsigned i = 0; i < view_->axis_count; ++i) {
+            const double share = std::fabs(move_.machine[i] - move_.machine_start[i]) / length * lead_path;
+            const double can = view_->axes[i].max_feed_mm_min;
+            if (share > kSame && can > 0 && share * most > can * (1 + 1e-9)) most = can / share, slow = static_cast<int>(i);
+        }
+        if (slow >= 0) return fail(Alarm::ThreadTooFast, 'F', std::string(view_->axes[static_cast<unsigned>(slow)].name), std::floor(most));
+    }
+    move_.thread_chained = path.after_thread;
+    move_.feed_mode = FeedMode::Thread;
+    move_.feed = 0.0;
+    move_.spindle = path.spindle.spindle;
+    move_.lead = call.lead;
+    move_.lead_path = lead_path;
+    move_.lead_change = call.lead_change;
+    move_.start_angle = call.start_angle;
+    move_.starts = call.starts;
+    deliver();
+    path.after_thread = true;
+    accept(target);
+    return true;
+}
+
+}  // namespace polyturn::channels

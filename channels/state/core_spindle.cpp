@@ -1,0 +1,152 @@
+// The spindle that the channel commands: speed, direction, constant surface speed.
+#include <cmath>
+#include <numbers>
+
+#include "channels/state/core.hpp"
+
+namespace polyturn::channels {
+
+int Core::surface_axis() const {
+    const std::uint16_t number = view_->config().surface_speed_axis;
+    for (unsigned i = 0; i < view_->axis_count; ++i)
+        if (number != 0 && view_->axes[i].machine_axis + 1u == number) return static_cast<int>(i);
+    return -1;
+}
+
+// Machine coordinate of the axis where the tool stands on the turning axis.
+double Core::surface_zero(int place) const {
+    if (place < 0) return 0.0;
+    const auto i = static_cast<std::size_t>(place);
+    return path.zero[i] + path.shift[i] + path.wanted[i];
+}
+
+bool Core::spindle_speed(double value) {
+    SpindleState& s = path.spindle;
+    if (s.spindle == 0) return fail(Alarm::SpindleMissing, 'S');
+    if (value < 0) return fail(Alarm::NegativeSign, 'S', "S");
+    (s.mode == SpindleModeCode::SurfaceSpeed ? s.surface_m_min : s.rpm) = value;
+    s.commanded = true;
+    speed_changed_ = true;
+    return true;
+}
+
+bool Core::spindle_turn(SpindleTurn turn) {
+    SpindleState& s = path.spindle;
+    if (s.spindle == 0) return fail(Alarm::SpindleMissing, 'M');
+    s.turn = turn;
+    s.commanded = true;
+    turn_changed_ = true;
+    return true;
+}
+
+bool Core::surface_speed(bool on) {
+    SpindleState& s = path.spindle;
+    const SpindleModeCode mode = on ? SpindleModeCode::SurfaceSpeed : SpindleModeCode::Rpm;
+    if (s.mode == mode) return true;
+    if (on && s.spindle == 0) return fail(Alarm::SpindleMissing);
+    if (on && surface_axis() < 0) return fail(Alarm::SurfaceSpeedAxisMissing);
+    if (!on) {
+        // The speed that constant surface speed had reached here goes on until an S word.
+        const int place = surface_axis();
+        const double x = place < 0 ? 0.0 : std::fabs(path.programmed[static_cast<std::size_t>(place)]);
+        if (const double rpm = spindle_rpm_at(x); rpm > 0) s.rpm = rpm;
+    }
+    s.mode = mode;
+    mode_changed_ = true;
+    return true;
+}
+
+bool Core::spindle_limit(double rpm) {
+    if (path.spindle.spindle == 0) return fail(Alarm::SpindleMissing, 'S');
+    if (rpm < 0) return fail(Alarm::NegativeSign, 'S', "S");
+    path.spindle.limit_rpm = rpm;
+    limit_changed_ = true;
+    return true;
+}
+
+bool Core::spindle_position(double degrees) {
+    SpindleState& s = path.spindle;
+    if (s.spindle == 0) return fail(Alarm::SpindleMissing, 'M');
+    s.turn = SpindleTurn::Stop;
+    s.commanded = true;
+    emitted_ = true;
+    Spindle told;
+    told.spindle = s.spindle;
+    told.mode = SpindleModeCode::Position;
+    told.value = degrees;
+    told.mode_changed = true;
+    sink_->spindle(told, at);
+    return true;
+}
+
+bool Core::commit_spindle() {
+    if (!(mode_changed_ || speed_changed_ || turn_changed_ || limit_changed_)) return true;
+    const SpindleState& s = path.spindle;
+    Spindle told;
+    told.spindle = s.spindle;
+    told.mode = turn_changed_ && s.turn == SpindleTurn::Stop ? SpindleModeCode::Off : s.mode;
+    told.turn = s.turn;
+    told.limit = s.limit_rpm;
+    if (s.mode == SpindleModeCode::SurfaceSpeed) {
+        const int place = surface_axis();
+        told.value = s.surface_m_min;
+        told.css_axis = place;
+        told.css_zero = surface_zero_told_ = surface_zero(place);
+    } else {
+        told.value = s.rpm;
+    }
+    told.mode_changed = mode_changed_;
+    told.speed_changed = speed_changed_ || mode_changed_;
+    told.turn_changed = turn_changed_;
+    told.limit_changed = limit_changed_;
+    mode_changed_ = speed_changed_ = turn_changed_ = limit_changed_ = false;
+    emitted_ = true;
+    sink_->spindle(told, at);
+    return true;
+}
+
+void Core::refresh_surface_zero() {
+    const SpindleState& s = path.spindle;
+    if (s.mode != SpindleModeCode::SurfaceSpeed) return;
+    const int place = surface_axis();
+    if (std::fabs(surface_zero(place) - surface_zero_told_) < 1e-9) return;
+    Spindle told;
+    told.spindle = s.spindle;
+    told.mode = s.mode;
+    told.turn = s.turn;
+    told.limit = s.limit_rpm;
+    told.value = s.surface_m_min;
+    told.css_axis = place;
+    told.css_zero = surface_zero_told_ = surface_zero(place);
+    told.mode_changed = told.silent = true;
+    emitted_ = true;
+    sink_->spindle(told, at);
+}
+
+double Core::spindle_rpm_at(double radius_mm) const {
+    const SpindleState& s = path.spindle;
+    if (s.turn == SpindleTurn::Stop) return 0.0;
+    if (s.mode != SpindleModeCode::SurfaceSpeed) return s.rpm;
+    if (radius_mm <= 0) return s.limit_rpm;
+    const double rpm = s.surface_m_min * 1000.0 / (2.0 * std::numbers::pi * radius_mm);
+    return s.limit_rpm > 0 ? std::fmin(rpm, s.limit_rpm) : rpm;
+}
+
+bool Core::spindle_ready(Alarm otherwise) {
+    const SpindleState& s = path.spindle;
+    if (s.spindle == 0) return fail(Alarm::SpindleMissing);
+    const bool surface = s.mode == SpindleModeCode::SurfaceSpeed;
+    if (s.turn != SpindleTurn::Stop && (surface ? s.surface_m_min : s.rpm) > 0) return true;
+    switch (port_->started_by_others(s.spindle)) {
+        case Port::Turning::No: return fail(otherwise);
+        case Port::Turning::Watched: return true;
+        case Port::Turning::Unknown: break;
+    }
+    if (!warned_spindle_) {
+        warned_spindle_ = true;
+        sink_->alarm({Alarm::SpindleMaybeStopped, {{}, at.line, 0, 0}, {static_cast<double>(s.spindle), 0.0}, {}}, at);
+    }
+    return true;
+}
+
+}  // namespace polyturn::channels
