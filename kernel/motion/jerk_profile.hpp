@@ -120,4 +120,8 @@ struct SpeedProfile {
     return t * (v + t * (a / 2 + t * j_max / 6));
 }
 
+// Way until braking from (v, a) to (w, 0) by profile_to_speed has brought the speed to c >= w for good; 0 if it is never
+// above. With w = 0 there is no shorter way to fall below c.
+[[nodiscard]] double falling_distance(double v, double a, double c, double w, double a_max, double j_max) noexcept;
+
 }  // namespace polyturn::kernel

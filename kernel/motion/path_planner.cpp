@@ -8,20 +8,24 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Planning uses a little less jerk than allowed; the rest is what landing() needs to end exactly at a point.
 constexpr double kPlannedJerk = 0.995;
-constexpr double kCeilingTolerance = 1e-9;  // mm
-// Rounding of distances that are computed again from the next tick's state.
-double with_rounding(double distance) noexcept { return distance * (1 + 1e-10) + 1e-13; }
+// Of comparisons, mm and relative. What a step promised is computed anew from where it led; so keeping a promise is judged
+// more mildly than giving one, or rounding could break it.
+constexpr double kGiving = 1e-9, kKeeping = 1e-8;
 
-// Ceiling c from distance d on, from (v, a): can it be kept?
-// stop_short: standing before d counts, which can be shorter than slowing to a crawl but costs time.
-bool keeps(double v, double a, double d, double c, double a_max, double j_max, bool stop_short) noexcept {
-    const double release = release_speed(v, a, j_max);
-    if (release <= c * (1 + 1e-9)) {
-        if (a >= 0 || v <= c * (1 + 1e-9)) return true;
-        return release_distance_to(v, a, c, j_max) <= d + kCeilingTolerance;
+// Ceiling c from distance d on, from (v, a): can it be kept? Strictly: without having to slow down so much that the speed
+// must fall below c afterwards. Otherwise: whatever full braking reaches counts.
+bool keeps(double v, double a, double d, double c, double a_max, double j_max, bool strictly, double rounding) noexcept {
+    const double limit = d + rounding;
+    if (release_speed(v, a, j_max) <= c * (1 + rounding)) {
+        if (a >= 0 || v <= c * (1 + rounding)) return true;
+        if (release_distance_to(v, a, c, j_max) <= limit) return true;
+        if (strictly && -a <= a_max && 2 * j_max * c >= a * a && v * v - c * c <= -2 * a * limit) return true;  // held so long, then released
+    } else if (distance_to_speed(v, a, c, a_max, j_max) <= limit) {
+        return true;
     }
-    const double limit = d + kCeilingTolerance;
-    return distance_to_speed(v, a, c, a_max, j_max) <= limit || (stop_short && stopping_distance(v, a, a_max, j_max) <= limit);
+    if (strictly) return false;
+    const double way = falling_distance(v, a, c, 0, a_max, j_max);
+    return way == 0 || way <= limit;
 }
 
 }  // namespace
@@ -111,6 +115,7 @@ void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input)
     view.has_witness = false;
     Drop kept{};
     view.stop_short = which == Ceilings::Hard;
+    view.rounding = kGiving;
     view.end = kInfinity;
     view.end_record = kNone;
     view.beyond = first_ + 1;
@@ -192,7 +197,7 @@ void PathPlanner::settle_drops(View& view) const noexcept {
             const Target& target = view.targets[i];
             if (target.distance <= drop.distance || target.ceiling >= drop.speed) continue;
             const double gap = target.distance - drop.distance;
-            if (!keeps(drop.speed, 0, gap, target.ceiling, view.a, view.j, true)) drop.speed = std::min(drop.speed, top_speed(gap, target.ceiling, view.a, view.j));
+            if (!keeps(drop.speed, 0, gap, target.ceiling, view.a, view.j, !view.stop_short, 0)) drop.speed = std::min(drop.speed, top_speed(gap, target.ceiling, view.a, view.j));
         }
         if (view.end < kInfinity) {
             const double gap = std::max(0.0, view.end - drop.distance);
@@ -224,10 +229,11 @@ bool PathPlanner::safe(const View& view, const Step& step, Witness& witness) con
     for (std::uint32_t i = 0; i < view.target_count && view.targets[i].distance < next.s; ++i) {
         if (speed_at(step, view.targets[i].distance) > view.targets[i].ceiling * (1 + 1e-4)) return false;
     }
-    const auto all_kept = [&](double until, double a_max, double j_max) {
-        if (a > 0 && release_speed(v, a, j_max) > view.top * (1 + 1e-9)) return false;
-        for (std::uint32_t i = 0; i < view.target_count && view.targets[i].distance < until; ++i) {
-            if (!keeps(v, a, view.targets[i].distance - next.s, view.targets[i].ceiling, a_max, j_max, view.stop_short)) return false;
+    const auto all_kept = [&] {
+        if (a > 0 && release_speed(v, a, view.j) > view.top * (1 + view.rounding)) return false;
+        for (std::uint32_t i = 0; i < view.target_count; ++i) {
+            const Target& target = view.targets[i];
+            if (!keeps(v, a, target.distance - next.s, target.ceiling, view.a, view.j, !view.stop_short, view.rounding)) return false;
         }
         return true;
     };
@@ -239,7 +245,7 @@ bool PathPlanner::safe(const View& view, const Step& step, Witness& witness) con
         within = advanced(next, j, (std::abs(a) - view.a) / view.j).s <= view.drops[0].distance;
     }
     if (within && !cannot_but_reverse(view.j) &&
-        (view.end == kInfinity || stopping_distance(v, a, view.a, view.j) <= with_rounding(view.end - next.s)) && all_kept(kInfinity, view.a, view.j)) {
+        (view.end == kInfinity || stopping_distance(v, a, view.a, view.j) <= (view.end - next.s) * (1 + view.rounding / 10) + view.rounding * 1e-4) && all_kept()) {
         witness = {view.beyond, 0, view.a, view.j};
         return true;
     }
@@ -248,10 +254,20 @@ bool PathPlanner::safe(const View& view, const Step& step, Witness& witness) con
         const Drop& drop = view.drops[d];
         const double gap = drop.distance - next.s;
         if (gap < 0 || std::abs(a) > drop.a * (1 + 1e-12) || cannot_but_reverse(drop.j)) continue;
-        const double w = std::min(drop.speed, std::max(0.0, release_speed(v, a, drop.j)));  // acceleration must be gone there
-        const bool reached = distance_to_speed(v, a, w, drop.a, drop.j) <= gap + kCeilingTolerance ||
-                             (view.stop_short && stopping_distance(v, a, drop.a, drop.j) <= gap + kCeilingTolerance);
-        if (reached && all_kept(drop.distance, drop.a, drop.j)) {
+        // One braking to where acceleration is gone, below everything before the drop; or a standstill.
+        const auto braked_to = [&](double w) {
+            if (a > 0 && release_speed(v, a, drop.j) > view.top * (1 + view.rounding)) return false;
+            if (distance_to_speed(v, a, w, drop.a, drop.j) > gap + view.rounding) return false;
+            for (std::uint32_t i = 0; i < view.target_count && view.targets[i].distance < drop.distance; ++i) {
+                const Target& target = view.targets[i];
+                const double way = falling_distance(v, a, target.ceiling * (1 + view.rounding), w, drop.a, drop.j);
+                if (way > 0 && way > target.distance - next.s + view.rounding) return false;
+            }
+            return true;
+        };
+        double w = std::min(drop.speed, std::max(0.0, release_speed(v, a, drop.j)));
+        for (std::uint32_t i = 0; i < view.target_count && view.targets[i].distance < drop.distance; ++i) w = std::min(w, view.targets[i].ceiling);
+        if (braked_to(w) || (view.stop_short && braked_to(0))) {
             witness = {drop.record, drop.speed, drop.a, drop.j};
             return true;
         }
@@ -308,13 +324,14 @@ PathState PathPlanner::choose(const PathInput& input) noexcept {
     double wanted = std::min(goal, state_.v);
     for (std::uint32_t i = 0; i < view_.target_count; ++i) {
         const Target& target = view_.targets[i];
-        if (!keeps(down.v, down.a, target.distance - down.s, target.ceiling, target.a, target.j, false)) wanted = std::min(wanted, target.ceiling);
+        if (!keeps(down.v, down.a, target.distance - down.s, target.ceiling, target.a, target.j, true, kKeeping)) wanted = std::min(wanted, target.ceiling);
     }
     look_ahead(view_, Ceilings::Hard, input);
     if (begin_landing(view_)) return landing_step();
     if (best_towards(view_, wanted, view_.tick_a, view_.tick_j, next)) return next;
     if (best_towards(view_, wanted, view_.a, view_.j, next)) return next;
     // As the last step promised.
+    view_.rounding = kKeeping;
     for (const double speed : {witness_.speed, 0.0}) {
         step = step_towards(speed, witness_.a, witness_.j);
         if (take(view_, step)) return step.next;
@@ -346,7 +363,7 @@ bool PathPlanner::begin_landing(const View& view) noexcept {
         (stopping_distance(v, a, view.a, middle) <= distance ? high : low) = middle;
     }
     for (std::uint32_t i = 0; i < view.target_count; ++i) {
-        if (!keeps(v, a, view.targets[i].distance, view.targets[i].ceiling, view.a, high, true)) return false;
+        if (!keeps(v, a, view.targets[i].distance, view.targets[i].ceiling, view.a, high, false, kKeeping)) return false;
     }
     landing_ = profile_to_speed(v, a, 0, view.a, high);
     landing_start_ = {0, v, a};

@@ -146,6 +146,7 @@ private:
         double a, j;            // least limits over the whole view
         double end;             // the path must stand there; infinity: beyond the view
         std::uint64_t end_record;  // that is the end of this record; kNone: the view was full
+        double rounding;        // tolerance of comparisons, mm and relative
         bool stop_short;        // standing before a slow place is as good as slowing down for it
     };
 

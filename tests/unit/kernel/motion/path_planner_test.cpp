@@ -8,7 +8,7 @@ namespace polyturn::kernel {
 namespace {
 
 TEST(PathPlanner, KeepsLimitsOnRandomRecords) {
-    for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 120; ++seed) {
         SCOPED_TRACE(seed);
         PlannerRig rig;
         const Judged judged = rig.drive(random_records(seed, 60));
@@ -17,7 +17,7 @@ TEST(PathPlanner, KeepsLimitsOnRandomRecords) {
 }
 
 TEST(PathPlanner, KeepsLimitsWhenOverridesHoldsAndSingleBlockComeAtAnyTick) {
-    for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 120; ++seed) {
         SCOPED_TRACE(seed);
         PlannerRig rig;
         std::mt19937_64 random(seed * 77);

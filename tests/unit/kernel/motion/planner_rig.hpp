@@ -120,12 +120,12 @@ inline std::vector<PlannedRecord> random_records(std::uint64_t seed, std::size_t
     std::vector<PlannedRecord> records;
     const double a = log_between(200, 10'000), j = log_between(5'000, 500'000), v = log_between(20, 800);
     const bool tiny = chance(0.3), alike = chance(0.3);
-    double feed = log_between(1, 500);
+    double feed = log_between(5, 500);
     bool rapid = false;
     for (std::size_t i = 0; i < count; ++i) {
         PlannedRecord r;
         r.length = tiny ? log_between(0.001, 0.5) : log_between(0.001, 100);
-        if (chance(0.05)) feed = log_between(1, 500);
+        if (chance(0.05)) feed = log_between(5, 500);
         if (chance(0.05)) rapid = !rapid;
         r.v_max = alike ? v : v * (chance(0.3) ? log_between(0.05, 1) : between(0.9, 1));
         r.a_max = alike ? a : a * (chance(0.3) ? between(0.3, 1) : 1);
