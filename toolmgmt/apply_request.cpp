@@ -2,7 +2,6 @@
 
 #include <bit>
 #include <cmath>
-#include <memory>
 #include <string_view>
 
 #include "ipc/machine/shortest_text.hpp"
@@ -89,21 +88,32 @@ Result<Applied> set_variable(const StoreRequest& request, const MachineConfig& m
     return set_number(values, {Kind::Variable, static_cast<std::int32_t>(request.channel), index, 0, {}}, request.value);
 }
 
-// Everything that differs between two tables, by name, instance and element.
-void add_differences(const params::Table& before, const params::Table& after, std::vector<Change>& changes) {
-    for (const params::Row& row : params::rows()) {
-        const std::size_t count = std::size_t{params::instances(row.scope)} * row.array;
-        for (std::size_t i = 0; i < count; ++i) {
-            const std::size_t slot = row.first_slot + i;
-            const Key key{Kind::Parameter, static_cast<std::int32_t>(i / row.array + 1), static_cast<std::int32_t>(i % row.array), 0, std::string(row.number)};
-            if (row.type == params::Type::Text) {
-                const std::string_view was = params::text_at(before, slot), is = params::text_at(after, slot);
-                if (was != is) changes.push_back({key, 0, 0, std::string(was), std::string(is), true});
-            } else if (differs(before.numbers[slot], after.numbers[slot])) {
-                changes.push_back({key, before.numbers[slot], after.numbers[slot], {}, {}, false});
-            }
-        }
+// The values of one parameter, all instances and elements.
+struct RowValues {
+    std::vector<double> numbers;
+    std::vector<std::string> texts;
+};
+
+RowValues values_of(const params::Table& table, const params::Row& row) {
+    const std::size_t count = std::size_t{params::instances(row.scope)} * row.array;
+    RowValues out;
+    for (std::size_t slot = row.first_slot; slot < row.first_slot + count; ++slot) {
+        if (row.type == params::Type::Text) out.texts.emplace_back(params::text_at(table, slot));
+        else out.numbers.push_back(table.numbers[slot]);
     }
+    return out;
+}
+
+std::vector<Change> differences(const params::Row& row, const RowValues& before, const RowValues& after) {
+    std::vector<Change> changes;
+    const auto key = [&](std::size_t i) {
+        return Key{Kind::Parameter, static_cast<std::int32_t>(i / row.array + 1), static_cast<std::int32_t>(i % row.array), 0, std::string(row.number)};
+    };
+    for (std::size_t i = 0; i < after.numbers.size(); ++i)
+        if (differs(before.numbers[i], after.numbers[i])) changes.push_back({key(i), before.numbers[i], after.numbers[i], {}, {}, false});
+    for (std::size_t i = 0; i < after.texts.size(); ++i)
+        if (before.texts[i] != after.texts[i]) changes.push_back({key(i), 0, 0, before.texts[i], after.texts[i], true});
+    return changes;
 }
 
 Result<Applied> set_parameter(const StoreRequest& request, StoreValues& values) {
@@ -111,11 +121,10 @@ Result<Applied> set_parameter(const StoreRequest& request, StoreValues& values) 
     if (line.empty()) return refused("parameter line is empty");
     const Result<params::Assignment> assignment = params::parse_assignment(line);
     if (!assignment) return assignment.diagnosis();
-    auto before = std::make_unique<params::Table>(values.parameters);
+    const params::Row& row = *assignment->row;
+    const RowValues before = values_of(values.parameters, row);
     if (const Result<void> done = params::apply(values.parameters, {&*assignment, 1}); !done) return done.diagnosis();
-    Applied applied;
-    add_differences(*before, values.parameters, applied.changes);
-    return applied;
+    return Applied{differences(row, before, values_of(values.parameters, row)), {}};
 }
 
 Result<Applied> query(const StoreRequest& request, const StoreValues& values) {
