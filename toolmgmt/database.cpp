@@ -69,6 +69,12 @@ bool parameter_fits(const std::string& name, int instance, int element, double n
     return row->type == params::Type::Real || number == std::trunc(number);
 }
 
+// What programs count in variables changes many times a second and tells nobody anything a year later.
+bool worth_history(const Key& key, std::string_view who) { return who != "program" || key.kind <= Kind::WorkZero; }
+
+// Enough for decades of an operator's entries; bounded, because measuring programs write offsets at every part.
+constexpr const char* kPrune = "DELETE FROM history WHERE id <= (SELECT max(id) FROM history) - 200000";
+
 }  // namespace
 
 Result<Database> Database::open(const std::string& folder) {
@@ -88,7 +94,7 @@ Result<Database> Database::open(const std::string& folder) {
     std::string what;
     if (version > 0 && !intact(parts->db, what)) return what.empty() ? parts->open_fault() : Diagnosis{Alarm::StoreDamaged, {parts->path, 0, 0, 0}, {}, what};
     // Also an up-to-date file takes the write lock here, so that a second owner is refused at once.
-    if (!migrate(parts->db)) return parts->open_fault();
+    if (!migrate(parts->db) || !run(parts->db, kPrune)) return parts->open_fault();
     return Database(std::move(parts));
 }
 
@@ -137,9 +143,9 @@ Result<void> Database::commit(const std::vector<Change>& changes, std::string_vi
             Statement row(db, (std::string("INSERT OR REPLACE INTO ") + table + "(channel, number, field, value) VALUES(?, ?, ?, ?)").c_str());
             good = row.bind(1, std::int64_t{key.scope}).bind(2, std::int64_t{key.number}).bind(3, std::int64_t{key.field}).bind(4, change.after).run();
         }
-        good = good && history.bind(1, utc).bind(2, who).bind(3, describe(key))
-                           .bind(4, shown(change.before, change.text_before, change.is_text))
-                           .bind(5, shown(change.after, change.text_after, change.is_text)).run();
+        if (good && worth_history(key, who)) good = history.bind(1, utc).bind(2, who).bind(3, describe(key))
+                                                            .bind(4, shown(change.before, change.text_before, change.is_text))
+                                                            .bind(5, shown(change.after, change.text_after, change.is_text)).run();
         if (!good) return parts_->fault(Alarm::StoreWrite);
     }
     if (!transaction.commit()) return parts_->fault(Alarm::StoreWrite);
