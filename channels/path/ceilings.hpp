@@ -18,7 +18,7 @@
 
 namespace polyturn::channels {
 
-inline constexpr double kBendShare = 0.9, kTwistShare = 0.8, kSampling = 0.995;
+inline constexpr double kBendShare = 0.9, kTwistShare = 0.9, kSampling = 0.995;
 
 struct Ceilings {
     double v = 0, a = 0, j = 0;

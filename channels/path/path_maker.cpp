@@ -36,6 +36,35 @@ void fit_spiral(PathRecord& r) {
     r.length = length;
 }
 
+// The geometry of one piece into a record that has everything else.
+void fill_piece(const Blend& blend, const BlendPiece& piece, PathRecord& r) {
+    r.kind = static_cast<std::uint8_t>(RecordKind::Curve);
+    r.axis_count = blend.axis_count;
+    r.length = piece.length;
+    r.shape = {};
+    for (std::size_t k = 0; k < blend.axis_count; ++k) {
+        r.axis[k] = blend.axis[k];
+        for (std::size_t c = 0; c < 6; ++c) r.shape[6 * k + c] = piece.position[k][c];
+        r.start[k] = piece.position[k][0];
+        r.end[k] = at(piece.position[k], 1);
+    }
+    for (std::size_t c = 0; c < 6; ++c) r.shape[curve_shape::kParameter + c] = piece.parameter[c];
+}
+
+// What the program wants; how fast its spindle turns is not known here, so a usual speed is taken.
+double wanted_speed(const PathRecord& r) {
+    constexpr double kUsualRevS = 1000.0 / 60;
+    switch (static_cast<FeedMode>(r.feed_mode)) {
+        case FeedMode::PerMinute: return r.feed > 0 ? r.feed : 1.0;
+        case FeedMode::PerRevolution: return r.feed > 0 ? r.feed * kUsualRevS : 1.0;
+        case FeedMode::Thread: return r.lead > 0 ? r.lead * kUsualRevS : 1.0;
+        default: return std::numeric_limits<double>::infinity();
+    }
+}
+
+// Below this turn a blend is always worth it.
+constexpr double kStopMayBeFaster = 0.2;
+
 }  // namespace
 
 PathRecord& PathMaker::next_move() {
@@ -101,15 +130,18 @@ void PathMaker::join() {
     Junction junction = Junction::Stop;
     if (!must_stop(a.move, b.move))
         junction = make_blend(a.move, 0.5 * a.move.length, b.move, 0.5 * b.move.length, std::min(a.ceilings.v, b.ceilings.v), *limits_, blend_);
+    constexpr double kNoRule = std::numeric_limits<double>::infinity();
+    Ceilings rules{kNoRule, kNoRule, kNoRule};
+    if (junction == Junction::Blended) {
+        apply_junction_rules(blend_.sides, blend_.angle, *limits_, rules);
+        if (blend_.angle > kStopMayBeFaster && stop_is_faster(a, b, rules)) junction = Junction::Stop;
+    }
     if (junction != Junction::Blended) {
         put_part(a, a.move.length, true, junction == Junction::Stop);
         put_between();
         return;
     }
     put_part(a, a.move.length - blend_.trim, false, false);
-    constexpr double kNoRule = std::numeric_limits<double>::infinity();
-    Ceilings rules{kNoRule, kNoRule, kNoRule};
-    apply_junction_rules(blend_.sides, blend_.angle, *limits_, rules);
     put_pieces(a, blend_, 0, blend_.first_half, rules, true);
     put_between();
     put_pieces(b, blend_, blend_.first_half, blend_.count, rules, false);
@@ -132,26 +164,40 @@ void PathMaker::put_part(Kept& of, double to, bool last, bool stop) {
     out_->commit();
 }
 
+// Time lost at the junction against driving through at full speed, by a blend or by a stop. Braking from V to w in time T
+// takes (V + w)/2 T of the path, so each side loses T (V - w) / (2 V); a blend also its own length at its own speed.
+bool PathMaker::stop_is_faster(const Kept& a, const Kept& b, const Ceilings& rules) {
+    double through = rules.v, length = 0;
+    PathRecord& r = scratch_;
+    for (std::size_t n = 0; n < blend_.count; ++n) {
+        r.flags = (n < blend_.first_half ? a : b).move.flags;
+        fill_piece(blend_, blend_.piece[n], r);
+        through = std::min(through, ceilings_of(r, *limits_).v);
+        length += r.length;
+    }
+    double by_stop = 0, by_blend = 0;
+    for (const Kept* side : {&a, &b}) {
+        const Ceilings& c = side->ceilings;
+        const auto time = [&](double step) { return step < c.a * c.a / c.j ? 2 * std::sqrt(step / c.j) : step / c.a + c.a / c.j; };
+        // What this move can reach from standstill in half its length: 0 to V takes V/2 time(V).
+        double top = std::min(c.v, wanted_speed(side->move));
+        for (int n = 0; n < 60 && 0.5 * top * time(top) > 0.5 * side->move.length; ++n) top *= 0.8;
+        const double step = std::max(0.0, top - through);
+        by_stop += 0.5 * time(top);
+        by_blend += 0.5 * time(step) * step / top + 0.5 * length * (1 / std::min(through, top) - 1 / top);
+    }
+    return by_stop < by_blend;
+}
+
 void PathMaker::put_pieces(Kept& of, const Blend& blend, std::size_t first, std::size_t end, const Ceilings& rules, bool last) {
     for (std::size_t n = first; n < end; ++n) {
-        const BlendPiece& piece = blend.piece[n];
         PathRecord& r = out_->claim();
         r = of.move;
-        r.kind = static_cast<std::uint8_t>(RecordKind::Curve);
         r.flags &= ~std::uint32_t{kExactStop | kInPosition | kThreadEnd};
         if (!of.begun) r.flags |= kBlockBegin;
         of.begun = true;
         if (last && n + 1 == end) r.flags |= kBlockEnd;
-        r.axis_count = blend.axis_count;
-        r.length = piece.length;
-        r.shape = {};
-        for (std::size_t k = 0; k < blend.axis_count; ++k) {
-            r.axis[k] = blend.axis[k];
-            for (std::size_t c = 0; c < 6; ++c) r.shape[6 * k + c] = piece.position[k][c];
-            r.start[k] = piece.position[k][0];
-            r.end[k] = at(piece.position[k], 1);
-        }
-        for (std::size_t c = 0; c < 6; ++c) r.shape[curve_shape::kParameter + c] = piece.parameter[c];
+        fill_piece(blend, blend.piece[n], r);
         Ceilings own = ceilings_of(r, *limits_);
         own.v = std::min(own.v, rules.v), own.a = std::min(own.a, rules.a);
         store(own, r);

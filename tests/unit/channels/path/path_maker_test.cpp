@@ -51,7 +51,7 @@ TEST(PathMaker, ASingleLineIsOneRecordThatStops) {
 }
 
 TEST(PathMaker, ARightAngleBecomesABlendWithinTolerance) {
-    const auto records = made(easy_limits(), [](Program& p) { p.line({10, 0}), p.line({10, 10}); });
+    const auto records = made(easy_limits(), [](Program& p) { p.feed = 1, p.line({10, 0}), p.line({10, 10}); });
     ASSERT_GE(records.size(), 4u);
     expect_smooth(records);
     double nearest = 1;
@@ -70,16 +70,17 @@ TEST(PathMaker, ARightAngleBecomesABlendWithinTolerance) {
 }
 
 TEST(PathMaker, StopsWhereItMust) {
-    struct Row { const char* why; double turn; std::uint32_t first, second; double tolerance; bool stop; };
+    struct Row { const char* why; double turn; std::uint32_t first, second; double tolerance; bool stop; double feed = 1; };
     const Row rows[] = {
-        {"corner", 90, 0, 0, 0.005, false},
+        {"corner", 90, 0, 0, 0.1, false},
         {"exact stop asked for", 90, kExactStop, 0, 0.005, true},
         {"exact stop on a straight path", 0, kExactStop, 0, 0.005, true},
         {"tolerance 0", 90, 0, 0, 0, true},
         {"tolerance 0, straight on", 0, 0, 0, 0, false},
         {"reversal", 180, 0, 0, 0.005, true},
         {"nearly a reversal", 170, 0, 0, 0.005, true},
-        {"sharp", 150, 0, 0, 0.005, false},
+        {"sharp", 150, 0, 0, 0.5, false},
+        {"faster by a stop", 150, 0, 0, 0.005, true, 100},
         {"rapid before", 90, kRapid, 0, 0.005, true},
         {"rapid behind", 90, 0, kRapid, 0.005, true},
         {"thread begins", 0, 0, kThread, 0.005, true},
@@ -91,6 +92,7 @@ TEST(PathMaker, StopsWhereItMust) {
         limits.tolerance = row.tolerance;
         const double turn = row.turn * std::numbers::pi / 180;
         const auto records = made(limits, [&](Program& p) {
+            p.feed = row.feed;
             p.line({10, 0}, row.first);
             p.line({10 + 10 * std::cos(turn), 10 * std::sin(turn)}, row.second);
         });
@@ -122,6 +124,7 @@ TEST(PathMaker, EventsKeepTheirPlaceBetweenTheBlocks) {
     Collected out;
     const PathLimits limits = easy_limits();
     Program p(out, limits);
+    p.feed = 1;
     PathRecord event;
     event.kind = static_cast<std::uint8_t>(RecordKind::SpindleSpeed);
     p.line({10, 0});

@@ -34,12 +34,13 @@ public:
     PathMaker maker;
     Point at;
     std::int64_t block = 0;
+    double feed = 100;   // mm/s
 
     PathRecord& begin(RecordKind kind) {
         PathRecord& r = maker.next_move();
         r.kind = static_cast<std::uint8_t>(kind);
         r.feed_mode = static_cast<std::uint8_t>(FeedMode::PerMinute);
-        r.feed = 100;
+        r.feed = feed;
         r.block = ++block;
         r.axis_count = 2;
         r.axis = {0, 1};

@@ -1,0 +1,88 @@
+#include "channels/process/run_mode.hpp"
+
+#include <filesystem>
+
+#include "channels/check/event_text.hpp"
+#include "channels/process/channel_process.hpp"
+#include "channels/program_files.hpp"
+
+namespace polyturn::channels {
+namespace {
+
+Dialect dialect_of(std::string_view language) {
+    if (language == "nct") return Dialect::Nct;
+    if (language == "fagor") return Dialect::Fagor;
+    if (language == "sinumerik") return Dialect::Sinumerik;
+    if (language == "mefi") return Dialect::Mefi;
+    return Dialect::Fanuc;
+}
+
+// The language that --language names, or the machine.
+std::string language_of(const RunModeOptions& options, const MachineView& view) {
+    return options.language.empty() ? std::string(params::get_text(view.table(), params::pt_language, view.channel)) : options.language;
+}
+
+// A program in one of the languages, with the files that it can reach.
+class LanguageRun : public ProgramRun {
+public:
+    LanguageRun(MachineView& view, Sink& sink, Port& port, const ProgramChoice& choice, const text::Setup& setup, const std::string& language)
+        : view_(&view), choice_(choice), setup_(&setup), name_(language) {
+        for (const std::string& path : setup.channel(view.channel).subprograms) files_.add_library(path);
+        if (!choice.path.empty()) files_.add_folder(std::filesystem::path(choice.path).parent_path().string());
+        language_ = make_language(language, view, sink, port, files_);
+    }
+    Result<void> start() override {
+        if (choice_.mdi.empty() && choice_.path.empty()) return Diagnosis{Alarm::FileUnreadable, {}, {}, "no program is selected"};
+        if (!language_) return Diagnosis{Alarm::NotBuilt, {choice_.path, 0, 0, 0}, {}, "the language " + name_};
+        auto main = choice_.mdi.empty() ? files_.open(choice_.path) : files_.open_text(choice_.mdi, "MDI");
+        if (!main) return main.diagnosis();
+        if (auto started = language_->start(*main); !started) return started.diagnosis();
+        language_->core().start_at_machine(view_->start);
+        for (const text::SetupVariable& variable : setup_->channel(view_->channel).variables)
+            if (!variable.is_text) language_->preset_variable(variable.name, variable.value);
+        return {};
+    }
+    Step step() override { return language_->step(); }
+    void barrier_done() override { language_->barrier_done(); }
+    std::size_t file_count() const override { return files_.count(); }
+    std::string file_name(std::size_t index) const override { return files_.path(static_cast<FileId>(index)); }
+    const ProgramFiles& files() const { return files_; }
+
+private:
+    MachineView* view_;
+    ProgramChoice choice_;
+    const text::Setup* setup_;
+    ProgramFiles files_;
+    std::string name_;
+    std::unique_ptr<Language> language_;
+};
+
+}  // namespace
+
+Result<void> run_mode(const RunModeOptions& options) {
+    text::Setup setup;
+    if (!options.setup.empty()) {
+        auto loaded = text::load_setup(options.setup);
+        if (!loaded) return loaded.diagnosis();
+        setup = std::move(*loaded);
+    }
+    ProcessServices services;
+    services.setup = &setup;
+    EventSink* events = nullptr;   // the describing sink of the running program
+    services.make_run = [&](MachineView& view, Sink& sink, Port& port, const ProgramChoice& choice) -> std::unique_ptr<ProgramRun> {
+        auto run = std::make_unique<LanguageRun>(view, sink, port, choice, setup, language_of(options, view));
+        if (events) events->set_files(&run->files());
+        return run;
+    };
+    services.make_describer = [&](const MachineView& view, std::string& text) -> std::unique_ptr<Sink> {
+        auto sink = std::make_unique<EventSink>(EventScene{&view, nullptr, dialect_of(language_of(options, view))}, text, options.variables, '\0');
+        events = sink.get();
+        return sink;
+    };
+    auto process = ChannelProcess::create(options.instance, options.channel, std::move(services));
+    if (!process) return process.diagnosis();
+    (*process)->run();
+    return {};
+}
+
+}  // namespace polyturn::channels
