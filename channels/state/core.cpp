@@ -121,7 +121,6 @@ AxisSet Core::plane_axes(int& p, int& q) const {
 }
 
 bool Core::dwell(double value, bool revolutions) {
-    if (revolutions && !spindle_ready(Alarm::SpindleStopped)) return false;
     emitted_ = true;
     path.after_thread = false;
     sink_->dwell({revolutions, value, path.spindle.spindle}, at);

@@ -27,6 +27,7 @@ struct Interpreter {
     Child child;
     std::string buffer;
     bool ended = false, alarmed = false, killed = false;
+    std::string alarm_to_tell;            // for people; an interpreter that refuses its input (status 2) has told them itself
     std::size_t waits_behind = 0;
 
     // The next line without its end; false at the end of the output.
@@ -87,6 +88,8 @@ private:
         std::vector<std::string> arguments = {"--check", "--channel", std::to_string(channel), "--language", program.language};
         for (auto& argument : plan_.machine_arguments()) arguments.push_back(std::move(argument));
         if (options_.variables) arguments.push_back("--variables");
+        if (plan_.programs.size() == 1) arguments.push_back("--alone");
+        if (plan_.programs.size() == 1) arguments.push_back("--alone");   // nobody else can have started its spindle
         arguments.push_back(program.file);
         return Child::start("polyturn-channel", arguments, {true, true});
     }
@@ -134,6 +137,7 @@ private:
             if (line.empty()) continue;
             const std::string_view kind = event_kind(line);
             if (!options_.quiet || passes_quiet(kind)) output_.write(line), output_.write("\n");
+            tell_alarm(interpreter);
             if (kind == "alarm") note_alarm(interpreter, line);
             if (kind == "wait") {
                 matcher_.arrive(interpreter.channel, wait_point(interpreter.channel, line));
@@ -149,11 +153,20 @@ private:
             interpreter.alarmed = true;
         }
         if (status == 2) unreadable_ = true;
+        else tell_alarm(interpreter);
         if (status != 0) ++alarms_;
         matcher_.end(interpreter.channel, interpreter.alarmed || status != 0);
     }
 
+    void tell_alarm(Interpreter& interpreter) {
+        if (interpreter.alarm_to_tell.empty()) return;
+        output_.flush();   // in the right order where both go to one screen
+        print_alarm_event(interpreter.alarm_to_tell, plan_.dialect(interpreter.channel));
+        interpreter.alarm_to_tell.clear();
+    }
+
     void note_alarm(Interpreter& interpreter, const std::string& line) {
+        interpreter.alarm_to_tell = line;
         if (line.find("\"severity\":\"warning\"") != std::string::npos) return;
         interpreter.alarmed = true;
         ++alarms_;
