@@ -66,7 +66,7 @@ bool Interpreter::tool_word() {
     last_t_ = value;
     core_.at.tool = state.ref;
     const std::string text = fmt::format("T{:0{}}", value, code.offset_digits + 2);
-    core_.aux('T', static_cast<double>(value), text, settings_.t_drains);
+    core_.aux('T', static_cast<double>(tool), text, settings_.t_drains);  // the PLC's turret wants the tool; the event shows the word
     if (settings_.t_drains) wants_barrier_ = true;
     if (!apply_tool_offsets()) return false;
     // A T word alone travels the change of the vector at once, unless it waits for the next move (5002#6).
