@@ -90,6 +90,7 @@ std::string alarm_event(const Diagnosis& diagnosis, Dialect dialect, unsigned ch
     if (diagnosis.severity() != Severity::Message) event.alarm_number(alarm_number(diagnosis.alarm, dialect));
     event.text("text", diagnosis.text());
     if (diagnosis.severity() != Severity::Message) event.text("severity", diagnosis.severity() == Severity::Error ? "error" : "warning");
+    if (!diagnosis.remedy().empty()) event.text("remedy", diagnosis.remedy());
     return std::move(event).line();
 }
 

@@ -229,16 +229,8 @@ void print_alarm_event(std::string_view event_text, Dialect dialect) {
     const std::string words = event.value("text", "");
     std::string number;
     if (const auto found = event.find("number"); found != event.end()) number = found->is_string() ? found->get<std::string>() : std::to_string(found->get<long>());
-    // The row whose fixed words the text has: several rows may share a number of one control.
-    std::string_view remedy;
-    std::size_t best = 0;
-    for (std::uint16_t i = 0; i < kAlarmCount; ++i) {
-        const AlarmRow& row = alarm_row(static_cast<Alarm>(i));
-        std::string_view own = alarm_number(row.id, dialect);
-        while (own.size() > 1 && own.size() > number.size() && own.front() == '0') own.remove_prefix(1);
-        const std::string_view fixed = row.text.substr(0, row.text.find('{'));
-        if (own == number && words.compare(0, fixed.size(), fixed) == 0 && fixed.size() + 1 > best) best = fixed.size() + 1, remedy = row.remedy;
-    }
+    if (dialect == Dialect::Fanuc && number.size() < 3 && number.find_first_not_of("0123456789") == std::string::npos) number.insert(0, 3 - number.size(), '0');
+    const std::string remedy = event.value("remedy", "");
     const std::string file = event.value("file", "");
     const auto line = event.value("line", 0u), column = event.value("column", 0u);
     std::string out = file;

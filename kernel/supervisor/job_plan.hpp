@@ -52,7 +52,7 @@ std::optional<JobPlan> plan_job(const JobOptions& options, PlanFailure& failure)
 
 // Renders for people on stderr, with the line it speaks of where the file can be read, and as an alarm event.
 void print_diagnosis(const Diagnosis& diagnosis, Dialect dialect);
-// The same from an alarm event that a channel made: its remedy is found by number and text.
+// The same from an alarm event that a channel made.
 void print_alarm_event(std::string_view event_text, Dialect dialect);
 Dialect dialect_of(std::string_view language);   // Polyturn for a name that is none
 std::string language_of(const params::Table& table, unsigned channel);
