@@ -22,7 +22,7 @@ MachineView make_machine_view(const params::Table& table, unsigned channel) {
     for (unsigned place = 0; place < view.axis_count; ++place) {
         const AxisConfig& from = view.machine.axis(config.axes[place]);
         ChannelAxis& to = view.axes[place];
-        to.name = from.name_text();
+        to.name = std::string(from.name_text());
         to.machine_axis = static_cast<std::uint8_t>(from.number - 1);
         to.role = from.role;
         to.diameter = from.diameter;

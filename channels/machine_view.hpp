@@ -3,6 +3,7 @@
 // that it sees its own values at once (architecture 5.4).
 #pragma once
 #include <memory>
+#include <string>
 #include <string_view>
 
 #include "channels/sink.hpp"
@@ -13,7 +14,7 @@
 namespace polyturn::channels {
 
 struct ChannelAxis {
-    std::string_view name;          // "X", "XMA"
+    std::string name;               // its own copy: a view can be moved
     std::uint8_t machine_axis = 0;  // from 0
     PlaneRole role = PlaneRole::None;
     bool diameter = false, rotary = false, hypothetical = false;
