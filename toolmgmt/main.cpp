@@ -55,7 +55,7 @@ int main(int argc, char** argv) {
 
     auto supervisor = PeerSegment<SupervisorSegment>::attach(options.instance, 0, std::chrono::seconds(5));
     if (!supervisor) return complain(supervisor.diagnosis()), 1;
-    auto image = StoreImage::create(options.instance, (*supervisor)->header.generation);
+    auto image = StoreImage::create(options.instance, (*supervisor)->header);
     if (!image) return complain(image.diagnosis()), 1;
 
     Service service(options.instance, std::move(*supervisor), std::move(*image), *values, disk ? &*disk : nullptr);

@@ -28,8 +28,16 @@ std::string one_line(const Diagnosis& diagnosis) {
 Service::Service(std::string instance, PeerSegment<SupervisorSegment> supervisor, StoreImage image, StoreValues& values, Database* disk)
     : instance_(std::move(instance)), supervisor_(std::move(supervisor)), image_(std::move(image)), values_(values), disk_(disk),
       machine_(derive_machine_config(values.parameters)) {
-    image_.publish_all(values_);
+    if (!disk_ && image_.taken_over()) {   // the image is all that there is
+        image_.read_into(values_);
+        machine_ = derive_machine_config(values_.parameters);
+    }
     pending_index_ = image_.segment().persist_tail.tail.load();
+    replay_from_ = image_.replay_from();
+    look_for_kernel();
+    // Before anything is shown: the predecessor showed these values, and they must not seem to go back.
+    replay();
+    image_.publish_all(values_);
 }
 
 bool Service::step() {
@@ -59,6 +67,7 @@ void Service::wait() {
 }
 
 void Service::finish() {
+    for (int i = 0; i < 1000 && step(); ++i) {}   // the kernel may have said its last words since
     if (pending_.empty()) return;
     if (const Result<void> done = commit_pending({}, "program"); !done)
         std::fprintf(stderr, "polyturn-toolmgmt: %s\n", one_line(done.diagnosis()).c_str());
@@ -76,13 +85,35 @@ void Service::look_for_kernel() {
         commit_pending({}, "program").ok();
         own.persist_tail.tail.store(0, std::memory_order_release);
         own.on_disk.store(0, std::memory_order_release);
+        replay_from_ = 0;
+    } else if (own.persist_tail.tail.load() > (*fresh)->persist.head.load(std::memory_order_acquire)) {
+        // Store and kernel were both replaced: this is not the ring that the predecessor read.
+        own.persist_tail.tail.store(0, std::memory_order_release);
+        own.on_disk.store(0, std::memory_order_release);
+        replay_from_ = 0;
     }
     kernel_ = std::move(*fresh);
-    // A predecessor of ours may have been killed so long ago that the ring has gone round.
-    const auto head = kernel_->persist.head.load(std::memory_order_acquire), tail = own.persist_tail.tail.load();
-    constexpr auto kCapacity = decltype(KernelSegment::persist)::capacity;
-    if (tail > head || head - tail > kCapacity) own.persist_tail.tail.store(head - std::min(head, kCapacity), std::memory_order_release);
     pending_index_ = own.persist_tail.tail.load();
+}
+
+// What the predecessor had taken into its image but not to the disk: the kernel's ring still holds it unless the kernel
+// has gone round since. A slot counts when the kernel has not come to it again after it was read.
+void Service::replay() {
+    StoreSegment& own = image_.segment();
+    const auto tail = own.persist_tail.tail.load();
+    if (!kernel_.attached() || replay_from_ >= tail) return;
+    constexpr auto kCapacity = decltype(KernelSegment::persist)::capacity;
+    std::vector<Change> changes;
+    for (auto index = replay_from_; index < tail; ++index) {
+        const StoreRequest request = kernel_->persist.slot(index);
+        std::atomic_thread_fence(std::memory_order_acquire);
+        if (kernel_->persist.head.load(std::memory_order_acquire) >= index + kCapacity) continue;
+        Result<Applied> applied = apply_request(request, Origin::Program, machine_, values_);
+        if (!applied) continue;
+        refresh_machine(applied->changes);
+        std::move(applied->changes.begin(), applied->changes.end(), std::back_inserter(changes));
+    }
+    keep_pending(changes);
 }
 
 bool Service::take_persist() {

@@ -42,6 +42,7 @@ private:
     using Clock = std::chrono::steady_clock;
 
     void look_for_kernel();
+    void replay();
     bool take_persist();
     bool take_requests();
     void answer(const StoreRequest& request, const Result<Applied>& applied);
@@ -61,6 +62,7 @@ private:
     std::uint64_t import_id_ = 0;
     std::map<Key, Change> pending_;              // in the image, not yet on disk
     std::uint64_t pending_index_ = 0;            // persist requests before it are in the image
+    std::uint64_t replay_from_ = 0;              // from here to the tail they were in the image of a dead predecessor only
     Clock::time_point pending_since_{}, next_try_{};
     std::uint32_t supervisor_seen_ = 0, kernel_seen_ = 0;
 };

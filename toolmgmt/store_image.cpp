@@ -1,27 +1,47 @@
 #include "toolmgmt/store_image.hpp"
 
+#include <signal.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <optional>
+
 namespace polyturn::toolmgmt {
 
-Result<StoreImage> StoreImage::create(const std::string& instance, std::uint64_t generation) {
-    const auto before = PeerSegment<StoreSegment>::attach(instance);   // that of a predecessor, if there was one
-    auto own = OwnSegment<StoreSegment>::create(instance, generation);
-    if (!own) return own.diagnosis();
+namespace {
+
+// The segment of a dead predecessor that served the same supervisor.
+std::optional<OwnSegment<StoreSegment>> take_over(const std::string& instance, const SegmentHeader& supervisor) {
+    auto own = OwnSegment<StoreSegment>::adopt(instance);
+    if (!own) return {};
+    const SegmentHeader& header = (*own)->header;
+    const bool serves = (*own)->supervisor.load() == supervisor.writer_pid && header.generation == supervisor.generation;
+    const bool dead = kill(header.writer_pid, 0) != 0 && errno == ESRCH;
+    if (!serves || !dead) return {};
+    return std::move(*own);
+}
+
+}  // namespace
+
+Result<StoreImage> StoreImage::create(const std::string& instance, const SegmentHeader& supervisor) {
     StoreImage image;
-    image.own_ = std::move(*own);
-    if (before && (*before)->header.generation == generation) {
-        StoreSegment& to = *image.own_;
-        const StoreSegment& from = **before;
-        to.request_tail.tail = from.request_tail.tail.load();
-        // Not persist_tail: what was only in the image died with the predecessor. The kernel's ring still has it.
-        to.persist_tail.tail = from.on_disk.load();
-        to.on_disk = from.on_disk.load();
-        to.param_changes.head = from.param_changes.head.load();
-        to.param_changes.slots = from.param_changes.slots;
-        to.answers.head = from.answers.head.load();
-        to.answers.slots = from.answers.slots;
-        to.version = from.version.load();
+    if (auto own = take_over(instance, supervisor)) {
+        image.own_ = std::move(*own);
+        image.taken_over_ = true;
+        image.replay_from_ = image.own_->on_disk.load();
+        return image;
     }
+    auto own = OwnSegment<StoreSegment>::create(instance, supervisor.generation);
+    if (!own) return own.diagnosis();
+    image.own_ = std::move(*own);
+    image.own_->supervisor.store(supervisor.writer_pid);
     return image;
+}
+
+void StoreImage::read_into(StoreValues& values) const {
+    const StoreSegment& from = *own_;   // nobody writes it but us
+    values.parameters = from.parameters.published();
+    for (std::size_t l = 0; l < kMaxChannels; ++l) values.channels[l] = from.channels[l].published();
 }
 
 void StoreImage::publish_all(const StoreValues& values) {
@@ -29,6 +49,7 @@ void StoreImage::publish_all(const StoreValues& values) {
     to.parameters.write(values.parameters);
     for (std::size_t l = 0; l < kMaxChannels; ++l) to.channels[l].write(values.channels[l]);
     to.version.fetch_add(1, std::memory_order_release);
+    to.header.writer_pid = getpid();   // whoever waits for this process sees only what it published
     own_.publish();
     to.bell.ring();
 }

@@ -1,6 +1,6 @@
 // The store's segment: what it publishes to all others, and where it stands in the rings of kernel and supervisor.
-// A store that was killed and started again goes on where its predecessor's segment says, so that no request is lost
-// and none is answered for another.
+// A store that was killed is followed by another one in the same segment: nobody attaches again, no request is lost and
+// none is answered for another. A segment that an earlier controller of that name left behind is replaced.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,12 @@ namespace polyturn::toolmgmt {
 
 class StoreImage {
 public:
-    static Result<StoreImage> create(const std::string& instance, std::uint64_t generation);
+    static Result<StoreImage> create(const std::string& instance, const SegmentHeader& supervisor);
+    // Persist requests from here to persist_tail were only in the image of the dead predecessor; see Service.
+    std::uint64_t replay_from() const { return replay_from_; }
+    // True when a dead predecessor's segment was taken over; it still shows what that one knew.
+    bool taken_over() const { return taken_over_; }
+    void read_into(StoreValues& values) const;
     // Fills everything and lets the others attach.
     void publish_all(const StoreValues& values);
     // What these changes touched; then `version` grows. The kernel's list of parameter changes is the caller's.
@@ -25,6 +30,8 @@ public:
 
 private:
     OwnSegment<StoreSegment> own_;
+    std::uint64_t replay_from_ = 0;
+    bool taken_over_ = false;
 };
 
 }  // namespace polyturn::toolmgmt

@@ -78,6 +78,7 @@ struct StoreSegment {
     RingHead<ParamChange, 8192> param_changes;           // tail: KernelSegment::param_tail
     RingTail persist_tail;                               // consumer of KernelSegment::persist; before it all is applied
     alignas(64) std::atomic<std::uint64_t> on_disk{0};   // persist requests before this index are on disk
+    std::atomic<std::int64_t> supervisor{0};             // process that this store serves: its successor goes on in the same segment
     RingTail request_tail;                               // consumer of SupervisorSegment::requests
     RingHead<StoreAnswer, 256> answers;                  // tail: SupervisorSegment::answer_tail
     Doorbell bell;

@@ -79,17 +79,38 @@ Result<RawSegment> RawSegment::create(const std::string& name, std::size_t size)
     }
 }
 
+namespace {
+Result<bip::mapped_region> map_existing(bip::shared_memory_object& object, const std::string& name, std::size_t size, bip::mode_t mode) {
+    object = bip::shared_memory_object(bip::open_only, name.c_str(), mode);
+    bip::offset_t have = 0;
+    if (!object.get_size(have) || static_cast<std::size_t>(have) < size) {
+        // Size 0: its writer has not come to truncate() yet. Any other size was made by another build.
+        return fault(have == 0 ? Alarm::SegmentNotReady : Alarm::SegmentLayout, name);
+    }
+    return bip::mapped_region(object, mode, 0, size);
+}
+}  // namespace
+
 Result<RawSegment> RawSegment::attach(const std::string& name, std::size_t size) {
     try {
         RawSegment out;
         out.parts_ = std::make_unique<Parts>();
-        out.parts_->object = bip::shared_memory_object(bip::open_only, name.c_str(), bip::read_only);
-        bip::offset_t have = 0;
-        if (!out.parts_->object.get_size(have) || static_cast<std::size_t>(have) < size) {
-            // Size 0: its writer has not come to truncate() yet. Any other size was made by another build.
-            return fault(have == 0 ? Alarm::SegmentNotReady : Alarm::SegmentLayout, name);
-        }
-        out.parts_->region = bip::mapped_region(out.parts_->object, bip::read_only, 0, size);
+        auto region = map_existing(out.parts_->object, name, size, bip::read_only);
+        if (!region) return region.diagnosis();
+        out.parts_->region = std::move(*region);
+        return out;
+    } catch (const bip::interprocess_exception&) {
+        return fault(Alarm::SegmentMissing, name);
+    }
+}
+
+Result<RawSegment> RawSegment::adopt(const std::string& name, std::size_t size) {
+    try {
+        RawSegment out;
+        out.parts_ = std::make_unique<Parts>();
+        auto region = map_existing(out.parts_->object, name, size, bip::read_write);
+        if (!region) return region.diagnosis();
+        out.parts_->region = std::move(*region);
         return out;
     } catch (const bip::interprocess_exception&) {
         return fault(Alarm::SegmentMissing, name);

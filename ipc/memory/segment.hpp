@@ -26,6 +26,7 @@ public:
     ~RawSegment();
     static Result<RawSegment> create(const std::string& name, std::size_t size);  // removes an old one of that name
     static Result<RawSegment> attach(const std::string& name, std::size_t size);  // read-only
+    static Result<RawSegment> adopt(const std::string& name, std::size_t size);   // an existing one, writable
     void* address() const;
 
 private:
@@ -48,6 +49,17 @@ public:
         own.raw_ = std::move(*raw);
         new (own.raw_.address()) Layout;  // default-initialises: fresh memory is zero, only members with values are written
         fill_header(own->header, instance, generation);
+        return own;
+    }
+    // A writer that was killed is followed by another in the same segment, so that nobody has to attach again: rings and
+    // snapshots are whole at any moment. Only for whoever knows that the predecessor is dead, and what it may have begun.
+    static Result<OwnSegment> adopt(std::string_view instance, std::size_t number = 0) {
+        auto raw = RawSegment::adopt(segment_name(instance, Layout::kKind, number), sizeof(Layout));
+        if (!raw) return raw.diagnosis();
+        OwnSegment own;
+        own.raw_ = std::move(*raw);
+        if (own->header.ready.load(std::memory_order_acquire) != 1) return Diagnosis{Alarm::SegmentNotReady, {}, {}, std::string(instance)};
+        if (auto good = check_header(own->header, instance); !good) return good.diagnosis();
         return own;
     }
     void publish() { publish_header((*this)->header); }

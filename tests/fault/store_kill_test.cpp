@@ -113,6 +113,51 @@ TEST(StoreKilled, AProgramsWritesAreTakenAgainFromTheKernel) {
     for (int i = 0; i < 500; ++i) EXPECT_EQ(l1->variables[static_cast<std::size_t>(i)], i);
 }
 
+// Nobody attaches again when the store is started anew: it goes on in its predecessor's segment, also without a disk.
+TEST(StoreKilled, ItsSuccessorGoesOnInTheSameSegment) {
+    for (const bool memory : {false, true}) {
+        StoreRig rig(memory ? "same-memory" : "same-disk");
+        rig.make_kernel();
+        std::vector<std::string> arguments = {"--machine", kMachine, "--set", "N1600 L2=3"};
+        if (memory) arguments.push_back("--memory");
+        else arguments.insert(arguments.end(), {"--store", rig.folder + "/store"});
+        ASSERT_TRUE(rig.start(arguments)) << rig.messages();
+        auto seen_by_others = PeerSegment<StoreSegment>::attach(rig.instance);
+        ASSERT_TRUE(seen_by_others);
+        for (int round = 1; round <= 20; ++round) {
+            ASSERT_TRUE(rig.ask(offset_request(1, 1, OffsetTable::Geometry, OffsetField::X, round)));
+            const auto index = rig.push(variable_request(1, "#600", round));
+            ASSERT_TRUE(StoreRig::reached((*seen_by_others)->persist_tail.tail, index));
+            rig.send(parameter_request("N1600 L1=" + std::to_string(round)));   // answered by whoever lives then
+            rig.kill_now();
+            ASSERT_TRUE(rig.start(arguments)) << rig.messages();
+            const auto done = rig.push(variable_request(1, "#601", round));
+            ASSERT_TRUE(StoreRig::reached((*seen_by_others)->persist_tail.tail, done));
+            auto l1 = std::make_unique<ChannelStore>();
+            ASSERT_TRUE((*seen_by_others)->channels[0].read(*l1));
+            EXPECT_EQ(l1->offsets[1].geometry[0], round);
+            EXPECT_EQ(l1->variables[100], round);
+            EXPECT_EQ(l1->variables[101], round);
+            EXPECT_EQ(rig.value_of("N1600 L1"), std::to_string(round));
+            EXPECT_EQ(rig.value_of("N1600 L2"), "3");
+            (*rig.kernel)->param_tail.tail.store((*seen_by_others)->param_changes.head.load());
+        }
+    }
+}
+
+// What an earlier controller of the same name left behind is not taken for one's own.
+TEST(StoreOfADeadController, IsReplaced) {
+    StoreRig rig("stale");
+    ASSERT_TRUE(rig.start({"--memory", "--machine", kMachine})) << rig.messages();
+    ASSERT_TRUE(rig.ask(parameter_request("N1600 L1=7")));
+    rig.kill_now();
+    rig.supervisor->header.writer_pid = 1;   // another controller than the one that the dead store served
+    rig.supervisor->requests.head = 0, rig.supervisor->answer_tail.tail = 0;
+    ASSERT_TRUE(rig.start({"--memory", "--machine", kMachine})) << rig.messages();
+    EXPECT_EQ(rig.value_of("N1600 L1"), "2");
+    EXPECT_EQ((*rig.store)->param_changes.head.load(), 0u);
+}
+
 // A new kernel begins a new ring: what the dead one pushed last still counts, and the new one is served from its start.
 TEST(StoreOfADeadKernel, FinishesItsRingAndServesTheNextOne) {
     StoreRig rig("kernel");
