@@ -51,7 +51,7 @@ void ChannelRunner::cycle_start() noexcept {
             return;
         case ChannelState::Held:
             hold_ = false;
-            state_ = phase_ == Phase::Waiting ? ChannelState::Waiting : ChannelState::Running;
+            state_ = phase_ == Phase::Waiting && !released_ ? ChannelState::Waiting : ChannelState::Running;
             stop_reason_ = StopReason::None;
             return;
         case ChannelState::ProgramStop:
@@ -94,7 +94,7 @@ void ChannelRunner::finish_reset() noexcept {
     flying_ = kNoRecord;
     phase_ = Phase::None;
     at_boundary_ = true;
-    begun_ = hold_ = interrupted_ = alarm_ = continue_ = released_ = passing_ = false;
+    begun_ = hold_ = interrupted_ = alarm_ = continue_ = released_ = passing_ = emergency_ = false;
     state_ = ChannelState::Reset;
     stop_reason_ = StopReason::Reset;
     for (SpindleUnit& spindle : core_.spindles)

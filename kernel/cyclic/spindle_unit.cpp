@@ -23,6 +23,8 @@ bool SpindleUnit::open(unsigned number, const SpindleConfig& config, double tick
     setup.frequency_hz = kFrequencyHz;
     setup.damping = kDamping;
     drive_ = api_->open(&setup);
+    observer_.configure(tick_s, config.encoder_counts, tick_s);
+    observer_.reset(0);
     return drive_ != nullptr;
 }
 
@@ -72,20 +74,13 @@ void SpindleUnit::step(double tick_s, std::int32_t rotation, double factor, doub
     remainder_ = exact - static_cast<double>(out.target_velocity);
     PolyturnDriveStatus status{};
     api_->exchange(drive_, &out, &status);
-    measure(tick_s, status.position);
+    observer_.update(status.position);
+    measured_speed_ = observer_.speed() / 6.0;  // degrees a second to revolutions a minute
+    const double turns = observer_.angle() / 360.0;
+    angle_ = (turns - std::floor(turns)) * 360.0;
     const double band = std::max(config_.tolerance_percent * 0.01 * std::fabs(target_), config_.tolerance_rpm);
     standing_ = std::fabs(measured_speed_) <= config_.standstill_rpm;
     reached_ = standing_ ? target_ == 0.0 || std::fabs(target_) <= config_.standstill_rpm : std::fabs(measured_speed_ - target_) <= band;
-}
-
-// Speed from the counts of a tick, smoothed over about 20 ms; angle carried on from the count, which is a tick old.
-void SpindleUnit::measure(double tick_s, std::int64_t counts) noexcept {
-    const double raw = static_cast<double>(counts - last_counts_) / config_.encoder_counts / tick_s * 60.0;
-    last_counts_ = counts;
-    const double share = tick_s / (0.02 + tick_s);
-    measured_speed_ += share * (raw - measured_speed_);
-    turns_ = (static_cast<double>(counts) + 0.5) / config_.encoder_counts + measured_speed_ / 60.0 * tick_s;
-    angle_ = (turns_ - std::floor(turns_)) * 360.0;
 }
 
 }  // namespace polyturn::kernel

@@ -7,6 +7,7 @@
 
 #include "kernel/config/kernel_config.hpp"
 #include "kernel/drives/simulated_drive.hpp"
+#include "kernel/motion/spindle_observer.hpp"
 
 namespace polyturn::kernel {
 
@@ -38,7 +39,7 @@ public:
     double command() const noexcept { return target_; }       // 1/min with sign, after limits, before the ramp
     double speed() const noexcept { return measured_speed_; } // 1/min with sign
     double angle() const noexcept { return angle_; }          // degrees now, estimated, 0..360
-    double revolutions() const noexcept { return turns_; }    // estimated, now, unwrapped
+    const SpindleObserver& observer() const noexcept { return observer_; }
     double true_speed() const noexcept;                       // simulated drive: behind the encoder
     double true_angle() const noexcept;
     bool reached() const noexcept { return reached_; }
@@ -51,7 +52,6 @@ public:
 
 private:
     double wanted(std::int32_t rotation, double factor, double axis_position) const noexcept;
-    void measure(double tick_s, std::int64_t counts) noexcept;
     SpindleConfig config_;
     const PolyturnDriveApi* api_ = nullptr;
     void* drive_ = nullptr;
@@ -59,8 +59,8 @@ private:
     double speed_ = 0, surface_speed_ = 0, surface_limit_ = 0, surface_min_ = 0, surface_centre_ = 0;
     std::uint32_t surface_axis_ = 0;
     double target_ = 0, ramped_ = 0, remainder_ = 0;
-    double measured_speed_ = 0, angle_ = 0, turns_ = 0;
-    std::int64_t last_counts_ = 0;
+    double measured_speed_ = 0, angle_ = 0;
+    SpindleObserver observer_;  // asked after the exchange: what it calls now is the start of the next tick
     bool reached_ = true, standing_ = true;
 };
 

@@ -1,0 +1,175 @@
+// What the operator asks for: hold, reset, overrides, single block, programmed stops, emergency stop.
+#include "tests/unit/kernel/rig.hpp"
+
+namespace polyturn::kernel {
+namespace {
+
+TEST(Operator, HoldsAlongThePathAndGoesOn) {
+    TickRig rig;
+    rig.push(1, rig.line(1, {30, -60}, 50));
+    rig.push(1, rig.stop(1, StopReason::M30));
+    rig.start(1);
+    rig.run(500);
+    rig.command(CommandKind::FeedHold, 1);
+    rig.run(200);
+    EXPECT_EQ(rig.state(1), ChannelState::Held);
+    EXPECT_EQ(rig.speed_of(2), 0);
+    EXPECT_NEAR(rig.position(2), -2 * rig.position(1), 1e-9);
+    const double held = rig.position(1);
+    rig.run(100);
+    EXPECT_EQ(rig.position(1), held);
+    rig.start(1);
+    rig.run_until_idle();
+    EXPECT_EQ(rig.state(1), ChannelState::Ended);
+    EXPECT_NEAR(rig.position(1), 30, 1e-9);
+}
+
+TEST(Operator, ResetsToAnEmptyPathAndANewEpoch) {
+    TickRig rig;
+    rig.push(1, rig.line(1, {30, -60}, 50));
+    rig.push(1, rig.line(1, {30, -60}, 50));
+    rig.start(1);
+    rig.run(300);
+    rig.command(CommandKind::Reset, 1);
+    rig.push(1, rig.line(1, {1, 1}, 50));   // the channel had not heard of it yet: belongs to the old epoch
+    rig.run(200);
+    EXPECT_EQ(rig.state(1), ChannelState::Reset);
+    ASSERT_FALSE(rig.heard[0].empty());
+    EXPECT_EQ(rig.heard[0].back().kind, static_cast<std::uint32_t>(ChannelEventKind::Reset));
+    EXPECT_EQ(rig.channel[0]->epoch.load(), 1u);
+    const double x = rig.position(1), z = rig.position(2);
+    EXPECT_GT(x, 0);
+    EXPECT_NEAR(z, -2 * x, 1e-9);
+    rig.push(1, rig.line(1, {-x, -z}, 50));
+    rig.push(1, rig.stop(1, StopReason::M30));
+    rig.start(1);
+    rig.run_until_idle();
+    EXPECT_NEAR(rig.position(1), 0, 1e-9);
+    EXPECT_EQ(rig.state(1), ChannelState::Ended);
+}
+
+TEST(Operator, StopsAfterEachBlockInSingleBlock) {
+    TickRig rig;
+    rig.command(CommandKind::SingleBlock, 1, 1);
+    rig.push(1, rig.line(1, {5, 0}, 50));
+    rig.push(1, rig.line(1, {5, 0}, 50));
+    rig.push(1, rig.dwell(1, 0.1));
+    rig.push(1, rig.stop(1, StopReason::M30));
+    rig.start(1);
+    rig.run_until_idle();
+    EXPECT_NEAR(rig.position(1), 5, 1e-9);
+    EXPECT_EQ(rig.state(1), ChannelState::ProgramStop);
+    rig.start(1);
+    rig.run_until_idle();
+    EXPECT_NEAR(rig.position(1), 10, 1e-9);
+    EXPECT_EQ(rig.state(1), ChannelState::ProgramStop);
+    rig.start(1);
+    rig.run_until_idle();
+    EXPECT_EQ(rig.state(1), ChannelState::ProgramStop);   // behind the dwell
+    rig.start(1);
+    rig.run_until_idle();
+    EXPECT_EQ(rig.state(1), ChannelState::Ended);
+}
+
+TEST(Operator, AnswersProgrammedStopsWithStart) {
+    for (const bool optional : {false, true}) {
+        SCOPED_TRACE(optional);
+        TickRig rig;
+        if (optional) rig.command(CommandKind::OptionalStop, 1, 1);
+        rig.push(1, rig.stop(1, StopReason::M01));
+        PathRecord m0 = rig.stop(1, StopReason::M00);
+        m0.flags |= kDrains;
+        const auto at = rig.push(1, m0);
+        rig.push(1, rig.line(1, {5, 0}, 50));
+        rig.start(1);
+        rig.run_until_idle();
+        if (optional) {
+            EXPECT_EQ(rig.machine->channel(0).stop_reason(), StopReason::M01);
+            rig.start(1);
+            rig.run_until_idle();
+        }
+        EXPECT_EQ(rig.state(1), ChannelState::ProgramStop);
+        EXPECT_EQ(rig.machine->channel(0).stop_reason(), StopReason::M00);
+        EXPECT_EQ(rig.position(1), 0);
+        rig.start(1);
+        rig.run_until_idle();
+        EXPECT_NEAR(rig.position(1), 5, 1e-9);
+        EXPECT_EQ(rig.heard[0].back().kind, static_cast<std::uint32_t>(ChannelEventKind::BarrierReached));
+        EXPECT_EQ(rig.heard[0].back().record, at);
+    }
+}
+
+TEST(Operator, SlowsFeedAndRapidByTheirOverrides) {
+    for (const bool rapid : {false, true}) {
+        TickRig rig;
+        rig.command(rapid ? CommandKind::RapidOverride : CommandKind::FeedOverride, 1, 0.5);
+        rig.push(1, rig.line(1, {50, 0}, 80, rapid ? kRapid : 0u));
+        rig.start(1);
+        double fastest = 0;
+        rig.on_tick = [&] { fastest = std::max(fastest, rig.speed_of(1)); };
+        rig.run_until_idle();
+        EXPECT_NEAR(fastest, rapid ? 0.5 * TickRig::kVelocity : 40, 0.05);
+    }
+}
+
+TEST(Operator, WaitsForThePlcAndTellsTheChannelThatDrains) {
+    TickRig rig;
+    PathRecord m8 = rig.aux(1, 'M', 8);
+    m8.flags |= kDrains;
+    const auto at = rig.push(1, m8);
+    rig.start(1);
+    rig.run(1);
+    EXPECT_EQ(rig.machine->core().signals.nc(signals::cn_mcode(1)), 8);
+    EXPECT_EQ(rig.machine->core().signals.nc(signals::cn_mstr(1)), 1);
+    rig.run(30);
+    ASSERT_FALSE(rig.heard[0].empty());
+    EXPECT_EQ(rig.heard[0].back().kind, static_cast<std::uint32_t>(ChannelEventKind::BarrierReached));
+    EXPECT_EQ(rig.heard[0].back().record, at);
+    // Inputs of cycle n out at one multiple of the PLC cycle, their answer acts at the next: never sooner.
+    EXPECT_NEAR(rig.when(rig.find(KernelEventKind::RecordEnd, 1, m8.note)), 10, 1e-9);
+}
+
+TEST(Operator, BrakesEverythingInEmergencyStopAndNeedsMachineOn) {
+    TickRig rig;
+    rig.push(1, rig.line(1, {100, 0}, 150));
+    rig.start(1);
+    rig.run(400);
+    const double before = rig.position(1);
+    rig.command(CommandKind::EmergencyStop);
+    rig.run(100);
+    EXPECT_EQ(rig.speed_of(1), 0);
+    EXPECT_LT(rig.position(1) - before, 150.0 * 150.0 / 2 / 10'000 + 0.2);
+    EXPECT_EQ(rig.state(1), ChannelState::Interrupted);
+    EXPECT_EQ(rig.machine->core().state, MachineState::EmergencyStop);
+    rig.start(1);
+    rig.run(10);
+    EXPECT_TRUE(rig.alarmed(Alarm::NotReady, 1));
+    rig.command(CommandKind::MachineOn);
+    rig.command(CommandKind::Reset);
+    rig.run(20);
+    EXPECT_EQ(rig.state(1), ChannelState::Reset);
+    rig.push(1, rig.line(1, {5, 0}, 50));
+    rig.start(1);
+    const double from = rig.position(1);
+    rig.run_until_idle();
+    EXPECT_NEAR(rig.position(1), from + 5, 1e-3);
+}
+
+TEST(Operator, WatchesAndForcesSignals) {
+    TickRig rig;
+    rig.command(CommandKind::Watch, 0, 0, 0, signals::sp_rot(1), 1);
+    rig.run(5);
+    rig.command(CommandKind::SetSignal, 0, 3, 0, signals::sp_rot(1), 1);
+    rig.run(30);
+    const auto* changed = rig.find(KernelEventKind::Signal);
+    ASSERT_TRUE(changed);
+    EXPECT_EQ(changed->value, 3);
+    EXPECT_EQ(changed->line, 1u);
+    EXPECT_EQ(rig.machine->core().signals.plc(signals::sp_rot(1)), 3);
+    rig.command(CommandKind::ReleaseSignal, 0, 0, 0, signals::sp_rot(1), 1);
+    rig.run(1);
+    EXPECT_EQ(rig.machine->core().signals.plc(signals::sp_rot(1)), 0);
+}
+
+}  // namespace
+}  // namespace polyturn::kernel

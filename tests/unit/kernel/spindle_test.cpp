@@ -1,0 +1,96 @@
+#include "tests/unit/kernel/rig.hpp"
+
+namespace polyturn::kernel {
+namespace {
+
+TEST(Spindle, FollowsItsRampAndSaysWhenItIsThere) {
+    TickRig rig;
+    rig.push(1, rig.spindle(1, 1500));
+    rig.push(1, rig.aux(1, 'M', 3));
+    rig.start(1);
+    rig.run(100);
+    EXPECT_EQ(rig.machine->core().signals.nc(signals::sn_ns(1)), 0);
+    rig.run(400);   // ramp of 1500 1/min in a second: about half way
+    EXPECT_NEAR(rig.machine->core().spindles[0].speed(), 1500 * 0.46, 60);
+    rig.run(700);
+    EXPECT_NEAR(rig.machine->core().spindles[0].speed(), 1500, 2);
+    EXPECT_EQ(rig.machine->core().signals.nc(signals::sn_ns(1)), 1);
+    EXPECT_EQ(rig.machine->core().signals.nc(signals::sn_n0(1)), 0);
+}
+
+TEST(Spindle, TurnsTheOtherWayWithM4AndKeepsItsLimits) {
+    TickRig rig;
+    rig.push(1, rig.spindle(1, 9000));
+    rig.push(1, rig.aux(1, 'M', 4));
+    rig.start(1);
+    rig.run(4000);
+    EXPECT_NEAR(rig.machine->core().spindles[0].speed(), -4000, 5);
+    rig.command(CommandKind::SpindleOverride, 0, 0.5, 0, 1);
+    rig.run(10);
+    EXPECT_EQ(rig.machine->core().spindles[0].command(), -4000);   // 9000 x 0.5 is still above the range
+}
+
+TEST(Spindle, KeepsTheSurfaceSpeedWithinItsLimit) {
+    TickRig rig([](params::Table&, RunOptions& o) { o.start_known[0] = 1, o.start_position[0] = 50; });
+    PathRecord css = rig.blank(1, RecordKind::SpindleMode);
+    css.spindle = 1;
+    css.code = static_cast<std::int32_t>(SpindleModeCode::SurfaceSpeed);
+    css.value = 150;       // m/min
+    css.shape[0] = 1200;   // limit
+    css.shape[1] = 0;
+    css.axis[0] = 0;
+    rig.push(1, css);
+    rig.push(1, rig.aux(1, 'M', 3));
+    rig.start(1);
+    rig.run(1500);
+    EXPECT_NEAR(rig.machine->core().spindles[0].command(), 1000 * 150 / (3.14159265 * 100), 0.1);
+    PathRecord in = rig.line(1, {-50, 0}, 50);
+    in.start[0] = 50, in.end[0] = 0;
+    rig.push(1, in);
+    rig.run(2500);
+    EXPECT_NEAR(rig.machine->core().spindles[0].command(), 1200, 1e-9);
+}
+
+TEST(Spindle, IsOwnedByTheChannelThatNeedsItsSurfaceSpeed) {
+    TickRig rig;
+    PathRecord css = rig.blank(1, RecordKind::SpindleMode);
+    css.spindle = 1;
+    css.code = static_cast<std::int32_t>(SpindleModeCode::SurfaceSpeed);
+    css.value = 150;
+    rig.push(1, css);
+    rig.start(1);
+    rig.run(5);
+    rig.push(2, rig.spindle(2, 500));
+    rig.start(2);
+    rig.run(10);
+    EXPECT_TRUE(rig.alarmed(Alarm::SpindleOwned, 2));
+    EXPECT_EQ(rig.state(2), ChannelState::Interrupted);
+}
+
+TEST(Spindle, StandingAtFeedPerRevolutionIsAnAlarmAndNoHang) {
+    TickRig rig;
+    PathRecord cut = rig.line(1, {0, -10}, 0.2);
+    cut.feed_mode = static_cast<std::uint8_t>(FeedMode::PerRevolution);
+    rig.push(1, cut);
+    rig.start(1);
+    rig.run_until_idle();
+    EXPECT_TRUE(rig.alarmed(Alarm::SpindleStands, 1));
+    EXPECT_EQ(rig.state(1), ChannelState::Interrupted);
+    EXPECT_EQ(rig.position(2), 0);
+}
+
+TEST(Spindle, SetsThePaceOfFeedPerRevolution) {
+    TickRig rig;
+    rig.push(1, rig.spindle(1, 600));
+    rig.push(1, rig.aux(1, 'M', 3));
+    rig.push(1, rig.dwell(1, 1.0));
+    PathRecord cut = rig.line(1, {0, -20}, 0.5);
+    cut.feed_mode = static_cast<std::uint8_t>(FeedMode::PerRevolution);
+    rig.push(1, cut);
+    rig.start(1);
+    rig.run(3000);
+    EXPECT_NEAR(rig.speed_of(2), -5.0, 0.05);
+}
+
+}  // namespace
+}  // namespace polyturn::kernel
