@@ -44,7 +44,6 @@ ChannelProcess::ChannelProcess(PeerSegment<SupervisorSegment> supervisor, PeerSe
     own_->notes.head.store(supervisor_->note_tail[channel - 1].load(std::memory_order_acquire), std::memory_order_relaxed);
     own_->epoch.store(1, std::memory_order_relaxed);
     own_.publish();
-    view_ = std::make_unique<MachineView>();
     auto table = std::make_unique<params::Table>();
     while (!store_->parameters.read(*table)) {}
     const auto horizon = static_cast<std::uint64_t>(params::get(*table, params::pt_horizon));
@@ -127,7 +126,7 @@ void ChannelProcess::begin_program() {
     if (sink_) last_note_ = sink_->next_note() - 1;
     sink_.reset();
     describer_.reset();
-    *view_ = make_machine_view(*table, channel_);
+    view_.reset(new MachineView(make_machine_view(*table, channel_)));   // made in place: its names point into itself
     if (!take_store()) return;
     port_.configure(view_->machine, services_.setup);
     port_.look();
