@@ -309,13 +309,13 @@ bool PathPlanner::best_towards(const View& view, double goal, double a, double j
 PathState PathPlanner::choose(const PathInput& input) noexcept {
     look_ahead(view_, Ceilings::Wanted, input);
     if (landing_end_ != kNone) {
-        if (view_.end_record == landing_end_) return landing_step();
+        if (view_.end_record == landing_end_) return landing_.step(dt_);
         landing_end_ = kNone;  // the way goes on
     }
     const double goal = input.hold ? 0 : view_.ceiling;
     Step step = step_towards(goal, view_.tick_a, view_.tick_j);
     if (take(view_, step)) return step.next;
-    if (begin_landing(view_)) return landing_step();
+    if (begin_landing(view_)) return landing_.step(dt_);
     PathState next;
     if (best_towards(view_, goal, view_.tick_a, view_.tick_j, next)) return next;
     if (best_towards(view_, goal, view_.a, view_.j, next)) return next;
@@ -327,7 +327,7 @@ PathState PathPlanner::choose(const PathInput& input) noexcept {
         if (!keeps(down.v, down.a, target.distance - down.s, target.ceiling, target.a, target.j, true, kKeeping)) wanted = std::min(wanted, target.ceiling);
     }
     look_ahead(view_, Ceilings::Hard, input);
-    if (begin_landing(view_)) return landing_step();
+    if (begin_landing(view_)) return landing_.step(dt_);
     if (best_towards(view_, wanted, view_.tick_a, view_.tick_j, next)) return next;
     if (best_towards(view_, wanted, view_.a, view_.j, next)) return next;
     // As the last step promised.
@@ -353,48 +353,14 @@ PathState PathPlanner::choose(const PathInput& input) noexcept {
 bool PathPlanner::begin_landing(const View& view) noexcept {
     const double v = state_.v, a = state_.a, distance = view.end;
     if (view.end_record == kNone || !(v > 0) || std::abs(a) > view.a * (1 + 1e-12)) return false;
-    const double allowed = view.j / kPlannedJerk;
     // Now, or can more speed still be had?
     if (stopping_distance(v, a, view.a, 0.95 * view.j) <= distance && stopping_time(v, a, view.a, view.j) > 3 * dt_) return false;
-    double low = std::max(view.j / 100, a < 0 ? a * a / (2 * v) : 0.0), high = allowed;
-    if (low > high || stopping_distance(v, a, view.a, high) > distance || stopping_distance(v, a, view.a, low) < distance) return false;
-    for (int i = 0; i < 60; ++i) {
-        const double middle = (low + high) / 2;
-        (stopping_distance(v, a, view.a, middle) <= distance ? high : low) = middle;
-    }
+    if (!landing_.aim(v, a, distance, view.a, view.j / 100, view.j / kPlannedJerk)) return false;
     for (std::uint32_t i = 0; i < view.target_count; ++i) {
-        if (!keeps(v, a, view.targets[i].distance, view.targets[i].ceiling, view.a, high, false, kKeeping)) return false;
+        if (!keeps(v, a, view.targets[i].distance, view.targets[i].ceiling, view.a, landing_.jerk(), false, kKeeping)) return false;
     }
-    landing_ = profile_to_speed(v, a, 0, view.a, high);
-    landing_start_ = {0, v, a};
-    landing_time_ = landing_moved_ = 0;
-    landing_distance_ = distance;
     landing_end_ = view.end_record;
     return true;
-}
-
-PathState PathPlanner::landing_step() noexcept {
-    landing_time_ += dt_;
-    const double left = landing_.duration() - landing_time_;
-    PathState next{landing_distance_, 0, 0};
-    if (left > 1e-9 * dt_) {
-        if (left < landing_.time[2]) {  // counted from the end, so that it ends there exactly
-            const double j = landing_.jerk[2];
-            next = {landing_distance_ - j * left * left * left / 6, j * left * left / 2, -j * left};
-        } else {
-            next = landing_start_;
-            double time = landing_time_;
-            for (int i = 0; i < 3; ++i) {
-                const double t = std::min(time, landing_.time[i]);
-                next = advanced(next, landing_.jerk[i], t);
-                time -= t;
-            }
-        }
-    }
-    const double before = landing_moved_;
-    landing_moved_ = next.s;
-    next.s -= before;
-    return next;
 }
 
 // At rest: which record is next, or why none.
@@ -442,7 +408,7 @@ void PathPlanner::carry(const PathState& next, PathStep& step) noexcept {
         const double root = std::sqrt(std::max(0.0, v0 * v0 + (v1 * v1 - v0 * v0) * ratio));
         return v0 + root > 0 ? std::min(1.0, ratio * (v0 + v1) / (v0 + root)) : 1.0;
     };
-    const bool landed = landing_end_ != kNone && v1 == 0 && next.a == 0 && landing_moved_ == landing_distance_;
+    const bool landed = landing_end_ != kNone && v1 == 0 && next.a == 0 && landing_.landed();
     double s = state_.s + moved, done = -state_.s;  // done: from the tick's beginning to the beginning of the record
     double fraction = 0;
     state_ = {s, v1, next.a};
@@ -494,7 +460,7 @@ PathStep PathPlanner::tick(const PathInput& input) noexcept {
             const double left = at(first_).length - state_.s;
             if (at_rest() && left < 1e-9 && stops_at_end(first_)) {  // nothing to drive: rounding of an earlier stop
                 landing_end_ = first_;
-                landing_distance_ = landing_moved_ = left;
+                landing_.at_once(left);
                 carry({left, 0, 0}, step);
             } else {
                 carry(choose(input), step);

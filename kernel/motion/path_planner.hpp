@@ -22,7 +22,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "kernel/motion/jerk_profile.hpp"
+#include "kernel/motion/landing.hpp"
 #include "polyturn/image_structs.hpp"
 
 namespace polyturn::kernel {
@@ -168,7 +168,6 @@ private:
     [[nodiscard]] bool take(const View& view, const Step& step) noexcept;
     [[nodiscard]] PathState choose(const PathInput& input) noexcept;
     [[nodiscard]] bool begin_landing(const View& view) noexcept;
-    [[nodiscard]] PathState landing_step() noexcept;
     [[nodiscard]] Stands leave_standstill(const PathInput& input, PathStep& step) noexcept;
     void carry(const PathState& next, PathStep& step) noexcept;
 
@@ -183,9 +182,7 @@ private:
     bool block_done_ = false;            // and it does
     Witness witness_{kNone, 0, 0, 0};
     std::uint64_t landing_end_ = kNone;  // on a fixed profile that ends at the end of this record
-    SpeedProfile landing_;
-    PathState landing_start_;
-    double landing_time_ = 0, landing_distance_ = 0, landing_moved_ = 0;
+    Landing landing_;
     std::uint64_t anomalies_ = 0;
     View view_{};  // of this tick; a member because it is large
     std::array<Slot, kPlannerWindow> slots_{};
