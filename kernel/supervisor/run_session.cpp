@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include "ipc/image/commands.hpp"
 #include "kernel/supervisor/event_text.hpp"
 #include "kernel/supervisor/press_words.hpp"
+#include "kernel/supervisor/plot.hpp"
 #include "kernel/supervisor/program_stops.hpp"
+#include "kernel/supervisor/report.hpp"
 #include "kernel/supervisor/start_position.hpp"
 
 namespace polyturn::supervisor {
@@ -17,8 +20,8 @@ namespace polyturn::supervisor {
 namespace {
 using Clock = std::chrono::steady_clock;
 
-// The cycle starts a fixed time after the kernel: the PLC has answered a few cycles, and virtual runs are all alike.
-constexpr std::int64_t kStartTick = 100;
+constexpr std::int64_t kLeadTicks = 10;                  // from the kernel's rest to the cycle start
+constexpr std::int64_t kRealLeadTicks = 200;             // in real time the PLC has answered a few cycles by then
 constexpr double kStopAnswer_s = 1.0;                    // a programmed stop is answered by cycle start so much later
 constexpr auto kNoProgress = std::chrono::seconds(15);   // of virtual time, before the run is given up
 
@@ -102,7 +105,46 @@ Result<void> RunSession::start() {
     log_ = std::make_unique<RingConsumer<RingHead<KernelEvent, 16384>>>(controller_->kernel().log, controller_->own().log_tail);
     trace_ = std::make_unique<RingConsumer<RingHead<TraceSample, 1024>>>(controller_->kernel().trace, controller_->own().trace_tail);
     tick_s_ = static_cast<double>(controller_->kernel().tick_ns.load(std::memory_order_acquire)) * 1e-9;
-    origin_ = options_.virtual_time ? kStartTick : static_cast<std::int64_t>(controller_->kernel().tick.load(std::memory_order_acquire)) + kStartTick;
+    if (options_.virtual_time) return await_first_idle();
+    origin_ = static_cast<std::int64_t>(controller_->kernel().tick.load(std::memory_order_acquire)) + kRealLeadTicks;
+    return {};
+}
+
+// A new machine ticks until PLC and drives have come to rest, always equally long. There virtual time stands, and from
+// there the cycle start is counted, so that all runs are alike however long the processes took to start.
+Result<void> RunSession::await_first_idle() {
+    const auto until = Clock::now() + std::chrono::seconds(30);
+    std::vector<KernelEvent> early;
+    while (idle_seq_ == 0) {
+        const std::uint32_t seen = controller_->bell();
+        const KernelEvent* event = log_->front();
+        if (!event) {
+            std::optional<std::size_t> dead;
+            controller_->watch([&](std::size_t slot, int) { dead = slot; });
+            if (dead) return Diagnosis{Alarm::ProcessDied, {}, {}, fmt::format("the process {} died while it started", process_name(*dead))};
+            if (end_requested() || Clock::now() > until) return Diagnosis{Alarm::NoProgress, {}, {}, "the machine does not come to rest after its start"};
+            drain_trace();
+            controller_->own().bell.ring();
+            controller_->wait(seen, 5'000, 0);
+            continue;
+        }
+        const KernelEvent copy = *event;
+        log_->pop();
+        if (static_cast<KernelEventKind>(copy.kind) == KernelEventKind::Idle) {
+            idle_seq_ = copy.seq;
+            origin_ = copy.tick + kLeadTicks;
+            log_tick_ = copy.tick;
+        } else {
+            early.push_back(copy);
+            controller_->own().log_seen.store(copy.seq, std::memory_order_release);
+            controller_->own().bell.ring();
+        }
+    }
+    for (KernelEvent& event : early) {   // an alarm of the start belongs to the run's beginning
+        event.tick = origin_;
+        event.offset_s = 0;
+        if (static_cast<KernelEventKind>(event.kind) == KernelEventKind::Alarm || static_cast<KernelEventKind>(event.kind) == KernelEventKind::Message) take_alarm(event, 0.0);
+    }
     return {};
 }
 
@@ -184,6 +226,10 @@ void RunSession::send_start() {
     for (const Planned& planned : timed)
         if (!is_key(planned)) send_planned(planned);
     controller_->end_batch();
+    if (idle_seq_) {
+        controller_->own().log_seen.store(idle_seq_, std::memory_order_release);
+        controller_->own().bell.ring();
+    }
 }
 
 void RunSession::loop() {
@@ -504,12 +550,25 @@ void RunSession::finish() {
     channels += ']';
     output_.write(std::move(EventText("summary").number("seconds", end_s_).raw("channels", channels).number("alarms", static_cast<double>(alarms_))).line());
     output_.flush();
+    write_pictures();
     controller_->stop(3'000);
     if (trace_file_ && !trace_file_->close()) {
         print_diagnosis(Diagnosis{Alarm::OutputFile, {}, {}, options_.trace_file}, Dialect::Polyturn);
         stopped_short_ = true;
     }
     controller_.reset();
+}
+
+void RunSession::write_pictures() {
+    if (options_.report) output_.write(report_text(record_, plan_)), output_.flush();
+    if (options_.plot_file.empty()) return;
+    const std::string picture = plot_text(record_, plan_);
+    std::ofstream file(options_.plot_file, std::ios::binary | std::ios::trunc);
+    file << picture;
+    file.close();
+    if (file) return;
+    print_diagnosis(Diagnosis{Alarm::OutputFile, {}, {}, options_.plot_file}, Dialect::Polyturn);
+    stopped_short_ = true;
 }
 
 }  // namespace polyturn::supervisor

@@ -44,6 +44,7 @@ private:
     };
 
     Result<void> start();
+    Result<void> await_first_idle();
     void send_start();
     void send_planned(const Planned& planned);
     void send_at(const Command& command, double t_s);
@@ -71,6 +72,7 @@ private:
     bool start_is_planned() const;
     bool programs_may_stop() const;
     void finish();
+    void write_pictures();
     double seconds(const KernelEvent& event) const { return static_cast<double>(event.tick - origin_) * tick_s_ + event.offset_s; }
 
     const JobOptions& options_;
@@ -89,6 +91,7 @@ private:
     std::multiset<std::int64_t> sent_ticks_;          // of commands that have not acted yet
     std::multiset<std::int64_t> starts_planned_;      // cycle starts still to come
     std::int64_t origin_ = 0, log_tick_ = 0;
+    std::uint64_t idle_seq_ = 0;                      // the kernel's first Idle: it stands until we have answered it
     std::int64_t end_tick_ = INT64_MAX;               // the last tick of the run, once it is known
     double tick_s_ = 0.001, end_s_ = 0.0;
     bool follow_log_ = false, done_ = false, stopped_short_ = false, kernel_dead_ = false;
