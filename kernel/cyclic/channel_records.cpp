@@ -28,7 +28,11 @@ void ChannelRunner::execute_standing(double& left) noexcept {
             file_ = r.file;
             begun_ = true;
             phase_since_ = core_.tick;
-            begin_record(r, (1.0 - left) * core_.config.tick_s);
+            if (!is_motion(r)) begin_record(r, (1.0 - left) * core_.config.tick_s);
+        }
+        if (is_motion(r)) {
+            if (!thread(left)) return;
+            continue;
         }
         if (!execute(r, left)) return;
         const std::uint64_t index = cursor_++;
@@ -51,9 +55,6 @@ bool ChannelRunner::execute(const PathRecord& r, double& left) noexcept {
         case RecordKind::Wait: return arrive(r);
         case RecordKind::Barrier: return true;
         case RecordKind::Stop: return stop(r);
-        case RecordKind::Line:
-        case RecordKind::Arc:
-        case RecordKind::Curve: return thread(r, left);
         default:
             raise(Alarm::RecordInvalid, "unknown kind");
             return false;
@@ -178,11 +179,6 @@ bool ChannelRunner::stop(const PathRecord& r) noexcept {
             core_.event(KernelEventKind::CycleEnded, number_, r.code, cycle_s_, r.line);
             return true;
     }
-}
-
-bool ChannelRunner::thread(const PathRecord&, double&) noexcept {
-    raise(Alarm::RecordInvalid, "thread");
-    return false;
 }
 
 // Ownership (architecture 5.9): who commanded last owns the spindle, unless the PLC says who; nobody takes it away from a

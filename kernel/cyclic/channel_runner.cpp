@@ -12,7 +12,9 @@ constexpr double kStandingRevS = 1e-3;
 ChannelRunner::ChannelRunner(Core& core, unsigned index) : core_(core), index_(index), number_(index + 1), names_(std::make_unique<ProgramNames>()) {}
 
 void ChannelRunner::attach(const ChannelSegment& segment) {
-    if (!planner_) planner_ = std::make_unique<PathPlanner>();
+    if (!planner_) planner_ = std::make_unique<PathPlanner>(), thread_ = std::make_unique<ThreadFollower>();
+    thread_->configure(core_.config.tick_s);
+    thread_moving_ = thread_committed_ = false;
     planner_->configure(core_.config.tick_s, std::min<std::uint32_t>(core_.config.horizon, kPlannerWindow - 2));
     epoch_ = segment.epoch.load(std::memory_order_acquire);
     cursor_ = 0;
@@ -87,7 +89,7 @@ void ChannelRunner::run() noexcept {
     double left = 1.0;  // part of the tick that is still to be used
     if (at_boundary_) execute_standing(left);
     // What took a part of the tick ends within it: motion begins with the next one.
-    const bool frozen = (interrupted_ || dead_) && planner_->at_rest();
+    const bool frozen = (interrupted_ || dead_) && at_rest();
     if (phase_ == Phase::None && left == 1.0 && !frozen) {
         drive();
         if (at_boundary_) {
@@ -105,8 +107,8 @@ void ChannelRunner::run() noexcept {
 
 // States that begin with the path at rest.
 void ChannelRunner::settle() noexcept {
-    if (!planner_->at_rest()) return;
-    if (resetting_ && phase_ != Phase::Thread) finish_reset();
+    if (!at_rest()) return;
+    if (resetting_) finish_reset();
     if (dead_ && !rest_reported_) {
         rest_reported_ = true;
         core_.waits.leave(index_);
@@ -321,14 +323,15 @@ void ChannelRunner::publish(ChannelStatus& status) noexcept {
 
 bool ChannelRunner::can_go_on() const noexcept {
     if (!segment_) return false;
-    if (planner_ && !planner_->at_rest()) return true;
+    if (planner_ && !at_rest()) return true;
     if (resetting_ || outbox_count_ > 0) return true;
     if (stopped_ && !dead_) return true;  // the timeout counts
     if (state_ == ChannelState::Waiting) return core_.config.channels[index_].wait_timeout_s > 0 && !interrupted_;
     if (state_ != ChannelState::Running) return phase_ == Phase::Handshake;
     if (phase_ != Phase::None) return true;
     if (step_.stands == Stands::NoFeed) return feed_override > 0;  // a spindle may come up to speed
-    return cursor_ < visible_end_ || step_.stands == Stands::Moving;
+    // The ring itself, not what the last tick saw of it: a wait that has just opened is followed by records pushed since.
+    return cursor_ < segment_->path.head.load(std::memory_order_acquire) || step_.stands == Stands::Moving;
 }
 
 std::string_view ChannelRunner::program() noexcept {

@@ -18,6 +18,7 @@
 #include "ipc/path/path_geometry.hpp"
 #include "kernel/cyclic/core.hpp"
 #include "kernel/motion/path_planner.hpp"
+#include "kernel/motion/thread_follower.hpp"
 
 namespace polyturn::kernel {
 
@@ -85,7 +86,11 @@ private:
     bool handshake(const PathRecord& r) noexcept;
     bool dwell(const PathRecord& r, double& left) noexcept;
     bool arrive(const PathRecord& r) noexcept;
-    bool thread(const PathRecord& r, double& left) noexcept;
+    bool thread(double& left) noexcept;
+    bool commit_thread() noexcept;
+    bool thread_may_start(const PathRecord& r) noexcept;
+    void report_thread(const ThreadStep& step) noexcept;
+    bool at_rest() const noexcept { return planner_->at_rest() && !thread_moving_; }
     void describe_wait(ShortText& text) noexcept;
     bool stop(const PathRecord& r) noexcept;
     void finished(const PathRecord& r, std::uint64_t index, double offset_s) noexcept;
@@ -112,6 +117,9 @@ private:
     std::uint32_t number_;                 // from 1
     const ChannelSegment* segment_ = nullptr;
     std::unique_ptr<PathPlanner> planner_;
+    std::unique_ptr<ThreadFollower> thread_;
+    std::uint64_t thread_end_ = 0;         // its last record
+    bool thread_committed_ = false, thread_moving_ = false;
     ChannelState state_ = ChannelState::Absent;
     ChannelMode mode_ = ChannelMode::Auto;
     StopReason stop_reason_ = StopReason::None;
