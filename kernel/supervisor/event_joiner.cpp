@@ -45,7 +45,7 @@ std::string_view EventJoiner::begin(unsigned channel, std::uint64_t number, doub
     Entry entry;
     entry.number = number;
     entry.shows_end = kind == "move" || kind == "dwell";
-    entry.complete = !entry.shows_end;
+    entry.complete = !entry.shows_end && !(measure_all_ && (kind == "wait" || kind == "aux"));
     Key key{};
     const std::string_view out = insert(channel, t_s, std::move(text), std::move(entry), &key);
     own.open.emplace(number, key);

@@ -28,6 +28,8 @@ public:
     };
     using Sink = std::function<void(const Event&)>;
 
+    // Also holds back waits and M, S, T until they have ended, so that the sink learns how long they took.
+    void measure_all(bool on) { measure_all_ = on; }
     // The channel's description of a block, a JSON object without t and end. Numbers grow within a channel.
     void note(unsigned channel, std::uint64_t number, std::string_view text);
     // The block began. Returns its text with t, for stimuli that wait for it; empty when there is no such note.
@@ -75,6 +77,7 @@ private:
     std::map<Key, Entry> entries_;
     std::map<unsigned, Channel> channels_;
     std::uint64_t sequence_ = 0;
+    bool measure_all_ = false;
 };
 
 }  // namespace polyturn::supervisor

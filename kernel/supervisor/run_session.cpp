@@ -47,6 +47,7 @@ std::string_view reason_text(StopReason reason) {
 RunSession::RunSession(const JobOptions& options, JobPlan& plan, RunWishes wishes)
     : options_(options), plan_(plan), wishes_(std::move(wishes)), output_(1, !options.virtual_time) {
     record_.wanted = options.report || !options.plot_file.empty();
+    joiner_.measure_all(record_.wanted);
     sink_ = [this](const EventJoiner::Event& event) { give_out(event); };
     for (const auto& [channel, program] : plan_.programs) tracks_[channel];
 }
