@@ -58,7 +58,7 @@ struct PathPanel::Parts {
         if (stock) {
             include(stock->face, stock->diameter / 2), include(stock->face - stock->length, -stock->diameter / 2);
             if (chuck && chuck_face_mm < stock->face && chuck_face_mm > stock->face - stock->length - 100)
-                include(chuck_face_mm - 14, std::min(chuck->diameter / 2, stock->diameter * 0.8)), include(chuck_face_mm - 14, -std::min(chuck->diameter / 2, stock->diameter * 0.8));
+                include(chuck_face_mm - 10, stock->diameter / 2 + 16), include(chuck_face_mm - 10, -stock->diameter / 2 - 16);
         }
         if (first)
             for (const PlaneSegment& piece : segments) include(piece.to.z_mm, piece.to.x_mm * side.at(piece.channel));
@@ -197,8 +197,9 @@ void PathPanel::draw(Svg& svg, const Frame& frame) const {
         // Channels of one side stand under each other.
         double row = 0;
         for (const auto& [other, other_side] : p.side)
-            if (other < channel && other_side == side) row += 16;
-        svg.text({frame.x + 12, side > 0 ? frame.y + 20 + row : frame.y + drawing - 11 - row}, name, fmt::format("font-size=\"12.5\" font-weight=\"600\" fill=\"{}\"", look::channel_colour(channel)));
+            if (other < channel && other_side == side) row += 23;
+        svg.rect(frame.x + 8, (side > 0 ? frame.y + 6 + row : frame.y + drawing - 25 - row), 16.0 + 7.4 * static_cast<double>(name.size()), 20, "fill=\"#ffffff\" fill-opacity=\"0.92\"", 4.0);
+        svg.text({frame.x + 16, side > 0 ? frame.y + 20 + row : frame.y + drawing - 11 - row}, name, fmt::format("font-size=\"12.5\" font-weight=\"600\" fill=\"{}\"", look::channel_colour(channel)));
     }
 }
 

@@ -124,7 +124,7 @@ Result<void> RunSession::await_first_idle() {
             controller_->watch([&](std::size_t slot, int) { dead = slot; });
             if (dead) return Diagnosis{Alarm::ProcessDied, {}, {}, fmt::format("the process {} died while it started", process_name(*dead))};
             if (end_requested() || Clock::now() > until) return Diagnosis{Alarm::NoProgress, {}, {}, "the machine does not come to rest after its start"};
-            drain_trace();
+            drain_trace(INT64_MAX);
             controller_->own().bell.ring();
             controller_->wait(seen, 5'000, 0);
             continue;
@@ -256,8 +256,11 @@ void RunSession::loop() {
 }
 
 bool RunSession::drain() {
+    // Events of the ticks before this one are all in the log, so that the end, once it is among them, is known before the
+    // samples of those ticks are written.
+    const auto shown = static_cast<std::int64_t>(controller_->kernel().tick.load(std::memory_order_acquire));
     bool moved = drain_log();
-    moved = drain_trace() || moved;
+    moved = drain_trace(shown - 1) || moved;
     if (moved) {
         joiner_.drain(static_cast<double>(log_tick_ - origin_) * tick_s_, sink_);
         controller_->own().bell.ring();
@@ -301,9 +304,10 @@ bool RunSession::drain_log() {
     return moved;
 }
 
-bool RunSession::drain_trace() {
+bool RunSession::drain_trace(std::int64_t last_tick) {
     bool moved = false;
     while (const TraceSample* sample = trace_->front()) {
+        if (sample->tick > last_tick) break;
         moved = true;
         if (trace_file_ && sample->tick >= origin_ && sample->tick <= end_tick_) trace_file_->write(*sample, static_cast<double>(sample->tick - origin_) * tick_s_);
         trace_->pop();
@@ -525,7 +529,7 @@ void RunSession::give_out(const EventJoiner::Event& event) {
 
 void RunSession::finish() {
     if (!kernel_dead_) {
-        drain_trace();
+        drain_trace(INT64_MAX);
         MachineStatus status;
         if (controller_->kernel().status.read(status))
             for (const auto& [number, track] : tracks_) {

@@ -52,7 +52,7 @@ private:
     bool drain();
     void drain_notes();
     bool drain_log();
-    bool drain_trace();
+    bool drain_trace(std::int64_t last_tick);
     void take(const KernelEvent& event);
     void end_at(std::int64_t tick) { end_tick_ = std::min(end_tick_, tick); }
     bool ending() const { return end_tick_ != INT64_MAX; }
