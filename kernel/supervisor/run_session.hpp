@@ -90,7 +90,7 @@ private:
     std::map<std::uint64_t, ProcessAction> actions_;  // by the sequence of their Action command
     std::multiset<std::int64_t> sent_ticks_;          // of commands that have not acted yet
     std::multiset<std::int64_t> starts_planned_;      // cycle starts still to come
-    std::int64_t origin_ = 0, log_tick_ = 0;
+    std::int64_t origin_ = INT64_MAX, log_tick_ = 0;   // origin: tick of the cycle start, once it is known
     std::uint64_t idle_seq_ = 0;                      // the kernel's first Idle: it stands until we have answered it
     std::int64_t end_tick_ = INT64_MAX;               // the last tick of the run, once it is known
     double tick_s_ = 0.001, end_s_ = 0.0;
