@@ -1,10 +1,8 @@
 // polyturn-plc: the process that runs the machine builder's PLC. Started by polyturn beside the kernel.
 #include <fmt/format.h>
-#include <limits.h>
+#include <getopt.h>
 #include <signal.h>
-#include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <atomic>
 #include <cstdio>
 #include <filesystem>
@@ -16,6 +14,11 @@
 namespace {
 
 std::atomic<bool> stop{false};
+
+constexpr char kHelp[] =
+    "polyturn-plc: the PLC process of a Polyturn controller; loads the machine builder's PLC and runs it every PT_PLC_CYCLE\n"
+    "  --instance NAME   name of the controller\n"
+    "  --library FILE    the PLC: a shared object with the interface of plc_api.h (default: the built-in lathe)\n";
 
 std::string beside_this_program(const char* name) {
     std::error_code none;
@@ -30,14 +33,19 @@ int complain(const polyturn::Diagnosis& diagnosis) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app{"The PLC process of a Polyturn controller: loads the machine builder's PLC and runs it every PT_PLC_CYCLE.", "polyturn-plc"};
     std::string instance, library = beside_this_program("liblathe_plc.so");
-    app.add_option("--instance", instance, "name of the controller")->required();
-    app.add_option("--library", library, "the PLC: a shared object with the interface of plc_api.h (default: the built-in lathe)");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
+    static const option kOptions[] = {{"instance", required_argument, nullptr, 'i'}, {"library", required_argument, nullptr, 'l'}, {"help", no_argument, nullptr, 'h'}, {}};
+    for (int letter; (letter = getopt_long(argc, argv, "", kOptions, nullptr)) != -1;) {
+        switch (letter) {
+            case 'i': instance = optarg; break;
+            case 'l': library = optarg; break;
+            case 'h': fmt::print("{}", kHelp); return 0;
+            default: fmt::print(stderr, "{}", kHelp); return 2;
+        }
+    }
+    if (instance.empty() || optind != argc) {
+        fmt::print(stderr, "{}", kHelp);
+        return 2;
     }
     if (!polyturn::valid_instance(instance)) return complain({polyturn::Alarm::SegmentMissing, {}, {}, instance});
 
