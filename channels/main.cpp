@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
             std::fputs("polyturn-channel: --check needs a program\n", stderr);
             return 2;
         }
-        return channels::run_check(options);
+        return channels::run_check(options, stdout);
     }
     if (instance.empty()) {
         std::fputs("polyturn-channel: --instance or --check is needed; see --help\n", stderr);

@@ -5,6 +5,7 @@
 namespace polyturn::channels {
 
 std::unique_ptr<Language> make_fanuc(MachineView& view, Sink& sink, Port& port, ProgramFiles& files) {
+    fanuc::fanuc_axes(view);
     return std::make_unique<fanuc::Interpreter>(view, sink, port, files, &fanuc::fanuc_settings);
 }
 

@@ -22,15 +22,19 @@ Dialect dialect_of(std::string_view language) {
 // Prints events as they come in pieces, so that a long program needs no memory; after a wait it asks for the way on.
 class Printer {
 public:
+    explicit Printer(std::FILE* out) : out_(out) {}
     std::string text;
     void flush() {
-        std::fwrite(text.data(), 1, text.size(), stdout);
-        std::fflush(stdout);
+        std::fwrite(text.data(), 1, text.size(), out_);
+        std::fflush(out_);
         text.clear();
     }
     void flush_large() {
         if (text.size() > 1u << 16) flush();
     }
+
+private:
+    std::FILE* out_;
 };
 
 // What is wrong is printed as an event, and for people on standard error.
@@ -85,8 +89,8 @@ bool ask_to_go_on() {
 
 }  // namespace
 
-int run_check(const CheckOptions& options) {
-    Printer printer;
+int run_check(const CheckOptions& options, std::FILE* out) {
+    Printer printer(out);
     LoadedMachine machine = load_machine(options.machine);
     MachineView empty;
     EventScene scene{&empty, nullptr, Dialect::Polyturn};

@@ -1,5 +1,6 @@
 // `polyturn-channel --check`: interprets one program without a machine and prints its events (cli.md 3).
 #pragma once
+#include <cstdio>
 #include <string>
 
 #include "ipc/machine/load_machine.hpp"
@@ -16,7 +17,7 @@ struct CheckOptions {
     bool alone = false;       // no other program takes part
 };
 
-// Exit status: 0 done, 1 an alarm ended the program, 2 something could not be read.
-int run_check(const CheckOptions& options);
+// Prints to `out`. Exit status: 0 done, 1 an alarm ended the program, 2 something could not be read.
+int run_check(const CheckOptions& options, std::FILE* out);
 
 }  // namespace polyturn::channels

@@ -66,6 +66,7 @@ bool Interpreter::check_words() {
     }
     if (!(coded_groups_ & (bit_of(GGroup::OneShot) | bit_of(GGroup::Motion)))) taken |= takes_[static_cast<std::size_t>(motion_ - g_codes().data())];
     if (m_count_) taken |= letter_set("PQL");
+    if (drilling_ && !(coded_groups_ & bit_of(GGroup::OneShot))) taken |= letter_set("RQPLKE") | axis_letters_;
     if (parameter_input_) taken |= letter_set("NPR");
     for (const char letter : settings_.aux_letters)
         if (letter) taken |= letter_bit(letter);
@@ -130,9 +131,14 @@ bool Interpreter::act() {
         active_[static_cast<std::size_t>(row->group)] = row;
     }
     const GCode* one_shot = coded_groups_ & bit_of(GGroup::OneShot) ? coded_[static_cast<std::size_t>(GGroup::OneShot)] : nullptr;
+    if (one_shot && one_shot->tenths != 40) cycle_set_ = 0, cycle_taper_ = 0.0;
     if (coded_groups_ & bit_of(GGroup::Motion)) {
+        const GCode* next = coded_[static_cast<std::size_t>(GGroup::Motion)];
+        if (next->act != &Interpreter::g_cycle_turning && next->act != &Interpreter::g_cycle_facing && next->act != &Interpreter::g_cycle_thread)
+            cycle_set_ = 0, cycle_taper_ = 0.0;
         motion_ = coded_[static_cast<std::size_t>(GGroup::Motion)];
         active_[static_cast<std::size_t>(GGroup::Motion)] = motion_;
+        drilling_ = nullptr;
     }
     if (block_.has('F') && !set_feed(block_.word('F'))) return false;
     if (coded_groups_ & bit_of(GGroup::Surface)) {
@@ -158,6 +164,8 @@ bool Interpreter::act() {
     if (one_shot) {
         if (!one_shot->act) return core_.fail(Alarm::NotBuilt, 'G', std::string(one_shot->name));
         if (!(this->*one_shot->act)(*one_shot)) return false;
+    } else if (drilling_) {
+        if ((axis_word_count_ || block_.has('R')) && !run_drilling()) return false;
     } else if (axis_word_count_ || (coded_groups_ & bit_of(GGroup::Motion)) || block_.has('I') || block_.has('J') || block_.has('K') || block_.has('R')) {
         if (!motion_->act) return core_.fail(Alarm::NotBuilt, 'G', std::string(motion_->name));
         if (!(this->*motion_->act)(*motion_)) return false;

@@ -54,7 +54,7 @@ bool Interpreter::macro_words(std::int64_t& program, std::int64_t& repeats, Loca
     if (block_.has('L') && !whole('L', repeats)) return false;
     std::size_t from = 0;
     for (std::size_t k = 0; k < block_.count; ++k)
-        if (block_.words[k].address == 'G') from = k + 1;
+        if (block_.words[k].address == 'G' && block_.words[k].value >= 65 && block_.words[k].value < 67) from = k + 1;
     return gather_arguments(arguments, from);
 }
 

@@ -4,11 +4,26 @@
 
 namespace polyturn::channels::fanuc {
 
+// End point and taper are modal for the three cycles together: a further block names only what changes. They are dropped
+// when another code of the group or a one-shot code (but G4) comes, see act().
+bool Interpreter::cycle_words(cycles::SimpleCycle& cycle, char taper_letter) {
+    for (unsigned i = 0; i < core_.view().axis_count; ++i)
+        cycle.end[i] = cycle_set_ >> i & 1u ? cycle_end_[i] : core_.path.programmed[i];
+    AxisSet named = 0;
+    for (unsigned k = 0; k < axis_word_count_; ++k)
+        if (!axis_word(block_.words[axis_words_[k]], cycle.end, named)) return false;
+    if (block_.has('R')) cycle_taper_ = radius_length('R');
+    else if (block_.has(taper_letter)) cycle_taper_ = radius_length(taper_letter);
+    cycle.taper = cycle_taper_;
+    cycle_end_ = cycle.end;
+    cycle_set_ |= named;
+    return true;
+}
+
 bool Interpreter::g_cycle_turning(const GCode& row) {
     if (!axis_word_count_) return true;
     cycles::SimpleCycle cycle;
-    if (!read_axis_words(cycle.end)) return false;
-    cycle.taper = block_.has('R') ? radius_length('R') : radius_length('I');
+    if (!cycle_words(cycle, 'I')) return false;
     core_.at.cycle = row.name;
     return cycles::turning(core_, cycle);
 }
@@ -16,8 +31,7 @@ bool Interpreter::g_cycle_turning(const GCode& row) {
 bool Interpreter::g_cycle_facing(const GCode& row) {
     if (!axis_word_count_) return true;
     cycles::SimpleCycle cycle;
-    if (!read_axis_words(cycle.end)) return false;
-    cycle.taper = block_.has('R') ? radius_length('R') : radius_length('K');
+    if (!cycle_words(cycle, 'K')) return false;
     core_.at.cycle = row.name;
     return cycles::facing(core_, cycle);
 }
@@ -25,8 +39,7 @@ bool Interpreter::g_cycle_facing(const GCode& row) {
 bool Interpreter::g_cycle_thread(const GCode& row) {
     if (!axis_word_count_) return true;
     cycles::SimpleCycle cycle;
-    if (!read_axis_words(cycle.end)) return false;
-    cycle.taper = block_.has('R') ? radius_length('R') : radius_length('I');
+    if (!cycle_words(cycle, 'I')) return false;
     cycle.thread.lead = lead_ > 0 ? lead_ : core_.path.feed_mode == FeedMode::PerRevolution ? core_.path.feed : 0.0;
     if (block_.has('Q') && !settings_.series15) cycle.thread.start_angle = block_.word('Q').has_point || settings_.nct ? block_.value('Q') : block_.value('Q') * 0.001;
     const params::Table& table = core_.view().table();

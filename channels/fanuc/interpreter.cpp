@@ -87,6 +87,7 @@ void Interpreter::clear_modal() {
     core_.path.feed_mode = per_revolution ? FeedMode::PerRevolution : FeedMode::PerMinute;
     core_.path.feed = per_revolution ? settings_.feed_per_revolution : settings_.feed_per_minute;
     core_.path.exact_stop_mode = core_.path.override_locked = false;
+    if (core_.path.spindle.surface_m_min == 0) core_.path.spindle.surface_m_min = settings_.surface_speed;
     parameter_input_ = false;
     modal_calls_.clear();
 }
@@ -119,7 +120,7 @@ void Interpreter::barrier_done() {
 Step Interpreter::fault_at(Alarm alarm, std::uint32_t column, std::uint32_t length, std::string detail, double v0, double v1) {
     Diagnosis diagnosis;
     diagnosis.alarm = alarm;
-    diagnosis.place = {files_->path(frames_.back().file), source_->position().line, column ? character_column(line_, column) : 0, length};
+    diagnosis.place = {files_->path(frames_.back().file), fault_line_ ? fault_line_ : source_->position().line, column ? character_column(line_, column) : 0, length};
     diagnosis.values = {v0, v1};
     diagnosis.detail = std::move(detail);
     core_.sink().alarm(diagnosis, core_.at);
@@ -173,7 +174,7 @@ Step Interpreter::read_block() {
         column_ = 0;
     }
     line_left_ = false;
-    fault_column_ = fault_length_ = 0;
+    fault_line_ = fault_column_ = fault_length_ = 0;
     has_pending_fault_ = false;
     core_.begin_block();
     const Frame& frame = frames_.back();
@@ -240,6 +241,9 @@ Step Interpreter::read_block() {
 std::optional<TextPosition> Interpreter::find_block(std::int64_t number) {
     const TextPosition here = source_->next_position();
     const TextPosition begin = frames_.back().begin;
+    const std::uint32_t from_line = source_->position().line;
+    kept_line_ = line_;   // searching moves the window
+    line_ = kept_line_;
     std::string_view line;
     const auto search = [&](TextPosition from, std::uint64_t until) -> std::optional<TextPosition> {
         source_->seek(from);
@@ -254,6 +258,7 @@ std::optional<TextPosition> Interpreter::find_block(std::int64_t number) {
     };
     auto found = search(here, ~std::uint64_t{0});
     if (!found) found = search(begin, here.offset);
+    if (!found) fault_line_ = from_line;
     source_->seek(here);
     return found;
 }

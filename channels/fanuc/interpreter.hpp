@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "channels/cycles/simple_cycles.hpp"
 #include "channels/fanuc/settings.hpp"
 #include "channels/fanuc/expression.hpp"
 #include "channels/fanuc/variables.hpp"
@@ -90,6 +91,8 @@ public:
     bool g_cycle_turning(const GCode&);
     bool g_cycle_facing(const GCode&);
     bool g_cycle_thread(const GCode&);
+    bool g_drilling(const GCode&);
+    bool g_drilling_off(const GCode&);
 
 private:
     // reading and flow (interpreter.cpp)
@@ -133,7 +136,11 @@ private:
     bool sub_call();
     std::string_view text_of(const Word& word) const { return line_.substr(word.column - 1u, word.length); }
 
-    // macro (macro.cpp, macro_flow.cpp)
+    bool cycle_words(cycles::SimpleCycle& cycle, char taper_letter);
+    bool run_drilling();
+    int drilling_axis();
+
+    // macro (macro.cpp, calls.cpp)
     Step macro_statement(std::size_t at);
     enum class Flow : std::uint8_t { Done, NeedsBarrier, Fault };
     Flow run_statement(const char*& at, const char* end);
@@ -188,6 +195,14 @@ private:
     // modal state of the language
     const GCode* motion_ = nullptr;
     std::array<const GCode*, static_cast<std::size_t>(GGroup::Count)> active_{};
+    AxisValues cycle_end_{};          // of G90 G92 G94 (G77 to G79), for the axes of cycle_set_
+    AxisSet cycle_set_ = 0;
+    double cycle_taper_ = 0.0;
+    const GCode* drilling_ = nullptr; // active drilling cycle
+    struct DrillWords {
+        double initial = 0, r_level = 0, bottom = 0, q = 0, p = 0, e = 0;
+        bool initial_known = false, r_set = false, bottom_set = false, p_set = false, e_set = false;
+    } drill_;
     bool absolute_ = true, inch_ = false;
     std::int64_t last_m_ = 0, last_t_ = 0, last_n_ = 0;
     bool parameter_input_ = false;    // between G10 L50 and G11
@@ -206,6 +221,8 @@ private:
     bool reread_ = false;             // the block stands before a barrier and is read again behind it
     bool fresh_ = false;              // live values are those of the barrier just passed
     bool moved_ = false;              // the block moved: G66 calls follow
+    std::string kept_line_;
+    std::uint32_t fault_line_ = 0;    // 0: the line read last
     std::uint32_t fault_column_ = 0, fault_length_ = 0;   // by the macro parser; 0: the letter tells
     Fault pending_fault_;
     bool has_pending_fault_ = false;

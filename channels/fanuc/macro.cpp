@@ -184,6 +184,8 @@ Interpreter::Flow Interpreter::loop_number(const char*& at, const char* end, std
 Interpreter::Flow Interpreter::skip_loop(std::uint8_t number, const char* from) {
     const TextPosition back = source_->next_position();
     const std::size_t column = static_cast<std::size_t>(from - line_.data());
+    const std::uint32_t at_line = source_->position().line;
+    kept_line_ = line_;   // searching moves the window
     std::string_view line;
     while (source_->next(line) == LineSource::Status::Line) {
         const char* at = line.data();
@@ -204,7 +206,8 @@ Interpreter::Flow Interpreter::skip_loop(std::uint8_t number, const char* from) 
     source_->seek(back);
     fault_column_ = static_cast<std::uint32_t>(column) + 1;
     fault_length_ = 5;
-    line_ = {};
+    fault_line_ = at_line;
+    line_ = kept_line_;
     core_.fail(Alarm::DoEndMismatch);
     return Flow::Fault;
 }
@@ -219,13 +222,7 @@ Interpreter::Flow Interpreter::jump(const char*& at, const char* end) {
     if (is_null(value) || number < 1 || number > static_cast<double>(settings_.goto_max)) return flow_fault(Alarm::GotoNumberIllegal, begin, {}, is_null(value) ? 0.0 : value);
     fault_column_ = static_cast<std::uint32_t>(begin - line_.data()) + 1;
     fault_length_ = 1;
-    const std::string line(line_);   // searching moves the window
-    if (!jump_to(static_cast<std::int64_t>(number))) {
-        line_ = {};
-        return Flow::Fault;
-    }
-    at = end;
-    return Flow::Done;
+    return jump_to(static_cast<std::int64_t>(number)) ? Flow::Done : Flow::Fault;
 }
 
 Interpreter::Flow Interpreter::assignment(const char*& at, const char* end) {

@@ -22,6 +22,13 @@ void common_settings(Settings& s, const Table& t, unsigned l) {
         const auto high = static_cast<double>(get(t, nth(n1325_m_gr_high_suppr_b1, n), l));
         if (high > 0) s.draining_m.emplace_back(low, high);
     }
+    if (const auto spindle = static_cast<unsigned>(get(t, n0604_default_spindle, l)); spindle >= 1 && spindle <= kMaxSpindles) {
+        s.index_angle = static_cast<double>(get(t, n0822_basic_angle_of_spnd_pos, spindle));
+        if (s.index_angle > 0) {
+            s.index_first = static_cast<double>(get(t, n0820_start_m_of_spnd_pos, spindle));
+            s.index_count = static_cast<double>(get(t, n0821_no_of_m_code_for_spnd_pos, spindle));
+        }
+    }
     s.part_code = get(t, n2305_part_count_m, l);
     s.s_drains = bit(t, n1336_funct_suppr_b, l, 0);
     s.t_drains = bit(t, n1336_funct_suppr_b, l, 1);
@@ -44,6 +51,11 @@ Settings fanuc_settings(const Table& t, unsigned l) {
     s.tool.zero_cancels_geometry = bit(t, f5002, l, 5);
     s.tool.with_next_move = bit(t, f5002, l, 6);
     s.tool.tip_from_wear = bit(t, f5002, l, 7);
+    s.drill_axis_by_plane = bit(t, f5101, l, 0);
+    s.peck_full = bit(t, f5101, l, 2);
+    s.r_absolute = s.series15 && bit(t, f5102, l, 6);
+    s.r_in_diameter = s.series15 && bit(t, f5102, l, 7);
+    s.chip_break_return = s.peck_clearance = static_cast<double>(get(t, f5114, l));
     s.angle_positive = !bit(t, f6004, l, 0);
     s.t_calls = bit(t, f6001, l, 5);
     for (unsigned n = 0; n < 10; ++n) {
@@ -58,6 +70,21 @@ Settings fanuc_settings(const Table& t, unsigned l) {
     }
     s.common_last = 199;
     return s;
+}
+
+// F1008, F1260: roll-over as a fanuc machine is set up for it; they win over N0107 where they say anything.
+void fanuc_axes(MachineView& view) {
+    const Table& t = view.table();
+    for (unsigned i = 0; i < view.axis_count; ++i) {
+        ChannelAxis& axis = view.axes[i];
+        const unsigned a = axis.machine_axis + 1u;
+        if (!axis.rotary || !bit(t, f1008, a, 0)) continue;
+        axis.rollover = true;
+        axis.rollover_shortest = !bit(t, f1008, a, 1);
+        axis.rollover_sign_is_direction = bit(t, f1008, a, 1);
+        axis.rollover_reduces_increments = false;
+        if (const auto period = static_cast<double>(get(t, f1260, a)); period > 0) axis.rollover_deg = period;
+    }
 }
 
 }  // namespace polyturn::channels::fanuc

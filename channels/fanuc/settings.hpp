@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "channels/fanuc/g_codes.hpp"
+#include "channels/machine_view.hpp"
 #include "ipc/diagnosis/diagnosis.hpp"
 #include "ipc/params/table.hpp"
 
@@ -53,6 +54,14 @@ struct Settings {
     std::vector<LetterCall> letter_calls;
     bool nested_calls = false;           // nct ENC
     std::vector<std::pair<double, double>> draining_m;   // ranges of M codes behind which nothing is read ahead
+    bool drill_axis_by_plane = false;    // F5101#0
+    bool peck_full = false;              // F5101#2 RTR: G83 leaves the hole between pecks
+    bool r_absolute = false;             // F5102#6: R level of series 15 programs
+    bool r_in_diameter = false;          // F5102#7
+    double chip_break_return = 0, peck_clearance = 0;   // mm
+    double bore_out_factor = 1;          // feed of the way out of G85, G89
+    double index_first = 0, index_count = 0, index_angle = 0;   // N0820 to N0822 of the channel's spindle
+    double surface_speed = 0;            // N0686: G96 until S; 0: S must be programmed
     double part_code = 0;                // N2305: M code that counts a part; 0: M2 and M30
     bool s_drains = false, t_drains = false;
     std::vector<std::pair<double, double>> m_groups;     // contradictory M codes
@@ -61,6 +70,7 @@ struct Settings {
 };
 
 void common_settings(Settings& settings, const params::Table& table, unsigned channel);
+void fanuc_axes(MachineView& view);
 Settings fanuc_settings(const params::Table& table, unsigned channel);
 
 }  // namespace polyturn::channels::fanuc

@@ -32,8 +32,13 @@ fanuc::Settings nct_settings(const Table& t, unsigned l) {
     s.centre_absolute = bit(t, n1337_execution_config, l, 2);
     s.dwell_by_feed_mode = !bit(t, n1337_execution_config, l, 1);
     s.dwell_p_milliseconds = false;
+    const double unit = bit(t, n0104_unit_of_measure, l, 0) ? 25.4 : 1.0;
+    s.chip_break_return = get(t, n1500_return_val_g73, l) * unit;
+    s.peck_clearance = get(t, n1501_clearance_val_g83, l) * unit;
+    if (const auto percent = static_cast<double>(get(t, n1502_extraction_override_in_g85_g89, l)); percent > 0) s.bore_out_factor = percent / 100.0;
     s.feed_per_minute = get(t, n0300_default_f_g94, l);
     s.feed_per_revolution = get(t, n0301_default_f_g95, l);
+    s.surface_speed = static_cast<double>(get(t, n0686_default_surf_speed, l)) * (bit(t, n0104_unit_of_measure, l, 0) ? 0.3048 : 1.0);
     s.sub_levels = 16;
     s.common_last = 499;
     s.angle_positive = false;

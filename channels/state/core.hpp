@@ -49,6 +49,7 @@ struct SpindleState {
     double rpm = 0.0;                       // last S in G97
     double surface_m_min = 0.0;             // last S in G96
     double limit_rpm = 0.0;                 // 0: none
+    double angle_deg = 0.0;                 // of a positioned spindle
 };
 
 // All of it, plain: a resume state is a copy.
@@ -171,7 +172,6 @@ private:
     bool check_before_move_ = true;
     double surface_zero_told_ = 0.0;
     bool mode_changed_ = false, speed_changed_ = false, turn_changed_ = false, limit_changed_ = false;
-    double position_deg_ = 0.0;
 };
 
 }  // namespace polyturn::channels

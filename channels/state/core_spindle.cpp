@@ -69,6 +69,7 @@ bool Core::spindle_position(double degrees) {
     if (s.spindle == 0) return fail(Alarm::SpindleMissing, 'M');
     s.turn = SpindleTurn::Stop;
     s.commanded = true;
+    s.angle_deg = degrees = std::fmod(degrees, 360.0);
     emitted_ = true;
     Spindle told;
     told.spindle = s.spindle;
@@ -89,6 +90,7 @@ bool Core::commit_spindle() {
     told.limit = s.limit_rpm;
     if (s.mode == SpindleModeCode::SurfaceSpeed) {
         const int place = surface_axis();
+        if (s.surface_m_min <= 0) return fail(Alarm::SurfaceSpeedNone, 'G');
         told.value = s.surface_m_min;
         told.css_axis = place;
         told.css_zero = surface_zero_told_ = surface_zero(place);

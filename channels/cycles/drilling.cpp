@@ -1,0 +1,74 @@
+#include "channels/cycles/drilling.hpp"
+
+#include <cmath>
+
+namespace polyturn::channels::cycles {
+namespace {
+
+bool to(Core& core, const Drilling& hole, double level, bool rapid) {
+    AxisValues target = core.path.programmed;
+    target[hole.axis] = level;
+    return rapid ? core.rapid(target) : core.linear(target);
+}
+
+bool turn(Core& core, SpindleTurn direction) {
+    if (!core.spindle_turn(direction) || !core.commit_spindle()) return false;
+    static constexpr std::string_view kText[] = {"M4", "M5", "M3"};
+    static constexpr double kCode[] = {4, 5, 3};
+    const auto which = static_cast<std::size_t>(static_cast<int>(direction) + 1);
+    core.aux('M', kCode[which], kText[which], false);
+    return true;
+}
+
+// Down in pecks; the last one ends exactly on the bottom.
+bool peck(Core& core, const Drilling& hole) {
+    const double step = std::copysign(hole.peck, hole.bottom - hole.r_level);
+    const double up = std::copysign(hole.clearance, hole.r_level - hole.bottom);
+    double depth = hole.r_level;
+    for (int count = 0; count < 100'000; ++count) {
+        const bool last = std::fabs(hole.bottom - depth) <= hole.peck * (1 + 1e-9);
+        depth = last ? hole.bottom : depth + step;
+        if (!to(core, hole, depth, false)) return false;
+        if (last) return true;
+        if (hole.chip_break) {
+            if (!to(core, hole, depth + up, true)) return false;
+        } else {
+            if (!to(core, hole, hole.r_level, true) || !to(core, hole, depth + up, true)) return false;
+        }
+    }
+    return core.fail(Alarm::OffsetValueIllegal, 'Q', {}, hole.peck);
+}
+
+}  // namespace
+
+bool drill(Core& core, const Drilling& hole) {
+    if (!to(core, hole, hole.r_level, true)) return false;
+    const SpindleTurn in = core.path.spindle.turn;
+    if (hole.peck > 0 ? !peck(core, hole) : !to(core, hole, hole.bottom, false)) return false;
+    if (hole.dwells && !core.dwell(hole.dwell, hole.dwell_revolutions)) return false;
+    const double feed = core.path.feed;
+    switch (hole.way_out) {
+        case Drilling::Way::Rapid:
+            return to(core, hole, hole.to_r_level ? hole.r_level : hole.initial, true);
+        case Drilling::Way::Feed:
+            core.path.feed = feed * hole.way_out_factor;
+            if (!to(core, hole, hole.r_level, false)) return false;
+            core.path.feed = feed;
+            break;
+        case Drilling::Way::StopRapid:
+            if (!turn(core, SpindleTurn::Stop)) return false;
+            if (!to(core, hole, hole.to_r_level ? hole.r_level : hole.initial, true)) return false;
+            return turn(core, in);
+        case Drilling::Way::Tap: {
+            const SpindleTurn forward = hole.left_hand ? SpindleTurn::Ccw : SpindleTurn::Cw;
+            const SpindleTurn back = hole.left_hand ? SpindleTurn::Cw : SpindleTurn::Ccw;
+            if (!turn(core, back) || !to(core, hole, hole.r_level, false)) return false;
+            if (hole.dwells && !core.dwell(hole.dwell, hole.dwell_revolutions)) return false;
+            if (!turn(core, forward)) return false;
+            break;
+        }
+    }
+    return hole.to_r_level ? true : to(core, hole, hole.initial, true);
+}
+
+}  // namespace polyturn::channels::cycles

@@ -1,0 +1,129 @@
+// G80 to G89: the words of a drilling block, kept from hole to hole, into what channels/cycles/drilling does.
+#include <cmath>
+
+#include "channels/cycles/drilling.hpp"
+#include "channels/fanuc/interpreter.hpp"
+
+namespace polyturn::channels::fanuc {
+
+bool Interpreter::g_drilling_off(const GCode&) {
+    drilling_ = nullptr;
+    return true;
+}
+
+bool Interpreter::g_drilling(const GCode& row) {
+    const bool series15_only = row.tenths == 810 || row.tenths == 820 || row.tenths == 831 || row.tenths == 842;
+    const bool native_only = row.tenths == 870 || row.tenths == 880;
+    if (!settings_.nct && (settings_.series15 ? native_only : series15_only)) return core_.fail(Alarm::GCodeUnknown, 'G', std::string(row.name));
+    if (!drilling_) {
+        drill_.initial_known = false;
+        drill_.r_set = false;
+        drill_.q = drill_.p = 0.0;
+        drill_.p_set = false;
+    }
+    drilling_ = &row;
+    return true;
+}
+
+// Place of the drilling axis: by the plane, or Z where 5101#0 fixes it; G87 to G89 of a fanuc lathe drill along X.
+int Interpreter::drilling_axis() {
+    const MachineView& view = core_.view();
+    if (!settings_.nct && !settings_.series15) {
+        const bool along_x = drilling_->tenths >= 870;
+        return view.axis_by_role(along_x ? PlaneRole::BasicX : PlaneRole::BasicZ);
+    }
+    if (!settings_.nct && !settings_.drill_axis_by_plane) return view.axis_by_role(PlaneRole::BasicZ);
+    switch (core_.path.plane) {
+        case Plane::XY: return view.axis_by_role(PlaneRole::BasicZ);
+        case Plane::YZ: return view.axis_by_role(PlaneRole::BasicX);
+        case Plane::ZX: break;
+    }
+    return settings_.nct ? view.axis_by_role(PlaneRole::BasicY) : -1;
+}
+
+// One block while a drilling cycle is active: to the hole, down and back, as often as L or K says.
+bool Interpreter::run_drilling() {
+    const GCode& row = *drilling_;
+    const int place = drilling_axis();
+    if (place < 0) return core_.fail(Alarm::PlaneAxisMissing, 'G');
+    const auto axis = static_cast<unsigned>(place);
+    const double scale = core_.view().axes[axis].diameter ? 0.5 : 1.0;
+    core_.at.cycle = row.name;
+    if (!drill_.initial_known) {
+        drill_.initial = core_.path.programmed[axis];
+        drill_.initial_known = true;
+    }
+    if (block_.has('R')) {
+        const double r = length(block_.word('R'), settings_.r_in_diameter ? place : -1) * (settings_.r_in_diameter ? scale : 1.0);
+        const bool absolute = settings_.nct || settings_.system != kA ? absolute_ && (settings_.nct || settings_.r_absolute) : settings_.r_absolute;
+        drill_.r_level = absolute ? r : drill_.initial + r;
+        drill_.r_set = true;
+    }
+    if (!drill_.r_set) drill_.r_level = drill_.initial;
+    if (block_.has('Q')) drill_.q = std::fabs(length(block_.word('Q'), -1));
+    if (block_.has('P')) drill_.p = seconds(block_.word('P')), drill_.p_set = true;
+    if (block_.has('E')) drill_.e = std::fabs(length(block_.word('E'), -1)), drill_.e_set = true;
+    // Axis words: the drilling axis gives the bottom, all others the hole's place.
+    AxisValues target = core_.path.programmed;
+    AxisSet named = 0;
+    for (unsigned k = 0; k < axis_word_count_; ++k) {
+        const Word& word = block_.words[axis_words_[k]];
+        const int incremental = word.axis >= 0 ? -1 : incremental_axis_[static_cast<std::size_t>(word.address - 'A')];
+        const int absolute = word.axis >= 0 ? word.axis : absolute_axis_[static_cast<std::size_t>(word.address - 'A')];
+        if ((absolute >= 0 ? absolute : incremental) == place) {
+            const double value = length(word, place) * scale;
+            const bool from_r = absolute < 0 || !absolute_;
+            drill_.bottom = from_r ? drill_.r_level + value : value;
+            drill_.bottom_set = true;
+        } else if (!axis_word(word, target, named)) {
+            return false;
+        }
+    }
+    if (!drill_.bottom_set) return core_.fail(Alarm::CycleWordMissing, 'G', std::string(core_.view().axes[axis].name));
+    std::int64_t repeats = 1;
+    const char count = settings_.nct || settings_.series15 ? 'L' : 'K';
+    if (block_.has(count) && !whole(count, repeats)) return false;
+
+    cycles::Drilling hole;
+    hole.axis = axis;
+    hole.initial = drill_.initial;
+    hole.r_level = drill_.r_level;
+    hole.bottom = drill_.bottom;
+    hole.to_r_level = settings_.system != kA && active_[static_cast<std::size_t>(GGroup::ReturnLevel)] && active_[static_cast<std::size_t>(GGroup::ReturnLevel)]->tenths == 990;
+    const bool dwell_word = drill_.p_set && drill_.p > 0;
+    switch (row.tenths) {
+        case 810: break;
+        case 820: hole.dwells = dwell_word; break;
+        case 830:
+        case 870:
+        case 831:
+            hole.peck = drill_.q;
+            hole.dwells = dwell_word;
+            hole.chip_break = row.tenths == 831 || (!settings_.nct && !settings_.series15 && !settings_.peck_full);
+            hole.clearance = drill_.e_set ? drill_.e : hole.chip_break ? settings_.chip_break_return : settings_.peck_clearance;
+            break;
+        case 840:
+        case 841:
+        case 880:
+            hole.way_out = cycles::Drilling::Way::Tap;
+            hole.left_hand = row.tenths == 841;
+            hole.dwells = dwell_word;
+            break;
+        case 850: hole.way_out = cycles::Drilling::Way::Feed; hole.dwells = dwell_word && !settings_.series15; hole.way_out_factor = settings_.bore_out_factor; break;
+        case 860: hole.way_out = cycles::Drilling::Way::StopRapid; hole.dwells = dwell_word; break;
+        case 890: hole.way_out = cycles::Drilling::Way::Feed; hole.dwells = dwell_word; hole.way_out_factor = settings_.bore_out_factor; break;
+        default: return core_.fail(Alarm::NotBuilt, 'G', std::string(row.name));
+    }
+    hole.dwell = drill_.p;
+    const AxisValues step = target;
+    const AxisValues from = core_.path.programmed;
+    for (std::int64_t k = 0; k < repeats; ++k) {
+        AxisValues position = core_.path.programmed;
+        for (unsigned i = 0; i < core_.view().axis_count; ++i)
+            if (named >> i & 1u) position[i] = absolute_ && k == 0 ? step[i] : (absolute_ ? step[i] : core_.path.programmed[i] + (step[i] - from[i]));
+        if (!core_.rapid(position) || !cycles::drill(core_, hole)) return false;
+    }
+    return true;
+}
+
+}  // namespace polyturn::channels::fanuc

@@ -1,0 +1,90 @@
+// Custom macro B: values, empty variables, flow, faults.
+#include <gtest/gtest.h>
+
+#include "../play.hpp"
+
+namespace polyturn::channels::testing {
+namespace {
+
+struct Row {
+    std::string_view expression;
+    std::string_view value;   // as the event writes it
+};
+
+TEST(MacroExpression, HasThisValue) {
+    const Row rows[] = {
+        {"2+3*4", "14"},          {"[2+3]*4", "20"},     {"-3+1", "-2"},        {"10-4-3", "3"},
+        {"7 MOD 4", "3"},         {"12 AND 10", "8"},    {"12 OR 3", "15"},     {"SIN[30]", "0.5"},
+        {"COS[90]", "0"},         {"TAN[45]", "1"},      {"ATAN[1]/[-1]", "135"}, {"ATAN[-1]/[1]", "315"},
+        {"SQRT[9]", "3"},         {"ROUND[2.5]", "3"},   {"FIX[-7.9]", "-7"},   {"FUP[-7.1]", "-8"},
+        {"BIN[37]", "25"},        {"BCD[25]", "37"},     {"RO[1.6]", "2"},      {"ABS[-4]", "4"},
+        {"#0", "null"},           {"#0+1", "1"},         {"#0*5", "0"},         {"[1 EQ 1]", "1"},
+        {"[#0 EQ 0]", "0"},       {"[#0 EQ #0]", "1"},   {"[#0 GE #0]", "1"},   {"[#0 NE 0]", "1"},
+        {"1.5E", ""},
+    };
+    for (const Row& row : rows) {
+        SCOPED_TRACE(std::string(row.expression));
+        const Played played = play("#100=" + std::string(row.expression) + "\nM30\n");
+        if (row.value.empty()) {
+            EXPECT_EQ(played.errors, 1u) << played.events;
+        } else {
+            EXPECT_TRUE(played.has({R"("name":"#100","value":)" + std::string(row.value) + "}"})) << played.events;
+        }
+    }
+}
+
+struct FaultRow {
+    std::string_view program, number;
+    unsigned line, column;
+};
+
+TEST(MacroStatement, IsDiagnosedAtItsPlace) {
+    const FaultRow rows[] = {
+        {"#1=5/0", "112", 1, 7},
+        {"#1=SQRT[-1]", "111", 1, 4},
+        {"#1=[1+2", "", 1, 8},
+        {"#1=[[[[[[1]]]]]]", "118", 1, 9},
+        {"#0=1", "116", 1, 1},
+        {"#300=1", "115", 1, 1},
+        {"#3000=7(CHUCK OPEN)", "3007", 1, 1},
+        {"END1", "124", 1, 1},
+        {"DO4", "126", 1, 3},
+        {"WHILE[1 EQ 0]DO1\nM30", "124", 1, 1},
+        {"IF[1 EQ 1]", "114", 1, 11},
+        {"FOO 1", "9", 1, 1},
+        {"G65 P1 G1", "129", 1, 8},
+    };
+    for (const FaultRow& row : rows) {
+        SCOPED_TRACE(std::string(row.program));
+        const Played played = play(row.program);
+        const std::string alarm = played.find({R"("ev":"alarm")", R"("severity":"error")"});
+        ASSERT_FALSE(alarm.empty()) << played.events;
+        if (!row.number.empty()) { EXPECT_NE(alarm.find("\"number\":" + std::string(row.number) + ","), std::string::npos) << alarm; }
+        if (row.line) { EXPECT_NE(alarm.find("\"line\":" + std::to_string(row.line) + ","), std::string::npos) << alarm; }
+        if (row.column) { EXPECT_NE(alarm.find("\"column\":" + std::to_string(row.column) + ","), std::string::npos) << alarm; }
+    }
+}
+
+TEST(MacroFlow, LoopsJumpsAndConditions) {
+    const Played played = play("#100=0\n#1=1\nWHILE[#1 LE 3]DO1\n#100=#100+#1\n#1=#1+1\nEND1\n"
+                               "N10 IF[#100 EQ 6]GOTO 30\n#101=9\nN30 IF[#100 EQ 6]THEN #102=4\nGOTO 50\n#103=1\nN50 M30\n");
+    EXPECT_TRUE(played.has({R"("name":"#100","value":6)"})) << played.events;
+    EXPECT_FALSE(played.has({"#101"})) << played.events;
+    EXPECT_TRUE(played.has({R"("name":"#102","value":4)"})) << played.events;
+    EXPECT_FALSE(played.has({"#103"})) << played.events;
+    EXPECT_EQ(played.errors, 0u);
+}
+
+TEST(MacroWord, OfAnEmptyVariableDoesNotExist) {
+    const Played played = play("G0 X5. Z5.\nX#1 Z7.\nM30\n");
+    EXPECT_TRUE(played.has({R"("pos":{"X":5,"Z":7,)"})) << played.events;
+}
+
+TEST(MacroValue, OfTheMachineIsReadAtABarrier) {
+    const Played played = play("G0 X8. Z3.\n#100=#5042\n#101=#5021\nM30\n");
+    EXPECT_TRUE(played.has({R"("name":"#100","value":3)"})) << played.events;
+    EXPECT_TRUE(played.has({R"("name":"#101","value":8)"})) << played.events;
+}
+
+}  // namespace
+}  // namespace polyturn::channels::testing
