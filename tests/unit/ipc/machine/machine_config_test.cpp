@@ -134,15 +134,15 @@ TEST(MachineConfig, IsSafeToIndexForAnyParameters) {
             RC_ASSERT(c.axis_count <= kChannelAxes);
             for (std::size_t slot = 0; slot < c.axis_count; ++slot) {
                 const AxisConfig& a = m->axis(c.axes[slot]);
-                RC_ASSERT(a.exists() && a.channel == c.number && a.slot == slot && a.name[0] != 0);
+                RC_ASSERT((a.exists() && a.channel == c.number && a.slot == slot && a.name[0] != 0));
             }
-            RC_ASSERT(c.default_spindle == 0 || m->spindle(c.default_spindle).exists());
-            RC_ASSERT(c.surface_speed_axis == 0 || m->axis(c.surface_speed_axis).channel == c.number);
+            RC_ASSERT((c.default_spindle == 0 || m->spindle(c.default_spindle).exists()));
+            RC_ASSERT((c.surface_speed_axis == 0 || m->axis(c.surface_speed_axis).channel == c.number));
         }
         for (const AxisConfig& a : m->axes) {
             if (!a.exists()) continue;
-            RC_ASSERT(a.channel == 0 || m->channel(a.channel).exists());
-            RC_ASSERT(a.on_spindle == 0 || m->spindle(a.on_spindle).exists());
+            RC_ASSERT((a.channel == 0 || m->channel(a.channel).exists()));
+            RC_ASSERT((a.on_spindle == 0 || m->spindle(a.on_spindle).exists()));
         }
     });
     EXPECT_TRUE(good);
