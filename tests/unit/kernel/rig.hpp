@@ -148,10 +148,14 @@ public:
     // --- time ---
     void tick() {
         machine->tick();
+        serve();
+        if (on_tick) on_tick();
+    }
+    // What the other processes do between two ticks.
+    void serve() {
         answer_events();
         answer_plc();
         read_log();
-        if (on_tick) on_tick();
     }
     void run(int ticks) { for (int i = 0; i < ticks; ++i) tick(); }
     // Until nothing can go on; the number of ticks it took.
