@@ -112,7 +112,7 @@ CommandLine read_command_line(int argc, char** argv) {
     CLI::App* status = app.add_subcommand("status", "What runs, and what it does");
     CLI::App* alarms = app.add_subcommand("alarms", "The alarms since the controller was started");
     for (CLI::App* one : {status, alarms}) {
-        one->add_option("--instance", line.instance, "the controller; default polyturn");
+        one->add_option("--instance", line.instance, one == status ? "the controller; default: all that run" : "the controller; default polyturn");
         one->add_flag("--json", line.json, "for programs");
     }
 

@@ -1,9 +1,11 @@
 // The `polyturn` command: what it can do stands in docs and in cli.md.
 #include <csignal>
 
+#include "kernel/supervisor/ask_verbs.hpp"
 #include "kernel/supervisor/check.hpp"
 #include "kernel/supervisor/options.hpp"
 #include "kernel/supervisor/run.hpp"
+#include "kernel/supervisor/start.hpp"
 
 int main(int argc, char** argv) {
     using namespace polyturn::supervisor;
@@ -12,6 +14,13 @@ int main(int argc, char** argv) {
     switch (line.verb) {
         case Verb::Check: return check_programs(line.job);
         case Verb::Run: return run_programs(line.job);
+        case Verb::Start: return start_controller(line.start);
+        case Verb::Press:
+        case Verb::Set:
+        case Verb::Release: return press_words(line);
+        case Verb::Status: return show_status(line);
+        case Verb::Alarms: return show_alarms(line);
+        case Verb::Clean: return clean_up();
         default: break;
     }
     return line.exit_status;

@@ -40,7 +40,7 @@ struct CommandLine {
     JobOptions job;
     StartOptions start;
     ParamsOptions params;
-    std::string instance = "polyturn";      // press, set, status, alarms
+    std::string instance;                   // press, set, alarms: empty means polyturn; status: all
     std::string words;                      // press, set, release: the rest of the line
     std::vector<std::string> rest;          // bench
     bool json = false;

@@ -1,0 +1,93 @@
+#include "kernel/supervisor/ask_verbs.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "ipc/memory/segment.hpp"
+#include "kernel/supervisor/job_plan.hpp"
+#include "kernel/supervisor/machine_status.hpp"
+#include "kernel/supervisor/request_socket.hpp"
+
+namespace polyturn::supervisor {
+
+using Json = nlohmann::json;
+
+namespace {
+void print(std::string_view words) { std::fwrite(words.data(), 1, words.size(), stdout); }
+}  // namespace
+
+bool ask(const std::string& instance, const std::string& request, std::string* answer) {
+    const auto got = ask_controller(instance, request);
+    if (!got) {
+        print_diagnosis(got.diagnosis(), Dialect::Polyturn);
+        return false;
+    }
+    const Json reply = Json::parse(*got, nullptr, false);
+    if (!reply.is_discarded() && reply.value("ok", false)) {
+        if (answer) *answer = *got;
+        return true;
+    }
+    std::string words = reply.is_discarded() ? *got : fmt::format("alarm {}: {}\n   {}\n", reply.value("number", ""), reply.value("text", ""), reply.value("remedy", ""));
+    std::fwrite(words.data(), 1, words.size(), stderr);
+    return false;
+}
+
+int press_words(const CommandLine& line) {
+    Json request;
+    request["do"] = line.verb == Verb::Press ? "press" : line.verb == Verb::Set ? "set" : "release";
+    request["words"] = line.words;
+    request["folder"] = std::filesystem::current_path().string();   // programs are named from where the caller stands
+    return ask(line.instance.empty() ? "polyturn" : line.instance, request.dump(-1, ' ', false, Json::error_handler_t::replace)) ? 0 : 2;
+}
+
+int show_status(const CommandLine& line) {
+    std::vector<std::string> instances;
+    if (line.instance.empty()) instances = running_instances();
+    else instances.push_back(line.instance);
+    if (instances.empty()) {
+        print(line.json ? "[]\n" : "No controller runs here.\n");
+        return 0;
+    }
+    std::string out;
+    for (const std::string& instance : instances) {
+        const auto status = line.json ? status_json(instance) : status_page(instance);
+        if (!status) {
+            print_diagnosis(status.diagnosis(), Dialect::Polyturn);
+            if (!line.instance.empty()) return 2;
+            continue;
+        }
+        if (line.json && !out.empty()) out += ",\n";
+        out += *status;
+    }
+    print(line.json && line.instance.empty() ? "[" + out + "]\n" : line.json ? out + "\n" : out);
+    return 0;
+}
+
+int show_alarms(const CommandLine& line) {
+    std::string answer;
+    if (!ask(line.instance.empty() ? "polyturn" : line.instance, R"({"do":"alarms"})", &answer)) return 2;
+    const Json reply = Json::parse(answer, nullptr, false);
+    if (reply.is_discarded() || !reply.contains("alarms")) return 2;
+    if (line.json) {
+        print(reply["alarms"].dump() + "\n");
+        return 0;
+    }
+    for (const auto& alarm : reply["alarms"]) {
+        const std::string number = !alarm.contains("number") ? std::string("message") : alarm["number"].is_string() ? alarm["number"].get<std::string>() : alarm["number"].dump();
+        print(fmt::format("{:>10.3f} s  {:<4} {:<8} {}\n", alarm.value("t", 0.0), alarm.contains("ch") ? fmt::format("L{}", alarm.value("ch", 0)) : std::string(), number, alarm.value("text", "")));
+    }
+    if (reply["alarms"].empty()) print("No alarms.\n");
+    return 0;
+}
+
+int clean_up() {
+    const auto removed = remove_dead_instances();
+    for (const auto& name : removed) print(fmt::format("removed {}\n", name));
+    if (removed.empty()) print("Nothing to remove.\n");
+    return 0;
+}
+
+}  // namespace polyturn::supervisor

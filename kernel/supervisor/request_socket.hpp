@@ -1,0 +1,51 @@
+// The one door through which short-lived programs ask a running controller for something: a Unix socket, one JSON object a
+// line each way. The socket is abstract ("@polyturn.NAME"): it goes with the supervisor and leaves no file behind. Who
+// asks is told by the kernel of the operating system (SO_PEERCRED): the owner of the controller and root may.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ipc/diagnosis/diagnosis.hpp"
+
+struct pollfd;
+
+namespace polyturn::supervisor {
+
+class RequestServer {
+public:
+    using Client = std::uint64_t;
+    // Answers now by answer(), or later.
+    using Handler = std::function<void(Client client, const std::string& line)>;
+
+    static Result<RequestServer> open(const std::string& instance);
+    RequestServer(RequestServer&& other) noexcept;
+    RequestServer& operator=(RequestServer&&) = delete;
+    ~RequestServer();
+
+    // Waits at most so long for somebody, takes what has come.
+    void serve(int timeout_ms, const Handler& handler);
+    void answer(Client client, std::string line);
+
+private:
+    struct Connection {
+        int fd = -1;
+        std::string in, out;
+        bool closing = false;
+    };
+    RequestServer() = default;
+    void accept_all();
+    bool read_from(Client client, Connection& connection, const Handler& handler);   // false: gone
+
+    int fd_ = -1;
+    Client next_ = 1;
+    std::map<Client, Connection> connections_;
+};
+
+// Sends one line to the controller and returns its answer.
+Result<std::string> ask_controller(const std::string& instance, std::string_view line, int patience_ms = 30'000);
+
+}  // namespace polyturn::supervisor

@@ -1,0 +1,267 @@
+#include "kernel/supervisor/start_session.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "ipc/machine/store_requests.hpp"
+#include "ipc/params/param_file.hpp"
+#include "kernel/supervisor/event_text.hpp"
+#include "kernel/supervisor/job_plan.hpp"
+#include "kernel/supervisor/press_words.hpp"
+
+namespace polyturn::supervisor {
+
+using Json = nlohmann::json;
+using Clock = std::chrono::steady_clock;
+
+namespace {
+
+constexpr std::size_t kKeptAlarms = 1000;
+constexpr std::size_t kMostDeaths = 5;                      // of one process within kDeathWindow: then it stays dead
+constexpr auto kDeathWindow = std::chrono::seconds(30);
+
+std::string default_store(const std::string& instance) {
+    if (const char* state = std::getenv("XDG_STATE_HOME"); state && *state) return std::string(state) + "/polyturn/" + instance;
+    const char* home = std::getenv("HOME");
+    return std::string(home && *home ? home : "/var/lib") + "/.local/state/polyturn/" + instance;
+}
+
+std::string refusal(const Diagnosis& diagnosis) {
+    Json out;
+    out["ok"] = false;
+    out["number"] = std::string(alarm_number(diagnosis.alarm, Dialect::Polyturn));
+    out["text"] = diagnosis.text();
+    out["remedy"] = std::string(diagnosis.remedy());
+    return out.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace
+
+StartSession::StartSession(const StartOptions& options, LoadedMachine machine, RequestServer server)
+    : options_(options), loaded_(std::move(machine)), machine_(derive_machine_config(*loaded_.table)), server_(std::move(server)) {}
+
+Dialect StartSession::dialect(unsigned channel) const {
+    return channel >= 1 && channel <= kMaxChannels ? dialect_of(language_of(*loaded_.table, channel)) : Dialect::Polyturn;
+}
+
+Result<void> StartSession::launch() {
+    ControllerPlan plan;
+    plan.instance = options_.instance;
+    plan.generation = generation_;
+    plan.options.notes = 1;
+    plan.options.parts = 1;
+    for (auto& factor : plan.options.feed_override) factor = 1.0;
+    if (!options_.machine.empty()) plan.machine_arguments = {"--machine", options_.machine};
+    for (const auto& file : options_.param_files) plan.machine_arguments.insert(plan.machine_arguments.end(), {"--param-file", file});
+    for (const auto& line : options_.sets) plan.machine_arguments.insert(plan.machine_arguments.end(), {"--set", line});
+    const std::string store = options_.store.empty() ? default_store(options_.instance) : options_.store;
+    std::error_code error;
+    std::filesystem::create_directories(store, error);
+    if (error) return Diagnosis{Alarm::OutputFile, {}, {}, fmt::format("{} ({})", store, error.message())};
+    plan.store_arguments = {"--store", store};
+    for (unsigned number = 1; number <= kMaxChannels; ++number)
+        if (machine_.channel(number).exists()) plan.channels.push_back(number);
+    controller_.reset();
+    auto controller = Controller::start(std::move(plan));
+    if (!controller) return controller.diagnosis();
+    controller_ = std::move(*controller);
+    log_ = std::make_unique<RingConsumer<RingHead<KernelEvent, 16384>>>(controller_->kernel().log, controller_->own().log_tail);
+    joiner_ = {};
+    asked_ = 0;
+    kernel_dead_ = false;
+    return {};
+}
+
+int StartSession::run() {
+    if (auto launched = launch(); !launched) {
+        print_diagnosis(launched.diagnosis(), Dialect::Polyturn);
+        return 1;
+    }
+    std::fprintf(stderr, "polyturn: the controller \"%s\" runs with %u channels, %u axes, %u spindles. End it with Ctrl-C or SIGTERM.\n", options_.instance.c_str(),
+                 static_cast<unsigned>(machine_.channel_count), static_cast<unsigned>(machine_.axis_count), static_cast<unsigned>(machine_.spindle_count));
+    loop();
+    controller_->stop(5'000);
+    std::fprintf(stderr, "polyturn: the controller \"%s\" has ended.\n", options_.instance.c_str());
+    return 0;
+}
+
+void StartSession::loop() {
+    while (!end_requested() && !ask_to_end_) {
+        controller_->beat();
+        controller_->watch([this](std::size_t slot, int status) { process_died(slot, status); });
+        drain();
+        take_answers();
+        revive();
+        server_.serve(10, [this](RequestServer::Client client, const std::string& line) { handle(client, line); });
+    }
+}
+
+void StartSession::drain() {
+    bool moved = false;
+    const auto notes = [&] {
+        for (unsigned number = 1; number <= kMaxChannels; ++number) {
+            const ChannelSegment* channel = controller_->channel(number);
+            if (!channel) continue;
+            NoteReader reader(channel->notes, controller_->own().note_tail[number - 1]);
+            std::uint64_t note = 0;
+            std::string_view words;
+            while (reader.front(note, words)) joiner_.note(number, note, words), reader.pop(), moved = true;
+        }
+    };
+    notes();
+    while (const KernelEvent* event = log_->front()) {
+        if (static_cast<KernelEventKind>(event->kind) == KernelEventKind::RecordBegin) notes();
+        const KernelEvent copy = *event;
+        log_->pop();
+        moved = true;
+        take(copy);
+        controller_->own().log_seen.store(copy.seq, std::memory_order_release);
+    }
+    if (moved) controller_->own().bell.ring();
+    joiner_.drain(1e300, [](const EventJoiner::Event&) {});
+}
+
+void StartSession::take(const KernelEvent& event) {
+    const double t_s = static_cast<double>(event.tick) * static_cast<double>(controller_->kernel().tick_ns.load(std::memory_order_relaxed)) * 1e-9;
+    switch (static_cast<KernelEventKind>(event.kind)) {
+        case KernelEventKind::RecordBegin: {
+            const std::string words(joiner_.begin(event.channel, event.note, t_s));
+            const std::string_view kind = event_kind(words);
+            if (kind == "alarm" || kind == "message") note_alarm(words, dialect(event.channel), true);
+            break;
+        }
+        case KernelEventKind::RecordEnd: joiner_.end(event.channel, event.note, t_s); break;
+        case KernelEventKind::CycleEnded: joiner_.close_channel(event.channel, t_s); break;
+        case KernelEventKind::Message:
+        case KernelEventKind::Alarm: {
+            Diagnosis diagnosis;
+            diagnosis.alarm = event.code >= 0 && event.code < kAlarmCount ? static_cast<Alarm>(event.code) : Alarm::NoProgress;
+            diagnosis.values[0] = event.value;
+            diagnosis.detail = event.text.data();
+            diagnosis.place.line = event.line;
+            print_diagnosis(diagnosis, dialect(event.channel));
+            std::string words = alarm_event(diagnosis, dialect(event.channel), event.channel, t_s);
+            words.pop_back();
+            note_alarm(std::move(words), dialect(event.channel), false);
+            break;
+        }
+        default: break;
+    }
+}
+
+void StartSession::note_alarm(std::string event_text, Dialect language, bool tell) {
+    if (tell) print_alarm_event(event_text, language);
+    alarms_.push_back(std::move(event_text));
+    if (alarms_.size() > kKeptAlarms) alarms_.pop_front();
+}
+
+void StartSession::process_died(std::size_t slot, int status) {
+    const Diagnosis diagnosis{Alarm::ProcessDied, {}, {}, fmt::format("the process {} {}", process_name(slot), describe_end(status))};
+    print_diagnosis(diagnosis, Dialect::Polyturn);
+    std::string words = alarm_event(diagnosis, Dialect::Polyturn, 0);
+    words.pop_back();
+    note_alarm(std::move(words), Dialect::Polyturn, false);
+    auto& times = deaths_[slot];
+    const auto now = Clock::now();
+    while (!times.empty() && now - times.front() > kDeathWindow) times.pop_front();
+    times.push_back(now);
+    if (times.size() > kMostDeaths) {
+        std::fprintf(stderr, "polyturn: %s has died %zu times in %lld s and stays dead.\n", process_name(slot).c_str(), times.size(), static_cast<long long>(kDeathWindow.count()));
+        if (slot == kProcessKernel) ask_to_end_ = true;
+        return;
+    }
+    if (slot == kProcessKernel) kernel_dead_ = true;
+    else to_revive_.push_back(slot);
+}
+
+void StartSession::revive() {
+    if (kernel_dead_) {
+        // A new kernel makes a new generation: everybody else starts anew and attaches to it.
+        ++generation_;
+        to_revive_.clear();
+        waiting_.clear();
+        if (auto launched = launch(); !launched) {
+            print_diagnosis(launched.diagnosis(), Dialect::Polyturn);
+            ask_to_end_ = true;
+        }
+        return;
+    }
+    for (const std::size_t slot : std::exchange(to_revive_, {}))
+        if (auto done = controller_->restart(slot); !done) print_diagnosis(done.diagnosis(), Dialect::Polyturn);
+}
+
+void StartSession::handle(RequestServer::Client client, const std::string& line) {
+    const Json request = Json::parse(line, nullptr, false);
+    if (request.is_discarded() || !request.is_object() || !request.contains("do") || !request["do"].is_string())
+        return server_.answer(client, refusal({Alarm::PressUnknown, {}, {}, line.substr(0, 100)}));
+    const std::string what = request["do"];
+    const auto text_at = [&](const char* key) { return request.contains(key) && request[key].is_string() ? request[key].get<std::string>() : std::string(); };
+    if (what == "press") return serve_commands(client, parse_press(text_at("words"), machine_, text_at("folder")));
+    if (what == "release") return serve_commands(client, parse_release(text_at("words"), machine_));
+    if (what == "set") {
+        const auto commands = parse_set(text_at("words"), machine_);
+        // A parameter is set when it is on disk, not when the kernel has heard of it.
+        if (commands && commands->size() == 1 && commands->front().kind == static_cast<std::uint32_t>(CommandKind::SetParameter)) return serve_parameters(client, {text_at("words")});
+        return serve_commands(client, commands);
+    }
+    if (what == "parameters") {
+        std::vector<std::string> lines;
+        if (request.contains("lines") && request["lines"].is_array())
+            for (const auto& one : request["lines"])
+                if (one.is_string()) lines.push_back(one.get<std::string>());
+        return serve_parameters(client, lines);
+    }
+    if (what == "alarms") {
+        std::string out = "{\"ok\":true,\"alarms\":[";
+        for (std::size_t i = 0; i < alarms_.size(); ++i) out += (i ? "," : "") + alarms_[i];
+        return server_.answer(client, out + "]}");
+    }
+    if (what == "end") {
+        ask_to_end_ = true;
+        return server_.answer(client, "{\"ok\":true}");
+    }
+    server_.answer(client, refusal({Alarm::PressUnknown, {}, {}, what}));
+}
+
+void StartSession::serve_commands(RequestServer::Client client, const Result<std::vector<Command>>& commands) {
+    if (!commands) return server_.answer(client, refusal(commands.diagnosis()));
+    for (const Command& command : *commands) controller_->send(command);
+    server_.answer(client, "{\"ok\":true}");
+}
+
+void StartSession::serve_parameters(RequestServer::Client client, const std::vector<std::string>& lines) {
+    for (const std::string& words : lines)   // all or none
+        if (const auto assignment = params::parse_assignment(words); !assignment) return server_.answer(client, refusal(assignment.diagnosis()));
+        else if (words.size() >= sizeof(StoreRequest{}.name)) return server_.answer(client, refusal({Alarm::PressArgument, {}, {}, "the line is too long: " + words}));
+    if (!controller_->running(kProcessStore)) return server_.answer(client, refusal({Alarm::NotServed, {}, {}, "the store does not run"}));
+    for (const std::string& words : lines) {
+        const auto until = Clock::now() + std::chrono::seconds(5);
+        while (!controller_->ask_store(parameter_request(words, &words != &lines.back()))) {   // the ring is full: let the store work
+            take_answers();
+            if (Clock::now() > until) return server_.answer(client, refusal({Alarm::NotServed, {}, {}, "the store does not answer"}));
+            sleep_ms(1);
+        }
+        ++asked_;
+    }
+    if (lines.empty()) return server_.answer(client, "{\"ok\":true}");
+    waiting_.push_back({client, asked_, {}});
+}
+
+void StartSession::take_answers() {
+    StoreAnswer answer;
+    while (controller_->next_answer(answer)) {
+        if (waiting_.empty()) continue;
+        Waiting& first = waiting_.front();
+        if (!answer.ok && first.refused.empty()) first.refused = answer.text.data();
+        if (answer.id < first.last_id) continue;
+        server_.answer(first.client, first.refused.empty() ? std::string("{\"ok\":true}") : refusal({Alarm::NotServed, {}, {}, first.refused}));
+        waiting_.pop_front();
+    }
+}
+
+}  // namespace polyturn::supervisor

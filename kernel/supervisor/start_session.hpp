@@ -1,0 +1,60 @@
+// A running controller: the loop of its supervisor.
+#pragma once
+#include <chrono>
+#include <deque>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ipc/machine/load_machine.hpp"
+#include "ipc/machine/machine_config.hpp"
+#include "kernel/supervisor/controller.hpp"
+#include "kernel/supervisor/event_joiner.hpp"
+#include "kernel/supervisor/options.hpp"
+#include "kernel/supervisor/request_socket.hpp"
+
+namespace polyturn::supervisor {
+
+class StartSession {
+public:
+    StartSession(const StartOptions& options, LoadedMachine machine, RequestServer server);
+    int run();
+
+private:
+    Result<void> launch();
+    void loop();
+    void drain();
+    void take(const KernelEvent& event);
+    void note_alarm(std::string event_text, Dialect dialect, bool tell);
+    void process_died(std::size_t slot, int status);
+    void revive();
+    void handle(RequestServer::Client client, const std::string& line);
+    void serve_commands(RequestServer::Client client, const Result<std::vector<Command>>& commands);
+    void serve_parameters(RequestServer::Client client, const std::vector<std::string>& lines);
+    void take_answers();
+    Dialect dialect(unsigned channel) const;
+
+    // A client that waits for the store: so many answers are still to come.
+    struct Waiting {
+        RequestServer::Client client = 0;
+        std::uint64_t last_id = 0;
+        std::string refused;
+    };
+
+    const StartOptions& options_;
+    LoadedMachine loaded_;
+    MachineConfig machine_;
+    RequestServer server_;
+    std::unique_ptr<Controller> controller_;
+    std::unique_ptr<RingConsumer<RingHead<KernelEvent, 16384>>> log_;
+    EventJoiner joiner_;
+    std::uint64_t generation_ = 1, asked_ = 0;
+    std::deque<std::string> alarms_;                 // event objects, the newest last
+    std::deque<Waiting> waiting_;
+    std::map<std::size_t, std::deque<std::chrono::steady_clock::time_point>> deaths_;
+    std::vector<std::size_t> to_revive_;
+    bool kernel_dead_ = false, ask_to_end_ = false;
+};
+
+}  // namespace polyturn::supervisor
