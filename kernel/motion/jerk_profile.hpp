@@ -43,7 +43,14 @@ struct SpeedProfile {
 // From (v, a) to (w, 0), time-optimal.
 [[nodiscard]] inline SpeedProfile profile_to_speed(double v, double a, double w, double a_max, double j_max) noexcept {
     SpeedProfile p;
-    const double sign = release_speed(v, a, j_max) >= w ? 1 : -1;  // mirrored, so that it always brakes
+    const double surplus = release_speed(v, a, j_max) - w;
+    if (std::abs(surplus) <= 1e-11 * (std::abs(v) + std::abs(w))) {
+        // Releasing is all. Rounding must not put pieces around it: what is 1e-16 of v is 1e-8 of a time.
+        p.time[a > 0 ? 0 : 2] = std::abs(a) / j_max;
+        p.jerk[a > 0 ? 0 : 2] = a > 0 ? -j_max : j_max;
+        return p;
+    }
+    const double sign = surplus > 0 ? 1 : -1;  // mirrored, so that it always brakes
     v *= sign;
     a *= sign;
     w *= sign;

@@ -11,6 +11,9 @@ constexpr double kPlannedJerk = 0.995;
 // Of comparisons, mm and relative. What a step promised is computed anew from where it led; so keeping a promise is judged
 // more mildly than giving one, or rounding could break it.
 constexpr double kGiving = 1e-9, kKeeping = 1e-8;
+// A promise to be steady or to stand before limits fall keeps this far from there, mm: a tail that rounding carries over
+// the border would be judged by the other limits.
+constexpr double kBefore = 1e-7;
 
 // Ceiling c from distance d on, from (v, a): can it be kept? Strictly: without having to slow down so much that the speed
 // must fall below c afterwards. Otherwise: whatever full braking reaches counts.
@@ -24,7 +27,7 @@ bool keeps(double v, double a, double d, double c, double a_max, double j_max, b
         return true;
     }
     if (strictly) return false;
-    const double way = falling_distance(v, a, c, 0, a_max, j_max);
+    const double way = falling_distance(v, a, c * (1 + rounding), 0, a_max, j_max);
     return way == 0 || way <= limit;
 }
 
@@ -126,7 +129,8 @@ void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input)
     view.tick_j = run_j;
     view.ceiling = ceiling_of(running, which, input);
     view.top = running.v_max;
-    double lowest = view.ceiling;  // of the targets so far
+    // Of the targets so far. A ceiling that is violated already rules out nothing.
+    double lowest = release_speed(v, std::max(a, 0.0), run_j) <= view.ceiling * (1 + kGiving) ? view.ceiling : running.v_max;
     double distance = running.length - state_.s;
     double reach = 0, need = 0;
     // How far this tick can lead, and how far from there to a standstill.
@@ -189,20 +193,22 @@ void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input)
     view.drops[view.drop_count] = kept;
 }
 
-// Lower each drop's speed until everything behind it can be kept from there with acceleration 0.
+// Lower each drop's speed until everything behind it can be kept from there with acceleration 0; more exactly from a tick
+// behind it, for braking goes on at the tick's end.
 void PathPlanner::settle_drops(View& view) const noexcept {
+    const auto lower = [&](Drop& drop, double distance, double ceiling) {
+        const double gap = distance - drop.distance - drop.speed * dt_;
+        if (distance_to_speed(drop.speed, 0, ceiling, view.a, view.j) <= gap) return;
+        const double most = std::min(drop.speed, top_speed(distance - drop.distance, ceiling, view.a, view.j));
+        drop.speed = std::min(most, top_speed(distance - drop.distance - most * dt_, ceiling, view.a, view.j));
+    };
     for (std::uint32_t d = 0; d < view.drop_count; ++d) {
         Drop& drop = view.drops[d];
         for (std::uint32_t i = 0; i < view.target_count; ++i) {
             const Target& target = view.targets[i];
-            if (target.distance <= drop.distance || target.ceiling >= drop.speed) continue;
-            const double gap = target.distance - drop.distance;
-            if (!keeps(drop.speed, 0, gap, target.ceiling, view.a, view.j, !view.stop_short, 0)) drop.speed = std::min(drop.speed, top_speed(gap, target.ceiling, view.a, view.j));
+            if (target.distance > drop.distance && target.ceiling < drop.speed) lower(drop, target.distance, target.ceiling);
         }
-        if (view.end < kInfinity) {
-            const double gap = std::max(0.0, view.end - drop.distance);
-            if (stopping_distance(drop.speed, 0, view.a, view.j) > gap) drop.speed = top_speed(gap, 0, view.a, view.j);
-        }
+        if (view.end < kInfinity) lower(drop, view.end, 0);
     }
 }
 
@@ -225,7 +231,7 @@ double PathPlanner::speed_at(const Step& step, double distance) const noexcept {
 bool PathPlanner::safe(const View& view, const Step& step, Witness& witness) const noexcept {
     const PathState& next = step.next;
     const double v = next.v, a = next.a;
-    if (v < 0) return false;
+    if (v < 0 || (state_.a < 0 && release_speed(state_.v, state_.a, step.j) < -1e-9)) return false;
     for (std::uint32_t i = 0; i < view.target_count && view.targets[i].distance < next.s; ++i) {
         if (speed_at(step, view.targets[i].distance) > view.targets[i].ceiling * (1 + 1e-4)) return false;
     }
@@ -238,13 +244,18 @@ bool PathPlanner::safe(const View& view, const Step& step, Witness& witness) con
         return true;
     };
     const auto cannot_but_reverse = [&](double j_max) { return a < 0 && release_speed(v, a, j_max) < -1e-9; };
-    // Under the least limits of the whole view; acceleration above them must have gone before the first drop.
-    bool within = std::abs(a) <= view.a * (1 + 1e-12);
-    if (!within && view.drop_count > 0) {
-        const double j = a > 0 ? -view.j : view.j;
-        within = advanced(next, j, (std::abs(a) - view.a) / view.j).s <= view.drops[0].distance;
+    // Acceleration above a limit that holds from some drop on must have gone before the first such drop.
+    double border = kInfinity;
+    for (std::uint32_t d = view.drop_count; d-- > 0;) {
+        const double after = d + 1 < view.drop_count ? view.drops[d + 1].a : view.a;
+        if (std::abs(a) > after * (1 + 1e-12)) border = view.drops[d].distance;
     }
-    if (within && !cannot_but_reverse(view.j) &&
+    const auto within = [&](double a_max, double j_max) {
+        if (std::abs(a) <= a_max * (1 + 1e-12)) return true;
+        return border < kInfinity && advanced(next, a > 0 ? -j_max : j_max, (std::abs(a) - a_max) / j_max).s <= border;
+    };
+    // Under the least limits of the whole view.
+    if (within(view.a, view.j) && !cannot_but_reverse(view.j) &&
         (view.end == kInfinity || stopping_distance(v, a, view.a, view.j) <= (view.end - next.s) * (1 + view.rounding / 10) + view.rounding * 1e-4) && all_kept()) {
         witness = {view.beyond, 0, view.a, view.j};
         return true;
@@ -253,11 +264,11 @@ bool PathPlanner::safe(const View& view, const Step& step, Witness& witness) con
     for (std::uint32_t d = 0; d < view.drop_count + (view.has_witness ? 1 : 0); ++d) {
         const Drop& drop = view.drops[d];
         const double gap = drop.distance - next.s;
-        if (gap < 0 || std::abs(a) > drop.a * (1 + 1e-12) || cannot_but_reverse(drop.j)) continue;
+        if (gap < 0 || !within(drop.a, drop.j) || cannot_but_reverse(drop.j)) continue;
         // One braking to where acceleration is gone, below everything before the drop; or a standstill.
         const auto braked_to = [&](double w) {
             if (a > 0 && release_speed(v, a, drop.j) > view.top * (1 + view.rounding)) return false;
-            if (distance_to_speed(v, a, w, drop.a, drop.j) > gap + view.rounding) return false;
+            if (distance_to_speed(v, a, w, drop.a, drop.j) > gap - kBefore + 10 * view.rounding) return false;
             for (std::uint32_t i = 0; i < view.target_count && view.targets[i].distance < drop.distance; ++i) {
                 const Target& target = view.targets[i];
                 const double way = falling_distance(v, a, target.ceiling * (1 + view.rounding), w, drop.a, drop.j);
@@ -267,8 +278,8 @@ bool PathPlanner::safe(const View& view, const Step& step, Witness& witness) con
         };
         double w = std::min(drop.speed, std::max(0.0, release_speed(v, a, drop.j)));
         for (std::uint32_t i = 0; i < view.target_count && view.targets[i].distance < drop.distance; ++i) w = std::min(w, view.targets[i].ceiling);
-        if (braked_to(w) || (view.stop_short && braked_to(0))) {
-            witness = {drop.record, drop.speed, drop.a, drop.j};
+        if (braked_to(w) || (view.stop_short && braked_to(w = 0))) {
+            witness = {drop.record, w, drop.a, drop.j};
             return true;
         }
     }
@@ -293,7 +304,8 @@ bool PathPlanner::best_towards(const View& view, double goal, double a, double j
     const double up_a = std::min(state_.a + j * dt_, a);
     const double highest = release_speed(state_.v + std::max(state_.a, up_a) * dt_, up_a, j);
     double low = std::clamp(release_speed(least.next.v, least.next.a, j), 0.0, goal), high = std::min(goal, highest);
-    for (int i = 0; i < 12 && low < high; ++i) {
+    const double lowest = low;
+    for (int i = 0; i < (low > lowest ? 12 : 40) && low < high; ++i) {  // next to an end the first hit can be far down
         const double middle = (low + high) / 2;
         const Step tried = step_towards(middle, a, j);
         if (take(view, tried)) {
@@ -356,6 +368,7 @@ bool PathPlanner::begin_landing(const View& view) noexcept {
     // Now, or can more speed still be had?
     if (stopping_distance(v, a, view.a, 0.95 * view.j) <= distance && stopping_time(v, a, view.a, view.j) > 3 * dt_) return false;
     if (!landing_.aim(v, a, distance, view.a, view.j / 100, view.j / kPlannedJerk)) return false;
+    if (release_speed(v, std::max(a, 0.0), landing_.jerk()) > view.top) return false;
     for (std::uint32_t i = 0; i < view.target_count; ++i) {
         if (!keeps(v, a, view.targets[i].distance, view.targets[i].ceiling, view.a, landing_.jerk(), false, kKeeping)) return false;
     }
