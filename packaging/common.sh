@@ -7,17 +7,23 @@ started=$SECONDS
 say() { printf '\n== %s  [%d s]\n' "$*" "$((SECONDS - started))"; }
 stop() { printf '\n%s\n' "$*" >&2; exit 2; }
 
-# Installs what is missing of dependencies.txt; touches nothing and needs no rights when all is there.
+# install_packages SECTION ...: installs what is missing of these sections of dependencies.txt; touches nothing and needs
+# no rights when all is there.
 install_packages() {
-    local package status missing=()
+    local package status section= wanted=" $* " missing=()
     command -v dpkg-query >/dev/null || { say "No Debian here: packaging/dependencies.txt names what must be installed"; return; }
     while read -r package; do
-        [[ -n $package ]] || continue
+        if [[ $package == "#"* ]]; then
+            section=${package#"# "}
+            section=${section%%:*}
+            continue
+        fi
+        [[ -n $package && $wanted == *" $section "* ]] || continue
         status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
         [[ $status == installed ]] || missing+=("$package")
     done <"$top/packaging/dependencies.txt"
     if ((${#missing[@]} == 0)); then
-        say "All packages of packaging/dependencies.txt are installed"
+        say "All packages that this needs are installed (packaging/dependencies.txt)"
         return
     fi
     say "Installing ${missing[*]}"
