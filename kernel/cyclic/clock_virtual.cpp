@@ -33,7 +33,8 @@ void VirtualClock::supervisor() {
     Core& core = machine_.core();
     const bool follow = core.supervisor.options.follow_log != 0;
     const auto ready = [&] {
-        return core.log.has_room() && machine_.trace_has_room() && (!follow || core.supervisor.log_seen.load(std::memory_order_acquire) >= core.log.newest());
+        machine_.commands().drain(core.tick);
+        return machine_.commands().end_requested() || (core.log.has_room() && machine_.trace_has_room() && (!follow || core.supervisor.log_seen.load(std::memory_order_acquire) >= core.log.newest()));
     };
     if (!follow && core.log.newest() - rung_ >= kLogChunk) {
         rung_ = core.log.newest();
@@ -83,7 +84,9 @@ void VirtualClock::run() {
         if (step()) continue;
         // Virtual time stands. What wakes it is a command; all of a batch are there when the supervisor has seen «idle».
         await(core.supervisor.bell, kProcesses, core.image.supervisor_bell, none, [&] {
-            return core.supervisor.log_seen.load(std::memory_order_acquire) >= core.log.newest() && !machine_.commands().empty();
+            machine_.commands().drain(core.tick);
+            return machine_.commands().end_requested() ||
+                   (core.supervisor.log_seen.load(std::memory_order_acquire) >= core.log.newest() && !machine_.commands().empty());
         });
     }
     core.image.supervisor_bell.ring();

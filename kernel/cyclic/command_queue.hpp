@@ -26,6 +26,8 @@ public:
         if (count_ == 0 || store_[order_[count_ - 1]].tick > now) return nullptr;
         return &store_[order_[--count_]];
     }
+    // The run is to end: nobody will read the log any more.
+    bool end_requested() const noexcept { return end_requested_; }
     bool empty() noexcept { return count_ == 0 && ring_.front() == nullptr; }
 
 private:
@@ -35,6 +37,7 @@ private:
             for (std::size_t i = 0; i < kRoom; ++i) order_[i] = static_cast<std::uint16_t>(i);
             initialised_ = true;
         }
+        if (command.kind == static_cast<std::uint32_t>(CommandKind::EndRun)) end_requested_ = true;
         const std::uint16_t place = order_[count_];  // order_[count_..] are the free places
         store_[place] = command;
         store_[place].tick = tick;
@@ -52,7 +55,7 @@ private:
     std::array<Command, kRoom> store_{};
     std::array<std::uint16_t, kRoom> order_{};
     std::size_t count_ = 0;
-    bool initialised_ = false;
+    bool initialised_ = false, end_requested_ = false;
 };
 
 }  // namespace polyturn::kernel
