@@ -13,6 +13,8 @@ namespace {
 
 constexpr std::uint64_t kMostPerStep = 1024;   // persist requests before somebody else is looked at
 constexpr std::chrono::seconds kRetry{1};      // after the disk refused
+constexpr std::size_t kMostImportLines = 100'000;
+constexpr std::size_t kMostAtOnce = 4096;      // changes that the kernel takes in one tick; its ring holds twice as many
 
 void copy_text(auto& to, std::string_view from) {
     to.fill(0);
@@ -153,24 +155,56 @@ bool Service::take_requests() {
         // Room for the answer first: an operator's change whose answer cannot be given must not be made.
         if (own.answers.head.load(std::memory_order_relaxed) - supervisor_->answer_tail.tail.load(std::memory_order_acquire) >= decltype(StoreSegment::answers)::capacity) return worked;
         const StoreRequest request = supervisor_->requests.slot(index);
-        Result<Applied> applied = apply_request(request, Origin::Operator, machine_, values_);
-        if (applied) {
-            // Also a query: what it shows counts as written, so what came before it goes to the disk with it.
-            const Result<void> done = commit_pending(applied->changes, "operator");
-            if (!done) {
-                undo(applied->changes);
-                applied = done.diagnosis();
-            } else {
-                refresh_machine(applied->changes);
-                image_.publish(values_, applied->changes);
-                push_parameter_changes(applied->changes);
-            }
+        const bool parameter = static_cast<StoreRequestKind>(request.kind) == StoreRequestKind::Parameter;
+        if (!parameter) import_.clear();   // its sender gave up: the lines of an import follow each other
+        Result<Applied> applied = Applied{{}, "more follows"};
+        if (parameter && request.field == kMoreFollows) {
+            if (import_.size() < kMostImportLines) import_.push_back(request);
+            else applied = Diagnosis{Alarm::StoreRequestBad, {}, {}, "an import of more than " + std::to_string(kMostImportLines) + " lines"};
+        } else {
+            applied = apply_operator(request);
+            import_.clear();
         }
         answer(request, applied);
         own.request_tail.tail.store(index + 1, std::memory_order_release);
         own.bell.ring();
         worked = true;
     }
+}
+
+// The request, with the lines of its import before it: checked, on disk, in the image. All of it or nothing.
+Result<Applied> Service::apply_operator(const StoreRequest& request) {
+    std::map<Key, Change> all;   // a value that two lines set changes once
+    std::vector<StoreRequest> requests = import_;
+    requests.push_back(request);
+    std::string answer;
+    const auto changes = [&] {
+        std::vector<Change> out;
+        for (const auto& [key, change] : all) out.push_back(change);
+        return out;
+    };
+    for (const StoreRequest& one : requests) {
+        Result<Applied> applied = apply_request(one, Origin::Operator, machine_, values_);
+        if (!applied) {
+            undo(changes());
+            return applied;
+        }
+        answer = applied->answer;
+        for (Change& change : applied->changes) {
+            const auto [at, fresh] = all.emplace(change.key, change);
+            if (!fresh) at->second.after = change.after, at->second.text_after = change.text_after;
+        }
+    }
+    Applied done{changes(), std::move(answer)};
+    // Also after a query: what it shows counts as written, so what came before it goes to the disk with it.
+    if (const Result<void> kept = commit_pending(done.changes, "operator"); !kept) {
+        undo(done.changes);
+        return kept.diagnosis();
+    }
+    refresh_machine(done.changes);
+    image_.publish(values_, done.changes);
+    push_parameter_changes(done.changes);
+    return done;
 }
 
 void Service::answer(const StoreRequest& request, const Result<Applied>& applied) {
@@ -206,6 +240,8 @@ void Service::push_parameter_changes(const std::vector<Change>& changes) {
     }
     if (out.empty()) return;
     ++import_id_;
+    // Larger than the ring it cannot be taken in one tick: then in as few as possible.
+    for (std::size_t i = kMostAtOnce - 1; i < out.size(); i += kMostAtOnce) out[i].last = 1;
     out.back().last = 1;
     auto& ring = own.param_changes;
     constexpr auto kCapacity = decltype(StoreSegment::param_changes)::capacity;

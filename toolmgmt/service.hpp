@@ -45,6 +45,7 @@ private:
     void replay();
     bool take_persist();
     bool take_requests();
+    Result<Applied> apply_operator(const StoreRequest& request);
     void answer(const StoreRequest& request, const Result<Applied>& applied);
     void push_parameter_changes(const std::vector<Change>& changes);
     void keep_pending(const std::vector<Change>& changes);
@@ -60,6 +61,7 @@ private:
     Database* disk_;
     MachineConfig machine_;
     std::uint64_t import_id_ = 0;
+    std::vector<StoreRequest> import_;           // lines of an import whose end has not come yet
     std::map<Key, Change> pending_;              // in the image, not yet on disk
     std::uint64_t pending_index_ = 0;            // persist requests before it are in the image
     std::uint64_t replay_from_ = 0;              // from here to the tail they were in the image of a dead predecessor only

@@ -6,13 +6,15 @@
 //   Variable     index of the kept ones, -1 -                             or "#500"        NaN: empty
 //   Counter      0..99                      -                             -                value
 //   LastPosition axis, from 1               -                             -                machine coordinate, true mm or degrees
-//   Parameter    -                          -                             "N1600 L1=2.5"   -
+//   Parameter    -                          kMoreFollows or 0             "N1600 L1=2.5"   -
 //   Query        -                          -                             "N1600 L1"       -
 //   Flush        answered when everything before it is on disk
 //
 // A name, where there is one, wins over the numbers. "As the table shows it": millimetres or degrees, X as a diameter
 // where the axis is a diameter axis. Indices 0..499 of the kept variables are #500..#999; those from 500 belong to
 // languages with other names. A variable that is none of the kept ones is no error: it is just not stored.
+// Parameter lines of one import follow each other, all but the last with kMoreFollows: they are done together or not at all,
+// and the machine takes them in one tick. The answer to the last one tells; the others are answered "more follows".
 #pragma once
 
 #include <cstring>
@@ -25,6 +27,7 @@
 namespace polyturn {
 
 inline constexpr std::int32_t kCounters = 100;
+inline constexpr std::int32_t kMoreFollows = 1;
 
 inline StoreRequest store_request(StoreRequestKind kind, std::uint32_t channel, std::int32_t number, std::int32_t field, double value) noexcept {
     StoreRequest request{};
@@ -52,8 +55,8 @@ inline StoreRequest variable_request(std::uint32_t channel, std::string_view nam
     put_name(request, name);
     return request;
 }
-inline StoreRequest parameter_request(std::string_view line) noexcept {
-    StoreRequest request = store_request(StoreRequestKind::Parameter, 0, 0, 0, 0.0);
+inline StoreRequest parameter_request(std::string_view line, bool more_follows = false) noexcept {
+    StoreRequest request = store_request(StoreRequestKind::Parameter, 0, 0, more_follows ? kMoreFollows : 0, 0.0);
     put_name(request, line);
     return request;
 }

@@ -4,8 +4,10 @@
 #include <sqlite3.h>
 
 #include <cmath>
+#include <thread>
 
 #include "ipc/machine/work_zeros.hpp"
+#include "ipc/params/registry.hpp"
 
 namespace {
 
@@ -92,6 +94,80 @@ TEST(StoreRequests, AreAnsweredAndPublished) {
     ASSERT_TRUE(answer);
     EXPECT_EQ(answer->ok, 1u) << answer->text.data();
     EXPECT_EQ(rig.channel(2)->zeros[(kZeroG541 + 3) * kChannelAxes + 1], -33.5);
+}
+
+TEST(StoreRequests, OfOneImportAreDoneTogetherOrNotAtAll) {
+    StoreRig rig("import");
+    rig.make_kernel();
+    ASSERT_TRUE(rig.start({"--store", rig.folder + "/store", "--machine", kMachine})) << rig.messages();
+    for (int a = 1; a <= 4; ++a) {
+        const auto more = rig.ask(parameter_request("N0304 A" + std::to_string(a) + "=1500" + std::to_string(a), true));
+        ASSERT_TRUE(more);
+        EXPECT_EQ(more->ok, 1u);
+        EXPECT_EQ((*rig.store)->param_changes.head.load(), 0u);
+    }
+    auto answer = rig.ask(parameter_request("N0304 A5=nonsense"));
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->ok, 0u);
+    EXPECT_EQ(rig.value_of("N0304 A1"), "20000");   // none of them
+    for (const char* line : {"N0304 A1=15001", "N0304 A2=15002", "N0304 A1=15003"}) ASSERT_TRUE(rig.ask(parameter_request(line, true)));
+    answer = rig.ask(parameter_request("N1600 L1=4"));
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->ok, 1u) << answer->text.data();
+    ASSERT_EQ((*rig.store)->param_changes.head.load(), 3u);   // A1 once
+    for (int i = 0; i < 3; ++i) EXPECT_EQ((*rig.store)->param_changes.slot(static_cast<std::uint64_t>(i)).last, i == 2 ? 1u : 0u);
+    // An import that nobody finishes leaves nothing behind.
+    ASSERT_TRUE(rig.ask(parameter_request("N1600 L1=9", true)));
+    EXPECT_EQ(rig.value_of("N1600 L1"), "4");
+    ASSERT_TRUE(rig.ask(parameter_request("N1600 L2=5")));
+    EXPECT_EQ(rig.value_of("N1600 L1"), "4");
+    rig.kill_now();
+    ASSERT_TRUE(rig.start({"--store", rig.folder + "/store", "--machine", kMachine})) << rig.messages();
+    EXPECT_EQ(rig.value_of("N0304 A1"), "15003");
+    EXPECT_EQ(rig.value_of("N0304 A2"), "15002");
+    EXPECT_EQ(rig.value_of("N1600 L1"), "4");
+}
+
+// A value for every axis, channel and spindle of every row: more than the kernel's ring holds at once.
+TEST(StoreRequests, OfAHugeImportReachTheKernelWhole) {
+    StoreRig rig("huge");
+    rig.make_kernel();
+    ASSERT_TRUE(rig.start({"--memory", "--machine", kMachine})) << rig.messages();
+    std::size_t expected = 0;
+    for (const params::Row& row : params::rows()) {
+        if (row.type != params::Type::Real || row.max < 2 || row.min > 1 || row.array > 1) continue;
+        expected += params::instances(row.scope);
+        for (const char* value : {"=1", "=2"}) {   // whatever it was, it changes
+            const auto answer = rig.ask(parameter_request(std::string(row.number) + value, value[1] == '1'));
+            ASSERT_TRUE(answer);
+            ASSERT_EQ(answer->ok, 1u) << answer->text.data();
+        }
+        (*rig.kernel)->param_tail.tail.store((*rig.store)->param_changes.head);
+    }
+    EXPECT_GT(expected, 8192u);
+    std::thread kernel([&] {   // takes complete imports only, as the kernel does
+        std::uint64_t tail = (*rig.kernel)->param_tail.tail;
+        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+        for (std::size_t taken = 0; taken < expected && std::chrono::steady_clock::now() < until;) {
+            const auto head = (*rig.store)->param_changes.head.load();
+            std::uint64_t complete = tail;
+            for (auto i = tail; i < head; ++i)
+                if ((*rig.store)->param_changes.slot(i).last) complete = i + 1;
+            taken += complete - tail;
+            tail = complete;
+            (*rig.kernel)->param_tail.tail.store(tail);
+            usleep(500);
+        }
+    });
+    std::optional<StoreAnswer> answer;
+    std::vector<std::string> lines;
+    for (const params::Row& row : params::rows())
+        if (row.type == params::Type::Real && row.max >= 2 && row.min <= 1 && row.array == 1) lines.push_back(std::string(row.number) + "=1.5");
+    for (const std::string& line : lines) answer = rig.ask(parameter_request(line, &line != &lines.back()));
+    kernel.join();
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->ok, 1u) << answer->text.data();
+    EXPECT_EQ((*rig.kernel)->param_tail.tail.load(), (*rig.store)->param_changes.head.load());
 }
 
 TEST(StoreRequests, ThatAreWrongAreRefusedWithTheReason) {
