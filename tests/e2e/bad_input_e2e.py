@@ -4,7 +4,7 @@ import unittest
 
 from polyturn_runner import Case
 
-GOOD = "G0 X50. Z2.\nG1 Z-10. F0.2\nM30\n"
+GOOD = "G98 G0 X50. Z2.\nG1 Z-10. F200.\nM30\n"
 
 
 class BadPrograms(Case):
@@ -12,9 +12,9 @@ class BadPrograms(Case):
         # name, program, alarm number as the operator of a fanuc control knows it (None: any), line, column (0: any)
         rows = [
             ("unknown G code", b"G0 X50.\nG999 X1.\nM30\n", "010", 2, 1),
-            ("missing feed", b"G0 X50. Z2.\nG1 Z-10.\nM30\n", "011", 2, 0),
-            ("arc that does not fit", b"G0 X50. Z0.\nG1 X40. F0.2\nG2 X60. Z-10. I1. K0.\nM30\n", "020", 3, 0),
-            ("radius too small", b"G0 X50. Z0.\nG2 X50. Z-20. R5. F0.2\nM30\n", None, 2, 0),
+            ("missing feed", b"G98 G0 X50. Z2.\nG1 Z-10.\nM30\n", "011", 2, 0),
+            ("arc that does not fit", b"G98 G0 X50. Z0.\nG1 X40. F200.\nG2 X60. Z-10. I1. K0.\nM30\n", "020", 3, 0),
+            ("radius too small", b"G98 G0 X50. Z0.\nG2 X50. Z-20. R5. F200.\nM30\n", None, 2, 0),
             ("subprogram missing", b"G0 X50.\nM98 P7777\nM30\n", "078", 2, 0),
             ("address without number", b"G0 X\nM30\n", None, 1, 4),
             ("second point", b"G0 X4.0.\nM30\n", None, 1, 0),

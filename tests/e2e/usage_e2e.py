@@ -17,7 +17,7 @@ class Usage(Case):
                 self.assertTrue(done.out.strip())
 
     def test_events_of_a_check(self):
-        program = self.write("a.nc", "N10 G0 X50. Z2.\nN20 G1 Z-10. F0.2\nN30 G4 U1.5\nN40 M8\nN50 M30\n")
+        program = self.write("a.nc", "G97 S1000 M3\nN10 G0 X50. Z2.\nN20 G1 Z-10. F0.2\nN30 G4 U1.5\nN40 M8\nN50 M30\n")
         done = self.polyturn("check", program)
         self.assertEqual(done.status, 0, done.said())
         for event in done.events:
@@ -25,10 +25,10 @@ class Usage(Case):
             self.assertTrue("ch" in event or event["ev"] == "sync", event)
         self.assertEqual([e["kind"] for e in done.of("move")], ["rapid", "linear"])
         cut = done.of("move")[1]
-        self.assertEqual((cut["n"], cut["line"], cut["pos"]["X"], cut["pos"]["Z"]), (20, 2, 50, -10))
+        self.assertEqual((cut["n"], cut["line"], cut["pos"]["X"], cut["pos"]["Z"]), (20, 3, 50, -10))
         self.assertEqual(cut["feed"], {"mode": "per_rev", "value": 0.2})
         self.assertEqual(done.of("dwell")[0]["seconds"], 1.5)
-        self.assertEqual(done.of("aux")[0]["code"], "M8")
+        self.assertEqual([e["code"] for e in done.of("aux")], ["M3", "M8"])
         self.assertEqual(done.of("stop")[0]["reason"], "M30")
 
     def test_quiet_keeps_alarms_and_summary(self):
