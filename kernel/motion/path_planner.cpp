@@ -128,9 +128,9 @@ void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input)
     view.tick_a = run_a;
     view.tick_j = run_j;
     view.ceiling = ceiling_of(running, which, input);
-    view.top = running.v_max;
     // Of the targets so far. A ceiling that is violated already rules out nothing.
     double lowest = release_speed(v, std::max(a, 0.0), run_j) <= view.ceiling * (1 + kGiving) ? view.ceiling : running.v_max;
+    view.top = lowest;
     double distance = running.length - state_.s;
     double reach = 0, need = 0;
     // How far this tick can lead, and how far from there to a standstill.
@@ -187,8 +187,6 @@ void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input)
     }
     view.a = run_a;
     view.j = run_j;
-    const double now = ceiling_of(running, which, input);
-    if (release_speed(v, std::max(a, 0.0), run_j) <= now) view.top = now;
     if (view.drop_count > 0) settle_drops(view);
     view.drops[view.drop_count] = kept;
 }
@@ -366,7 +364,8 @@ bool PathPlanner::begin_landing(const View& view) noexcept {
     const double v = state_.v, a = state_.a, distance = view.end;
     if (view.end_record == kNone || !(v > 0) || std::abs(a) > view.a * (1 + 1e-12)) return false;
     // Now, or can more speed still be had?
-    if (stopping_distance(v, a, view.a, 0.95 * view.j) <= distance && stopping_time(v, a, view.a, view.j) > 3 * dt_) return false;
+    const double softer = std::max(0.95 * view.j, a < 0 ? a * a / (2 * v) : 0.0);
+    if (stopping_distance(v, a, view.a, softer) <= distance * (1 - 1e-9) && stopping_time(v, a, view.a, view.j) > 3 * dt_) return false;
     if (!landing_.aim(v, a, distance, view.a, view.j / 100, view.j / kPlannedJerk)) return false;
     if (release_speed(v, std::max(a, 0.0), landing_.jerk()) > view.top) return false;
     for (std::uint32_t i = 0; i < view.target_count; ++i) {
