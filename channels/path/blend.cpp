@@ -145,37 +145,6 @@ double deviation(const PathRecord& a, const PathRecord& b, const Frame& f, const
     return worst;
 }
 
-// u(s) for one piece; false when |dp/ds| would be off by more than kSpeedError.
-bool fit_parameter(const Frame& f, BlendPiece& piece) {
-    const auto speed = [&](double u) {
-        double sum = 0;
-        for (std::size_t k = 0; k < f.count; ++k)
-            if (f.measured[k]) { const double x = slope_at(piece.position[k], u); sum += x * x; }
-        return std::sqrt(sum);
-    };
-    const auto growth = [&](double u, double speed_there) {   // d speed / du
-        double sum = 0;
-        for (std::size_t k = 0; k < f.count; ++k)
-            if (f.measured[k]) sum += slope_at(piece.position[k], u) * bend_at(piece.position[k], u);
-        return sum / speed_there;
-    };
-    // Gauss-Legendre, five points.
-    static constexpr double x[] = {0.0469100770306680, 0.2307653449471585, 0.5, 0.7692346550528415, 0.9530899229693320};
-    static constexpr double w[] = {0.1184634425280945, 0.2393143352496832, 0.2844444444444444, 0.2393143352496832, 0.1184634425280945};
-    double length = 0;
-    for (int n = 0; n < 5; ++n) length += w[n] * speed(x[n]);
-    const double v0 = speed(0), v1 = speed(1);
-    if (!(v0 > 0) || !(v1 > 0) || !(length > 0)) return false;
-    const Quintic unit = hermite({0, length / v0, -length * length * growth(0, v0) / (v0 * v0 * v0)},
-                                 {1, length / v1, -length * length * growth(1, v1) / (v1 * v1 * v1)});
-    for (double y : {0.15, 0.3, 0.5, 0.7, 0.85})
-        if (std::abs(speed(at(unit, y)) * slope_at(unit, y) / length - 1) > 0.9 * kSpeedError) return false;
-    piece.length = length;
-    double power = 1;
-    for (std::size_t k = 0; k < 6; ++k) piece.parameter[k] = unit[k] * power, power /= length;
-    return true;
-}
-
 // One half as 1, 2 or 4 pieces.
 bool add_half(const Frame& f, const std::array<Quintic, kMaxCurveAxes>& half, Blend& blend) {
     for (std::size_t parts = 1; parts <= kMostPieces / 2; parts *= 2) {
@@ -185,7 +154,7 @@ bool add_half(const Frame& f, const std::array<Quintic, kMaxCurveAxes>& half, Bl
             const double width = 1.0 / static_cast<double>(parts);
             for (std::size_t k = 0; k < f.count; ++k)
                 piece.position[k] = parts == 1 ? half[k] : part_of(half[k], width * static_cast<double>(n), width);
-            good = fit_parameter(f, piece);
+            good = fit_parameter(f.count, f.measured, piece);
         }
         if (good) {
             blend.count += parts;

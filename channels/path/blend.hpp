@@ -39,6 +39,10 @@ struct BlendPiece {
     double length = 0;
 };
 
+// u(s) for a piece whose position is given: |dp/ds| over the `measured` axes is 1, exactly at both ends, where u(s) also
+// leaves position without a second derivative along the path. False when it is off by more than kSpeedError in between.
+bool fit_parameter(std::size_t axes, const std::array<bool, kMaxCurveAxes>& measured, BlendPiece& piece);
+
 struct Blend {
     std::uint8_t axis_count = 0;
     std::array<std::uint8_t, kMaxCurveAxes> axis{};

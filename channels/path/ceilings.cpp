@@ -120,4 +120,14 @@ void apply_junction_rules(const JunctionSides& sides, double angle, const PathLi
     }
 }
 
+void apply_turn_rules(const PathRecord& r, double turn, const PathLimits& limits, Ceilings& c) {
+    if (!(turn > kFlat)) return;
+    if (!limits.corner_by_axis_step && limits.corner_feed > 0 && turn > limits.corner_angle) c.v = std::min(c.v, limits.corner_feed);
+    for (std::size_t i = 0; i < r.axis_count; ++i) {
+        const PathAxis& axis = limits.axis[r.axis[i]];
+        if (limits.corner_by_axis_step && axis.speed_step > 0) c.v = std::min(c.v, axis.speed_step / turn);
+        if (axis.accel_step > 0) c.a = std::min(c.a, axis.accel_step / turn);
+    }
+}
+
 }  // namespace polyturn::channels

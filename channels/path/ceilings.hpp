@@ -37,5 +37,7 @@ struct JunctionSides {
     bool arc = false;
 };
 void apply_junction_rules(const JunctionSides& sides, double angle, const PathLimits& limits, Ceilings& ceilings);
+// The same where only the turn is known, in a run of short lines: no axis can step by more than the turn.
+void apply_turn_rules(const PathRecord& record, double turn, const PathLimits& limits, Ceilings& ceilings);
 
 }  // namespace polyturn::channels

@@ -68,33 +68,45 @@ constexpr double kStopMayBeFaster = 0.2;
 }  // namespace
 
 PathRecord& PathMaker::next_move() {
-    coming().move = {};
-    return coming().move;
+    coming_.move = {};
+    return coming_.move;
 }
 
 double PathMaker::length_of_next() {
-    const double length = path_length(coming().move, *limits_);
+    const double length = path_length(coming_.move, *limits_);
     return length > kNothing ? length : 0;   // such a move vanishes
 }
 
 void PathMaker::add_move() {
-    Kept& next = coming();
+    Kept& next = coming_;
     next.move.length = path_length(next.move, *limits_);
     if (!(next.move.length > kNothing)) return;
     if (static_cast<RecordKind>(next.move.kind) == RecordKind::Arc) fit_spiral(next.move);
-    next.ceilings = ceilings_of(next.move, *limits_);
     next.from = 0;
     next.begun = false;
-    if (have_) join();
-    else next.move.flags &= ~std::uint32_t{kThreadChained};   // nothing to go on from
-    current_ = 1 - current_;
-    have_ = true;
+    next.number = ++number_;
+    if (chain_.empty()) {
+        next.move.flags &= ~std::uint32_t{kThreadChained};   // nothing to go on from
+        next.ceilings = ceilings_of(next.move, *limits_);
+        chain_.push_back(next);
+        return;
+    }
+    const bool runs = may_run(chain_.back().move, next.move);
+    next.ceilings = ceilings_of(next.move, *limits_);
+    if (runs) {
+        chain_.push_back(next);
+        run_on();
+        return;
+    }
+    close_chain();
+    join(chain_.back(), next);
+    chain_.back() = next;
 }
 
 void PathMaker::add_event(const PathRecord& record, bool stops) {
     if (stops) flush();
-    if (have_) {
-        between_.push_back(record);
+    if (!chain_.empty()) {
+        between_.push_back({number_, record});
         return;
     }
     out_->claim() = record;
@@ -102,17 +114,28 @@ void PathMaker::add_event(const PathRecord& record, bool stops) {
 }
 
 void PathMaker::flush() {
-    if (have_) {
-        if (has(kept().move, kThread)) kept().move.flags |= kThreadEnd;
-        put_part(kept(), kept().move.length, true, true);
+    if (!chain_.empty()) {
+        close_chain();
+        Kept& last = chain_.back();
+        if (has(last.move, kThread)) last.move.flags |= kThreadEnd;
+        put_part(last, last.move.length, true, true);
+        chain_.clear();
     }
-    have_ = false;
-    put_between();
+    put_between(number_);
 }
 
 void PathMaker::discard() {
-    have_ = false;
+    chain_.clear();
     between_.clear();
+    running_ = false;
+}
+
+// Whatever else is kept goes out, so that one move remains.
+void PathMaker::close_chain() {
+    if (running_) end_run();
+    if (chain_.size() < 2) return;
+    join(chain_[0], chain_[1]);   // a single short corner: a blend like any other
+    chain_.pop_front();
 }
 
 bool PathMaker::must_stop(const PathRecord& a, const PathRecord& b) const {
@@ -123,9 +146,7 @@ bool PathMaker::must_stop(const PathRecord& a, const PathRecord& b) const {
     return has(a, kSkipMove) || has(b, kSkipMove);
 }
 
-// The junction of the kept move with the coming one.
-void PathMaker::join() {
-    Kept &a = kept(), &b = coming();
+void PathMaker::join(Kept& a, Kept& b) {
     if (has(a.move, kThread) && !has(b.move, kThreadChained)) a.move.flags |= kThreadEnd;
     Junction junction = Junction::Stop;
     if (!must_stop(a.move, b.move))
@@ -138,12 +159,12 @@ void PathMaker::join() {
     }
     if (junction != Junction::Blended) {
         put_part(a, a.move.length, true, junction == Junction::Stop);
-        put_between();
+        put_between(a.number);
         return;
     }
     put_part(a, a.move.length - blend_.trim, false, false);
     put_pieces(a, blend_, 0, blend_.first_half, rules, true);
-    put_between();
+    put_between(a.number);
     put_pieces(b, blend_, blend_.first_half, blend_.count, rules, false);
     b.from = blend_.trim;
 }
@@ -205,12 +226,12 @@ void PathMaker::put_pieces(Kept& of, const Blend& blend, std::size_t first, std:
     }
 }
 
-void PathMaker::put_between() {
-    for (const PathRecord& record : between_) {
-        out_->claim() = record;
+void PathMaker::put_between(std::uint64_t up_to) {
+    while (!between_.empty() && between_.front().number <= up_to) {
+        out_->claim() = between_.front().record;
         out_->commit();
+        between_.pop_front();
     }
-    between_.clear();
 }
 
 }  // namespace polyturn::channels

@@ -6,15 +6,15 @@
 // Invariants
 //   I1  Consecutive records of one path meet in position, tangent and curvature, or the earlier one has kExactStop.
 //   I2  Each block that moves has exactly one record with kBlockBegin and one, the same or a later one, with kBlockEnd.
-//   I3  At most one move is kept back, and what it keeps back goes out before flush() returns.
+//   I3  One move is kept back, of a smooth run of short lines (spline_run.hpp) some dozens; all go out before flush() returns.
 //   I4  What is not motion leaves in its place: between the last record of the move before and the first of the next.
 // A stop instead of a blend: where it is faster (a sharp corner within 5 um is passed at about 1 mm/s), asked for (G9, G61), tolerance 0, a turn of more than 160 degrees, more than kMaxCurveAxes in
 // the corner, one side measured in degrees and the other in millimetres, a rapid move on either side unless N0421 ROL, a
 // thread begins or ends, the record between needs one.
 #pragma once
-#include <vector>
+#include <deque>
 
-#include "channels/path/blend.hpp"
+#include "channels/path/spline_run.hpp"
 
 namespace polyturn::channels {
 
@@ -48,22 +48,35 @@ private:
         Ceilings ceilings;          // of the whole move
         double from = 0;            // path before it is already out
         bool begun = false;         // so is its kBlockBegin
+        std::uint64_t number = 0;   // counts moves
     };
-    Kept& kept() { return moves_[current_]; }
-    Kept& coming() { return moves_[1 - current_]; }
-    void join();
-    bool stop_is_faster(const Kept& a, const Kept& b, const Ceilings& rules);
+    struct Between {                // not motion, behind the move of that number
+        std::uint64_t number;
+        PathRecord record;
+    };
+    void close_chain();
+    void join(Kept& a, Kept& b);
     bool must_stop(const PathRecord& a, const PathRecord& b) const;
+    bool stop_is_faster(const Kept& a, const Kept& b, const Ceilings& rules);
     void put_part(Kept& of, double to, bool last, bool stop);
     void put_pieces(Kept& of, const Blend& blend, std::size_t first, std::size_t end, const Ceilings& rules, bool last);
-    void put_between();
+    void put_between(std::uint64_t up_to);
+    bool may_run(const PathRecord& a, PathRecord& b);
+    bool agree_on_axes(PathRecord& a, PathRecord& b) const;
+    void run_on();
+    void begin_run();
+    void end_run();
+    void put_run();
 
     RecordOut* out_;
     const PathLimits* limits_;
-    std::array<Kept, 2> moves_;
-    std::size_t current_ = 0;
-    bool have_ = false;
-    std::vector<PathRecord> between_;   // not motion, behind the kept move
+    std::deque<Kept> chain_;        // moves that are not wholly out; more than one only in a run of short lines
+    Kept coming_;
+    std::uint64_t number_ = 0;
+    bool running_ = false;          // spline_ has begun
+    std::uint64_t run_number_ = 0;  // of the run's first line
+    SplineRun spline_;
+    std::deque<Between> between_;
     Blend blend_;
     PathRecord scratch_;
 };

@@ -1,0 +1,230 @@
+#include "channels/path/spline_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "channels/path/quintic.hpp"
+
+namespace polyturn::channels {
+
+bool is_short_corner(const PathRecord& a, const PathRecord& b, const PathLimits& limits) {
+    if (static_cast<RecordKind>(a.kind) != RecordKind::Line || static_cast<RecordKind>(b.kind) != RecordKind::Line) return false;
+    if (a.axis_count != b.axis_count || a.axis_count > kMaxCurveAxes) return false;
+    double step = 0;
+    for (std::size_t i = 0; i < a.axis_count; ++i) {
+        if (a.axis[i] != b.axis[i]) return false;
+        const double d = (b.end[i] - b.start[i]) / b.length - (a.end[i] - a.start[i]) / a.length;
+        step += d * d;
+    }
+    step = std::sqrt(step);   // rotary axes count as if degrees were millimetres: only ever too careful
+    const double shorter = std::min(a.length, b.length);
+    const double longer = std::max(a.length, b.length);
+    return longer <= kMostGrowth * shorter && shorter <= kLongestShort && step <= kMostTurn && shorter * step / 3 <= kCornerShare * limits.tolerance;
+}
+
+double SplineRun::distance(const SplinePoint& a, const SplinePoint& b) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < axes_; ++k)
+        if (measured_[k]) sum += (b[k] - a[k]) * (b[k] - a[k]);
+    return std::sqrt(sum);
+}
+
+// Change of the unit direction at b; the angle for small ones.
+double SplineRun::turn_at(const SplinePoint& a, const SplinePoint& b, const SplinePoint& c) const {
+    const double before = distance(a, b), behind = distance(b, c);
+    double sum = 0;
+    for (std::size_t k = 0; k < axes_; ++k) {
+        const double d = (c[k] - b[k]) / behind - (b[k] - a[k]) / before;
+        sum += d * d;
+    }
+    return std::sqrt(sum);
+}
+
+void SplineRun::begin(const SplinePoint& from, std::size_t axes, const std::array<bool, kMaxCurveAxes>& measured, double tolerance) {
+    axes_ = axes;
+    measured_ = measured;
+    tolerance_ = tolerance;
+    path_.assign(1, from);
+    dropped_ = 0;
+    control_.clear();
+    interval_.clear();
+    next_span_ = 1;
+    next_used_ = 3;
+    ready_.clear();
+}
+
+void SplineRun::add_vertex(const SplinePoint& vertex) {
+    path_.push_back(vertex);
+    const std::size_t newest = dropped_ + path_.size() - 1;
+    if (newest == 1) {   // the mirrored point, M, the first vertex
+        SplinePoint mirror{};
+        for (std::size_t k = 0; k < axes_; ++k) mirror[k] = 2 * path(0)[k] - vertex[k];
+        control_ = {{mirror, 0, mirror, true}, {path(0), 0, path(0), true}, {vertex, 1, vertex, true}};
+        interval_ = {distance(path(0), vertex), distance(path(0), vertex)};
+        return;
+    }
+    if (!chord_fits(newest) && newest - 1 > control_.back().vertex) add_control(newest - 1);
+}
+
+bool SplineRun::chord_fits(std::size_t to) const {
+    const Control& last = control_.back();
+    const SplinePoint &a = last.point, &b = path(to);
+    if (to - last.vertex > kMostSkipped) return false;
+    const double before = interval_.back(), behind = distance(a, b);
+    if (!(behind > 0) || behind > kMostGrowth * before) return false;
+    const SplinePoint& p = control_[control_.size() - 2].point;
+    if (turn_at(p, a, b) > kMostTurn) return false;
+    // (2), the next one not known: as if the curve went straight on behind `to`.
+    const SplinePoint earlier = beside(control_.size() - 2);
+    const double sum = before + behind, share_before = behind * behind / (sum * (interval_[interval_.size() - 2] + sum)), share_behind = before * before / (sum * (sum + behind));
+    const SplinePoint d = across(p, a, b, share_before, share_behind);
+    double left = 0;
+    for (std::size_t k = 0; k < axes_; ++k) {
+        const double rest = last.fixed ? d[k] : share_before * earlier[k] - (share_before + share_behind) * d[k];
+        left += rest * rest;
+    }
+    if (left > kTurnShare * tolerance_ * kTurnShare * tolerance_) return false;
+    return skips_well(last.vertex, to);
+}
+
+// The vertices between lie near the chord. The curve bulges as they do, but next to an end it cannot: so the chord counts.
+bool SplineRun::skips_well(std::size_t from, std::size_t to) const {
+    const SplinePoint &a = path(from), &b = path(to);
+    const double most = kSkipShare * tolerance_;
+    double length2 = 0;
+    for (std::size_t k = 0; k < axes_; ++k) length2 += (b[k] - a[k]) * (b[k] - a[k]);
+    for (std::size_t v = from + 1; v < to; ++v) {
+        const SplinePoint& p = path(v);
+        double f = 0, off2 = 0;
+        for (std::size_t k = 0; k < axes_; ++k) f += (p[k] - a[k]) * (b[k] - a[k]) / length2;
+        f = std::clamp(f, 0.0, 1.0);
+        for (std::size_t k = 0; k < axes_; ++k) {
+            const double d = p[k] - a[k] - f * (b[k] - a[k]);
+            off2 += d * d;
+        }
+        if (off2 > most * most) return false;
+    }
+    return true;
+}
+
+// (1): how far the curve with the knots as control points passes beside this one.
+SplinePoint SplineRun::beside(std::size_t control) const {
+    SplinePoint d{};
+    if (control_[control].fixed || control == 0 || control + 1 >= control_.size()) return d;
+    const auto i = static_cast<std::ptrdiff_t>(control);
+    const double z = interval(i - 2), a = interval(i - 1), b = interval(i), c = interval(i + 1);
+    const double share_before = b * b / ((a + b) * (z + a + b)), share_behind = a * a / ((a + b) * (a + b + c));
+    return across(control_[control - 1].point, control_[control].point, control_[control + 1].point, share_before, share_behind);
+}
+
+// share_before (p - a) + share_behind (b - a), without what of it lies along the path: where chords differ in length the curve
+// passes earlier or later, which harms nobody, and shifting control points along the path would make its pace uneven.
+SplinePoint SplineRun::across(const SplinePoint& p, const SplinePoint& a, const SplinePoint& b, double share_before, double share_behind) const {
+    SplinePoint d{}, along{};
+    double length2 = 0, part = 0;
+    for (std::size_t k = 0; k < axes_; ++k) {
+        d[k] = share_before * (p[k] - a[k]) + share_behind * (b[k] - a[k]);
+        along[k] = b[k] - p[k];
+        length2 += along[k] * along[k];
+        part += d[k] * along[k];
+    }
+    if (length2 > 0)
+        for (std::size_t k = 0; k < axes_; ++k) d[k] -= part / length2 * along[k];
+    return d;
+}
+
+void SplineRun::place_used(std::size_t control) {
+    const SplinePoint d = beside(control);
+    for (std::size_t k = 0; k < axes_; ++k) control_[control].used[k] = control_[control].point[k] - d[k];
+}
+
+void SplineRun::add_control(std::size_t vertex) {
+    interval_.push_back(distance(control_.back().point, path(vertex)));
+    control_.push_back({path(vertex), vertex, path(vertex), false});
+    make_spans(false);
+}
+
+void SplineRun::end(const SplinePoint& to) {
+    const std::size_t last = dropped_ + path_.size() - 1;
+    if (last > control_.back().vertex) add_control(last);
+    control_.back().fixed = true;
+    path_.push_back(to);
+    interval_.push_back(distance(control_.back().point, to));
+    control_.push_back({to, last + 1, to, true});
+    SplinePoint mirror{};
+    const SplinePoint before = control_[control_.size() - 2].point;
+    for (std::size_t k = 0; k < axes_; ++k) mirror[k] = 2 * to[k] - before[k];
+    interval_.push_back(interval_.back());
+    control_.push_back({mirror, last + 1, mirror, true});
+    make_spans(true);
+}
+
+// Beyond the mirrored points the intervals are mirrored too, so that the curve passes M and M' (see end of make_span).
+double SplineRun::interval(std::ptrdiff_t i) const {
+    const auto count = static_cast<std::ptrdiff_t>(interval_.size());
+    if (i < 0) i = std::min<std::ptrdiff_t>(2, count - 1);
+    if (i >= count) i = std::max<std::ptrdiff_t>(0, count - 3);
+    return interval_[static_cast<std::size_t>(i)];
+}
+
+void SplineRun::make_spans(bool all) {
+    const std::size_t known = control_.size();
+    for (; next_used_ + (all ? 0 : 2) < known; ++next_used_) place_used(next_used_);
+    while (next_span_ + (all ? 2 : 4) < known) make_span(next_span_, all && next_span_ + 3 == known), ++next_span_;
+    // Two controls before the next span are still needed, and no vertex before its own.
+    if (next_span_ > 64) {
+        const std::size_t drop = next_span_ - 3;
+        const std::size_t vertices = control_[next_span_ - 1].vertex - dropped_;
+        control_.erase(control_.begin(), control_.begin() + static_cast<std::ptrdiff_t>(drop));
+        interval_.erase(interval_.begin(), interval_.begin() + static_cast<std::ptrdiff_t>(drop));
+        path_.erase(path_.begin(), path_.begin() + static_cast<std::ptrdiff_t>(vertices));
+        dropped_ += vertices;
+        next_span_ -= drop;
+        next_used_ -= drop;
+    }
+}
+
+void SplineRun::make_span(std::size_t i, bool last_span) {
+    const auto at_i = static_cast<std::ptrdiff_t>(i);
+    const double z = interval(at_i - 2), a = interval(at_i - 1), b = interval(at_i), c = interval(at_i + 1), e = interval(at_i + 2);
+    const SplinePoint &p0 = control_[i - 1].used, &p1 = control_[i].used, &p2 = control_[i + 1].used, &p3 = control_[i + 2].used;
+    Cubic cubic{};
+    for (std::size_t k = 0; k < axes_; ++k) {
+        const double b1 = ((b + c) * p1[k] + a * p2[k]) / (a + b + c), b2 = (c * p1[k] + (a + b) * p2[k]) / (a + b + c);
+        const double before = (b * p0[k] + (z + a) * p1[k]) / (z + a + b), behind = ((c + e) * p2[k] + b * p3[k]) / (b + c + e);
+        const double b0 = (b * before + a * b1) / (a + b), b3 = (c * b2 + b * behind) / (b + c);
+        cubic[k] = {b0, 3 * (b1 - b0), 3 * (b0 - 2 * b1 + b2), b3 - 3 * b2 + 3 * b1 - b0, 0, 0};
+    }
+    // Cut where the path passes its vertices, in proportion to the lengths.
+    const std::size_t from = control_[i].vertex, to = control_[i + 1].vertex;
+    double total = 0;
+    for (std::size_t v = from; v < to; ++v) total += distance(path(v), path(v + 1));
+    double done = 0, u = 0;
+    for (std::size_t v = from; v < to; ++v) {
+        done += distance(path(v), path(v + 1));
+        const double next = v + 1 == to ? 1.0 : done / total;
+        Piece piece;
+        piece.line = v;
+        piece.last_of_line = !(last_span && v + 1 == to);
+        piece.turn = v > dropped_ ? turn_at(path(v - 1), path(v), path(v + 1)) : 0;
+        if (v + 2 < dropped_ + path_.size()) piece.turn = std::max(piece.turn, turn_at(path(v), path(v + 1), path(v + 2)));
+        add_piece(cubic, u, next, piece, 0);
+        u = next;
+    }
+}
+
+void SplineRun::add_piece(const Cubic& cubic, double from, double to, Piece piece, int depth) {
+    for (std::size_t k = 0; k < axes_; ++k) piece.curve.position[k] = part_of(cubic[k], from, to - from);
+    // The last cut is taken as it is: the axes' ceilings come from the true derivatives, only the feed is off a little.
+    if (fit_parameter(axes_, measured_, piece.curve) || depth == 5) {
+        ready_.push_back(piece);
+        return;
+    }
+    const double middle = 0.5 * (from + to);
+    Piece first = piece;
+    first.last_of_line = false;
+    add_piece(cubic, from, middle, first, depth + 1);
+    add_piece(cubic, middle, to, piece, depth + 1);
+}
+
+}  // namespace polyturn::channels
