@@ -26,6 +26,14 @@ public:
     // A value that setup or operator give to a variable by its name in this language; false: no such variable.
     virtual bool preset_variable(std::string_view name, double value) = 0;
     virtual Core& core() = 0;
+
+    // Resume states (architecture 5.6): kept for blocks whose records are not all executed, when switched on.
+    // BlockContext::serial counts the blocks of a run; records carry it back.
+    virtual void keep_resume_states(bool on) = 0;
+    virtual void executed(std::uint64_t serial) = 0;    // all blocks before it are executed for good
+    // Interpretation goes on with this block as if neither it nor anything behind it had been read: modal state, calls,
+    // variables, offsets and zeros are those that held before it. False: no state is kept for it.
+    virtual bool resume_at(std::uint64_t serial) = 0;
 };
 
 // By the name that --language takes; nothing for a language that is not built.

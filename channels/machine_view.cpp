@@ -19,6 +19,7 @@ MachineView make_machine_view(const params::Table& table, unsigned channel) {
     clear_store(*view.store);
     const ChannelConfig& config = view.config();
     view.axis_count = config.axis_count;
+    view.names = std::make_unique<std::array<std::array<char, 4>, kChannelAxes>>();
     for (unsigned place = 0; place < view.axis_count; ++place) {
         const AxisConfig& from = view.machine.axis(config.axes[place]);
         ChannelAxis& to = view.axes[place];

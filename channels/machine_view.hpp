@@ -34,6 +34,7 @@ struct MachineView {
     std::unique_ptr<ChannelStore> store;
     std::array<ChannelAxis, kChannelAxes> axes;
     unsigned axis_count = 0;
+    std::unique_ptr<std::array<std::array<char, 4>, kChannelAxes>> names;   // stays where it is when the view is moved
     AxisValues start{};             // machine coordinates at cycle start; X as a radius
 
     const ChannelConfig& config() const { return machine.channel(channel); }

@@ -40,6 +40,7 @@ struct BlockContext {
     std::uint8_t stack_depth = 0;  // 0 in the main program
     std::uint32_t line = 0;        // from 1
     std::int64_t block = -1;       // block number N; -1 none
+    std::uint64_t serial = 0;      // counts the blocks read since cycle start, from 1 (Language::resume_at)
     ToolRef tool;
     CompSide comp = CompSide::Off;
     std::string_view cycle;        // name of the cycle that makes it; empty none

@@ -134,9 +134,19 @@ int run_check(const CheckOptions& options, std::FILE* out) {
     for (const text::SetupVariable& variable : own.variables)
         if (!variable.is_text) interpreter->preset_variable(variable.name, variable.value);
 
+    // A loop of the program that causes nothing would keep the check for ever.
+    constexpr std::uint64_t kMostSilentSteps = 20'000'000;
+    std::uint64_t silent = 0;
+    std::size_t printed = 0;
     for (;;) {
         const Step step = interpreter->step();
+        silent = printer.text.size() == printed ? silent + 1 : 0;
         printer.flush_large();
+        printed = printer.text.size();
+        if (silent > kMostSilentSteps) {
+            events.alarm({Alarm::LoopEndless, {options.program, interpreter->core().at.line, 0, 0}, {}, {}}, interpreter->core().at);
+            break;
+        }
         if (step == Step::Continue) continue;
         if (step != Step::AtBarrier) break;
         if (sink.waiting) {

@@ -22,7 +22,9 @@ double& cell_of(OffsetCell& cell, OffsetTable table, OffsetField field) {
 }  // namespace
 
 void Interpreter::write_offset(OffsetTable table, std::int32_t number, OffsetField field, double value) {
-    cell_of(core_.view().store->offsets[static_cast<std::size_t>(number)], table, field) = value;
+    double& cell = cell_of(core_.view().store->offsets[static_cast<std::size_t>(number)], table, field);
+    variables_.note_cell(cell);
+    cell = value;
     OffsetWrite write;
     write.table = table == OffsetTable::Geometry ? "geometry" : "wear";
     write.axis = kFieldNames[static_cast<std::size_t>(field)];
@@ -35,7 +37,9 @@ void Interpreter::write_offset(OffsetTable table, std::int32_t number, OffsetFie
 }
 
 void Interpreter::write_zero(std::int32_t row, unsigned place, double value) {
-    core_.view().store->zeros[static_cast<std::size_t>(row) * kChannelAxes + place] = value;
+    double& cell = core_.view().store->zeros[static_cast<std::size_t>(row) * kChannelAxes + place];
+    variables_.note_cell(cell);
+    cell = value;
     const std::string name = work_zero_name(static_cast<std::size_t>(row));
     OffsetWrite write;
     write.table = "work";

@@ -105,6 +105,11 @@ Result<void> Interpreter::start(FileId main) {
     line_left_ = tape_begun_ = blocks_begun_ = ended_ = reread_ = false;
     fresh_ = true;   // cycle start is a barrier
     program_number_ = 0;
+    serial_ = 0;
+    points_.clear();
+    states_.clear();
+    variables_.undo().clear();
+    state_changed_ = true;
     core_.refresh_limits();
     core_.load_zeros();
     return {};
@@ -162,6 +167,10 @@ Step Interpreter::step() {
 }
 
 Step Interpreter::read_block() {
+    if (!reread_) {
+        core_.at.serial = ++serial_;
+        if (keep_states_) note_resume_point();
+    }
     if (reread_) {
         reread_ = false;
     } else if (!line_left_) {
@@ -193,7 +202,7 @@ Step Interpreter::read_block() {
             break;
         case ScanStop::TapeMark:
             if (!blocks_begun_ && !tape_begun_ && block_.count == 0) {
-                tape_begun_ = true;   // the rest of the line is the tape's title
+                tape_begun_ = state_changed_ = true;   // the rest of the line is the tape's title
                 return Step::Continue;
             }
             if (block_.count == 0) {
@@ -212,7 +221,7 @@ Step Interpreter::read_block() {
                             scanner_.fault().letter ? std::string(1, scanner_.fault().letter) : std::string{});
         case ScanStop::Macro: {
             if (block_.has('N')) at.block = last_n_ = static_cast<std::int64_t>(block_.value('N'));
-            blocks_begun_ = true;
+            blocks_begun_ = state_changed_ = true;
             return macro_statement(scanner_.stopped_at());
         }
     }
@@ -223,6 +232,7 @@ Step Interpreter::read_block() {
         return Step::Continue;
     }
     if (block_.has('N')) at.block = last_n_ = static_cast<std::int64_t>(block_.value('N'));
+    if (keep_states_ && !is_plain_move()) state_changed_ = true;
     if (block_.has('O')) {
         if (blocks_begun_) {   // the next program of the text begins
             tape_begun_ = false;
@@ -275,12 +285,14 @@ bool Interpreter::jump_to(std::int64_t number) {
 std::optional<TextPosition> Interpreter::find_program_in(FileId file, std::int64_t number) {
     LineSource& source = files_->source(file);
     const TextPosition back = source.next_position();
+    const std::uint32_t from_line = source.position().line;
     source.seek({0, 1});
     std::string_view line;
     std::optional<TextPosition> found;
     while (!found && source.next(line) == LineSource::Status::Line)
         if (leading_number(line, 'O', true) == number) found = source.position();
     source.seek(back);
+    if (!found && &source == source_) fault_line_ = from_line;  // the search has left the line of the call
     return found;
 }
 

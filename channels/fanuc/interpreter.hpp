@@ -5,8 +5,10 @@
 //   settings -> F -> S -> T -> M that begin -> one-shot or motion -> M that end -> calls
 // A block that needs a live value stops before anything has been done: AtBarrier, then it is read again (architecture 5.5).
 #pragma once
+#include <deque>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "channels/cycles/simple_cycles.hpp"
@@ -53,12 +55,16 @@ class Interpreter final : public Language, private ScanHook, private VariableHos
 public:
     using MakeSettings = Settings (*)(const params::Table&, unsigned channel);
     Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles& files, MakeSettings make_settings);
+    ~Interpreter() override;
 
     Result<void> start(FileId main) override;
     Step step() override;
     void barrier_done() override;
     bool preset_variable(std::string_view name, double value) override;
     Core& core() override { return core_; }
+    void keep_resume_states(bool on) override;
+    void executed(std::uint64_t serial) override;
+    bool resume_at(std::uint64_t serial) override;
     const Settings& settings() const { return settings_; }
 
     // --- handlers of g_codes.cpp
@@ -108,6 +114,23 @@ private:
     bool jump_to(std::int64_t number);
     bool call_program(std::int64_t number, std::int64_t repeats, const LocalSet* arguments, bool by_code, bool modal, char letter);
     bool return_from(bool has_target, std::int64_t target);
+
+    // resume states (resume.cpp)
+    struct ResumeState;
+    struct ResumePoint {
+        std::uint64_t serial;
+        TextPosition position;
+        std::size_t column;
+        AxisValues programmed, machine;
+        std::uint64_t state;         // number of the full state that held
+    };
+    void note_resume_point();
+    bool is_plain_move() const;
+    // Everything that holds from block to block beside positions, calls and variables.
+    auto modal() {
+        return std::tie(motion_, active_, cycle_end_, cycle_set_, cycle_taper_, drilling_, drill_, absolute_, inch_, unit_, last_m_, last_t_, last_n_,
+                        parameter_input_, lead_, single_block_off_, no_finish_wait_, automatic_control_, parts_, program_number_, tape_begun_, blocks_begun_);
+    }
 
     // one block (block.cpp)
     Step nc_block();
@@ -226,6 +249,11 @@ private:
     std::uint32_t fault_column_ = 0, fault_length_ = 0;   // by the macro parser; 0: the letter tells
     Fault pending_fault_;
     bool has_pending_fault_ = false;
+    std::deque<ResumePoint> points_;
+    std::deque<std::shared_ptr<ResumeState>> states_;   // its type is known in resume.cpp only
+    std::uint64_t serial_ = 0, next_state_ = 1;
+    bool keep_states_ = false, state_changed_ = true;
+
     std::string message_;             // text of #3000, #3006 while it is told
 
     // letters -> axes

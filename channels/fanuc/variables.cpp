@@ -33,11 +33,13 @@ VariableStatus VariableSet::write(std::int64_t number, double value) {
     }
     const std::int64_t common = number - common_first_;
     if (common >= 0 && common < static_cast<std::int64_t>(common_.size())) {
+        note_cell(common_[static_cast<std::size_t>(common)]);
         common_[static_cast<std::size_t>(common)] = value;
         return VariableStatus::Ok;
     }
     if (number >= 500 && number < 1000) {
-        store_->variables[number - 500] = value;
+        note_cell(store_->variables[static_cast<std::size_t>(number - 500)]);
+        store_->variables[static_cast<std::size_t>(number - 500)] = value;
         return VariableStatus::Ok;
     }
     return number >= 1000 ? host_->write_system(number, value) : VariableStatus::Unknown;

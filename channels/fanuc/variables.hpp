@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "channels/state/undo_log.hpp"
 #include "polyturn/image_structs.hpp"
 
 namespace polyturn::channels::fanuc {
@@ -45,6 +46,11 @@ public:
     void push_locals(const LocalSet& set) { levels_.push_back(set); }
     void pop_locals() { if (levels_.size() > 1) levels_.pop_back(); }
     std::size_t depth() const { return levels_.size(); }
+    const std::vector<LocalSet>& levels() const { return levels_; }
+    void set_levels(const std::vector<LocalSet>& levels) { levels_ = levels; }
+    UndoLog& undo() { return undo_; }
+    void begin_block(std::uint64_t serial) { serial_ = serial; }
+    void note_cell(double& cell) { undo_.note(serial_, cell); }   // before an offset or a zero is written
     // Reset and end of program: locals and commons become empty.
     void clear();
 
@@ -54,6 +60,8 @@ private:
     unsigned common_first_;
     std::vector<double> common_;
     std::vector<LocalSet> levels_;
+    UndoLog undo_;
+    std::uint64_t serial_ = 0;
 };
 
 }  // namespace polyturn::channels::fanuc

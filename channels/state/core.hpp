@@ -145,6 +145,7 @@ public:
     bool spindle_limit(double rpm);
     bool spindle_position(double degrees);
     bool commit_spindle();
+    void forget_pending() { mode_changed_ = speed_changed_ = turn_changed_ = limit_changed_ = false; }   // after PathState was put back
     void refresh_surface_zero();                          // G96: the zero of X may have changed
 
 private:

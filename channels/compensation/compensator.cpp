@@ -1,0 +1,239 @@
+// Which block begins, goes on and ends compensation. The moves that come of it are made in nose_moves.cpp.
+#include "channels/compensation/compensator.hpp"
+
+#include "channels/compensation/interference.hpp"
+
+namespace polyturn::channels::compensation {
+namespace {
+
+bool is_arc(const Move& m) { return m.kind == MoveKind::ArcCw || m.kind == MoveKind::ArcCcw; }
+
+// These tell of the block behind the held one, whose own end stands: the tool comes to rest there. Behind any other error
+// nothing is known, and a block that ends at its normal could cut into an inner corner: it is not begun.
+bool leaves_held_block(Alarm alarm) {
+    return alarm == Alarm::CompArcStartEnd || alarm == Alarm::CompPlaneChanged || alarm == Alarm::CompArcCentre;
+}
+
+}  // namespace
+
+void Compensator::open(Sink& out, unsigned p, unsigned q, const Options& options) {
+    *this = Compensator();
+    out_ = &out;
+    p_ = p;
+    q_ = q;
+    options_ = options;
+}
+
+bool Compensator::closed() const { return state_ == State::Off && !holds() && !halted_ && !displaced() && !suspended_; }
+
+void Compensator::pump() {
+    if (failed_) {
+        trailing_.clear();
+        ready_.clear();
+    } else if (!halted_ && !ready_.empty()) {
+        halted_ = ready_.pass_on(*out_);
+    }
+}
+
+void Compensator::resume() {
+    halted_ = false;
+    pump();
+}
+
+void Compensator::ensure_halt(const BlockContext& at) {
+    if (!halted_ && !ready_.will_halt() && !trailing_.will_halt()) line().barrier(at);
+    pump();
+}
+
+void Compensator::select(int side) {
+    cancel_ = false;
+    if (state_ == State::Off) state_ = State::Armed;
+    else if (state_ == State::Leaving) state_ = State::On;
+    else if (state_ == State::On && side == side_) repeated_ = true;
+    side_ = side;
+}
+
+void Compensator::nose(double radius, Vec tip, bool has_offset) {
+    nose_ = std::fabs(radius);
+    nose_sign_ = radius < 0 ? -1 : 1;
+    tip_ = nose_ * tip;
+    has_offset_ = has_offset;
+}
+
+bool Compensator::in_plane(const Move& m) const {
+    constexpr double kSame = 1e-9;   // as Core judges it
+    return is_arc(m) || std::fabs(m.machine[p_] - m.machine_start[p_]) > kSame || std::fabs(m.machine[q_] - m.machine_start[q_]) > kSame;
+}
+
+Element Compensator::element_of(const Move& m) const {
+    const Vec start{m.machine_start[p_], m.machine_start[q_]}, end{m.machine[p_], m.machine[q_]};
+    Element e = is_arc(m) ? arc(start, end, {m.centre_p, m.centre_q}, m.sweep) : line(start, end);
+    e.nose = nose_;
+    e.side = side_ * nose_sign_;
+    return e;
+}
+
+void Compensator::move(const Move& m, const BlockContext& at) {
+    if (failed_) return;
+    if (suspended_) {
+        moved_ = true;
+        suspended_ = false;
+        straight_to_programmed(m, at);
+        if (state_ == State::On || state_ == State::Resuming || state_ == State::Armed)
+            state_ = options_.resume_at_intersection ? State::Resuming : State::Armed;
+        return;
+    }
+    if (!in_plane(m)) {   // it waits with the others until the nose's place is known
+        if (held_) {
+            trailing_.move(m, at);
+        } else {
+            Move shifted = m;
+            shifted.machine_start[p_] += displacement_.p, shifted.machine_start[q_] += displacement_.q;
+            shifted.machine[p_] += displacement_.p, shifted.machine[q_] += displacement_.q;
+            shifted.pos[p_] += displacement_.p, shifted.pos[q_] += displacement_.q;
+            deliver(shifted, at);
+        }
+        return;
+    }
+    moved_ = true;
+    idle_blocks_ = 0;
+    const bool cancels = cancel_;
+    cancel_ = false;
+    if (cancels && (state_ == State::Armed || state_ == State::Resuming)) state_ = State::Off;
+    switch (state_) {
+        case State::Off: deliver(m, at); return;
+        case State::Armed:
+        case State::Resuming:
+            if (!has_offset_) {
+                deliver(m, at);
+                return;
+            }
+            if (is_arc(m)) {
+                fail(Alarm::CompArcStartEnd, true, at);
+                return;
+            }
+            hold(m, at, state_ == State::Armed ? Role::Begin : Role::Resume);
+            state_ = State::On;
+            return;
+        case State::On:
+            if (cancels) cancel_block(m, at);
+            else contour_block(m, at);
+            return;
+        case State::Leaving:
+            if (is_arc(m)) {
+                fail(Alarm::CompArcStartEnd, true, at);
+                return;
+            }
+            straight_to_programmed(m, at);
+            state_ = State::Off;
+            return;
+    }
+}
+
+void Compensator::hold(const Move& m, const BlockContext& at, Role role) {
+    block_ = {m, at, element_of(m), tip_, role};
+    held_ = true;
+    repeated_ = false;
+}
+
+void Compensator::contour_block(const Move& m, const BlockContext& at) {
+    if (held_) {
+        const Element next = element_of(m);
+        CornerResult corner;
+        if (repeated_) corner.vectors = Vectors::one(block_.element.nose * block_.element.normal_at_end());
+        else if (block_.role == Role::Begin) corner = start_corner(block_.element, next, options_);
+        else corner = offset_corner(block_.element, next, options_);
+        if (corner.fault != CornerFault::None) {
+            fail(Alarm::CompNoIntersection, false, block_.at);
+            return;
+        }
+        constexpr double kHalfTurn = 3.14159;
+        drop_small(corner.vectors, options_.small_vector, next.arc && std::fabs(next.sweep) >= kHalfTurn);
+        if (!finish(corner.vectors)) return;
+    }
+    hold(m, at, Role::Contour);
+}
+
+void Compensator::cancel_block(const Move& m, const BlockContext& at) {
+    if (is_arc(m)) {
+        settle();
+        if (!failed_) fail(Alarm::CompArcStartEnd, true, at);
+        return;
+    }
+    if (held_) {
+        CornerResult corner;
+        if (wish_set_) corner = retract_corner(block_.element, wish_);
+        else corner = cancel_corner(block_.element, element_of(m), options_);
+        drop_small(corner.vectors, options_.small_vector, false);
+        if (!finish(corner.vectors)) return;
+    }
+    wish_set_ = repeated_ = false;
+    straight_to_programmed(m, at);
+    state_ = State::Off;
+}
+
+void Compensator::settle() {
+    if (held_ && !failed_) finish(Vectors::one(block_.element.nose * block_.element.normal_at_end()));
+}
+
+void Compensator::suspend() {
+    settle();
+    if (state_ != State::Off && !failed_) suspended_ = true;
+}
+
+void Compensator::drop_vector() {
+    if (failed_) return;
+    if (held_) finish_at_programmed();
+    if (state_ == State::On) state_ = State::Resuming;
+}
+
+void Compensator::block_done(bool counts) {
+    if (cancel_) {   // G40 in a block that does not move in the plane
+        settle();
+        state_ = state_ == State::On && displaced() ? State::Leaving : State::Off;
+        cancel_ = wish_set_ = repeated_ = false;
+    } else if (!moved_ && held_) {
+        if (counts) ++idle_blocks_;
+        if (zero_ || idle_blocks_ >= 2) settle();
+    }
+    moved_ = zero_ = false;
+}
+
+// The held block may not be delivered (I2).
+bool Compensator::fail(Alarm alarm, bool this_block, const BlockContext& at) {
+    fault_ = {alarm, this_block, at};
+    failed_ = true;
+    held_ = false;
+    trailing_.clear();
+    return false;
+}
+
+void Compensator::stop(const Stop& s, const BlockContext& at) {
+    if (s.reason != StopReason::M00 && s.reason != StopReason::M01) settle();   // nothing follows
+    line().stop(s, at);
+    pump();
+}
+
+void Compensator::barrier(const BlockContext& at) {
+    settle();
+    ready_.barrier(at);
+    pump();
+}
+
+void Compensator::alarm(const Diagnosis& diagnosis, const BlockContext& at) {
+    if (diagnosis.severity() != Severity::Error) {
+        out_->alarm(diagnosis, at);
+        return;
+    }
+    if (!failed_) {
+        if (leaves_held_block(diagnosis.alarm)) settle();
+        if (!halted_) ready_.pass_on_before_halt(*out_);
+        failed_ = true;
+        held_ = false;
+        trailing_.clear();
+    }
+    ready_.clear();
+    out_->alarm(diagnosis, at);
+}
+
+}  // namespace polyturn::channels::compensation

@@ -1,0 +1,132 @@
+// Nose-radius compensation for every language: a sink between the channel's state and the real sink. It holds back one
+// block until the next one tells where it has to end, and gives on what the nose really does.
+//
+//   programmed move -> held block a  --(next block b)-->  vectors at the corner a/b -> check of a -> a is delivered
+//                      calls behind it wait with it                                   b is held
+//
+//   delivered point = programmed point + V + r*e      V offset vector of the nose centre (corner.hpp)
+//                                                     e direction from the nose centre to the imaginary tip, r its radius
+//
+// Invariants
+//   I1  Calls are delivered in the order in which they came; those that came behind a held block are made at its end
+//       vector, so a function between two blocks acts at the corner.
+//   I2  A block whose end vector cannot be made, or that would be driven backwards, is not delivered, nor anything behind it.
+//   I3  Behind a call that the machine must come to (HeldCalls) nothing is delivered before resume(): blocks are read on
+//       meanwhile only as far as the held one needs.
+//   I4  closed(): nothing is held and no vector is left, the compensator may be taken out of the way.
+#pragma once
+#include "channels/compensation/corner.hpp"
+#include "channels/compensation/held_calls.hpp"
+#include "channels/compensation/options.hpp"
+
+namespace polyturn::channels::compensation {
+
+class Compensator final : public Sink {
+public:
+    struct Fault {
+        Alarm alarm{};
+        bool this_block = false;   // the block that is being interpreted; else `at` tells
+        BlockContext at;
+    };
+
+    // p, q: places of the plane's axes.
+    void open(Sink& out, unsigned p, unsigned q, const Options& options);
+    bool closed() const;
+
+    // --- what the block says, before its move
+    void select(int side);                   // +1 left, -1 right of the path
+    void cancel() { cancel_ = true, wish_set_ = false; }
+    void cancel_towards(Vec wish) { cancel_ = true, wish_ = wish, wish_set_ = length(wish) > 0; }
+    // radius may be negative: the sides change places. tip: from nose centre to imaginary tip, as a share of the radius.
+    void nose(double radius, Vec tip, bool has_offset);
+    void zero_distance() { zero_ = true; }   // plane axes are named and do not move
+    void suspend();                          // G53, reference: the next move leaves the vector behind
+    void settle();                           // the held block ends at its normal: nothing is known of what follows
+    void drop_vector();                      // G50: the held block ends where it is programmed
+    // The block has been interpreted. counts: it is one of the blocks without movement where it made none.
+    void block_done(bool counts);
+
+    // --- barriers
+    bool halted() const { return halted_; }
+    void resume();
+    bool holds() const { return held_ || !ready_.empty(); }
+    void ensure_halt(const BlockContext& at);
+    Vec displacement() const { return displacement_; }   // of the axes from what is programmed; nothing is held
+    bool displaced() const { return displacement_.p != 0 || displacement_.q != 0; }
+
+    bool failed() const { return failed_; }
+    const Fault& fault() const { return fault_; }
+
+    // --- Sink
+    void move(const Move&, const BlockContext&) override;
+    void dwell(const Dwell& d, const BlockContext& at) override { line().dwell(d, at), pump(); }
+    void aux(const Aux& a, const BlockContext& at) override { line().aux(a, at), pump(); }
+    void spindle(const Spindle& s, const BlockContext& at) override { line().spindle(s, at), pump(); }
+    void wait(const Wait& w, const BlockContext& at) override { line().wait(w, at), pump(); }
+    void variable(const Variable& v, const BlockContext& at) override { line().variable(v, at), pump(); }
+    void offset(const OffsetWrite& o, const BlockContext& at) override { line().offset(o, at), pump(); }
+    void message(std::string_view text, const BlockContext& at) override { line().message(text, at), pump(); }
+    void stop(const Stop&, const BlockContext&) override;
+    void part(double count, const BlockContext& at) override { line().part(count, at), pump(); }
+    void alarm(const Diagnosis&, const BlockContext&) override;
+    void barrier(const BlockContext&) override;
+    void block_end(const BlockContext& at) override { line().block_end(at), pump(); }
+
+private:
+    enum class State : std::uint8_t {
+        Off,
+        Armed,      // the next block in the plane begins compensation
+        On,
+        Resuming,   // the next block goes straight to the vector at its end
+        Leaving,    // G40 without movement: the next block takes the vector back
+    };
+    enum class Role : std::uint8_t { Begin, Resume, Contour };
+    struct Held {
+        Move move;
+        BlockContext at;
+        Element element;
+        Vec tip;                // mm
+        Role role = Role::Contour;
+    };
+
+    HeldCalls& line() { return held_ ? trailing_ : ready_; }
+    void pump();
+    bool in_plane(const Move& m) const;
+    Element element_of(const Move& m) const;
+    void hold(const Move& m, const BlockContext& at, Role role);
+    void contour_block(const Move& m, const BlockContext& at);
+    void cancel_block(const Move& m, const BlockContext& at);
+    void straight_to_programmed(const Move& m, const BlockContext& at);
+    bool finish(Vectors end);
+    void finish_at_programmed();
+    bool fail(Alarm alarm, bool this_block, const BlockContext& at);
+    // one move in the plane from here_ to `to`
+    void go(const Held& b, Vec to, bool by_arc, Vec about);
+    void go_element(const Held& b, Vec to, bool as_line);
+    void go_corner(const Held& b, const Vectors& vectors, unsigned from, unsigned to, Vec corner, Vec tip);
+    void deliver(const Move& m, const BlockContext& at);
+
+    Sink* out_ = nullptr;
+    unsigned p_ = 0, q_ = 1;
+    Options options_;
+    State state_ = State::Off;
+    bool held_ = false, halted_ = false, failed_ = false;
+    Held block_;                // when held_
+    Vectors start_ = Vectors::one({});   // where the next (or the held) block begins; at[0] has been reached
+    HeldCalls trailing_, ready_;
+    Vec here_;                  // machine, while a block is made
+    Vec displacement_;
+    Fault fault_;
+
+    int side_ = 1;
+    double nose_ = 0.0;         // not negative
+    int nose_sign_ = 1;
+    Vec tip_;                   // mm
+    bool has_offset_ = false;
+    bool repeated_ = false, cancel_ = false, wish_set_ = false, suspended_ = false;
+    Vec wish_;
+    bool moved_ = false, zero_ = false;   // in this block
+    unsigned idle_blocks_ = 0;
+};
+
+}  // namespace polyturn::channels::compensation

@@ -1,0 +1,142 @@
+#include "channels/compensation/corner.hpp"
+
+#include <numbers>
+
+namespace polyturn::channels::compensation {
+namespace {
+
+constexpr double kTangent = 1e-9;            // sine of the turn below which two elements go on straight
+constexpr double kRightAngle = 1e-9;         // cosine: 90 degrees counts as obtuse
+constexpr double kOneDegree = std::numbers::pi / 180.0;
+
+Vec first_normal(const Element& a) { return a.nose * a.normal_at_end(); }
+Vec second_normal(const Element& b) { return b.nose * b.normal_at_start(); }
+
+void add_extended(Vectors& list, const Element& a, const Element& b) {
+    if (a.arc) list.add(first_normal(a));
+    list.add(first_normal(a) + a.nose * a.end_dir);
+    list.add(second_normal(b) - b.nose * b.start_dir);
+    if (b.arc) list.add(second_normal(b));
+}
+
+// Tangents instead of equidistants: outer equidistants of small arcs may not meet.
+void add_outer_tangents(Vectors& list, const Element& a, const Element& b) {
+    const Vec na = a.normal_at_end(), nb = b.normal_at_start();
+    if (a.arc) list.add(first_normal(a));
+    list.add((a.nose / (1.0 + dot(na, nb))) * (na + nb));
+    if (b.arc) list.add(second_normal(b));
+}
+
+// Degrees between the elements on the workpiece's side of an outer corner.
+double opening_deg(const Element& a, const Element& b) {
+    return 180.0 - std::fabs(std::atan2(cross(a.end_dir, b.start_dir), dot(a.end_dir, b.start_dir))) / kOneDegree;
+}
+
+void add_outer(Vectors& list, const Element& a, const Element& b, Turn turn, const Options& options) {
+    if (options.corner == Corner::Arc || (options.corner == Corner::Intersection && opening_deg(a, b) < options.intersection_from_deg)) {
+        list.add(first_normal(a));
+        list.add(second_normal(b), true);
+    } else if (turn == Turn::Obtuse || (options.corner == Corner::Intersection && turn != Turn::Reversal)) {
+        if (const auto v = meeting_point(a, b)) list.add(*v);
+        else add_outer_tangents(list, a, b);
+    } else {
+        add_extended(list, a, b);
+    }
+}
+
+}  // namespace
+
+Turn classify(const Element& a, const Element& b) {
+    const double t = cross(a.end_dir, b.start_dir), straight = dot(a.end_dir, b.start_dir);
+    if (std::fabs(t) < kTangent && straight > 0) return Turn::Inner;
+    if (std::fabs(t) >= kTangent && t * b.side > 0) return Turn::Inner;
+    if (straight >= -kRightAngle) return Turn::Obtuse;
+    if (!a.arc && !b.arc && std::fabs(t) <= std::sin(kOneDegree)) return Turn::Reversal;
+    return Turn::Acute;
+}
+
+CornerResult start_corner(const Element& a, const Element& b, const Options& options) {
+    Element entry = a;   // the beginning is judged as if it were compensated like the contour
+    entry.side = b.side;
+    entry.nose = b.nose;
+    const Turn turn = classify(entry, b);
+    CornerResult result;
+    Vectors& list = result.vectors;
+    if (turn == Turn::Inner || turn == Turn::Reversal || options.entry == Entry::Direct) {
+        list.add(second_normal(b));
+        return result;
+    }
+    list.add(first_normal(entry));
+    add_outer(list, entry, b, turn, options);
+    if (turn == Turn::Obtuse && options.corner == Corner::Extended) list.of_first = list.count;
+    return result;
+}
+
+CornerResult offset_corner(const Element& a, const Element& b, const Options& options) {
+    CornerResult result;
+    Vectors& list = result.vectors;
+    const double t = cross(a.end_dir, b.start_dir);
+    const bool straight_on = std::fabs(t) < kTangent && dot(a.end_dir, b.start_dir) > 0;
+    if (a.side != b.side) {   // the nose crosses the contour: inner and outer mean nothing here
+        const auto v = meeting_point(a, b);
+        list.add(v ? *v : second_normal(b));
+        return result;
+    }
+    if (straight_on) {
+        list.add(first_normal(a));
+        return result;
+    }
+    const Turn turn = classify(a, b);
+    if (turn != Turn::Inner) {
+        add_outer(list, a, b, turn, options);
+        return result;
+    }
+    if (const auto v = meeting_point(a, b)) list.add(*v);
+    else result.fault = CornerFault::NoIntersection;
+    return result;
+}
+
+CornerResult cancel_corner(const Element& a, const Element& b, const Options& options) {
+    Element leave = b;
+    leave.side = a.side;
+    leave.nose = a.nose;
+    const Turn turn = classify(a, leave);
+    CornerResult result;
+    Vectors& list = result.vectors;
+    if (turn == Turn::Inner || turn == Turn::Reversal || options.entry == Entry::Direct) {
+        list.add(first_normal(a));
+        return result;
+    }
+    add_outer(list, a, leave, turn, options);
+    if (!list.by_arc[list.count - 1]) list.add(second_normal(leave));
+    return result;
+}
+
+CornerResult retract_corner(const Element& a, Vec wish) {
+    Element on = line(a.end, a.end + unit(wish));
+    on.side = a.side;
+    on.nose = a.nose;
+    const auto v = meeting_point(a, on);
+    return {Vectors::one(v ? *v : first_normal(a)), CornerFault::None};
+}
+
+void drop_small(Vectors& list, double limit, bool keep_last) {
+    constexpr double kSame = 1e-7;   // mm
+    const double close = limit > kSame ? limit : kSame;
+    unsigned kept = 1;
+    for (unsigned i = 1; i < list.count; ++i) {
+        const Vec step = list.at[i] - list.at[kept - 1];
+        const bool small = std::fabs(step.p) <= close && std::fabs(step.q) <= close;
+        const bool needed = keep_last && i + 1 == list.count && length(step) > kSame;
+        if (small && !needed) {
+            if (i < list.of_first) --list.of_first;
+            continue;
+        }
+        list.at[kept] = list.at[i];
+        list.by_arc[kept++] = list.by_arc[i];
+    }
+    list.count = kept;
+    if (list.of_first > list.count) list.of_first = list.count;
+}
+
+}  // namespace polyturn::channels::compensation

@@ -1,0 +1,87 @@
+#include "channels/compensation/element.hpp"
+
+namespace polyturn::channels::compensation {
+namespace {
+
+constexpr double kParallel = 1e-9;   // sine of the angle below which two lines have no useful intersection
+constexpr double kTouch = 1e-7;      // mm: equidistants that miss each other by rounding only touch
+
+struct Circle {
+    Vec centre;      // seen from the corner
+    double radius;
+};
+
+struct Points {
+    Vec at[2];
+    int count = 0;
+};
+
+// Circle about c with radius r and the line through a in direction d: foot of the perpendicular, then to both sides.
+//     foot = a + ((c - a).d) d      h = distance from c to foot      half = sqrt(r*r - h*h)
+Points meet(Vec a, Vec d, const Circle& circle) {
+    const Vec foot = a + dot(circle.centre - a, d) * d;
+    const double h = length(circle.centre - foot);
+    if (h > circle.radius + kTouch) return {};
+    const double half = h < circle.radius ? std::sqrt((circle.radius - h) * (circle.radius + h)) : 0.0;
+    return {{foot + half * d, foot - half * d}, 2};
+}
+
+// Two circles: their common chord is perpendicular to the line of centres at distance x from the first centre,
+//     x = (D*D + r1*r1 - r2*r2) / 2D
+Points meet(const Circle& a, const Circle& b) {
+    const Vec between = b.centre - a.centre;
+    const double distance = length(between);
+    if (distance < kTouch) return {};   // concentric: nowhere or everywhere
+    const Vec along = (1.0 / distance) * between;
+    const double x = (distance * distance + (a.radius - b.radius) * (a.radius + b.radius)) / (2.0 * distance);
+    if (std::fabs(x) > a.radius + kTouch) return {};
+    const double rest = (a.radius - std::fabs(x)) * (a.radius + std::fabs(x));
+    const double half = rest > 0 ? std::sqrt(rest) : 0.0;
+    const Vec foot = a.centre + x * along;
+    return {{foot + half * left_of(along), foot - half * left_of(along)}, 2};
+}
+
+}  // namespace
+
+Element line(Vec start, Vec end) {
+    Element e;
+    e.start = start;
+    e.end = end;
+    e.start_dir = e.end_dir = unit(end - start);
+    return e;
+}
+
+Element arc(Vec start, Vec end, Vec centre, double sweep) {
+    Element e;
+    e.arc = true;
+    e.start = start;
+    e.end = end;
+    e.centre = centre;
+    e.sweep = sweep;
+    e.start_radius = length(start - centre);
+    e.end_radius = length(end - centre);
+    const double turn = sweep > 0 ? 1.0 : -1.0;
+    e.start_dir = turn * left_of((1.0 / e.start_radius) * (start - centre));
+    e.end_dir = turn * left_of((1.0 / e.end_radius) * (end - centre));
+    return e;
+}
+
+std::optional<Vec> meeting_point(const Element& a, const Element& b) {
+    const Vec na = a.nose * a.normal_at_end(), nb = b.nose * b.normal_at_start();
+    if (!a.arc && !b.arc) {
+        const double sine = cross(a.end_dir, b.start_dir);
+        if (std::fabs(sine) < kParallel) return std::nullopt;
+        // na + s*da lies on b's equidistant:  cross(na + s*da - nb, db) = 0
+        const double s = cross(nb - na, b.start_dir) / sine;
+        return na + s * a.end_dir;
+    }
+    Points points;
+    const Circle ca{a.centre - a.end, a.nose_path_radius(a.end_radius)}, cb{b.centre - b.start, b.nose_path_radius(b.start_radius)};
+    if ((a.arc && ca.radius < 0) || (b.arc && cb.radius < 0)) return std::nullopt;
+    if (a.arc && b.arc) points = meet(ca, cb);
+    else points = a.arc ? meet(nb, b.start_dir, ca) : meet(na, a.end_dir, cb);
+    if (points.count == 0) return std::nullopt;
+    return length(points.at[0]) <= length(points.at[1]) ? points.at[0] : points.at[1];
+}
+
+}  // namespace polyturn::channels::compensation

@@ -1,0 +1,147 @@
+// What the machine does in a block once the vectors at both its ends are known.
+#include <numbers>
+
+#include "channels/compensation/compensator.hpp"
+#include "channels/compensation/interference.hpp"
+
+namespace polyturn::channels::compensation {
+namespace {
+
+constexpr double kStands = 1e-7;   // mm
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+}  // namespace
+
+void Compensator::deliver(const Move& m, const BlockContext& at) {
+    if (ready_.empty() && !halted_) {
+        out_->move(m, at);
+        return;
+    }
+    ready_.move(m, at);
+    pump();
+}
+
+// The held block from its first remaining start vector to its first end vector; further end vectors stay for the next one.
+bool Compensator::finish(Vectors end) {
+    Held& b = block_;
+    Verdict verdict = Verdict::Clean;
+    if (b.role == Role::Contour) verdict = check_element(b.element, start_, end, options_.check);
+    if (verdict == Verdict::Interferes) return fail(Alarm::CompInterference, false, b.at);
+    here_ = b.element.start + displacement_;
+    if (b.role == Role::Contour) go_corner(b, start_, 1, start_.count, b.element.start, b.tip);
+    go_element(b, b.element.end + end.at[0] + b.tip, verdict == Verdict::Corrected || b.role != Role::Contour);
+    go_corner(b, end, 1, end.of_first, b.element.end, b.tip);
+    Vectors rest;
+    for (unsigned i = end.of_first - 1; i < end.count; ++i) rest.add(end.at[i], end.by_arc[i]);
+    start_ = rest;
+    displacement_ = here_ - b.element.end;
+    held_ = false;
+    idle_blocks_ = 0;
+    trailing_.change_moves([this](Move& m) {   // moves outside the plane: there the nose stands
+        m.machine_start[p_] += displacement_.p, m.machine_start[q_] += displacement_.q;
+        m.machine[p_] += displacement_.p, m.machine[q_] += displacement_.q;
+        m.pos[p_] += displacement_.p, m.pos[q_] += displacement_.q;
+    });
+    ready_.append(trailing_);
+    pump();
+    return true;
+}
+
+// The held block ends without a vector, straight, whatever it was.
+void Compensator::finish_at_programmed() {
+    Held& b = block_;
+    here_ = b.element.start + displacement_;
+    if (b.role == Role::Contour) go_corner(b, start_, 1, start_.count, b.element.start, b.tip);
+    go_element(b, b.element.end, true);
+    start_ = Vectors::one({});
+    displacement_ = {};
+    held_ = false;
+    idle_blocks_ = 0;
+    ready_.append(trailing_);
+    pump();
+}
+
+// A block outside compensation that takes back the vector, round the corner where vectors are left for it.
+void Compensator::straight_to_programmed(const Move& m, const BlockContext& at) {
+    Held b{m, at, {}, tip_, Role::Contour};
+    const Vec start{m.machine_start[p_], m.machine_start[q_]}, end{m.machine[p_], m.machine[q_]};
+    here_ = start + displacement_;
+    go_corner(b, start_, 1, start_.count, start, displacement_ - start_.at[0]);
+    b.element.end = end;
+    go_element(b, end, true);
+    start_ = Vectors::one({});
+    displacement_ = {};
+}
+
+void Compensator::go_corner(const Held& b, const Vectors& vectors, unsigned from, unsigned to, Vec corner, Vec tip) {
+    for (unsigned i = from; i < to; ++i) go(b, corner + vectors.at[i] + tip, vectors.by_arc[i], corner + tip);
+}
+
+// A connecting move at a corner: with the feed of block b, other axes stand.
+void Compensator::go(const Held& b, Vec to, bool by_arc, Vec about) {
+    if (length(to - here_) < kStands) return;
+    Move m = b.move;
+    for (std::size_t i = 0; i < m.pos.size(); ++i) {
+        m.pos[i] -= m.machine[i] - m.machine_start[i];   // programmed start of the block
+        m.machine[i] = m.machine_start[i];
+    }
+    const Vec programmed{m.machine_start[p_], m.machine_start[q_]};
+    m.machine_start[p_] = here_.p, m.machine_start[q_] = here_.q;
+    m.machine[p_] = to.p, m.machine[q_] = to.q;
+    m.pos[p_] += to.p - programmed.p, m.pos[q_] += to.q - programmed.q;
+    if (m.kind == MoveKind::Thread) {
+        m.feed_mode = FeedMode::PerRevolution;
+        m.feed = m.lead_path;
+        m.lead = m.lead_path = m.lead_change = 0;
+    }
+    if (m.kind != MoveKind::Rapid && m.kind != MoveKind::Reference) m.kind = MoveKind::Linear;
+    m.sweep = 0;
+    m.turns = 0;
+    if (by_arc) {
+        const Vec a = here_ - about, c = to - about;
+        m.sweep = std::atan2(cross(a, c), dot(a, c));
+        m.kind = m.sweep > 0 ? MoveKind::ArcCcw : MoveKind::ArcCw;
+        m.plane_p = static_cast<std::uint8_t>(p_), m.plane_q = static_cast<std::uint8_t>(q_);
+        m.centre_p = about.p, m.centre_q = about.q;
+        m.pos_centre_p = about.p + m.pos[p_] - m.machine[p_], m.pos_centre_q = about.q + m.pos[q_] - m.machine[q_];
+        m.radius = length(a), m.radius_end = length(c);
+    }
+    m.moved = (to.p != here_.p ? 1u << p_ : 0u) | (to.q != here_.q ? 1u << q_ : 0u);
+    here_ = to;
+    deliver(m, b.at);
+}
+
+void Compensator::go_element(const Held& b, Vec to, bool as_line) {
+    Move m = b.move;
+    const Vec programmed{m.machine[p_], m.machine[q_]};
+    m.machine_start[p_] = here_.p, m.machine_start[q_] = here_.q;
+    m.machine[p_] = to.p, m.machine[q_] = to.q;
+    m.pos[p_] += to.p - programmed.p, m.pos[q_] += to.q - programmed.q;
+    m.moved &= ~(1u << p_ | 1u << q_);
+    const bool stands = length(to - here_) < kStands;
+    if (b.element.arc && !as_line) {
+        const Vec centre = b.element.centre + b.tip, a = here_ - centre, c = to - centre;
+        m.centre_p = centre.p, m.centre_q = centre.q;
+        m.pos_centre_p += b.tip.p, m.pos_centre_q += b.tip.q;
+        m.radius = length(a), m.radius_end = length(c);
+        if (m.radius < kStands || m.radius_end < kStands) m.sweep = 0;   // the nose just fits: it turns on the spot
+        else m.sweep += std::remainder(std::atan2(cross(a, c), dot(a, c)) - m.sweep, kTurn);
+        if (std::fabs(m.sweep) * m.radius < kStands) {
+            m.kind = MoveKind::Linear;
+            m.sweep = 0;
+        } else {
+            m.moved |= 1u << p_ | 1u << q_;
+            if (options_.inner_arc_feed_from >= 0 && b.element.centre_on_nose_side() && m.feed_mode != FeedMode::InverseTime)
+                m.feed *= std::fmax(options_.inner_arc_feed_from, m.radius / b.element.start_radius);
+        }
+    } else if (b.element.arc) {
+        m.kind = MoveKind::Linear;
+        m.sweep = 0;
+        m.turns = 0;
+    }
+    if (m.sweep == 0 && !stands) m.moved |= (to.p != here_.p ? 1u << p_ : 0u) | (to.q != here_.q ? 1u << q_ : 0u);
+    here_ = to;
+    if (m.moved) deliver(m, b.at);
+}
+
+}  // namespace polyturn::channels::compensation

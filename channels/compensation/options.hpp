@@ -1,0 +1,37 @@
+// Where controls differ in nose-radius compensation, as values. A language sets them from its parameters and codes; the
+// mechanism itself never asks which control it is.
+#pragma once
+#include <cstdint>
+
+namespace polyturn::channels::compensation {
+
+// How compensation begins and ends at an outer corner. At an inner one it is always Direct.
+enum class Entry : std::uint8_t {
+    Direct,   // straight to (from) the normal at the contour's end: fanuc type A, sinumerik NORM, fagor direct
+    Around,   // round the corner first: fanuc type B, sinumerik KONT, fagor indirect
+};
+
+// How the nose goes round an outer corner. Angles are those between the two elements on the workpiece's side.
+enum class Corner : std::uint8_t {
+    Extended,      // intersection from 90 degrees on, below it both elements are lengthened by the radius: fanuc, nct
+    Arc,           // an arc about the corner: sinumerik G450, fagor G136
+    Intersection,  // intersection down to `intersection_from_deg`, an arc below: sinumerik G451, fagor G137
+};
+
+enum class Check : std::uint8_t {
+    Off,
+    Correct,  // vectors that would turn an element round are left out where others remain, else an alarm
+    Alarm,
+};
+
+struct Options {
+    Entry entry = Entry::Around;
+    Corner corner = Corner::Extended;
+    Check check = Check::Correct;
+    double intersection_from_deg = 80.0;    // Corner::Intersection
+    double small_vector = 0.0;              // mm: corner vectors that close on both axes count as one
+    bool resume_at_intersection = false;    // after G53, G28: straight to the next vector instead of a new beginning (CCN)
+    double inner_arc_feed_from = -1.0;      // inside arcs: feed in proportion to the radius, not below this share; < 0: as programmed
+};
+
+}  // namespace polyturn::channels::compensation
