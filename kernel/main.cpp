@@ -1,8 +1,10 @@
 // polyturn-kernel: the cyclic process of one controller. Started by the supervisor; ends with it.
+#include <atomic>
 #include <cstdio>
 #include <cstring>
 #include <memory>
 #include <string>
+#include <thread>
 
 #include "ipc/memory/segment.hpp"
 #include "kernel/cyclic/attach.hpp"
@@ -38,12 +40,16 @@ int run(const std::string& instance) {
         kernel::VirtualClock clock(*machine);
         clock.run();
     } else {
+        std::atomic<bool> stop{false};
+        std::thread watcher([&] { peers.watch(*machine, stop); });  // before the priority is raised: it keeps the ordinary one
         kernel::RealClock clock(*machine);
         if (const std::string refused = clock.claim_real_time(); !refused.empty()) {
             std::fprintf(stderr, "polyturn-kernel: no real-time priority or locked memory (%s): the computer may be late\n", refused.c_str());
             machine->core().alarm(Alarm::NoRealTime, 0, refused);
         }
         clock.run();
+        stop.store(true, std::memory_order_release);
+        watcher.join();
     }
     return 0;
 }

@@ -39,4 +39,38 @@ void Peers::attach_all(Machine& machine) {
     }
 }
 
+void Peers::watch(Machine& machine, const std::atomic<bool>& stop) {
+    constexpr int kLookMs = 20;
+    std::array<int, kProcesses> pid{};
+    for (std::size_t p = 0; p < kProcesses; ++p) pid[p] = supervisor_.processes[p].pid;
+    while (!stop.load(std::memory_order_acquire)) {
+        sleep_ms(kLookMs);
+        for (std::size_t p = 0; p < kProcesses; ++p) {
+            const ProcessEntry& entry = supervisor_.processes[p];
+            const int now = entry.pid;
+            if (now == 0 || now == pid[p] || state_of(entry) != ProcessState::Running) continue;
+            if (p == kProcessPlc) {
+                auto next = attach_to<PlcSegment>(instance_, 0, entry);
+                if (!next) continue;
+                if (plc_) old_plcs_.push_back(std::move(*plc_));
+                plc_ = std::move(next);
+                machine.core().next_plc.store(&**plc_, std::memory_order_release);
+            } else if (p == kProcessStore) {
+                auto next = attach_to<StoreSegment>(instance_, 0, entry);
+                if (!next) continue;
+                stores_.push_back(std::move(*next));
+                machine.core().next_store.store(&*stores_.back(), std::memory_order_release);
+            } else if (p >= kProcessChannel) {
+                const std::size_t index = p - kProcessChannel;
+                auto next = attach_to<ChannelSegment>(instance_, index + 1, entry);
+                if (!next) continue;
+                if (channels_[index]) old_channels_.push_back(std::move(*channels_[index]));
+                channels_[index] = std::move(next);
+                machine.core().next_channel[index].store(&**channels_[index], std::memory_order_release);
+            }
+            pid[p] = now;
+        }
+    }
+}
+
 }  // namespace polyturn::kernel

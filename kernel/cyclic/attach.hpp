@@ -1,8 +1,10 @@
 // Finding the other processes: they start after the kernel and may be started anew while it runs.
 #pragma once
 #include <array>
+#include <atomic>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ipc/memory/segment.hpp"
 #include "kernel/cyclic/machine.hpp"
@@ -14,12 +16,18 @@ public:
     Peers(std::string instance, const SupervisorSegment& supervisor) : instance_(std::move(instance)), supervisor_(supervisor) {}
     // Waits for everybody whom the supervisor has announced (or who has died since).
     void attach_all(Machine& machine);
+    // Successors of those that have died, until told to stop; runs in a thread of its own (real time).
+    void watch(Machine& machine, const std::atomic<bool>& stop);
 
 private:
     bool attach_channel(Machine& machine, unsigned index);
     bool attach_plc(Machine& machine);
     std::string instance_;
     const SupervisorSegment& supervisor_;
+    // Old mappings stay until the end: the cyclic thread may still look at them in this tick.
+    std::vector<PeerSegment<ChannelSegment>> old_channels_;
+    std::vector<PeerSegment<PlcSegment>> old_plcs_;
+    std::vector<PeerSegment<StoreSegment>> stores_;
     std::optional<PeerSegment<PlcSegment>> plc_;
     std::array<std::optional<PeerSegment<ChannelSegment>>, kMaxChannels> channels_;
 };

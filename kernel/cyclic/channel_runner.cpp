@@ -11,8 +11,14 @@ constexpr double kStandingRevS = 1e-3;
 
 ChannelRunner::ChannelRunner(Core& core, unsigned index) : core_(core), index_(index), number_(index + 1), names_(std::make_unique<ProgramNames>()) {}
 
+void ChannelRunner::prepare() {
+    if (planner_) return;
+    planner_ = std::make_unique<PathPlanner>();
+    thread_ = std::make_unique<ThreadFollower>();
+}
+
 void ChannelRunner::attach(const ChannelSegment& segment) {
-    if (!planner_) planner_ = std::make_unique<PathPlanner>(), thread_ = std::make_unique<ThreadFollower>();
+    prepare();
     thread_->configure(core_.config.tick_s);
     thread_moving_ = thread_committed_ = false;
     planner_->configure(core_.config.tick_s, std::min<std::uint32_t>(core_.config.horizon, kPlannerWindow - 2));

@@ -29,6 +29,9 @@ public:
     // Once its process has made its segment; again for a successor.
     void attach(const ChannelSegment& segment);
     bool attached() const noexcept { return segment_ != nullptr; }
+    // Its process is gone and its axes rest.
+    bool may_be_replaced() const noexcept { return !segment_ || (dead_ && at_rest()); }
+    void prepare();                 // takes its memory; not in the cyclic thread
 
     // --- once a tick, in this order ---
     void supply() noexcept;

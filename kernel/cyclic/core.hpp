@@ -26,6 +26,10 @@ struct Core {
     // Attached later than the kernel starts, by another thread; nullptr until then.
     std::array<std::atomic<const ChannelSegment*>, kMaxChannels> channel_segment{};
     std::atomic<const PlcSegment*> plc_segment{nullptr};
+    // Successors of processes that have died, found by another thread; taken at a tick's start.
+    std::array<std::atomic<const ChannelSegment*>, kMaxChannels> next_channel{};
+    std::atomic<const PlcSegment*> next_plc{nullptr};
+    std::atomic<const StoreSegment*> next_store{nullptr};
 
     params::Table table{};
     KernelConfig config{};

@@ -12,7 +12,7 @@ constexpr double kHandshakeQuietS = 20.0;          // ... unless an M, S or T is
 }  // namespace
 
 Machine::Machine(KernelSegment& image, const SupervisorSegment& supervisor, const StoreSegment& store)
-    : store_segment_(store), core_(image, supervisor, store), commands_(supervisor, image), plc_(core_), trace_ring_(image.trace, supervisor.trace_tail) {
+    : store_segment_(&store), core_(image, supervisor, store), commands_(supervisor, image), plc_(core_), trace_ring_(image.trace, supervisor.trace_tail) {
     for (unsigned i = 0; i < kMaxChannels; ++i) {
         channels_[i] = std::make_unique<ChannelRunner>(core_, i);
         runners_[i] = channels_[i].get();
@@ -40,8 +40,10 @@ void Machine::start() {
     for (unsigned l = 0; l < kMaxChannels; ++l) {
         const double factor = options.feed_override[l];
         channels_[l]->feed_override = factor > 0 ? factor : 1.0;
+        if (core_.config.channels[l].exists) channels_[l]->prepare();
         if (core_.config.channels[l].exists) core_.signals.set_nc(signals::cn_ssel(l + 1), static_cast<std::int32_t>(core_.config.channels[l].default_spindle));
     }
+    store_version_ = store_segment_->version.load(std::memory_order_acquire);
     set_state(options.ready ? MachineState::On : MachineState::Off);
     publish();
 }
@@ -63,7 +65,30 @@ void Machine::set_state(MachineState state) noexcept {
     core_.event(KernelEventKind::MachineState, 0, 0, static_cast<double>(state));
 }
 
+// Real time only: in virtual time a process that has died stays dead.
+void Machine::take_successors() noexcept {
+    for (unsigned l = 0; l < kMaxChannels; ++l) {
+        if (core_.next_channel[l].load(std::memory_order_relaxed) == nullptr || !channels_[l]->may_be_replaced()) continue;
+        if (const ChannelSegment* segment = core_.next_channel[l].exchange(nullptr, std::memory_order_acquire)) attach_channel(l, *segment);
+    }
+    if (core_.next_plc.load(std::memory_order_relaxed) != nullptr)
+        if (const PlcSegment* segment = core_.next_plc.exchange(nullptr, std::memory_order_acquire)) attach_plc(*segment);
+    if (core_.next_store.load(std::memory_order_relaxed) != nullptr)
+        if (const StoreSegment* segment = core_.next_store.exchange(nullptr, std::memory_order_acquire)) {
+            store_segment_ = segment;
+            core_.store.rebind(core_.image, *segment);
+            store_dead_ = false;
+        }
+    // What operators change in the store (offsets, zeros) the channels take over at their next barrier.
+    const std::uint64_t version = store_segment_->version.load(std::memory_order_acquire);
+    if (version != store_version_) {
+        store_version_ = version;
+        for (auto& channel : channels_) channel->store_changed();
+    }
+}
+
 void Machine::tick() noexcept {
+    if (!core_.virtual_time) take_successors();
     take_commands();
     take_answers();
     supervise();

@@ -42,7 +42,7 @@ public:
     PlcLink& plc() noexcept { return plc_; }
     CommandQueue& commands() noexcept { return commands_; }
     ChannelRunner& channel(unsigned index) noexcept { return *channels_[index]; }
-    const StoreSegment& store_segment() const noexcept { return store_segment_; }
+    const StoreSegment& store_segment() const noexcept { return *store_segment_; }
     bool trace_has_room() const noexcept { return trace_ring_.head() - core_.supervisor.trace_tail.tail.load(std::memory_order_acquire) + 1 < 1024; }
     // Virtual time: called when a command that the supervisor must carry out itself is due; returns when it is done.
     void (*on_action)(void*) = nullptr;
@@ -52,6 +52,7 @@ public:
 
 private:
     friend class CommandTable;
+    void take_successors() noexcept;
     void take_answers() noexcept;
     void take_commands() noexcept;
     void run_command(const Command& command) noexcept;
@@ -72,7 +73,7 @@ private:
     template <class Act>
     void each_channel(const Command& command, Act act) noexcept;
 
-    const StoreSegment& store_segment_;
+    const StoreSegment* store_segment_;
     Core core_;
     CommandQueue commands_;
     PlcLink plc_;

@@ -20,6 +20,14 @@ public:
     StoreLink(KernelSegment& image, const StoreSegment& store)
         : persist_(image.persist, store.persist_tail), changes_(store.param_changes, image.param_tail), store_(&store) {}
 
+    // A successor of the store has come. What its predecessor had not applied stays in the ring for it.
+    void rebind(KernelSegment& image, const StoreSegment& store) noexcept {
+        persist_ = {image.persist, store.persist_tail};
+        image.param_tail.tail.store(0, std::memory_order_release);
+        changes_ = {store.param_changes, image.param_tail};
+        store_ = &store;
+        due_count_ = 0;
+    }
     // False when the ring is full: the record that writes waits.
     [[nodiscard]] bool write(StoreRequestKind kind, std::uint32_t channel, std::int32_t number, std::int32_t field, double value, std::string_view name) noexcept;
     // A parameter line; its answer is due `answer_ticks` later.
