@@ -2,8 +2,10 @@
 #include <csignal>
 
 #include "kernel/supervisor/ask_verbs.hpp"
+#include "kernel/supervisor/bench.hpp"
 #include "kernel/supervisor/check.hpp"
 #include "kernel/supervisor/options.hpp"
+#include "kernel/supervisor/params_verb.hpp"
 #include "kernel/supervisor/run.hpp"
 #include "kernel/supervisor/start.hpp"
 
@@ -21,7 +23,10 @@ int main(int argc, char** argv) {
         case Verb::Status: return show_status(line);
         case Verb::Alarms: return show_alarms(line);
         case Verb::Clean: return clean_up();
-        default: break;
+        case Verb::Params: return params_verb(line.params);
+        case Verb::Bench: return run_benchmarks(line.rest);
+        case Verb::None:
+        case Verb::Tools: break;
     }
     return line.exit_status;
 }

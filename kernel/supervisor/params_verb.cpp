@@ -1,0 +1,214 @@
+#include "kernel/supervisor/params_verb.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "ipc/machine/config_check.hpp"
+#include "ipc/machine/load_machine.hpp"
+#include "ipc/memory/segment.hpp"
+#include "ipc/params/export.hpp"
+#include "ipc/params/param_file.hpp"
+#include "ipc/text/read_file.hpp"
+#include "kernel/supervisor/ask_verbs.hpp"
+#include "kernel/supervisor/job_plan.hpp"
+
+namespace polyturn::supervisor {
+
+namespace {
+
+using TablePointer = std::unique_ptr<params::Table>;
+
+void print(std::string_view words) { std::fwrite(words.data(), 1, words.size(), stdout); }
+
+bool tell(const std::vector<Diagnosis>& diagnoses) {
+    for (const Diagnosis& diagnosis : diagnoses) print_diagnosis(diagnosis, Dialect::Polyturn);
+    return any_error(diagnoses);
+}
+
+int refuse(const Diagnosis& diagnosis) {
+    print_diagnosis(diagnosis, Dialect::Polyturn);
+    return 2;
+}
+
+// The parameters that act in a running controller.
+TablePointer running_table(const std::string& instance) {
+    const auto store = PeerSegment<StoreSegment>::attach(instance);
+    if (!store) {
+        print_diagnosis(store.diagnosis(), Dialect::Polyturn);
+        return nullptr;
+    }
+    auto table = std::make_unique<params::Table>();
+    if (!(*store)->parameters.read(*table)) return nullptr;
+    return table;
+}
+
+TablePointer table_of_file(const std::string& machine) {
+    LoadedMachine loaded = load_machine_file(machine);
+    if (tell(loaded.diagnoses)) return nullptr;
+    return std::move(loaded.table);
+}
+
+TablePointer wanted_table(const ParamsOptions& options) { return options.instance.empty() ? table_of_file(options.machine) : running_table(options.instance); }
+
+std::string upper(std::string_view words) {
+    std::string out(words);
+    for (char& c : out) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return out;
+}
+
+int list(const ParamsOptions& options) {
+    std::size_t shown = 0;
+    std::string_view group;
+    for (const params::Row& row : params::rows()) {
+        const bool acts = row.acts == "yes" || row.acts.empty();
+        if (options.unused && acts) continue;
+        const std::string searched = upper(fmt::format("{} {} {}", row.number, row.name, row.group));
+        if (!std::all_of(options.arguments.begin(), options.arguments.end(), [&](const std::string& word) { return searched.find(upper(word)) != std::string::npos; })) continue;
+        if (row.group != group) print(fmt::format("{}{}\n", shown ? "\n" : "", row.group)), group = row.group;
+        ++shown;
+        print(fmt::format("  {:<14} {:<9} {:<12} {}{}{}\n", row.number, params::to_string(row.scope), row.unit, row.name, row.meaning.empty() ? "" : ": ", row.meaning));
+        if (!acts) print(fmt::format("  {:<14} no effect: {}\n", "", row.acts));
+    }
+    print(fmt::format("{}{} parameters{}\n", shown ? "\n" : "", shown, options.unused ? " without effect" : ""));
+    return 0;
+}
+
+int get(const ParamsOptions& options) {
+    const TablePointer table = wanted_table(options);
+    if (!table) return 2;
+    for (const std::string& name : options.arguments) {
+        const auto target = params::parse_target(name);
+        if (!target) return refuse(target.diagnosis());
+        print(params::describe(*target->row));
+        print(params::value_text(*table, *target) + "\n");
+    }
+    return 0;
+}
+
+// Sends lines to a running controller; returns when they are on disk.
+int send_lines(const std::string& instance, const std::vector<std::string>& lines) {
+    nlohmann::json request;
+    request["do"] = "parameters";
+    request["lines"] = lines;
+    return ask(instance, request.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)) ? 0 : 2;
+}
+
+// Replaces a machine's parameter file: the new one is complete on disk before it takes the old one's name.
+int rewrite(const std::string& path, const std::string& content) {
+    const std::string fresh = path + ".new";
+    {
+        std::ofstream file(fresh, std::ios::binary | std::ios::trunc);
+        file << content;
+        file.flush();
+        if (!file) return refuse({Alarm::OutputFile, {}, {}, fresh});
+    }
+    std::error_code error;
+    std::filesystem::rename(fresh, path, error);
+    return error ? refuse({Alarm::OutputFile, {}, {}, fmt::format("{} ({})", path, error.message())}) : 0;
+}
+
+// The value goes to the end of the machine's file, where the last line of a name wins; its comments stay.
+int append_lines(const std::string& machine, const std::vector<std::string>& lines) {
+    LoadedMachine loaded = load_machine_file(machine);
+    if (tell(loaded.diagnoses)) return 2;
+    auto content = text::read_text_file(loaded.params_file);
+    if (!content) return refuse(content.diagnosis());
+    if (!content->empty() && content->back() != '\n') *content += '\n';
+    for (const std::string& line : lines) *content += line + "\n";
+    return rewrite(loaded.params_file, *content);
+}
+
+int set(const ParamsOptions& options) {
+    for (const std::string& line : options.arguments)
+        if (auto assignment = params::parse_assignment(line); !assignment) {
+            assignment.diagnosis().place.file = "'" + line + "'";
+            return refuse(assignment.diagnosis());
+        }
+    if (!options.instance.empty()) return send_lines(options.instance, options.arguments);
+    if (options.machine.empty()) {
+        std::fputs("polyturn: say --instance NAME (a running controller) or --machine FILE (a machine's file)\n", stderr);
+        return 2;
+    }
+    return append_lines(options.machine, options.arguments);
+}
+
+int export_table(const ParamsOptions& options) {
+    const TablePointer table = wanted_table(options);
+    if (!table) return 2;
+    const std::string lines = params::export_lines(*table, options.all ? params::Content::All : params::Content::Changed);
+    if (options.arguments.empty()) {
+        print(lines);
+        return 0;
+    }
+    return rewrite(options.arguments.front(), lines);
+}
+
+int import_file(const ParamsOptions& options) {
+    const std::string& path = options.arguments.front();
+    const auto content = text::read_text_file(path);
+    if (!content) return refuse(content.diagnosis());
+    const params::ParsedFile parsed = params::parse_param_file(*content, path);
+    if (tell(parsed.diagnoses) || !parsed.ok()) return 2;   // none of them
+    std::vector<std::string> lines;
+    for (const params::Assignment& assignment : parsed.assignments) {
+        std::string line(text::line_of(*content, assignment.place.line));
+        lines.push_back(line.substr(0, line.find_last_not_of(" \t\r") + 1));
+    }
+    if (!options.instance.empty()) {
+        // Comments behind the value would only make the lines too long for a request.
+        for (std::string& line : lines)
+            if (line.find('"') == std::string::npos)
+                if (const auto comment = line.find(';'); comment != std::string::npos) line.resize(line.find_last_not_of(" \t", comment ? comment - 1 : 0) + 1);
+        return send_lines(options.instance, lines);
+    }
+    if (options.machine.empty()) {
+        std::fputs("polyturn: say --instance NAME (a running controller) or --machine FILE (a machine's file)\n", stderr);
+        return 2;
+    }
+    return append_lines(options.machine, lines);
+}
+
+int diff(const ParamsOptions& options) {
+    if (options.arguments.size() > 2) return refuse({Alarm::PressArgument, {}, {}, "two files at the most are compared"});
+    TablePointer before = options.arguments.size() == 2 ? table_of_file(options.arguments[0]) : wanted_table(options);
+    TablePointer after = table_of_file(options.arguments.back());
+    if (!before || !after) return 2;
+    const auto differences = params::difference(*before, *after);
+    for (const auto& one : differences) print(params::to_string(one) + "\n");
+    if (differences.empty()) print("no difference\n");
+    return differences.empty() ? 0 : 1;
+}
+
+int check(const ParamsOptions& options) {
+    TablePointer table;
+    if (options.arguments.empty()) {
+        table = wanted_table(options);
+    } else {
+        table = table_of_file(options.arguments.front());
+    }
+    if (!table) return 2;
+    const auto contradictions = check_machine_config(*table);
+    if (tell(contradictions)) return 1;
+    print("consistent\n");
+    return 0;
+}
+
+}  // namespace
+
+int params_verb(const ParamsOptions& options) {
+    if (options.action == "list") return list(options);
+    if (options.action == "get") return get(options);
+    if (options.action == "set") return set(options);
+    if (options.action == "export") return export_table(options);
+    if (options.action == "import") return import_file(options);
+    if (options.action == "diff") return diff(options);
+    return check(options);
+}
+
+}  // namespace polyturn::supervisor
