@@ -15,20 +15,19 @@ constexpr double kGiving = 1e-9, kKeeping = 1e-8;
 // the border would be judged by the other limits.
 constexpr double kBefore = 1e-7;
 
-// Ceiling c from distance d on, from (v, a): can it be kept? Strictly: without having to slow down so much that the speed
-// must fall below c afterwards. Otherwise: whatever full braking reaches counts.
-bool keeps(double v, double a, double d, double c, double a_max, double j_max, bool strictly, double rounding) noexcept {
+// Ceiling c from distance d on: can it be kept so that the speed need not fall below c afterwards?
+bool arrives(double v, double a, double d, double c, double a_max, double j_max, double rounding) noexcept {
     const double limit = d + rounding;
-    if (release_speed(v, a, j_max) <= c * (1 + rounding)) {
-        if (a >= 0 || v <= c * (1 + rounding)) return true;
-        if (release_distance_to(v, a, c, j_max) <= limit) return true;
-        if (strictly && -a <= a_max && 2 * j_max * c >= a * a && v * v - c * c <= -2 * a * limit) return true;  // held so long, then released
-    } else if (distance_to_speed(v, a, c, a_max, j_max) <= limit) {
-        return true;
-    }
-    if (strictly) return false;
-    const double way = falling_distance(v, a, c * (1 + rounding), 0, a_max, j_max);
-    return way == 0 || way <= limit;
+    if (release_speed(v, a, j_max) > c * (1 + rounding)) return distance_to_speed(v, a, c, a_max, j_max) <= limit;
+    if (a >= 0 || v <= c * (1 + rounding)) return true;
+    if (release_distance_to(v, a, c, j_max) <= limit) return true;
+    return -a <= a_max && 2 * j_max * c >= a * a && v * v - c * c <= -2 * a * limit;  // held so long, then released
+}
+
+// Does a braking come below it in time, however far it then falls?
+bool falls_below(const Braking& braking, double d, double c, double rounding) noexcept {
+    const double way = braking.falling_distance(c * (1 + rounding));
+    return way == 0 || way <= d + rounding;
 }
 
 }  // namespace
@@ -117,7 +116,7 @@ void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input)
     view.target_count = view.drop_count = 0;
     view.has_witness = false;
     Drop kept{};
-    view.stop_short = which == Ceilings::Hard;
+    view.which = which;
     view.rounding = kGiving;
     view.end = kInfinity;
     view.end_record = kNone;
@@ -233,11 +232,19 @@ bool PathPlanner::safe(const View& view, const Step& step, Witness& witness) con
     for (std::uint32_t i = 0; i < view.target_count && view.targets[i].distance < next.s; ++i) {
         if (speed_at(step, view.targets[i].distance) > view.targets[i].ceiling * (1 + 1e-4)) return false;
     }
-    const auto all_kept = [&] {
-        if (a > 0 && release_speed(v, a, view.j) > view.top * (1 + view.rounding)) return false;
+    if (view.which == Ceilings::Wanted) {
         for (std::uint32_t i = 0; i < view.target_count; ++i) {
             const Target& target = view.targets[i];
-            if (!keeps(v, a, target.distance - next.s, target.ceiling, view.a, view.j, !view.stop_short, view.rounding)) return false;
+            if (!arrives(v, a, target.distance - next.s, target.ceiling, target.a, target.j, view.rounding)) return false;
+        }
+    }
+    const auto all_kept = [&] {
+        if (a > 0 && release_speed(v, a, view.j) > view.top * (1 + view.rounding)) return false;
+        const Braking braking(v, a, 0, view.a, view.j);
+        if (view.end < kInfinity && braking.distance() > (view.end - next.s) * (1 + view.rounding / 10) + view.rounding * 1e-4) return false;
+        for (std::uint32_t i = 0; i < view.target_count; ++i) {
+            const Target& target = view.targets[i];
+            if (!falls_below(braking, target.distance - next.s, target.ceiling, view.rounding)) return false;
         }
         return true;
     };
@@ -253,8 +260,7 @@ bool PathPlanner::safe(const View& view, const Step& step, Witness& witness) con
         return border < kInfinity && advanced(next, a > 0 ? -j_max : j_max, (std::abs(a) - a_max) / j_max).s <= border;
     };
     // Under the least limits of the whole view.
-    if (within(view.a, view.j) && !cannot_but_reverse(view.j) &&
-        (view.end == kInfinity || stopping_distance(v, a, view.a, view.j) <= (view.end - next.s) * (1 + view.rounding / 10) + view.rounding * 1e-4) && all_kept()) {
+    if (within(view.a, view.j) && !cannot_but_reverse(view.j) && all_kept()) {
         witness = {view.beyond, 0, view.a, view.j};
         return true;
     }
@@ -266,17 +272,17 @@ bool PathPlanner::safe(const View& view, const Step& step, Witness& witness) con
         // One braking to where acceleration is gone, below everything before the drop; or a standstill.
         const auto braked_to = [&](double w) {
             if (a > 0 && release_speed(v, a, drop.j) > view.top * (1 + view.rounding)) return false;
-            if (distance_to_speed(v, a, w, drop.a, drop.j) > gap - kBefore + 10 * view.rounding) return false;
+            const Braking braking(v, a, w, drop.a, drop.j);
+            if (braking.distance() > gap - kBefore + 10 * view.rounding) return false;
             for (std::uint32_t i = 0; i < view.target_count && view.targets[i].distance < drop.distance; ++i) {
                 const Target& target = view.targets[i];
-                const double way = falling_distance(v, a, target.ceiling * (1 + view.rounding), w, drop.a, drop.j);
-                if (way > 0 && way > target.distance - next.s + view.rounding) return false;
+                if (!falls_below(braking, target.distance - next.s, target.ceiling, view.rounding)) return false;
             }
             return true;
         };
         double w = std::min(drop.speed, std::max(0.0, release_speed(v, a, drop.j)));
         for (std::uint32_t i = 0; i < view.target_count && view.targets[i].distance < drop.distance; ++i) w = std::min(w, view.targets[i].ceiling);
-        if (braked_to(w) || (view.stop_short && braked_to(w = 0))) {
+        if (braked_to(w) || (view.which == Ceilings::Hard && braked_to(w = 0))) {
             witness = {drop.record, w, drop.a, drop.j};
             return true;
         }
@@ -334,7 +340,7 @@ PathState PathPlanner::choose(const PathInput& input) noexcept {
     double wanted = std::min(goal, state_.v);
     for (std::uint32_t i = 0; i < view_.target_count; ++i) {
         const Target& target = view_.targets[i];
-        if (!keeps(down.v, down.a, target.distance - down.s, target.ceiling, target.a, target.j, true, kKeeping)) wanted = std::min(wanted, target.ceiling);
+        if (!arrives(down.v, down.a, target.distance - down.s, target.ceiling, target.a, target.j, kKeeping)) wanted = std::min(wanted, target.ceiling);
     }
     look_ahead(view_, Ceilings::Hard, input);
     if (begin_landing(view_)) return landing_.step(dt_);
@@ -368,8 +374,9 @@ bool PathPlanner::begin_landing(const View& view) noexcept {
     if (stopping_distance(v, a, view.a, softer) <= distance * (1 - 1e-9) && stopping_time(v, a, view.a, view.j) > 3 * dt_) return false;
     if (!landing_.aim(v, a, distance, view.a, view.j / 100, view.j / kPlannedJerk)) return false;
     if (release_speed(v, std::max(a, 0.0), landing_.jerk()) > view.top) return false;
+    const Braking braking(v, a, 0, view.a, landing_.jerk());
     for (std::uint32_t i = 0; i < view.target_count; ++i) {
-        if (!keeps(v, a, view.targets[i].distance, view.targets[i].ceiling, view.a, landing_.jerk(), false, kKeeping)) return false;
+        if (!falls_below(braking, view.targets[i].distance, view.targets[i].ceiling, kKeeping)) return false;
     }
     landing_end_ = view.end_record;
     return true;

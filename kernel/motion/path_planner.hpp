@@ -147,7 +147,7 @@ private:
         double end;             // the path must stand there; infinity: beyond the view
         std::uint64_t end_record;  // that is the end of this record; kNone: the view was full
         double rounding;        // tolerance of comparisons, mm and relative
-        bool stop_short;        // standing before a slow place is as good as slowing down for it
+        Ceilings which;
     };
 
     [[nodiscard]] const Slot& at(std::uint64_t record) const noexcept { return slots_[record % kPlannerWindow]; }
