@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "ipc/image/commands.hpp"
+#include "ipc/text/machine_path.hpp"
 #include "kernel/supervisor/event_text.hpp"
 #include "kernel/supervisor/press_words.hpp"
 #include "kernel/supervisor/plot.hpp"
@@ -89,6 +90,7 @@ Result<void> RunSession::start() {
     follow_log_ = options_.virtual_time && (reacts || programs_may_stop());
     plan.options.follow_log = follow_log_ ? 1 : 0;
     plan.machine_arguments = plan_.machine_arguments();
+    if (const auto path = text::resolve_machine(plan_.source.machine)) plan.plc_library = path->plc;
     for (const auto& [channel, program] : plan_.programs)
         if (program.language_chosen) plan.machine_arguments.insert(plan.machine_arguments.end(), {"--set", fmt::format("PT_LANGUAGE L{}={}", channel, program.language)});
     if (options_.store.empty()) plan.store_arguments = {"--memory"};
