@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+"""A controller that stays: start, status, press, params, and what is still there after it has been started again.
+In real time, so the figures are generous; what is exact is tested in virtual time."""
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import time
+import unittest
+
+from polyturn_runner import POLYTURN, Case
+
+
+class Controller(Case):
+    def setUp(self):
+        super().setUp()
+        self.name = f"e2e-{os.getpid()}"
+        self.running = None
+        self.addCleanup(self.stop, signal.SIGKILL)
+        self.addCleanup(lambda: self.polyturn("clean"))
+
+    def start(self):
+        self.log = open(self.folder / "start.log", "ab")
+        self.addCleanup(self.log.close)
+        self.running = subprocess.Popen([POLYTURN, "start", "--instance", self.name, "--store", self.folder / "store", "--no-hmi"], cwd=self.folder,
+                                        stdin=subprocess.DEVNULL, stdout=self.log, stderr=self.log)
+        self.wait_for(lambda: self.polyturn("status", "--instance", self.name).status == 0, 20, "the controller to start")
+
+    def stop(self, how=signal.SIGTERM):
+        if self.running and self.running.poll() is None:
+            self.running.send_signal(how)
+            self.running.wait(timeout=20)
+        return self.running.returncode if self.running else None
+
+    def wait_for(self, condition, seconds, what):
+        deadline = time.monotonic() + seconds
+        while not condition():
+            if time.monotonic() > deadline:
+                self.fail(f"waited {seconds} s for {what}\n" + (self.folder / "start.log").read_text(errors="replace")[-3000:]
+                          + self.polyturn("status", "--instance", self.name).said())
+            time.sleep(0.05)
+
+    def press(self, *words):
+        done = self.polyturn("press", "--instance", self.name, *words)
+        self.assertEqual(done.status, 0, done.said())
+
+    def status(self):
+        done = self.polyturn("status", "--json", "--instance", self.name)
+        self.assertEqual(done.status, 0, done.said())
+        return json.loads(done.out)
+
+    def channel(self, number):
+        return next(c for c in self.status()["channels"] if c["ch"] == number)
+
+    def test_runs_a_program_that_an_operator_starts_holds_and_resets(self):
+        program = self.write("cut.nc", "G98 G0 X80. Z20.\nG1 Z-100. F600.\nM30\n")
+        self.start()
+        self.press("machine_on")
+        self.press("select", f"L1={program}")
+        self.press("cycle_start", "L1")
+        self.wait_for(lambda: self.channel(1)["state"] == "running", 10, "the program to run")
+        self.press("feed_hold", "L1")
+        self.wait_for(lambda: self.channel(1)["state"] == "held", 5, "the hold")
+        self.press("reset", "L1")
+        self.wait_for(lambda: self.channel(1)["state"] == "reset", 5, "the reset")
+        self.assertEqual(self.stop(), 0)
+
+    def test_a_parameter_is_on_disk_when_set_returns(self):
+        self.start()
+        done = self.polyturn("params", "set", "N1600 L1=2.75", "--instance", self.name)
+        self.assertEqual(done.status, 0, done.said())
+        self.stop(signal.SIGKILL)          # the power fails
+        time.sleep(0.3)
+        self.start()
+        done = self.polyturn("params", "get", "N1600 L1", "--instance", self.name)
+        self.assertEqual(float(done.out.split()[-1]), 2.75, done.said())
+        refused = self.polyturn("params", "set", "N1600 L1=fast", "--instance", self.name)
+        self.assertEqual(refused.status, 2, refused.said())
+        self.assertEqual(self.stop(), 0)
+
+    def test_ends_without_leaving_anything(self):
+        self.start()
+        self.assertEqual(self.stop(), 0)
+        self.assertEqual([name for name in os.listdir("/dev/shm") if self.name in name], [])
+        self.assertNotEqual(self.polyturn("status", "--instance", self.name).status, 0)
+
+    def test_clean_removes_what_a_killed_controller_left(self):
+        self.start()
+        self.stop(signal.SIGKILL)
+        self.wait_for(lambda: not any(self.name in line for line in self.command_lines()), 5, "the processes to follow")
+        self.polyturn("clean")
+        self.assertEqual([name for name in os.listdir("/dev/shm") if self.name in name], [])
+
+    @staticmethod
+    def command_lines():
+        for entry in pathlib.Path("/proc").iterdir():
+            if entry.name.isdigit():
+                try:
+                    line = (entry / "cmdline").read_bytes().replace(b"\0", b" ").decode()
+                except OSError:
+                    continue
+                if "polyturn-" in line:
+                    yield line
+
+
+if __name__ == "__main__":
+    unittest.main()
