@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <thread>
 
@@ -138,6 +139,16 @@ Result<void> check_header(const SegmentHeader& header, std::string_view instance
 void sleep_ms(int milliseconds) { std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds)); }
 
 namespace {
+// A process that has ended and waits to be reaped holds nothing any more.
+bool lives(pid_t pid) {
+    if (kill(pid, 0) != 0 && errno != EPERM) return false;
+    std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
+    std::string stat;
+    std::getline(file, stat);
+    const std::size_t name_end = stat.rfind(") ");  // the name may hold anything
+    return name_end == std::string::npos || stat.size() < name_end + 3 || (stat[name_end + 2] != 'Z' && stat[name_end + 2] != 'X');
+}
+
 struct Found {
     std::vector<std::string> names;
     bool alive = false;
@@ -156,7 +167,7 @@ std::map<std::string, Found> instances_in_memory() {
         const auto raw = RawSegment::attach(name, sizeof(SegmentHeader));
         if (!raw) continue;
         const auto& header = *static_cast<const SegmentHeader*>(raw->address());
-        if (header.magic == kMagic && header.writer_pid > 0 && (kill(header.writer_pid, 0) == 0 || errno == EPERM)) instance.alive = true;
+        if (header.magic == kMagic && header.writer_pid > 0 && lives(header.writer_pid)) instance.alive = true;
     }
     return found;
 }
