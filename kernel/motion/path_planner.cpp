@@ -134,10 +134,10 @@ void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input)
     double reach = 0, need = 0;
     // How far this tick can lead, and how far from there to a standstill.
     const auto measure = [&] {
-        const double up = std::max(a, 0.0) + run_j * dt_;
-        const double v_next = v + up * dt_;
+        const double up = std::min(std::max(a, 0.0) + running.j_max * dt_, std::max(running.a_max, a));
+        const double v_next = v + std::max(up, 0.0) * dt_;
         reach = v_next * dt_;
-        need = reach + longest_braking(v_next, std::min(up, std::max(run_a, a)), run_a, run_j);
+        need = reach + longest_braking(v_next, up, run_a, run_j);
         for (std::uint32_t i = 0; i < view.drop_count; ++i) {
             need = std::max(need, view.drops[i].distance + longest_braking(view.drops[i].speed, 0, run_a, run_j));
         }
@@ -232,6 +232,11 @@ bool PathPlanner::safe(const View& view, const Step& step, Witness& witness) con
     for (std::uint32_t i = 0; i < view.target_count && view.targets[i].distance < next.s; ++i) {
         if (speed_at(step, view.targets[i].distance) > view.targets[i].ceiling * (1 + 1e-4)) return false;
     }
+    // Limits of this side of a border must not act beyond it, but to be steady there.
+    if ((step.j > view.tick_j || step.a > view.tick_a) && view.drop_count > 0 && next.s > view.drops[0].distance &&
+        (a != 0 || distance_to_speed(state_.v, state_.a, step.speed, step.a, step.j) > view.drops[0].distance)) {
+        return false;
+    }
     if (view.which == Ceilings::Wanted) {
         for (std::uint32_t i = 0; i < view.target_count; ++i) {
             const Target& target = view.targets[i];
@@ -324,15 +329,17 @@ bool PathPlanner::best_towards(const View& view, double goal, double a, double j
 
 PathState PathPlanner::choose(const PathInput& input) noexcept {
     look_ahead(view_, Ceilings::Wanted, input);
-    if (landing_end_ != kNone) {
-        if (view_.end_record == landing_end_) return landing_.step(dt_);
-        landing_end_ = kNone;  // the way goes on
-    }
+    if (landing_end_ != kNone && view_.end_record == landing_end_) return landing_.step(dt_);
     const double goal = input.hold ? 0 : view_.ceiling;
+    PathState next;
+    if (landing_end_ != kNone) {  // the way goes on; but a landing is safe until something else is
+        if (!best_towards(view_, goal, view_.tick_a, view_.tick_j, next)) return landing_.step(dt_);
+        landing_end_ = kNone;
+        return next;
+    }
     Step step = step_towards(goal, view_.tick_a, view_.tick_j);
     if (take(view_, step)) return step.next;
     if (begin_landing(view_)) return landing_.step(dt_);
-    PathState next;
     if (best_towards(view_, goal, view_.tick_a, view_.tick_j, next)) return next;
     if (best_towards(view_, goal, view_.a, view_.j, next)) return next;
     // What is wanted cannot be kept (a feed has been lowered): brake to the lowest that is violated, as the hard limits allow.
@@ -349,6 +356,7 @@ PathState PathPlanner::choose(const PathInput& input) noexcept {
     // As the last step promised.
     view_.rounding = kKeeping;
     for (const double speed : {witness_.speed, 0.0}) {
+        if (witness_.record <= first_ || witness_.record == kNone) break;
         step = step_towards(speed, witness_.a, witness_.j);
         if (take(view_, step)) return step.next;
     }
