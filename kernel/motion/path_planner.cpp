@@ -56,8 +56,10 @@ void PathPlanner::configure(double dt, std::uint32_t horizon) noexcept {
 
 void PathPlanner::clear(std::uint64_t next) noexcept {
     first_ = end_ = next;
+    groups_[next % kPlannerWindow / kGroup].stops = true;  // the group that begins half filled
     state_ = {};
     began_ = done_ = false;
+    witness_ = {kNone, 0, 0, 0};
     block_latch_ = landing_end_ = kNone;
     block_done_ = false;
     appended_ = 0;
@@ -76,8 +78,28 @@ void PathPlanner::append(const PlannedRecord& record) noexcept {
         // No jerk limit: change acceleration within a hundredth of a tick.
         slot.j_max = kPlannedJerk * std::clamp(record.j_max, 1e-6, 100 * slot.a_max / dt_);
     }
+    add_to_group(end_);
     ++end_;
     ++appended_;
+}
+
+void PathPlanner::add_to_group(std::uint64_t record) noexcept {
+    Group& group = groups_[record % kPlannerWindow / kGroup];
+    const Slot& slot = at(record);
+    // Begun anew with its first record. One that clear() left half filled keeps what it has: lower limits only cost time
+    // to look at, but a length would be wrong, so it counts as stopping.
+    if (record % kGroup == 0) {
+        group = {0, kInfinity, kInfinity, kInfinity, kInfinity, slot.feed_mode, slot.spindle, slot.override_locked, false, false, false};
+    }
+    group.stops = group.stops || slot.stop_after || slot.stop_before;
+    group.block_ends = group.block_ends || slot.block_end;
+    if (!(slot.length > 0)) return;
+    group.length += slot.length;
+    group.v_max = std::min(group.v_max, slot.v_max);
+    group.a_max = std::min(group.a_max, slot.a_max);
+    group.j_max = std::min(group.j_max, slot.j_max);
+    group.feed = std::min(group.feed, slot.feed);
+    group.mixed = group.mixed || group.feed_mode != slot.feed_mode || group.spindle != slot.spindle || group.override_locked != slot.override_locked;
 }
 
 void PathPlanner::skip(std::uint64_t to) noexcept {
@@ -92,7 +114,7 @@ void PathPlanner::let_pass(std::uint64_t record) noexcept {
     if (record >= first_ && record < end_) at(record).stop_before = false;
 }
 
-double PathPlanner::ceiling_of(const Slot& slot, Ceilings which, const PathInput& input) const noexcept {
+double PathPlanner::ceiling_of(const PlannedRecord& slot, Ceilings which, const PathInput& input) const noexcept {
     if (which == Ceilings::Hard || !(slot.length > 0)) return slot.v_max;
     double wanted = slot.feed;
     if (slot.feed_mode == FeedMode::Rapid) {
@@ -144,6 +166,16 @@ void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input)
     };
     measure();
     const bool blocks = which == Ceilings::Wanted && input.single_block;
+    const auto group_ceiling = [&](const Group& group) {
+        PlannedRecord least;
+        least.length = group.length;
+        least.v_max = group.v_max;
+        least.feed = group.feed;
+        least.feed_mode = group.feed_mode;
+        least.spindle = group.spindle;
+        least.override_locked = group.override_locked;
+        return ceiling_of(least, which, input);
+    };
     for (std::uint64_t record = first_;;) {
         if (blocks && at(record).block_end && block_latch_ == kNone && distance >= stopping_distance(v, a, run_a, run_j)) {
             block_latch_ = record;
@@ -154,6 +186,17 @@ void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input)
             break;
         }
         if (distance >= need) break;
+        if ((record + 1) % kGroup == 0 && record + kGroup + 1 < end_ && distance > reach) {
+            const Group& group = groups_[(record + 1) % kPlannerWindow / kGroup];
+            const bool witness_inside = which == Ceilings::Hard && witness_.record > record && witness_.record <= record + kGroup;
+            if (!group.stops && !(blocks && group.block_ends) && !witness_inside && group.a_max >= run_a && group.j_max >= run_j &&
+                (which == Ceilings::Hard ? group.v_max >= lowest : !group.mixed && group_ceiling(group) >= lowest)) {
+                distance += group.length;
+                record += kGroup;
+                view.beyond = record + 1;
+                continue;
+            }
+        }
         const Slot& slot = at(++record);
         if (record == witness_.record && which == Ceilings::Hard) {
             kept = {distance, witness_.speed, witness_.a, witness_.j, record};
@@ -304,9 +347,10 @@ bool PathPlanner::take(const View& view, const Step& step) noexcept {
 
 // The fastest safe step among those towards a speed up to goal.
 bool PathPlanner::best_towards(const View& view, double goal, double a, double j, PathState& next) noexcept {
-    const Step most = step_towards(goal, a, j), least = step_towards(0, a, j);
+    const Step most = step_towards(goal, a, j);
     next = most.next;
     if (take(view, most)) return true;
+    const Step least = step_towards(0, a, j);
     next = least.next;
     if (!take(view, least)) return false;
     // What a tick of full jerk either way leads to bounds the speeds worth asking for.
@@ -339,7 +383,7 @@ PathState PathPlanner::choose(const PathInput& input) noexcept {
     }
     Step step = step_towards(goal, view_.tick_a, view_.tick_j);
     if (take(view_, step)) return step.next;
-    if (begin_landing(view_)) return landing_.step(dt_);
+    if (view_.end < kInfinity && begin_landing(view_)) return landing_.step(dt_);
     if (best_towards(view_, goal, view_.tick_a, view_.tick_j, next)) return next;
     if (best_towards(view_, goal, view_.a, view_.j, next)) return next;
     // What is wanted cannot be kept (a feed has been lowered): brake to the lowest that is violated, as the hard limits allow.

@@ -117,6 +117,15 @@ private:
     struct Slot : PlannedRecord {
         double begin_fraction = 0, end_fraction = 0;
     };
+    // What a run of kGroup records has in common, so that the view can pass over it in one step.
+    static constexpr std::uint32_t kGroup = 16;
+    struct Group {
+        double length, v_max, a_max, j_max, feed;  // sum; least of each
+        FeedMode feed_mode;
+        std::uint16_t spindle;
+        bool override_locked, mixed;  // the three above differ
+        bool stops, block_ends;
+    };
     struct Target {  // from this distance on not above the ceiling
         double distance, ceiling;
         double a, j;  // least limits before it
@@ -152,7 +161,8 @@ private:
 
     [[nodiscard]] const Slot& at(std::uint64_t record) const noexcept { return slots_[record % kPlannerWindow]; }
     [[nodiscard]] Slot& at(std::uint64_t record) noexcept { return slots_[record % kPlannerWindow]; }
-    [[nodiscard]] double ceiling_of(const Slot& slot, Ceilings which, const PathInput& input) const noexcept;
+    [[nodiscard]] double ceiling_of(const PlannedRecord& record, Ceilings which, const PathInput& input) const noexcept;
+    void add_to_group(std::uint64_t record) noexcept;
     [[nodiscard]] bool stops_at_end(std::uint64_t record) const noexcept;
     void look_ahead(View& view, Ceilings which, const PathInput& input) noexcept;
     void settle_drops(View& view) const noexcept;
@@ -185,6 +195,7 @@ private:
     Landing landing_;
     std::uint64_t anomalies_ = 0;
     View view_{};  // of this tick; a member because it is large
+    std::array<Group, kPlannerWindow / kGroup> groups_{};
     std::array<Slot, kPlannerWindow> slots_{};
 };
 
