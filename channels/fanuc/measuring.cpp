@@ -1,0 +1,86 @@
+// G31: a move that a signal ends. G36, G37 (G37.1, G37.2): measuring the tool's offset with such a move.
+//
+//   start ----- rapid -----> T . . . feed . . . U ===== target ===== V      T: rapid distance before the target
+//                                               '- the signal counts here -'
+//
+// The block has two halves: moves up to the barrier, and what follows from where the axes stopped (finish_skip).
+#include <cmath>
+
+#include "channels/fanuc/interpreter.hpp"
+
+namespace polyturn::channels::fanuc {
+
+bool Interpreter::g_skip(const GCode&) {
+    if (!axis_word_count_) return core_.fail(Alarm::CoordinateAxisNone, 'G', "G31");
+    if (!read_axis_words(target_)) return false;
+    const std::uint64_t before = core_.moves();
+    if (!core_.skip(target_, settings_.skip_feed, FeedMode::PerMinute, "SKIP")) return false;
+    if (core_.moves() != before) {
+        measuring_.skipping = wants_barrier_ = true;
+        measuring_.measuring = false;
+    }
+    return true;
+}
+
+bool Interpreter::g_measure(const GCode& row) {
+    const bool decimal = row.tenths == 371 || row.tenths == 372;
+    if (!settings_.nct && decimal != settings_.measure_by_decimal) return core_.fail(Alarm::GCodeUnknown, 'G', std::string(row.name));
+    if (settings_.nct && decimal) return core_.fail(Alarm::GCodeUnknown, 'G', std::string(row.name));
+    if (block_.has('T')) return core_.fail(Alarm::MeasureWithTool, 'T');
+    if (axis_word_count_ != 1) return core_.fail(Alarm::CoordinateAxisNone, 'G', std::string(row.name));
+    const bool along_z = row.tenths == 370 || row.tenths == 372;
+    AxisSet named = 0;
+    if (!read_axis_words(target_, &named)) return false;
+    const auto place = static_cast<unsigned>(__builtin_ctz(named));
+    const PlaneRole role = core_.view().axes[place].role;
+    const bool fits = along_z ? role == PlaneRole::BasicZ : role == PlaneRole::BasicX || (settings_.nct && role == PlaneRole::BasicY);
+    if (!fits) return core_.fail(Alarm::AddressIllegal, core_.view().axes[place].name[0], std::string(core_.view().axes[place].name));
+    const ToolState& tool = core_.path.tool;
+    if (settings_.measure_to_wear ? tool.wear == 0 : tool.geometry == 0) return core_.fail(Alarm::MeasureNoOffset, 'G');
+    if (settings_.nct && settings_.measure_input == 0) return core_.fail(Alarm::MeasureInputNone, 'G');
+
+    const std::size_t k = role == PlaneRole::BasicX ? 0 : role == PlaneRole::BasicY ? 1 : 2;
+    const double target = target_[place], now = core_.path.programmed[place];
+    const double towards = target < now ? -1.0 : 1.0;
+    measuring_ = {false, true, place, target, settings_.measure_range[k]};
+    AxisValues point = core_.path.programmed;
+    const double begin = target - towards * settings_.measure_rapid[k];
+    if ((begin - now) * towards > 0) {   // already closer than that: no rapid move
+        point[place] = begin;
+        if (!core_.rapid(point)) return false;
+    }
+    point = core_.path.programmed;
+    point[place] = target + towards * settings_.measure_range[k];
+    const std::string number = std::to_string(settings_.measure_input);
+    const std::string_view input = settings_.nct ? std::string_view(number) : role == PlaneRole::BasicX ? "XAE" : "ZAE";
+    if (!core_.skip(point, settings_.measure_feed, FeedMode::PerMinute, input)) return false;
+    measuring_.skipping = wants_barrier_ = true;
+    return true;
+}
+
+// Behind the barrier: the axes stand where the signal came.
+Step Interpreter::finish_skip() {
+    const Measuring done = measuring_;
+    measuring_ = {};
+    core_.begin_block();
+    const AxisSet early = core_.take_skip();
+    if (!done.measuring) return Step::Continue;
+    const MachineView& view = core_.view();
+    const double stopped = core_.path.programmed[done.place], difference = stopped - done.target;
+    const bool came = (early >> done.place & 1u) != 0;
+    if (!came || std::fabs(difference) > done.range + 1e-9)
+        return fault({Alarm::MeasureNoSignal, 'G', done.range, 0.0, {}, {}});
+    const OffsetTable table = settings_.measure_to_wear ? OffsetTable::Wear : OffsetTable::Geometry;
+    const std::int32_t number = settings_.measure_to_wear ? core_.path.tool.wear : core_.path.tool.geometry;
+    const PlaneRole role = view.axes[done.place].role;
+    const OffsetField field = role == PlaneRole::BasicX ? OffsetField::X : role == PlaneRole::BasicY ? OffsetField::Y : OffsetField::Z;
+    const OffsetCell& cell = view.store->offsets[static_cast<std::size_t>(number)];
+    const double before = (settings_.measure_to_wear ? cell.wear : cell.geometry)[static_cast<std::size_t>(field)];
+    const double shown = view.to_shown(done.place, difference);
+    write_offset(table, number, field, settings_.measure_added ? before + shown : before - shown);
+    core_.end_block();
+    fresh_ = false;
+    return Step::Continue;
+}
+
+}  // namespace polyturn::channels::fanuc
