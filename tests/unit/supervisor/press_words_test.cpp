@@ -1,0 +1,184 @@
+// What can be pressed and set: one row a sentence, with what it asks of the kernel or why it is refused.
+#include "kernel/supervisor/press_words.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <set>
+
+#include "ipc/image/commands.hpp"
+#include "ipc/machine/load_machine.hpp"
+#include "ipc/params/param_file.hpp"
+
+namespace polyturn::supervisor {
+namespace {
+
+const MachineConfig& machine() {
+    static const MachineConfig config = [] {
+        auto table = std::make_unique<params::Table>();
+        params::set_defaults(*table);
+        for (const char* line : {"N0000 L1=1", "N0000 L2=1", "N0002 A1=1", "N0100 A1=88", "N0103 A1=1", "N0002 A2=1", "N0100 A2=90", "N0103 A2=3", "N0002 A3=2", "N0100 A3=88",
+                                 "N0103 A3=1", "N0607#0 S1=1"}) {
+            const auto assignment = params::parse_assignment(line);
+            EXPECT_TRUE(assignment) << line;
+            EXPECT_TRUE(params::apply(*table, {&*assignment, 1})) << line;
+        }
+        return derive_machine_config(*table);
+    }();
+    return config;
+}
+
+struct Row {
+    const char* words;
+    CommandKind kind;
+    std::uint32_t channel, object;
+    double value;
+    std::uint32_t flags;
+    const char* text;
+};
+
+constexpr Row kPress[] = {
+    {"cycle_start", CommandKind::CycleStart, 0, 0, 1, 0, ""},
+    {"cycle_start L2", CommandKind::CycleStart, 2, 0, 0, 0, ""},
+    {"  feed_hold   2 ", CommandKind::FeedHold, 2, 0, 0, 0, ""},
+    {"reset L1", CommandKind::Reset, 1, 0, 0, 0, ""},
+    {"emergency_stop", CommandKind::EmergencyStop, 0, 0, 1, 0, ""},
+    {"machine_on", CommandKind::MachineOn, 0, 0, 1, 0, ""},
+    {"mode L1=handwheel", CommandKind::Mode, 1, 0, 3, 0, ""},
+    {"select L2=prog/O1.nc", CommandKind::Select, 2, 0, 0, 0, "prog/O1.nc"},
+    {"select L2=with blank.nc", CommandKind::Select, 2, 0, 0, 0, "with blank.nc"},
+    {"mdi L1 G0 X50.", CommandKind::Mdi, 1, 0, 0, 0, "G0 X50."},
+    {"jog A3+ 0.5s", CommandKind::Jog, 0, 3, 0.5, 0, ""},
+    {"jog A1- 2", CommandKind::Jog, 0, 1, -2, 0, ""},
+    {"step A3- 0.01", CommandKind::Step, 0, 3, -0.01, 0, ""},
+    {"handwheel 1 A3 +120", CommandKind::Handwheel, 0, 3, 120, 1, ""},
+    {"handwheel 2 A1 -7", CommandKind::Handwheel, 0, 1, -7, 2, ""},
+    {"reference A3", CommandKind::Reference, 0, 3, 0, 0, ""},
+    {"reference all", CommandKind::Reference, 0, 0, 0, 0, ""},
+    {"home A1", CommandKind::Reference, 0, 1, 0, 0, ""},
+    {"feed_override L1=50", CommandKind::FeedOverride, 1, 0, 0.5, 0, ""},
+    {"feed_override all=120%", CommandKind::FeedOverride, 0, 0, 1.2, 0, ""},
+    {"rapid_override L1=25", CommandKind::RapidOverride, 1, 0, 0.25, 0, ""},
+    {"spindle_override S1=80", CommandKind::SpindleOverride, 0, 1, 0.8, 0, ""},
+    {"single_block L1=on", CommandKind::SingleBlock, 1, 0, 1, 0, ""},
+    {"optional_stop L1=off", CommandKind::OptionalStop, 1, 0, 0, 0, ""},
+    {"block_skip L1=1", CommandKind::BlockSkip, 1, 0, 1, 1, ""},
+    {"block_skip L1=3", CommandKind::BlockSkip, 1, 0, 1, 3, ""},
+    {"block_skip L1=-3", CommandKind::BlockSkip, 1, 0, 0, 3, ""},
+    {"block_skip L1=0", CommandKind::BlockSkip, 1, 0, 0, 0, ""},
+    {"block_skip L1=on", CommandKind::BlockSkip, 1, 0, 1, 1, ""},
+    {"dry_run L1=1", CommandKind::DryRun, 1, 0, 1, 0, ""},
+    {"machine_lock L2=on", CommandKind::MachineLock, 2, 0, 1, 0, ""},
+    {"restart L1=N120", CommandKind::Restart, 1, 0, 120, 0, ""},
+    {"retrace L1=on", CommandKind::Retrace, 1, 0, 1, 0, ""},
+    {"jog_in_hold L1", CommandKind::JogInHold, 1, 0, 0, 0, ""},
+    {"return L1", CommandKind::Return, 1, 0, 0, 0, ""},
+    {"ignore_waits L2=on", CommandKind::IgnoreWaits, 2, 0, 1, 0, ""},
+    {"stop_after_part", CommandKind::StopAfterPart, 0, 0, 1, 0, ""},
+};
+
+void expect_command(const Command& command, const Row& row) {
+    EXPECT_EQ(command.kind, static_cast<std::uint32_t>(row.kind));
+    EXPECT_EQ(command.channel, row.channel);
+    EXPECT_EQ(command.object, row.object);
+    if (row.value != 0 || row.kind != CommandKind::CycleStart) {
+        EXPECT_NEAR(command.value, row.value, 1e-12);
+    }
+    EXPECT_EQ(command.flags, row.flags);
+    EXPECT_STREQ(command.text.data(), row.text);
+    EXPECT_EQ(command.tick, 0);
+}
+
+TEST(Press, EverySentenceOfTheManualIsUnderstood) {
+    std::set<std::string_view> seen;
+    for (const Row& row : kPress) {
+        SCOPED_TRACE(row.words);
+        const auto commands = parse_press(row.words, machine());
+        ASSERT_TRUE(commands) << commands.diagnosis().text();
+        ASSERT_EQ(commands->size(), 1u);
+        expect_command(commands->front(), row);
+        std::string_view words = row.words;
+        words.remove_prefix(words.find_first_not_of(' '));
+        seen.insert(words.substr(0, words.find(' ')));
+    }
+    for (const std::string_view name : press_names())
+        EXPECT_TRUE(name == "override" || seen.count(name)) << name << " has no row here";
+}
+
+TEST(Press, SeveralChannelsInOneSentence) {
+    const auto commands = parse_press("restart L1=N120 L2=N340", machine());
+    ASSERT_TRUE(commands);
+    ASSERT_EQ(commands->size(), 2u);
+    EXPECT_EQ((*commands)[1].channel, 2u);
+    EXPECT_EQ((*commands)[1].value, 340.0);
+}
+
+TEST(Press, NonsenseIsRefusedWithTheForm) {
+    for (const char* words : {"", "dance", "cycle_start L3", "cycle_start A1", "mode L1=fast", "mode L1", "select", "select L1", "mdi L1", "jog A3 0.5", "jog A3+ soon", "jog A9+ 1", "step A3- -1",
+                              "handwheel 9 A3 1", "handwheel 1 A3", "reference", "reference A77", "feed_override L1=201", "feed_override L1=-1", "feed_override 50", "spindle_override L1=50",
+                              "single_block L1=maybe", "block_skip L1=10", "block_skip L1=1.5", "restart L1=X", "emergency_stop now", "return", "return L1 L2"}) {
+        SCOPED_TRACE(words);
+        const auto commands = parse_press(words, machine());
+        ASSERT_FALSE(commands);
+        EXPECT_FALSE(commands.diagnosis().text().empty());
+    }
+}
+
+TEST(Set, SignalsInputsDrivesParametersAndKeys) {
+    const auto one = [](const char* words) {
+        const auto commands = parse_set(words, machine());
+        EXPECT_TRUE(commands) << words;
+        return commands ? commands->front() : Command{};
+    };
+    Command command = one("AP_SYNCR A3=1");
+    EXPECT_EQ(command.kind, static_cast<std::uint32_t>(CommandKind::SetSignal));
+    EXPECT_EQ(command.object, signals::ap_syncr(3));
+    EXPECT_EQ(command.flags, kSlotOfPlc);
+    EXPECT_EQ(command.value, 1.0);
+    command = one("cp_nowt l2 = 1");
+    EXPECT_EQ(command.object, signals::cp_nowt(2));
+    command = one("SP_ROT S2=19");
+    EXPECT_EQ(command.value, 19.0);
+    command = one("CN_WTNG L1=1");
+    EXPECT_EQ(command.flags, kSlotOfNc);
+    command = one("drive A3=fault");
+    EXPECT_EQ(command.kind, static_cast<std::uint32_t>(CommandKind::DriveFault));
+    EXPECT_EQ(command.object, 3u);
+    command = one("drive S1=ok");
+    EXPECT_EQ(command.flags, 1u);
+    EXPECT_EQ(command.value, 0.0);
+    command = one("input 17=1");
+    EXPECT_EQ(command.kind, static_cast<std::uint32_t>(CommandKind::SetInput));
+    EXPECT_EQ(command.object, 17u);
+    command = one("N0304 A1=5000");
+    EXPECT_EQ(command.kind, static_cast<std::uint32_t>(CommandKind::SetParameter));
+    EXPECT_STREQ(command.text.data(), "N0304 A1=5000");
+    command = one("override L1=40");
+    EXPECT_EQ(command.kind, static_cast<std::uint32_t>(CommandKind::FeedOverride));
+    EXPECT_NEAR(command.value, 0.4, 1e-12);
+}
+
+TEST(Set, WhatIsWrongIsSaid) {
+    const std::pair<const char*, Alarm> rows[] = {
+        {"AP_SYNCR=1", Alarm::SignalScope},   {"AP_SYNCR L1=1", Alarm::SignalScope}, {"AP_SYNCR A97=1", Alarm::SignalScope}, {"AP_SYNCR A3=2", Alarm::PressArgument},
+        {"NO_SUCH L1=1", Alarm::SignalUnknown}, {"AP_SYNCR A3", Alarm::PressArgument}, {"drive A77=fault", Alarm::PressArgument}, {"drive A3=hot", Alarm::PressArgument},
+        {"input 3=5", Alarm::PressArgument},  {"N0304 A1=fast", Alarm::ParamValue},
+    };
+    for (const auto& [words, alarm] : rows) {
+        SCOPED_TRACE(words);
+        const auto commands = parse_set(words, machine());
+        ASSERT_FALSE(commands);
+        EXPECT_EQ(commands.diagnosis().alarm, alarm) << commands.diagnosis().text();
+    }
+}
+
+TEST(Release, GivesASignalBack) {
+    const auto commands = parse_release("AP_SYNCR A3", machine());
+    ASSERT_TRUE(commands);
+    EXPECT_EQ(commands->front().kind, static_cast<std::uint32_t>(CommandKind::ReleaseSignal));
+    EXPECT_EQ(commands->front().object, signals::ap_syncr(3));
+    EXPECT_FALSE(parse_release("NOTHING", machine()));
+}
+
+}  // namespace
+}  // namespace polyturn::supervisor

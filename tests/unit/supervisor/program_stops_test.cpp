@@ -1,0 +1,15 @@
+// A programmed stop that is overlooked would be answered at another tick each time, so every spelling counts.
+#include "kernel/supervisor/program_stops.hpp"
+
+#include <gtest/gtest.h>
+
+namespace polyturn::supervisor {
+namespace {
+
+TEST(ProgramStops, AreFoundInEverySpelling) {
+    for (const char* text : {"M0", "M00", "M1\n", "N10 M01", "G0X1M0Z5", "m0", "M=1", "M 0", "M#101", "M[#1+0]"}) EXPECT_TRUE(text_holds_program_stop(text)) << text;
+    for (const char* text : {"", "M3", "M30", "M10", "M08", "M100", "M002", "G0 X1.", "M0.5"}) EXPECT_FALSE(text_holds_program_stop(text)) << text;
+}
+
+}  // namespace
+}  // namespace polyturn::supervisor

@@ -1,0 +1,143 @@
+// Waits of several programs: every fault named once, and for random programs the same verdict as a model of twenty lines.
+#include "kernel/supervisor/wait_match.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <map>
+
+namespace polyturn::supervisor {
+namespace {
+
+struct Planned {
+    const char* code;
+    std::uint32_t set;
+};
+using Programs = std::map<unsigned, std::vector<Planned>>;
+
+WaitMatcher matcher_of(const Programs& programs) {
+    WaitMatcher matcher;
+    for (const auto& [channel, waits] : programs) {
+        matcher.add_channel(channel);
+        std::uint32_t line = 0;
+        for (const Planned& wait : waits) matcher.arrive(channel, {wait.code, wait.set, "O" + std::to_string(channel), ++line * 10});
+        matcher.end(channel, false);
+    }
+    return matcher;
+}
+
+std::vector<Alarm> faults_of(const Programs& programs, std::size_t* meetings = nullptr) {
+    WaitMatcher matcher = matcher_of(programs);
+    std::vector<Alarm> out;
+    for (const WaitFault& fault : matcher.find_faults()) out.push_back(fault.diagnosis.alarm);
+    if (meetings) *meetings = matcher.meetings();
+    return out;
+}
+
+TEST(WaitMatch, FitsTogether) {
+    std::size_t meetings = 0;
+    EXPECT_TRUE(faults_of({{1, {{"M501", 3}, {"M502", 3}, {"M501", 3}}}, {2, {{"M501", 3}, {"M502", 3}, {"M501", 3}}}}, &meetings).empty());
+    EXPECT_EQ(meetings, 3u);
+    // Three channels, as nct_parameters_part2 23.4: the third comes first and waits.
+    EXPECT_TRUE(faults_of({{1, {{"M520", 3}, {"M521", 7}}}, {2, {{"M520", 3}, {"M521", 7}}}, {3, {{"M521", 7}}}}, &meetings).empty());
+    EXPECT_EQ(meetings, 2u);
+    EXPECT_TRUE(faults_of({{1, {{"M501", 1}}}, {2, {}}}, &meetings).empty());   // only itself: passes at once
+    EXPECT_EQ(meetings, 0u);
+}
+
+TEST(WaitMatch, EachFaultIsNamedOnce) {
+    using A = Alarm;
+    const std::pair<Programs, std::vector<Alarm>> rows[] = {
+        {{{1, {{"M501", 3}, {"M502", 3}}}, {2, {{"M502", 3}, {"M501", 3}}}}, {A::SyncCycle}},
+        {{{1, {{"M501", 3}}}, {2, {}}}, {A::SyncUnpaired}},
+        {{{1, {{"M501", 3}, {"M502", 3}}}, {2, {{"M502", 3}}}}, {A::SyncUnpaired}},
+        {{{1, {{"M501", 5}}}, {2, {}}}, {A::SyncAbsent}},
+        {{{1, {{"M501", 3}}}, {2, {{"M501", 7}}}, {3, {{"M501", 7}}}}, {A::SyncDifferentSets}},
+        {{{1, {{"M501", 3}, {"M503", 3}}}, {2, {{"M501", 1 | 2 | 4}, {"M503", 3}}}, {3, {}}}, {A::SyncDifferentSets}},
+        // 1 waits for 2, 2 for 3, 3 for 1, and everybody would come later.
+        {{{1, {{"M501", 3}, {"M503", 5}}}, {2, {{"M502", 6}, {"M501", 3}}}, {3, {{"M503", 5}, {"M502", 6}}}}, {A::SyncCycle}},
+        // Two independent faults.
+        {{{1, {{"M501", 3}, {"M502", 3}, {"M509", 3}}}, {2, {{"M502", 3}, {"M501", 3}}}}, {A::SyncCycle, A::SyncUnpaired}},
+    };
+    for (std::size_t i = 0; i < std::size(rows); ++i) {
+        SCOPED_TRACE(i);
+        EXPECT_EQ(faults_of(rows[i].first), rows[i].second);
+    }
+}
+
+TEST(WaitMatch, AFaultNamesChannelsProgramsAndLines) {
+    WaitMatcher matcher = matcher_of({{1, {{"M501", 3}, {"M502", 3}}}, {2, {{"M502", 3}, {"M501", 3}}}});
+    const auto faults = matcher.find_faults();
+    ASSERT_EQ(faults.size(), 1u);
+    const std::string text = faults[0].diagnosis.text();
+    for (const char* word : {"L1", "L2", "O1:10", "O2:10", "M501", "M502"}) EXPECT_NE(text.find(word), std::string::npos) << word << " in " << text;
+    EXPECT_EQ(faults[0].channel, 2u);   // it came last
+    EXPECT_EQ(faults[0].places.size(), 2u);
+}
+
+TEST(WaitMatch, NothingIsSaidAboutWhatFollowsAnAlarm) {
+    WaitMatcher matcher;
+    matcher.add_channel(1);
+    matcher.add_channel(2);
+    matcher.arrive(1, {"M501", 3, "O1", 1});
+    matcher.end(1, false);
+    matcher.end(2, true);
+    EXPECT_TRUE(matcher.find_faults().empty());
+}
+
+// The obvious model: let everybody whose set is complete go on, until nothing moves. Right when all are through.
+bool model_fits(Programs programs, std::size_t& meetings) {
+    std::map<unsigned, std::size_t> next;
+    meetings = 0;
+    for (bool moved = true; moved;) {
+        moved = false;
+        for (const auto& [channel, waits] : programs) {
+            if (next[channel] >= waits.size()) continue;
+            const Planned wait = waits[next[channel]];
+            bool complete = true;
+            for (unsigned other = 1; other <= 8; ++other) {
+                if (!(wait.set >> (other - 1) & 1u)) continue;
+                const auto found = programs.find(other);
+                complete = complete && found != programs.end() && next[other] < found->second.size() &&
+                           std::string_view(found->second[next[other]].code) == wait.code && found->second[next[other]].set == wait.set;
+            }
+            if (!complete) continue;
+            for (unsigned other = 1; other <= 8; ++other)
+                if (wait.set >> (other - 1) & 1u) ++next[other];
+            if (wait.set & (wait.set - 1)) ++meetings;
+            moved = true;
+            break;
+        }
+    }
+    for (const auto& [channel, waits] : programs)
+        if (next[channel] < waits.size()) return false;
+    return true;
+}
+
+RC_GTEST_PROP(WaitMatch, AgreesWithTheModel, ()) {
+    static constexpr const char* kCodes[] = {"M501", "M502", "M503"};
+    Programs programs;
+    const unsigned channels = *rc::gen::inRange(2u, 5u);
+    for (unsigned channel = 1; channel <= channels; ++channel) programs[channel];
+    const int steps = *rc::gen::inRange(0, 12);
+    for (int i = 0; i < steps; ++i) {
+        // Mostly meetings that fit; then a mistake is made now and then.
+        const char* code = kCodes[*rc::gen::inRange(0, 3)];
+        const auto set = *rc::gen::inRange(1u, 1u << channels);
+        for (unsigned channel = 1; channel <= channels; ++channel) {
+            if (!(set >> (channel - 1) & 1u)) continue;
+            const int luck = *rc::gen::inRange(0, 20);
+            if (luck == 0) continue;                                                        // forgotten
+            const std::uint32_t own = luck == 1 ? set | 1u << (channels - 1) : set;         // another set
+            programs[channel].push_back({luck == 2 ? kCodes[0] : code, own | 1u << (channel - 1)});
+        }
+    }
+    std::size_t wanted = 0, meetings = 0;
+    const bool fits = model_fits(programs, wanted);
+    const auto faults = faults_of(programs, &meetings);
+    RC_ASSERT(faults.empty() == fits);
+    if (fits) RC_ASSERT(meetings == wanted);
+}
+
+}  // namespace
+}  // namespace polyturn::supervisor
