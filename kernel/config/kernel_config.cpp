@@ -30,6 +30,8 @@ AxisConfig read_axis(const p::Table& t, unsigned a) {
     const double unit = inch ? kMmPerInch : 1.0;
     axis.rapid = p::get(t, p::n0304_rapid, a) * unit / 60.0;
     axis.max_feed = p::get(t, p::n0305_max_feed, a) * unit / 60.0;
+    axis.manual_rapid = p::get(t, p::n0314_manual_rapid, a) * unit / 60.0;
+    axis.jog_max_feed = p::get(t, p::n0315_jog_max_feed, a) * unit / 60.0;
     axis.acceleration = p::get(t, p::n0400_acceleration, a) * unit;
     const double rise = p::get(t, p::n0401_acc_tc, a);
     axis.jerk = rise > 0 ? axis.acceleration / rise : kUnlimited;
@@ -72,6 +74,8 @@ ChannelConfig read_channel(const p::Table& t, unsigned l) {
     channel.group = static_cast<std::uint32_t>(p::get(t, p::n0000_machine_group, l));
     channel.exists = channel.group != 0;
     channel.default_spindle = static_cast<std::uint32_t>(p::get(t, p::n0604_default_spindle, l));
+    channel.jog_feed_source = p::get(t, p::n0316_jog_f_contr, l);
+    channel.jog_feed = p::get(t, p::n0317_jog_f_g94, l) * (p::bit(t, p::n0104_unit_of_measure, l, 0) ? kMmPerInch : 1.0) / 60.0;
     channel.surface_speed_axis = static_cast<std::uint32_t>(p::get(t, p::n0687_default_g96_axis, l));
     channel.surface_speed_min_rpm = static_cast<double>(p::get(t, p::n0688_min_spindle_speed_g96, l));
     channel.in_position_timeout_s = p::get(t, p::n1340_inpos_timeout, l);

@@ -19,6 +19,7 @@ struct AxisConfig {
     bool diameter = false;
     std::uint32_t channel = 0;            // from 1; 0: belongs to none
     double rapid = 0, max_feed = 0;       // mm/s
+    double manual_rapid = 0, jog_max_feed = 0;
     double acceleration = 0;              // mm/s2
     double jerk = kUnlimited;             // mm/s3; N0401 = 0 means that acceleration may step
     double gain = 0;                      // 1/s
@@ -48,6 +49,8 @@ struct ChannelConfig {
     bool exists = false;
     std::uint32_t group = 0;              // machine group
     std::uint32_t default_spindle = 0;
+    std::int64_t jog_feed_source = 1;     // N0316
+    double jog_feed = 0;                  // N0317, mm/s
     std::uint32_t surface_speed_axis = 0; // from 1
     double surface_speed_min_rpm = 0;
     double in_position_timeout_s = 0;

@@ -40,6 +40,10 @@ void ChannelRunner::cycle_start() noexcept {
                     return;
                 }
             if (resetting_) return;  // still coming to rest: the start is not remembered
+            if (core_.jogging >> index_ & 1u) {
+                core_.alarm(Alarm::NotReady, number_, "an axis is being moved by hand");
+                return;
+            }
             state_ = ChannelState::Running;
             stop_reason_ = StopReason::None;
             hold_ = false;

@@ -34,6 +34,7 @@ void Machine::run_command(const Command& c) noexcept {
         case CommandKind::FeedHold: each_channel(c, [](ChannelRunner& r) { r.feed_hold(); }); break;
         case CommandKind::Reset:
             each_channel(c, [](ChannelRunner& r) { r.reset(); });
+            for (AxisJog& jog : jogs_) jog.stop();
             reset_machine();
             break;
         case CommandKind::EmergencyStop: emergency_stop(Alarm::EmergencyStop, 0, {}, 0); break;
@@ -83,6 +84,9 @@ void Machine::run_command(const Command& c) noexcept {
             if (watch_count_ < watches_.size() && c.object < (c.flags ? kPlcSignals : kNcSignals))
                 watches_[watch_count_++] = {c.flags != 0, c.object, c.flags ? core_.signals.plc(c.object) : core_.signals.nc(c.object)};
             break;
+        case CommandKind::Jog:
+        case CommandKind::Step:
+        case CommandKind::Handwheel: jog_command(c); break;
         case CommandKind::Reference:
             for (std::uint32_t a = 0; a < kMaxAxes; ++a)
                 if ((c.object == 0 || c.object == a + 1) && core_.axes[a].exists()) core_.axes[a].referenced = true;

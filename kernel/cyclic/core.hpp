@@ -46,6 +46,7 @@ struct Core {
     std::array<AxisUnit, kMaxAxes> axes{};
     std::array<SpindleUnit, kMaxSpindles> spindles{};
     WaitBoard waits;
+    ChannelSet jogging = 0;                // channels of which an axis is moved by hand
     std::array<double, kMaxSpindles> spindle_rev_s{};  // measured, for feed per revolution
 
     bool on() const noexcept { return state == MachineState::On; }

@@ -93,6 +93,7 @@ void Machine::tick() noexcept {
     take_answers();
     supervise();
     run_channels();
+    run_jogs();
     run_spindles();
     run_axes();
     watch_signals();
@@ -208,7 +209,7 @@ bool Machine::idle() noexcept {
     for (std::uint32_t s = 0; s < core_.config.spindle_count; ++s)
         if (core_.spindles[s].exists() && !core_.spindles[s].settled()) return false;
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
-        if (core_.axes[a].exists() && core_.axes[a].moving()) return false;
+        if (core_.axes[a].exists() && (core_.axes[a].moving() || jogs_[a].active())) return false;
     const double quiet_s = static_cast<double>(plc_.quiet_ticks()) * core_.config.tick_s;
     return !plc_.present() ? !handshake || plc_.dead() : quiet_s >= (handshake ? kHandshakeQuietS : kPlcQuietS);
 }

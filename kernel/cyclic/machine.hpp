@@ -13,6 +13,7 @@
 #include <array>
 #include <memory>
 
+#include "kernel/cyclic/axis_jog.hpp"
 #include "kernel/cyclic/channel_runner.hpp"
 #include "kernel/cyclic/command_queue.hpp"
 #include "kernel/cyclic/core.hpp"
@@ -57,6 +58,9 @@ private:
     void take_commands() noexcept;
     void run_command(const Command& command) noexcept;
     void run_channels() noexcept;
+    void jog_command(const Command& command) noexcept;
+    double jog_feed(std::uint32_t axis) const noexcept;
+    void run_jogs() noexcept;
     void run_spindles() noexcept;
     void run_axes() noexcept;
     void axis_fault(std::size_t a) noexcept;
@@ -79,6 +83,7 @@ private:
     PlcLink plc_;
     std::array<std::unique_ptr<ChannelRunner>, kMaxChannels> channels_;
     std::array<ChannelRunner*, kMaxChannels> runners_{};
+    std::array<AxisJog, kMaxAxes> jogs_{};
     struct Watch {
         bool plc = false;
         std::uint32_t slot = 0;

@@ -1,0 +1,31 @@
+// One axis moved by hand (jog, step, handwheel): motion beside the path that needs no channel process (architecture 5.7).
+// Within the axis' velocity, acceleration and jerk; stops before the end of the stroke.
+#pragma once
+#include <cstdint>
+
+#include "kernel/motion/landing.hpp"
+
+namespace polyturn::kernel {
+
+class AxisJog {
+public:
+    struct Limits {
+        double speed = 0, acceleration = 0, jerk = 0;  // jerk may be infinite
+    };
+    // Away from `from` in the direction of `sign`: for `ticks` (then it brakes), or exactly `distance`; never beyond `room`.
+    void start(double from, double sign, const Limits& limits, std::int64_t ticks, double distance, double room, double tick_s) noexcept;
+    void stop() noexcept { ticks_ = 0, aims_ = false; }   // brakes
+    bool active() const noexcept { return active_; }
+    // The position at the end of this tick.
+    double step(double tick_s) noexcept;
+
+private:
+    bool active_ = false, aims_ = false, landing_now_ = false;
+    double from_ = 0, sign_ = 1, end_ = 0;      // end_: s at which it must stand
+    Limits limits_;
+    std::int64_t ticks_ = 0;
+    PathState state_;
+    Landing landing_;
+};
+
+}  // namespace polyturn::kernel
