@@ -49,7 +49,7 @@ void SplineRun::begin(const SplinePoint& from, std::size_t axes, const std::arra
     control_.clear();
     interval_.clear();
     next_span_ = 1;
-    next_used_ = 3;
+    next_used_ = 2;
     ready_.clear();
 }
 
@@ -77,10 +77,10 @@ bool SplineRun::chord_fits(std::size_t to) const {
     // (2), the next one not known: as if the curve went straight on behind `to`.
     const SplinePoint earlier = beside(control_.size() - 2);
     const double sum = before + behind, share_before = behind * behind / (sum * (interval_[interval_.size() - 2] + sum)), share_behind = before * before / (sum * (sum + behind));
-    const SplinePoint d = across(p, a, b, share_before, share_behind);
     double left = 0;
     for (std::size_t k = 0; k < axes_; ++k) {
-        const double rest = last.fixed ? d[k] : share_before * earlier[k] - (share_before + share_behind) * d[k];
+        const double d = ((b[k] - a[k]) / behind - (a[k] - p[k]) / before) / sum * before * behind / 3;
+        const double rest = last.fixed ? d : share_before * earlier[k] - (share_before + share_behind) * d;
         left += rest * rest;
     }
     if (left > kTurnShare * tolerance_ * kTurnShare * tolerance_) return false;
@@ -107,35 +107,36 @@ bool SplineRun::skips_well(std::size_t from, std::size_t to) const {
     return true;
 }
 
-// (1): how far the curve with the knots as control points passes beside this one.
+// Second part of (1): a third of the parabola's bend times both intervals.
 SplinePoint SplineRun::beside(std::size_t control) const {
     SplinePoint d{};
     if (control_[control].fixed || control == 0 || control + 1 >= control_.size()) return d;
-    const auto i = static_cast<std::ptrdiff_t>(control);
-    const double z = interval(i - 2), a = interval(i - 1), b = interval(i), c = interval(i + 1);
-    const double share_before = b * b / ((a + b) * (z + a + b)), share_behind = a * a / ((a + b) * (a + b + c));
-    return across(control_[control - 1].point, control_[control].point, control_[control + 1].point, share_before, share_behind);
-}
-
-// share_before (p - a) + share_behind (b - a), without what of it lies along the path: where chords differ in length the curve
-// passes earlier or later, which harms nobody, and shifting control points along the path would make its pace uneven.
-SplinePoint SplineRun::across(const SplinePoint& p, const SplinePoint& a, const SplinePoint& b, double share_before, double share_behind) const {
-    SplinePoint d{}, along{};
-    double length2 = 0, part = 0;
+    const double a = interval_[control - 1], b = interval_[control];
     for (std::size_t k = 0; k < axes_; ++k) {
-        d[k] = share_before * (p[k] - a[k]) + share_behind * (b[k] - a[k]);
-        along[k] = b[k] - p[k];
-        length2 += along[k] * along[k];
-        part += d[k] * along[k];
+        const double p = control_[control].point[k];
+        d[k] = ((control_[control + 1].point[k] - p) / b - (p - control_[control - 1].point[k]) / a) / (a + b) * a * b / 3;
     }
-    if (length2 > 0)
-        for (std::size_t k = 0; k < axes_; ++k) d[k] -= part / length2 * along[k];
     return d;
 }
 
-void SplineRun::place_used(std::size_t control) {
-    const SplinePoint d = beside(control);
-    for (std::size_t k = 0; k < axes_; ++k) control_[control].used[k] = control_[control].point[k] - d[k];
+void SplineRun::place_used(std::size_t i) {
+    Control& c = control_[i];
+    if (c.fixed) {   // on the outer line, at most at its vertex: tangent and curvature at M come from these points alone
+        const bool first = c.vertex == 1;
+        const SplinePoint& end = control_[first ? i - 1 : i + 1].point;
+        const double own = first ? interval_[i - 1] : interval_[i], next = first ? interval(static_cast<std::ptrdiff_t>(i)) : interval_[i - 1];
+        const double part = std::min(1.0, (2 * own + next) / (3 * own));
+        for (std::size_t k = 0; k < axes_; ++k) c.used[k] = end[k] + part * (c.point[k] - end[k]);
+        Control& mirror = control_[first ? i - 2 : i + 2];
+        for (std::size_t k = 0; k < axes_; ++k) mirror.used[k] = 2 * end[k] - c.used[k];
+        return;
+    }
+    const double a = interval_[i - 1], b = interval_[i];
+    const SplinePoint d = beside(i);
+    for (std::size_t k = 0; k < axes_; ++k) {
+        const double before = (c.point[k] - control_[i - 1].point[k]) / a, behind = (control_[i + 1].point[k] - c.point[k]) / b;
+        c.used[k] = c.point[k] + (a * behind + b * before) / (a + b) * (b - a) / 3 - d[k];
+    }
 }
 
 void SplineRun::add_control(std::size_t vertex) {
@@ -146,7 +147,17 @@ void SplineRun::add_control(std::size_t vertex) {
 
 void SplineRun::end(const SplinePoint& to) {
     const std::size_t last = dropped_ + path_.size() - 1;
-    if (last > control_.back().vertex) add_control(last);
+    // Towards the end the intervals shrink as they grew at the beginning, as far as there are vertices for it.
+    std::vector<std::size_t> knots{last};
+    double most = kMostGrowth * distance(path(last), to);
+    while (knots.back() > control_.back().vertex + 1 && distance(control_.back().point, path(knots.back())) > most) {
+        std::size_t v = knots.back() - 1;
+        while (v > control_.back().vertex + 1 && distance(path(v - 1), path(knots.back())) <= most) --v;
+        most = kMostGrowth * distance(path(v), path(knots.back()));
+        knots.push_back(v);
+    }
+    for (; !knots.empty(); knots.pop_back())
+        if (knots.back() > control_.back().vertex) add_control(knots.back());
     control_.back().fixed = true;
     path_.push_back(to);
     interval_.push_back(distance(control_.back().point, to));
@@ -169,7 +180,7 @@ double SplineRun::interval(std::ptrdiff_t i) const {
 
 void SplineRun::make_spans(bool all) {
     const std::size_t known = control_.size();
-    for (; next_used_ + (all ? 0 : 2) < known; ++next_used_) place_used(next_used_);
+    for (; next_used_ + 2 < known; ++next_used_) place_used(next_used_);   // when all are known: up to the last vertex
     while (next_span_ + (all ? 2 : 4) < known) make_span(next_span_, all && next_span_ + 3 == known), ++next_span_;
     // Two controls before the next span are still needed, and no vertex before its own.
     if (next_span_ > 64) {

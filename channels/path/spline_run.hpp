@@ -11,13 +11,13 @@
 // Choose   knots among the vertices, greedily: what lies between two of them leaves their chord by at most kSkipShare e,
 //          and the curve leaves a knot by at most kTurnShare e (2). Knot intervals h are the chord lengths, so
 //          the speed over the parameter is nearly even.
-// Control  A cubic B-spline with control points P passes a knot beside it by
-//              d = A (P- - P) + C (P+ - P)     A = h+^2 / ((h- + h+)(h-- + h- + h+)), C likewise;  uniform: A = C = 1/6     (1)
-//          so the control point is Q = P - d, of d the part across the path. What remains is a sixth to a third of d:
-//              A d- - (A + C) d + C d+                                                                                     (2)
+// Control  the blossom of the parabola through a knot P and its neighbours, which keeps quadratic motion exact, whatever the
+//          intervals: with its slope and half its bend, q1 and q2, over the chord lengths,
+//              Q = P + q1 (h+ - h-)/3 - q2 h- h+ / 3                                                                       (1)
+//          The curve then leaves P by a sixth to a third of d = q2 h- h+ / 3:  A d- - (A + C) d + C d+  (uniform: A = C = 1/6)  (2)
 // Ends     M lies on the line before, M' on the line behind; a mirrored control point beyond each makes the curve begin and
 //          end there exactly, tangent to the line and without curvature, so what is before and behind needs no more. The
-//          first and the last vertex are knots and keep Q = P for that.
+//          first and the last vertex are knots, their control points stay on the outer lines.
 // Pieces   each programmed block keeps its own records: the curve is cut where the path passes its end.
 // Right    a cubic B-spline has continuous second derivative. The deviation is tested by dense sampling, both ways, against
 //          the programmed polyline.
@@ -35,8 +35,8 @@ inline constexpr double kCornerShare = 0.8;       // of the tolerance: what the 
 inline constexpr double kSkipShare = 0.5, kTurnShare = 0.3;
 inline constexpr double kMostTurn = 0.25;        // rad; a sharper corner is meant as a corner
 inline constexpr double kLongestShort = 5.0;     // mm: two lines of which none is shorter are not short lines
-inline constexpr double kMostGrowth = 8;         // of a length over that of its neighbour: the curve's parameter stays even
-inline constexpr std::size_t kMostSkipped = 24;  // vertices between two control points
+inline constexpr double kMostGrowth = 2.5;       // of a length over that of its neighbour: the curve's parameter stays even
+inline constexpr std::size_t kMostSkipped = 64;  // vertices between two control points
 
 // Whether the corner between two lines is one of a smooth curve. Slots, rates and metric must agree, the caller looks at flags.
 bool is_short_corner(const PathRecord& before, const PathRecord& after, const PathLimits& limits);
@@ -65,7 +65,7 @@ private:
         SplinePoint point;     // P
         std::size_t vertex;    // its place in path_; 0 is M
         SplinePoint used{};    // Q
-        bool fixed = false;    // Q = P: next to an end
+        bool fixed = false;    // next to an end
     };
     double distance(const SplinePoint& a, const SplinePoint& b) const;
     double turn_at(const SplinePoint& a, const SplinePoint& b, const SplinePoint& c) const;
@@ -74,7 +74,6 @@ private:
     void add_control(std::size_t vertex);
     double interval(std::ptrdiff_t i) const;
     SplinePoint beside(std::size_t control) const;
-    SplinePoint across(const SplinePoint& p, const SplinePoint& a, const SplinePoint& b, double share_before, double share_behind) const;
     void place_used(std::size_t control);
     void make_spans(bool all);
     void make_span(std::size_t span, bool last_span);

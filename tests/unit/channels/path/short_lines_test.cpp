@@ -55,7 +55,7 @@ TEST(ShortLines, OfACircleReachNearlyTheSpeedOfTheCircle) {
     struct Row { double radius, length, rounding, share; };
     const Row rows[] = {
         {50, 0.1, 0, 0.95}, {10, 0.1, 0, 0.9}, {2, 0.1, 0, 0.7},
-        {50, 0.1, 0.001, 0.65}, {10, 0.1, 0.001, 0.25}, {50, 0.01, 0.001, 0.25}, {50, 1.0, 0.001, 0.4},
+        {50, 0.1, 0.001, 0.95}, {10, 0.1, 0.001, 0.45}, {50, 0.01, 0.001, 0.8}, {50, 1.0, 0.001, 0.4},
     };
     for (const Row& row : rows) {
         SCOPED_TRACE(testing::Message() << "R " << row.radius << " L " << row.length << " rounding " << row.rounding);
