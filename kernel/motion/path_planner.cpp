@@ -276,9 +276,13 @@ bool PathPlanner::safe(const View& view, const Step& step, Witness& witness) con
         if (speed_at(step, view.targets[i].distance) > view.targets[i].ceiling * (1 + 1e-4)) return false;
     }
     // Limits of this side of a border must not act beyond it, but to be steady there.
-    if ((step.j > view.tick_j || step.a > view.tick_a) && view.drop_count > 0 && next.s > view.drops[0].distance &&
-        (a != 0 || distance_to_speed(state_.v, state_.a, step.speed, step.a, step.j) > view.drops[0].distance)) {
-        return false;
+    if (step.j > view.tick_j || step.a > view.tick_a) {
+        double side = kInfinity;
+        for (std::uint32_t d = view.drop_count; d-- > 0;) {
+            const bool last = d + 1 == view.drop_count;
+            if ((last ? view.a : view.drops[d + 1].a) < step.a || (last ? view.j : view.drops[d + 1].j) < step.j) side = view.drops[d].distance;
+        }
+        if (next.s > side && (a != 0 || distance_to_speed(state_.v, state_.a, step.speed, step.a, step.j) > side)) return false;
     }
     if (view.which == Ceilings::Wanted) {
         for (std::uint32_t i = 0; i < view.target_count; ++i) {
