@@ -41,7 +41,7 @@ void Compensator::resume() {
 }
 
 void Compensator::ensure_halt(const BlockContext& at) {
-    if (!halted_ && !ready_.will_halt() && !trailing_.will_halt()) line().barrier(at);
+    if (!halted_ && !ready_.will_halt() && !trailing_.will_halt()) queue().barrier(at);
     pump();
 }
 
@@ -79,8 +79,10 @@ void Compensator::move(const Move& m, const BlockContext& at) {
         moved_ = true;
         suspended_ = false;
         straight_to_programmed(m, at);
-        if (state_ == State::On || state_ == State::Resuming || state_ == State::Armed)
-            state_ = options_.resume_at_intersection ? State::Resuming : State::Armed;
+        state_ = cancel_ || state_ == State::Leaving || state_ == State::Off ? State::Off
+                 : options_.resume_at_intersection                           ? State::Resuming
+                                                                             : State::Armed;
+        cancel_ = repeated_ = false;
         return;
     }
     if (!in_plane(m)) {   // it waits with the others until the nose's place is known
@@ -210,7 +212,7 @@ bool Compensator::fail(Alarm alarm, bool this_block, const BlockContext& at) {
 
 void Compensator::stop(const Stop& s, const BlockContext& at) {
     if (s.reason != StopReason::M00 && s.reason != StopReason::M01) settle();   // nothing follows
-    line().stop(s, at);
+    queue().stop(s, at);
     pump();
 }
 

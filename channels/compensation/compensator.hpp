@@ -59,18 +59,18 @@ public:
 
     // --- Sink
     void move(const Move&, const BlockContext&) override;
-    void dwell(const Dwell& d, const BlockContext& at) override { line().dwell(d, at), pump(); }
-    void aux(const Aux& a, const BlockContext& at) override { line().aux(a, at), pump(); }
-    void spindle(const Spindle& s, const BlockContext& at) override { line().spindle(s, at), pump(); }
-    void wait(const Wait& w, const BlockContext& at) override { line().wait(w, at), pump(); }
-    void variable(const Variable& v, const BlockContext& at) override { line().variable(v, at), pump(); }
-    void offset(const OffsetWrite& o, const BlockContext& at) override { line().offset(o, at), pump(); }
-    void message(std::string_view text, const BlockContext& at) override { line().message(text, at), pump(); }
+    void dwell(const Dwell& d, const BlockContext& at) override { queue().dwell(d, at), pump(); }
+    void aux(const Aux& a, const BlockContext& at) override { queue().aux(a, at), pump(); }
+    void spindle(const Spindle& s, const BlockContext& at) override { queue().spindle(s, at), pump(); }
+    void wait(const Wait& w, const BlockContext& at) override { queue().wait(w, at), pump(); }
+    void variable(const Variable& v, const BlockContext& at) override { queue().variable(v, at), pump(); }
+    void offset(const OffsetWrite& o, const BlockContext& at) override { queue().offset(o, at), pump(); }
+    void message(std::string_view text, const BlockContext& at) override { queue().message(text, at), pump(); }
     void stop(const Stop&, const BlockContext&) override;
-    void part(double count, const BlockContext& at) override { line().part(count, at), pump(); }
+    void part(double count, const BlockContext& at) override { queue().part(count, at), pump(); }
     void alarm(const Diagnosis&, const BlockContext&) override;
     void barrier(const BlockContext&) override;
-    void block_end(const BlockContext& at) override { line().block_end(at), pump(); }
+    void block_end(const BlockContext& at) override { queue().block_end(at), pump(); }
 
 private:
     enum class State : std::uint8_t {
@@ -89,7 +89,7 @@ private:
         Role role = Role::Contour;
     };
 
-    HeldCalls& line() { return held_ ? trailing_ : ready_; }
+    HeldCalls& queue() { return held_ ? trailing_ : ready_; }
     void pump();
     bool in_plane(const Move& m) const;
     Element element_of(const Move& m) const;

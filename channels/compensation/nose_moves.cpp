@@ -118,28 +118,27 @@ void Compensator::go_element(const Held& b, Vec to, bool as_line) {
     m.machine[p_] = to.p, m.machine[q_] = to.q;
     m.pos[p_] += to.p - programmed.p, m.pos[q_] += to.q - programmed.q;
     m.moved &= ~(1u << p_ | 1u << q_);
-    const bool stands = length(to - here_) < kStands;
-    if (b.element.arc && !as_line) {
+    bool curved = b.element.arc && !as_line;
+    if (curved) {
         const Vec centre = b.element.centre + b.tip, a = here_ - centre, c = to - centre;
         m.centre_p = centre.p, m.centre_q = centre.q;
         m.pos_centre_p += b.tip.p, m.pos_centre_q += b.tip.q;
         m.radius = length(a), m.radius_end = length(c);
         if (m.radius < kStands || m.radius_end < kStands) m.sweep = 0;   // the nose just fits: it turns on the spot
         else m.sweep += std::remainder(std::atan2(cross(a, c), dot(a, c)) - m.sweep, kTurn);
-        if (std::fabs(m.sweep) * m.radius < kStands) {
-            m.kind = MoveKind::Linear;
-            m.sweep = 0;
-        } else {
+        curved = std::fabs(m.sweep) * m.radius >= kStands;
+        if (curved) {
             m.moved |= 1u << p_ | 1u << q_;
             if (options_.inner_arc_feed_from >= 0 && b.element.centre_on_nose_side() && m.feed_mode != FeedMode::InverseTime)
                 m.feed *= std::fmax(options_.inner_arc_feed_from, m.radius / b.element.start_radius);
         }
-    } else if (b.element.arc) {
+    }
+    if (b.element.arc && !curved) {
         m.kind = MoveKind::Linear;
         m.sweep = 0;
         m.turns = 0;
     }
-    if (m.sweep == 0 && !stands) m.moved |= (to.p != here_.p ? 1u << p_ : 0u) | (to.q != here_.q ? 1u << q_ : 0u);
+    if (!curved && length(to - here_) >= kStands) m.moved |= (to.p != here_.p ? 1u << p_ : 0u) | (to.q != here_.q ? 1u << q_ : 0u);
     here_ = to;
     if (m.moved) deliver(m, b.at);
 }

@@ -62,6 +62,7 @@ bool Interpreter::check_words() {
     std::uint32_t taken = kAlways;
     for (std::uint32_t left = coded_groups_; left; left &= left - 1) {
         const GCode* row = coded_[static_cast<std::size_t>(__builtin_ctz(left))];
+        if (!row->act) return core_.fail(Alarm::NotBuilt, 'G', std::string(row->name));   // whatever words it has
         taken |= takes_[static_cast<std::size_t>(row - g_codes().data())];
     }
     if (!(coded_groups_ & (bit_of(GGroup::OneShot) | bit_of(GGroup::Motion)))) taken |= takes_[static_cast<std::size_t>(motion_ - g_codes().data())];
@@ -90,6 +91,10 @@ Step Interpreter::nc_block() {
         called_ = true;
         if (!ended_ && !call_program(program, sub_repeats_, nullptr, true, false, 0)) return fault(core_.fault());
     }
+    if (core_.compensating()) {
+        const bool counts = !called_ && !calls && (block_.letters & ~letter_set("NO")) != 0;   // calls belong to nobody's path
+        if (!core_.end_compensated_block(counts, wants_barrier_)) return fault(core_.fault());
+    }
     if (core_.emitted()) {
         fresh_ = false;
         core_.end_block();
@@ -102,6 +107,7 @@ Step Interpreter::nc_block() {
         }
     }
     if (!modal_calls_.empty()) modal_calls_.back().armed = true;
+    if (core_.compensating()) return core_.halted() ? Step::AtBarrier : ended_ ? Step::Ended : Step::Continue;   // a barrier ahead may be held back
     if (ended_) return Step::Ended;
     return wants_barrier_ ? Step::AtBarrier : Step::Continue;
 }

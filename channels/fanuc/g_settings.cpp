@@ -20,7 +20,9 @@ bool Interpreter::g_units(const GCode& row) {
 
 bool Interpreter::g_plane(const GCode& row) {
     const Plane before = core_.path.plane;
-    core_.path.plane = row.tenths == 170 ? Plane::XY : row.tenths == 180 ? Plane::ZX : Plane::YZ;
+    const Plane plane = row.tenths == 170 ? Plane::XY : row.tenths == 180 ? Plane::ZX : Plane::YZ;
+    if (plane != before && core_.compensating()) return core_.fail(Alarm::CompPlaneChanged, 'G');
+    core_.path.plane = plane;
     if (before != core_.path.plane) core_.path.after_thread = false;
     return true;
 }
@@ -52,7 +54,16 @@ bool Interpreter::g_exact_once(const GCode&) {
 
 bool Interpreter::g_surface(const GCode& row) { return core_.surface_speed(row.tenths == 960); }
 
-bool Interpreter::g_comp_off(const GCode&) { return true; }
+bool Interpreter::g_comp_on(const GCode& row) { return core_.compensation(row.tenths == 410 ? CompSide::Left : CompSide::Right); }
+
+// I, K tell how the contour would go on; in an arc they are its centre.
+bool Interpreter::g_comp_off(const GCode&) {
+    const GCode* motion = coded_groups_ >> static_cast<unsigned>(GGroup::Motion) & 1u ? coded_[static_cast<std::size_t>(GGroup::Motion)] : motion_;
+    if (motion->act == &Interpreter::g_arc) return core_.compensation_off(0.0, 0.0);
+    static constexpr char kWish[3][2] = {{'I', 'J'}, {'K', 'I'}, {'J', 'K'}};   // by plane: first, second axis
+    const auto& letters = kWish[static_cast<std::size_t>(core_.path.plane)];
+    return core_.compensation_off(radius_length(letters[0]), radius_length(letters[1]));
+}
 
 bool Interpreter::g_zero(const GCode& row) {
     core_.select_zero(kZeroG54Row + (row.tenths - 540) / 10);

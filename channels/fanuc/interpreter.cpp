@@ -93,6 +93,8 @@ void Interpreter::clear_modal() {
 }
 
 Result<void> Interpreter::start(FileId main) {
+    core_.compensation_reset();
+    core_.compensation_options(settings_.compensation);
     clear_modal();
     frames_.clear();
     loops_.clear();
@@ -117,6 +119,7 @@ Result<void> Interpreter::start(FileId main) {
 
 void Interpreter::barrier_done() {
     fresh_ = true;
+    if (!core_.barrier_passed()) return;   // compensation has read on: the program is ahead of this barrier
     core_.refresh_limits();
     for (unsigned i = 0; i < core_.view().axis_count; ++i)
         if (const auto now = core_.port().axis_command(core_.view().axes[i].machine_axis)) core_.take_machine(i, *now);
@@ -135,6 +138,12 @@ Step Interpreter::fault_at(Alarm alarm, std::uint32_t column, std::uint32_t leng
 
 Step Interpreter::fault(Fault fault) {
     std::uint32_t column = fault_column_, length = fault_length_;
+    if (fault.block) {   // an earlier block of the program
+        const BlockContext& at = *fault.block;
+        core_.sink().alarm({fault.alarm, {files_->path(at.file), at.line, 0, 0}, {fault.value0, fault.value1}, std::move(fault.detail)}, at);
+        ended_ = true;
+        return Step::Failed;
+    }
     if (!column && fault.letter >= 'A' && fault.letter <= 'Z' && block_.has(fault.letter)) {
         const Word& word = block_.word(fault.letter);
         column = word.column;
@@ -158,11 +167,17 @@ Step Interpreter::end_of_text() {
     core_.begin_block();
     finish(StopReason::End);
     core_.end_block();
+    if (core_.compensating() && !core_.compensation_failed()) return fault(core_.fault());
     return Step::Ended;
+    if (core_.compensating() && core_.halted()) return Step::AtBarrier;
 }
 
 Step Interpreter::step() {
     if (ended_) return Step::Ended;
+    if (core_.compensating()) {
+        if (core_.halted()) return Step::AtBarrier;
+        if (!ended_ && !core_.compensation_failed()) return fault(core_.fault());
+    }
     return read_block();
 }
 

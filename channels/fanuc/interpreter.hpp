@@ -75,6 +75,7 @@ public:
     bool g_exact_stop(const GCode&);
     bool g_exact_once(const GCode&);
     bool g_surface(const GCode&);
+    bool g_comp_on(const GCode&);
     bool g_comp_off(const GCode&);
     bool g_nothing(const GCode&);
     bool g_zero(const GCode&);

@@ -56,6 +56,10 @@ Settings fanuc_settings(const Table& t, unsigned l) {
     s.r_absolute = s.series15 && bit(t, f5102, l, 6);
     s.r_in_diameter = s.series15 && bit(t, f5102, l, 7);
     s.chip_break_return = s.peck_clearance = static_cast<double>(get(t, f5114, l));
+    s.compensation.entry = bit(t, f5003, l, 0) ? compensation::Entry::Around : compensation::Entry::Direct;
+    s.compensation.resume_at_intersection = bit(t, f5003, l, 2);
+    s.compensation.small_vector = get(t, f5010, l);
+    const auto rapid_x = static_cast<double>(get(t, f6251, l)), range_x = static_cast<double>(get(t, f6254, l));
     s.angle_positive = !bit(t, f6004, l, 0);
     s.t_calls = bit(t, f6001, l, 5);
     for (unsigned n = 0; n < 10; ++n) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "channels/compensation/options.hpp"
 #include "channels/fanuc/g_codes.hpp"
 #include "channels/machine_view.hpp"
 #include "ipc/diagnosis/diagnosis.hpp"
@@ -38,6 +39,7 @@ struct Settings {
     bool point_means_nothing = false;    // F3401#0: numbers without a point are whole millimetres
     bool series15 = false;               // F0001#1: program format of series 10/11/15
     ToolCode tool;
+    compensation::Options compensation;
     bool centre_absolute = false;        // nct CCA
     bool dwell_by_feed_mode = false;     // G4 P and X: seconds with feed per minute, revolutions with feed per revolution
     bool dwell_p_milliseconds = true;    // fanuc; nct: seconds

@@ -33,9 +33,17 @@ fanuc::Settings nct_settings(const Table& t, unsigned l) {
     s.dwell_by_feed_mode = !bit(t, n1337_execution_config, l, 1);
     s.dwell_p_milliseconds = false;
     const double unit = bit(t, n0104_unit_of_measure, l, 0) ? 25.4 : 1.0;
+    s.compensation.check = !bit(t, n1403_interference, l, 0) ? compensation::Check::Off
+                           : bit(t, n1403_interference, l, 1) ? compensation::Check::Alarm : compensation::Check::Correct;
+    s.compensation.small_vector = get(t, n1405_deltv, l) * unit;
+    s.compensation.inner_arc_feed_from = get(t, n1406_circover, l);
     s.chip_break_return = get(t, n1500_return_val_g73, l) * unit;
     s.peck_clearance = get(t, n1501_clearance_val_g83, l) * unit;
     if (const auto percent = static_cast<double>(get(t, n1502_extraction_override_in_g85_g89, l)); percent > 0) s.bore_out_factor = percent / 100.0;
+    for (unsigned n = 0; n < 3; ++n) {
+        static constexpr auto kRapid = {n3006_rapid_distance_x, n3008_rapid_distance_y, n3010_rapid_distance_z};
+        static constexpr auto kRange = {n3007_alarm_distance_x, n3009_alarm_distance_y, n3011_alarm_distance_z};
+    }
     s.feed_per_minute = get(t, n0300_default_f_g94, l);
     s.feed_per_revolution = get(t, n0301_default_f_g95, l);
     s.surface_speed = static_cast<double>(get(t, n0686_default_surf_speed, l)) * (bit(t, n0104_unit_of_measure, l, 0) ? 0.3048 : 1.0);

@@ -1,16 +1,18 @@
 #include "channels/state/core.hpp"
 
+#include "channels/compensation/compensator.hpp"   // complete here, for the unique_ptr
+
 #include <cmath>
 
 namespace polyturn::channels {
 
-Core::Core(MachineView& view, Sink& sink, Port& port) : view_(&view), sink_(&sink), port_(&port) {
+Core::Core(MachineView& view, Sink& sink, Port& port) : view_(&view), sink_(&sink), out_(&sink), port_(&port) {
     check_before_move_ = params::bit(view.table(), params::n1001_strkcont, view.channel, 2);
     path.spindle.spindle = view.config().default_spindle;
 }
 
 bool Core::fail(Alarm alarm, char letter, std::string detail, double v0, double v1) {
-    fault_ = {alarm, letter, v0, v1, std::move(detail)};
+    fault_ = {alarm, letter, v0, v1, std::move(detail), {}};
     return false;
 }
 
@@ -20,7 +22,7 @@ void Core::start_at_machine(const AxisValues& machine) {
 }
 
 void Core::take_machine(unsigned place, double machine) {
-    path.machine[place] = machine;
+    path.machine[place] = compensating_ ? machine - (machine_now(place) - path.machine[place]) : machine;
     rebase(place);
 }
 
@@ -69,6 +71,7 @@ void Core::select_zero(std::int32_t row) {
 }
 
 void Core::preset(unsigned i, double programmed) {
+    if (compensating_) drop_compensation_vector();
     // The word is what the display shall show with the travelled offset in it: G50 X Z T (fanuc_lathe 1.4).
     path.preset[i] += path.machine[i] - path.turns_deg[i] - programmed - path.zero[i] - path.shift[i];
     sum_zeros();
@@ -76,6 +79,7 @@ void Core::preset(unsigned i, double programmed) {
 }
 
 void Core::preset_by(unsigned i, double increment) {
+    if (compensating_) drop_compensation_vector();
     path.preset[i] -= increment;
     sum_zeros();
     refresh_surface_zero();

@@ -13,8 +13,11 @@
 //   I2  A call that returns false has changed nothing and told why in fault().
 //   I3  No call allocates, except to tell a fault.
 #pragma once
+#include <memory>
+#include <optional>
 #include <string>
 
+#include "channels/compensation/options.hpp"
 #include "channels/machine_view.hpp"
 #include "channels/port.hpp"
 #include "channels/sink.hpp"
@@ -26,12 +29,15 @@ inline constexpr std::int32_t kZeroExternalRow = 0, kZeroG54Row = 1, kZeroShiftR
 
 enum class Plane : std::uint8_t { XY, ZX, YZ };   // G17 G18 G19: first axis, second axis
 
+namespace compensation { class Compensator; }
+
 // Why something cannot be done. `letter` names the word to point at; 0: the block.
 struct Fault {
     Alarm alarm{};
     char letter = 0;
     double value0 = 0.0, value1 = 0.0;
     std::string detail;
+    std::optional<BlockContext> block;      // it lies in this earlier block; nothing: in the block being interpreted
 };
 
 struct ToolState {
@@ -92,6 +98,7 @@ struct ThreadCall {
 class Core {
 public:
     Core(MachineView& view, Sink& sink, Port& port);
+    ~Core();
 
     PathState path;
     BlockContext at;                        // filled by the language for each block
@@ -138,6 +145,20 @@ public:
     // --- everything else
     bool dwell(double value, bool revolutions);
     void aux(char letter, double value, std::string_view text, bool drained);
+    // --- nose-radius compensation (channels/compensation). While it is on, blocks are read ahead of what has been delivered:
+    // the language tells the end of each block and stops at barriers when halted() says so.
+    void compensation_options(const compensation::Options& options);
+    bool compensation(CompSide side);                     // G41, G42
+    bool compensation_off(double wish_p, double wish_q);  // G40; direction in which the contour would go on, 0 0 none
+    void compensation_reset();                            // reset, cycle start: nothing is delivered any more
+    bool compensating() const { return compensating_; }
+    // counts: a block that does nothing but what moves nothing counts as one without movement. false: fault()
+    bool end_compensated_block(bool counts, bool wants_barrier);
+    bool compensation_failed();                           // false: fault()
+    bool halted() const;                                  // what was delivered last must be executed first
+    bool barrier_passed();                                // true: nothing is held, Core stands where the machine stands
+    double machine_now(unsigned place) const;             // machine coordinate with the vector in it
+
     // What a block says about the spindle is gathered and told once, by commit_spindle().
     bool spindle_speed(double value);                     // S word: 1/min, or m/min with G96
     bool spindle_turn(SpindleTurn turn);
@@ -157,18 +178,27 @@ private:
     void accept(const AxisValues& target);
     void sum_zeros();
     void rebase(unsigned place);
+    void tell_nose();
+    void tell_zero_distance();
+    void suspend_compensation(AxisSet which);
+    void drop_compensation_vector();
     double surface_zero(int place) const;
     int surface_axis() const;
     double spindle_rpm_at(double radius_mm) const;        // 0: not known
 
     MachineView* view_;
-    Sink* sink_;
+    Sink* sink_;    // out_, or the compensator in front of it
+    Sink* out_;
     Port* port_;
     Move move_;
     Fault fault_;
     bool emitted_ = false;
     bool exact_once_ = false;
     std::uint64_t moves_ = 0;
+    std::unique_ptr<compensation::Compensator> comp_;
+    compensation::Options comp_options_;
+    bool compensating_ = false;
+    AxisSet forced_ = 0;   // axes that the next move takes along although they are where it wants them
     bool warned_spindle_ = false;
     bool check_before_move_ = true;
     double surface_zero_told_ = 0.0;

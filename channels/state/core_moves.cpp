@@ -36,7 +36,8 @@ double Core::rollover_target(unsigned i, double word, bool absolute) {
 // Fills start, end and the set of moving axes of move_. I2: path is untouched.
 bool Core::begin_move(const AxisValues& target, MoveKind kind) {
     const unsigned count = view_->axis_count;
-    AxisSet moved = 0;
+    AxisSet moved = forced_;
+    forced_ = 0;
     for (unsigned i = 0; i < count; ++i) {
         const double end = target[i] + path.turns_deg[i] + path.zero[i] + path.shift[i] + path.wanted[i];
         move_.machine_start[i] = path.machine[i];
@@ -76,6 +77,7 @@ void Core::deliver() {
     ++moves_;
     for (unsigned i = 0; i < view_->axis_count; ++i)
         if (view_->axes[i].rollover) move_.pos[i] = wrapped(move_.pos[i], view_->axes[i].rollover_deg);
+    if (compensating_) tell_nose();
     sink_->move(move_, at);
 }
 
@@ -105,6 +107,8 @@ bool Core::rapid(const AxisValues& target) {
         move_.spindle = 0;
         deliver();
         path.after_thread = false;
+    } else if (compensating_) {
+        tell_zero_distance();
     }
     accept(target);
     return true;
@@ -116,12 +120,15 @@ bool Core::linear(const AxisValues& target) {
         if (!feed_ready()) return false;
         deliver();
         path.after_thread = false;
+    } else if (compensating_) {
+        tell_zero_distance();
     }
     accept(target);
     return true;
 }
 
 bool Core::machine_rapid(const AxisValues& machine, AxisSet which) {
+    if (compensating_) suspend_compensation(which);
     AxisValues target = path.programmed;
     for (unsigned i = 0; i < view_->axis_count; ++i)
         if (which >> i & 1u) target[i] = machine[i] - path.turns_deg[i] - path.zero[i] - path.shift[i] - path.wanted[i];
@@ -129,6 +136,7 @@ bool Core::machine_rapid(const AxisValues& machine, AxisSet which) {
 }
 
 bool Core::reference(const AxisValues& machine, AxisSet which, MoveKind kind) {
+    if (compensating_) suspend_compensation(which);
     AxisValues target = path.programmed;
     for (unsigned i = 0; i < view_->axis_count; ++i)
         if (which >> i & 1u) target[i] = machine[i] - path.turns_deg[i] - path.zero[i] - path.shift[i] - path.wanted[i];
@@ -173,7 +181,7 @@ bool Core::arc(const AxisValues& target, const ArcCall& call) {
         cq = call.centre_q + to_machine_q;
     }
     const double rs = std::hypot(sp - cp, sq - cq), re = std::hypot(ep - cp, eq - cq);
-    if (rs < kSamePoint || re < kSamePoint) return fail(Alarm::ArcWithoutRadius);
+    if (rs < kSamePoint || re < kSamePoint) return fail(compensating_ ? Alarm::CompArcCentre : Alarm::ArcWithoutRadius, 0);
     if (std::fabs(rs - re) > call.tolerance + kSame) return fail(Alarm::ArcRadiusDiffers, 0, {}, std::fabs(rs - re), call.tolerance);
     const double a0 = std::atan2(sq - cq, sp - cp), a1 = std::atan2(eq - cq, ep - cp);
     double sweep = call.clockwise ? a0 - a1 : a1 - a0;   // in the direction of travel
