@@ -53,7 +53,8 @@ struct Move {
     bool in_position = false;       // and wait for the measured position
     bool override_locked = false;   // feed override is 100 %
     bool thread_chained = false;    // goes on from the thread before without a new start angle
-    std::uint8_t skip_input = 0;    // Skip: number of the input; 0 the standard one
+    std::uint8_t skip_input = 0;    // Skip: number of the input; 0 it has a name only
+    std::string_view skip_name;     // Skip: name of the input (SKIP, XAE) or its number
     std::uint16_t spindle = 0;      // machine spindle (from 1) of feed per revolution and thread; 0 none
     AxisSet moved = 0;              // axes whose machine coordinate changes
     AxisValues machine_start{}, machine{};  // I2; arcs: the plane axes turn about `centre`

@@ -59,12 +59,15 @@ void place_axes(Core& core, const text::ChannelSetup& setup) {
     core.start_at_machine(machine);
 }
 
-// Remembers whether the next thing to do is to wait for the others.
+// Remembers whether the next thing to do is to wait for the others, and shows skip moves to the port.
 class WaitWatch final : public Sink {
 public:
-    explicit WaitWatch(Sink& next) : next_(&next) {}
+    WaitWatch(Sink& next, CheckPort& port, const MachineView& view) : next_(&next), port_(&port), view_(&view) {}
     bool waiting = false;
-    void move(const Move& m, const BlockContext& at) override { next_->move(m, at); }
+    void move(const Move& m, const BlockContext& at) override {
+        if (m.kind == MoveKind::Skip) port_->skip_move(m, *view_);
+        next_->move(m, at);
+    }
     void dwell(const Dwell& d, const BlockContext& at) override { next_->dwell(d, at); }
     void aux(const Aux& a, const BlockContext& at) override { next_->aux(a, at); }
     void spindle(const Spindle& s, const BlockContext& at) override { next_->spindle(s, at); }
@@ -80,6 +83,8 @@ public:
 
 private:
     Sink* next_;
+    CheckPort* port_;
+    const MachineView* view_;
 };
 
 bool ask_to_go_on() {
@@ -125,8 +130,8 @@ int run_check(const CheckOptions& options, std::FILE* out) {
     if (!main) return refuse(main.diagnosis(), scene, printer);
 
     EventSink events(scene, printer.text, options.variables, '\n');
-    WaitWatch sink(events);
     CheckPort port(setup, options.channel, options.alone);
+    WaitWatch sink(events, port, view);
     const std::unique_ptr<Language> interpreter = make_language(language, view, sink, port, files);
     if (!interpreter) return refuse({Alarm::NotBuilt, {options.program, 0, 0, 0}, {}, "the language " + language}, scene, printer);
     if (const auto started = interpreter->start(*main); !started) return refuse(started.diagnosis(), scene, printer);

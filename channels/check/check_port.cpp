@@ -1,5 +1,6 @@
 #include "channels/check/check_port.hpp"
 
+#include <cmath>
 #include <ctime>
 #include <string>
 
@@ -9,6 +10,23 @@ bool CheckPort::block_skip(unsigned number) {
     for (const int level : own_->keys.block_skip)
         if (level == static_cast<int>(number)) return true;
     return false;
+}
+
+void CheckPort::skip_move(const Move& move, const MachineView& view) {
+    double share = 2.0;   // of the way at which the first signal comes
+    for (const text::SensorSetup& sensor : own_->sensors) {
+        const int place = view.axis_by_name(sensor.axis);
+        if (sensor.input != move.skip_name || place < 0) continue;
+        const auto i = static_cast<unsigned>(place);
+        const double from = move.machine_start[i], way = move.machine[i] - from, at = view.from_shown(i, sensor.at);
+        if (way == 0.0 || (sensor.direction != 0 && (way > 0) != (sensor.direction > 0))) continue;
+        const double here = (at - from) / way;
+        share = std::fmin(share, here < 0 ? 0.0 : here);   // passed already: the signal is there at once
+    }
+    for (unsigned i = 0; i < view.axis_count; ++i) {
+        const double end = share <= 1.0 ? move.machine_start[i] + share * (move.machine[i] - move.machine_start[i]) : move.machine[i];
+        skipped_[view.axes[i].machine_axis] = end;
+    }
 }
 
 double CheckPort::interface_value(std::int32_t variable) { return given_variable("#" + std::to_string(variable)).value_or(0.0); }

@@ -13,7 +13,9 @@ public:
 
     std::optional<double> axis_command(unsigned) override { return std::nullopt; }
     std::optional<double> axis_measured(unsigned) override { return std::nullopt; }
-    std::optional<double> axis_at_skip(unsigned) override { return std::nullopt; }
+    std::optional<double> axis_at_skip(unsigned machine_axis) override { return skipped_.at(machine_axis); }
+    // The program delivered a skip move: the sensors of the setup say where it ends.
+    void skip_move(const Move& move, const MachineView& view);
     bool block_skip(unsigned number) override;
     bool optional_stop() override { return own_->keys.optional_stop; }
     bool single_block() override { return own_->keys.single_block; }
@@ -28,6 +30,7 @@ private:
     const text::Setup* setup_;
     const text::ChannelSetup* own_;
     bool alone_;
+    std::array<std::optional<double>, kMaxAxes> skipped_{};
 };
 
 }  // namespace polyturn::channels

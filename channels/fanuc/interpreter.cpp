@@ -107,6 +107,7 @@ Result<void> Interpreter::start(FileId main) {
     line_left_ = tape_begun_ = blocks_begun_ = ended_ = reread_ = false;
     fresh_ = true;   // cycle start is a barrier
     program_number_ = 0;
+    measuring_ = {};
     serial_ = 0;
     points_.clear();
     states_.clear();
@@ -118,8 +119,8 @@ Result<void> Interpreter::start(FileId main) {
 }
 
 void Interpreter::barrier_done() {
-    fresh_ = true;
     if (!core_.barrier_passed()) return;   // compensation has read on: the program is ahead of this barrier
+    fresh_ = true;
     core_.refresh_limits();
     for (unsigned i = 0; i < core_.view().axis_count; ++i)
         if (const auto now = core_.port().axis_command(core_.view().axes[i].machine_axis)) core_.take_machine(i, *now);
@@ -137,13 +138,13 @@ Step Interpreter::fault_at(Alarm alarm, std::uint32_t column, std::uint32_t leng
 }
 
 Step Interpreter::fault(Fault fault) {
-    std::uint32_t column = fault_column_, length = fault_length_;
     if (fault.block) {   // an earlier block of the program
         const BlockContext& at = *fault.block;
         core_.sink().alarm({fault.alarm, {files_->path(at.file), at.line, 0, 0}, {fault.value0, fault.value1}, std::move(fault.detail)}, at);
         ended_ = true;
         return Step::Failed;
     }
+    std::uint32_t column = fault_column_, length = fault_length_;
     if (!column && fault.letter >= 'A' && fault.letter <= 'Z' && block_.has(fault.letter)) {
         const Word& word = block_.word(fault.letter);
         column = word.column;
@@ -166,18 +167,19 @@ Step Interpreter::end_of_text() {
     if (tape_begun_) return fault_at(Alarm::ProgramNotEnded, 0, 0, "%");
     core_.begin_block();
     finish(StopReason::End);
-    core_.end_block();
     if (core_.compensating() && !core_.compensation_failed()) return fault(core_.fault());
-    return Step::Ended;
+    core_.end_block();
     if (core_.compensating() && core_.halted()) return Step::AtBarrier;
+    return Step::Ended;
 }
 
 Step Interpreter::step() {
-    if (ended_) return Step::Ended;
     if (core_.compensating()) {
         if (core_.halted()) return Step::AtBarrier;
         if (!ended_ && !core_.compensation_failed()) return fault(core_.fault());
     }
+    if (ended_) return Step::Ended;
+    if (measuring_.skipping) return finish_skip();
     return read_block();
 }
 

@@ -99,6 +99,8 @@ public:
     bool g_cycle_facing(const GCode&);
     bool g_cycle_thread(const GCode&);
     bool g_drilling(const GCode&);
+    bool g_skip(const GCode&);
+    bool g_measure(const GCode&);
     bool g_drilling_off(const GCode&);
 
 private:
@@ -161,6 +163,7 @@ private:
     std::string_view text_of(const Word& word) const { return line_.substr(word.column - 1u, word.length); }
 
     bool cycle_words(cycles::SimpleCycle& cycle, char taper_letter);
+    Step finish_skip();
     bool run_drilling();
     int drilling_axis();
 
@@ -239,6 +242,11 @@ private:
     unsigned m_count_ = 0, axis_word_count_ = 0, g_count_ = 0;
     std::array<std::uint8_t, 12> g_words_{};
     AxisValues target_{};
+    struct Measuring {
+        bool skipping = false, measuring = false;   // a skip move stands before its barrier; it measures the offset
+        unsigned place = 0;
+        double target = 0.0, range = 0.0;           // true mm
+    } measuring_;
     double parts_ = 0;
     std::int64_t sub_program_ = -1, sub_repeats_ = 1;   // called by a code of this block when the block has acted
     bool wants_barrier_ = false, ended_ = false, jumped_ = false, called_ = false;

@@ -59,7 +59,7 @@ ScanHook::Read Interpreter::read_value(const char*& at, const char* end, double&
         case Expression::Status::Fault: break;
     }
     const ExpressionFault& f = expression_.fault();
-    pending_fault_ = {f.alarm, 0, f.value, 0.0, f.detail};
+    pending_fault_ = {f.alarm, 0, f.value, 0.0, f.detail, std::nullopt};
     has_pending_fault_ = true;
     fault_column_ = static_cast<std::uint32_t>(f.at - line_.data()) + 1;
     fault_length_ = 1;

@@ -89,6 +89,7 @@ bool Interpreter::resume_at(std::uint64_t serial) {
     serial_ = serial - 1;
     ended_ = reread_ = jumped_ = called_ = false;
     fresh_ = true;
+    measuring_ = {};
     state_changed_ = true;
     core_.at.tool = core_.path.tool.ref;
     return true;

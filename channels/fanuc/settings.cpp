@@ -59,7 +59,12 @@ Settings fanuc_settings(const Table& t, unsigned l) {
     s.compensation.entry = bit(t, f5003, l, 0) ? compensation::Entry::Around : compensation::Entry::Direct;
     s.compensation.resume_at_intersection = bit(t, f5003, l, 2);
     s.compensation.small_vector = get(t, f5010, l);
+    s.measure_by_decimal = bit(t, f3405, l, 3);
+    s.measure_feed = static_cast<double>(get(t, f6241, l));
+    const auto or_x = [](double z, double x) { return z > 0 ? z : x; };
     const auto rapid_x = static_cast<double>(get(t, f6251, l)), range_x = static_cast<double>(get(t, f6254, l));
+    s.measure_rapid = {rapid_x, rapid_x, or_x(static_cast<double>(get(t, f6252, l)), rapid_x)};
+    s.measure_range = {range_x, range_x, or_x(static_cast<double>(get(t, f6255, l)), range_x)};
     s.angle_positive = !bit(t, f6004, l, 0);
     s.t_calls = bit(t, f6001, l, 5);
     for (unsigned n = 0; n < 10; ++n) {

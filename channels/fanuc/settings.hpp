@@ -62,6 +62,12 @@ struct Settings {
     bool r_in_diameter = false;          // F5102#7
     double chip_break_return = 0, peck_clearance = 0;   // mm
     double bore_out_factor = 1;          // feed of the way out of G85, G89
+    bool measure_by_decimal = false;     // F3405#3: G37.1, G37.2 measure, not G36, G37
+    double skip_feed = 0;                // G31: mm/min; 0: the modal feed
+    double measure_feed = 0;             // likewise
+    std::array<double, 3> measure_rapid{}, measure_range{};   // X Y Z: mm before and around the target
+    int measure_input = 0;               // nct: N3002
+    bool measure_to_wear = false, measure_added = true;
     double index_first = 0, index_count = 0, index_angle = 0;   // N0820 to N0822 of the channel's spindle
     double surface_speed = 0;            // N0686: G96 until S; 0: S must be programmed
     double part_code = 0;                // N2305: M code that counts a part; 0: M2 and M30

@@ -40,9 +40,16 @@ fanuc::Settings nct_settings(const Table& t, unsigned l) {
     s.chip_break_return = get(t, n1500_return_val_g73, l) * unit;
     s.peck_clearance = get(t, n1501_clearance_val_g83, l) * unit;
     if (const auto percent = static_cast<double>(get(t, n1502_extraction_override_in_g85_g89, l)); percent > 0) s.bore_out_factor = percent / 100.0;
+    if (bit(t, n3001_g31_config, l, 0)) s.skip_feed = get(t, n0311_g31_feed, l) * unit;
+    if (bit(t, n3003_g36_g37_config, l, 0)) s.measure_feed = get(t, n0312_g37_feed, l) * unit;
+    s.measure_to_wear = bit(t, n3003_g36_g37_config, l, 1);
+    s.measure_added = bit(t, n3003_g36_g37_config, l, 2);
+    s.measure_input = static_cast<int>(get(t, n3002_sensor_input_of_g36_g37, l));
     for (unsigned n = 0; n < 3; ++n) {
         static constexpr auto kRapid = {n3006_rapid_distance_x, n3008_rapid_distance_y, n3010_rapid_distance_z};
         static constexpr auto kRange = {n3007_alarm_distance_x, n3009_alarm_distance_y, n3011_alarm_distance_z};
+        s.measure_rapid[n] = get(t, kRapid.begin()[n], l) * unit;
+        s.measure_range[n] = get(t, kRange.begin()[n], l) * unit;
     }
     s.feed_per_minute = get(t, n0300_default_f_g94, l);
     s.feed_per_revolution = get(t, n0301_default_f_g95, l);

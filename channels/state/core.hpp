@@ -136,15 +136,15 @@ public:
     bool linear(const AxisValues& target);
     bool arc(const AxisValues& target, const ArcCall& call);
     bool thread(const AxisValues& target, const ThreadCall& call);
+    // Until the input comes; a barrier follows, then take_skip(). feed 0: the modal one.
+    bool skip(const AxisValues& target, double feed, FeedMode mode, std::string_view input);
+    AxisSet take_skip();    // axes stand where the signal stopped them; the set of those that ended before their target
     bool machine_rapid(const AxisValues& machine, AxisSet which);      // G53
     bool reference(const AxisValues& machine, AxisSet which, MoveKind kind);   // end point of G28, G30
     // A word of a roll-over axis as its target: absolute or incremental, see the parameters.
     double rollover_target(unsigned place, double word, bool absolute);
     void force_exact_stop() { exact_once_ = true; }
 
-    // --- everything else
-    bool dwell(double value, bool revolutions);
-    void aux(char letter, double value, std::string_view text, bool drained);
     // --- nose-radius compensation (channels/compensation). While it is on, blocks are read ahead of what has been delivered:
     // the language tells the end of each block and stops at barriers when halted() says so.
     void compensation_options(const compensation::Options& options);
@@ -159,6 +159,9 @@ public:
     bool barrier_passed();                                // true: nothing is held, Core stands where the machine stands
     double machine_now(unsigned place) const;             // machine coordinate with the vector in it
 
+    // --- everything else
+    bool dwell(double value, bool revolutions);
+    void aux(char letter, double value, std::string_view text, bool drained);
     // What a block says about the spindle is gathered and told once, by commit_spindle().
     bool spindle_speed(double value);                     // S word: 1/min, or m/min with G96
     bool spindle_turn(SpindleTurn turn);
@@ -175,13 +178,13 @@ private:
     bool spindle_ready(Alarm otherwise);
     bool within_stroke(const AxisValues& machine, AxisSet moved);
     void deliver();
-    void accept(const AxisValues& target);
-    void sum_zeros();
-    void rebase(unsigned place);
     void tell_nose();
     void tell_zero_distance();
     void suspend_compensation(AxisSet which);
     void drop_compensation_vector();
+    void accept(const AxisValues& target);
+    void sum_zeros();
+    void rebase(unsigned place);
     double surface_zero(int place) const;
     int surface_axis() const;
     double spindle_rpm_at(double radius_mm) const;        // 0: not known
@@ -192,16 +195,18 @@ private:
     Port* port_;
     Move move_;
     Fault fault_;
-    bool emitted_ = false;
-    bool exact_once_ = false;
-    std::uint64_t moves_ = 0;
     std::unique_ptr<compensation::Compensator> comp_;
     compensation::Options comp_options_;
     bool compensating_ = false;
     AxisSet forced_ = 0;   // axes that the next move takes along although they are where it wants them
+    bool emitted_ = false;
+    bool exact_once_ = false;
+    std::uint64_t moves_ = 0;
     bool warned_spindle_ = false;
     bool check_before_move_ = true;
     double surface_zero_told_ = 0.0;
+    AxisSet skip_moved_ = 0;
+    AxisValues skip_target_{};
     bool mode_changed_ = false, speed_changed_ = false, turn_changed_ = false, limit_changed_ = false;
 };
 

@@ -152,6 +152,42 @@ bool Core::reference(const AxisValues& machine, AxisSet which, MoveKind kind) {
     return true;
 }
 
+bool Core::skip(const AxisValues& target, double feed, FeedMode mode, std::string_view input) {
+    skip_moved_ = 0;
+    if (!begin_move(target, MoveKind::Skip)) return false;
+    if (!move_.moved) return true;
+    if (feed > 0) {
+        move_.feed = feed;
+        move_.feed_mode = mode;
+        move_.spindle = path.spindle.spindle;
+    } else if (!feed_ready()) {
+        return false;
+    }
+    unsigned number = 0;
+    for (const char c : input) number = c >= '0' && c <= '9' && number < 25 ? number * 10 + static_cast<unsigned>(c - '0') : 0;
+    move_.skip_input = static_cast<std::uint8_t>(number);
+    move_.skip_name = input;
+    deliver();
+    path.after_thread = false;
+    skip_moved_ = move_.moved;
+    skip_target_ = move_.machine;
+    accept(target);
+    sink_->barrier(at);
+    return true;
+}
+
+AxisSet Core::take_skip() {
+    AxisSet early = 0;
+    for (AxisSet left = skip_moved_; left; left &= left - 1) {
+        const auto i = static_cast<unsigned>(__builtin_ctz(left));
+        const auto stopped = port_->axis_at_skip(view_->axes[i].machine_axis);
+        if (!stopped) continue;
+        take_machine(i, *stopped);
+        if (std::fabs(*stopped - skip_target_[i]) > kLimitSlack) early |= 1u << i;
+    }
+    return early;
+}
+
 bool Core::arc(const AxisValues& target, const ArcCall& call) {
     int pi = -1, qi = -1;
     plane_axes(pi, qi);
