@@ -15,6 +15,7 @@ bool Landing::aim(double v, double a, double distance, double a_max, double j_le
     profile_ = profile_to_speed(v, a, 0, a_max, high);
     start_ = {0, v, a};
     time_ = moved_ = 0;
+    landed_ = false;
     distance_ = distance;
     return true;
 }
@@ -37,6 +38,7 @@ PathState Landing::step(double dt) noexcept {
             }
         }
     }
+    landed_ = left <= 1e-9 * dt;
     const double before = moved_;
     moved_ = next.s;
     next.s -= before;
@@ -47,6 +49,7 @@ void Landing::at_once(double distance) noexcept {
     distance_ = moved_ = distance;
     profile_ = {};
     time_ = 0;
+    landed_ = true;
 }
 
 }  // namespace polyturn::kernel

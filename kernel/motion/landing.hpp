@@ -11,7 +11,7 @@ public:
     [[nodiscard]] bool aim(double v, double a, double distance, double a_max, double j_least, double j_most) noexcept;
     // The next dt: s is what is moved in it. At rest exactly when landed().
     PathState step(double dt) noexcept;
-    [[nodiscard]] bool landed() const noexcept { return moved_ == distance_; }
+    [[nodiscard]] bool landed() const noexcept { return landed_; }
     [[nodiscard]] double jerk() const noexcept { return jerk_; }
     // A rest too short to be driven (rounding of an earlier stop) is taken at once.
     void at_once(double distance) noexcept;
@@ -20,6 +20,7 @@ private:
     SpeedProfile profile_;
     PathState start_;
     double time_ = 0, distance_ = 0, moved_ = 0, jerk_ = 0;
+    bool landed_ = false;
 };
 
 }  // namespace polyturn::kernel

@@ -16,7 +16,7 @@
 // that need no standstill (Variable, Offset, SpindleSpeed) are appended with stop_before false; they are reported as
 // ended like any other record. A flying wait is appended with stop_before and let_pass() once its partners are there;
 // nothing ever turns from passing to stopping.
-// How it works, why it is right and what is weak: path_planner.cpp.
+// How it works, why it is right and what is weak: path_decision.cpp.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -110,6 +110,11 @@ public:
     [[nodiscard]] std::uint64_t anomalies() const noexcept { return anomalies_; }
 
 private:
+    // Planning uses a little less jerk than allowed; the rest is what landing needs to end exactly at a point.
+    static constexpr double kPlannedJerk = 0.995;
+    // Of comparisons, mm and relative. What a step promised is computed anew from where it led; so keeping a promise is
+    // judged more mildly than giving one, or rounding could break it.
+    static constexpr double kGiving = 1e-9, kKeeping = 1e-8;
     static constexpr std::uint64_t kNone = ~0ull;
     static constexpr std::uint32_t kTargets = 256;
     static constexpr std::uint32_t kDrops = 8;
