@@ -256,6 +256,7 @@ bool Interpreter::written(std::int64_t number, double value, std::string_view co
         wants_barrier_ = true;
         return true;
     }
+    if (number >= settings_.protected_first && number <= settings_.protected_last) return core_.fail(Alarm::VariableReadOnly, 0, variable_name(number));
     switch (variables_.write(number, value)) {
         case VariableStatus::Ok: break;
         case VariableStatus::ReadOnly: return core_.fail(Alarm::VariableReadOnly, 0, variable_name(number));

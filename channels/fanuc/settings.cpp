@@ -67,9 +67,10 @@ Settings fanuc_settings(const Table& t, unsigned l) {
     s.measure_range = {range_x, range_x, or_x(static_cast<double>(get(t, f6255, l)), range_x)};
     s.angle_positive = !bit(t, f6004, l, 0);
     s.t_calls = bit(t, f6001, l, 5);
+    if (s.t_calls) s.letter_calls.push_back({'T', 9000, 149});
     for (unsigned n = 0; n < 10; ++n) {
         const auto g = static_cast<std::int32_t>(get(t, nth(f6050, n + 1), l));
-        if (g > 0) s.g_calls.push_back({g * 10, static_cast<std::int32_t>(9010 + n), true, 0});
+        if (g != 0) s.g_calls.push_back({(g < 0 ? -g : g) * 10, static_cast<std::int32_t>(9010 + n), true, g < 0 ? std::uint8_t{1} : std::uint8_t{0}});
         const auto sub = static_cast<std::int32_t>(get(t, nth(f6070, n + 1), l));
         if (sub > 0) s.m_calls.push_back({sub, static_cast<std::int32_t>(9000 + n), false, 0});
         const auto macro = static_cast<std::int32_t>(get(t, nth(f6080, n + 1), l));

@@ -50,7 +50,8 @@ struct Settings {
     unsigned sub_levels = 4, macro_levels = 4;
     std::int64_t goto_max = 99999;
     bool angle_positive = true;          // F6004#0 NAT = 0: ASIN, ATAN from 0 to 360
-    bool t_calls = false;                // F6001#5, nct #4 of N1746
+    bool t_calls = false;                // F6001#5: T calls O9000 with its number in #149
+    std::int64_t protected_first = 0, protected_last = -1;   // N1702, N1703: variables that programs must not write
     std::vector<CodeCall> g_calls, m_calls;
     struct LetterCall { char letter; std::int32_t program; std::int32_t variable; };
     std::vector<LetterCall> letter_calls;
