@@ -138,9 +138,9 @@ Result<void> check_header(const SegmentHeader& header, std::string_view instance
 
 void sleep_ms(int milliseconds) { std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds)); }
 
-namespace {
 // A process that has ended and waits to be reaped holds nothing any more.
-bool lives(pid_t pid) {
+bool process_lives(int pid) {
+    if (pid <= 0) return false;
     if (kill(pid, 0) != 0 && errno != EPERM) return false;
     std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
     std::string stat;
@@ -149,6 +149,7 @@ bool lives(pid_t pid) {
     return name_end == std::string::npos || stat.size() < name_end + 3 || (stat[name_end + 2] != 'Z' && stat[name_end + 2] != 'X');
 }
 
+namespace {
 struct Found {
     std::vector<std::string> names;
     bool alive = false;
@@ -167,7 +168,7 @@ std::map<std::string, Found> instances_in_memory() {
         const auto raw = RawSegment::attach(name, sizeof(SegmentHeader));
         if (!raw) continue;
         const auto& header = *static_cast<const SegmentHeader*>(raw->address());
-        if (header.magic == kMagic && header.writer_pid > 0 && lives(header.writer_pid)) instance.alive = true;
+        if (header.magic == kMagic && process_lives(header.writer_pid)) instance.alive = true;
     }
     return found;
 }

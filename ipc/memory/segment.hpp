@@ -85,6 +85,7 @@ private:
 };
 
 void sleep_ms(int milliseconds);
+bool process_lives(int pid);   // and is not just waiting to be reaped
 
 template <class Layout>
 Result<PeerSegment<Layout>> PeerSegment<Layout>::attach(std::string_view instance, std::size_t number, std::chrono::milliseconds patience) {

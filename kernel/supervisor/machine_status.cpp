@@ -1,10 +1,8 @@
 #include "kernel/supervisor/machine_status.hpp"
 
 #include <fmt/format.h>
-#include <signal.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <filesystem>
 #include <memory>
 
@@ -43,6 +41,8 @@ Result<std::unique_ptr<Picture>> take_picture(const std::string& instance) {
     if (!kernel) return kernel.diagnosis();
     auto store = PeerSegment<StoreSegment>::attach(instance);
     if (!store) return store.diagnosis();
+    // What a killed controller left behind says nothing about now.
+    if (!process_lives((*supervisor)->header.writer_pid) || !process_lives((*kernel)->header.writer_pid)) return Diagnosis{Alarm::SegmentMissing, {}, {}, instance};
     auto picture = std::make_unique<Picture>();
     auto table = std::make_unique<params::Table>();
     if (!(*kernel)->status.read(picture->status) || !(*store)->parameters.read(*table)) return Diagnosis{Alarm::SegmentNotReady, {}, {}, instance};
@@ -74,7 +74,7 @@ std::vector<std::string> running_instances() {
         if (name.size() <= kHead.size() + kTail.size() || name.compare(0, kHead.size(), kHead) != 0 || name.compare(name.size() - kTail.size(), kTail.size(), kTail) != 0) continue;
         const std::string instance = name.substr(kHead.size(), name.size() - kHead.size() - kTail.size());
         const auto segment = PeerSegment<SupervisorSegment>::attach(instance);
-        if (segment && (kill((*segment)->header.writer_pid, 0) == 0 || errno == EPERM)) out.push_back(instance);
+        if (segment && process_lives((*segment)->header.writer_pid)) out.push_back(instance);
     }
     std::sort(out.begin(), out.end());
     return out;
