@@ -81,6 +81,7 @@ Result<void> StartSession::launch() {
 
 int StartSession::run() {
     if (auto launched = launch(); !launched) {
+        if (end_requested()) return 0;   // asked to end while it started: nothing went wrong
         print_diagnosis(launched.diagnosis(), Dialect::Polyturn);
         return 1;
     }
