@@ -134,13 +134,14 @@ void ChannelRunner::drive() noexcept {
     input.feed_override = feed_override;
     input.rapid_override = rapid_override;
     input.spindle_rev_s = core_.spindle_rev_s.data();
-    input.hold = hold_ || resetting_ || dead_ || interrupted_ || core_.all_stop || !core_.on() || !program_runs();
+    input.hold = skip_signal() || hold_ || resetting_ || dead_ || interrupted_ || core_.all_stop || !core_.on() || !program_runs();
     input.single_block = (keys & kKeySingleBlock) != 0;
     input.in_position = axes_in_position();
     if (emergency_) input.emergency_dec = emergency_deceleration();
     if (keys & kKeyDryRun) input.dry_run_feed = dry_run_feed();
     step_ = planner_->tick(input);
     report_progress();
+    if (skipping_ && planner_->at_rest()) end_skipped_move();
     const bool ended = step_.ended_to > step_.record;  // it stands at the end of that record
     cursor_ = ended ? step_.record + 1 : step_.record;
     moving_ = step_.speed > 0 || step_.ended_to > step_.ended_from;
@@ -160,6 +161,30 @@ void ChannelRunner::drive() noexcept {
     block_ = r.block;
     file_ = r.file;
     watch_standstill(r);
+}
+
+// A skip move (G31) ends where its signal comes: the path brakes, what is left of the record is dropped, and the channel,
+// which stands at the barrier behind it, goes on from where the axes are.
+bool ChannelRunner::skip_signal() noexcept {
+    if (cursor_ >= planner_->next_record()) return false;
+    const PathRecord& r = record(cursor_);
+    if (!(r.flags & kSkipMove) || r.code < 0 || static_cast<std::size_t>(r.code) >= kInputs) return skipping_ = false;
+    if (core_.signals.input(static_cast<std::size_t>(r.code))) skipping_ = true;
+    return skipping_;
+}
+
+void ChannelRunner::end_skipped_move() noexcept {
+    skipping_ = false;
+    if (step_.ended_to > step_.record) return;  // it came to its end all the same
+    const PathRecord& r = record(step_.record);
+    if (!(r.flags & kSkipMove)) return;
+    if (step_.s == 0) begin_record(r, 0);  // the signal was on before: nothing is driven, but the block has been
+    place_axes(r, step_.s);
+    finished(r, step_.record, core_.config.tick_s);
+    planner_->skip(step_.record + 1);
+    step_.ended_from = step_.record;
+    step_.ended_to = step_.record + 1;
+    step_.stands = Stands::Moving;
 }
 
 void ChannelRunner::report_progress() noexcept {

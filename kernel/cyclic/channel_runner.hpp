@@ -101,6 +101,8 @@ private:
     void drive() noexcept;
     void settle() noexcept;
     void report_progress() noexcept;
+    bool skip_signal() noexcept;
+    void end_skipped_move() noexcept;
     void watch_standstill(const PathRecord& r) noexcept;
     void raise_not_in_position() noexcept;
     bool axes_in_position() const noexcept;
@@ -134,7 +136,7 @@ private:
     Phase phase_ = Phase::None;
     bool begun_ = false;                   // the standing record has reported its beginning
     bool hold_ = false, dead_ = false, stopped_ = false, resetting_ = false, interrupted_ = false, alarm_ = false, continue_ = false;
-    bool rest_reported_ = false, released_ = false, passing_ = false, judged_ = false, emergency_ = false;
+    bool rest_reported_ = false, released_ = false, passing_ = false, judged_ = false, emergency_ = false, skipping_ = false;
     std::array<char, 160> mdi_{};
     bool store_changed_ = false, moving_rapid_ = false, moving_ = false;
     std::int64_t stopped_since_ = 0, phase_since_ = 0, wait_since_ = 0, stands_since_ = 0;

@@ -58,5 +58,25 @@ TEST(Path, DwellsForItsTime) {
     EXPECT_NEAR(rig.when(rig.find(KernelEventKind::RecordEnd, 1, dwell.note)) - rig.when(rig.find(KernelEventKind::RecordBegin, 1, dwell.note)), 250, 1e-6);
 }
 
+TEST(Path, OfASkipMoveEndsWhereTheSignalComes) {
+    TickRig rig;
+    PathRecord skip = rig.line(1, {0, -50}, 20, kSkipMove | kExactStop);
+    skip.code = 7;
+    rig.push(1, skip);
+    PathRecord barrier = rig.blank(1, RecordKind::Barrier);
+    barrier.flags |= kDrains;
+    const auto at = rig.push(1, barrier);
+    rig.start(1);
+    rig.run(1000);
+    rig.command(CommandKind::SetInput, 0, 1, 0, 7);
+    const double before = rig.position(2);
+    rig.run_until_idle();
+    EXPECT_LT(rig.position(2), before);
+    EXPECT_GT(rig.position(2), before - 1.5);
+    EXPECT_TRUE(rig.find(KernelEventKind::RecordEnd, 1, skip.note));
+    ASSERT_FALSE(rig.heard[0].empty());
+    EXPECT_EQ(rig.heard[0].back().record, at);
+}
+
 }  // namespace
 }  // namespace polyturn::kernel
