@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <set>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -12,6 +13,7 @@
 #include "kernel/supervisor/event_text.hpp"
 #include "kernel/supervisor/job_plan.hpp"
 #include "kernel/supervisor/output.hpp"
+#include "kernel/supervisor/scenario_player.hpp"
 #include "kernel/supervisor/wait_match.hpp"
 
 namespace polyturn::supervisor {
@@ -60,7 +62,8 @@ struct Interpreter {
 
 class CheckRun {
 public:
-    CheckRun(const JobOptions& options, JobPlan plan) : options_(options), plan_(std::move(plan)) {}
+    CheckRun(const JobOptions& options, JobPlan plan, std::set<unsigned> not_waited_for)
+        : options_(options), plan_(std::move(plan)), not_waited_for_(std::move(not_waited_for)) {}
 
     int run() {
         for (const auto& [channel, program] : plan_.programs) {
@@ -181,6 +184,10 @@ private:
         if (const auto channels = event.find("channels"); channels != event.end() && channels->is_array())
             for (const auto& one : *channels)
                 if (one.is_number_integer() && one.get<int>() >= 1 && one.get<int>() <= static_cast<int>(kMaxChannels)) wait.set |= 1u << (one.get<int>() - 1);
+        // For whom the scenario says that nobody waits, neither does he: the wait is his alone and passes at once.
+        if (not_waited_for_.count(channel)) wait.set = 1u << (channel - 1);
+        for (const unsigned other : not_waited_for_)
+            if (other != channel) wait.set &= ~(1u << (other - 1));
         wait.file = event.value("file", "");
         wait.line = event.value("line", 0u);
         return wait;
@@ -213,6 +220,7 @@ private:
 
     const JobOptions& options_;
     JobPlan plan_;
+    std::set<unsigned> not_waited_for_;
     std::map<unsigned, Interpreter> interpreters_;
     WaitMatcher matcher_;
     Output output_;
@@ -225,7 +233,13 @@ private:
 int check_programs(const JobOptions& options) {
     PlanFailure failure;
     auto plan = plan_job(options, failure);
-    if (!plan) {
+    std::set<unsigned> not_waited_for;
+    if (plan && !options.scenario.empty()) {
+        const auto scenario = text::load_scenario(options.scenario);
+        if (!scenario) failure.diagnoses.push_back(scenario.diagnosis());
+        else if (const auto player = ScenarioPlayer::make(*scenario, *plan->machine, failure.diagnoses)) not_waited_for = player->channels_not_waited_for();
+    }
+    if (!failure.diagnoses.empty()) {
         Output output;
         for (const Diagnosis& diagnosis : failure.diagnoses) {
             print_diagnosis(diagnosis, Dialect::Polyturn);
@@ -233,7 +247,7 @@ int check_programs(const JobOptions& options) {
         }
         return failure.exit_status;
     }
-    return CheckRun(options, std::move(*plan)).run();
+    return CheckRun(options, std::move(*plan), std::move(not_waited_for)).run();
 }
 
 }  // namespace polyturn::supervisor

@@ -29,6 +29,8 @@ void add_job_options(CLI::App& app, JobOptions& job) {
     app.add_option("--store", job.store, "keeps what the programs write in this folder");
     app.add_flag("--variables", job.variables, "also report every variable that a program writes");
     app.add_flag("--quiet", job.quiet, "only alarms, messages and the summary");
+    app.add_option("--scenario", job.scenario, "what happens while it runs (TOML)");
+    repeatable(app, "--watch", job.watch, "report each change of this flag or register, such as 'CN_WTNG L1' (run); repeatable");
     app.footer(kExitStatus);
 }
 
@@ -36,12 +38,10 @@ void add_run_options(CLI::App& app, JobOptions& job) {
     app.add_flag("--virtual", job.virtual_time, "virtual time: as fast as it goes, identical every time");
     app.add_option("--trace", job.trace_file, "positions, speeds and states of each tick (CSV)");
     app.add_option("--trace-every", job.trace_every, "a line each so many ticks")->check(CLI::Range(1u, 1'000'000u));
-    repeatable(app, "--watch", job.watch, "report each change of this flag or register, such as 'CN_WTNG L1'; repeatable");
     repeatable(app, "--override", job.overrides, "[L=]PERCENT: feed override at the start");
     repeatable(app, "--from", job.from, "L=N120: program restart at a block; repeatable");
-    app.add_option("--parts", job.parts, "parts to make (default 1, or what the job wants)")->check(CLI::Range(1u, 1'000'000'000u));
+    app.add_option("--parts", job.parts, "parts to make (default 1)")->check(CLI::Range(1u, 1'000'000'000u));
     app.add_option("--plot", job.plot_file, "tool paths and the channels' timeline (SVG)");
-    app.add_option("--scenario", job.scenario, "what happens while it runs (TOML)");
     app.add_flag("--report", job.report, "print where the time went, for reading, after the events");
 }
 

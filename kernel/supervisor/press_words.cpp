@@ -374,6 +374,22 @@ bool put_text(Command& command, std::string_view words) {
     return true;
 }
 
+Result<void> check_built(const Commands& commands) {
+    for (const Command& command : commands) {
+        switch (static_cast<CommandKind>(command.kind)) {
+            case CommandKind::Restart:
+            case CommandKind::Retrace:
+            case CommandKind::JogInHold:
+            case CommandKind::Return:
+            case CommandKind::StopAfterPart: break;
+            default: continue;
+        }
+        const auto word = std::find_if(std::begin(kWords), std::end(kWords), [&](const PressWord& one) { return static_cast<std::uint32_t>(one.kind) == command.kind; });
+        return fault(Alarm::NotBuilt, std::string(word->name));
+    }
+    return {};
+}
+
 std::vector<std::string_view> press_names() {
     std::vector<std::string_view> out;
     for (const PressWord& word : kWords) out.push_back(word.name);

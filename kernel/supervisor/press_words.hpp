@@ -18,6 +18,9 @@ Result<std::vector<Command>> parse_set(std::string_view words, const MachineConf
 // "AP_SYNCR A3", "input 5".
 Result<std::vector<Command>> parse_release(std::string_view words, const MachineConfig& machine);
 
+// The first command of them that the kernel does not carry out yet, as a diagnosis; asking for it must never be silence.
+Result<void> check_built(const std::vector<Command>& commands);
+
 // The first words of everything that can be pressed, for tests and help.
 std::vector<std::string_view> press_names();
 

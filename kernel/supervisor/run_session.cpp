@@ -79,7 +79,7 @@ Result<void> RunSession::start() {
     plan.options.virtual_time = options_.virtual_time ? 1 : 0;
     plan.options.trace_every = trace_file_ ? options_.trace_every : 0;
     plan.options.notes = 1;
-    plan.options.parts = options_.parts ? options_.parts : plan_.job && plan_.job->parts_wanted ? plan_.job->parts_wanted : 1;
+    plan.options.parts = options_.parts ? options_.parts : 1;
     plan.options.ready = 1;
     for (unsigned number = 1; number <= kMaxChannels; ++number) {
         const auto found = wishes_.feed_override.find(number);
@@ -539,6 +539,8 @@ void RunSession::finish() {
                 record_.channels[number] = {channel.cycle_s, channel.cutting_s, channel.rapid_s, channel.waiting_s, channel.blocks};
             }
     }
+    // Cut short by a signal or the kernel's death: until the last thing that was heard.
+    if (!ending() && log_tick_ > origin_) end_s_ = std::max(end_s_, static_cast<double>(log_tick_ - origin_) * tick_s_);
     joiner_.finish(sink_);
     record_.seconds = end_s_;
     std::string channels = "[";

@@ -114,6 +114,8 @@ std::optional<ScenarioPlayer> ScenarioPlayer::make(const text::Scenario& scenari
                 break;
             }
         }
+        if (commands)
+            if (auto built = check_built(*commands); !built) commands = built.diagnosis();
         if (!commands) {
             Diagnosis diagnosis = commands.diagnosis();
             diagnosis.place = stimulus.place;
@@ -167,6 +169,22 @@ std::vector<Planned> ScenarioPlayer::match(std::string_view event_text, double t
 
 bool ScenarioPlayer::waits_for_events() const {
     return std::any_of(parts_->whens.begin(), parts_->whens.end(), [](const When& when) { return !when.happened; });
+}
+
+std::set<unsigned> ScenarioPlayer::channels_not_waited_for() const {
+    std::set<unsigned> out;
+    const auto look = [&](const Planned& planned) {
+        const Command& command = planned.command;
+        const auto kind = static_cast<CommandKind>(command.kind);
+        if (planned.action || command.value == 0.0) return;
+        const std::uint32_t first = signals::cp_nowt(1);
+        if (kind == CommandKind::IgnoreWaits && command.channel) out.insert(command.channel);
+        if (kind == CommandKind::SetSignal && command.flags && command.object >= first && command.object < first + kMaxChannels) out.insert(command.object - first + 1);
+    };
+    for (const Planned& planned : parts_->timed) look(planned);
+    for (const When& when : parts_->whens)
+        for (const Planned& planned : when.planned) look(planned);
+    return out;
 }
 
 std::set<unsigned> ScenarioPlayer::channels_that_read() const {

@@ -47,6 +47,7 @@ public:
     // What the event starts. Each stimulus acts once, at its first match. t_s: of the event.
     std::vector<Planned> match(std::string_view event_text, double t_s);
     bool waits_for_events() const;    // a `when` that has not happened
+    std::set<unsigned> channels_not_waited_for() const;   // CP_NOWT or ignore_waits at some time
     std::set<unsigned> channels_that_read() const;   // by select and mdi: they need a process
 
 private:

@@ -233,6 +233,7 @@ void StartSession::handle(RequestServer::Client client, const std::string& line)
 
 void StartSession::serve_commands(RequestServer::Client client, const Result<std::vector<Command>>& commands) {
     if (!commands) return server_.answer(client, refusal(commands.diagnosis()));
+    if (const auto built = check_built(*commands); !built) return server_.answer(client, refusal(built.diagnosis()));
     for (const Command& command : *commands) controller_->send(command);
     server_.answer(client, "{\"ok\":true}");
 }
