@@ -33,7 +33,7 @@ bool PathMaker::may_run(const PathRecord& a, PathRecord& b) {
     if (linear_metric(a, *limits_) != linear_metric(b, *limits_)) return false;
     if (chain_.size() == 1 ? !agree_on_axes(chain_.back().move, b) : !agree_on_axes(scratch_ = a, b)) return false;
     if (chain_.size() > 1 && scratch_.axis_count != a.axis_count) return false;   // the run has its axes already
-    return is_short_corner(a, b, *limits_);
+    return is_short_corner(a, b, chain_.size() == 1, *limits_);
 }
 
 // Both get the axes of both in the order of the earlier one: a line that leaves an axis where it is still has its place on

@@ -7,7 +7,7 @@
 
 namespace polyturn::channels {
 
-bool is_short_corner(const PathRecord& a, const PathRecord& b, const PathLimits& limits) {
+bool is_short_corner(const PathRecord& a, const PathRecord& b, bool begins, const PathLimits& limits) {
     if (static_cast<RecordKind>(a.kind) != RecordKind::Line || static_cast<RecordKind>(b.kind) != RecordKind::Line) return false;
     if (a.axis_count != b.axis_count || a.axis_count > kMaxCurveAxes) return false;
     double step = 0;
@@ -17,6 +17,8 @@ bool is_short_corner(const PathRecord& a, const PathRecord& b, const PathLimits&
         step += d * d;
     }
     step = std::sqrt(step);   // rotary axes count as if degrees were millimetres: only ever too careful
+    constexpr double kStraightOn = 1e-9;
+    if (begins && step < kStraightOn) return false;
     const double shorter = std::min(a.length, b.length);
     const double longer = std::max(a.length, b.length);
     return longer <= kMostGrowth * shorter && shorter <= kLongestShort && step <= kMostTurn && shorter * step / 3 <= kCornerShare * limits.tolerance;

@@ -39,7 +39,8 @@ inline constexpr double kMostGrowth = 2.5;       // of a length over that of its
 inline constexpr std::size_t kMostSkipped = 64;  // vertices between two control points
 
 // Whether the corner between two lines is one of a smooth curve. Slots, rates and metric must agree, the caller looks at flags.
-bool is_short_corner(const PathRecord& before, const PathRecord& after, const PathLimits& limits);
+// A run does not begin where there is no turn at all (`begins`).
+bool is_short_corner(const PathRecord& before, const PathRecord& after, bool begins, const PathLimits& limits);
 
 using SplinePoint = std::array<double, kMaxCurveAxes>;
 

@@ -58,6 +58,14 @@ public:
         params::put(*table, params::n0103_axis_to_plane, 3, 2);
         store->parameters.write(*table);
         supervisor.publish(), store.publish(), kernel.publish();
+        start_process();
+    }
+    ~ProcessRig() { remove_instance(instance); }
+
+    // Again: the process has died, a successor starts; what the kernel does when it attaches to it.
+    void start_process() {
+        process.reset();
+        kernel->path_tail[0].tail.store(0);
         ProcessServices services;
         services.make_run = [this](MachineView& view, Sink& sink, Port& port, const ProgramChoice&) {
             return std::make_unique<ScriptedRun>(view, sink, port, program);
@@ -65,7 +73,6 @@ public:
         process = std::move(*ChannelProcess::create(instance, 1, std::move(services)));
         channel = std::move(*PeerSegment<ChannelSegment>::attach(instance, 1));
     }
-    ~ProcessRig() { remove_instance(instance); }
 
     void tell(ChannelEventKind kind, std::uint64_t record = 0, double value = 0, std::uint32_t epoch = 1) {
         ChannelEvent e;
