@@ -40,7 +40,7 @@ void Machine::run_command(const Command& c) noexcept {
         case CommandKind::EmergencyStop: emergency_stop(Alarm::EmergencyStop, 0, {}, 0); break;
         case CommandKind::MachineOn:
             for (AxisUnit& axis : core_.axes) axis.clear_fault();
-            core_.all_stop = plc_.dead();
+            core_.all_stop = plc_.dead() || plc_late_;
             if (!core_.on()) set_state(MachineState::On);
             break;
         case CommandKind::Mode: each_channel(c, [&](ChannelRunner& r) { r.set_mode(static_cast<ChannelMode>(static_cast<std::uint32_t>(c.value))); }); break;
@@ -109,7 +109,7 @@ void Machine::run_command(const Command& c) noexcept {
 
 // Reset clears what stopped the whole machine, but not an emergency stop, and not a PLC that is still dead.
 void Machine::reset_machine() noexcept {
-    if (core_.state != MachineState::EmergencyStop && !plc_.dead()) core_.all_stop = false;
+    if (core_.state != MachineState::EmergencyStop && !plc_.dead() && !plc_late_) core_.all_stop = false;
 }
 
 void Machine::partner_death(unsigned index) noexcept {

@@ -113,10 +113,10 @@ void Machine::take_answers() noexcept {
         for (unsigned s = 0; s < core_.config.spindle_count; ++s) core_.spindles[s].configure(core_.config.spindles[s]);
         for (auto& channel : channels_) channel->store_changed();
     }
-    if (plc_.take_outputs() == PlcLink::Take::Late) {
-        plc_.died();
-        stop_all(Alarm::PlcLate);
-    }
+    // Said once; the machine stays stopped until a reset finds the PLC answering again.
+    const PlcLink::Take plc = plc_.take_outputs();
+    if (plc == PlcLink::Take::Late && !plc_late_) stop_all(Alarm::PlcLate);
+    if (plc != PlcLink::Take::Nothing) plc_late_ = plc == PlcLink::Take::Late;
 }
 
 void Machine::supervise() noexcept {

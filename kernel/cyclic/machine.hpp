@@ -91,7 +91,7 @@ private:
     };
     std::array<Watch, 64> watches_{};
     std::size_t watch_count_ = 0;
-    bool store_dead_ = false;
+    bool store_dead_ = false, plc_late_ = false;
     std::int32_t builder_message_ = 0;
     RingProducer<RingHead<TraceSample, 1024>> trace_ring_;
     TraceSample pending_trace_{};

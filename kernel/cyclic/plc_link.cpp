@@ -7,7 +7,8 @@ namespace polyturn::kernel {
 PlcLink::Take PlcLink::take_outputs() noexcept {
     const PlcSegment* plc = core_.plc_segment.load(std::memory_order_acquire);
     if (!plc || dead_ || sent_ == 0 || !due()) return Take::Nothing;
-    if (plc->cycle.load(std::memory_order_acquire) < sent_ || !plc->outputs.read(outputs_)) {
+    // A stopped process may or may not have answered before: that must not decide anything.
+    if (stopped_ || plc->cycle.load(std::memory_order_acquire) < sent_ || !plc->outputs.read(outputs_)) {
         // In virtual time it was waited for: it cannot answer. In real time the computer may have been busy: some cycles.
         return core_.virtual_time || ++late_in_a_row_ >= core_.config.late_max_ticks ? Take::Late : Take::Nothing;
     }

@@ -86,6 +86,14 @@ TEST(Death, AnOverrunOfThePlcIsOne) {
     rig.run(100);
     EXPECT_TRUE(rig.alarmed(Alarm::PlcLate));
     EXPECT_EQ(rig.speed_of(2), 0);
+    rig.command(CommandKind::Reset);
+    rig.run(30);
+    EXPECT_TRUE(rig.machine->core().all_stop);   // it still does not answer
+    rig.plc_answers = true;
+    rig.run(20);
+    rig.command(CommandKind::Reset);
+    rig.run(10);
+    EXPECT_FALSE(rig.machine->core().all_stop);
 }
 
 }  // namespace
