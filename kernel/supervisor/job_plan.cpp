@@ -11,6 +11,7 @@
 
 #include "ipc/text/read_file.hpp"
 #include "ipc/text/setup_text.hpp"
+#include "kernel/supervisor/like.hpp"
 
 namespace polyturn::supervisor {
 
@@ -89,6 +90,7 @@ private:
         plan_.source.machine = options_.machine.empty() && plan_.job ? plan_.job->machine : options_.machine;
         plan_.source.param_files = options_.param_files;
         plan_.source.sets = options_.sets;
+        if (!options_.like.empty() && !take_likeness()) return false;
         LoadedMachine loaded = load_machine(plan_.source);
         plan_.table = std::move(loaded.table);
         plan_.room_file = loaded.room_file;
@@ -104,6 +106,26 @@ private:
         for (const auto& diagnosis : loaded.diagnoses) print_diagnosis(diagnosis, Dialect::Polyturn);   // warnings
         plan_.machine = std::make_unique<MachineConfig>(derive_machine_config(*plan_.table));
         return true;
+    }
+
+    bool take_likeness() {
+        auto like = values_of_controller(options_.like);
+        if (!like) {
+            failure_.diagnoses.push_back(like.diagnosis());
+            return false;
+        }
+        const std::string path = in_memory("like.params", like->parameter_lines);
+        plan_.source.param_files.insert(plan_.source.param_files.begin(), path);
+        like_ = std::move(like->setup);
+        return true;
+    }
+
+    // A file for the other processes that goes with this one.
+    std::string in_memory(const char* name, const std::string& content) {
+        const int fd = memfd_create(name, MFD_CLOEXEC);
+        if (fd >= 0) plan_.memory_files.push_back(fd);
+        if (fd < 0 || write(fd, content.data(), content.size()) != static_cast<ssize_t>(content.size())) fault(Alarm::OutputFile, name);
+        return fmt::format("/proc/{}/fd/{}", getpid(), fd);
     }
 
     void languages() {
@@ -141,18 +163,15 @@ private:
             plan_.setup_path = path;
         }
         for (const auto& [number, channel] : plan_.setup.channels) check_setup_axes(number, channel);
-        if (!plan_.job || plan_.job->zeros.empty()) return;
-        // Zeros of the job come to the setup's; the other processes read the whole from one file that lives in memory.
-        for (const auto& [number, systems] : plan_.job->zeros)
-            for (const auto& [system, axes] : systems)
-                for (const auto& [axis, value] : axes) plan_.setup.channels[number].work[system].try_emplace(axis, value);
-        const std::string content = text::setup_text(plan_.setup);
-        plan_.setup_fd = memfd_create("setup.toml", 0);
-        if (plan_.setup_fd < 0 || write(plan_.setup_fd, content.data(), content.size()) != static_cast<ssize_t>(content.size())) {
-            fault(Alarm::OutputFile, "the setup of the job");
-            return;
-        }
-        plan_.setup_path = fmt::format("/proc/{}/fd/{}", getpid(), plan_.setup_fd);
+        const bool job_zeros = plan_.job && !plan_.job->zeros.empty();
+        if (!job_zeros && options_.like.empty()) return;
+        // Zeros of the job and what --like copies come to the setup's; the other processes read the whole from one file.
+        if (job_zeros)
+            for (const auto& [number, systems] : plan_.job->zeros)
+                for (const auto& [system, axes] : systems)
+                    for (const auto& [axis, value] : axes) plan_.setup.channels[number].work[system].try_emplace(axis, value);
+        fill_up(plan_.setup, like_);
+        plan_.setup_path = in_memory("setup.toml", text::setup_text(plan_.setup));
     }
 
     void check_setup_axes(unsigned number, const text::ChannelSetup& channel) {
@@ -172,6 +191,7 @@ private:
     const JobOptions& options_;
     PlanFailure& failure_;
     JobPlan plan_;
+    text::Setup like_;
 };
 
 }  // namespace
@@ -179,10 +199,10 @@ private:
 JobPlan::JobPlan(JobPlan&& other) noexcept
     : source(std::move(other.source)), table(std::move(other.table)), machine(std::move(other.machine)), room_file(std::move(other.room_file)),
       programs(std::move(other.programs)), setup(std::move(other.setup)), setup_path(std::move(other.setup_path)), job(std::move(other.job)),
-      setup_fd(std::exchange(other.setup_fd, -1)) {}
+      memory_files(std::exchange(other.memory_files, {})) {}
 
 JobPlan::~JobPlan() {
-    if (setup_fd >= 0) close(setup_fd);
+    for (const int fd : memory_files) close(fd);
 }
 
 Dialect JobPlan::dialect(unsigned channel) const {

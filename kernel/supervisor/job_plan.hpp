@@ -31,7 +31,7 @@ struct JobPlan {
     text::Setup setup;                              // zeros of the job included
     std::string setup_path;                         // for the other processes; empty: none
     std::optional<text::Job> job;
-    int setup_fd = -1;                              // of a setup that was put together here
+    std::vector<int> memory_files;                  // of files that were put together here
 
     Dialect dialect(unsigned channel) const;
     JobPlan() = default;

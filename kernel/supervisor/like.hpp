@@ -1,0 +1,19 @@
+// `--like NAME`: a private run begins with what a running controller has now: parameters, offsets, zeros, kept variables.
+#pragma once
+#include <string>
+
+#include "ipc/diagnosis/diagnosis.hpp"
+#include "ipc/text/setup.hpp"
+
+namespace polyturn::supervisor {
+
+struct LikeValues {
+    std::string parameter_lines;      // all of them, to be read on top of the machine
+    text::Setup setup;                // what the setup of the run wins over
+};
+Result<LikeValues> values_of_controller(const std::string& instance);
+
+// What `base` has and `setup` does not name.
+void fill_up(text::Setup& setup, const text::Setup& base);
+
+}  // namespace polyturn::supervisor
