@@ -75,6 +75,17 @@ Element Compensator::element_of(const Move& m) const {
 
 void Compensator::move(const Move& m, const BlockContext& at) {
     if (failed_) return;
+    if (bypass_ != Bypass::None && state_ != State::Off) {
+        moved_ = true;
+        if (bypass_ == Bypass::Plain) {
+            straight_to_programmed(m, at);
+            return;
+        }
+        Move shifted = m;
+        shift(shifted);
+        deliver(shifted, at);
+        return;
+    }
     if (suspended_) {
         moved_ = true;
         suspended_ = false;
@@ -90,9 +101,7 @@ void Compensator::move(const Move& m, const BlockContext& at) {
             trailing_.move(m, at);
         } else {
             Move shifted = m;
-            shifted.machine_start[p_] += displacement_.p, shifted.machine_start[q_] += displacement_.q;
-            shifted.machine[p_] += displacement_.p, shifted.machine[q_] += displacement_.q;
-            shifted.pos[p_] += displacement_.p, shifted.pos[q_] += displacement_.q;
+            shift(shifted);
             deliver(shifted, at);
         }
         return;
@@ -181,6 +190,13 @@ void Compensator::settle() {
 void Compensator::suspend() {
     settle();
     if (state_ != State::Off && !failed_) suspended_ = true;
+}
+
+void Compensator::bypass(Bypass how) {
+    settle();
+    if (how == Bypass::None && bypass_ == Bypass::Plain && (state_ == State::On || state_ == State::Resuming))
+        state_ = options_.resume_at_intersection ? State::Resuming : State::Armed;
+    bypass_ = how;
 }
 
 void Compensator::drop_vector() {

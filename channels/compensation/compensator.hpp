@@ -42,6 +42,10 @@ public:
     void zero_distance() { zero_ = true; }   // plane axes are named and do not move
     void suspend();                          // G53, reference: the next move leaves the vector behind
     void settle();                           // the held block ends at its normal: nothing is known of what follows
+    // A cycle of moves that must not be compensated one by one: its moves go as they are programmed, or shifted by the
+    // vector that holds at its beginning; compensation goes on behind it.
+    enum class Bypass : std::uint8_t { None, Plain, Shifted };
+    void bypass(Bypass how);
     void drop_vector();                      // G50: the held block ends where it is programmed
     // The block has been interpreted. counts: it is one of the blocks without movement where it made none.
     void block_done(bool counts);
@@ -96,6 +100,7 @@ private:
     void hold(const Move& m, const BlockContext& at, Role role);
     void contour_block(const Move& m, const BlockContext& at);
     void cancel_block(const Move& m, const BlockContext& at);
+    void shift(Move& m) const;
     void straight_to_programmed(const Move& m, const BlockContext& at);
     bool finish(Vectors end);
     void finish_at_programmed();
@@ -125,6 +130,7 @@ private:
     bool has_offset_ = false;
     bool repeated_ = false, cancel_ = false, wish_set_ = false, suspended_ = false;
     Vec wish_;
+    Bypass bypass_ = Bypass::None;
     bool moved_ = false, zero_ = false;   // in this block
     unsigned idle_blocks_ = 0;
 };

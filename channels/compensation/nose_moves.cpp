@@ -21,6 +21,14 @@ void Compensator::deliver(const Move& m, const BlockContext& at) {
     pump();
 }
 
+void Compensator::shift(Move& m) const {
+    m.machine_start[p_] += displacement_.p, m.machine_start[q_] += displacement_.q;
+    m.machine[p_] += displacement_.p, m.machine[q_] += displacement_.q;
+    m.pos[p_] += displacement_.p, m.pos[q_] += displacement_.q;
+    m.centre_p += displacement_.p, m.centre_q += displacement_.q;
+    m.pos_centre_p += displacement_.p, m.pos_centre_q += displacement_.q;
+}
+
 // The held block from its first remaining start vector to its first end vector; further end vectors stay for the next one.
 bool Compensator::finish(Vectors end) {
     Held& b = block_;
@@ -37,11 +45,7 @@ bool Compensator::finish(Vectors end) {
     displacement_ = here_ - b.element.end;
     held_ = false;
     idle_blocks_ = 0;
-    trailing_.change_moves([this](Move& m) {   // moves outside the plane: there the nose stands
-        m.machine_start[p_] += displacement_.p, m.machine_start[q_] += displacement_.q;
-        m.machine[p_] += displacement_.p, m.machine[q_] += displacement_.q;
-        m.pos[p_] += displacement_.p, m.pos[q_] += displacement_.q;
-    });
+    trailing_.change_moves([this](Move& m) { shift(m); });   // moves outside the plane: there the nose stands
     ready_.append(trailing_);
     pump();
     return true;
@@ -63,6 +67,11 @@ void Compensator::finish_at_programmed() {
 
 // A block outside compensation that takes back the vector, round the corner where vectors are left for it.
 void Compensator::straight_to_programmed(const Move& m, const BlockContext& at) {
+    if (!displaced()) {
+        start_ = Vectors::one({});
+        deliver(m, at);
+        return;
+    }
     Held b{m, at, {}, tip_, Role::Contour};
     const Vec start{m.machine_start[p_], m.machine_start[q_]}, end{m.machine[p_], m.machine[q_]};
     here_ = start + displacement_;

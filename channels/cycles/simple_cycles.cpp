@@ -17,6 +17,18 @@ bool find_places(Core& core, Places& places) {
     return true;
 }
 
+// Each leg is driven so that the imaginary tip runs on it; only an oblique cut is shifted to its equidistant.
+class CompensatedCycle {
+public:
+    CompensatedCycle(Core& core, Core::CycleMoves how) : core_(&core) { core.begin_cycle(how); }
+    ~CompensatedCycle() { core_->end_cycle(); }
+    CompensatedCycle(const CompensatedCycle&) = delete;
+    CompensatedCycle& operator=(const CompensatedCycle&) = delete;
+
+private:
+    Core* core_;
+};
+
 }  // namespace
 
 bool turning(Core& core, const SimpleCycle& cycle) {
@@ -24,10 +36,17 @@ bool turning(Core& core, const SimpleCycle& cycle) {
     if (!find_places(core, at)) return false;
     const AxisValues start = core.path.programmed;
     AxisValues point = start;
-    point[at.x] = cycle.end[at.x] + cycle.taper;
+    AxisValues end = cycle.end;
+    point[at.x] = end[at.x] + cycle.taper;
+    const CompensatedCycle nose(core, Core::CycleMoves::Plain);
+    if (cycle.taper != 0) {
+        const double shift = core.cut_shift(point, end, at.x, start);
+        point[at.x] += shift;
+        end[at.x] += shift;
+    }
     if (!core.rapid(point)) return false;
-    if (!core.linear(cycle.end)) return false;
-    point = cycle.end;
+    if (!core.linear(end)) return false;
+    point = end;
     point[at.x] = start[at.x];
     return core.linear(point) && core.rapid(start);
 }
@@ -37,10 +56,17 @@ bool facing(Core& core, const SimpleCycle& cycle) {
     if (!find_places(core, at)) return false;
     const AxisValues start = core.path.programmed;
     AxisValues point = start;
-    point[at.z] = cycle.end[at.z] + cycle.taper;
+    AxisValues end = cycle.end;
+    point[at.z] = end[at.z] + cycle.taper;
+    const CompensatedCycle nose(core, Core::CycleMoves::Plain);
+    if (cycle.taper != 0) {
+        const double shift = core.cut_shift(point, end, at.z, start);
+        point[at.z] += shift;
+        end[at.z] += shift;
+    }
     if (!core.rapid(point)) return false;
-    if (!core.linear(cycle.end)) return false;
-    point = cycle.end;
+    if (!core.linear(end)) return false;
+    point = end;
     point[at.z] = start[at.z];
     return core.linear(point) && core.rapid(start);
 }
@@ -51,6 +77,7 @@ bool thread(Core& core, const SimpleCycle& cycle) {
     const AxisValues start = core.path.programmed;
     AxisValues point = start;
     point[at.x] = cycle.end[at.x] + cycle.taper;
+    const CompensatedCycle nose(core, Core::CycleMoves::Shifted);
     if (!core.rapid(point)) return false;
     const double dz = cycle.end[at.z] - point[at.z], dx = cycle.end[at.x] - point[at.x];
     const double run_out = std::fmin(cycle.chamfer, std::fabs(dz));

@@ -93,7 +93,7 @@ Step Interpreter::nc_block() {
     }
     if (core_.compensating()) {
         const bool counts = !called_ && !calls && (block_.letters & ~letter_set("NO")) != 0;   // calls belong to nobody's path
-        if (!core_.end_compensated_block(counts, wants_barrier_)) return fault(core_.fault());
+        if (!core_.end_compensated_block(counts, wants_barrier_, ended_)) return fault(core_.fault());
     }
     if (core_.emitted()) {
         fresh_ = false;

@@ -25,6 +25,7 @@ void Interpreter::write_offset(OffsetTable table, std::int32_t number, OffsetFie
     double& cell = cell_of(core_.view().store->offsets[static_cast<std::size_t>(number)], table, field);
     variables_.note_cell(cell);
     cell = value;
+    if (number == core_.path.tool.geometry || number == core_.path.tool.wear) load_nose();
     OffsetWrite write;
     write.table = table == OffsetTable::Geometry ? "geometry" : "wear";
     write.axis = kFieldNames[static_cast<std::size_t>(field)];

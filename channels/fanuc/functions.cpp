@@ -96,12 +96,22 @@ bool Interpreter::apply_tool_offsets() {
         (code.geometry_travels ? vector : shift)[i] += g;
         (code.wear_travels ? vector : shift)[i] += w;
     }
-    state.nose_radius = (state.geometry ? geometry.geometry_r : 0.0) + (state.wear ? wear.wear_r : 0.0);
-    const std::int32_t tip_number = code.tip_from_wear ? state.wear : state.geometry;
-    state.tip = tip_number ? static_cast<std::int32_t>(view.store->offsets[static_cast<std::size_t>(tip_number)].tip) : 0;
+    load_nose();
     core_.set_shift(shift);
     core_.set_wanted(vector);
     return true;
+}
+
+// Radius and tip of the offsets in use; a changed value counts from the next corner on.
+void Interpreter::load_nose() {
+    const ToolCode& code = settings_.tool;
+    ToolState& state = core_.path.tool;
+    const MachineView& view = core_.view();
+    const OffsetCell& geometry = view.store->offsets[static_cast<std::size_t>(state.geometry)];
+    const OffsetCell& wear = view.store->offsets[static_cast<std::size_t>(state.wear)];
+    state.nose_radius = (state.geometry ? geometry.geometry_r : 0.0) + (state.wear ? wear.wear_r : 0.0);
+    const std::int32_t tip_number = code.tip_from_wear ? state.wear : state.geometry;
+    state.tip = tip_number ? static_cast<std::int32_t>(view.store->offsets[static_cast<std::size_t>(tip_number)].tip) : 0;
 }
 
 bool Interpreter::m_before() {

@@ -419,6 +419,7 @@ void Interpreter::reload_settings() {
     const GSystem system = settings_.system;
     settings_ = make_settings_(core_.view().table(), core_.view().channel);
     settings_.system = system;
+    core_.compensation_options(settings_.compensation);
 }
 
 bool Interpreter::barrier_fresh() { return fresh_; }

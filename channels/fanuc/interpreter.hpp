@@ -126,6 +126,7 @@ private:
         std::size_t column;
         AxisValues programmed, machine;
         std::uint64_t state;         // number of the full state that held
+        bool compensated;            // a block before it may be held back: no place to go on from
     };
     void note_resume_point();
     bool is_plain_move() const;
@@ -154,6 +155,7 @@ private:
     bool spindle_word();
     bool tool_word();
     bool apply_tool_offsets();
+    void load_nose();
     bool m_before(), m_after();
     bool is_draining(double code) const;
     bool wait_code(const Word& word);

@@ -53,7 +53,7 @@ void Interpreter::note_resume_point() {
         state_changed_ = false;
     }
     points_.push_back({serial_, line_left_ ? source_->position() : source_->next_position(), line_left_ ? column_ : 0,
-                       core_.path.programmed, core_.path.machine, states_.back()->number});
+                       core_.path.programmed, core_.path.machine, states_.back()->number, core_.compensating()});
 }
 
 void Interpreter::executed(std::uint64_t serial) {
@@ -64,11 +64,12 @@ void Interpreter::executed(std::uint64_t serial) {
 
 bool Interpreter::resume_at(std::uint64_t serial) {
     while (!points_.empty() && points_.back().serial > serial) points_.pop_back();
-    if (points_.empty() || points_.back().serial != serial) return false;
+    if (points_.empty() || points_.back().serial != serial || points_.back().compensated) return false;
     const ResumePoint point = points_.back();
     points_.pop_back();
     while (states_.back()->number > point.state) states_.pop_back();
     const ResumeState& state = *states_.back();
+    core_.compensation_reset();
     core_.path = state.path;
     core_.path.programmed = point.programmed;
     core_.path.machine = point.machine;

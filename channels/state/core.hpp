@@ -153,10 +153,17 @@ public:
     void compensation_reset();                            // reset, cycle start: nothing is delivered any more
     bool compensating() const { return compensating_; }
     // counts: a block that does nothing but what moves nothing counts as one without movement. false: fault()
-    bool end_compensated_block(bool counts, bool wants_barrier);
+    bool end_compensated_block(bool counts, bool wants_barrier, bool program_ends);
     bool compensation_failed();                           // false: fault()
     bool halted() const;                                  // what was delivered last must be executed first
     bool barrier_passed();                                // true: nothing is held, Core stands where the machine stands
+    // Around the moves of a cycle that compensation must leave alone: as programmed, or shifted by the present vector.
+    enum class CycleMoves : std::uint8_t { Plain, Shifted };
+    void begin_cycle(CycleMoves how);
+    void end_cycle();
+    // How far the ends of a cycle's oblique cut from `a` to `b` must move along the axis `along` of the plane, so that the
+    // nose touches it on the side of `outside`; 0 without compensation.
+    double cut_shift(const AxisValues& a, const AxisValues& b, unsigned along, const AxisValues& outside) const;
     double machine_now(unsigned place) const;             // machine coordinate with the vector in it
 
     // --- everything else

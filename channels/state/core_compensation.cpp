@@ -57,7 +57,8 @@ void Core::tell_nose() {
 
 void Core::tell_zero_distance() { comp_->zero_distance(); }
 
-bool Core::end_compensated_block(bool counts, bool wants_barrier) {
+bool Core::end_compensated_block(bool counts, bool wants_barrier, bool program_ends) {
+    if (program_ends) comp_->settle();
     comp_->block_done(counts);
     if (wants_barrier) comp_->ensure_halt(at);
     if (comp_->failed()) return compensation_failed();
@@ -103,6 +104,33 @@ void Core::suspend_compensation(AxisSet which) {
     }
     comp_->suspend();
     if (comp_->displaced()) forced_ = plane;
+}
+
+void Core::begin_cycle(CycleMoves how) {
+    using Bypass = compensation::Compensator::Bypass;
+    if (compensating_) comp_->bypass(how == CycleMoves::Plain ? Bypass::Plain : Bypass::Shifted);
+}
+
+void Core::end_cycle() {
+    if (compensating_) comp_->bypass(compensation::Compensator::Bypass::None);
+}
+
+//   tip = programmed + shift along one axis a;   centre = tip - r*e must lie at distance r:  (shift*a - r*e) . n = r
+//   shift = r * (1 + e.n) / (a.n)                n normal of the cut towards the outside
+double Core::cut_shift(const AxisValues& a, const AxisValues& b, unsigned along, const AxisValues& outside) const {
+    int p = -1, q = -1;
+    plane_axes(p, q);
+    const ToolState& tool = path.tool;
+    if (!compensating_ || p < 0 || q < 0 || (tool.geometry == 0 && tool.wear == 0)) return 0.0;
+    const auto i = static_cast<std::size_t>(p), k = static_cast<std::size_t>(q);
+    const Vec cut{b[i] - a[i], b[k] - a[k]};
+    if (compensation::length(cut) == 0) return 0.0;
+    Vec n = compensation::left_of(compensation::unit(cut));
+    if (compensation::dot(n, {outside[i] - a[i], outside[k] - a[k]}) < 0) n = -1.0 * n;
+    const double share = along == i ? n.p : n.q;
+    if (std::fabs(share) < 1e-6) return 0.0;
+    const bool tip = path.plane == Plane::ZX && tool.tip >= 0 && tool.tip <= 9;
+    return std::fabs(tool.nose_radius) * (1.0 + compensation::dot(tip ? kTip[tool.tip] : Vec{}, n)) / share;
 }
 
 void Core::drop_compensation_vector() { comp_->drop_vector(); }
