@@ -12,19 +12,29 @@ namespace {
 
 class JobReader {
 public:
-    JobReader(std::string_view filename, std::vector<Diagnosis>& diagnoses) : toml_(filename, diagnoses), folder_(std::filesystem::path(filename).parent_path()) {}
+    JobReader(std::string_view filename, std::vector<Diagnosis>& diagnoses)
+        : toml_(filename, diagnoses), folder_(std::filesystem::path(filename).parent_path()) {}
 
     void file(const toml::table& root, Job& out) {
         toml_.each(root, [&](const toml::key& key, const toml::node& node) {
-            if (key == "name") out.name = toml_.text(key, node).value_or("");
-            else if (key == "machine") out.machine = path(key, node);
-            else if (key == "setup") out.setup = path(key, node);
-            else if (key == "programs") programs(key, node, out);
-            else if (key == "stock") stock(key, node, out);
-            else if (key == "zeros") zeros(key, node, out);
-            else if (key == "tools") tools(key, node, out);
-            else if (key == "parts") parts(key, node, out);
-            else toml_.unknown(key, "name, machine, setup, programs, stock, zeros, tools, parts");
+            if (key == "name")
+                out.name = toml_.text(key, node).value_or("");
+            else if (key == "machine")
+                out.machine = path(key, node);
+            else if (key == "setup")
+                out.setup = path(key, node);
+            else if (key == "programs")
+                programs(key, node, out);
+            else if (key == "stock")
+                stock(key, node, out);
+            else if (key == "zeros")
+                zeros(key, node, out);
+            else if (key == "tools")
+                tools(key, node, out);
+            else if (key == "parts")
+                parts(key, node, out);
+            else
+                toml_.unknown(key, "name, machine, setup, programs, stock, zeros, tools, parts");
         });
         if (out.programs.empty()) toml_.fault(Alarm::TextSyntax, root.source(), "a job needs [programs]: which program runs in which channel");
     }
@@ -47,13 +57,16 @@ private:
             const auto channel = channel_key(number);
             if (!channel) return;
             JobProgram program;
-            if (one.is_string()) {   // short for { file = ... }
+            if (one.is_string()) {  // short for { file = ... }
                 program.file = path(number, one);
             } else if (const auto* content = toml_.table(number, one)) {
                 toml_.each(*content, [&](const toml::key& name, const toml::node& value) {
-                    if (name == "file") program.file = path(name, value);
-                    else if (name == "language") program.language = toml_.text(name, value).value_or("");
-                    else toml_.unknown(name, "file, language");
+                    if (name == "file")
+                        program.file = path(name, value);
+                    else if (name == "language")
+                        program.language = toml_.text(name, value).value_or("");
+                    else
+                        toml_.unknown(name, "file, language");
                 });
                 if (program.file.empty()) toml_.fault(Alarm::TextSyntax, one.source(), "the program's file is missing");
             }
@@ -69,11 +82,16 @@ private:
             if (name == "spindle") {
                 stock.spindle = toml_.text(name, value).value_or("");
                 if (stock.spindle.size() < 2 || stock.spindle[0] != 'S') toml_.wrong(name, value, "a spindle such as \"S1\"");
-            } else if (name == "diameter") stock.diameter = length(name, value);
-            else if (name == "bore") stock.bore = length(name, value);
-            else if (name == "length") stock.length = length(name, value);
-            else if (name == "face") stock.face = toml_.number(name, value).value_or(0.0);
-            else toml_.unknown(name, "spindle, diameter, bore, length, face");
+            } else if (name == "diameter")
+                stock.diameter = length(name, value);
+            else if (name == "bore")
+                stock.bore = length(name, value);
+            else if (name == "length")
+                stock.length = length(name, value);
+            else if (name == "face")
+                stock.face = toml_.number(name, value).value_or(0.0);
+            else
+                toml_.unknown(name, "spindle, diameter, bore, length, face");
         });
         out.stock = stock;
     }
@@ -110,10 +128,14 @@ private:
             if (!content) continue;
             JobTool tool;
             toml_.each(*content, [&](const toml::key& name, const toml::node& value) {
-                if (name == "channel") tool.channel = static_cast<unsigned>(toml_.whole(name, value, 1, kMaxChannels).value_or(0));
-                else if (name == "station") tool.station = static_cast<int>(toml_.whole(name, value, 0, 9999).value_or(0));
-                else if (name == "name") tool.name = toml_.text(name, value).value_or("");
-                else toml_.unknown(name, "channel, station, name");
+                if (name == "channel")
+                    tool.channel = static_cast<unsigned>(toml_.whole(name, value, 1, kMaxChannels).value_or(0));
+                else if (name == "station")
+                    tool.station = static_cast<int>(toml_.whole(name, value, 0, 9999).value_or(0));
+                else if (name == "name")
+                    tool.name = toml_.text(name, value).value_or("");
+                else
+                    toml_.unknown(name, "channel, station, name");
             });
             out.tools.push_back(std::move(tool));
         }
@@ -123,8 +145,10 @@ private:
         const auto* table = toml_.table(key, node);
         if (!table) return;
         toml_.each(*table, [&](const toml::key& name, const toml::node& value) {
-            if (name == "wanted") out.parts_wanted = static_cast<unsigned>(toml_.whole(name, value, 0, 100'000'000).value_or(0));
-            else toml_.unknown(name, "wanted");
+            if (name == "wanted")
+                out.parts_wanted = static_cast<unsigned>(toml_.whole(name, value, 0, 100'000'000).value_or(0));
+            else
+                toml_.unknown(name, "wanted");
         });
     }
 

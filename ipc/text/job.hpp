@@ -12,14 +12,14 @@
 namespace polyturn::text {
 
 struct JobProgram {
-    std::string file;                    // resolved against the job's folder
-    std::string language;                // empty: the machine says
+    std::string file;      // resolved against the job's folder
+    std::string language;  // empty: the machine says
 };
 
-struct JobStock {                        // true millimetres
+struct JobStock {  // true millimetres
     std::string spindle = "S1";
     double diameter = 0.0, bore = 0.0, length = 0.0;
-    double face = 0.0;                   // stock in front of the workpiece zero
+    double face = 0.0;  // stock in front of the workpiece zero
 };
 
 struct JobTool {
@@ -30,12 +30,12 @@ struct JobTool {
 
 struct Job {
     std::string file, name;
-    std::map<unsigned, JobProgram> programs;                            // by channel
+    std::map<unsigned, JobProgram> programs;  // by channel
     std::optional<JobStock> stock;
-    std::map<unsigned, std::map<std::string, AxisValues>> zeros;        // channel -> system -> axis -> value
+    std::map<unsigned, std::map<std::string, AxisValues>> zeros;  // channel -> system -> axis -> value
     std::vector<JobTool> tools;
-    unsigned parts_wanted = 0;           // 0: not said
-    std::string setup, machine;          // resolved; empty: the job names none. An option of the command line wins.
+    unsigned parts_wanted = 0;   // 0: not said
+    std::string setup, machine;  // resolved; empty: the job names none. An option of the command line wins.
 };
 
 Job parse_job(std::string_view content, std::string_view filename, std::vector<Diagnosis>& diagnoses);

@@ -21,7 +21,8 @@ bool is_folder(const fs::path& path) {
 
 Result<MachinePath> from_folder(const fs::path& folder) {
     const fs::path params = folder / "machine.params", room = folder / "machine.toml";
-    if (!is_file(params)) return Diagnosis{Alarm::FileUnreadable, Place{params.string(), 0, 0, 0}, {}, "a machine's folder holds its parameters in machine.params"};
+    if (!is_file(params))
+        return Diagnosis{Alarm::FileUnreadable, Place{params.string(), 0, 0, 0}, {}, "a machine's folder holds its parameters in machine.params"};
     const fs::path plc = fs::absolute(folder / "plc.so");
     return MachinePath{params.string(), folder.string(), is_file(room) ? room.string() : std::string(), is_file(plc) ? plc.string() : std::string()};
 }
@@ -49,7 +50,8 @@ Result<MachinePath> resolve_machine(std::string_view option) {
         const fs::path path{option};
         if (is_folder(path)) return from_folder(path);
         if (is_file(path)) return MachinePath{path.string(), {}, {}, {}};
-        if (option.find('/') != std::string_view::npos) return Diagnosis{Alarm::FileUnreadable, Place{std::string(option), 0, 0, 0}, {}, "there is no such machine file or folder"};
+        if (option.find('/') != std::string_view::npos)
+            return Diagnosis{Alarm::FileUnreadable, Place{std::string(option), 0, 0, 0}, {}, "there is no such machine file or folder"};
     }
     const fs::path name{option.empty() ? std::string_view("twin-turret") : option};
     const fs::path share = share_folder();

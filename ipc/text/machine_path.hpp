@@ -9,10 +9,10 @@
 namespace polyturn::text {
 
 struct MachinePath {
-    std::string params;    // the parameter file
-    std::string folder;    // the machine's folder; empty when a single file was given
-    std::string room;      // machine.toml: where axes, chucks and turrets stand; empty when there is none
-    std::string plc;       // plc.so: the machine builder's PLC; empty: the built-in lathe PLC
+    std::string params;  // the parameter file
+    std::string folder;  // the machine's folder; empty when a single file was given
+    std::string room;    // machine.toml: where axes, chucks and turrets stand; empty when there is none
+    std::string plc;     // plc.so: the machine builder's PLC; empty: the built-in lathe PLC
 };
 
 Result<MachinePath> resolve_machine(std::string_view option);

@@ -24,8 +24,7 @@ Result<std::string> read_text_file(const std::string& path) {
         text.append(block, static_cast<std::size_t>(file.gcount()));
         if (text.size() > kLargest) return fault(Alarm::FileUnreadable, path, "it is larger than 64 MB");
     }
-    if (text.size() >= 2 && ((text[0] == '\xff' && text[1] == '\xfe') || (text[0] == '\xfe' && text[1] == '\xff')))
-        return fault(Alarm::FileUtf16, path, path);
+    if (text.size() >= 2 && ((text[0] == '\xff' && text[1] == '\xfe') || (text[0] == '\xfe' && text[1] == '\xff'))) return fault(Alarm::FileUtf16, path, path);
     if (text.find('\0') != std::string::npos) return fault(Alarm::FileBinary, path, path);
     return text;
 }

@@ -12,21 +12,27 @@ namespace {
 void append_quoted(std::string& out, std::string_view words) {
     out += '"';
     for (const char c : words) {
-        if (c == '"' || c == '\\') out += '\\', out += c;
-        else if (static_cast<unsigned char>(c) < 0x20) out += fmt::format("\\u{:04x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
-        else out += c;
+        if (c == '"' || c == '\\')
+            out += '\\', out += c;
+        else if (static_cast<unsigned char>(c) < 0x20)
+            out += fmt::format("\\u{:04x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+        else
+            out += c;
     }
     out += '"';
 }
 
 // TOML as JSON; dates have no counterpart and no event holds one.
 bool append_json(std::string& out, const toml::node& node) {
-    if (const auto* words = node.as_string()) append_quoted(out, words->get());
-    else if (const auto* whole = node.as_integer()) out += std::to_string(whole->get());
+    if (const auto* words = node.as_string())
+        append_quoted(out, words->get());
+    else if (const auto* whole = node.as_integer())
+        out += std::to_string(whole->get());
     else if (const auto* real = node.as_floating_point()) {
-        if (!(real->get() - real->get() == 0.0)) return false;   // not finite
+        if (!(real->get() - real->get() == 0.0)) return false;  // not finite
         out += fmt::format("{}", real->get());
-    } else if (const auto* truth = node.as_boolean()) out += truth->get() ? "true" : "false";
+    } else if (const auto* truth = node.as_boolean())
+        out += truth->get() ? "true" : "false";
     else if (const auto* list = node.as_array()) {
         out += '[';
         for (std::size_t i = 0; i < list->size(); ++i) {
@@ -45,7 +51,8 @@ bool append_json(std::string& out, const toml::node& node) {
             if (!append_json(out, value)) return false;
         }
         out += '}';
-    } else return false;
+    } else
+        return false;
     return true;
 }
 
@@ -98,16 +105,20 @@ private:
                     action.words = std::move(*words);
                     action.place = toml_.place(node.source(), static_cast<std::uint32_t>(action.words.size() + 2));
                     actions.push_back(std::move(action));
-                } else faulty = true;
+                } else
+                    faulty = true;
             } else {
                 toml_.unknown(key, "t, when, after, press, set, release, kill, stop, for");
                 faulty = true;
             }
         });
         if (faulty) return;
-        if (common.at_s && !common.when.empty()) toml_.fault(Alarm::TextSyntax, table.source(), "either t or when, not both");
-        else if (!timed) toml_.fault(Alarm::TextSyntax, table.source(), "neither t nor when: it is not said when this happens");
-        else if (actions.empty()) toml_.fault(Alarm::TextSyntax, table.source(), "nothing to do: press, set, release, kill or stop is missing");
+        if (common.at_s && !common.when.empty())
+            toml_.fault(Alarm::TextSyntax, table.source(), "either t or when, not both");
+        else if (!timed)
+            toml_.fault(Alarm::TextSyntax, table.source(), "neither t nor when: it is not said when this happens");
+        else if (actions.empty())
+            toml_.fault(Alarm::TextSyntax, table.source(), "nothing to do: press, set, release, kill or stop is missing");
         else
             for (Stimulus& action : actions) {
                 if (common.for_s && action.kind != StimulusKind::Stop) {

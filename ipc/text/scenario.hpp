@@ -13,12 +13,12 @@ enum class StimulusKind { Press, Set, Release, Kill, Stop };
 
 struct Stimulus {
     StimulusKind kind = StimulusKind::Press;
-    std::string words;                   // "feed_hold L2", "AP_SYNCR A3=1", "channel 2": still to be understood
-    std::optional<double> at_s;          // seconds since cycle start; or
-    std::string when;                    // a part of an event object, as JSON ...
-    double after_s = 0.0;                // ... and seconds after it
-    std::optional<double> for_s;         // Stop: continues after so many seconds
-    Place place;                         // of the words
+    std::string words;            // "feed_hold L2", "AP_SYNCR A3=1", "channel 2": still to be understood
+    std::optional<double> at_s;   // seconds since cycle start; or
+    std::string when;             // a part of an event object, as JSON ...
+    double after_s = 0.0;         // ... and seconds after it
+    std::optional<double> for_s;  // Stop: continues after so many seconds
+    Place place;                  // of the words
 };
 
 struct Scenario {

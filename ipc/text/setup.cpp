@@ -15,7 +15,8 @@ namespace {
 // One method for each table of the file, top down as cli.md 2 shows them.
 class SetupReader {
 public:
-    SetupReader(std::string_view filename, std::vector<Diagnosis>& diagnoses) : toml_(filename, diagnoses), folder_(std::filesystem::path(filename).parent_path()) {}
+    SetupReader(std::string_view filename, std::vector<Diagnosis>& diagnoses)
+        : toml_(filename, diagnoses), folder_(std::filesystem::path(filename).parent_path()) {}
 
     void file(const toml::table& root, Setup& out) {
         toml_.each(root, [&](const toml::key& key, const toml::node& node) {
@@ -55,9 +56,8 @@ private:
         }
         static constexpr int kDays[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
         const bool leap = clock.year % 4 == 0 && (clock.year % 100 != 0 || clock.year % 400 == 0);
-        if (clock.year < 1 || clock.month < 1 || clock.month > 12 || clock.day < 1 ||
-            clock.day > kDays[clock.month - 1] + (leap && clock.month == 2 ? 1 : 0) || clock.hour < 0 || clock.hour > 23 || clock.minute < 0 ||
-            clock.minute > 59 || clock.second < 0 || clock.second > 59) {
+        if (clock.year < 1 || clock.month < 1 || clock.month > 12 || clock.day < 1 || clock.day > kDays[clock.month - 1] + (leap && clock.month == 2 ? 1 : 0) ||
+            clock.hour < 0 || clock.hour > 23 || clock.minute < 0 || clock.minute > 59 || clock.second < 0 || clock.second > 59) {
             toml_.wrong(key, node, "a date and time that exists");
             return;
         }
@@ -66,16 +66,26 @@ private:
 
     void channel(const toml::table& table, ChannelSetup& out) {
         toml_.each(table, [&](const toml::key& key, const toml::node& node) {
-            if (key == "machine") axes(key, node, out.machine);
-            else if (key == "pos") axes(key, node, out.pos);
-            else if (key == "work") work(key, node, out);
-            else if (key == "variables") variables(key, node, out);
-            else if (key == "keys") keys(key, node, out.keys);
-            else if (key == "subprograms") subprograms(key, node, out);
-            else if (key == "offset") offsets(key, node, out);
-            else if (key == "tool") tools(key, node, out);
-            else if (key == "sensor") sensors(key, node, out);
-            else toml_.unknown(key, "machine, pos, work, variables, keys, subprograms, offset, tool, sensor");
+            if (key == "machine")
+                axes(key, node, out.machine);
+            else if (key == "pos")
+                axes(key, node, out.pos);
+            else if (key == "work")
+                work(key, node, out);
+            else if (key == "variables")
+                variables(key, node, out);
+            else if (key == "keys")
+                keys(key, node, out.keys);
+            else if (key == "subprograms")
+                subprograms(key, node, out);
+            else if (key == "offset")
+                offsets(key, node, out);
+            else if (key == "tool")
+                tools(key, node, out);
+            else if (key == "sensor")
+                sensors(key, node, out);
+            else
+                toml_.unknown(key, "machine, pos, work, variables, keys, subprograms, offset, tool, sensor");
         });
     }
 
@@ -102,7 +112,7 @@ private:
                 } else if (const auto* truth = value.as_boolean()) {
                     variable.value = truth->get() ? 1.0 : 0.0;
                 } else if (const auto* real = value.as_floating_point(); real && std::isnan(real->get())) {
-                    variable.value = std::numeric_limits<double>::quiet_NaN();   // an empty variable
+                    variable.value = std::numeric_limits<double>::quiet_NaN();  // an empty variable
                 } else if (const auto number = toml_.number(name, value)) {
                     variable.value = *number;
                 } else {
@@ -116,17 +126,23 @@ private:
         const auto* table = toml_.table(key, node);
         if (!table) return;
         toml_.each(*table, [&](const toml::key& name, const toml::node& value) {
-            if (name == "block_skip") block_skip(name, value, out);
-            else if (name == "optional_stop") out.optional_stop = toml_.flag(name, value).value_or(false);
-            else if (name == "single_block") out.single_block = toml_.flag(name, value).value_or(false);
-            else if (name == "dry_run") out.dry_run = toml_.flag(name, value).value_or(false);
-            else if (name == "machine_lock") out.machine_lock = toml_.flag(name, value).value_or(false);
-            else toml_.unknown(name, "block_skip, optional_stop, single_block, dry_run, machine_lock");
+            if (name == "block_skip")
+                block_skip(name, value, out);
+            else if (name == "optional_stop")
+                out.optional_stop = toml_.flag(name, value).value_or(false);
+            else if (name == "single_block")
+                out.single_block = toml_.flag(name, value).value_or(false);
+            else if (name == "dry_run")
+                out.dry_run = toml_.flag(name, value).value_or(false);
+            else if (name == "machine_lock")
+                out.machine_lock = toml_.flag(name, value).value_or(false);
+            else
+                toml_.unknown(name, "block_skip, optional_stop, single_block, dry_run, machine_lock");
         });
     }
 
     void block_skip(const toml::key& key, const toml::node& node, KeySetup& out) {
-        if (const auto* all = node.as_boolean()) {   // true: the plain "/" of level 1
+        if (const auto* all = node.as_boolean()) {  // true: the plain "/" of level 1
             if (all->get()) out.block_skip.push_back(1);
             return;
         }
@@ -154,9 +170,12 @@ private:
             if (!content) return;
             OffsetSetup& offset = out.offsets[static_cast<int>(*index)];
             toml_.each(*content, [&](const toml::key& part, const toml::node& values) {
-                if (part == "geometry") offset_values(part, values, offset.geometry);
-                else if (part == "wear") offset_values(part, values, offset.wear);
-                else toml_.unknown(part, "geometry, wear");
+                if (part == "geometry")
+                    offset_values(part, values, offset.geometry);
+                else if (part == "wear")
+                    offset_values(part, values, offset.wear);
+                else
+                    toml_.unknown(part, "geometry, wear");
             });
         });
     }
@@ -165,13 +184,18 @@ private:
         const auto* table = toml_.table(key, node);
         if (!table) return;
         toml_.each(*table, [&](const toml::key& name, const toml::node& value) {
-            if (name == "X") out.x = toml_.number(name, value);
-            else if (name == "Y") out.y = toml_.number(name, value);
-            else if (name == "Z") out.z = toml_.number(name, value);
-            else if (name == "R") out.r = toml_.number(name, value);
+            if (name == "X")
+                out.x = toml_.number(name, value);
+            else if (name == "Y")
+                out.y = toml_.number(name, value);
+            else if (name == "Z")
+                out.z = toml_.number(name, value);
+            else if (name == "R")
+                out.r = toml_.number(name, value);
             else if (name == "T") {
                 if (const auto tip = toml_.whole(name, value, 0, 9)) out.t = static_cast<double>(*tip);
-            } else toml_.unknown(name, "X, Y, Z, R (nose radius), T (tip direction)");
+            } else
+                toml_.unknown(name, "X, Y, Z, R (nose radius), T (tip direction)");
         });
     }
 
@@ -184,9 +208,12 @@ private:
             if (!content) return;
             ToolSetup& tool = out.tools[static_cast<int>(*index)];
             toml_.each(*content, [&](const toml::key& part, const toml::node& value) {
-                if (part == "name") tool.name = toml_.text(part, value).value_or("");
-                else if (part == "edge") edges(part, value, tool);
-                else toml_.unknown(part, "name, edge");
+                if (part == "name")
+                    tool.name = toml_.text(part, value).value_or("");
+                else if (part == "edge")
+                    edges(part, value, tool);
+                else
+                    toml_.unknown(part, "name, edge");
             });
         });
     }
@@ -202,8 +229,10 @@ private:
             toml_.each(*content, [&](const toml::key& name, const toml::node& value) {
                 const std::string_view word = name.str();
                 const bool numbered = word.size() > 2 && word.substr(0, 2) == "DP" && word.find_first_not_of("0123456789", 2) == std::string_view::npos;
-                if (!numbered) toml_.unknown(name, "DP1, DP2 and so on");
-                else if (const auto number_value = toml_.number(name, value)) edge[std::string(word)] = *number_value;
+                if (!numbered)
+                    toml_.unknown(name, "DP1, DP2 and so on");
+                else if (const auto number_value = toml_.number(name, value))
+                    edge[std::string(word)] = *number_value;
             });
         });
     }
@@ -217,15 +246,20 @@ private:
             SensorSetup sensor;
             toml_.each(*content, [&](const toml::key& name, const toml::node& value) {
                 if (name == "input") {
-                    if (value.is_integer()) sensor.input = std::to_string(toml_.whole(name, value, 0, kInputs - 1).value_or(0));
-                    else sensor.input = toml_.text(name, value).value_or("");
-                } else if (name == "axis") sensor.axis = toml_.text(name, value).value_or("");
-                else if (name == "at") sensor.at = toml_.number(name, value).value_or(0.0);
+                    if (value.is_integer())
+                        sensor.input = std::to_string(toml_.whole(name, value, 0, kInputs - 1).value_or(0));
+                    else
+                        sensor.input = toml_.text(name, value).value_or("");
+                } else if (name == "axis")
+                    sensor.axis = toml_.text(name, value).value_or("");
+                else if (name == "at")
+                    sensor.at = toml_.number(name, value).value_or(0.0);
                 else if (name == "direction") {
                     const auto sign = toml_.text(name, value);
                     if (sign && *sign != "-" && *sign != "+") toml_.wrong(name, value, "\"-\" or \"+\"");
                     sensor.direction = sign == "-" ? -1 : 1;
-                } else toml_.unknown(name, "input, axis, at, direction");
+                } else
+                    toml_.unknown(name, "input, axis, at, direction");
             });
             if (sensor.input.empty() || sensor.axis.empty())
                 toml_.fault(Alarm::WrongType, one.source(), "a sensor needs input, axis and at");

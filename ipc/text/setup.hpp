@@ -20,15 +20,15 @@ namespace polyturn::text {
 using AxisValues = std::map<std::string, double>;
 
 struct SetupVariable {
-    std::string name;          // "#100", "R1", "P5", "#1000", as written
-    double value = 0.0;        // NaN: empty
-    std::string text;          // of a string variable
+    std::string name;    // "#100", "R1", "P5", "#1000", as written
+    double value = 0.0;  // NaN: empty
+    std::string text;    // of a string variable
     bool is_text = false;
 };
 
 // A value that the file does not name is absent and keeps what the store has (zero in a private instance).
 struct OffsetValues {
-    std::optional<double> x, y, z, r, t;   // mm; t: tip direction 0..9
+    std::optional<double> x, y, z, r, t;  // mm; t: tip direction 0..9
 };
 struct OffsetSetup {
     OffsetValues geometry, wear;
@@ -36,27 +36,27 @@ struct OffsetSetup {
 
 struct ToolSetup {
     std::string name;
-    std::map<int, std::map<std::string, double>> edges;   // edge number -> DP1, DP2 ...
+    std::map<int, std::map<std::string, double>> edges;  // edge number -> DP1, DP2 ...
 };
 
 struct SensorSetup {
-    std::string input;         // name or number of the input
-    std::string axis;          // name of the axis in its channel
-    double at = 0.0;           // machine position as displayed, from which the input is on ...
-    int direction = 0;         // ... in this direction of travel: -1, +1; 0 in both
+    std::string input;  // name or number of the input
+    std::string axis;   // name of the axis in its channel
+    double at = 0.0;    // machine position as displayed, from which the input is on ...
+    int direction = 0;  // ... in this direction of travel: -1, +1; 0 in both
 };
 
 struct KeySetup {
-    std::vector<int> block_skip;   // levels that are on; level 1 is the plain "/"
+    std::vector<int> block_skip;  // levels that are on; level 1 is the plain "/"
     bool optional_stop = false, single_block = false, dry_run = false, machine_lock = false;
 };
 
 struct ChannelSetup {
     AxisValues machine, pos;
-    std::map<std::string, AxisValues> work;     // "G54", "G54.1P3", "shift", "G505" -> axis values
-    std::vector<SetupVariable> variables;       // in the file's order
+    std::map<std::string, AxisValues> work;  // "G54", "G54.1P3", "shift", "G505" -> axis values
+    std::vector<SetupVariable> variables;    // in the file's order
     KeySetup keys;
-    std::vector<std::string> subprograms;       // paths, already resolved against the setup file's folder
+    std::vector<std::string> subprograms;  // paths, already resolved against the setup file's folder
     std::map<int, OffsetSetup> offsets;
     std::map<int, ToolSetup> tools;
     std::vector<SensorSetup> sensors;

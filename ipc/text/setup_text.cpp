@@ -13,9 +13,12 @@ namespace {
 std::string in_quotes(std::string_view words) {
     std::string out = "\"";
     for (const char c : words) {
-        if (c == '"' || c == '\\') out += '\\', out += c;
-        else if (static_cast<unsigned char>(c) < 0x20) out += fmt::format("\\u{:04X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
-        else out += c;
+        if (c == '"' || c == '\\')
+            out += '\\', out += c;
+        else if (static_cast<unsigned char>(c) < 0x20)
+            out += fmt::format("\\u{:04X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+        else
+            out += c;
     }
     return out + '"';
 }
@@ -48,7 +51,8 @@ void channel_text(std::string& out, unsigned index, const ChannelSetup& channel)
     out += fmt::format("], optional_stop = {}, single_block = {}, dry_run = {}, machine_lock = {} }}\n", keys.optional_stop, keys.single_block, keys.dry_run,
                        keys.machine_lock);
     out += "subprograms = [";
-    for (std::size_t i = 0; i < channel.subprograms.size(); ++i) out += (i ? ", " : "") + in_quotes(std::filesystem::absolute(channel.subprograms[i]).lexically_normal().string());
+    for (std::size_t i = 0; i < channel.subprograms.size(); ++i)
+        out += (i ? ", " : "") + in_quotes(std::filesystem::absolute(channel.subprograms[i]).lexically_normal().string());
     out += "]\n";
     if (!channel.work.empty()) {
         out += "[" + head + ".work]\n";
@@ -56,7 +60,8 @@ void channel_text(std::string& out, unsigned index, const ChannelSetup& channel)
     }
     if (!channel.variables.empty()) {
         out += "[" + head + ".variables]\n";
-        for (const auto& variable : channel.variables) out += in_quotes(variable.name) + " = " + (variable.is_text ? in_quotes(variable.text) : number(variable.value)) + "\n";
+        for (const auto& variable : channel.variables)
+            out += in_quotes(variable.name) + " = " + (variable.is_text ? in_quotes(variable.text) : number(variable.value)) + "\n";
     }
     for (const auto& [index_of, values] : channel.offsets)
         out += fmt::format("[{}.offset.{}]\ngeometry = {}\nwear = {}\n", head, index_of, offset(values.geometry), offset(values.wear));

@@ -10,13 +10,19 @@ namespace polyturn::text {
 namespace {
 std::string_view kind_of(const toml::node& node) {
     switch (node.type()) {
-        case toml::node_type::table: return "a table";
-        case toml::node_type::array: return "a list";
-        case toml::node_type::string: return "a text";
+        case toml::node_type::table:
+            return "a table";
+        case toml::node_type::array:
+            return "a list";
+        case toml::node_type::string:
+            return "a text";
         case toml::node_type::integer:
-        case toml::node_type::floating_point: return "a number";
-        case toml::node_type::boolean: return "true or false";
-        default: return "a date or time";
+        case toml::node_type::floating_point:
+            return "a number";
+        case toml::node_type::boolean:
+            return "true or false";
+        default:
+            return "a date or time";
     }
 }
 
@@ -41,7 +47,7 @@ void TomlReader::each(const toml::table& table, const Take& take) {
         const toml::key* key;
         const toml::node* node;
     };
-    std::vector<Entry> entries;   // the library sorts by name; diagnoses and stimuli come in the file's order
+    std::vector<Entry> entries;  // the library sorts by name; diagnoses and stimuli come in the file's order
     for (const auto& [key, node] : table) entries.push_back({&key, &node});
     std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
         const auto &left = a.key->source().begin, &right = b.key->source().begin;

@@ -28,13 +28,13 @@ public:
     // The node as what it must be; otherwise a diagnosis that names the key, and nothing.
     const toml::table* table(const toml::key& key, const toml::node& node);
     const toml::array* array(const toml::key& key, const toml::node& node);
-    std::optional<double> number(const toml::key& key, const toml::node& node);       // finite
+    std::optional<double> number(const toml::key& key, const toml::node& node);  // finite
     std::optional<long> whole(const toml::key& key, const toml::node& node, long low, long high);
-    std::optional<bool> flag(const toml::key& key, const toml::node& node);           // true, false, 1, 0
+    std::optional<bool> flag(const toml::key& key, const toml::node& node);  // true, false, 1, 0
     std::optional<std::string> text(const toml::key& key, const toml::node& node);
     std::optional<long> whole_key(const toml::key& key, long low, long high, std::string_view what);
 
-    void unknown(const toml::key& key, std::string_view known);   // known: what could stand here
+    void unknown(const toml::key& key, std::string_view known);  // known: what could stand here
     void wrong(const toml::key& key, const toml::node& node, std::string_view wanted);
     void fault(Alarm alarm, const toml::source_region& where, std::string detail, std::uint32_t length = 1);
     Place place(const toml::source_region& where, std::uint32_t length = 1) const;

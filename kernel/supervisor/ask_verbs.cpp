@@ -30,7 +30,8 @@ bool ask(const std::string& instance, const std::string& request, std::string* a
         if (answer) *answer = *got;
         return true;
     }
-    std::string words = reply.is_discarded() ? *got : fmt::format("alarm {}: {}\n   {}\n", reply.value("number", ""), reply.value("text", ""), reply.value("remedy", ""));
+    std::string words =
+        reply.is_discarded() ? *got : fmt::format("alarm {}: {}\n   {}\n", reply.value("number", ""), reply.value("text", ""), reply.value("remedy", ""));
     std::fwrite(words.data(), 1, words.size(), stderr);
     return false;
 }
@@ -39,14 +40,16 @@ int press_words(const CommandLine& line) {
     Json request;
     request["do"] = line.verb == Verb::Press ? "press" : line.verb == Verb::Set ? "set" : "release";
     request["words"] = line.words;
-    request["folder"] = std::filesystem::current_path().string();   // programs are named from where the caller stands
+    request["folder"] = std::filesystem::current_path().string();  // programs are named from where the caller stands
     return ask(line.instance.empty() ? "polyturn" : line.instance, request.dump(-1, ' ', false, Json::error_handler_t::replace)) ? 0 : 2;
 }
 
 int show_status(const CommandLine& line) {
     std::vector<std::string> instances;
-    if (line.instance.empty()) instances = running_instances();
-    else instances.push_back(line.instance);
+    if (line.instance.empty())
+        instances = running_instances();
+    else
+        instances.push_back(line.instance);
     if (instances.empty()) {
         print(line.json ? "[]\n" : "No controller runs here.\n");
         return 0;
@@ -76,8 +79,11 @@ int show_alarms(const CommandLine& line) {
         return 0;
     }
     for (const auto& alarm : reply["alarms"]) {
-        const std::string number = !alarm.contains("number") ? std::string("message") : alarm["number"].is_string() ? alarm["number"].get<std::string>() : alarm["number"].dump();
-        print(fmt::format("{:>10.3f} s  {:<4} {:<8} {}\n", alarm.value("t", 0.0), alarm.contains("ch") ? fmt::format("L{}", alarm.value("ch", 0)) : std::string(), number, alarm.value("text", "")));
+        const std::string number = !alarm.contains("number")     ? std::string("message")
+                                   : alarm["number"].is_string() ? alarm["number"].get<std::string>()
+                                                                 : alarm["number"].dump();
+        print(fmt::format("{:>10.3f} s  {:<4} {:<8} {}\n", alarm.value("t", 0.0),
+                          alarm.contains("ch") ? fmt::format("L{}", alarm.value("ch", 0)) : std::string(), number, alarm.value("text", "")));
     }
     if (reply["alarms"].empty()) print("No alarms.\n");
     return 0;

@@ -3,10 +3,10 @@
 #include "kernel/supervisor/options.hpp"
 
 namespace polyturn::supervisor {
-int press_words(const CommandLine& line);      // press, set, release
+int press_words(const CommandLine& line);  // press, set, release
 int show_status(const CommandLine& line);
 int show_alarms(const CommandLine& line);
 int clean_up();
 // Sends a request (JSON) and reads the answer; false when it was refused, then the reason stands on stderr.
 bool ask(const std::string& instance, const std::string& request, std::string* answer = nullptr);
-}
+}  // namespace polyturn::supervisor

@@ -16,7 +16,10 @@ namespace fs = std::filesystem;
 
 int run_benchmarks(const std::vector<std::string>& arguments) {
     if (std::find(arguments.begin(), arguments.end(), "--help") != arguments.end()) {
-        std::fputs("polyturn bench [NAME ...] [options of Google Benchmark]\n  Runs the benchmark programs that lie beside polyturn, or those whose name holds NAME.\n", stdout);
+        std::fputs(
+            "polyturn bench [NAME ...] [options of Google Benchmark]\n  Runs the benchmark programs that lie beside polyturn, or those whose name holds "
+            "NAME.\n",
+            stdout);
         return 0;
     }
     std::vector<std::string> names, options;
@@ -25,7 +28,8 @@ int run_benchmarks(const std::vector<std::string>& arguments) {
     std::error_code none;
     for (const auto& entry : fs::directory_iterator(text::program_folder(), none)) {
         const std::string name = entry.path().filename().string();
-        const bool wanted = names.empty() || std::any_of(names.begin(), names.end(), [&](const std::string& part) { return name.find(part) != std::string::npos; });
+        const bool wanted =
+            names.empty() || std::any_of(names.begin(), names.end(), [&](const std::string& part) { return name.find(part) != std::string::npos; });
         if (name.size() > 6 && name.compare(name.size() - 6, 6, "_bench") == 0 && wanted) programs.push_back(name);
     }
     std::sort(programs.begin(), programs.end());

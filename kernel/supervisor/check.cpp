@@ -4,9 +4,9 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <set>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "ipc/text/read_file.hpp"
 #include "kernel/supervisor/child.hpp"
@@ -29,7 +29,7 @@ struct Interpreter {
     Child child;
     std::string buffer;
     bool ended = false, alarmed = false, killed = false;
-    std::string alarm_to_tell;            // for people; an interpreter that refuses its input (status 2) has told them itself
+    std::string alarm_to_tell;  // for people; an interpreter that refuses its input (status 2) has told them itself
     std::size_t waits_behind = 0;
 
     // The next line without its end; false at the end of the output.
@@ -54,10 +54,10 @@ struct Interpreter {
         return true;
     }
     void go() const {
-        if (write(child.input_fd(), "go\n", 3) < 0) {}   // it has ended: the next read says so
+        if (write(child.input_fd(), "go\n", 3) < 0) {}  // it has ended: the next read says so
     }
 
-    std::size_t start = 0, scanned = 0;   // buffer: the next line begins at start; no end of line in [start, scanned)
+    std::size_t start = 0, scanned = 0;  // buffer: the next line begins at start; no end of line in [start, scanned)
 };
 
 class CheckRun {
@@ -92,7 +92,7 @@ private:
         for (auto& argument : plan_.machine_arguments()) arguments.push_back(std::move(argument));
         if (options_.variables) arguments.push_back("--variables");
         if (plan_.programs.size() == 1) arguments.push_back("--alone");
-        if (plan_.programs.size() == 1) arguments.push_back("--alone");   // nobody else can have started its spindle
+        if (plan_.programs.size() == 1) arguments.push_back("--alone");  // nobody else can have started its spindle
         arguments.push_back(program.file);
         return Child::start("polyturn-channel", arguments, {true, true});
     }
@@ -117,7 +117,7 @@ private:
                         }
                     } else if (!interpreter.ended && interpreters_.size() == 1) {
                         interpreter.go();
-                        matcher_ = {};   // one program alone: nobody to match with
+                        matcher_ = {};  // one program alone: nobody to match with
                     }
                 }
             }
@@ -152,18 +152,21 @@ private:
         interpreter.child.end_within(10'000);
         const int status = interpreter.child.status();
         if (status < 0 || status > 2) {
-            report(Diagnosis{Alarm::ProcessDied, {}, {}, fmt::format("the interpreter of channel {} {}", interpreter.channel, describe_end(status))}, Dialect::Polyturn, interpreter.channel);
+            report(Diagnosis{Alarm::ProcessDied, {}, {}, fmt::format("the interpreter of channel {} {}", interpreter.channel, describe_end(status))},
+                   Dialect::Polyturn, interpreter.channel);
             interpreter.alarmed = true;
         }
-        if (status == 2) unreadable_ = true;
-        else tell_alarm(interpreter);
+        if (status == 2)
+            unreadable_ = true;
+        else
+            tell_alarm(interpreter);
         if (status != 0) ++alarms_;
         matcher_.end(interpreter.channel, interpreter.alarmed || status != 0);
     }
 
     void tell_alarm(Interpreter& interpreter) {
         if (interpreter.alarm_to_tell.empty()) return;
-        output_.flush();   // in the right order where both go to one screen
+        output_.flush();  // in the right order where both go to one screen
         print_alarm_event(interpreter.alarm_to_tell, plan_.dialect(interpreter.channel));
         interpreter.alarm_to_tell.clear();
     }
@@ -212,7 +215,8 @@ private:
         std::string places;
         for (const auto& [channel, wait] : fault.places) {
             const auto content = text::read_text_file(wait.file);
-            places += fmt::format("   channel {}, {}:{}\n{:5} | {}\n", channel, wait.file, wait.line, wait.line, content ? text::line_of(*content, wait.line) : std::string_view());
+            places += fmt::format("   channel {}, {}:{}\n{:5} | {}\n", channel, wait.file, wait.line, wait.line,
+                                  content ? text::line_of(*content, wait.line) : std::string_view());
         }
         out.insert(remedy_at + 1, places);
         std::fwrite(out.data(), 1, out.size(), stderr);
@@ -236,8 +240,10 @@ int check_programs(const JobOptions& options) {
     std::set<unsigned> not_waited_for;
     if (plan && !options.scenario.empty()) {
         const auto scenario = text::load_scenario(options.scenario);
-        if (!scenario) failure.diagnoses.push_back(scenario.diagnosis());
-        else if (const auto player = ScenarioPlayer::make(*scenario, *plan->machine, failure.diagnoses)) not_waited_for = player->channels_not_waited_for();
+        if (!scenario)
+            failure.diagnoses.push_back(scenario.diagnosis());
+        else if (const auto player = ScenarioPlayer::make(*scenario, *plan->machine, failure.diagnoses))
+            not_waited_for = player->channels_not_waited_for();
     }
     if (!failure.diagnoses.empty()) {
         Output output;

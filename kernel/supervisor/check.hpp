@@ -3,5 +3,5 @@
 #include "kernel/supervisor/options.hpp"
 
 namespace polyturn::supervisor {
-int check_programs(const JobOptions& options);   // exit status
+int check_programs(const JobOptions& options);  // exit status
 }

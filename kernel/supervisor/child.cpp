@@ -51,7 +51,7 @@ Result<Child> Child::start(const std::string& program, const std::vector<std::st
     const std::string path = text::program_folder() + "/" + program;
     const auto fault = [&](const char* what) { return Diagnosis{Alarm::ProcessStart, {}, {}, fmt::format("{} ({}: {})", path, what, std::strerror(errno))}; };
 
-    std::vector<char*> argv;   // everything the child needs is made before fork: after it only async-signal-safe calls
+    std::vector<char*> argv;  // everything the child needs is made before fork: after it only async-signal-safe calls
     argv.push_back(const_cast<char*>(program.c_str()));
     for (const auto& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);
@@ -64,8 +64,8 @@ Result<Child> Child::start(const std::string& program, const std::vector<std::st
     if (pid < 0) return fault("fork");
     if (pid == 0) {
         prctl(PR_SET_PDEATHSIG, SIGKILL);
-        if (getppid() != parent) _exit(127);   // the parent died before prctl
-        setpgid(0, 0);                         // Ctrl-C is for the supervisor, which stops its children in order
+        if (getppid() != parent) _exit(127);  // the parent died before prctl
+        setpgid(0, 0);                        // Ctrl-C is for the supervisor, which stops its children in order
         if (pipes.input) dup2(in[0], 0);
         if (pipes.output) dup2(out[1], 1);
         sigset_t none;

@@ -12,12 +12,12 @@ namespace polyturn::supervisor {
 class Child {
 public:
     struct Pipes {
-        bool input = false, output = false;   // our ends become input_fd() and output_fd()
+        bool input = false, output = false;  // our ends become input_fd() and output_fd()
     };
     Child() = default;
     Child(Child&& other) noexcept;
     Child& operator=(Child&& other) noexcept;
-    ~Child();                                 // SIGKILL and reaped: nothing of a run outlives it
+    ~Child();  // SIGKILL and reaped: nothing of a run outlives it
 
     // program: name of an executable beside ours.
     static Result<Child> start(const std::string& program, const std::vector<std::string>& arguments, Pipes pipes);
@@ -25,7 +25,7 @@ public:
 
     bool running() const { return pid_ > 0; }
     pid_t pid() const { return pid_; }
-    int pidfd() const { return pidfd_; }      // readable when it has died
+    int pidfd() const { return pidfd_; }  // readable when it has died
     int input_fd() const { return input_; }
     int output_fd() const { return output_; }
     // Dead already? Reaps it then.

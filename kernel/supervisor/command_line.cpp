@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-
 #include <cstdio>
 #include <iostream>
 
@@ -154,7 +153,7 @@ CommandLine read_command_line(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        const int code = app.exit(error, std::cout, std::cerr);   // 0 for help and version
+        const int code = app.exit(error, std::cout, std::cerr);  // 0 for help and version
         line.exit_status = code == 0 ? 0 : 2;
         return line;
     }

@@ -12,18 +12,24 @@ namespace polyturn::supervisor {
 
 namespace {
 
-constexpr auto kAttachPatience = std::chrono::seconds(20);   // a loaded computer that starts sanitised programs
+constexpr auto kAttachPatience = std::chrono::seconds(20);  // a loaded computer that starts sanitised programs
 
 std::atomic<bool> g_end{false};
 
 std::string program_of(std::size_t slot) {
     switch (slot) {
-        case kProcessKernel: return "polyturn-kernel";
-        case kProcessPlc: return "polyturn-plc";
-        case kProcessStore: return "polyturn-toolmgmt";
-        case kProcessHmi: return "polyturn-hmi";
-        case kProcessCell: return "polyturn-cell";
-        default: return "polyturn-channel";
+        case kProcessKernel:
+            return "polyturn-kernel";
+        case kProcessPlc:
+            return "polyturn-plc";
+        case kProcessStore:
+            return "polyturn-toolmgmt";
+        case kProcessHmi:
+            return "polyturn-hmi";
+        case kProcessCell:
+            return "polyturn-cell";
+        default:
+            return "polyturn-channel";
     }
 }
 
@@ -31,7 +37,7 @@ std::string program_of(std::size_t slot) {
 
 void catch_signals() {
     struct sigaction action {};
-    action.sa_handler = [](int) {};   // no SA_RESTART: waits return
+    action.sa_handler = [](int) {};  // no SA_RESTART: waits return
     sigaction(SIGCHLD, &action, nullptr);
     action.sa_handler = [](int) { g_end = true; };
     sigaction(SIGTERM, &action, nullptr);
@@ -54,7 +60,7 @@ Result<std::unique_ptr<Controller>> Controller::start(ControllerPlan plan) {
 }
 
 Controller::~Controller() {
-    children_.clear();   // SIGKILL and reaped
+    children_.clear();  // SIGKILL and reaped
     if (own_) remove_instance(plan_.instance);
 }
 
@@ -128,7 +134,8 @@ Result<PeerSegment<Layout>> Controller::attach(std::size_t slot, std::size_t num
         } else if (peer.diagnosis().alarm == Alarm::SegmentLayout) {
             return peer.diagnosis();
         }
-        if (children_[slot].reap()) return Diagnosis{Alarm::ProcessDied, {}, {}, fmt::format("{} {} while it started", program_of(slot), describe_end(children_[slot].status()))};
+        if (children_[slot].reap())
+            return Diagnosis{Alarm::ProcessDied, {}, {}, fmt::format("{} {} while it started", program_of(slot), describe_end(children_[slot].status()))};
         if (std::chrono::steady_clock::now() > until) return Diagnosis{Alarm::NoProgress, {}, {}, fmt::format("{} does not get ready", program_of(slot))};
         if (end_requested()) return Diagnosis{Alarm::ProcessDied, {}, {}, "stopped while it started"};
     }
@@ -148,7 +155,7 @@ std::uint64_t Controller::send(Command command, std::int64_t tick) {
     }
     while (!commands_->push(command)) {
         own().bell.ring();
-        if (children_[kProcessKernel].reap() || !children_[kProcessKernel].running()) return command.seq;   // nobody will read it
+        if (children_[kProcessKernel].reap() || !children_[kProcessKernel].running()) return command.seq;  // nobody will read it
         sleep_ms(1);
     }
     own().bell.ring();

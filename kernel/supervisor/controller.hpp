@@ -19,11 +19,11 @@ struct ControllerPlan {
     std::string instance;
     std::uint64_t generation = 1;
     RunOptions options{};
-    std::vector<std::string> machine_arguments;     // for toolmgmt: --machine, --set, --param-file, --setup
-    std::vector<std::string> store_arguments;       // --memory or --store DIR
-    std::vector<std::string> channel_arguments;     // --setup FILE, --variables
-    std::vector<unsigned> channels;                 // that get a process
-    std::string plc_library;                        // empty: the built-in one
+    std::vector<std::string> machine_arguments;  // for toolmgmt: --machine, --set, --param-file, --setup
+    std::vector<std::string> store_arguments;    // --memory or --store DIR
+    std::vector<std::string> channel_arguments;  // --setup FILE, --variables
+    std::vector<unsigned> channels;              // that get a process
+    std::string plc_library;                     // empty: the built-in one
 };
 
 class Controller {
@@ -35,7 +35,7 @@ public:
 
     const KernelSegment& kernel() const { return **kernel_; }
     SupervisorSegment& own() { return **own_; }
-    const ChannelSegment* channel(unsigned number) const;    // nullptr: it has no process
+    const ChannelSegment* channel(unsigned number) const;  // nullptr: it has no process
     const StoreSegment& store() const { return **store_; }
     const std::string& instance() const { return plan_.instance; }
     const ControllerPlan& plan() const { return plan_; }
@@ -53,8 +53,8 @@ public:
     void watch(const std::function<void(std::size_t slot, int status)>& on_death);
     void act(const ProcessAction& action, const std::function<void(std::size_t slot, int status)>& on_death);
     bool running(std::size_t slot) const;
-    Result<void> restart(std::size_t slot);                  // a successor, after watch() has reported the death
-    void beat();                                             // "the supervisor lives"
+    Result<void> restart(std::size_t slot);  // a successor, after watch() has reported the death
+    void beat();                             // "the supervisor lives"
     // Waits until the kernel rings, a child dies or the time is over.
     void wait(std::uint32_t seen, std::int64_t timeout_us, int spins) const;
     std::uint32_t bell() const { return kernel().supervisor_bell.seen(); }

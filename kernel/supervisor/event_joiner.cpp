@@ -39,7 +39,7 @@ std::string_view EventJoiner::begin(unsigned channel, std::uint64_t number, doub
     const auto found = own.waiting.find(number);
     if (found == own.waiting.end()) return {};
     std::string text = std::move(found->second);
-    own.waiting.erase(own.waiting.begin(), std::next(found));   // older ones were discarded with their records
+    own.waiting.erase(own.waiting.begin(), std::next(found));  // older ones were discarded with their records
     own.last = text;
     const std::string_view kind = event_kind(text);
     Entry entry;
@@ -58,7 +58,7 @@ void EventJoiner::end(unsigned channel, std::uint64_t number, double t_s) {
     if (found == own.open.end()) return;
     const auto entry = entries_.find(found->second);
     own.open.erase(found);
-    if (entry == entries_.end()) return;   // given out already: it showed no end
+    if (entry == entries_.end()) return;  // given out already: it showed no end
     entry->second.end_s = rounded(t_s);
     entry->second.ended = entry->second.complete = true;
 }

@@ -60,16 +60,16 @@ private:
         }
     };
     struct Entry {
-        std::string text;         // ends with '}'
+        std::string text;  // ends with '}'
         std::uint64_t number = 0;
         double end_s = -1.0;
-        bool complete = false;    // may be given out
-        bool shows_end = false;   // a move or dwell
+        bool complete = false;   // may be given out
+        bool shows_end = false;  // a move or dwell
         bool ended = false;
     };
     struct Channel {
-        std::map<std::uint64_t, std::string> waiting;         // notes whose block has not begun
-        std::unordered_map<std::uint64_t, Key> open;          // begun, not ended
+        std::map<std::uint64_t, std::string> waiting;  // notes whose block has not begun
+        std::unordered_map<std::uint64_t, Key> open;   // begun, not ended
         std::string last;
     };
     std::string_view insert(unsigned channel, double t_s, std::string text, Entry entry, Key* key_out);

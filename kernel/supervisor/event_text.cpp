@@ -11,11 +11,16 @@ void append_json_text(std::string& out, std::string_view words) {
     out += '"';
     for (const char c : words) {
         const auto byte = static_cast<unsigned char>(c);
-        if (c == '"' || c == '\\') out += '\\', out += c;
-        else if (c == '\n') out += "\\n";
-        else if (c == '\t') out += "\\t";
-        else if (byte < 0x20) fmt::format_to(std::back_inserter(out), "\\u{:04x}", static_cast<unsigned>(byte));
-        else out += c;
+        if (c == '"' || c == '\\')
+            out += '\\', out += c;
+        else if (c == '\n')
+            out += "\\n";
+        else if (c == '\t')
+            out += "\\t";
+        else if (byte < 0x20)
+            fmt::format_to(std::back_inserter(out), "\\u{:04x}", static_cast<unsigned>(byte));
+        else
+            out += c;
     }
     out += '"';
 }
@@ -39,9 +44,7 @@ void append_json_number(std::string& out, double value) {
     out += digits;
 }
 
-EventText::EventText(std::string_view ev) : out_("{") {
-    text("ev", ev);
-}
+EventText::EventText(std::string_view ev) : out_("{") { text("ev", ev); }
 
 void EventText::key(std::string_view name) {
     if (out_.size() > 1) out_ += ',';

@@ -12,11 +12,11 @@ class EventText {
 public:
     explicit EventText(std::string_view ev);
     EventText& text(std::string_view key, std::string_view value);
-    EventText& number(std::string_view key, double value);        // NaN becomes null
+    EventText& number(std::string_view key, double value);  // NaN becomes null
     EventText& raw(std::string_view key, std::string_view json);
     // The alarm's number: a number where it has only digits ("034" is 34), otherwise a text ("PT0320").
     EventText& alarm_number(std::string_view value);
-    std::string line() &&;                                        // with its end of line
+    std::string line() &&;  // with its end of line
 
 private:
     void key(std::string_view name);

@@ -61,9 +61,12 @@ private:
                 channel = 1;
                 while (plan_.programs.count(channel)) ++channel;
             }
-            if (channel > kMaxChannels) fault(Alarm::SetupChannelUnknown, argument, channel);
-            else if (plan_.programs.count(channel)) fault(Alarm::ProgramArgument, fmt::format("channel {} has two programs: {} and {}", channel, plan_.programs[channel].file, file));
-            else plan_.programs[channel].file = file;
+            if (channel > kMaxChannels)
+                fault(Alarm::SetupChannelUnknown, argument, channel);
+            else if (plan_.programs.count(channel))
+                fault(Alarm::ProgramArgument, fmt::format("channel {} has two programs: {} and {}", channel, plan_.programs[channel].file, file));
+            else
+                plan_.programs[channel].file = file;
         }
     }
 
@@ -103,7 +106,7 @@ private:
             for (auto& diagnosis : loaded.diagnoses) failure_.diagnoses.push_back(std::move(diagnosis));
             return false;
         }
-        for (const auto& diagnosis : loaded.diagnoses) print_diagnosis(diagnosis, Dialect::Polyturn);   // warnings
+        for (const auto& diagnosis : loaded.diagnoses) print_diagnosis(diagnosis, Dialect::Polyturn);  // warnings
         plan_.machine = std::make_unique<MachineConfig>(derive_machine_config(*plan_.table));
         return true;
     }
@@ -182,7 +185,8 @@ private:
         }
         const auto check = [&](const text::AxisValues& values, std::string_view what) {
             for (const auto& [axis, value] : values)
-                if (!find_axis(*plan_.machine, number, axis)) fault(Alarm::SetupAxisUnknown, fmt::format("channel {} has no axis {} ({})", number, axis, what), 0.0, place);
+                if (!find_axis(*plan_.machine, number, axis))
+                    fault(Alarm::SetupAxisUnknown, fmt::format("channel {} has no axis {} ({})", number, axis, what), 0.0, place);
         };
         check(channel.machine, "machine");
         check(channel.pos, "pos");
@@ -197,8 +201,14 @@ private:
 }  // namespace
 
 JobPlan::JobPlan(JobPlan&& other) noexcept
-    : source(std::move(other.source)), table(std::move(other.table)), machine(std::move(other.machine)), room_file(std::move(other.room_file)),
-      programs(std::move(other.programs)), setup(std::move(other.setup)), setup_path(std::move(other.setup_path)), job(std::move(other.job)),
+    : source(std::move(other.source)),
+      table(std::move(other.table)),
+      machine(std::move(other.machine)),
+      room_file(std::move(other.room_file)),
+      programs(std::move(other.programs)),
+      setup(std::move(other.setup)),
+      setup_path(std::move(other.setup_path)),
+      job(std::move(other.job)),
       memory_files(std::exchange(other.memory_files, {})) {}
 
 JobPlan::~JobPlan() {
@@ -229,9 +239,7 @@ Dialect dialect_of(std::string_view language) {
     return Dialect::Polyturn;
 }
 
-std::string language_of(const params::Table& table, unsigned channel) {
-    return std::string(params::get_text(table, params::pt_language, channel));
-}
+std::string language_of(const params::Table& table, unsigned channel) { return std::string(params::get_text(table, params::pt_language, channel)); }
 
 void print_diagnosis(const Diagnosis& diagnosis, Dialect dialect) {
     std::string content, line;
@@ -248,7 +256,8 @@ void print_alarm_event(std::string_view event_text, Dialect dialect) {
     if (event.is_discarded()) return;
     const std::string words = event.value("text", "");
     std::string number;
-    if (const auto found = event.find("number"); found != event.end()) number = found->is_string() ? found->get<std::string>() : std::to_string(found->get<long>());
+    if (const auto found = event.find("number"); found != event.end())
+        number = found->is_string() ? found->get<std::string>() : std::to_string(found->get<long>());
     if (dialect == Dialect::Fanuc && number.size() < 3 && number.find_first_not_of("0123456789") == std::string::npos) number.insert(0, 3 - number.size(), '0');
     const std::string remedy = event.value("remedy", "");
     const std::string file = event.value("file", "");

@@ -16,10 +16,10 @@
 namespace polyturn::supervisor {
 
 struct PlannedProgram {
-    std::string file;        // as written: events name it so
-    std::string language;    // never empty
+    std::string file;      // as written: events name it so
+    std::string language;  // never empty
     Dialect dialect = Dialect::Polyturn;
-    bool language_chosen = false;   // by option or job, rather than by the machine
+    bool language_chosen = false;  // by option or job, rather than by the machine
 };
 
 struct JobPlan {
@@ -27,11 +27,11 @@ struct JobPlan {
     std::unique_ptr<params::Table> table;
     std::unique_ptr<MachineConfig> machine;
     std::string room_file;
-    std::map<unsigned, PlannedProgram> programs;    // by channel
-    text::Setup setup;                              // zeros of the job included
-    std::string setup_path;                         // for the other processes; empty: none
+    std::map<unsigned, PlannedProgram> programs;  // by channel
+    text::Setup setup;                            // zeros of the job included
+    std::string setup_path;                       // for the other processes; empty: none
     std::optional<text::Job> job;
-    std::vector<int> memory_files;                  // of files that were put together here
+    std::vector<int> memory_files;  // of files that were put together here
 
     Dialect dialect(unsigned channel) const;
     JobPlan() = default;
@@ -45,7 +45,7 @@ struct JobPlan {
 // Diagnoses of plan_job: what to print and with which exit status to end.
 struct PlanFailure {
     std::vector<Diagnosis> diagnoses;
-    int exit_status = 2;     // 1: a contradiction in the configuration; 2: unreadable input
+    int exit_status = 2;  // 1: a contradiction in the configuration; 2: unreadable input
 };
 
 std::optional<JobPlan> plan_job(const JobOptions& options, PlanFailure& failure);
@@ -54,7 +54,7 @@ std::optional<JobPlan> plan_job(const JobOptions& options, PlanFailure& failure)
 void print_diagnosis(const Diagnosis& diagnosis, Dialect dialect);
 // The same from an alarm event that a channel made.
 void print_alarm_event(std::string_view event_text, Dialect dialect);
-Dialect dialect_of(std::string_view language);   // Polyturn for a name that is none
+Dialect dialect_of(std::string_view language);  // Polyturn for a name that is none
 std::string language_of(const params::Table& table, unsigned channel);
 
 }  // namespace polyturn::supervisor

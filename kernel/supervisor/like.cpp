@@ -14,7 +14,7 @@ namespace polyturn::supervisor {
 
 namespace {
 
-constexpr std::size_t kFirstKeptVariable = 500;   // ChannelStore::variables[0] is #500; the upper half belongs to other languages
+constexpr std::size_t kFirstKeptVariable = 500;  // ChannelStore::variables[0] is #500; the upper half belongs to other languages
 constexpr std::size_t kNumberedVariables = 500;
 
 text::OffsetValues offset_values(const std::array<double, 3>& lengths, double radius) {
@@ -66,7 +66,8 @@ Result<LikeValues> values_of_controller(const std::string& instance) {
     out.parameter_lines = params::export_lines(*table, params::Content::All);
     const MachineConfig machine = derive_machine_config(*table);
     for (unsigned number = 1; number <= kMaxChannels; ++number)
-        if (machine.channel(number).exists() && (*store)->channels[number - 1].read(*channel)) read_channel(*channel, machine, number, out.setup.channels[number]);
+        if (machine.channel(number).exists() && (*store)->channels[number - 1].read(*channel))
+            read_channel(*channel, machine, number, out.setup.channels[number]);
     return out;
 }
 

@@ -8,8 +8,8 @@
 namespace polyturn::supervisor {
 
 struct LikeValues {
-    std::string parameter_lines;      // all of them, to be read on top of the machine
-    text::Setup setup;                // what the setup of the run wins over
+    std::string parameter_lines;  // all of them, to be read on top of the machine
+    text::Setup setup;            // what the setup of the run wins over
 };
 Result<LikeValues> values_of_controller(const std::string& instance);
 

@@ -42,7 +42,8 @@ Result<std::unique_ptr<Picture>> take_picture(const std::string& instance) {
     auto store = PeerSegment<StoreSegment>::attach(instance);
     if (!store) return store.diagnosis();
     // What a killed controller left behind says nothing about now.
-    if (!process_lives((*supervisor)->header.writer_pid) || !process_lives((*kernel)->header.writer_pid)) return Diagnosis{Alarm::SegmentMissing, {}, {}, instance};
+    if (!process_lives((*supervisor)->header.writer_pid) || !process_lives((*kernel)->header.writer_pid))
+        return Diagnosis{Alarm::SegmentMissing, {}, {}, instance};
     auto picture = std::make_unique<Picture>();
     auto table = std::make_unique<params::Table>();
     if (!(*kernel)->status.read(picture->status) || !(*store)->parameters.read(*table)) return Diagnosis{Alarm::SegmentNotReady, {}, {}, instance};
@@ -50,7 +51,8 @@ Result<std::unique_ptr<Picture>> take_picture(const std::string& instance) {
     picture->tick_s = static_cast<double>((*kernel)->tick_ns.load(std::memory_order_acquire)) * 1e-9;
     for (std::size_t slot = 0; slot < kProcesses; ++slot) {
         const ProcessEntry& entry = (*supervisor)->processes[slot];
-        if (entry.state.load(std::memory_order_acquire) == static_cast<std::uint32_t>(ProcessState::Running)) picture->processes.emplace_back(process_name(slot), entry.pid);
+        if (entry.state.load(std::memory_order_acquire) == static_cast<std::uint32_t>(ProcessState::Running))
+            picture->processes.emplace_back(process_name(slot), entry.pid);
     }
     for (unsigned number = 1; number <= kMaxChannels; ++number) {
         if (!picture->machine.channel(number).exists()) continue;
@@ -71,7 +73,9 @@ std::vector<std::string> running_instances() {
     constexpr std::string_view kHead = "polyturn.", kTail = ".supervisor";
     for (const auto& entry : std::filesystem::directory_iterator("/dev/shm", none)) {
         const std::string name = entry.path().filename().string();
-        if (name.size() <= kHead.size() + kTail.size() || name.compare(0, kHead.size(), kHead) != 0 || name.compare(name.size() - kTail.size(), kTail.size(), kTail) != 0) continue;
+        if (name.size() <= kHead.size() + kTail.size() || name.compare(0, kHead.size(), kHead) != 0 ||
+            name.compare(name.size() - kTail.size(), kTail.size(), kTail) != 0)
+            continue;
         const std::string instance = name.substr(kHead.size(), name.size() - kHead.size() - kTail.size());
         const auto segment = PeerSegment<SupervisorSegment>::attach(instance);
         if (segment && process_lives((*segment)->header.writer_pid)) out.push_back(instance);
@@ -90,29 +94,34 @@ Result<std::string> status_json(const std::string& instance) {
         return out;
     };
     std::string axes = "[", spindles = "[", channels = "[", processes = "[";
-    const auto comma = [](std::string& list) { if (list.size() > 1) list += ','; };
+    const auto comma = [](std::string& list) {
+        if (list.size() > 1) list += ',';
+    };
     for (std::size_t i = 0; i < p.machine.last_axis; ++i) {
         const AxisConfig& config = p.machine.axes[i];
         const AxisStatus& axis = p.status.axes[i];
         if (!config.exists()) continue;
         comma(axes);
-        axes += fmt::format("{{\"axis\":\"A{}\",\"name\":\"{}\",\"channel\":{},\"cmd\":{},\"act\":{},\"referenced\":{},\"moving\":{},\"fault\":{}}}", i + 1, config.name_text(), config.channel,
-                            number(axis.cmd), number(axis.act), (axis.flags & kReferenced) != 0, (axis.flags & kMoving) != 0, (axis.flags & kDriveFault) != 0);
+        axes += fmt::format("{{\"axis\":\"A{}\",\"name\":\"{}\",\"channel\":{},\"cmd\":{},\"act\":{},\"referenced\":{},\"moving\":{},\"fault\":{}}}", i + 1,
+                            config.name_text(), config.channel, number(axis.cmd), number(axis.act), (axis.flags & kReferenced) != 0,
+                            (axis.flags & kMoving) != 0, (axis.flags & kDriveFault) != 0);
     }
     for (std::size_t i = 0; i < p.machine.last_spindle; ++i) {
         if (!p.machine.spindles[i].exists()) continue;
         const SpindleStatus& spindle = p.status.spindles[i];
         comma(spindles);
-        spindles += fmt::format("{{\"spindle\":\"S{}\",\"command\":{},\"speed\":{},\"angle\":{},\"override\":{},\"owner\":{}}}", i + 1, number(spindle.command), number(spindle.speed),
-                                number(spindle.angle), number(spindle.override), spindle.owner);
+        spindles += fmt::format("{{\"spindle\":\"S{}\",\"command\":{},\"speed\":{},\"angle\":{},\"override\":{},\"owner\":{}}}", i + 1, number(spindle.command),
+                                number(spindle.speed), number(spindle.angle), number(spindle.override), spindle.owner);
     }
     for (std::size_t i = 0; i < p.machine.last_channel; ++i) {
         if (!p.machine.channels[i].exists()) continue;
         const ChannelStatus& channel = p.status.channels[i];
         comma(channels);
-        channels += fmt::format("{{\"ch\":{},\"state\":\"{}\",\"mode\":\"{}\",\"line\":{},\"feed_override\":{},\"rapid_override\":{},\"wait_code\":{},\"parts\":{},\"cycle\":{},\"cutting\":{},\"rapid\":{},\"waiting\":{}", i + 1,
-                                state_text(channel.state), mode_text(channel.mode), channel.line, number(channel.feed_override), number(channel.rapid_override),
-                                channel.wait_code, channel.parts, number(channel.cycle_s), number(channel.cutting_s), number(channel.rapid_s), number(channel.waiting_s));
+        channels += fmt::format(
+            "{{\"ch\":{},\"state\":\"{}\",\"mode\":\"{}\",\"line\":{},\"feed_override\":{},\"rapid_override\":{},\"wait_code\":{},\"parts\":{},\"cycle\":{},"
+            "\"cutting\":{},\"rapid\":{},\"waiting\":{}",
+            i + 1, state_text(channel.state), mode_text(channel.mode), channel.line, number(channel.feed_override), number(channel.rapid_override),
+            channel.wait_code, channel.parts, number(channel.cycle_s), number(channel.cutting_s), number(channel.rapid_s), number(channel.waiting_s));
         if (!p.program[i].empty()) channels += ",\"program\":", append_json_text(channels, p.program[i]);
         channels += '}';
     }
@@ -122,8 +131,9 @@ Result<std::string> status_json(const std::string& instance) {
     }
     std::string out = "{\"instance\":";
     append_json_text(out, instance);
-    out += fmt::format(",\"machine\":\"{}\",\"seconds\":{},\"alarms\":{},\"channels\":{}],\"axes\":{}],\"spindles\":{}],\"processes\":{}]}}", machine_text(p.status.machine_state),
-                       number(static_cast<double>(p.status.tick) * p.tick_s), p.status.alarm_count, channels, axes, spindles, processes);
+    out += fmt::format(",\"machine\":\"{}\",\"seconds\":{},\"alarms\":{},\"channels\":{}],\"axes\":{}],\"spindles\":{}],\"processes\":{}]}}",
+                       machine_text(p.status.machine_state), number(static_cast<double>(p.status.tick) * p.tick_s), p.status.alarm_count, channels, axes,
+                       spindles, processes);
     return out;
 }
 
@@ -131,20 +141,23 @@ Result<std::string> status_page(const std::string& instance) {
     const auto taken = take_picture(instance);
     if (!taken) return taken.diagnosis();
     const Picture& p = **taken;
-    std::string out = fmt::format("{}: machine {}, {:.1f} s, {} alarms\n", instance, machine_text(p.status.machine_state), static_cast<double>(p.status.tick) * p.tick_s, p.status.alarm_count);
+    std::string out = fmt::format("{}: machine {}, {:.1f} s, {} alarms\n", instance, machine_text(p.status.machine_state),
+                                  static_cast<double>(p.status.tick) * p.tick_s, p.status.alarm_count);
     for (std::size_t i = 0; i < p.machine.last_channel; ++i) {
         if (!p.machine.channels[i].exists()) continue;
         const ChannelStatus& channel = p.status.channels[i];
         out += fmt::format("  L{:<2} {:<12} {:<10} {}{}{}\n", i + 1, state_text(channel.state), mode_text(channel.mode),
-                           p.program[i].empty() ? std::string("no program") : std::filesystem::path(p.program[i]).filename().string(), channel.line ? fmt::format(":{}", channel.line) : std::string(),
+                           p.program[i].empty() ? std::string("no program") : std::filesystem::path(p.program[i]).filename().string(),
+                           channel.line ? fmt::format(":{}", channel.line) : std::string(),
                            channel.wait_code ? fmt::format("   waits at {}", channel.wait_code) : std::string());
     }
     for (std::size_t i = 0; i < p.machine.last_axis; ++i) {
         const AxisConfig& config = p.machine.axes[i];
         if (!config.exists()) continue;
         const AxisStatus& axis = p.status.axes[i];
-        out += fmt::format("  A{:<2} {:<3} L{:<2} {:>12.4f} {}{}{}\n", i + 1, config.name_text(), config.channel, config.diameter ? 2 * axis.act : axis.act,
-                           axis.flags & kReferenced ? "" : "not referenced ", axis.flags & kMoving ? "moves " : "", axis.flags & kDriveFault ? "drive fault" : "");
+        out +=
+            fmt::format("  A{:<2} {:<3} L{:<2} {:>12.4f} {}{}{}\n", i + 1, config.name_text(), config.channel, config.diameter ? 2 * axis.act : axis.act,
+                        axis.flags & kReferenced ? "" : "not referenced ", axis.flags & kMoving ? "moves " : "", axis.flags & kDriveFault ? "drive fault" : "");
     }
     for (std::size_t i = 0; i < p.machine.last_spindle; ++i)
         if (p.machine.spindles[i].exists()) out += fmt::format("  S{:<2} {:>10.1f} 1/min\n", i + 1, p.status.spindles[i].speed);

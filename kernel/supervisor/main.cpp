@@ -11,22 +11,32 @@
 
 int main(int argc, char** argv) {
     using namespace polyturn::supervisor;
-    std::signal(SIGPIPE, SIG_IGN);   // a reader that goes away is no reason to leave a machine without its supervisor
+    std::signal(SIGPIPE, SIG_IGN);  // a reader that goes away is no reason to leave a machine without its supervisor
     const CommandLine line = read_command_line(argc, argv);
     switch (line.verb) {
-        case Verb::Check: return check_programs(line.job);
-        case Verb::Run: return run_programs(line.job);
-        case Verb::Start: return start_controller(line.start);
+        case Verb::Check:
+            return check_programs(line.job);
+        case Verb::Run:
+            return run_programs(line.job);
+        case Verb::Start:
+            return start_controller(line.start);
         case Verb::Press:
         case Verb::Set:
-        case Verb::Release: return press_words(line);
-        case Verb::Status: return show_status(line);
-        case Verb::Alarms: return show_alarms(line);
-        case Verb::Clean: return clean_up();
-        case Verb::Params: return params_verb(line.params);
-        case Verb::Bench: return run_benchmarks(line.rest);
+        case Verb::Release:
+            return press_words(line);
+        case Verb::Status:
+            return show_status(line);
+        case Verb::Alarms:
+            return show_alarms(line);
+        case Verb::Clean:
+            return clean_up();
+        case Verb::Params:
+            return params_verb(line.params);
+        case Verb::Bench:
+            return run_benchmarks(line.rest);
         case Verb::None:
-        case Verb::Tools: break;
+        case Verb::Tools:
+            break;
     }
     return line.exit_status;
 }

@@ -7,8 +7,8 @@ namespace polyturn::supervisor {
 
 // check and run
 struct JobOptions {
-    std::vector<std::string> programs;      // "L=FILE", "FILE" or one NAME.job.toml
-    std::vector<std::string> languages;     // "NAME" or "L=NAME"
+    std::vector<std::string> programs;   // "L=FILE", "FILE" or one NAME.job.toml
+    std::vector<std::string> languages;  // "NAME" or "L=NAME"
     std::string machine, setup, instance, like, store;
     std::vector<std::string> sets, param_files;
     bool variables = false, quiet = false;
@@ -26,7 +26,7 @@ struct StartOptions {
 };
 
 struct ParamsOptions {
-    std::string action;                     // list get set export import diff check
+    std::string action;  // list get set export import diff check
     std::vector<std::string> arguments;
     std::string machine, instance;
     bool unused = false, all = false;
@@ -36,13 +36,13 @@ enum class Verb { None, Check, Run, Start, Press, Set, Release, Status, Alarms, 
 
 struct CommandLine {
     Verb verb = Verb::None;
-    int exit_status = 0;                    // of Verb::None: help or version was printed (0), or the usage was wrong (2)
+    int exit_status = 0;  // of Verb::None: help or version was printed (0), or the usage was wrong (2)
     JobOptions job;
     StartOptions start;
     ParamsOptions params;
-    std::string instance;                   // press, set, alarms: empty means polyturn; status: all
-    std::string words;                      // press, set, release: the rest of the line
-    std::vector<std::string> rest;          // bench
+    std::string instance;           // press, set, alarms: empty means polyturn; status: all
+    std::string words;              // press, set, release: the rest of the line
+    std::vector<std::string> rest;  // bench
     bool json = false;
 };
 

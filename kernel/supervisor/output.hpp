@@ -17,12 +17,12 @@ public:
         if (live_ || buffer_.size() >= kFull) flush();
     }
     void flush();
-    bool broken() const { return broken_; }   // nobody reads any more
+    bool broken() const { return broken_; }  // nobody reads any more
 
 private:
     static constexpr std::size_t kFull = 1 << 16;
     int fd_;
-    bool live_;      // each line at once: real time, somebody watches
+    bool live_;  // each line at once: real time, somebody watches
     bool broken_ = false;
     std::string buffer_;
 };

@@ -69,10 +69,13 @@ int list(const ParamsOptions& options) {
         const bool acts = row.acts == "yes" || row.acts.empty();
         if (options.unused && acts) continue;
         const std::string searched = upper(fmt::format("{} {} {}", row.number, row.name, row.group));
-        if (!std::all_of(options.arguments.begin(), options.arguments.end(), [&](const std::string& word) { return searched.find(upper(word)) != std::string::npos; })) continue;
+        if (!std::all_of(options.arguments.begin(), options.arguments.end(),
+                         [&](const std::string& word) { return searched.find(upper(word)) != std::string::npos; }))
+            continue;
         if (row.group != group) print(fmt::format("{}{}\n", shown ? "\n" : "", row.group)), group = row.group;
         ++shown;
-        print(fmt::format("  {:<14} {:<9} {:<12} {}{}{}\n", row.number, params::to_string(row.scope), row.unit, row.name, row.meaning.empty() ? "" : ": ", row.meaning));
+        print(fmt::format("  {:<14} {:<9} {:<12} {}{}{}\n", row.number, params::to_string(row.scope), row.unit, row.name, row.meaning.empty() ? "" : ": ",
+                          row.meaning));
         if (!acts) print(fmt::format("  {:<14} no effect: {}\n", "", row.acts));
     }
     print(fmt::format("{}{} parameters{}\n", shown ? "\n" : "", shown, options.unused ? " without effect" : ""));
@@ -154,7 +157,7 @@ int import_file(const ParamsOptions& options) {
     const auto content = text::read_text_file(path);
     if (!content) return refuse(content.diagnosis());
     const params::ParsedFile parsed = params::parse_param_file(*content, path);
-    if (tell(parsed.diagnoses) || !parsed.ok()) return 2;   // none of them
+    if (tell(parsed.diagnoses) || !parsed.ok()) return 2;  // none of them
     std::vector<std::string> lines;
     for (const params::Assignment& assignment : parsed.assignments) {
         std::string line(text::line_of(*content, assignment.place.line));

@@ -62,8 +62,10 @@ std::vector<PlaneSegment> plane_segments(const RunRecord& record, const JobPlan&
         const auto before = at.find(activity.channel);
         if (before != at.end()) {
             PlaneSegment piece{activity.channel, activity.doing, before->second, *activity.to, groove_width(mounted_tool(plan, activity)), i};
-            if (activity.centre && activity.doing == Doing::Cut) add_arc(out, piece, activity);
-            else out.push_back(piece);
+            if (activity.centre && activity.doing == Doing::Cut)
+                add_arc(out, piece, activity);
+            else
+                out.push_back(piece);
         }
         at[activity.channel] = *activity.to;
     }

@@ -22,7 +22,7 @@ std::vector<PlaneSegment> plane_segments(const RunRecord& record, const JobPlan&
 
 struct Contour {
     double z_low_mm = 0.0, step_mm = 0.1;
-    std::vector<double> radius_mm;     // outside, from z_low upwards; 0 where nothing is left
+    std::vector<double> radius_mm;  // outside, from z_low upwards; 0 where nothing is left
 };
 Contour contour_after(const std::vector<PlaneSegment>& segments, const text::JobStock& stock);
 

@@ -14,7 +14,7 @@ namespace polyturn::supervisor {
 namespace {
 constexpr double kMargin_mm = 10.0;
 constexpr double kMostHeight = 620.0;
-constexpr double kAxisRoom = 34.0;     // pixels below the drawing for the Z scale
+constexpr double kAxisRoom = 34.0;  // pixels below the drawing for the Z scale
 
 // G54 of the channel in Z: where the workpiece zero lies on the machine.
 double zero_z(const JobPlan& plan, unsigned channel) {
@@ -35,11 +35,11 @@ double round_step(double range, double wanted) {
 struct PathPanel::Parts {
     const JobPlan& plan;
     std::vector<PlaneSegment> segments;
-    std::map<unsigned, double> side;           // of the centre line: +1 above, -1 below
+    std::map<unsigned, double> side;  // of the centre line: +1 above, -1 below
     std::optional<text::JobStock> stock;
     Contour contour;
     std::optional<RoomChuck> chuck;
-    double chuck_face_mm = 0.0;                // in the workpiece system
+    double chuck_face_mm = 0.0;  // in the workpiece system
     double z_low = 0, z_high = 0, x_low = 0, x_high = 0, scale = 1.0;
 
     Pixel at(const Frame& frame, double z, double x) const { return {frame.x + (z - z_low) * scale, frame.y + (x_high - x) * scale}; }
@@ -65,7 +65,7 @@ struct PathPanel::Parts {
         z_low -= kMargin_mm, z_high += 1.6 * kMargin_mm, x_low -= kMargin_mm, x_high += kMargin_mm;
         x_low = std::min(x_low, -kMargin_mm), x_high = std::max(x_high, kMargin_mm);
         scale = std::min(width / (z_high - z_low), kMostHeight / (x_high - x_low));
-        const double spare = width / scale - (z_high - z_low);   // centred when the height decides
+        const double spare = width / scale - (z_high - z_low);  // centred when the height decides
         z_low -= spare / 2, z_high += spare / 2;
     }
 
@@ -114,13 +114,19 @@ struct PathPanel::Parts {
             std::vector<Pixel> points{at(frame, head.channel, head.from)};
             std::size_t k = i;
             // Channels alternate in the record; a way goes on where its channel's last piece ended.
-            for (; k < segments.size() && segments[k].channel == head.channel && segments[k].doing == head.doing; ++k) points.push_back(at(frame, head.channel, segments[k].to));
+            for (; k < segments.size() && segments[k].channel == head.channel && segments[k].doing == head.doing; ++k)
+                points.push_back(at(frame, head.channel, segments[k].to));
             i = k;
             if ((head.doing == Doing::Rapid) != rapid) continue;
             const char* colour = look::channel_colour(head.channel);
-            if (rapid) svg.polyline(points, fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"0.8\" stroke-opacity=\"0.5\" stroke-dasharray=\"4 3\"", colour));
-            else if (head.doing == Doing::Thread) svg.polyline(points, fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"3.4\" stroke-dasharray=\"1.1 1.7\" stroke-opacity=\"0.85\"", colour));
-            else svg.polyline(points, fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\" stroke-linejoin=\"round\" stroke-linecap=\"round\"", colour));
+            if (rapid)
+                svg.polyline(points, fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"0.8\" stroke-opacity=\"0.5\" stroke-dasharray=\"4 3\"", colour));
+            else if (head.doing == Doing::Thread)
+                svg.polyline(points,
+                             fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"3.4\" stroke-dasharray=\"1.1 1.7\" stroke-opacity=\"0.85\"", colour));
+            else
+                svg.polyline(points,
+                             fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\" stroke-linejoin=\"round\" stroke-linecap=\"round\"", colour));
         }
     }
 
@@ -128,22 +134,25 @@ struct PathPanel::Parts {
         const double step = round_step(z_high - z_low, 12);
         for (double z = std::ceil(z_low / step) * step; z <= z_high; z += step) {
             const Pixel foot = at(frame, z, x_low);
-            svg.line({foot.x, frame.y}, {foot.x, frame.y + height}, fmt::format("stroke=\"{}\" stroke-width=\"{}\"", look::kGrid, std::abs(z) < 1e-9 ? 1.2 : 0.7));
-            svg.text({foot.x, frame.y + height + 16}, fmt::format("{:g}", std::abs(z) < 1e-9 ? 0.0 : z), fmt::format("text-anchor=\"middle\" font-size=\"11\" fill=\"{}\"", look::kQuiet));
+            svg.line({foot.x, frame.y}, {foot.x, frame.y + height},
+                     fmt::format("stroke=\"{}\" stroke-width=\"{}\"", look::kGrid, std::abs(z) < 1e-9 ? 1.2 : 0.7));
+            svg.text({foot.x, frame.y + height + 16}, fmt::format("{:g}", std::abs(z) < 1e-9 ? 0.0 : z),
+                     fmt::format("text-anchor=\"middle\" font-size=\"11\" fill=\"{}\"", look::kQuiet));
         }
         // Round steps of the diameter, as the operator reads it.
         const double x_step = round_step((x_high - x_low) * 2, 9) / 2;
         for (double x = std::ceil(x_low / x_step) * x_step; x <= x_high; x += x_step) {
             const Pixel foot = at(frame, z_low, x);
             svg.line({frame.x, foot.y}, {frame.x + frame.width, foot.y}, fmt::format("stroke=\"{}\" stroke-width=\"0.7\"", look::kGrid));
-            svg.text({frame.x - 8, foot.y + 4}, std::abs(x) < 1e-9 ? std::string("0") : fmt::format("⌀{:g}", 2 * std::abs(x)), fmt::format("text-anchor=\"end\" font-size=\"11\" fill=\"{}\"", look::kQuiet));
+            svg.text({frame.x - 8, foot.y + 4}, std::abs(x) < 1e-9 ? std::string("0") : fmt::format("⌀{:g}", 2 * std::abs(x)),
+                     fmt::format("text-anchor=\"end\" font-size=\"11\" fill=\"{}\"", look::kQuiet));
         }
     }
 };
 
 PathPanel::PathPanel(const RunRecord& record, const JobPlan& plan, double width) : parts_(new Parts{plan, plane_segments(record, plan), {}, {}, {}, {}}) {
     Parts& p = *parts_;
-    std::vector<Diagnosis> ignored;   // a room that cannot be read was reported when the machine was
+    std::vector<Diagnosis> ignored;  // a room that cannot be read was reported when the machine was
     const Room room = load_room(plan.room_file, *plan.machine, ignored);
     for (const auto& [channel, program] : plan.programs) {
         const AxisConfig* x = find_axis(*plan.machine, channel, PlaneRole::BasicX);
@@ -179,7 +188,8 @@ void PathPanel::draw(Svg& svg, const Frame& frame) const {
     if (empty()) return;
     const Parts& p = *parts_;
     const double drawing = height() - kAxisRoom;
-    svg.raw(fmt::format("<clipPath id=\"view\"><rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\"/></clipPath>\n", frame.x, frame.y, frame.width, drawing));
+    svg.raw(fmt::format("<clipPath id=\"view\"><rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\"/></clipPath>\n", frame.x, frame.y,
+                        frame.width, drawing));
     p.draw_scales(svg, frame, drawing);
     svg.open_group("clip-path=\"url(#view)\"");
     p.draw_chuck(svg, frame);
@@ -190,16 +200,20 @@ void PathPanel::draw(Svg& svg, const Frame& frame) const {
     p.draw_ways(svg, frame, false);
     svg.close_group();
     svg.rect(frame.x, frame.y, frame.width, drawing, "fill=\"none\" stroke=\"#d3d8da\" stroke-width=\"1\"");
-    svg.text({frame.x + frame.width, frame.y + drawing + 31}, "Z in mm from the workpiece zero; X as a diameter", fmt::format("text-anchor=\"end\" font-size=\"11\" fill=\"{}\"", look::kQuiet));
+    svg.text({frame.x + frame.width, frame.y + drawing + 31}, "Z in mm from the workpiece zero; X as a diameter",
+             fmt::format("text-anchor=\"end\" font-size=\"11\" fill=\"{}\"", look::kQuiet));
     for (const auto& [channel, side] : p.side) {
         const auto file = p.plan.programs.find(channel);
-        const std::string name = fmt::format("L{}  {}", channel, file == p.plan.programs.end() ? std::string() : std::filesystem::path(file->second.file).filename().string());
+        const std::string name =
+            fmt::format("L{}  {}", channel, file == p.plan.programs.end() ? std::string() : std::filesystem::path(file->second.file).filename().string());
         // Channels of one side stand under each other.
         double row = 0;
         for (const auto& [other, other_side] : p.side)
             if (other < channel && other_side == side) row += 23;
-        svg.rect(frame.x + 8, (side > 0 ? frame.y + 6 + row : frame.y + drawing - 25 - row), 16.0 + 7.4 * static_cast<double>(name.size()), 20, "fill=\"#ffffff\" fill-opacity=\"0.92\"", 4.0);
-        svg.text({frame.x + 16, side > 0 ? frame.y + 20 + row : frame.y + drawing - 11 - row}, name, fmt::format("font-size=\"12.5\" font-weight=\"600\" fill=\"{}\"", look::channel_colour(channel)));
+        svg.rect(frame.x + 8, (side > 0 ? frame.y + 6 + row : frame.y + drawing - 25 - row), 16.0 + 7.4 * static_cast<double>(name.size()), 20,
+                 "fill=\"#ffffff\" fill-opacity=\"0.92\"", 4.0);
+        svg.text({frame.x + 16, side > 0 ? frame.y + 20 + row : frame.y + drawing - 11 - row}, name,
+                 fmt::format("font-size=\"12.5\" font-weight=\"600\" fill=\"{}\"", look::channel_colour(channel)));
     }
 }
 

@@ -40,8 +40,8 @@ inline constexpr const char* kStock = "#e9e4d8";
 inline constexpr const char* kPart = "#cfd6da";
 inline constexpr const char* kPartEdge = "#8b979f";
 inline constexpr const char* kChuck = "#5d676f";
-const char* channel_colour(unsigned channel);   // strong
-const char* channel_tint(unsigned channel);     // the same, pale
+const char* channel_colour(unsigned channel);  // strong
+const char* channel_tint(unsigned channel);    // the same, pale
 }  // namespace look
 
 }  // namespace polyturn::supervisor

@@ -14,12 +14,17 @@ constexpr double kRow = 44.0, kBar = 24.0, kHead = 34.0, kScale = 30.0;
 
 std::string fill_of(Doing doing, unsigned channel) {
     switch (doing) {
-        case Doing::Cut: return fmt::format("fill=\"{}\"", look::channel_colour(channel));
-        case Doing::Thread: return fmt::format("fill=\"url(#thread{})\"", channel);
-        case Doing::Rapid: return fmt::format("fill=\"{}\"", look::channel_tint(channel));
-        case Doing::Wait: return "fill=\"url(#wait)\" stroke=\"#c3c9cd\" stroke-width=\"0.6\"";
+        case Doing::Cut:
+            return fmt::format("fill=\"{}\"", look::channel_colour(channel));
+        case Doing::Thread:
+            return fmt::format("fill=\"url(#thread{})\"", channel);
+        case Doing::Rapid:
+            return fmt::format("fill=\"{}\"", look::channel_tint(channel));
+        case Doing::Wait:
+            return "fill=\"url(#wait)\" stroke=\"#c3c9cd\" stroke-width=\"0.6\"";
         case Doing::Dwell:
-        case Doing::Aux: return "fill=\"#a9b1b7\"";
+        case Doing::Aux:
+            return "fill=\"#a9b1b7\"";
     }
     return {};
 }
@@ -45,7 +50,8 @@ void TimelinePanel::draw(Svg& svg, const Frame& frame) const {
     svg.text({frame.x + frame.width, bottom + 29}, "seconds since cycle start", fmt::format("text-anchor=\"end\" font-size=\"11\" fill=\"{}\"", look::kQuiet));
 
     for (const auto& [channel, top] : row_y) {
-        svg.text({frame.x - 10, top + kBar / 2 + 4.5}, fmt::format("L{}", channel), fmt::format("text-anchor=\"end\" font-weight=\"600\" fill=\"{}\"", look::channel_colour(channel)));
+        svg.text({frame.x - 10, top + kBar / 2 + 4.5}, fmt::format("L{}", channel),
+                 fmt::format("text-anchor=\"end\" font-weight=\"600\" fill=\"{}\"", look::channel_colour(channel)));
         svg.rect(frame.x, top, frame.width, kBar, "fill=\"#f1f3f3\"", 2.0);
         // Neighbours of one kind become one bar, so that a program of a million blocks is still a picture.
         double from = 0, to = -1;
@@ -73,8 +79,9 @@ void TimelinePanel::draw(Svg& svg, const Frame& frame) const {
         const auto first = row_y.find(meeting.channels.front()), last = row_y.find(meeting.channels.back());
         if (first == row_y.end() || last == row_y.end()) continue;
         svg.line({x, first->second - 5}, {x, last->second + kBar + 5}, fmt::format("stroke=\"{}\" stroke-width=\"1.3\"", look::kInk));
-        for (const unsigned channel : meeting.channels) svg.circle({x, row_y[channel] + kBar / 2}, 3.2, fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"1.3\"", look::kPaper, look::kInk));
-        if (x - last_label < 30) continue;   // the lines are there, their names would run into each other
+        for (const unsigned channel : meeting.channels)
+            svg.circle({x, row_y[channel] + kBar / 2}, 3.2, fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"1.3\"", look::kPaper, look::kInk));
+        if (x - last_label < 30) continue;  // the lines are there, their names would run into each other
         svg.text({x, frame.y + kHead - 13}, meeting.code, fmt::format("text-anchor=\"middle\" font-size=\"10.5\" fill=\"{}\"", look::kInk));
         last_label = x;
     }

@@ -21,28 +21,28 @@ namespace {
 using Commands = std::vector<Command>;
 
 enum class Form {
-    Alone,            // stop_after_part
-    MaybeChannel,     // cycle_start, cycle_start L1, cycle_start 1
-    Channel,          // return L1
-    ChannelOnOff,     // single_block L1=on
-    ChannelPercent,   // feed_override L1=50
-    SpindlePercent,   // spindle_override S1=80
-    ChannelMode,      // mode L1=jog
-    SkipLevel,        // block_skip L1=1
-    Select,           // select L1=FILE, select JOB
-    Mdi,              // mdi L1 G0 X50.
-    Jog,              // jog A3+ 0.5s
-    Step,             // step A3- 0.01
-    Wheel,            // handwheel 1 A3 +120
-    Reference,        // reference A3, reference all
-    Restart,          // restart L1=N120 L2=N340
+    Alone,           // stop_after_part
+    MaybeChannel,    // cycle_start, cycle_start L1, cycle_start 1
+    Channel,         // return L1
+    ChannelOnOff,    // single_block L1=on
+    ChannelPercent,  // feed_override L1=50
+    SpindlePercent,  // spindle_override S1=80
+    ChannelMode,     // mode L1=jog
+    SkipLevel,       // block_skip L1=1
+    Select,          // select L1=FILE, select JOB
+    Mdi,             // mdi L1 G0 X50.
+    Jog,             // jog A3+ 0.5s
+    Step,            // step A3- 0.01
+    Wheel,           // handwheel 1 A3 +120
+    Reference,       // reference A3, reference all
+    Restart,         // restart L1=N120 L2=N340
 };
 
 struct PressWord {
     std::string_view name;
     CommandKind kind;
     Form form;
-    std::string_view shape;   // what a diagnosis shows
+    std::string_view shape;  // what a diagnosis shows
 };
 
 constexpr PressWord kWords[] = {
@@ -76,7 +76,7 @@ constexpr PressWord kWords[] = {
     {"stop_after_part", CommandKind::StopAfterPart, Form::Alone, "stop_after_part"},
 };
 
-constexpr std::string_view kModes[] = {"auto", "mdi", "jog", "handwheel", "reference"};   // order of ChannelMode
+constexpr std::string_view kModes[] = {"auto", "mdi", "jog", "handwheel", "reference"};  // order of ChannelMode
 
 std::vector<std::string_view> split(std::string_view words) {
     std::vector<std::string_view> out;
@@ -118,21 +118,36 @@ public:
 
     Result<Commands> parse() {
         switch (word_.form) {
-            case Form::Alone: return parts_.empty() ? one(command_of(word_.kind), 1.0) : shape();
-            case Form::MaybeChannel: return maybe_channel();
-            case Form::Channel: return channel_only();
-            case Form::ChannelOnOff: return each_assignment('L', [&](Command& c, std::string_view value) { return flag(c, value); });
-            case Form::ChannelPercent: return each_assignment('L', [&](Command& c, std::string_view value) { return percent(c, value); });
-            case Form::SpindlePercent: return each_assignment('S', [&](Command& c, std::string_view value) { return percent(c, value); });
-            case Form::ChannelMode: return each_assignment('L', [&](Command& c, std::string_view value) { return mode(c, value); });
-            case Form::SkipLevel: return each_assignment('L', [&](Command& c, std::string_view value) { return level(c, value); });
-            case Form::Restart: return each_assignment('L', [&](Command& c, std::string_view value) { return block(c, value); });
-            case Form::Select: return select();
-            case Form::Mdi: return mdi();
-            case Form::Jog: return jog();
-            case Form::Step: return step();
-            case Form::Wheel: return wheel();
-            case Form::Reference: return reference();
+            case Form::Alone:
+                return parts_.empty() ? one(command_of(word_.kind), 1.0) : shape();
+            case Form::MaybeChannel:
+                return maybe_channel();
+            case Form::Channel:
+                return channel_only();
+            case Form::ChannelOnOff:
+                return each_assignment('L', [&](Command& c, std::string_view value) { return flag(c, value); });
+            case Form::ChannelPercent:
+                return each_assignment('L', [&](Command& c, std::string_view value) { return percent(c, value); });
+            case Form::SpindlePercent:
+                return each_assignment('S', [&](Command& c, std::string_view value) { return percent(c, value); });
+            case Form::ChannelMode:
+                return each_assignment('L', [&](Command& c, std::string_view value) { return mode(c, value); });
+            case Form::SkipLevel:
+                return each_assignment('L', [&](Command& c, std::string_view value) { return level(c, value); });
+            case Form::Restart:
+                return each_assignment('L', [&](Command& c, std::string_view value) { return block(c, value); });
+            case Form::Select:
+                return select();
+            case Form::Mdi:
+                return mdi();
+            case Form::Jog:
+                return jog();
+            case Form::Step:
+                return step();
+            case Form::Wheel:
+                return wheel();
+            case Form::Reference:
+                return reference();
         }
         return shape();
     }
@@ -151,7 +166,7 @@ private:
         std::uint32_t number = 0;
         const auto end = std::from_chars(word.data(), word.data() + word.size(), number);
         if (end.ec != std::errc() || end.ptr != word.data() + word.size()) return 0;
-        const bool exists = letter == 'L' ? number >= 1 && number <= kMaxChannels && machine_.channel(number).exists()
+        const bool exists = letter == 'L'   ? number >= 1 && number <= kMaxChannels && machine_.channel(number).exists()
                             : letter == 'A' ? number >= 1 && number <= kMaxAxes && machine_.axis(number).exists()
                                             : number >= 1 && number <= kMaxSpindles && machine_.spindle(number).exists();
         if (!exists) missing_ = fmt::format("the machine has no {}{}", letter, number);
@@ -216,7 +231,7 @@ private:
         return found != std::end(kModes);
     }
     static bool level(Command& command, std::string_view value) {
-        if (const auto on = on_off(value); on && value != "1" && value != "0") {   // on, off: the plain "/"
+        if (const auto on = on_off(value); on && value != "1" && value != "0") {  // on, off: the plain "/"
             command.flags = 1;
             command.value = *on ? 1.0 : 0.0;
             return true;
@@ -244,7 +259,8 @@ private:
             for (const auto& [channel, program] : job->programs) {
                 Command command = command_of(CommandKind::Select);
                 command.channel = channel;
-                if (channel > kMaxChannels || !machine_.channel(channel).exists()) return fault(Alarm::PressArgument, fmt::format("the machine has no L{}", channel));
+                if (channel > kMaxChannels || !machine_.channel(channel).exists())
+                    return fault(Alarm::PressArgument, fmt::format("the machine has no L{}", channel));
                 if (!put_text(command, program.file)) return too_long(program.file);
                 out.push_back(command);
             }
@@ -270,7 +286,9 @@ private:
         return Commands{command};
     }
 
-    static Diagnosis too_long(std::string_view what) { return fault(Alarm::PressArgument, fmt::format("longer than {} characters: {}", sizeof(Command{}.text) - 1, what)); }
+    static Diagnosis too_long(std::string_view what) {
+        return fault(Alarm::PressArgument, fmt::format("longer than {} characters: {}", sizeof(Command{}.text) - 1, what));
+    }
 
     // "A3+" or "A3-".
     std::uint32_t signed_axis(std::string_view word, double& sign) {
@@ -356,12 +374,15 @@ Result<Commands> drive(std::string_view whom, std::string_view value, const Mach
     const char letter = whom.empty() ? '\0' : whom[0];
     const double wanted = whom.size() > 1 ? number_of(whom.substr(1)).value_or(0.0) : 0.0;
     const auto number = wanted >= 1 && wanted <= static_cast<double>(kMaxAxes) ? static_cast<std::size_t>(wanted) : std::size_t{0};
-    const bool good = number != 0 && ((letter == 'A' && machine.axis(number).exists()) || (letter == 'S' && number <= kMaxSpindles && machine.spindle(number).exists()));
+    const bool good =
+        number != 0 && ((letter == 'A' && machine.axis(number).exists()) || (letter == 'S' && number <= kMaxSpindles && machine.spindle(number).exists()));
     if (!good) return fault(Alarm::PressArgument, fmt::format("the machine has no drive {}", whom));
     command.object = static_cast<std::uint32_t>(number);
     command.flags = letter == 'S' ? 1 : 0;
-    if (value == "fault" || value == "1") command.value = 1.0;
-    else if (value != "ok" && value != "0") return fault(Alarm::PressArgument, "a drive is set to fault or ok");
+    if (value == "fault" || value == "1")
+        command.value = 1.0;
+    else if (value != "ok" && value != "0")
+        return fault(Alarm::PressArgument, "a drive is set to fault or ok");
     return Commands{command};
 }
 
@@ -381,10 +402,13 @@ Result<void> check_built(const Commands& commands) {
             case CommandKind::Retrace:
             case CommandKind::JogInHold:
             case CommandKind::Return:
-            case CommandKind::StopAfterPart: break;
-            default: continue;
+            case CommandKind::StopAfterPart:
+                break;
+            default:
+                continue;
         }
-        const auto word = std::find_if(std::begin(kWords), std::end(kWords), [&](const PressWord& one) { return static_cast<std::uint32_t>(one.kind) == command.kind; });
+        const auto word =
+            std::find_if(std::begin(kWords), std::end(kWords), [&](const PressWord& one) { return static_cast<std::uint32_t>(one.kind) == command.kind; });
         return fault(Alarm::NotBuilt, std::string(word->name));
     }
     return {};
@@ -411,7 +435,8 @@ Result<Commands> parse_set(std::string_view words, const MachineConfig& machine)
     const std::string_view name = trimmed(words.substr(0, equals)), value = trimmed(words.substr(equals + 1));
     if (name.substr(0, 6) == "drive ") return drive(trimmed(name.substr(6)), value, machine);
     // Overrides and keys are set as well as pressed.
-    if (const PressWord* word = find_word(name.substr(0, name.find_first_of(" \t"))); word && name.find_first_of(" \t") != std::string_view::npos) return parse_press(words, machine);
+    if (const PressWord* word = find_word(name.substr(0, name.find_first_of(" \t"))); word && name.find_first_of(" \t") != std::string_view::npos)
+        return parse_press(words, machine);
     if (const int input = input_number(name); input >= 0) {
         const auto on = on_off(value);
         if (!on) return fault(Alarm::PressArgument, "an input is 0 or 1");
@@ -429,7 +454,8 @@ Result<Commands> parse_set(std::string_view words, const MachineConfig& machine)
         command.object = signal->slot();
         command.flags = signal->row->writer == SignalWriter::Plc ? kSlotOfPlc : kSlotOfNc;
         command.value = number ? *number : *truth ? 1.0 : 0.0;
-        if (!signal->row->is_register && command.value != 0.0 && command.value != 1.0) return fault(Alarm::PressArgument, fmt::format("{} is a flag: 0 or 1", signal->row->name));
+        if (!signal->row->is_register && command.value != 0.0 && command.value != 1.0)
+            return fault(Alarm::PressArgument, fmt::format("{} is a flag: 0 or 1", signal->row->name));
         return Commands{command};
     }
     if (const auto assignment = params::parse_assignment(words); !assignment) {

@@ -10,7 +10,7 @@ namespace polyturn::supervisor {
 namespace fs = std::filesystem;
 
 namespace {
-constexpr std::uintmax_t kLargest = 256u << 20;   // looked through in under a second
+constexpr std::uintmax_t kLargest = 256u << 20;  // looked through in under a second
 constexpr std::size_t kMostNeighbours = 200;
 
 bool file_holds_stop(const fs::path& path) {
@@ -19,7 +19,7 @@ bool file_holds_stop(const fs::path& path) {
     while (file.read(block.data(), static_cast<std::streamsize>(block.size())) || file.gcount() > 0) {
         kept.append(block.data(), static_cast<std::size_t>(file.gcount()));
         if (text_holds_program_stop(kept)) return true;
-        kept.erase(0, kept.size() > 16 ? kept.size() - 16 : 0);   // a word across the border of two blocks
+        kept.erase(0, kept.size() > 16 ? kept.size() - 16 : 0);  // a word across the border of two blocks
     }
     return false;
 }
@@ -30,7 +30,7 @@ bool text_holds_program_stop(std::string_view text) {
         if (text[i] != 'M' && text[i] != 'm') continue;
         std::size_t k = i + 1;
         while (k < text.size() && (text[k] == ' ' || text[k] == '=')) ++k;
-        if (k < text.size() && (text[k] == '#' || text[k] == '[')) return true;   // computed: anything is possible
+        if (k < text.size() && (text[k] == '#' || text[k] == '[')) return true;  // computed: anything is possible
         const std::size_t digits = k;
         while (k < text.size() && text[k] == '0') ++k;
         const bool zero = k > digits, one = k < text.size() && text[k] == '1';
@@ -54,14 +54,15 @@ bool may_hold_program_stop(const std::vector<std::string>& files) {
         for (const auto& entry : fs::directory_iterator(folder, none)) {
             if (!entry.is_regular_file(none)) continue;
             const std::string extension = entry.path().extension().string();
-            if (extension == ".toml" || extension == ".csv" || extension == ".svg" || extension == ".json" || extension == ".md" || extension == ".params") continue;
+            if (extension == ".toml" || extension == ".csv" || extension == ".svg" || extension == ".json" || extension == ".md" || extension == ".params")
+                continue;
             if (++count > kMostNeighbours) return true;
             paths.insert(entry.path().lexically_normal());
         }
     }
     for (const auto& path : paths) {
         const auto size = fs::file_size(path, none);
-        if (none) continue;   // not there: its channel says so
+        if (none) continue;  // not there: its channel says so
         if (size > kLargest || file_holds_stop(path)) return true;
     }
     return false;

@@ -58,9 +58,9 @@ std::string report_text(const RunRecord& record, const JobPlan& plan) {
     const auto moves = advice(record, 3);
     if (!moves.empty()) out += "\n  Which cut to move\n";
     for (const Advice& one : moves)
-        out += fmt::format("    {} {} of L{} ({:.1f} s{}): L{} waits {:.1f} s for it at {}. Given to L{} it saves up to {:.1f} s.\n", base_name(one.pass.file), lines_of(one.pass),
-                           one.pass.channel, one.pass.seconds(), one.pass.tool.empty() ? std::string() : ", " + one.pass.tool, one.wait.channel, one.wait.seconds(),
-                           one.wait.code, one.wait.channel, one.gain_s);
+        out += fmt::format("    {} {} of L{} ({:.1f} s{}): L{} waits {:.1f} s for it at {}. Given to L{} it saves up to {:.1f} s.\n", base_name(one.pass.file),
+                           lines_of(one.pass), one.pass.channel, one.pass.seconds(), one.pass.tool.empty() ? std::string() : ", " + one.pass.tool,
+                           one.wait.channel, one.wait.seconds(), one.wait.code, one.wait.channel, one.gain_s);
     return out;
 }
 

@@ -22,7 +22,7 @@ socklen_t address_of(const std::string& instance, sockaddr_un& address) {
     const std::string name = "polyturn." + instance;
     address = {};
     address.sun_family = AF_UNIX;
-    std::memcpy(address.sun_path + 1, name.data(), name.size());   // a leading zero byte: abstract
+    std::memcpy(address.sun_path + 1, name.data(), name.size());  // a leading zero byte: abstract
     return static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
 }
 
@@ -46,7 +46,10 @@ Result<RequestServer> RequestServer::open(const std::string& instance) {
     return out;
 }
 
-RequestServer::RequestServer(RequestServer&& other) noexcept : fd_(std::exchange(other.fd_, -1)), next_(other.next_), connections_(std::move(other.connections_)) { other.connections_.clear(); }
+RequestServer::RequestServer(RequestServer&& other) noexcept
+    : fd_(std::exchange(other.fd_, -1)), next_(other.next_), connections_(std::move(other.connections_)) {
+    other.connections_.clear();
+}
 
 RequestServer::~RequestServer() {
     for (auto& [client, connection] : connections_) close(connection.fd);
@@ -97,8 +100,10 @@ void RequestServer::serve(int timeout_ms, const Handler& handler) {
         if (fds[i + 1].revents & (POLLIN | POLLHUP | POLLERR)) alive = read_from(clients[i], connection, handler);
         if (alive && !connection.out.empty()) {
             const auto wrote = send(connection.fd, connection.out.data(), connection.out.size(), MSG_NOSIGNAL);
-            if (wrote > 0) connection.out.erase(0, static_cast<std::size_t>(wrote));
-            else if (wrote < 0 && errno != EAGAIN && errno != EINTR) alive = false;
+            if (wrote > 0)
+                connection.out.erase(0, static_cast<std::size_t>(wrote));
+            else if (wrote < 0 && errno != EAGAIN && errno != EINTR)
+                alive = false;
         }
         if (alive) continue;
         close(connection.fd);
@@ -109,7 +114,7 @@ void RequestServer::serve(int timeout_ms, const Handler& handler) {
 
 void RequestServer::answer(Client client, std::string line) {
     const auto found = connections_.find(client);
-    if (found == connections_.end()) return;   // it did not wait
+    if (found == connections_.end()) return;  // it did not wait
     found->second.out += line;
     if (line.empty() || line.back() != '\n') found->second.out += '\n';
     const auto wrote = send(found->second.fd, found->second.out.data(), found->second.out.size(), MSG_NOSIGNAL);

@@ -38,7 +38,7 @@ private:
     };
     RequestServer() = default;
     void accept_all();
-    bool read_from(Client client, Connection& connection, const Handler& handler);   // false: gone
+    bool read_from(Client client, Connection& connection, const Handler& handler);  // false: gone
 
     int fd_ = -1;
     Client next_ = 1;

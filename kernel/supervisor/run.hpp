@@ -4,5 +4,5 @@
 #include "kernel/supervisor/options.hpp"
 
 namespace polyturn::supervisor {
-int run_programs(const JobOptions& options);   // exit status
+int run_programs(const JobOptions& options);  // exit status
 }

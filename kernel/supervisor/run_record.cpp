@@ -35,14 +35,15 @@ void RunRecord::add(std::string_view event_text, double t_s, double end_s, bool 
         activity.doing = how == "rapid" || how == "reference" ? Doing::Rapid : how == "thread" ? Doing::Thread : Doing::Cut;
         activity.clockwise = how == "cw";
         activity.to = point_at(event, "pos", diameter ? 0.5 : 1.0);
-        activity.centre = point_at(event, "centre", 1.0);   // X of a centre is a radius already
+        activity.centre = point_at(event, "centre", 1.0);  // X of a centre is a radius already
         if (const auto tool = event.find("tool"); tool != event.end() && tool->is_object()) {
             if (const auto number = number_at(*tool, "number")) activity.tool = fmt::format("T{:g}", *number);
             if (const std::string name = tool->value("name", ""); !name.empty()) activity.tool += (activity.tool.empty() ? "" : " ") + name;
         }
     } else if (kind == "wait") {
         activity.doing = Doing::Wait;
-        if (const auto code = event.find("code"); code != event.end()) activity.code = code->is_string() ? code->get<std::string>() : fmt::format("M{}", code->get<long>());
+        if (const auto code = event.find("code"); code != event.end())
+            activity.code = code->is_string() ? code->get<std::string>() : fmt::format("M{}", code->get<long>());
         if (const auto set = event.find("channels"); set != event.end() && set->is_array())
             for (const auto& one : *set)
                 if (one.is_number_integer() && one.get<int>() >= 1 && one.get<int>() <= 32) activity.partners |= 1u << (one.get<int>() - 1);

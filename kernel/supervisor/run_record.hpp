@@ -13,7 +13,7 @@ namespace polyturn::supervisor {
 enum class Doing : std::uint8_t { Cut, Thread, Rapid, Wait, Dwell, Aux };
 
 struct PlanePoint {
-    double x_mm = 0.0, z_mm = 0.0;     // workpiece system; X as a radius
+    double x_mm = 0.0, z_mm = 0.0;  // workpiece system; X as a radius
 };
 
 struct Activity {

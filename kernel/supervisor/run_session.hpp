@@ -18,15 +18,15 @@
 namespace polyturn::supervisor {
 
 struct WatchedSignal {
-    std::string name;          // as it was asked for
+    std::string name;  // as it was asked for
     std::uint32_t slot = 0, side = 0;
 };
 
 // What is wanted beside the job itself, already understood.
 struct RunWishes {
     std::vector<WatchedSignal> watch;
-    std::map<unsigned, double> feed_override;        // 1 is 100 %
-    std::map<unsigned, double> restart_at;           // block number
+    std::map<unsigned, double> feed_override;  // 1 is 100 %
+    std::map<unsigned, double> restart_at;     // block number
     std::optional<ScenarioPlayer> scenario;
 };
 
@@ -34,7 +34,7 @@ class RunSession {
 public:
     RunSession(const JobOptions& options, JobPlan& plan, RunWishes wishes);
     ~RunSession();
-    int run();                                        // exit status
+    int run();  // exit status
     const RunRecord& record() const { return record_; }
 
 private:
@@ -90,7 +90,7 @@ private:
     std::map<std::uint64_t, ProcessAction> actions_;  // by the sequence of their Action command
     std::multiset<std::int64_t> sent_ticks_;          // of commands that have not acted yet
     std::multiset<std::int64_t> starts_planned_;      // cycle starts still to come
-    std::int64_t origin_ = INT64_MAX, log_tick_ = 0;   // origin: tick of the cycle start, once it is known
+    std::int64_t origin_ = INT64_MAX, log_tick_ = 0;  // origin: tick of the cycle start, once it is known
     std::uint64_t idle_seq_ = 0;                      // the kernel's first Idle: it stands until we have answered it
     std::int64_t end_tick_ = INT64_MAX;               // the last tick of the run, once it is known
     double tick_s_ = 0.001, end_s_ = 0.0;

@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-constexpr double kTolerance = 0.001;   // of numbers in a `when`, as in the acceptance cases
+constexpr double kTolerance = 0.001;  // of numbers in a `when`, as in the acceptance cases
 
 // Every key of the part is in the event with the same value; objects likewise inside.
 bool matches(const Json& part, const Json& event) {
@@ -44,7 +44,7 @@ struct When {
     Json part;
     double after_s = 0.0;
     bool happened = false;
-    std::vector<Planned> planned;     // t_s relative to the event
+    std::vector<Planned> planned;  // t_s relative to the event
 };
 
 }  // namespace
@@ -90,14 +90,21 @@ std::optional<ScenarioPlayer> ScenarioPlayer::make(const text::Scenario& scenari
         std::vector<Planned> planned;
         Result<std::vector<Command>> commands = std::vector<Command>{};
         switch (stimulus.kind) {
-            case text::StimulusKind::Press: commands = parse_press(stimulus.words, machine, folder); break;
-            case text::StimulusKind::Set: commands = parse_set(stimulus.words, machine); break;
-            case text::StimulusKind::Release: commands = parse_release(stimulus.words, machine); break;
+            case text::StimulusKind::Press:
+                commands = parse_press(stimulus.words, machine, folder);
+                break;
+            case text::StimulusKind::Set:
+                commands = parse_set(stimulus.words, machine);
+                break;
+            case text::StimulusKind::Release:
+                commands = parse_release(stimulus.words, machine);
+                break;
             case text::StimulusKind::Kill:
             case text::StimulusKind::Stop: {
                 const auto slot = process_slot(stimulus.words);
                 if (!slot) {
-                    commands = Diagnosis{Alarm::PressArgument, {}, {}, fmt::format("'{}' is no process: channel L, plc, toolmgmt, hmi, cell, kernel", stimulus.words)};
+                    commands =
+                        Diagnosis{Alarm::PressArgument, {}, {}, fmt::format("'{}' is no process: channel L, plc, toolmgmt, hmi, cell, kernel", stimulus.words)};
                     break;
                 }
                 const bool kill = stimulus.kind == text::StimulusKind::Kill;
@@ -179,7 +186,8 @@ std::set<unsigned> ScenarioPlayer::channels_not_waited_for() const {
         if (planned.action || command.value == 0.0) return;
         const std::uint32_t first = signals::cp_nowt(1);
         if (kind == CommandKind::IgnoreWaits && command.channel) out.insert(command.channel);
-        if (kind == CommandKind::SetSignal && command.flags && command.object >= first && command.object < first + kMaxChannels) out.insert(command.object - first + 1);
+        if (kind == CommandKind::SetSignal && command.flags && command.object >= first && command.object < first + kMaxChannels)
+            out.insert(command.object - first + 1);
     };
     for (const Planned& planned : parts_->timed) look(planned);
     for (const When& when : parts_->whens)

@@ -20,12 +20,12 @@ namespace polyturn::supervisor {
 // A process and what is done to it.
 struct ProcessAction {
     enum class Kind { Kill, Stop, Continue } kind = Kind::Kill;
-    std::size_t slot = 0;       // kProcessKernel ...
+    std::size_t slot = 0;  // kProcessKernel ...
 };
 
 // A command, or an action with the Action command that brings it about.
 struct Planned {
-    double t_s = 0.0;           // since cycle start
+    double t_s = 0.0;  // since cycle start
     Command command{};
     std::optional<ProcessAction> action;
 };
@@ -46,9 +46,9 @@ public:
     bool presses_cycle_start() const;
     // What the event starts. Each stimulus acts once, at its first match. t_s: of the event.
     std::vector<Planned> match(std::string_view event_text, double t_s);
-    bool waits_for_events() const;    // a `when` that has not happened
-    std::set<unsigned> channels_not_waited_for() const;   // CP_NOWT or ignore_waits at some time
-    std::set<unsigned> channels_that_read() const;   // by select and mdi: they need a process
+    bool waits_for_events() const;                       // a `when` that has not happened
+    std::set<unsigned> channels_not_waited_for() const;  // CP_NOWT or ignore_waits at some time
+    std::set<unsigned> channels_that_read() const;       // by select and mdi: they need a process
 
 private:
     struct Parts;

@@ -10,25 +10,35 @@ namespace polyturn::supervisor {
 namespace {
 
 bool same_word(std::string_view a, std::string_view b) {
-    return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](char x, char y) { return std::toupper(static_cast<unsigned char>(x)) == std::toupper(static_cast<unsigned char>(y)); });
+    return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](char x, char y) {
+               return std::toupper(static_cast<unsigned char>(x)) == std::toupper(static_cast<unsigned char>(y));
+           });
 }
 
 char letter_of(SignalScope scope) {
     switch (scope) {
-        case SignalScope::Channel: return 'L';
-        case SignalScope::Axis: return 'A';
-        case SignalScope::Spindle: return 'S';
-        case SignalScope::Global: break;
+        case SignalScope::Channel:
+            return 'L';
+        case SignalScope::Axis:
+            return 'A';
+        case SignalScope::Spindle:
+            return 'S';
+        case SignalScope::Global:
+            break;
     }
     return 0;
 }
 
 std::uint32_t count_of(SignalScope scope) {
     switch (scope) {
-        case SignalScope::Channel: return kMaxChannels;
-        case SignalScope::Axis: return kMaxAxes;
-        case SignalScope::Spindle: return kMaxSpindles;
-        case SignalScope::Global: break;
+        case SignalScope::Channel:
+            return kMaxChannels;
+        case SignalScope::Axis:
+            return kMaxAxes;
+        case SignalScope::Spindle:
+            return kMaxSpindles;
+        case SignalScope::Global:
+            break;
     }
     return 1;
 }
@@ -61,8 +71,10 @@ Result<SignalName> parse_signal(std::string_view words) {
     std::uint32_t number = 0;
     bool good = letter && scope.size() >= 2 && scope.size() <= 4 && std::toupper(static_cast<unsigned char>(scope[0])) == letter;
     for (const char c : scope.substr(good ? 1 : 0)) {
-        if (!good || c < '0' || c > '9') good = false;
-        else number = number * 10 + static_cast<std::uint32_t>(c - '0');
+        if (!good || c < '0' || c > '9')
+            good = false;
+        else
+            number = number * 10 + static_cast<std::uint32_t>(c - '0');
     }
     if (!good || number < 1 || number > count_of(found->scope))
         return fault(Alarm::SignalScope, letter ? fmt::format("{} of {}: {}1 to {}{} are possible", scope, found->name, letter, letter, count_of(found->scope))

@@ -13,9 +13,9 @@ double active_zero(const text::ChannelSetup& channel, Dialect dialect, const std
         const auto row = work_zero_row(system);
         const auto value = values.find(axis);
         if (!row || value == values.end()) continue;
-        const bool acts = dialect == Dialect::Fanuc || dialect == Dialect::Nct ? *row == 0 || *row == 1 || *row == 7   // external, G54, work shift
+        const bool acts = dialect == Dialect::Fanuc || dialect == Dialect::Nct ? *row == 0 || *row == 1 || *row == 7  // external, G54, work shift
                           : dialect == Dialect::Sinumerik                      ? *row == *work_zero_row("G500")
-                                                                               : false;   // Fagor, MEFI: machine zero until a program selects one
+                                                                               : false;  // Fagor, MEFI: machine zero until a program selects one
         if (acts) sum += value->second;
     }
     return sum;

@@ -23,7 +23,7 @@ using Clock = std::chrono::steady_clock;
 namespace {
 
 constexpr std::size_t kKeptAlarms = 1000;
-constexpr std::size_t kMostDeaths = 5;                      // of one process within kDeathWindow: then it stays dead
+constexpr std::size_t kMostDeaths = 5;  // of one process within kDeathWindow: then it stays dead
 constexpr auto kDeathWindow = std::chrono::seconds(30);
 
 std::string default_store(const std::string& instance) {
@@ -81,12 +81,13 @@ Result<void> StartSession::launch() {
 
 int StartSession::run() {
     if (auto launched = launch(); !launched) {
-        if (end_requested()) return 0;   // asked to end while it started: nothing went wrong
+        if (end_requested()) return 0;  // asked to end while it started: nothing went wrong
         print_diagnosis(launched.diagnosis(), Dialect::Polyturn);
         return 1;
     }
-    std::fprintf(stderr, "polyturn: the controller \"%s\" runs with %u channels, %u axes, %u spindles. End it with Ctrl-C or SIGTERM.\n", options_.instance.c_str(),
-                 static_cast<unsigned>(machine_.channel_count), static_cast<unsigned>(machine_.axis_count), static_cast<unsigned>(machine_.spindle_count));
+    std::fprintf(stderr, "polyturn: the controller \"%s\" runs with %u channels, %u axes, %u spindles. End it with Ctrl-C or SIGTERM.\n",
+                 options_.instance.c_str(), static_cast<unsigned>(machine_.channel_count), static_cast<unsigned>(machine_.axis_count),
+                 static_cast<unsigned>(machine_.spindle_count));
     loop();
     controller_->stop(5'000);
     std::fprintf(stderr, "polyturn: the controller \"%s\" has ended.\n", options_.instance.c_str());
@@ -138,8 +139,12 @@ void StartSession::take(const KernelEvent& event) {
             if (kind == "alarm" || kind == "message") note_alarm(words, dialect(event.channel), true);
             break;
         }
-        case KernelEventKind::RecordEnd: joiner_.end(event.channel, event.note, t_s); break;
-        case KernelEventKind::CycleEnded: joiner_.close_channel(event.channel, t_s); break;
+        case KernelEventKind::RecordEnd:
+            joiner_.end(event.channel, event.note, t_s);
+            break;
+        case KernelEventKind::CycleEnded:
+            joiner_.close_channel(event.channel, t_s);
+            break;
         case KernelEventKind::Message:
         case KernelEventKind::Alarm: {
             Diagnosis diagnosis;
@@ -153,7 +158,8 @@ void StartSession::take(const KernelEvent& event) {
             note_alarm(std::move(words), dialect(event.channel), false);
             break;
         }
-        default: break;
+        default:
+            break;
     }
 }
 
@@ -174,12 +180,15 @@ void StartSession::process_died(std::size_t slot, int status) {
     while (!times.empty() && now - times.front() > kDeathWindow) times.pop_front();
     times.push_back(now);
     if (times.size() > kMostDeaths) {
-        std::fprintf(stderr, "polyturn: %s has died %zu times in %lld s and stays dead.\n", process_name(slot).c_str(), times.size(), static_cast<long long>(kDeathWindow.count()));
+        std::fprintf(stderr, "polyturn: %s has died %zu times in %lld s and stays dead.\n", process_name(slot).c_str(), times.size(),
+                     static_cast<long long>(kDeathWindow.count()));
         if (slot == kProcessKernel) ask_to_end_ = true;
         return;
     }
-    if (slot == kProcessKernel) kernel_dead_ = true;
-    else to_revive_.push_back(slot);
+    if (slot == kProcessKernel)
+        kernel_dead_ = true;
+    else
+        to_revive_.push_back(slot);
 }
 
 void StartSession::revive() {
@@ -209,7 +218,8 @@ void StartSession::handle(RequestServer::Client client, const std::string& line)
     if (what == "set") {
         const auto commands = parse_set(text_at("words"), machine_);
         // A parameter is set when it is on disk, not when the kernel has heard of it.
-        if (commands && commands->size() == 1 && commands->front().kind == static_cast<std::uint32_t>(CommandKind::SetParameter)) return serve_parameters(client, {text_at("words")});
+        if (commands && commands->size() == 1 && commands->front().kind == static_cast<std::uint32_t>(CommandKind::SetParameter))
+            return serve_parameters(client, {text_at("words")});
         return serve_commands(client, commands);
     }
     if (what == "parameters") {
@@ -239,13 +249,15 @@ void StartSession::serve_commands(RequestServer::Client client, const Result<std
 }
 
 void StartSession::serve_parameters(RequestServer::Client client, const std::vector<std::string>& lines) {
-    for (const std::string& words : lines)   // all or none
-        if (const auto assignment = params::parse_assignment(words); !assignment) return server_.answer(client, refusal(assignment.diagnosis()));
-        else if (words.size() >= sizeof(StoreRequest{}.name)) return server_.answer(client, refusal({Alarm::PressArgument, {}, {}, "the line is too long: " + words}));
+    for (const std::string& words : lines)  // all or none
+        if (const auto assignment = params::parse_assignment(words); !assignment)
+            return server_.answer(client, refusal(assignment.diagnosis()));
+        else if (words.size() >= sizeof(StoreRequest{}.name))
+            return server_.answer(client, refusal({Alarm::PressArgument, {}, {}, "the line is too long: " + words}));
     if (!controller_->running(kProcessStore)) return server_.answer(client, refusal({Alarm::NotServed, {}, {}, "the store does not run"}));
     for (const std::string& words : lines) {
         const auto until = Clock::now() + std::chrono::seconds(5);
-        while (!controller_->ask_store(parameter_request(words, &words != &lines.back()))) {   // the ring is full: let the store work
+        while (!controller_->ask_store(parameter_request(words, &words != &lines.back()))) {  // the ring is full: let the store work
             take_answers();
             if (Clock::now() > until) return server_.answer(client, refusal({Alarm::NotServed, {}, {}, "the store does not answer"}));
             sleep_ms(1);

@@ -50,7 +50,7 @@ private:
     std::unique_ptr<RingConsumer<RingHead<KernelEvent, 16384>>> log_;
     EventJoiner joiner_;
     std::uint64_t generation_ = 1, asked_ = 0;
-    std::deque<std::string> alarms_;                 // event objects, the newest last
+    std::deque<std::string> alarms_;  // event objects, the newest last
     std::deque<Waiting> waiting_;
     std::map<std::size_t, std::deque<std::chrono::steady_clock::time_point>> deaths_;
     std::vector<std::size_t> to_revive_;

@@ -6,8 +6,8 @@
 namespace polyturn::supervisor {
 
 namespace {
-constexpr double kSameTime_s = 0.0015;   // channels of a meeting leave in the same tick
-constexpr double kShortest_s = 0.01;     // shorter waits are no waits for people
+constexpr double kSameTime_s = 0.0015;  // channels of a meeting leave in the same tick
+constexpr double kShortest_s = 0.01;    // shorter waits are no waits for people
 }  // namespace
 
 std::vector<Meeting> meetings(const RunRecord& record) {
@@ -17,8 +17,10 @@ std::vector<Meeting> meetings(const RunRecord& record) {
         const auto found = std::find_if(out.begin(), out.end(), [&](const Meeting& meeting) {
             return meeting.code == activity.code && std::abs(meeting.end_s - activity.end_s) <= kSameTime_s;
         });
-        if (found == out.end()) out.push_back({activity.end_s, activity.code, {activity.channel}});
-        else found->channels.push_back(activity.channel);
+        if (found == out.end())
+            out.push_back({activity.end_s, activity.code, {activity.channel}});
+        else
+            found->channels.push_back(activity.channel);
     }
     std::erase_if(out, [](const Meeting& meeting) { return meeting.channels.size() < 2; });
     for (Meeting& meeting : out) std::sort(meeting.channels.begin(), meeting.channels.end());
@@ -45,7 +47,7 @@ std::vector<WaitSpan> wait_spans(const RunRecord& record) {
 
 std::vector<Pass> passes(const RunRecord& record) {
     std::vector<Pass> out;
-    std::map<unsigned, std::ptrdiff_t> open;   // by channel: index of the pass that goes on, -1 none
+    std::map<unsigned, std::ptrdiff_t> open;  // by channel: index of the pass that goes on, -1 none
     for (const Activity& activity : record.activities) {
         const bool cuts = activity.doing == Doing::Cut || activity.doing == Doing::Thread;
         auto [place, fresh] = open.try_emplace(activity.channel, -1);

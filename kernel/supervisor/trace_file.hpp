@@ -18,13 +18,13 @@ public:
     static Result<std::unique_ptr<TraceFile>> create(const std::string& path, const MachineConfig& machine);
     // t_s: since cycle start. Values are written so that they read back exactly: limits are judged on their differences.
     void write(const TraceSample& sample, double t_s);
-    bool close();   // false when the disk did not take everything
+    bool close();  // false when the disk did not take everything
 
 private:
     TraceFile(int fd, const MachineConfig& machine);
     int fd_;
     Output output_;
-    std::vector<std::size_t> axes_, spindles_, channels_;   // indices from 0
+    std::vector<std::size_t> axes_, spindles_, channels_;  // indices from 0
     std::string line_;
 };
 

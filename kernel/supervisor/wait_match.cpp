@@ -48,7 +48,8 @@ bool WaitMatcher::comes_to(unsigned channel, const std::string& code) const {
     const auto found = tracks_.find(channel);
     if (found == tracks_.end()) return false;
     const Track& track = found->second;
-    return std::any_of(track.waits.begin() + static_cast<std::ptrdiff_t>(track.next), track.waits.end(), [&](const WaitPoint& wait) { return wait.code == code; });
+    return std::any_of(track.waits.begin() + static_cast<std::ptrdiff_t>(track.next), track.waits.end(),
+                       [&](const WaitPoint& wait) { return wait.code == code; });
 }
 
 void WaitMatcher::advance(unsigned channel) {
@@ -71,7 +72,7 @@ std::vector<unsigned> WaitMatcher::meet() {
                 if (there && (set & bit_of(other)) && there->code == wait->code && (there->set | bit_of(other)) == set) here |= bit_of(other);
             }
             if (here != set) continue;
-            if (set != bit_of(channel)) ++meetings_;   // a set of one channel passes at once and is no meeting
+            if (set != bit_of(channel)) ++meetings_;  // a set of one channel passes at once and is no meeting
             for (unsigned other = 1; other <= 32; ++other)
                 if (set & bit_of(other)) advance(other), released.push_back(other);
             again = true;
@@ -101,7 +102,8 @@ bool WaitMatcher::report_different_sets(std::vector<WaitFault>& faults) {
         std::uint64_t latest = 0;
         for (const unsigned member : members) {
             const Track& other = tracks_[member];
-            const auto at = std::find_if(other.waits.begin() + static_cast<std::ptrdiff_t>(other.next), other.waits.end(), [&](const WaitPoint& w) { return w.code == wait->code; });
+            const auto at = std::find_if(other.waits.begin() + static_cast<std::ptrdiff_t>(other.next), other.waits.end(),
+                                         [&](const WaitPoint& w) { return w.code == wait->code; });
             const bool stands_there = at == other.waits.begin() + static_cast<std::ptrdiff_t>(other.next);
             fault.places.emplace_back(member, *at);
             text += fmt::format("{} {} waits for {}", fault.places.size() > 1 ? "," : "", place_text(member, *at), set_text(at->set | bit_of(member)));
@@ -114,7 +116,8 @@ bool WaitMatcher::report_different_sets(std::vector<WaitFault>& faults) {
         const std::string code = wait->code;
         for (const unsigned member : members) {
             Track& other = tracks_[member];
-            const auto at = std::find_if(other.waits.begin() + static_cast<std::ptrdiff_t>(other.next), other.waits.end(), [&](const WaitPoint& w) { return w.code == code; });
+            const auto at = std::find_if(other.waits.begin() + static_cast<std::ptrdiff_t>(other.next), other.waits.end(),
+                                         [&](const WaitPoint& w) { return w.code == code; });
             other.waits.erase(at);
         }
         faults.push_back(std::move(fault));
@@ -130,7 +133,7 @@ bool WaitMatcher::report_missing(std::vector<WaitFault>& faults) {
         for (unsigned partner = 1; partner <= 32; ++partner) {
             if (!(wait->set & bit_of(partner)) || partner == channel || comes_to(partner, wait->code)) continue;
             const auto found = tracks_.find(partner);
-            if (found != tracks_.end() && found->second.broken) continue;   // its alarm says why
+            if (found != tracks_.end() && found->second.broken) continue;  // its alarm says why
             WaitFault fault;
             fault.channel = channel;
             fault.places.emplace_back(channel, *wait);
@@ -151,7 +154,8 @@ bool WaitMatcher::report_missing(std::vector<WaitFault>& faults) {
             const std::string code = wait->code;
             const std::uint32_t set = wait->set;
             for (auto& [other, other_track] : tracks_) {
-                const auto at = std::find_if(other_track.waits.begin() + static_cast<std::ptrdiff_t>(other_track.next), other_track.waits.end(), [&](const WaitPoint& w) { return w.code == code; });
+                const auto at = std::find_if(other_track.waits.begin() + static_cast<std::ptrdiff_t>(other_track.next), other_track.waits.end(),
+                                             [&](const WaitPoint& w) { return w.code == code; });
                 if (at != other_track.waits.end() && (set & bit_of(other))) other_track.waits.erase(at);
             }
             faults.push_back(std::move(fault));
@@ -204,7 +208,8 @@ bool WaitMatcher::report_cycle(std::vector<WaitFault>& faults) {
     for (const auto& [channel, wait] : fault.places) codes.insert(wait.code);
     for (const auto& code : codes)
         for (auto& [other, track] : tracks_) {
-            const auto found = std::find_if(track.waits.begin() + static_cast<std::ptrdiff_t>(track.next), track.waits.end(), [&](const WaitPoint& w) { return w.code == code; });
+            const auto found = std::find_if(track.waits.begin() + static_cast<std::ptrdiff_t>(track.next), track.waits.end(),
+                                            [&](const WaitPoint& w) { return w.code == code; });
             if (found != track.waits.end()) track.waits.erase(found);
         }
     faults.push_back(std::move(fault));

@@ -20,16 +20,16 @@
 namespace polyturn::supervisor {
 
 struct WaitPoint {
-    std::string code;              // "M501" or a marker's name, as people write it
-    std::uint32_t set = 0;         // bit 0 is channel 1
+    std::string code;       // "M501" or a marker's name, as people write it
+    std::uint32_t set = 0;  // bit 0 is channel 1
     std::string file;
     std::uint32_t line = 0;
 };
 
 struct WaitFault {
-    Diagnosis diagnosis;           // place: the wait of `channel`
-    unsigned channel = 0;          // the channel that arrived last
-    std::vector<std::pair<unsigned, WaitPoint>> places;   // every wait that takes part
+    Diagnosis diagnosis;                                 // place: the wait of `channel`
+    unsigned channel = 0;                                // the channel that arrived last
+    std::vector<std::pair<unsigned, WaitPoint>> places;  // every wait that takes part
 };
 
 class WaitMatcher {
@@ -42,7 +42,7 @@ public:
 
     // Releases every set that is complete. Channels that may go on are returned (each as often as it was released).
     std::vector<unsigned> meet();
-    bool stands(unsigned channel) const;          // at a wait that is not met yet
+    bool stands(unsigned channel) const;  // at a wait that is not met yet
     // Nothing can go on and all that will come is known: what is wrong? Ends with everybody past his last wait.
     std::vector<WaitFault> find_faults();
     std::size_t meetings() const { return meetings_; }
@@ -50,9 +50,9 @@ public:
 private:
     struct Track {
         std::vector<WaitPoint> waits;
-        std::size_t next = 0;                     // waits[next] is where it stands
+        std::size_t next = 0;  // waits[next] is where it stands
         bool ended = false, broken = false;
-        std::uint64_t arrived = 0;                // order of arrival at `next`
+        std::uint64_t arrived = 0;  // order of arrival at `next`
     };
     const WaitPoint* standing(unsigned channel) const;
     bool comes_to(unsigned channel, const std::string& code) const;

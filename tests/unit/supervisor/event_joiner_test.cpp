@@ -34,7 +34,7 @@ TEST(EventJoiner, WhatMayStillComeEarlierHoldsBack) {
     EventJoiner joiner;
     Out out;
     joiner.plain(2, 1.0, R"({"ev":"flag"})");
-    joiner.drain(1.0, out.sink);   // an event of channel 1 at t 1 would come first
+    joiner.drain(1.0, out.sink);  // an event of channel 1 at t 1 would come first
     EXPECT_TRUE(out.lines.empty());
     joiner.plain(1, 1.0, R"({"ev":"stop"})");
     joiner.drain(1.001, out.sink);
@@ -97,7 +97,7 @@ RC_GTEST_PROP(EventJoiner, EveryEventOnceInOrderWhateverTheDrains, ()) {
     };
     for (const Block& block : blocks) joiner.note(block.channel, block.number, R"({"ev":"move"})");
     for (int tick = 0; tick <= 200; ++tick) {
-        for (const Block& block : blocks) {   // in the log a block's end stands before the next one's begin
+        for (const Block& block : blocks) {  // in the log a block's end stands before the next one's begin
             if (block.end == tick && block.begin != tick) joiner.end(block.channel, block.number, tick);
             if (block.begin == tick) joiner.begin(block.channel, block.number, tick);
             if (block.end == tick && block.begin == tick) joiner.end(block.channel, block.number, tick);

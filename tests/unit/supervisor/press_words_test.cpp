@@ -17,8 +17,8 @@ const MachineConfig& machine() {
     static const MachineConfig config = [] {
         auto table = std::make_unique<params::Table>();
         params::set_defaults(*table);
-        for (const char* line : {"N0000 L1=1", "N0000 L2=1", "N0002 A1=1", "N0100 A1=88", "N0103 A1=1", "N0002 A2=1", "N0100 A2=90", "N0103 A2=3", "N0002 A3=2", "N0100 A3=88",
-                                 "N0103 A3=1", "N0607#0 S1=1"}) {
+        for (const char* line : {"N0000 L1=1", "N0000 L2=1", "N0002 A1=1", "N0100 A1=88", "N0103 A1=1", "N0002 A2=1", "N0100 A2=90", "N0103 A2=3", "N0002 A3=2",
+                                 "N0100 A3=88", "N0103 A3=1", "N0607#0 S1=1"}) {
             const auto assignment = params::parse_assignment(line);
             EXPECT_TRUE(assignment) << line;
             EXPECT_TRUE(params::apply(*table, {&*assignment, 1})) << line;
@@ -81,9 +81,7 @@ void expect_command(const Command& command, const Row& row) {
     EXPECT_EQ(command.kind, static_cast<std::uint32_t>(row.kind));
     EXPECT_EQ(command.channel, row.channel);
     EXPECT_EQ(command.object, row.object);
-    if (row.value != 0 || row.kind != CommandKind::CycleStart) {
-        EXPECT_NEAR(command.value, row.value, 1e-12);
-    }
+    if (row.value != 0 || row.kind != CommandKind::CycleStart) { EXPECT_NEAR(command.value, row.value, 1e-12); }
     EXPECT_EQ(command.flags, row.flags);
     EXPECT_STREQ(command.text.data(), row.text);
     EXPECT_EQ(command.tick, 0);
@@ -101,8 +99,7 @@ TEST(Press, EverySentenceOfTheManualIsUnderstood) {
         words.remove_prefix(words.find_first_not_of(' '));
         seen.insert(words.substr(0, words.find(' ')));
     }
-    for (const std::string_view name : press_names())
-        EXPECT_TRUE(name == "override" || seen.count(name)) << name << " has no row here";
+    for (const std::string_view name : press_names()) EXPECT_TRUE(name == "override" || seen.count(name)) << name << " has no row here";
 }
 
 TEST(Press, SeveralChannelsInOneSentence) {
@@ -114,9 +111,34 @@ TEST(Press, SeveralChannelsInOneSentence) {
 }
 
 TEST(Press, NonsenseIsRefusedWithTheForm) {
-    for (const char* words : {"", "dance", "cycle_start L3", "cycle_start A1", "mode L1=fast", "mode L1", "select", "select L1", "mdi L1", "jog A3 0.5", "jog A3+ soon", "jog A9+ 1", "step A3- -1",
-                              "handwheel 9 A3 1", "handwheel 1 A3", "reference", "reference A77", "feed_override L1=201", "feed_override L1=-1", "feed_override 50", "spindle_override L1=50",
-                              "single_block L1=maybe", "block_skip L1=10", "block_skip L1=1.5", "restart L1=X", "emergency_stop now", "return", "return L1 L2"}) {
+    for (const char* words : {"",
+                              "dance",
+                              "cycle_start L3",
+                              "cycle_start A1",
+                              "mode L1=fast",
+                              "mode L1",
+                              "select",
+                              "select L1",
+                              "mdi L1",
+                              "jog A3 0.5",
+                              "jog A3+ soon",
+                              "jog A9+ 1",
+                              "step A3- -1",
+                              "handwheel 9 A3 1",
+                              "handwheel 1 A3",
+                              "reference",
+                              "reference A77",
+                              "feed_override L1=201",
+                              "feed_override L1=-1",
+                              "feed_override 50",
+                              "spindle_override L1=50",
+                              "single_block L1=maybe",
+                              "block_skip L1=10",
+                              "block_skip L1=1.5",
+                              "restart L1=X",
+                              "emergency_stop now",
+                              "return",
+                              "return L1 L2"}) {
         SCOPED_TRACE(words);
         const auto commands = parse_press(words, machine());
         ASSERT_FALSE(commands);
@@ -160,9 +182,10 @@ TEST(Set, SignalsInputsDrivesParametersAndKeys) {
 
 TEST(Set, WhatIsWrongIsSaid) {
     const std::pair<const char*, Alarm> rows[] = {
-        {"AP_SYNCR=1", Alarm::SignalScope},   {"AP_SYNCR L1=1", Alarm::SignalScope}, {"AP_SYNCR A97=1", Alarm::SignalScope}, {"AP_SYNCR A3=2", Alarm::PressArgument},
-        {"NO_SUCH L1=1", Alarm::SignalUnknown}, {"AP_SYNCR A3", Alarm::PressArgument}, {"drive A77=fault", Alarm::PressArgument}, {"drive A3=hot", Alarm::PressArgument},
-        {"input 3=5", Alarm::PressArgument},  {"N0304 A1=fast", Alarm::ParamValue},
+        {"AP_SYNCR=1", Alarm::SignalScope},        {"AP_SYNCR L1=1", Alarm::SignalScope},  {"AP_SYNCR A97=1", Alarm::SignalScope},
+        {"AP_SYNCR A3=2", Alarm::PressArgument},   {"NO_SUCH L1=1", Alarm::SignalUnknown}, {"AP_SYNCR A3", Alarm::PressArgument},
+        {"drive A77=fault", Alarm::PressArgument}, {"drive A3=hot", Alarm::PressArgument}, {"input 3=5", Alarm::PressArgument},
+        {"N0304 A1=fast", Alarm::ParamValue},
     };
     for (const auto& [words, alarm] : rows) {
         SCOPED_TRACE(words);

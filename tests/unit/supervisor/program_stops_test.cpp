@@ -7,7 +7,8 @@ namespace polyturn::supervisor {
 namespace {
 
 TEST(ProgramStops, AreFoundInEverySpelling) {
-    for (const char* text : {"M0", "M00", "M1\n", "N10 M01", "G0X1M0Z5", "m0", "M=1", "M 0", "M#101", "M[#1+0]"}) EXPECT_TRUE(text_holds_program_stop(text)) << text;
+    for (const char* text : {"M0", "M00", "M1\n", "N10 M01", "G0X1M0Z5", "m0", "M=1", "M 0", "M#101", "M[#1+0]"})
+        EXPECT_TRUE(text_holds_program_stop(text)) << text;
     for (const char* text : {"", "M3", "M30", "M10", "M08", "M100", "M002", "G0 X1.", "M0.5"}) EXPECT_FALSE(text_holds_program_stop(text)) << text;
 }
 

@@ -52,7 +52,7 @@ TEST(Timeline, CutsWithoutARapidBetweenAreOnePass) {
 TEST(Timeline, TheBestCutToMoveHalvesTheWait) {
     const auto moves = advice(example(), 3);
     ASSERT_EQ(moves.size(), 1u);
-    EXPECT_EQ(moves[0].pass.first_line, 4u);       // 6 s of a wait of 11 s: min(6, 5)
+    EXPECT_EQ(moves[0].pass.first_line, 4u);  // 6 s of a wait of 11 s: min(6, 5)
     EXPECT_DOUBLE_EQ(moves[0].gain_s, 5.0);
 }
 

@@ -41,7 +41,7 @@ TEST(WaitMatch, FitsTogether) {
     // Three channels, as nct_parameters_part2 23.4: the third comes first and waits.
     EXPECT_TRUE(faults_of({{1, {{"M520", 3}, {"M521", 7}}}, {2, {{"M520", 3}, {"M521", 7}}}, {3, {{"M521", 7}}}}, &meetings).empty());
     EXPECT_EQ(meetings, 2u);
-    EXPECT_TRUE(faults_of({{1, {{"M501", 1}}}, {2, {}}}, &meetings).empty());   // only itself: passes at once
+    EXPECT_TRUE(faults_of({{1, {{"M501", 1}}}, {2, {}}}, &meetings).empty());  // only itself: passes at once
     EXPECT_EQ(meetings, 0u);
 }
 
@@ -71,7 +71,7 @@ TEST(WaitMatch, AFaultNamesChannelsProgramsAndLines) {
     ASSERT_EQ(faults.size(), 1u);
     const std::string text = faults[0].diagnosis.text();
     for (const char* word : {"L1", "L2", "O1:10", "O2:10", "M501", "M502"}) EXPECT_NE(text.find(word), std::string::npos) << word << " in " << text;
-    EXPECT_EQ(faults[0].channel, 2u);   // it came last
+    EXPECT_EQ(faults[0].channel, 2u);  // it came last
     EXPECT_EQ(faults[0].places.size(), 2u);
 }
 
@@ -127,8 +127,8 @@ RC_GTEST_PROP(WaitMatch, AgreesWithTheModel, ()) {
         for (unsigned channel = 1; channel <= channels; ++channel) {
             if (!(set >> (channel - 1) & 1u)) continue;
             const int luck = *rc::gen::inRange(0, 20);
-            if (luck == 0) continue;                                                        // forgotten
-            const std::uint32_t own = luck == 1 ? set | 1u << (channels - 1) : set;         // another set
+            if (luck == 0) continue;                                                 // forgotten
+            const std::uint32_t own = luck == 1 ? set | 1u << (channels - 1) : set;  // another set
             programs[channel].push_back({luck == 2 ? kCodes[0] : code, own | 1u << (channel - 1)});
         }
     }

@@ -86,7 +86,8 @@ TEST(Setup, WrittenAndReadAgainItIsTheSame) {
 
 TEST(Setup, WholeTablesMayStandInOneLineWithQuotedKeys) {
     std::vector<Diagnosis> diagnoses;
-    const text::Setup setup = parse_setup(R"("channel" = { "1" = { "pos" = { "X" = 100.0 }, "offset" = { "5" = { "geometry" = { "X" = -12.4, "T" = 0 } } } } })", "s.toml", diagnoses);
+    const text::Setup setup = parse_setup(
+        R"("channel" = { "1" = { "pos" = { "X" = 100.0 }, "offset" = { "5" = { "geometry" = { "X" = -12.4, "T" = 0 } } } } })", "s.toml", diagnoses);
     EXPECT_TRUE(diagnoses.empty());
     EXPECT_EQ(setup.channel(1).offsets.at(5).geometry.x, -12.4);
 }
@@ -141,7 +142,8 @@ for = 0.5
 t = 5
 kill = "channel 2"
 release = "AP_SYNCR A3"
-)", "s.toml", diagnoses);
+)",
+                                             "s.toml", diagnoses);
     for (const Diagnosis& diagnosis : diagnoses) ADD_FAILURE() << render(diagnosis, Dialect::Polyturn, "");
     ASSERT_EQ(scenario.stimuli.size(), 5u);
     EXPECT_EQ(scenario.stimuli[0].at_s, 1.5);
@@ -155,9 +157,10 @@ release = "AP_SYNCR A3"
 }
 
 TEST(Scenario, WhatIsNotUnderstoodIsNamed) {
-    for (const char* text : {"[[at]]\npress = \"reset\"\n", "[[at]]\nt = 1\n", "[[at]]\nt = -1\npress = \"reset\"\n", "[[at]]\nt = 1\nwhen = { ev = \"wait\" }\npress = \"reset\"\n",
-                             "[[at]]\nt = 1\npress = 5\n", "[[at]]\nt = 1\npush = \"reset\"\n", "[at]\nt = 1\n", "[[at]]\nt = 1\nfor = 2\npress = \"reset\"\n", "x = 1\n",
-                             "[[at]]\nwhen = { d = 2026-01-01 }\npress = \"reset\"\n"}) {
+    for (const char* text :
+         {"[[at]]\npress = \"reset\"\n", "[[at]]\nt = 1\n", "[[at]]\nt = -1\npress = \"reset\"\n",
+          "[[at]]\nt = 1\nwhen = { ev = \"wait\" }\npress = \"reset\"\n", "[[at]]\nt = 1\npress = 5\n", "[[at]]\nt = 1\npush = \"reset\"\n", "[at]\nt = 1\n",
+          "[[at]]\nt = 1\nfor = 2\npress = \"reset\"\n", "x = 1\n", "[[at]]\nwhen = { d = 2026-01-01 }\npress = \"reset\"\n"}) {
         SCOPED_TRACE(text);
         std::vector<Diagnosis> diagnoses;
         parse_scenario(text, "s.toml", diagnoses);
@@ -185,7 +188,8 @@ station = 1
 name = "roughing 80°"
 [parts]
 wanted = 100
-)", "/jobs/shaft.job.toml", diagnoses);
+)",
+                              "/jobs/shaft.job.toml", diagnoses);
     for (const Diagnosis& diagnosis : diagnoses) ADD_FAILURE() << render(diagnosis, Dialect::Polyturn, "");
     EXPECT_EQ(job.programs.at(1).file, "/jobs/O1001.nc");
     EXPECT_EQ(job.programs.at(1).language, "fanuc");
@@ -199,8 +203,9 @@ wanted = 100
 }
 
 TEST(Job, WhatIsNotUnderstoodIsNamed) {
-    for (const char* text : {"name = \"a\"\n", "[programs]\n17 = \"a\"\n", "[programs]\n1 = { language = \"fanuc\" }\n", "[programs]\n1 = \"a\"\n[stock]\ndiameter = -1\n",
-                             "[programs]\n1 = \"a\"\n[stock]\nspindle = \"main\"\n", "[programs]\n1 = \"a\"\n[parts]\nwanted = 1.5\n", "nonsense"}) {
+    for (const char* text :
+         {"name = \"a\"\n", "[programs]\n17 = \"a\"\n", "[programs]\n1 = { language = \"fanuc\" }\n", "[programs]\n1 = \"a\"\n[stock]\ndiameter = -1\n",
+          "[programs]\n1 = \"a\"\n[stock]\nspindle = \"main\"\n", "[programs]\n1 = \"a\"\n[parts]\nwanted = 1.5\n", "nonsense"}) {
         SCOPED_TRACE(text);
         std::vector<Diagnosis> diagnoses;
         parse_job(text, "j.job.toml", diagnoses);
