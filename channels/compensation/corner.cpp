@@ -72,7 +72,10 @@ CornerResult start_corner(const Element& a, const Element& b, const Options& opt
     return result;
 }
 
-CornerResult offset_corner(const Element& a, const Element& b, const Options& options) {
+CornerResult offset_corner(const Element& a, const Element& next, const Options& options) {
+    // A radius that changes here counts behind the corner; only vectors that belong to the next block have it already.
+    Element b = next;
+    if (classify(a, b) == Turn::Inner || classify(a, b) == Turn::Obtuse) b.nose = a.nose;
     CornerResult result;
     Vectors& list = result.vectors;
     const double t = cross(a.end_dir, b.start_dir);

@@ -109,7 +109,8 @@ void Interpreter::load_nose() {
     const MachineView& view = core_.view();
     const OffsetCell& geometry = view.store->offsets[static_cast<std::size_t>(state.geometry)];
     const OffsetCell& wear = view.store->offsets[static_cast<std::size_t>(state.wear)];
-    state.nose_radius = (state.geometry ? geometry.geometry_r : 0.0) + (state.wear ? wear.wear_r : 0.0);
+    state.nose_off = !settings_.nct && state.ref.offset == 0;
+    state.nose_radius = state.nose_off ? 0.0 : (state.geometry ? geometry.geometry_r : 0.0) + (state.wear ? wear.wear_r : 0.0);
     const std::int32_t tip_number = code.tip_from_wear ? state.wear : state.geometry;
     state.tip = tip_number ? static_cast<std::int32_t>(view.store->offsets[static_cast<std::size_t>(tip_number)].tip) : 0;
 }

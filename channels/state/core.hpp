@@ -45,6 +45,7 @@ struct ToolState {
     std::int32_t geometry = 0, wear = 0;    // offset numbers in use; 0 none
     double nose_radius = 0.0;
     std::int32_t tip = 0;
+    bool nose_off = false;                  // offset number 0: compensation waits for another one
 };
 
 struct SpindleState {

@@ -52,7 +52,7 @@ void Core::compensation_reset() {
 void Core::tell_nose() {
     const ToolState& tool = path.tool;
     const bool tip = path.plane == Plane::ZX && tool.tip >= 0 && tool.tip <= 9;
-    comp_->nose(tool.nose_radius, tip ? kTip[tool.tip] : Vec{}, tool.geometry != 0 || tool.wear != 0);
+    comp_->nose(tool.nose_radius, tip ? kTip[tool.tip] : Vec{}, (tool.geometry != 0 || tool.wear != 0) && !tool.nose_off);
 }
 
 void Core::tell_zero_distance() { comp_->zero_distance(); }
@@ -121,7 +121,7 @@ double Core::cut_shift(const AxisValues& a, const AxisValues& b, unsigned along,
     int p = -1, q = -1;
     plane_axes(p, q);
     const ToolState& tool = path.tool;
-    if (!compensating_ || p < 0 || q < 0 || (tool.geometry == 0 && tool.wear == 0)) return 0.0;
+    if (!compensating_ || p < 0 || q < 0 || (tool.geometry == 0 && tool.wear == 0) || tool.nose_off) return 0.0;
     const auto i = static_cast<std::size_t>(p), k = static_cast<std::size_t>(q);
     const Vec cut{b[i] - a[i], b[k] - a[k]};
     if (compensation::length(cut) == 0) return 0.0;

@@ -9,9 +9,9 @@
 namespace polyturn::channels::testing {
 
 struct Point {
-    double x = 0, z = 0;
+    double x, z;
     long n = -1;
-    std::string line;   // the whole event
+    std::string line = {};   // the whole event
 };
 
 struct NoseRun {
