@@ -120,14 +120,17 @@ void tick_cost(benchmark::State& state) {
     Load load(static_cast<unsigned>(state.range(0)), static_cast<unsigned>(state.range(1)), static_cast<unsigned>(state.range(2)));
     for (int i = 0; i < 2000; ++i) load.tick(), load.serve();
     std::vector<double> us;
+    double moving = 0;
     for (auto _ : state) {
         const auto began = std::chrono::steady_clock::now();
         load.tick();
         const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
         state.SetIterationTime(took);
         us.push_back(took * 1e6);
+        moving += load.moving();
         load.serve();
     }
+    state.counters["moving"] = moving / static_cast<double>(us.size());
     std::sort(us.begin(), us.end());
     state.counters["median_us"] = us[us.size() / 2];
     state.counters["p999_us"] = us[us.size() * 999 / 1000];
