@@ -53,6 +53,7 @@ public:
     // --- barriers
     bool halted() const { return halted_; }
     void resume();
+    bool holds_block() const { return held_; }
     bool holds() const { return held_ || !ready_.empty(); }
     void ensure_halt(const BlockContext& at);
     Vec displacement() const { return displacement_; }   // of the axes from what is programmed; nothing is held

@@ -183,6 +183,13 @@ Step Interpreter::step() {
     return read_block();
 }
 
+// The corner before it stays without its next block.
+void Interpreter::live_value_barrier() {
+    if (core_.holds_block())
+        core_.sink().alarm({Alarm::CompCornerCut, {files_->path(frames_.back().file), core_.at.line, 0, 0}, {}, {}}, core_.at);
+    core_.sink().barrier(core_.at);
+}
+
 Step Interpreter::read_block() {
     if (!reread_) {
         core_.at.serial = ++serial_;
@@ -230,7 +237,7 @@ Step Interpreter::read_block() {
         case ScanStop::NeedsBarrier:
             reread_ = true;
             line_left_ = false;
-            core_.sink().barrier(core_.at);
+            live_value_barrier();
             return Step::AtBarrier;
         case ScanStop::Fault:
             if (has_pending_fault_) return fault(pending_fault_);

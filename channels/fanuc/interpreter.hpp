@@ -106,6 +106,7 @@ public:
 private:
     // reading and flow (interpreter.cpp)
     Step read_block();
+    void live_value_barrier();
     Step fault(Fault fault);
     Step fault_at(Alarm alarm, std::uint32_t column, std::uint32_t length, std::string detail = {}, double v0 = 0, double v1 = 0);
     Step end_of_text();

@@ -85,7 +85,7 @@ Step Interpreter::macro_statement(std::size_t from) {
     if (flow == Flow::NeedsBarrier) {
         reread_ = true;
         line_left_ = false;
-        core_.sink().barrier(core_.at);
+        live_value_barrier();
         return Step::AtBarrier;
     }
     if (flow == Flow::Fault) return fault(core_.fault());

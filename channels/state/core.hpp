@@ -156,6 +156,7 @@ public:
     // counts: a block that does nothing but what moves nothing counts as one without movement. false: fault()
     bool end_compensated_block(bool counts, bool wants_barrier, bool program_ends);
     bool compensation_failed();                           // false: fault()
+    bool holds_block() const;                             // it waits for the next one
     bool halted() const;                                  // what was delivered last must be executed first
     bool barrier_passed();                                // true: nothing is held, Core stands where the machine stands
     // Around the moves of a cycle that compensation must leave alone: as programmed, or shifted by the present vector.

@@ -78,6 +78,8 @@ bool Core::compensation_failed() {
     return false;
 }
 
+bool Core::holds_block() const { return compensating_ && comp_->holds_block(); }
+
 bool Core::halted() const { return comp_->halted(); }
 
 bool Core::barrier_passed() {

@@ -80,8 +80,9 @@ TEST(NoseCompensation, WaitsForAnOffsetNumber) {
                   {{50, 30}, {50, 20}, {50, 1}, {60, 1}, {60, 20}});
 }
 
-// A value of the machine stops the reading: the block before it ends at its normal.
+// A value of the machine stops the reading: the block before it ends at its normal, with a warning.
 TEST(NoseCompensation, EndsTheHeldBlockBeforeALiveValue) {
+    EXPECT_TRUE(after_begin("#100=#1000\nN30 X60\nN40 G40 G0 Z20").played.has({"PT1307", "\"severity\":\"warning\""}));
     expect_points(after_begin("#100=#1000\nN30 X60\nN40 G40 G0 Z20"), {{42, 20}, {42, 0}, {60, 1}, {60, 20}});
 }
 
