@@ -15,7 +15,7 @@
 //            (A) full braking to a standstill under the least A, J of the whole view. At every point of the path no other
 //                way is slower, so if it has not fallen below some c_k in time, nothing could have.
 //            (B) braking under the better limits that hold before A or J fall ("drop"), to a speed w with acceleration 0
-//                where they do. w is the greatest from which the rest can be kept (settle_drops), by (A) from there.
+//                where they do. w is the greatest from which the rest can be kept (settle_borders), by (A) from there.
 //            That way is remembered (Witness). It needs nothing but to be followed, so if no faster step is safe at the
 //            next tick, following it is: by induction there always is a safe step, and the path always can stop within
 //            what is in the window. A witness stays valid when the view changes, for records are final.
@@ -44,10 +44,6 @@ namespace polyturn::kernel {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// A promise to be steady or to stand before limits fall keeps this far from there, mm: a tail that rounding carries over
-// the border would be judged by the other limits.
-constexpr double kBefore = 1e-7;
-
 // Ceiling c from distance d on: can it be kept so that the speed need not fall below c afterwards?
 bool arrives(double v, double a, double d, double c, double a_max, double j_max, double rounding) noexcept {
     const double limit = d + rounding;
@@ -81,7 +77,7 @@ double PathPlanner::speed_at(const Step& step, double distance) const noexcept {
 }
 
 // Can everything in view be kept after this step, and is it kept in it?
-bool PathPlanner::safe(const View& view, const Step& step, Witness& witness) const noexcept {
+bool PathPlanner::safe(const View& view, const Step& step, Way& way) const noexcept {
     const PathState& next = step.next;
     const double v = next.v, a = next.a;
     if (v < 0 || (state_.a < 0 && release_speed(state_.v, state_.a, step.j) < -1e-9)) return false;
@@ -91,22 +87,26 @@ bool PathPlanner::safe(const View& view, const Step& step, Witness& witness) con
     // Limits of this side of a border must not act beyond it, but to be steady there.
     if (step.j > view.tick_j || step.a > view.tick_a) {
         double side = kInfinity;
-        for (std::uint32_t d = view.drop_count; d-- > 0;) {
-            const bool last = d + 1 == view.drop_count;
-            if ((last ? view.a : view.drops[d + 1].a) < step.a || (last ? view.j : view.drops[d + 1].j) < step.j) side = view.drops[d].distance;
+        for (std::uint32_t d = view.border_count; d-- > 0;) {
+            const bool last = d + 1 == view.border_count;
+            if ((last ? view.a : view.borders[d + 1].a) < step.a || (last ? view.j : view.borders[d + 1].j) < step.j) side = view.borders[d].distance;
         }
         if (next.s > side && (a != 0 || distance_to_speed(state_.v, state_.a, step.speed, step.a, step.j) > side)) return false;
     }
-    if (view.which == Ceilings::Wanted) {
-        for (std::uint32_t i = 0; i < view.target_count; ++i) {
+    const auto all_arrived_at = [&](double until) {
+        for (std::uint32_t i = 0; view.which == Ceilings::Wanted && i < view.target_count && view.targets[i].distance < until; ++i) {
             const Target& target = view.targets[i];
-            if (!arrives(v, a, target.distance - next.s, target.ceiling, target.a, target.j, view.rounding)) return false;
+            if (!arrives(v, a, target.distance - next.s - 2 * kBefore, target.ceiling, target.a, target.j, view.rounding)) return false;
         }
-    }
+        return true;
+    };
+    const auto stands_in_time = [&](const Braking& braking) {
+        return view.end == kInfinity || braking.distance() <= (view.end - next.s) * (1 + view.rounding / 10) + view.rounding * 1e-4;
+    };
     const auto all_kept = [&] {
         if (a > 0 && release_speed(v, a, view.j) > view.top * (1 + view.rounding)) return false;
         const Braking braking(v, a, 0, view.a, view.j);
-        if (view.end < kInfinity && braking.distance() > (view.end - next.s) * (1 + view.rounding / 10) + view.rounding * 1e-4) return false;
+        if (!stands_in_time(braking)) return false;
         for (std::uint32_t i = 0; i < view.target_count; ++i) {
             const Target& target = view.targets[i];
             if (!falls_below(braking, target.distance - next.s, target.ceiling, view.rounding)) return false;
@@ -114,51 +114,87 @@ bool PathPlanner::safe(const View& view, const Step& step, Witness& witness) con
         return true;
     };
     const auto cannot_but_reverse = [&](double j_max) { return a < 0 && release_speed(v, a, j_max) < -1e-9; };
-    // Acceleration above a limit that holds from some drop on must have gone before the first such drop.
-    double border = kInfinity;
-    for (std::uint32_t d = view.drop_count; d-- > 0;) {
-        const double after = d + 1 < view.drop_count ? view.drops[d + 1].a : view.a;
-        if (std::abs(a) > after * (1 + 1e-12)) border = view.drops[d].distance;
+    // Acceleration above a limit that holds from some drop on must have gone before the first such border.
+    double gone_by = kInfinity;
+    for (std::uint32_t d = view.border_count; d-- > 0;) {
+        const double after = d + 1 < view.border_count ? view.borders[d + 1].a : view.a;
+        if (std::abs(a) > after * (1 + 1e-12)) gone_by = view.borders[d].distance;
     }
     const auto within = [&](double a_max, double j_max) {
         if (std::abs(a) <= a_max * (1 + 1e-12)) return true;
-        return border < kInfinity && advanced(next, a > 0 ? -j_max : j_max, (std::abs(a) - a_max) / j_max).s <= border;
+        return gone_by < kInfinity && advanced(next, a > 0 ? -j_max : j_max, (std::abs(a) - a_max) / j_max).s <= gone_by;
     };
     // Under the least limits of the whole view.
-    if (within(view.a, view.j) && !cannot_but_reverse(view.j) && all_kept()) {
-        witness = {view.beyond, 0, view.a, view.j};
+    if (within(view.a, view.j) && !cannot_but_reverse(view.j) && all_arrived_at(kInfinity) && all_kept()) {
+        way = {kLeast, 0};
         return true;
     }
-    // Or down to the speed of a drop, under the limits before it.
-    for (std::uint32_t d = 0; d < view.drop_count + (view.has_witness ? 1 : 0); ++d) {
-        const Drop& drop = view.drops[d];
-        const double gap = drop.distance - next.s;
-        if (gap < 0 || !within(drop.a, drop.j) || cannot_but_reverse(drop.j)) continue;
-        // One braking to where acceleration is gone, below everything before the drop; or a standstill.
-        const auto braked_to = [&](double w) {
-            if (a > 0 && release_speed(v, a, drop.j) > view.top * (1 + view.rounding)) return false;
-            const Braking braking(v, a, w, drop.a, drop.j);
-            if (braking.distance() > gap - kBefore + 10 * view.rounding) return false;
-            for (std::uint32_t i = 0; i < view.target_count && view.targets[i].distance < drop.distance; ++i) {
-                const Target& target = view.targets[i];
-                if (!falls_below(braking, target.distance - next.s, target.ceiling, view.rounding)) return false;
+    // One braking to a speed without acceleration at a distance, below everything before it; or to a stand before it.
+    const auto braked = [&](double distance, double speed, double a_max, double j_max, double& w) {
+        const double gap = distance - next.s;
+        if (gap < 0 || !within(a_max, j_max) || cannot_but_reverse(j_max)) return false;
+        if (a > 0 && release_speed(v, a, j_max) > view.top * (1 + view.rounding)) return false;
+        w = std::min(speed, std::max(0.0, release_speed(v, a, j_max)));
+        for (std::uint32_t i = 0; i < view.target_count && view.targets[i].distance < distance; ++i) w = std::min(w, view.targets[i].ceiling);
+        for (;;) {
+            const Braking braking(v, a, w, a_max, j_max);
+            bool kept = gap < kInfinity ? braking.distance() <= (gap - kBefore + 10 * view.rounding) * (1 + view.rounding / 10) + view.rounding * 1e-4 : stands_in_time(braking);
+            for (std::uint32_t i = 0; kept && i < view.target_count && view.targets[i].distance < distance; ++i) {
+                kept = falls_below(braking, view.targets[i].distance - next.s, view.targets[i].ceiling, view.rounding);
             }
-            return true;
-        };
-        double w = std::min(drop.speed, std::max(0.0, release_speed(v, a, drop.j)));
-        for (std::uint32_t i = 0; i < view.target_count && view.targets[i].distance < drop.distance; ++i) w = std::min(w, view.targets[i].ceiling);
-        if (braked_to(w) || (view.which == Ceilings::Hard && braked_to(w = 0))) {
-            witness = {drop.record, w, drop.a, drop.j};
+            if (kept) return true;
+            if (w == 0 || view.which == Ceilings::Wanted) return false;
+            w = 0;
+        }
+    };
+    for (std::uint32_t b = 0; b < view.border_count; ++b) {
+        const Border& border = view.borders[b];
+        if (border.distance < next.s) continue;
+        if (!all_arrived_at(border.distance)) break;  // nor would it for one further away
+        if (braked(border.distance, border.speed, border.a, border.j, way.speed)) {
+            way.by = b;
             return true;
         }
+    }
+    // Or on the way of the step before.
+    for (std::uint32_t i = 0; i < view.leg_count; ++i) {
+        const Leg& leg = view.last.legs[i];
+        if (view.legs[i] < next.s) continue;
+        if (braked(view.legs[i], leg.speed, leg.a, leg.j, way.speed)) {
+            way.by = kKept + i;
+            return true;
+        }
+        break;  // a later leg begins where this one ends
     }
     return false;
 }
 
+// If a step is safe, remember why.
 bool PathPlanner::take(const View& view, const Step& step) noexcept {
-    Witness witness;
-    if (!safe(view, step, witness)) return false;
-    witness_ = witness;
+    Way way{};
+    if (!safe(view, step, way)) return false;
+    if (way.by >= kKept) {
+        const std::uint32_t from = way.by - kKept;
+        for (std::uint32_t i = from; i < view.last.count; ++i) witness_.legs[i - from] = view.last.legs[i];
+        witness_.count = view.last.count - from;
+        witness_.legs[0].speed = way.speed;
+        return true;
+    }
+    Witness& w = witness_;
+    w.count = 0;
+    double a = view.a, j = view.j;
+    if (way.by != kLeast) {
+        const Border* border = &view.borders[way.by];
+        w.legs[w.count++] = {border->record, way.speed, border->a, border->j};
+        for (;;) {
+            a = border->via_a;
+            j = border->via_j;
+            if (border->via == kBorders) break;
+            border = &view.borders[border->via];
+            w.legs[w.count++] = {border->record, border->speed, a, j};
+        }
+    }
+    w.legs[w.count++] = {view.beyond, 0, a, j};
     return true;
 }
 
@@ -200,7 +236,7 @@ PathState PathPlanner::choose(const PathInput& input) noexcept {
     }
     Step step = step_towards(goal, view_.tick_a, view_.tick_j);
     if (take(view_, step)) return step.next;
-    if (view_.end < kInfinity && begin_landing(view_)) return landing_.step(dt_);
+    if (view_.end < kInfinity && begin_landing(view_, false)) return landing_.step(dt_);
     if (best_towards(view_, goal, view_.tick_a, view_.tick_j, next)) return next;
     if (best_towards(view_, goal, view_.a, view_.j, next)) return next;
     // What is wanted cannot be kept (a feed has been lowered): brake to the lowest that is violated, as the hard limits allow.
@@ -211,30 +247,33 @@ PathState PathPlanner::choose(const PathInput& input) noexcept {
         if (!arrives(down.v, down.a, target.distance - down.s, target.ceiling, target.a, target.j, kKeeping)) wanted = std::min(wanted, target.ceiling);
     }
     look_ahead(view_, Ceilings::Hard, input);
-    if (begin_landing(view_)) return landing_.step(dt_);
+    if (begin_landing(view_, false)) return landing_.step(dt_);
     if (best_towards(view_, wanted, view_.tick_a, view_.tick_j, next)) return next;
     if (best_towards(view_, wanted, view_.a, view_.j, next)) return next;
     // As the last step promised.
     view_.rounding = kKeeping;
-    for (const double speed : {witness_.speed, 0.0}) {
-        if (witness_.record <= first_ || witness_.record == kNone) break;
-        step = step_towards(speed, witness_.a, witness_.j);
-        if (take(view_, step)) return step.next;
-    }
-    for (std::uint32_t d = 0; d < view_.drop_count; ++d) {
-        const Drop& drop = view_.drops[d];
-        for (const double speed : {std::min(wanted, drop.speed), 0.0}) {
-            step = step_towards(speed, drop.a, drop.j);
+    if (view_.last.count > 0) {
+        const Leg leg = view_.last.legs[0];
+        for (const double speed : {leg.speed, 0.0}) {
+            step = step_towards(speed, leg.a, leg.j);
             if (take(view_, step)) return step.next;
         }
     }
+    for (std::uint32_t d = 0; d < view_.border_count; ++d) {
+        const Border& border = view_.borders[d];
+        for (const double speed : {std::min(wanted, border.speed), 0.0}) {
+            step = step_towards(speed, border.a, border.j);
+            if (take(view_, step)) return step.next;
+        }
+    }
+    if (begin_landing(view_, true)) return landing_.step(dt_);
     ++anomalies_;
     return step_towards(0, view_.a, view_.j).next;
 }
 
-bool PathPlanner::begin_landing(const View& view) noexcept {
+bool PathPlanner::begin_landing(const View& view, bool before_rises) noexcept {
     const double v = state_.v, a = state_.a, distance = view.end;
-    if (view.end_record == kNone || !(v > 0) || std::abs(a) > view.a * (1 + 1e-12)) return false;
+    if (view.end_record == kNone || (view.rises && !before_rises) || !(v > 0) || std::abs(a) > view.a * (1 + 1e-12)) return false;
     // Now, or can more speed still be had?
     const double softer = std::max(0.95 * view.j, a < 0 ? a * a / (2 * v) : 0.0);
     if (stopping_distance(v, a, view.a, softer) <= distance * (1 - 1e-9) && stopping_time(v, a, view.a, view.j) > 3 * dt_) return false;

@@ -115,9 +115,12 @@ private:
     // Of comparisons, mm and relative. What a step promised is computed anew from where it led; so keeping a promise is
     // judged more mildly than giving one, or rounding could break it.
     static constexpr double kGiving = 1e-9, kKeeping = 1e-8;
+    // A promise to be steady or to stand before limits fall keeps this far from there, mm: a tail that rounding carries over
+    // the border would be judged by the other limits.
+    static constexpr double kBefore = 1e-7;
     static constexpr std::uint64_t kNone = ~0ull;
     static constexpr std::uint32_t kTargets = 256;
-    static constexpr std::uint32_t kDrops = 8;
+    static constexpr std::uint32_t kBorders = 12;
 
     struct Slot : PlannedRecord {
         double begin_fraction = 0, end_fraction = 0;
@@ -126,6 +129,7 @@ private:
     static constexpr std::uint32_t kGroup = 16;
     struct Group {
         double length, v_max, a_max, j_max, feed;  // sum; least of each
+        double a_most, j_most;
         FeedMode feed_mode;
         std::uint16_t spindle;
         bool override_locked, mixed;  // the three above differ
@@ -135,24 +139,36 @@ private:
         double distance, ceiling;
         double a, j;  // least limits before it
     };
-    struct Drop {  // limits fall here
+    struct Border {  // limits change here
         double distance, speed;  // speed from which, with acceleration 0, all behind it can be kept
         double a, j;             // least limits before it
+        double on_a, on_j;       // least limits from here to the next border
         std::uint64_t record;    // that begins here
+        std::uint32_t via;       // the way on: steadily to this border; kBorders: to a standstill
+        double via_a, via_j;     // ... under these limits
     };
-    // What made the last step safe: from it one can be at the speed, with acceleration 0, where the record begins, or stand
-    // before it. Good until the record is reached, whatever else comes into view.
-    struct Witness {
+    // What made the last step safe: a way on. Leg by leg: under limits a, j to the speed, with acceleration 0, where the record
+    // begins, or to a stand before it; then the next leg. Good as it is, whatever else comes into view.
+    struct Leg {
         std::uint64_t record;
         double speed, a, j;
     };
+    struct Witness {
+        std::uint32_t count = 0;
+        std::array<Leg, kBorders + 2> legs;
+    };
+    struct Way { std::uint32_t by; double speed; };  // kLeast; a border; kKept + a leg of the witness
+    static constexpr std::uint32_t kLeast = 1000, kKept = 2000;
     enum class Ceilings : std::uint8_t { Hard, Wanted };
     // What lies ahead, as far as it can matter to this tick. Distances from the present point.
     struct View {
         std::array<Target, kTargets> targets;
-        std::array<Drop, kDrops + 1> drops;  // the last one used may be the witness of the step before
-        std::uint32_t target_count, drop_count;
-        bool has_witness;       // drops[drop_count] is
+        std::array<Border, kBorders> borders;
+        std::uint32_t target_count, border_count;
+        Witness last;                // of the step before
+        std::array<double, kBorders + 2> legs;  // where its legs end
+        std::uint32_t leg_count;
+        bool rises;             // limits before the end are better than the least of the view
         std::uint64_t beyond;   // first record that was not looked at
         double ceiling;         // over what this tick can touch
         double top;             // ceiling now that is not violated yet
@@ -170,7 +186,7 @@ private:
     void add_to_group(std::uint64_t record) noexcept;
     [[nodiscard]] bool stops_at_end(std::uint64_t record) const noexcept;
     void look_ahead(View& view, Ceilings which, const PathInput& input) noexcept;
-    void settle_drops(View& view) const noexcept;
+    void settle_borders(View& view) const noexcept;
     // A tick of profile_to_speed.
     struct Step {
         double speed, a, j;  // towards this speed, with these limits
@@ -178,11 +194,11 @@ private:
     };
     [[nodiscard]] Step step_towards(double speed, double a, double j) const noexcept;
     [[nodiscard]] double speed_at(const Step& step, double distance) const noexcept;
-    [[nodiscard]] bool safe(const View& view, const Step& step, Witness& witness) const noexcept;
+    [[nodiscard]] bool safe(const View& view, const Step& step, Way& way) const noexcept;
     [[nodiscard]] bool best_towards(const View& view, double goal, double a, double j, PathState& next) noexcept;
     [[nodiscard]] bool take(const View& view, const Step& step) noexcept;
     [[nodiscard]] PathState choose(const PathInput& input) noexcept;
-    [[nodiscard]] bool begin_landing(const View& view) noexcept;
+    [[nodiscard]] bool begin_landing(const View& view, bool before_rises) noexcept;
     [[nodiscard]] Stands leave_standstill(const PathInput& input, PathStep& step) noexcept;
     void carry(const PathState& next, PathStep& step) noexcept;
 
@@ -195,7 +211,7 @@ private:
     bool done_ = false;                  // the path stands at the end of record first_, which has ended
     std::uint64_t block_latch_ = kNone;  // single block: stand at the end of this record
     bool block_done_ = false;            // and it does
-    Witness witness_{kNone, 0, 0, 0};
+    Witness witness_;
     std::uint64_t landing_end_ = kNone;  // on a fixed profile that ends at the end of this record
     Landing landing_;
     std::uint64_t anomalies_ = 0;

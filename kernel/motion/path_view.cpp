@@ -10,9 +10,15 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 }  // namespace
 
 void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input) noexcept {
-    view.target_count = view.drop_count = 0;
-    view.has_witness = false;
-    Drop kept{};
+    view.target_count = view.border_count = 0;
+    view.leg_count = 0;
+    // Legs that have been driven.
+    std::uint32_t driven = 0;
+    while (driven < witness_.count && witness_.legs[driven].record <= first_) ++driven;
+    if (driven > 0) {
+        for (std::uint32_t i = driven; i < witness_.count; ++i) witness_.legs[i - driven] = witness_.legs[i];
+        witness_.count -= driven;
+    }
     view.which = which;
     view.rounding = kGiving;
     view.end = kInfinity;
@@ -27,6 +33,7 @@ void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input)
     // Of the targets so far. A ceiling that is violated already rules out nothing.
     double lowest = release_speed(v, std::max(a, 0.0), run_j) <= view.ceiling * (1 + kGiving) ? view.ceiling : running.v_max;
     view.top = lowest;
+    double on_a = run_a, on_j = run_j, last_ceiling = view.ceiling;  // of the stretch since the last border; of the last record
     double distance = running.length - state_.s;
     double reach = 0, need = 0;
     // How far this tick can lead, and how far from there to a standstill.
@@ -35,8 +42,8 @@ void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input)
         const double v_next = v + std::max(up, 0.0) * dt_;
         reach = v_next * dt_;
         need = reach + longest_braking(v_next, up, run_a, run_j);
-        for (std::uint32_t i = 0; i < view.drop_count; ++i) {
-            need = std::max(need, view.drops[i].distance + longest_braking(view.drops[i].speed, 0, run_a, run_j));
+        for (std::uint32_t i = 0; i < view.border_count; ++i) {
+            need = std::max(need, view.borders[i].distance + longest_braking(view.borders[i].speed, 0, run_a, run_j));
         }
     };
     measure();
@@ -63,8 +70,8 @@ void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input)
         if (distance >= need) break;
         if ((record + 1) % kGroup == 0 && record + kGroup + 1 < end_ && distance > reach) {
             const Group& group = groups_[(record + 1) % kPlannerWindow / kGroup];
-            const bool witness_inside = which == Ceilings::Hard && witness_.record > record && witness_.record <= record + kGroup;
-            if (!group.stops && !(blocks && group.block_ends) && !witness_inside && group.a_max >= run_a && group.j_max >= run_j &&
+            const bool witness_inside = which == Ceilings::Hard && view.leg_count < witness_.count && witness_.legs[view.leg_count].record <= record + kGroup;
+            if (!group.stops && !(blocks && group.block_ends) && !witness_inside && group.a_max >= on_a && group.j_max >= on_j && group.a_most <= 1.25 * on_a && group.j_most <= 1.25 * on_j &&
                 (which == Ceilings::Hard ? group.v_max >= lowest : !group.mixed && group_ceiling(group) >= lowest)) {
                 distance += group.length;
                 record += kGroup;
@@ -73,19 +80,35 @@ void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input)
             }
         }
         const Slot& slot = at(++record);
-        if (record == witness_.record && which == Ceilings::Hard) {
-            kept = {distance, witness_.speed, witness_.a, witness_.j, record};
-            view.has_witness = true;
+        if (which == Ceilings::Hard && view.leg_count < witness_.count && record == witness_.legs[view.leg_count].record) {
+            view.legs[view.leg_count++] = distance;
         }
         view.beyond = record + 1;
         if (slot.length > 0) {
             const double ceiling = ceiling_of(slot, which, input), before_a = run_a, before_j = run_j;
-            if (slot.a_max < run_a || slot.j_max < run_j) {
-                if (view.drop_count < kDrops) view.drops[view.drop_count++] = {distance, ceiling, run_a, run_j, record};
-                run_a = std::min(run_a, slot.a_max);
-                run_j = std::min(run_j, slot.j_max);
+            // A border: limits fall below all before, or differ much from those of the stretch since the last border. A
+            // short relief is none: it is over before it could be used.
+            const bool least = slot.a_max < run_a || slot.j_max < run_j;
+            const bool falls = slot.a_max < 0.8 * on_a || slot.j_max < 0.8 * on_j;
+            const bool rises = (slot.a_max > 1.25 * on_a || slot.j_max > 1.25 * on_j) && slot.length > 10 * dt_ * std::min(last_ceiling, ceiling);
+            if ((least || falls || rises) && view.border_count < kBorders) {
+                if (view.border_count > 0) view.borders[view.border_count - 1].on_a = on_a, view.borders[view.border_count - 1].on_j = on_j;
+                view.borders[view.border_count++] = {distance, std::min(last_ceiling, ceiling), run_a, run_j, 0, 0, record, kBorders, 0, 0};
+                on_a = slot.a_max;
+                on_j = slot.j_max;
+                run_a = std::min(run_a, on_a);
+                run_j = std::min(run_j, on_j);
                 measure();
+            } else {
+                on_a = std::min(on_a, slot.a_max);
+                on_j = std::min(on_j, slot.j_max);
+                if (least) {
+                    run_a = std::min(run_a, on_a);
+                    run_j = std::min(run_j, on_j);
+                    measure();
+                }
             }
+            last_ceiling = ceiling;
             if (distance <= reach) {
                 view.tick_a = run_a;
                 view.tick_j = run_j;
@@ -104,26 +127,65 @@ void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input)
     }
     view.a = run_a;
     view.j = run_j;
-    if (view.drop_count > 0) settle_drops(view);
-    view.drops[view.drop_count] = kept;
+    view.rises = false;
+    if (which == Ceilings::Hard) view.last = witness_;
+    // Legs that end beyond the view, which is longer than any braking.
+    while (which == Ceilings::Hard && view.leg_count < witness_.count) view.legs[view.leg_count++] = kInfinity;
+    if (view.border_count > 0) {
+        view.borders[view.border_count - 1].on_a = on_a;
+        view.borders[view.border_count - 1].on_j = on_j;
+        settle_borders(view);
+    }
 }
 
-// Lower each drop's speed until everything behind it can be kept from there with acceleration 0; more exactly from a tick
-// behind it, for braking goes on at the tick's end.
-void PathPlanner::settle_drops(View& view) const noexcept {
-    const auto lower = [&](Drop& drop, double distance, double ceiling) {
-        const double gap = distance - drop.distance - drop.speed * dt_;
-        if (distance_to_speed(drop.speed, 0, ceiling, view.a, view.j) <= gap) return;
-        const double most = std::min(drop.speed, top_speed(distance - drop.distance, ceiling, view.a, view.j));
-        drop.speed = std::min(most, top_speed(distance - drop.distance - most * dt_, ceiling, view.a, view.j));
-    };
-    for (std::uint32_t d = 0; d < view.drop_count; ++d) {
-        Drop& drop = view.drops[d];
-        for (std::uint32_t i = 0; i < view.target_count; ++i) {
-            const Target& target = view.targets[i];
-            if (target.distance > drop.distance && target.ceiling < drop.speed) lower(drop, target.distance, target.ceiling);
+// From the last border backwards: lower each one's speed until everything behind it can be kept from there with acceleration
+// 0; more exactly from a tick behind it, for braking goes on at the tick's end. Ways on: to a standstill under the least
+// limits of all that follows, or to another border under the limits up to there. The fastest counts.
+void PathPlanner::settle_borders(View& view) const noexcept {
+    double rest_a = kInfinity, rest_j = kInfinity;
+    for (std::uint32_t b = view.border_count; b-- > 0;) {
+        Border& border = view.borders[b];
+        rest_a = std::min(rest_a, border.on_a);
+        rest_j = std::min(rest_j, border.on_j);
+        view.rises = view.rises || rest_a > 1.05 * view.a || rest_j > 1.05 * view.j;
+        const auto lowered = [&](double speed, double distance, double ceiling, double a_max, double j_max) {
+            const double gap = distance - border.distance;
+            if (distance_to_speed(speed, 0, ceiling, a_max, j_max) <= gap - speed * dt_) return speed;
+            const double most = std::min(speed, top_speed(gap, ceiling, a_max, j_max));
+            return std::min(most, top_speed(gap - most * dt_, ceiling, a_max, j_max));
+        };
+        const double ceiling = border.speed;
+        double best = ceiling;
+        const double enough = longest_braking(ceiling, 0, rest_a, rest_j) + ceiling * dt_;
+        std::uint32_t behind = 0;  // first target behind the border
+        while (behind < view.target_count && view.targets[behind].distance <= border.distance) ++behind;
+        for (std::uint32_t i = behind; i < view.target_count && view.targets[i].distance - border.distance <= enough; ++i) {
+            if (view.targets[i].ceiling < best) best = lowered(best, view.targets[i].distance, view.targets[i].ceiling, rest_a, rest_j);
         }
-        if (view.end < kInfinity) lower(drop, view.end, 0);
+        if (view.end < kInfinity) best = lowered(best, view.end, 0, rest_a, rest_j);
+        border.via = kBorders;
+        border.via_a = rest_a;
+        border.via_j = rest_j;
+        double way_a = kInfinity, way_j = kInfinity, least = kInfinity;
+        std::uint32_t i = behind;
+        for (std::uint32_t m = b + 1; m < view.border_count && best < ceiling; ++m) {
+            way_a = std::min(way_a, view.borders[m - 1].on_a);
+            way_j = std::min(way_j, view.borders[m - 1].on_j);
+            double speed = ceiling;
+            for (; i < view.target_count && view.targets[i].distance < view.borders[m].distance; ++i) least = view.targets[i].ceiling;
+            for (std::uint32_t k = behind; k < i; ++k) {
+                if (view.targets[k].ceiling < speed) speed = lowered(speed, view.targets[k].distance, view.targets[k].ceiling, way_a, way_j);
+            }
+            const double there = std::min(view.borders[m].speed, least);
+            if (there < speed) speed = lowered(speed, view.borders[m].distance - 2 * kBefore, there, way_a, way_j);
+            if (speed > best) {
+                best = speed;
+                border.via = m;
+                border.via_a = way_a;
+                border.via_j = way_j;
+            }
+        }
+        border.speed = best;
     }
 }
 
