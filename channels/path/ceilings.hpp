@@ -9,6 +9,8 @@
 //     v_max    uses at most kBendShare of the acceleration and kTwistShare of the jerk that the axis has, all of N0402;
 //     a_max    takes what is left of the acceleration, and at most half of the jerk that is left;
 //     j_max    takes the rest.
+// Speed that nobody can ask for would take from braking for nothing: with feed per minute v_max is at most twice the
+// programmed feed (override 200 %). A dry run is held to it on bends; feed per revolution has no such bound.
 // Cost of it: v_max loses 5 % on arcs (square root of kBendShare), a_max is 0.44 of the axis' acceleration at v_max on a
 // full circle (there a and v^2/r act on different axes), more below.
 // Curves are sampled; arcs also at each point where an axis turns back. kSampling covers what lies between samples.
@@ -19,6 +21,7 @@
 namespace polyturn::channels {
 
 inline constexpr double kBendShare = 0.9, kTwistShare = 0.9, kSampling = 0.995;
+inline constexpr double kMostOverride = 2.0;   // feed override 200 %
 
 struct Ceilings {
     double v = 0, a = 0, j = 0;

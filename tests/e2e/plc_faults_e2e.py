@@ -35,7 +35,8 @@ class PlcFaults(Case):
                 self.assertEqual(done.status, 1, done.said())
                 self.assertTrue(done.alarms, done.said())
                 trace = read_trace(self.folder / "t.csv")
-                self.assertEqual(trace["A2.cmd"][-1], trace["A2.cmd"][-3])
+                # The run ends at the tick at which the axis comes to rest: its last step is the end of braking.
+                self.assertLess(abs(trace["A2.cmd"][-1] - trace["A2.cmd"][-2]), 1e-5, "is not at rest")
                 self.assertGreater(trace["A2.cmd"][-1], -90.0, "went on to the end of the program")
 
     def test_killed_while_both_turrets_cut(self):

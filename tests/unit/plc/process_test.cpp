@@ -117,13 +117,13 @@ class PlcFault : public PlcProcess, public ::testing::WithParamInterface<Fault> 
 TEST_P(PlcFault, EndsTheProcessAndTheLastOutputsStayWhole) {
     start(std::string(POLYTURN_BIN_DIR "/") + GetParam().library);
     attach();
-    for (int i = 0; i < 10; ++i) ASSERT_TRUE(cycle());
+    for (int i = 0; i < 100; ++i) ASSERT_TRUE(cycle());
     EXPECT_FALSE(cycle());
     ASSERT_TRUE(dies());
     EXPECT_EQ(WIFSIGNALED(status_), GetParam().signal);
     EXPECT_EQ(GetParam().signal ? WTERMSIG(status_) : WEXITSTATUS(status_), GetParam().number);
     ASSERT_TRUE(plc_->outputs.read(outputs));
-    EXPECT_EQ(outputs.cycle, 10U);
+    EXPECT_EQ(outputs.cycle, 100U);
     EXPECT_EQ(outputs.output[0], 1);
 }
 INSTANTIATE_TEST_SUITE_P(Builders, PlcFault,

@@ -1,4 +1,4 @@
-/* A PLC with the faults that a PLC can have; FAULT says which. It behaves for ten cycles, then shows it. */
+/* A PLC with the faults that a PLC can have; FAULT says which. It behaves for a hundred cycles (a second), then shows it. */
 #include "plc_api.h"
 
 static int init(void* state, const PolyturnPlcHost* host, const char** why) {
@@ -16,7 +16,7 @@ static int init(void* state, const PolyturnPlcHost* host, const char** why) {
 static void cycle(void* state, const PolyturnPlcInputs* in, PolyturnPlcOutputs* out) {
     (void)state;
     out->output[0] = 1;
-    if (in->cycle <= 10) return;
+    if (in->cycle <= 100) return;
 #if FAULT == 1 /* writes where it should not */
     *(volatile int*)16 = 1;
 #elif FAULT == 2 /* does not come back */
