@@ -199,17 +199,25 @@ bool PathPlanner::take(const View& view, const Step& step) noexcept {
 }
 
 // The fastest safe step among those towards a speed up to goal.
-bool PathPlanner::best_towards(const View& view, double goal, double a, double j, PathState& next) noexcept {
+bool PathPlanner::best_towards(View& view, double goal, double a, double j, PathState& next) noexcept {
     const Step most = step_towards(goal, a, j);
     next = most.next;
     if (take(view, most)) return true;
-    const Step least = step_towards(0, a, j);
+    Step least = step_towards(0, a, j);
+    if (!take(view, least)) {
+        // Too hard can be wrong too: acceleration could no longer be gone where limits fall. What was promised is not.
+        if (witness_.count == 0) return false;
+        least = step_towards(witness_.legs[0].speed, a, j);
+        view.rounding = kKeeping;
+        const bool kept = take(view, least);
+        view.rounding = kGiving;
+        if (!kept) return false;
+    }
     next = least.next;
-    if (!take(view, least)) return false;
     // What a tick of full jerk either way leads to bounds the speeds worth asking for.
     const double up_a = std::min(state_.a + j * dt_, a);
     const double highest = release_speed(state_.v + std::max(state_.a, up_a) * dt_, up_a, j);
-    double low = std::clamp(release_speed(least.next.v, least.next.a, j), 0.0, goal), high = std::min(goal, highest);
+    double low = least.speed > 0 ? least.speed : std::clamp(release_speed(next.v, next.a, j), 0.0, goal), high = std::min(goal, highest);
     const double lowest = low;
     for (int i = 0; i < (low > lowest ? 12 : 40) && low < high; ++i) {  // next to an end the first hit can be far down
         const double middle = (low + high) / 2;

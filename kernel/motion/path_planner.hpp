@@ -195,7 +195,7 @@ private:
     [[nodiscard]] Step step_towards(double speed, double a, double j) const noexcept;
     [[nodiscard]] double speed_at(const Step& step, double distance) const noexcept;
     [[nodiscard]] bool safe(const View& view, const Step& step, Way& way) const noexcept;
-    [[nodiscard]] bool best_towards(const View& view, double goal, double a, double j, PathState& next) noexcept;
+    [[nodiscard]] bool best_towards(View& view, double goal, double a, double j, PathState& next) noexcept;
     [[nodiscard]] bool take(const View& view, const Step& step) noexcept;
     [[nodiscard]] PathState choose(const PathInput& input) noexcept;
     [[nodiscard]] bool begin_landing(const View& view, bool before_rises) noexcept;
