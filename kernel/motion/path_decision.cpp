@@ -82,7 +82,10 @@ bool PathPlanner::safe(const View& view, const Step& step, Way& way) const noexc
     const double v = next.v, a = next.a;
     if (v < 0 || (state_.a < 0 && release_speed(state_.v, state_.a, step.j) < -1e-9)) return false;
     for (std::uint32_t i = 0; i < view.target_count && view.targets[i].distance < next.s; ++i) {
-        if (speed_at(step, view.targets[i].distance) > view.targets[i].ceiling * (1 + 1e-4)) return false;
+        const double ceiling = view.targets[i].ceiling * (1 + 1e-4);
+        const double highest = std::max(state_.a > 0 ? release_speed(state_.v, state_.a, step.j) : state_.v, v);
+        if (highest <= ceiling) continue;
+        if (std::min(state_.v, v) > ceiling || speed_at(step, view.targets[i].distance) > ceiling) return false;
     }
     // Limits of this side of a border must not act beyond it, but to be steady there.
     if (step.j > view.tick_j || step.a > view.tick_a) {
@@ -130,7 +133,7 @@ bool PathPlanner::safe(const View& view, const Step& step, Way& way) const noexc
         return true;
     }
     // One braking to a speed without acceleration at a distance, below everything before it; or to a stand before it.
-    const auto braked = [&](double distance, double speed, double a_max, double j_max, double& w) {
+    const auto braked = [&](double distance, double speed, double a_max, double j_max, double before, double& w) {
         const double gap = distance - next.s;
         if (gap < 0 || !within(a_max, j_max) || cannot_but_reverse(j_max)) return false;
         if (a > 0 && release_speed(v, a, j_max) > view.top * (1 + view.rounding)) return false;
@@ -138,7 +141,7 @@ bool PathPlanner::safe(const View& view, const Step& step, Way& way) const noexc
         for (std::uint32_t i = 0; i < view.target_count && view.targets[i].distance < distance; ++i) w = std::min(w, view.targets[i].ceiling);
         for (;;) {
             const Braking braking(v, a, w, a_max, j_max);
-            bool kept = gap < kInfinity ? braking.distance() <= (gap - kBefore + 10 * view.rounding) * (1 + view.rounding / 10) + view.rounding * 1e-4 : stands_in_time(braking);
+            bool kept = gap < kInfinity ? braking.distance() <= (gap - before) * (1 + view.rounding / 10) + view.rounding * 1e-4 : stands_in_time(braking);
             for (std::uint32_t i = 0; kept && i < view.target_count && view.targets[i].distance < distance; ++i) {
                 kept = falls_below(braking, view.targets[i].distance - next.s, view.targets[i].ceiling, view.rounding);
             }
@@ -151,7 +154,7 @@ bool PathPlanner::safe(const View& view, const Step& step, Way& way) const noexc
         const Border& border = view.borders[b];
         if (border.distance < next.s) continue;
         if (!all_arrived_at(border.distance)) break;  // nor would it for one further away
-        if (braked(border.distance, border.speed, border.a, border.j, way.speed)) {
+        if (braked(border.distance, border.speed, border.a, border.j, view.rounding > kGiving ? kBefore / 2 : kBefore, way.speed)) {
             way.by = b;
             return true;
         }
@@ -160,7 +163,7 @@ bool PathPlanner::safe(const View& view, const Step& step, Way& way) const noexc
     for (std::uint32_t i = 0; i < view.leg_count; ++i) {
         const Leg& leg = view.last.legs[i];
         if (view.legs[i] < next.s) continue;
-        if (braked(view.legs[i], leg.speed, leg.a, leg.j, way.speed)) {
+        if (braked(view.legs[i], leg.speed, leg.a, leg.j, 0, way.speed)) {
             way.by = kKept + i;
             return true;
         }
@@ -259,7 +262,7 @@ PathState PathPlanner::choose(const PathInput& input) noexcept {
     if (best_towards(view_, wanted, view_.tick_a, view_.tick_j, next)) return next;
     if (best_towards(view_, wanted, view_.a, view_.j, next)) return next;
     // As the last step promised.
-    view_.rounding = kKeeping;
+    view_.rounding = 3 * kKeeping;
     if (view_.last.count > 0) {
         const Leg leg = view_.last.legs[0];
         for (const double speed : {leg.speed, 0.0}) {

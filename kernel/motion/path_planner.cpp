@@ -65,7 +65,7 @@ void PathPlanner::add_to_group(std::uint64_t record) noexcept {
     // Begun anew with its first record. One that clear() left half filled keeps what it has: lower limits only cost time
     // to look at, but a length would be wrong, so it counts as stopping.
     if (record % kGroup == 0) {
-        group = {0, kInfinity, kInfinity, kInfinity, kInfinity, 0, 0, slot.feed_mode, slot.spindle, slot.override_locked, false, false, false};
+        group = {0, kInfinity, kInfinity, kInfinity, kInfinity, 0, 0, 0, slot.feed_mode, slot.spindle, slot.override_locked, false, false, false};
     }
     group.stops = group.stops || slot.stop_after || slot.stop_before;
     group.block_ends = group.block_ends || slot.block_end;
@@ -75,6 +75,7 @@ void PathPlanner::add_to_group(std::uint64_t record) noexcept {
     group.a_max = std::min(group.a_max, slot.a_max);
     group.j_max = std::min(group.j_max, slot.j_max);
     group.feed = std::min(group.feed, slot.feed);
+    group.longest = std::max(group.longest, slot.length);
     group.a_most = std::max(group.a_most, slot.a_max);
     group.j_most = std::max(group.j_most, slot.j_max);
     group.mixed = group.mixed || group.feed_mode != slot.feed_mode || group.spindle != slot.spindle || group.override_locked != slot.override_locked;

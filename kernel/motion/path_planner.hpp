@@ -117,7 +117,7 @@ private:
     static constexpr double kGiving = 1e-9, kKeeping = 1e-8;
     // A promise to be steady or to stand before limits fall keeps this far from there, mm: a tail that rounding carries over
     // the border would be judged by the other limits.
-    static constexpr double kBefore = 1e-7;
+    static constexpr double kBefore = 4e-7;
     static constexpr std::uint64_t kNone = ~0ull;
     static constexpr std::uint32_t kTargets = 256;
     static constexpr std::uint32_t kBorders = 12;
@@ -129,7 +129,7 @@ private:
     static constexpr std::uint32_t kGroup = 16;
     struct Group {
         double length, v_max, a_max, j_max, feed;  // sum; least of each
-        double a_most, j_most;
+        double longest, a_most, j_most;            // greatest
         FeedMode feed_mode;
         std::uint16_t spindle;
         bool override_locked, mixed;  // the three above differ

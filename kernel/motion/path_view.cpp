@@ -7,6 +7,7 @@
 namespace polyturn::kernel {
 namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kFall = 0.8, kRise = 1.25;  // that much is a border
 }  // namespace
 
 void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input) noexcept {
@@ -48,6 +49,7 @@ void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input)
     };
     measure();
     const bool blocks = which == Ceilings::Wanted && input.single_block;
+    const auto relief = [&](double speed) { return 10 * dt_ * speed; };
     const auto group_ceiling = [&](const Group& group) {
         PlannedRecord least;
         least.length = group.length;
@@ -71,12 +73,16 @@ void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input)
         if ((record + 1) % kGroup == 0 && record + kGroup + 1 < end_ && distance > reach) {
             const Group& group = groups_[(record + 1) % kPlannerWindow / kGroup];
             const bool witness_inside = which == Ceilings::Hard && view.leg_count < witness_.count && witness_.legs[view.leg_count].record <= record + kGroup;
-            if (!group.stops && !(blocks && group.block_ends) && !witness_inside && group.a_max >= on_a && group.j_max >= on_j && group.a_most <= 1.25 * on_a && group.j_most <= 1.25 * on_j &&
-                (which == Ceilings::Hard ? group.v_max >= lowest : !group.mixed && group_ceiling(group) >= lowest)) {
-                distance += group.length;
-                record += kGroup;
-                view.beyond = record + 1;
-                continue;
+            if (!group.stops && !(blocks && group.block_ends) && !witness_inside && group.a_max >= on_a && group.j_max >= on_j && (which == Ceilings::Hard || !group.mixed)) {
+                const double ceiling = which == Ceilings::Hard ? group.v_max : group_ceiling(group);
+                const bool rises = (group.a_most > kRise * on_a || group.j_most > kRise * on_j) && group.longest > relief(std::min(last_ceiling, ceiling));
+                if (ceiling >= lowest && !rises) {
+                    distance += group.length;
+                    record += kGroup;
+                    view.beyond = record + 1;
+                    if (at(record).length > 0) last_ceiling = ceiling_of(at(record), which, input);
+                    continue;
+                }
             }
         }
         const Slot& slot = at(++record);
@@ -89,8 +95,8 @@ void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input)
             // A border: limits fall below all before, or differ much from those of the stretch since the last border. A
             // short relief is none: it is over before it could be used.
             const bool least = slot.a_max < run_a || slot.j_max < run_j;
-            const bool falls = slot.a_max < 0.8 * on_a || slot.j_max < 0.8 * on_j;
-            const bool rises = (slot.a_max > 1.25 * on_a || slot.j_max > 1.25 * on_j) && slot.length > 10 * dt_ * std::min(last_ceiling, ceiling);
+            const bool falls = slot.a_max < kFall * on_a || slot.j_max < kFall * on_j;
+            const bool rises = (slot.a_max > kRise * on_a || slot.j_max > kRise * on_j) && slot.length > relief(std::min(last_ceiling, ceiling));
             if ((least || falls || rises) && view.border_count < kBorders) {
                 if (view.border_count > 0) view.borders[view.border_count - 1].on_a = on_a, view.borders[view.border_count - 1].on_j = on_j;
                 view.borders[view.border_count++] = {distance, std::min(last_ceiling, ceiling), run_a, run_j, 0, 0, record, kBorders, 0, 0};
