@@ -163,7 +163,7 @@ bool PathPlanner::safe(const View& view, const Step& step, Way& way) const noexc
     for (std::uint32_t i = 0; i < view.leg_count; ++i) {
         const Leg& leg = view.last.legs[i];
         if (view.legs[i] < next.s) continue;
-        if (braked(view.legs[i], leg.speed, leg.a, leg.j, 0, way.speed)) {
+        if (braked(view.legs[i], leg.speed, leg.a, leg.j, -kBefore / 4, way.speed)) {
             way.by = kKept + i;
             return true;
         }
