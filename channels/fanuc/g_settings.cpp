@@ -54,7 +54,7 @@ bool Interpreter::g_exact_once(const GCode&) {
 
 bool Interpreter::g_surface(const GCode& row) { return core_.surface_speed(row.tenths == 960); }
 
-bool Interpreter::g_comp_on(const GCode& row) { return core_.compensation(row.tenths == 410 ? CompSide::Left : CompSide::Right); }
+bool Interpreter::g_comp_on(const GCode& row) { return reads_contour_ || core_.compensation(row.tenths == 410 ? CompSide::Left : CompSide::Right); }
 
 // I, K tell how the contour would go on; in an arc they are its centre.
 bool Interpreter::g_comp_off(const GCode&) {

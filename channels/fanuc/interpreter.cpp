@@ -108,6 +108,8 @@ Result<void> Interpreter::start(FileId main) {
     fresh_ = true;   // cycle start is a barrier
     program_number_ = 0;
     measuring_ = {};
+    finishing_ = {};
+    cycle_data_ = {};
     serial_ = 0;
     points_.clear();
     states_.clear();
@@ -140,7 +142,7 @@ Step Interpreter::fault_at(Alarm alarm, std::uint32_t column, std::uint32_t leng
 Step Interpreter::fault(Fault fault) {
     if (fault.block) {   // an earlier block of the program
         const BlockContext& at = *fault.block;
-        core_.sink().alarm({fault.alarm, {files_->path(at.file), at.line, 0, 0}, {fault.value0, fault.value1}, std::move(fault.detail)}, at);
+        core_.sink().alarm({fault.alarm, {files_->path(at.file), at.line, fault.column, fault.length}, {fault.value0, fault.value1}, std::move(fault.detail)}, at);
         ended_ = true;
         return Step::Failed;
     }
@@ -216,7 +218,7 @@ Step Interpreter::read_block() {
     at.stack_depth = static_cast<std::uint8_t>(frames_.size() - 1);
     at.line = source_->position().line;
     at.block = -1;
-    at.cycle = {};
+    at.cycle = finishing_.active ? finishing_.name : std::string_view{};
     const ScanStop stop = scanner_.scan(line_, column_, block_);
     switch (stop) {
         case ScanStop::EndOfLine:

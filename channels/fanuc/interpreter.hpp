@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "channels/cycles/contour.hpp"
 #include "channels/cycles/simple_cycles.hpp"
 #include "channels/fanuc/settings.hpp"
 #include "channels/fanuc/expression.hpp"
@@ -99,6 +100,9 @@ public:
     bool g_cycle_facing(const GCode&);
     bool g_cycle_thread(const GCode&);
     bool g_drilling(const GCode&);
+    bool g_finishing(const GCode&);
+    bool g_stock_removal(const GCode&);
+    bool g_pattern(const GCode&);
     bool g_skip(const GCode&);
     bool g_measure(const GCode&);
     bool g_drilling_off(const GCode&);
@@ -133,7 +137,7 @@ private:
     bool is_plain_move() const;
     // Everything that holds from block to block beside positions, calls and variables.
     auto modal() {
-        return std::tie(motion_, active_, cycle_end_, cycle_set_, cycle_taper_, drilling_, drill_, absolute_, inch_, unit_, last_m_, last_t_, last_n_,
+        return std::tie(motion_, active_, cycle_end_, cycle_set_, cycle_taper_, drilling_, drill_, finishing_, cycle_data_, absolute_, inch_, unit_, last_m_, last_t_, last_n_,
                         parameter_input_, lead_, single_block_off_, no_finish_wait_, automatic_control_, parts_, program_number_, tape_begun_, blocks_begun_);
     }
 
@@ -167,6 +171,21 @@ private:
 
     bool cycle_words(cycles::SimpleCycle& cycle, char taper_letter);
     Step finish_skip();
+    // repetitive cycles (g_repetitive.cpp)
+    struct ContourText {
+        TextPosition first, behind;      // block P; the line behind block Q
+        std::int64_t last = 0;           // Q
+        bool directly = false;           // nothing stands between the cycle and block P
+    };
+    bool read_contour(cycles::Contour& contour, ContourText& text);
+    bool read_contour_blocks(cycles::ContourRecorder& recorder, Interpreter& reader, ContourText& text);
+    void after_contour(const ContourText& text);
+    bool end_finishing();
+    double shift_word(char letter, PlaneRole role) const;
+    bool first_of_two() const { return !block_.has('P') && !block_.has('Q'); }
+    void keep_word(std::optional<double>& kept, char letter);
+    bool series15_count(char letter, double& value);
+    bool turning_cycles_available(const GCode& row);
     bool run_drilling();
     int drilling_axis();
 
@@ -233,6 +252,18 @@ private:
         double initial = 0, r_level = 0, bottom = 0, q = 0, p = 0, e = 0;
         bool initial_known = false, r_set = false, bottom_set = false, p_set = false, e_set = false;
     } drill_;
+    struct Finishing {                // G70 drives the blocks P to Q
+        bool active = false;
+        std::string_view name;
+        std::int64_t last = 0;        // Q
+        TextPosition resume;
+        std::size_t depth = 0;        // of frames_
+        AxisValues start{};
+    } finishing_;
+    struct CycleData {                // what first blocks have said (fanuc: it stays; nct: for the next block)
+        std::optional<double> depth, escape, relief_z, relief_x, divisions, peck_return, thread_passes, thread_chamfer, tool_angle, least_infeed, thread_allowance;
+    } cycle_data_;
+    bool reads_contour_ = false;      // this interpreter only looks at a contour
     bool absolute_ = true, inch_ = false;
     std::int64_t last_m_ = 0, last_t_ = 0, last_n_ = 0;
     bool parameter_input_ = false;    // between G10 L50 and G11

@@ -48,6 +48,7 @@ public:
     std::size_t depth() const { return levels_.size(); }
     const std::vector<LocalSet>& levels() const { return levels_; }
     void set_levels(const std::vector<LocalSet>& levels) { levels_ = levels; }
+    void take_values(const VariableSet& other) { common_ = other.common_, levels_ = other.levels_; }
     UndoLog& undo() { return undo_; }
     void begin_block(std::uint64_t serial) { serial_ = serial; }
     void note_cell(double& cell) { undo_.note(serial_, cell); }   // before an offset or a zero is written

@@ -12,7 +12,7 @@ Core::Core(MachineView& view, Sink& sink, Port& port) : view_(&view), sink_(&sin
 }
 
 bool Core::fail(Alarm alarm, char letter, std::string detail, double v0, double v1) {
-    fault_ = {alarm, letter, v0, v1, std::move(detail), {}};
+    fault_ = {alarm, letter, v0, v1, std::move(detail), {}, 0, 0};
     return false;
 }
 

@@ -37,7 +37,8 @@ struct Fault {
     char letter = 0;
     double value0 = 0.0, value1 = 0.0;
     std::string detail;
-    std::optional<BlockContext> block;      // it lies in this earlier block; nothing: in the block being interpreted
+    std::optional<BlockContext> block;      // it lies in this other block; nothing: in the block being interpreted
+    std::uint32_t column = 0, length = 0;   // in that block, when known
 };
 
 struct ToolState {
