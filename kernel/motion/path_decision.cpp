@@ -94,7 +94,11 @@ bool PathPlanner::safe(const View& view, const Step& step, Way& way) const noexc
             const bool last = d + 1 == view.border_count;
             if ((last ? view.a : view.borders[d + 1].a) < step.a || (last ? view.j : view.borders[d + 1].j) < step.j) side = view.borders[d].distance;
         }
-        if (next.s > side && (a != 0 || distance_to_speed(state_.v, state_.a, step.speed, step.a, step.j) > side)) return false;
+        if (next.s > side && (a != 0 || distance_to_speed(state_.v, state_.a, step.speed, step.a, step.j) > side + kBefore)) return false;
+    }
+    if (v == 0 && a == 0 && next.s <= view.end) {  // whoever stands can go on at any pace
+        way = {kLeast, 0};
+        return true;
     }
     const auto all_arrived_at = [&](double until) {
         for (std::uint32_t i = 0; view.which == Ceilings::Wanted && i < view.target_count && view.targets[i].distance < until; ++i) {
@@ -163,7 +167,7 @@ bool PathPlanner::safe(const View& view, const Step& step, Way& way) const noexc
     for (std::uint32_t i = 0; i < view.leg_count; ++i) {
         const Leg& leg = view.last.legs[i];
         if (view.legs[i] < next.s) continue;
-        if (braked(view.legs[i], leg.speed, leg.a, leg.j, -kBefore / 4, way.speed)) {
+        if (braked(view.legs[i], leg.speed, leg.a, leg.j, view.rounding > kGiving ? -kBefore / 4 : 0, way.speed)) {
             way.by = kKept + i;
             return true;
         }
