@@ -96,7 +96,7 @@ bool PathPlanner::safe(const View& view, const Step& step, Way& way) const noexc
         }
         if (next.s > side && (a != 0 || distance_to_speed(state_.v, state_.a, step.speed, step.a, step.j) > side + kBefore)) return false;
     }
-    if (v == 0 && a == 0 && next.s <= view.end) {  // whoever stands can go on at any pace
+    if (v == 0 && a == 0 && next.s <= view.end + kBefore / 4) {  // whoever stands can go on at any pace
         way = {kLeast, 0};
         return true;
     }
