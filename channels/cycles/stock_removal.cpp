@@ -41,6 +41,7 @@ private:
     const StockRemoval* cycle_;
     const Profile* profile_;
     Level start_, here_;
+    double open_height_ = start_.h;   // down to where the stock above the contour's first point is cut
 };
 
 // Along a piece up to a point on it.
@@ -81,6 +82,7 @@ bool Roughing::cut(const Pass& pass) {
     const double level = height(pass.level);
     if (pass.opening.from_start) {
         if (!to({pass.opening.s1, here_.h}, true) || !to({pass.opening.s1, level}, contour_->approach_rapid)) return false;
+        open_height_ = level;
     } else if (!down_flank(pass)) {
         return false;
     }
@@ -96,6 +98,7 @@ bool Roughing::finish() {
     if (cycle_->pockets && here_.h < start_.h && !to({here_.s, start_.h}, true)) return false;
     if (!to({first.s, here_.h}, true)) return false;
     // Stock may still stand above the first point of a contour with pockets: the last part is cut.
+    if (cycle_->pockets && contour_->approach_rapid && !to({first.s, std::fmax(first.h, open_height_)}, true)) return false;
     if (!to(first, contour_->approach_rapid && !cycle_->pockets)) return false;
     for (const Piece& piece : profile_->pieces())
         if (!follow(piece, piece.to)) return false;

@@ -238,7 +238,7 @@ bool Interpreter::set_feed(const Word& word) {
     if (word.value < 0) return core_.fail(Alarm::NegativeSign, 'F', "F");
     const GCode* one_shot = coded_groups_ & bit_of(GGroup::OneShot) ? coded_[static_cast<std::size_t>(GGroup::OneShot)] : nullptr;
     const bool plain = word.has_point || word.from_expression || settings_.point_means_nothing;
-    const bool threading = !one_shot && (motion_->act == &Interpreter::g_thread || motion_->act == &Interpreter::g_thread_variable ||
+    const bool threading = one_shot ? one_shot->act == &Interpreter::g_thread_passes : (motion_->act == &Interpreter::g_thread || motion_->act == &Interpreter::g_thread_variable ||
                                          motion_->act == &Interpreter::g_cycle_thread);
     // Without a point a feed per revolution and a lead count small steps; a feed per minute is whole millimetres.
     const double small = settings_.series15 ? 0.01 : 0.0001;

@@ -103,6 +103,8 @@ public:
     bool g_finishing(const GCode&);
     bool g_stock_removal(const GCode&);
     bool g_pattern(const GCode&);
+    bool g_grooving(const GCode&);
+    bool g_thread_passes(const GCode&);
     bool g_skip(const GCode&);
     bool g_measure(const GCode&);
     bool g_drilling_off(const GCode&);
@@ -186,6 +188,7 @@ private:
     void keep_word(std::optional<double>& kept, char letter);
     bool series15_count(char letter, double& value);
     bool turning_cycles_available(const GCode& row);
+    double fine_length(char letter) const;
     bool run_drilling();
     int drilling_axis();
 
