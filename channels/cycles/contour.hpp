@@ -49,7 +49,9 @@ public:
     void move(const Move& move, const BlockContext& at) override;
     void alarm(const Diagnosis& diagnosis, const BlockContext& at) override;
     void wait(const Wait&, const BlockContext& at) override { foreign = at; }
-    void stop(const Stop&, const BlockContext& at) override { foreign = at; }
+    void stop(const Stop& stop, const BlockContext& at) override {   // an end of the program tells the reader by itself
+        if (stop.reason == StopReason::M00 || stop.reason == StopReason::M01) foreign = at;
+    }
     void barrier(const BlockContext& at) override { foreign = at; }
     void offset(const OffsetWrite&, const BlockContext& at) override { foreign = at; }
     void dwell(const Dwell&, const BlockContext&) override {}
