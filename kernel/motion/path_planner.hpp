@@ -106,7 +106,7 @@ public:
     [[nodiscard]] double speed() const noexcept { return state_.v; }
     [[nodiscard]] double acceleration() const noexcept { return state_.a; }
     [[nodiscard]] bool at_rest() const noexcept { return state_.v == 0 && state_.a == 0; }
-    // Ticks in which no step within limits was found: stays 0; tests ask.
+    // Ticks in which no step was found that keeps every promise; then it brakes. Stays 0; tests ask.
     [[nodiscard]] std::uint64_t anomalies() const noexcept { return anomalies_; }
 
 private:
@@ -120,7 +120,7 @@ private:
     static constexpr double kBefore = 4e-7;
     static constexpr std::uint64_t kNone = ~0ull;
     static constexpr std::uint32_t kTargets = 256;
-    static constexpr std::uint32_t kBorders = 12;
+    static constexpr std::uint32_t kBorders = 24;
 
     struct Slot : PlannedRecord {
         double begin_fraction = 0, end_fraction = 0;

@@ -13,9 +13,11 @@ constexpr double kFall = 0.8, kRise = 1.25;  // that much is a border
 void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input) noexcept {
     view.target_count = view.border_count = 0;
     view.leg_count = 0;
-    // Legs that have been driven.
+    // Legs that have been driven; one to a stand is so once it stands, though rounding may carry it over the border before.
     std::uint32_t driven = 0;
-    while (driven < witness_.count && witness_.legs[driven].record <= first_) ++driven;
+    const bool tail = state_.s <= kBefore / 4 && !at_rest();
+    const auto is_driven = [&](const Leg& leg) { return leg.record < first_ || (leg.record == first_ && !(tail && leg.speed == 0)); };
+    while (driven < witness_.count && is_driven(witness_.legs[driven])) ++driven;
     if (driven > 0) {
         for (std::uint32_t i = driven; i < witness_.count; ++i) witness_.legs[i - driven] = witness_.legs[i];
         witness_.count -= driven;
@@ -27,6 +29,7 @@ void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input)
     view.beyond = first_ + 1;
     const double v = state_.v, a = state_.a;
     const Slot& running = at(first_);
+    if (which == Ceilings::Hard && witness_.count > 0 && witness_.legs[0].record == first_) view.legs[view.leg_count++] = -state_.s;
     double run_a = running.a_max, run_j = running.j_max;
     view.tick_a = run_a;
     view.tick_j = run_j;
@@ -49,7 +52,7 @@ void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input)
     };
     measure();
     const bool blocks = which == Ceilings::Wanted && input.single_block;
-    const auto relief = [&](double speed) { return 10 * dt_ * speed; };
+    const auto relief = [&](double speed) { return 2 * dt_ * speed; };
     const auto group_ceiling = [&](const Group& group) {
         PlannedRecord least;
         least.length = group.length;
