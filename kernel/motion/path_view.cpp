@@ -76,7 +76,8 @@ void PathPlanner::look_ahead(View& view, Ceilings which, const PathInput& input)
         if ((record + 1) % kGroup == 0 && record + kGroup + 1 < end_ && distance > reach) {
             const Group& group = groups_[(record + 1) % kPlannerWindow / kGroup];
             const bool witness_inside = which == Ceilings::Hard && view.leg_count < witness_.count && witness_.legs[view.leg_count].record <= record + kGroup;
-            if (!group.stops && !(blocks && group.block_ends) && !witness_inside && group.a_max >= on_a && group.j_max >= on_j && (which == Ceilings::Hard || !group.mixed)) {
+            const bool plain = !group.stops && !(blocks && group.block_ends) && (which == Ceilings::Hard || !group.mixed);
+            if (plain && !witness_inside && group.a_max >= on_a && group.j_max >= on_j) {
                 const double ceiling = which == Ceilings::Hard ? group.v_max : group_ceiling(group);
                 const bool rises = (group.a_most > kRise * on_a || group.j_most > kRise * on_j) && group.longest > relief(std::min(last_ceiling, ceiling));
                 if (ceiling >= lowest && !rises) {

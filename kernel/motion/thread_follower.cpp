@@ -112,7 +112,10 @@ PathState ThreadFollower::follow(const ThreadInput& input, ThreadStep& step) noe
     if (line.piece != line_piece_) {  // the lead may jump: close the gap of speed
         line_piece_ = line.piece;
         const double jump = state_.v - line.v;
-        if (std::abs(jump) > 0.02 * a_max_ * dt_) close_gap(state_.s + state_.v * dt_ - line.s, jump, state_.a - line.a, closing_time(std::abs(jump), a_max_, j_max_, 4, 36) + dt_);
+        if (std::abs(jump) > 0.02 * a_max_ * dt_) {
+            const double time = closing_time(std::abs(jump), a_max_, j_max_, 4, 36) + dt_;
+            close_gap(state_.s + state_.v * dt_ - line.s, jump, state_.a - line.a, time);
+        }
     }
     double e = 0, e1 = 0, e2 = 0;
     if (gap_left_ > 0) {
