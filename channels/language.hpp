@@ -36,6 +36,8 @@ public:
     virtual bool resume_at(std::uint64_t serial) = 0;
 };
 
+// Whose alarm numbers a language speaks, by the name that --language takes.
+Dialect dialect_of(std::string_view language);
 // By the name that --language takes; nothing for a language that is not built.
 std::unique_ptr<Language> make_language(std::string_view name, MachineView& view, Sink& sink, Port& port, ProgramFiles& files);
 std::unique_ptr<Language> make_fanuc(MachineView& view, Sink& sink, Port& port, ProgramFiles& files);

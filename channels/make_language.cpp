@@ -4,6 +4,15 @@
 
 namespace polyturn::channels {
 
+Dialect dialect_of(std::string_view language) {
+    if (language == "nct") return Dialect::Nct;
+    if (language == "fagor") return Dialect::Fagor;
+    if (language == "sinumerik") return Dialect::Sinumerik;
+    if (language == "mefi") return Dialect::Mefi;
+    return Dialect::Fanuc;
+}
+
+
 std::unique_ptr<Language> make_fanuc(MachineView& view, Sink& sink, Port& port, ProgramFiles& files) {
     fanuc::fanuc_axes(view);
     return std::make_unique<fanuc::Interpreter>(view, sink, port, files, &fanuc::fanuc_settings);

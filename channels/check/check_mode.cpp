@@ -11,14 +11,6 @@
 namespace polyturn::channels {
 namespace {
 
-Dialect dialect_of(std::string_view language) {
-    if (language == "nct") return Dialect::Nct;
-    if (language == "fagor") return Dialect::Fagor;
-    if (language == "sinumerik") return Dialect::Sinumerik;
-    if (language == "mefi") return Dialect::Mefi;
-    return Dialect::Fanuc;
-}
-
 // Prints events as they come in pieces, so that a long program needs no memory; after a wait it asks for the way on.
 class Printer {
 public:

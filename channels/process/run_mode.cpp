@@ -9,14 +9,6 @@
 namespace polyturn::channels {
 namespace {
 
-Dialect dialect_of(std::string_view language) {
-    if (language == "nct") return Dialect::Nct;
-    if (language == "fagor") return Dialect::Fagor;
-    if (language == "sinumerik") return Dialect::Sinumerik;
-    if (language == "mefi") return Dialect::Mefi;
-    return Dialect::Fanuc;
-}
-
 // The language that --language names, or the machine.
 std::string language_of(const RunModeOptions& options, const MachineView& view) {
     return options.language.empty() ? std::string(params::get_text(view.table(), params::pt_language, view.channel)) : options.language;
