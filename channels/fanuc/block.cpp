@@ -194,17 +194,15 @@ double Interpreter::length(const Word& word, int place) const {
 
 double Interpreter::radius_length(char letter) const { return block_.has(letter) ? length(block_.word(letter), -1) : 0.0; }
 
+Interpreter::AxisOf Interpreter::axis_of(const Word& word) const {
+    if (word.axis >= 0) return {word.axis, !absolute_};
+    const auto letter = static_cast<std::size_t>(word.address - 'A');
+    if (absolute_axis_[letter] >= 0) return {absolute_axis_[letter], !absolute_};
+    return {incremental_axis_[letter], true};
+}
+
 bool Interpreter::axis_word(const Word& word, AxisValues& target, AxisSet& named) {
-    int place = word.axis;
-    bool incremental = !absolute_;
-    if (place < 0) {
-        const auto letter = static_cast<std::size_t>(word.address - 'A');
-        place = absolute_axis_[letter];
-        if (place < 0) {
-            place = incremental_axis_[letter];
-            incremental = true;
-        }
-    }
+    const auto [place, incremental] = axis_of(word);
     const auto i = static_cast<std::size_t>(place);
     const ChannelAxis& axis = core_.view().axes[i];
     const double value = length(word, place) * (axis.diameter ? 0.5 : 1.0);

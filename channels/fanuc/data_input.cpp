@@ -133,13 +133,7 @@ bool Interpreter::g10_zero() {
     const std::int32_t row = extended ? kZeroG541Row + static_cast<std::int32_t>(p) : static_cast<std::int32_t>(p);
     for (unsigned k = 0; k < axis_word_count_; ++k) {
         const Word& word = block_.words[axis_words_[k]];
-        int place = word.axis;
-        bool incremental = !absolute_;
-        if (place < 0) {
-            const auto letter = static_cast<std::size_t>(word.address - 'A');
-            place = absolute_axis_[letter];
-            if (place < 0) place = incremental_axis_[letter], incremental = true;
-        }
+        const auto [place, incremental] = axis_of(word);
         const auto i = static_cast<unsigned>(place);
         const double before = core_.view().store->zeros[static_cast<std::size_t>(row) * kChannelAxes + i];
         const double value = length(word, place);

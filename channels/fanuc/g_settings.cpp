@@ -86,13 +86,7 @@ bool Interpreter::g_preset(const GCode&) {
     }
     for (unsigned k = 0; k < axis_word_count_; ++k) {
         const Word& word = block_.words[axis_words_[k]];
-        int place = word.axis;
-        bool incremental = !absolute_;
-        if (place < 0) {
-            const auto letter = static_cast<std::size_t>(word.address - 'A');
-            place = absolute_axis_[letter];
-            if (place < 0) place = incremental_axis_[letter], incremental = true;
-        }
+        const auto [place, incremental] = axis_of(word);
         const auto i = static_cast<unsigned>(place);
         const double value = length(word, place) * (core_.view().axes[i].diameter ? 0.5 : 1.0);
         if (incremental) core_.preset_by(i, value);

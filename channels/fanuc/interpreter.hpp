@@ -150,6 +150,8 @@ private:
     bool act();
     bool read_axis_words(AxisValues& target, AxisSet* named = nullptr);
     bool axis_word(const Word& word, AxisValues& target, AxisSet& named);
+    struct AxisOf { int place; bool incremental; };
+    AxisOf axis_of(const Word& word) const;               // the axis that an axis word means, and whether it counts from the last point
     double length(const Word& word, int place) const;     // mm or degrees, as the axis is programmed (not halved)
     double radius_length(char letter) const;              // I K R: mm
     double seconds(const Word& word) const;
