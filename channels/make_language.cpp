@@ -1,5 +1,6 @@
 #include "channels/fanuc/interpreter.hpp"
 #include "channels/language.hpp"
+#include "channels/mefi/settings.hpp"
 #include "channels/nct/settings.hpp"
 
 namespace polyturn::channels {
@@ -25,6 +26,7 @@ std::unique_ptr<Language> make_nct(MachineView& view, Sink& sink, Port& port, Pr
 std::unique_ptr<Language> make_language(std::string_view name, MachineView& view, Sink& sink, Port& port, ProgramFiles& files) {
     if (name == "fanuc") return make_fanuc(view, sink, port, files);
     if (name == "nct") return make_nct(view, sink, port, files);
+    if (name == "mefi") return std::make_unique<fanuc::Interpreter>(view, sink, port, files, &mefi::mefi_settings);
     return nullptr;
 }
 

@@ -92,6 +92,7 @@ Step Interpreter::nc_block() {
         if (!ended_ && !call_program(program, sub_repeats_, nullptr, true, false, 0)) return fault(core_.fault());
     }
     if (finishing_.active && !ended_ && !called_ && frames_.size() == finishing_.depth && core_.at.block == finishing_.last && !end_finishing()) return fault(core_.fault());
+    end_one_block_shift();
     if (core_.compensating()) {
         const bool counts = !called_ && !calls && (block_.letters & ~letter_set("NO")) != 0;   // calls belong to nobody's path
         if (!core_.end_compensated_block(counts, wants_barrier_, ended_)) return fault(core_.fault());

@@ -42,7 +42,7 @@ bool Interpreter::g_feed_mode(const GCode& row) {
 }
 
 bool Interpreter::g_exact_stop(const GCode& row) {
-    core_.path.exact_stop_mode = row.tenths == 610;
+    core_.path.exact_stop_mode = row.tenths == 610 || row.tenths == 600;
     core_.path.override_locked = row.tenths == 630;
     return true;
 }

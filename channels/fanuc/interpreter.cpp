@@ -48,6 +48,7 @@ Interpreter::Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles
     }
     static constexpr char kIncrements[][2] = {{'U', 'X'}, {'V', 'Y'}, {'W', 'Z'}, {'H', 'C'}};
     for (const auto& [increment, axis] : kIncrements) {
+        if (settings_.mefi) break;
         const std::int8_t place = absolute_axis_[static_cast<std::size_t>(axis - 'A')];
         if (place >= 0 && absolute_axis_[static_cast<std::size_t>(increment - 'A')] < 0) incremental_axis_[static_cast<std::size_t>(increment - 'A')] = place;
     }
@@ -69,7 +70,7 @@ void Interpreter::clear_modal() {
         if ((row.systems & settings_.system) && row.at_reset) active_[static_cast<std::size_t>(row.group)] = &row;
     const auto choose = [this](std::uint16_t tenths) {
         const GCode* row = table_.find(tenths);
-        active_[static_cast<std::size_t>(row->group)] = row;
+        if (row) active_[static_cast<std::size_t>(row->group)] = row;   // mefi knows millimetres only
         return row;
     };
     motion_ = choose(settings_.power_on_g1 ? 10 : 0);
@@ -116,6 +117,7 @@ Result<void> Interpreter::start(FileId main) {
     variables_.undo().clear();
     state_changed_ = true;
     core_.refresh_limits();
+    if (settings_.mefi) core_.path.zero_row = settings_.priority_zero_row;
     core_.load_zeros();
     return {};
 }
@@ -246,6 +248,7 @@ Step Interpreter::read_block() {
             return fault_at(scanner_.fault().alarm, scanner_.fault().column, scanner_.fault().length,
                             scanner_.fault().letter ? std::string(1, scanner_.fault().letter) : std::string{});
         case ScanStop::Macro: {
+            if (settings_.mefi) return fault_at(Alarm::NotBuilt, static_cast<std::uint32_t>(scanner_.stopped_at() + 1), 1, "macro statements in mefi");
             if (block_.has('N')) at.block = last_n_ = static_cast<std::int64_t>(block_.value('N'));
             blocks_begun_ = state_changed_ = true;
             return macro_statement(scanner_.stopped_at());

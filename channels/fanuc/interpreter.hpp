@@ -81,6 +81,8 @@ public:
     bool g_nothing(const GCode&);
     bool g_zero(const GCode&);
     bool g_zero_extended(const GCode&);
+    bool g_shift(const GCode&);         // mefi
+    bool g_shift_table(const GCode&);   // mefi
     bool g_rapid(const GCode&);
     bool g_linear(const GCode&);
     bool g_arc(const GCode&);
@@ -211,6 +213,7 @@ private:
     bool macro_words(std::int64_t& program, std::int64_t& repeats, LocalSet& arguments);
     bool g10_offset(), g10_zero(), g10_parameter_block();
     void reload_settings();
+    void end_one_block_shift();
     void write_offset(OffsetTable table, std::int32_t number, OffsetField field, double value);
     void write_zero(std::int32_t row, unsigned place, double value);
 
@@ -272,6 +275,10 @@ private:
     bool absolute_ = true, inch_ = false;
     std::int64_t last_m_ = 0, last_t_ = 0, last_n_ = 0;
     bool parameter_input_ = false;    // between G10 L50 and G11
+    struct OneBlockShift {            // mefi G58, G59: what holds again behind the block
+        std::int32_t before = 0;
+        const GCode* code = nullptr;
+    } one_block_;
 
     // the block
     std::array<const GCode*, static_cast<std::size_t>(GGroup::Count)> coded_{};

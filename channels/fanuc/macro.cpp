@@ -53,6 +53,13 @@ Interpreter::Flow Interpreter::evaluate(const char*& at, const char* end, double
 
 // The scanner's question: a value behind an address.
 ScanHook::Read Interpreter::read_value(const char*& at, const char* end, double& value) {
+    if (settings_.mefi) {
+        pending_fault_ = {Alarm::NotBuilt, 0, 0.0, 0.0, "expressions in mefi", std::nullopt};
+        has_pending_fault_ = true;
+        fault_column_ = static_cast<std::uint32_t>(at - line_.data()) + 1;
+        fault_length_ = 1;
+        return Read::Fault;
+    }
     switch (expression_.operand(at, end, value)) {
         case Expression::Status::Ok: return is_null(value) ? Read::Null : Read::Value;
         case Expression::Status::NeedsBarrier: return Read::NeedsBarrier;

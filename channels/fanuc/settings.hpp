@@ -8,6 +8,7 @@
 #include "channels/compensation/options.hpp"
 #include "channels/fanuc/g_codes.hpp"
 #include "channels/machine_view.hpp"
+#include "channels/state/zero_rows.hpp"
 #include "ipc/diagnosis/diagnosis.hpp"
 #include "ipc/params/table.hpp"
 
@@ -36,6 +37,8 @@ struct Settings {
     GSystem system = kA;
     Dialect dialect = Dialect::Fanuc;
     bool nct = false;
+    bool mefi = false;                   // whole words only: no macros, no calls, no increments by letter
+    std::int32_t priority_zero_row = kZeroG54Row;   // zero that is in force at the start of a program
     bool point_means_nothing = false;    // F3401#0: numbers without a point are whole millimetres
     bool series15 = false;               // F0001#1: program format of series 10/11/15
     ToolCode tool;

@@ -21,11 +21,9 @@
 #include "channels/machine_view.hpp"
 #include "channels/port.hpp"
 #include "channels/sink.hpp"
+#include "channels/state/zero_rows.hpp"
 
 namespace polyturn::channels {
-
-// Rows of ChannelStore::zeros (segments.hpp says all of them).
-inline constexpr std::int32_t kZeroExternalRow = 0, kZeroG54Row = 1, kZeroShiftRow = 7, kZeroG541Row = 10;
 
 enum class Plane : std::uint8_t { XY, ZX, YZ };   // G17 G18 G19: first axis, second axis
 

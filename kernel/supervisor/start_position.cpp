@@ -15,7 +15,8 @@ double active_zero(const text::ChannelSetup& channel, Dialect dialect, const std
         if (!row || value == values.end()) continue;
         const bool acts = dialect == Dialect::Fanuc || dialect == Dialect::Nct ? *row == 0 || *row == 1 || *row == 7  // external, G54, work shift
                           : dialect == Dialect::Sinumerik                      ? *row == *work_zero_row("G500")
-                                                                               : false;  // Fagor, MEFI: machine zero until a program selects one
+                          : dialect == Dialect::Mefi                           ? *row == *work_zero_row("G53")
+                                                                               : false;  // Fagor: machine zero until a program selects one
         if (acts) sum += value->second;
     }
     return sum;
