@@ -9,6 +9,7 @@ namespace polyturn::channels {
 Core::Core(MachineView& view, Sink& sink, Port& port) : view_(&view), sink_(&sink), out_(&sink), port_(&port) {
     check_before_move_ = params::bit(view.table(), params::n1001_strkcont, view.channel, 2);
     path.spindle.spindle = view.config().default_spindle;
+    geo_ = {view.axis_by_role(PlaneRole::BasicX), view.axis_by_role(PlaneRole::BasicY), view.axis_by_role(PlaneRole::BasicZ)};
 }
 
 bool Core::fail(Alarm alarm, char letter, std::string detail, double v0, double v1) {
@@ -18,7 +19,7 @@ bool Core::fail(Alarm alarm, char letter, std::string detail, double v0, double 
 
 void Core::start_at_machine(const AxisValues& machine) {
     path.machine = machine;
-    for (unsigned i = 0; i < view_->axis_count; ++i) rebase(i);
+    rebase_all();
 }
 
 void Core::take_machine(unsigned place, double machine) {
@@ -36,6 +37,7 @@ void Core::refresh_limits() {
 
 // I1 from the machine's side: the axis stands still, its programmed number follows.
 void Core::rebase(unsigned i) {
+    if (path.framed) return rebase_all();
     const ChannelAxis& axis = view_->axes[i];
     double programmed = path.machine[i] - path.zero[i] - path.shift[i] - path.vector[i];
     if (axis.rollover) {
@@ -47,10 +49,8 @@ void Core::rebase(unsigned i) {
 }
 
 void Core::sum_zeros() {
-    for (unsigned i = 0; i < view_->axis_count; ++i) {
-        path.zero[i] = path.external[i] + path.work[i] + path.preset[i] + path.local[i];
-        rebase(i);
-    }
+    for (unsigned i = 0; i < view_->axis_count; ++i) path.zero[i] = path.external[i] + path.work[i] + path.preset[i] + path.local[i];
+    rebase_all();
 }
 
 void Core::load_zeros() {
@@ -73,7 +73,15 @@ void Core::select_zero(std::int32_t row) {
 void Core::preset(unsigned i, double programmed) {
     if (compensating_) drop_compensation_vector();
     // The word is what the display shall show with the travelled offset in it: G50 X Z T (fanuc_lathe 1.4).
-    path.preset[i] += path.machine[i] - path.turns_deg[i] - programmed - path.zero[i] - path.shift[i];
+    if (path.framed) {
+        AxisValues wanted = path.programmed;
+        wanted[i] = programmed;
+        const AxisValues point = framed(wanted), now = framed_now();
+        for (unsigned k = 0; k < view_->axis_count; ++k) path.preset[k] += now[k] - point[k];
+        path.preset[i] += path.vector[i];
+    } else {
+        path.preset[i] += path.machine[i] - path.turns_deg[i] - programmed - path.zero[i] - path.shift[i];
+    }
     sum_zeros();
     refresh_surface_zero();
 }
@@ -97,10 +105,8 @@ void Core::clear_preset() {
 }
 
 void Core::set_shift(const AxisValues& shift) {
-    for (unsigned i = 0; i < view_->axis_count; ++i) {
-        path.shift[i] = shift[i];
-        rebase(i);
-    }
+    for (unsigned i = 0; i < view_->axis_count; ++i) path.shift[i] = shift[i];
+    rebase_all();
     refresh_surface_zero();
 }
 

@@ -1,15 +1,18 @@
 // What a channel's program has brought about so far, and how the next word changes it: positions, zeros, offsets, feed,
 // spindle. Every language translates into calls of this class; nothing in here knows a G code (architecture 5.12).
 //
-//   machine = programmed + zero + shift + vector (+ whole turns of a roll-over axis)
+//   machine = frame(programmed) + zero + shift + vector (+ whole turns of a roll-over axis)
 //
-//   programmed  in the active workpiece system, X as a radius; what `pos` of an event shows
+//   programmed  in the active workpiece system, X as a radius
+//   frame       programmable: translation, rotation, scale, mirror (frame.hpp; none: programmed itself). frame(programmed) is
+//               what `pos` of an event shows. Tool offsets lie outside of it: neither mirrored nor turned.
 //   zero        external, G54.., G92/G50, G52: changing it moves nothing, the programmed position becomes another number
 //   shift       tool offset that acts as a shift of the system (fanuc geometry with LGT=0, nct): likewise
 //   vector      tool offset that is travelled (wear): `wanted` by the last T, taken over by the next move
 //
 // Invariants
-//   I1  The equation above holds for every axis of the channel between two calls.
+//   I1  The equation above holds for every axis of the channel between two calls. A frame, a zero or a shift that changes
+//       moves nothing: machine stays, programmed becomes the number that belongs to it.
 //   I2  A call that returns false has changed nothing and told why in fault().
 //   I3  No call allocates, except to tell a fault.
 #pragma once
@@ -21,6 +24,7 @@
 #include "channels/machine_view.hpp"
 #include "channels/port.hpp"
 #include "channels/sink.hpp"
+#include "channels/state/frame.hpp"
 #include "channels/state/zero_rows.hpp"
 
 namespace polyturn::channels {
@@ -66,6 +70,8 @@ struct PathState {
     AxisValues external{}, work{}, preset{}, local{};
     AxisValues turns_deg{};                 // whole turns of roll-over axes
     std::int32_t zero_row = kZeroG54Row;    // row of ChannelStore::zeros
+    bool framed = false;                    // `frame` is more than nothing; inverse belongs to it
+    Frame frame, inverse;
     FeedMode feed_mode = FeedMode::PerMinute;
     double feed = 0.0;                      // mm/min, mm/rev
     Plane plane = Plane::ZX;
@@ -130,6 +136,13 @@ public:
     void set_shift(const AxisValues& shift);              // tool offset as a shift
     void set_wanted(const AxisValues& vector);            // tool offset that the next move travels
     bool vector_pending() const;
+    // The whole chain of programmable frames as one, invertible; Frame{} for none.
+    void set_frame(const Frame& frame);
+    AxisValues framed(const AxisValues& programmed) const;      // frame(programmed)
+    AxisValues unframed(const AxisValues& point) const;         // programmed
+    AxisValues framed_now() const;                              // where the tool stands, in the system around the frame
+    // The plane's directions outside the frame turn the other way: it mirrors, and the sides of the path change places.
+    bool frame_mirrors_plane() const;
 
     // --- moves; target in the workpiece system (X as a radius). A block that moves nothing makes no move.
     bool rapid(const AxisValues& target);
@@ -187,25 +200,36 @@ private:
     bool within_stroke(const AxisValues& machine, AxisSet moved);
     void deliver();
     void tell_nose();
+    void select_side();
     void tell_zero_distance();
     void suspend_compensation(AxisSet which);
     void drop_compensation_vector();
     void accept(const AxisValues& target);
     void sum_zeros();
     void rebase(unsigned place);
+    void rebase_all();
+    void settle_turns();                                  // framed roll-over axes
+    AxisValues programmed_at(const AxisValues& machine, AxisSet which) const;
+    bool frame_reachable(const AxisValues& target);
+    bool frame_arc(ArcCall& call, const AxisValues& target, unsigned& p, unsigned& q);
+    Point3 geo_of(const AxisValues& values) const;
+    void put_geo(AxisValues& values, const Point3& point) const;
     double surface_zero(int place) const;
     int surface_axis() const;
     double spindle_rpm_at(double radius_mm) const;        // 0: not known
 
     MachineView* view_;
+    std::array<int, 3> geo_{-1, -1, -1};   // places of X, Y, Z
     Sink* sink_;    // out_, or the compensator in front of it
     Sink* out_;
     Port* port_;
     Move move_;
+    AxisValues framed_{};   // target of the move that is begun, outside the frame
     Fault fault_;
     std::unique_ptr<compensation::Compensator> comp_;
     compensation::Options comp_options_;
     bool compensating_ = false;
+    CompSide comp_side_ = CompSide::Off;   // as programmed; a mirroring frame changes it
     AxisSet forced_ = 0;   // axes that the next move takes along although they are where it wants them
     bool emitted_ = false;
     bool exact_once_ = false;

@@ -30,19 +30,25 @@ bool Core::compensation(CompSide side) {
         sink_ = comp_.get();
         compensating_ = true;
     }
-    at.comp = side;
-    comp_->select(side == CompSide::Left ? 1 : -1);
+    comp_side_ = side;
+    select_side();
     return true;
 }
 
+void Core::select_side() {
+    const bool left = (comp_side_ == CompSide::Left) != frame_mirrors_plane();
+    at.comp = left ? CompSide::Left : CompSide::Right;
+    comp_->select(left ? 1 : -1);
+}
+
 bool Core::compensation_off(double wish_p, double wish_q) {
-    at.comp = CompSide::Off;
+    at.comp = comp_side_ = CompSide::Off;
     if (compensating_) comp_->cancel_towards({wish_p, wish_q});
     return true;
 }
 
 void Core::compensation_reset() {
-    at.comp = CompSide::Off;
+    at.comp = comp_side_ = CompSide::Off;
     sink_ = out_;
     compensating_ = false;
     comp_.reset();
@@ -125,11 +131,18 @@ double Core::cut_shift(const AxisValues& a, const AxisValues& b, unsigned along,
     const ToolState& tool = path.tool;
     if (!compensating_ || p < 0 || q < 0 || (tool.geometry == 0 && tool.wear == 0) || tool.nose_off) return 0.0;
     const auto i = static_cast<std::size_t>(p), k = static_cast<std::size_t>(q);
-    const Vec cut{b[i] - a[i], b[k] - a[k]};
+    const AxisValues from = path.framed ? framed(a) : a, to = path.framed ? framed(b) : b, out = path.framed ? framed(outside) : outside;
+    const Vec cut{to[i] - from[i], to[k] - from[k]};
     if (compensation::length(cut) == 0) return 0.0;
     Vec n = compensation::left_of(compensation::unit(cut));
-    if (compensation::dot(n, {outside[i] - a[i], outside[k] - a[k]}) < 0) n = -1.0 * n;
-    const double share = along == i ? n.p : n.q;
+    if (compensation::dot(n, {out[i] - from[i], out[k] - from[k]}) < 0) n = -1.0 * n;
+    double share = along == i ? n.p : n.q;
+    if (path.framed) {   // the ends move along the programmed axis; the nose lies outside the frame
+        AxisValues ahead = a;
+        ahead[along] += 1.0;
+        const AxisValues there = framed(ahead);
+        share = compensation::dot(n, {there[i] - from[i], there[k] - from[k]});
+    }
     if (std::fabs(share) < 1e-6) return 0.0;
     const bool tip = path.plane == Plane::ZX && tool.tip >= 0 && tool.tip <= 9;
     return std::fabs(tool.nose_radius) * (1.0 + compensation::dot(tip ? kTip[tool.tip] : Vec{}, n)) / share;

@@ -38,10 +38,12 @@ bool Core::begin_move(const AxisValues& target, MoveKind kind) {
     const unsigned count = view_->axis_count;
     AxisSet moved = forced_;
     forced_ = 0;
+    if (path.framed && !frame_reachable(target)) return false;
+    const AxisValues& point = path.framed ? framed_ = framed(target) : target;
     for (unsigned i = 0; i < count; ++i) {
-        const double end = target[i] + path.turns_deg[i] + path.zero[i] + path.shift[i] + path.wanted[i];
+        const double end = point[i] + path.turns_deg[i] + path.zero[i] + path.shift[i] + path.wanted[i];
         move_.machine_start[i] = path.machine[i];
-        move_.pos[i] = target[i];
+        move_.pos[i] = point[i];
         if (std::fabs(end - path.machine[i]) > kSame) {
             moved |= 1u << i;
             move_.machine[i] = end;
@@ -86,8 +88,9 @@ void Core::accept(const AxisValues& target) {
         path.programmed[i] = target[i];
         path.vector[i] = path.wanted[i];
         path.machine[i] = move_.machine[i];
-        if (view_->axes[i].rollover) rebase(i);
+        if (view_->axes[i].rollover && !path.framed) rebase(i);
     }
+    if (path.framed) settle_turns();
 }
 
 bool Core::feed_ready() {
@@ -127,19 +130,23 @@ bool Core::linear(const AxisValues& target) {
     return true;
 }
 
-bool Core::machine_rapid(const AxisValues& machine, AxisSet which) {
-    if (compensating_) suspend_compensation(which);
-    AxisValues target = path.programmed;
+// The programmed point with the named axes at these machine coordinates.
+AxisValues Core::programmed_at(const AxisValues& machine, AxisSet which) const {
+    AxisValues target = path.framed ? framed(path.programmed) : path.programmed;
     for (unsigned i = 0; i < view_->axis_count; ++i)
         if (which >> i & 1u) target[i] = machine[i] - path.turns_deg[i] - path.zero[i] - path.shift[i] - path.wanted[i];
+    return path.framed ? unframed(target) : target;
+}
+
+bool Core::machine_rapid(const AxisValues& machine, AxisSet which) {
+    if (compensating_) suspend_compensation(which);
+    const AxisValues target = programmed_at(machine, which);
     return rapid(target);
 }
 
 bool Core::reference(const AxisValues& machine, AxisSet which, MoveKind kind) {
     if (compensating_) suspend_compensation(which);
-    AxisValues target = path.programmed;
-    for (unsigned i = 0; i < view_->axis_count; ++i)
-        if (which >> i & 1u) target[i] = machine[i] - path.turns_deg[i] - path.zero[i] - path.shift[i] - path.wanted[i];
+    const AxisValues target = programmed_at(machine, which);
     if (!begin_move(target, kind)) return false;
     if (move_.moved) {
         move_.feed_mode = FeedMode::Rapid;
@@ -188,11 +195,13 @@ AxisSet Core::take_skip() {
     return early;
 }
 
-bool Core::arc(const AxisValues& target, const ArcCall& call) {
+bool Core::arc(const AxisValues& target, const ArcCall& programmed) {
     int pi = -1, qi = -1;
     plane_axes(pi, qi);
     if (pi < 0 || qi < 0) return fail(Alarm::PlaneAxisMissing);
-    const auto p = static_cast<unsigned>(pi), q = static_cast<unsigned>(qi);
+    auto p = static_cast<unsigned>(pi), q = static_cast<unsigned>(qi);
+    ArcCall call = programmed;
+    if (path.framed && !frame_arc(call, target, p, q)) return false;
     if (!begin_move(target, call.clockwise ? MoveKind::ArcCw : MoveKind::ArcCcw)) return false;
     const double to_machine_p = path.zero[p] + path.shift[p] + path.wanted[p];
     const double to_machine_q = path.zero[q] + path.shift[q] + path.wanted[q];
@@ -278,7 +287,7 @@ bool Core::thread(const AxisValues& target, const ThreadCall& call) {
         length2 += distance * distance;
         const bool better = distance > longest + kSame || (distance > longest - kSame && axis.role == PlaneRole::BasicZ);
         if (distance > kSame && (!any || better)) along = i, longest = distance, any = true;
-        if (axis.role == PlaneRole::BasicX) nearest_x = std::fmin(std::fabs(path.programmed[i]), std::fabs(target[i]));
+        if (axis.role == PlaneRole::BasicX) nearest_x = std::fmin(std::fabs(framed_now()[i]), std::fabs(move_.pos[i]));
     }
     if (!any) return fail(Alarm::LeadIllegal, 'F', {}, call.lead);
     if (call.by_axis) along = call.axis, longest = std::fabs(move_.machine[along] - move_.machine_start[along]);

@@ -48,7 +48,7 @@ bool Core::surface_speed(bool on) {
     if (!on) {
         // The speed that constant surface speed had reached here goes on until an S word.
         const int place = surface_axis();
-        const double x = place < 0 ? 0.0 : std::fabs(path.programmed[static_cast<std::size_t>(place)]);
+        const double x = place < 0 ? 0.0 : std::fabs(framed_now()[static_cast<std::size_t>(place)]);
         if (const double rpm = spindle_rpm_at(x); rpm > 0) s.rpm = rpm;
     }
     s.mode = mode;
