@@ -13,9 +13,9 @@ void RunPort::look() {
     while (!kernel_->plc_seen.read(*plc_)) {}
 }
 
-std::optional<double> RunPort::axis_command(unsigned machine_axis) { return status_->axes[machine_axis].cmd; }
+std::optional<double> RunPort::axis_command(unsigned machine_axis) { return status_->axes[machine_axis].own; }
 std::optional<double> RunPort::axis_measured(unsigned machine_axis) { return status_->axes[machine_axis].act; }
-std::optional<double> RunPort::axis_at_skip(unsigned machine_axis) { return status_->axes[machine_axis].cmd; }
+std::optional<double> RunPort::axis_at_skip(unsigned machine_axis) { return status_->axes[machine_axis].own; }
 
 bool RunPort::block_skip(unsigned number) { return number >= 1 && number <= 9 && (own().keys & (kKeyBlockSkip1 << (number - 1))) != 0; }
 bool RunPort::optional_stop() { return (own().keys & kKeyOptionalStop) != 0; }

@@ -86,6 +86,7 @@ std::vector<Diagnosis> check_machine_config(const params::Table& table) {
     config::check_channels(report);
     config::check_axes(report);
     config::check_axis_references(report);
+    config::check_couplings(report);
     config::check_drives(report);
     config::check_spindles(report);
     config::check_pitch_tables(report);

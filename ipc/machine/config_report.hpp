@@ -42,6 +42,7 @@ inline std::string axis_text(const AxisConfig& axis) {
 void check_channels(Report& report);
 void check_axes(Report& report);
 void check_axis_references(Report& report);
+void check_couplings(Report& report);
 void check_drives(Report& report);
 void check_spindles(Report& report);
 void check_pitch_tables(Report& report);

@@ -20,7 +20,7 @@ bool AxisUnit::open(unsigned number, const AxisConfig& config, double tick_s, do
     setup.frequency_hz = config.drive_frequency_hz;
     setup.damping = config.drive_damping;
     drive_ = api.open(&setup);
-    command_ = target_ = measured_ = start;
+    command_ = target_ = measured_ = own_command_ = own_target_ = start;
     lag_s_ = 2.0 * config.drive_damping / (2.0 * 3.14159265358979323846 * config.drive_frequency_hz);
     return drive_ != nullptr;
 }
@@ -32,14 +32,14 @@ void AxisUnit::close() {
 
 bool AxisUnit::brake(double tick_s) noexcept {
     const double step = config_.estop_deceleration * tick_s;
-    double v = velocity_;
+    double v = own_velocity_;
     v = v > step ? v - step : v < -step ? v + step : 0.0;
-    target_ = command_ + v * tick_s;
+    move_to(own_command_ + v * tick_s);
     return v != 0.0;
 }
 
 void AxisUnit::exchange(double tick_s, bool powered) noexcept {
-    if (powered && !powered_) command_ = target_ = measured_;  // follow-up (N0514 FUP = 0): closing the loop moves nothing
+    if (powered && !powered_) command_ = target_ = measured_, own_command_ = own_target_ = measured_ - added_;  // follow-up (N0514 FUP = 0): closing the loop moves nothing
     powered_ = powered;
     const double v = (target_ - command_) / tick_s;
     const double a = (v - velocity_) / tick_s;
@@ -62,6 +62,8 @@ void AxisUnit::exchange(double tick_s, bool powered) noexcept {
     still_ticks_ = moving_ ? 0 : still_ticks_ + 1;
     velocity_ = v;
     command_ = target_;
+    own_velocity_ = (own_target_ - own_command_) / tick_s;
+    own_command_ = own_target_;
     if (powered) supervise(tick_s);
 }
 

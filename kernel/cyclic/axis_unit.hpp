@@ -42,7 +42,19 @@ public:
     std::uint32_t stroke_side = 0;                         // bit 0 at the positive end, bit 1 at the negative end
 
     // Where the axis is to be at the end of this tick. Not called: it stays.
-    void move_to(double position) noexcept { target_ = position; }
+    void move_to(double position) noexcept {
+        own_target_ = position;
+        target_ = position + added_;
+    }
+    // Coupled axes (couplings.hpp): what its channel commands, and what a master adds to it.
+    void couple(double own_target, double added) noexcept {
+        own_target_ = own_target;
+        added_ = added;
+        target_ = own_target + added;
+    }
+    double own() const noexcept { return own_command_; }          // at the start of this tick, without what a master adds
+    double own_target() const noexcept { return own_target_; }
+    bool slave = false;                                    // synchronous: nobody but its master may move it
     // Own braking at PT_ESTOP_DEC, away from any path (emergency stop, drive fault). True while it still moves.
     bool brake(double tick_s) noexcept;
     // The position loop and the drive; ends the tick. `powered`: the loop is closed.
@@ -55,6 +67,7 @@ private:
     const PolyturnDriveApi* api_ = nullptr;
     void* drive_ = nullptr;
     double command_ = 0, target_ = 0, velocity_ = 0;
+    double own_command_ = 0, own_target_ = 0, own_velocity_ = 0, added_ = 0;
     double measured_ = 0, error_ = 0;
     double remainder_ = 0;                                 // of the speed command, thousandths of an increment
     double lag_s_ = 0;

@@ -258,7 +258,7 @@ void ChannelRunner::place_axes(const PathRecord& r, double s) noexcept {
         AxisUnit& axis = core_.axes[r.axis[i]];
         axis.owner = number_;
         axis.rapid = (r.flags & kRapid) != 0;
-        if (!(keys & kKeyMachineLock)) axis.move_to(position[i]);
+        if (!(keys & kKeyMachineLock) && !axis.slave) axis.move_to(position[i]);
         last_axes_[i] = r.axis[i];
     }
     last_axis_count_ = r.axis_count;
@@ -275,6 +275,8 @@ void ChannelRunner::report(KernelEventKind kind, const PathRecord& r, double off
 }
 
 void ChannelRunner::begin_record(const PathRecord& r, double offset_s) noexcept {
+    for (std::uint32_t i = 0; is_motion(r) && i < r.axis_count; ++i)
+        if (core_.axes[r.axis[i]].slave && r.end[i] != r.start[i]) raise(Alarm::SlaveCommanded, name_of('A', r.axis[i]).view());
     if (!is_motion(r) || (r.flags & kBlockBegin)) report(KernelEventKind::RecordBegin, r, offset_s);
 }
 

@@ -30,6 +30,10 @@ void Machine::jog_command(const Command& c) noexcept {
         core_.alarm(Alarm::NotReady, config.channel, "axes are moved by hand only while the machine is on and no program of the channel runs");
         return;
     }
+    if (axis.slave) {
+        core_.alarm(Alarm::SlaveCommanded, config.channel, name_of('A', a).view());
+        return;
+    }
     if (axis.moving() || jogs_[a].active()) return;
     const auto kind = static_cast<CommandKind>(c.kind);
     const double sign = c.value < 0 ? -1.0 : 1.0, size = std::fabs(c.value);
@@ -38,7 +42,7 @@ void Machine::jog_command(const Command& c) noexcept {
     const AxisJog::Limits limits{kind == CommandKind::Jog ? jog_feed(a) : by_hand, config.acceleration, config.jerk};
     double room = kUnlimited;
     if (config.stroke_limited && axis.referenced) room = sign > 0 ? config.stroke_high - axis.command() : axis.command() - config.stroke_low;
-    jogs_[a].start(axis.command(), sign, limits, std::llround(size / core_.config.tick_s), distance, room, core_.config.tick_s);
+    jogs_[a].start(axis.own(), sign, limits, std::llround(size / core_.config.tick_s), distance, room, core_.config.tick_s);
     if (jogs_[a].active()) axis.owner = 0;
 }
 

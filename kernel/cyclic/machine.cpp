@@ -28,6 +28,7 @@ void Machine::start() {
     const RunOptions& options = core_.supervisor.options;
     core_.virtual_time = options.virtual_time != 0;
     read_config(core_.table, core_.config, true);
+    couplings_.configure(core_.table, core_.config);
     core_.image.tick_ns.store(static_cast<std::uint64_t>(core_.config.tick_ns), std::memory_order_release);
     for (unsigned a = 0; a < kMaxAxes; ++a) {
         if (!core_.config.axes[a].exists) continue;
@@ -95,6 +96,8 @@ void Machine::tick() noexcept {
     run_channels();
     run_jogs();
     run_spindles();
+    couplings_.step(core_);
+    if (const std::uint32_t torn = couplings_.torn_gantry(); torn && core_.on()) emergency_stop(Alarm::GantryError, core_.config.axes[torn - 1].channel, name_of('A', torn - 1).view(), core_.axes[torn - 1].measured());
     run_axes();
     watch_signals();
     trace();
@@ -109,6 +112,7 @@ void Machine::tick() noexcept {
 void Machine::take_answers() noexcept {
     if (core_.store.take_changes(core_.table, core_.tick, core_.virtual_time)) {
         read_config(core_.table, core_.config, false);
+        couplings_.configure(core_.table, core_.config);
         for (unsigned a = 0; a < core_.config.axis_count; ++a) core_.axes[a].configure(core_.config.axes[a]);
         for (unsigned s = 0; s < core_.config.spindle_count; ++s) core_.spindles[s].configure(core_.config.spindles[s]);
         for (auto& channel : channels_) channel->store_changed();
@@ -167,6 +171,8 @@ void Machine::run_axes() noexcept {
             axis.stroke_side = (axis.target() >= config.stroke_high ? 1u : 0u) | (axis.target() <= config.stroke_low ? 2u : 0u);
             const bool out = (v > 0 && ends > config.stroke_high + kStrokeTolerance) || (v < 0 && ends < config.stroke_low - kStrokeTolerance);
             if (out && axis.owner) channels_[axis.owner - 1]->fault(Alarm::StrokeLimit, name_of('A', a).view(), v > 0 ? config.stroke_high : config.stroke_low);
+            for (std::uint32_t by = out ? couplings_.master_of(a) : 0; by; by = couplings_.master_of(by - 1))   // whoever moves it stops too
+                if (const std::uint32_t mover = core_.axes[by - 1].owner) channels_[mover - 1]->fault(Alarm::StrokeLimit, name_of('A', a).view(), v > 0 ? config.stroke_high : config.stroke_low);
             core_.signals.set_nc(signals::an_otp(a + 1), axis.stroke_side & 1u);
             core_.signals.set_nc(signals::an_otn(a + 1), axis.stroke_side >> 1 & 1u);
         }

@@ -17,6 +17,7 @@
 #include "kernel/cyclic/channel_runner.hpp"
 #include "kernel/cyclic/command_queue.hpp"
 #include "kernel/cyclic/core.hpp"
+#include "kernel/cyclic/couplings.hpp"
 #include "kernel/cyclic/plc_link.hpp"
 
 namespace polyturn::kernel {
@@ -84,6 +85,7 @@ private:
     std::array<std::unique_ptr<ChannelRunner>, kMaxChannels> channels_;
     std::array<ChannelRunner*, kMaxChannels> runners_{};
     std::array<AxisJog, kMaxAxes> jogs_{};
+    Couplings couplings_;
     struct Watch {
         bool plc = false;
         std::uint32_t slot = 0;

@@ -15,6 +15,9 @@ void Machine::publish() noexcept {
         AxisStatus& out = status.axes[a];
         out.cmd = axis.command();
         out.act = axis.measured();
+        out.own = axis.own();
+        out.master = couplings_.synchronous_master(a);
+        out.added_master = couplings_.superimposed_master(a);
         out.velocity = axis.velocity();
         out.error = axis.error();
         out.owner = axis.owner;
@@ -34,6 +37,7 @@ void Machine::publish() noexcept {
     }
     for (unsigned l = 0; l < kMaxChannels; ++l)
         if (core_.config.channels[l].exists || channels_[l]->attached()) channels_[l]->publish(status.channels[l]);
+    for (std::size_t a = 0; a < kMaxAxes; ++a) status.route[a] = static_cast<std::uint8_t>(couplings_.route(a));
     core_.image.status.publish();
     core_.image.tick.store(static_cast<std::uint64_t>(core_.tick), std::memory_order_release);
 }

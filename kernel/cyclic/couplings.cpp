@@ -1,0 +1,179 @@
+#include "kernel/cyclic/couplings.hpp"
+
+#include <cmath>
+
+namespace polyturn::kernel {
+namespace p = params;
+namespace {
+constexpr std::int64_t kFollowUpTicks = 3;      // after the loops are closed: commands are taken from the drives
+constexpr double kGantryPullOfRapid = 0.1;      // a large difference after power-on is driven out slowly
+}  // namespace
+
+void Couplings::configure(const p::Table& t, const KernelConfig& config) noexcept {
+    timeout_s_ = static_cast<double>(p::get(t, p::pt_couple_timeout));
+    const auto axis = [&](std::int64_t n) -> std::uint32_t {
+        return n >= 1 && n <= static_cast<std::int64_t>(kMaxAxes) && config.axes[static_cast<std::size_t>(n) - 1].exists ? static_cast<std::uint32_t>(n) : 0u;
+    };
+    for (unsigned n = 1; n <= kMaxAxes; ++n) {
+        Link& link = links_[n - 1];
+        const bool exists = config.axes[n - 1].exists;
+        if (!link.sync.on) link.sync.master = exists ? axis(p::get(t, p::n2101_synchronous_master, n)) : 0;
+        if (!link.add.on) link.add.master = exists ? axis(p::get(t, p::n2107_superimposed_master, n)) : 0;
+        link.sync.sign = p::bit(t, p::n2102_synchron_config, n, 0) ? -1.0 : 1.0;
+        link.add.sign = p::bit(t, p::n2108_superimposed_config, n, 0) ? -1.0 : 1.0;
+        link.gantry = link.sync.master && p::bit(t, p::n2102_synchron_config, n, 4);
+        link.gantry_gain = p::get(t, p::n0522_synchr_k, n);
+        link.gantry_limit = p::get(t, p::n2103_synchron_error, n);
+        if (!link.route) {   // one of the two may be hypothetical: no drive, but an address
+            const auto other = p::get(t, p::n2104_composit_axis, n);
+            link.exchange_with = other >= 1 && other <= static_cast<std::int64_t>(kMaxAxes) ? static_cast<std::uint32_t>(other) : 0u;
+        }
+    }
+    // Masters first. An axis of a ring never gets its turn: the configuration check refuses it, here it stays uncoupled.
+    std::array<bool, kMaxAxes> placed{};
+    count_ = 0;
+    for (bool progress = true; progress;) {
+        progress = false;
+        for (std::size_t a = 0; a < kMaxAxes; ++a) {
+            const Link& link = links_[a];
+            if (placed[a] || (!link.sync.master && !link.add.master && !link.exchange_with)) continue;
+            const auto waits_for = [&](std::uint32_t m) {
+                return m && !placed[m - 1] && (links_[m - 1].sync.master || links_[m - 1].add.master);
+            };
+            if (waits_for(link.sync.master) || waits_for(link.add.master)) continue;
+            order_[count_++] = static_cast<std::uint8_t>(a);
+            placed[a] = progress = true;
+        }
+    }
+}
+
+bool Couplings::rests(const Core& core, std::size_t a) const noexcept {
+    const AxisUnit& axis = core.axes[a];
+    return !axis.moving() && axis.own_target() == axis.own() && axis.target() == axis.command();
+}
+
+// A request waits until both axes rest. True: now.
+bool Couplings::may_switch(Core& core, std::size_t a, std::size_t other, std::int64_t& since, const char* what) noexcept {
+    if (rests(core, a) && rests(core, other)) {
+        since = -1;
+        return true;
+    }
+    if (since < 0) since = core.tick;
+    const std::int64_t waited = core.tick - since;
+    if (timeout_s_ > 0 && waited == std::llround(timeout_s_ / core.config.tick_s)) {
+        ShortText text;
+        text << what << " " << name_of('A', a).view();
+        core.alarm(Alarm::CoupleTimeout, core.config.axes[a].channel, text.view(), timeout_s_);
+    }
+    return false;
+}
+
+void Couplings::switch_requests(Core& core, std::size_t a) noexcept {
+    Link& link = links_[a];
+    AxisUnit& axis = core.axes[a];
+    const auto wanted = [&](std::uint32_t slot) { return core.signals.plc(slot) != 0; };
+    const bool sync = link.gantry || (link.sync.master && wanted(signals::ap_syncr(a + 1)));
+    const bool add = link.add.master && wanted(signals::ap_sprpnr(a + 1));
+    const bool mix = link.exchange_with && wanted(signals::ap_mixr(a + 1));
+    if (static_cast<int>(sync) + static_cast<int>(add) + static_cast<int>(mix) > 1) {
+        if (!link.told) core.alarm(Alarm::CoupleConflict, core.config.axes[a].channel, name_of('A', a).view());
+        link.told = true;
+        return;   // what acts goes on; nothing is added to it
+    }
+    link.told = false;
+    if (sync != link.sync.on) {
+        const std::size_t m = link.sync.master - 1;
+        if (link.gantry || may_switch(core, a, m, link.sync_since, "AP_SYNCR")) {
+            link.sync.on = sync;
+            link.sync.own_ref = axis.own_target();
+            link.sync.master_ref = core.axes[m].target();
+            link.pull_v = 0;
+        }
+    } else {
+        link.sync_since = -1;
+    }
+    if (add != link.add.on) {
+        const std::size_t m = link.add.master - 1;
+        if (may_switch(core, a, m, link.add_since, "AP_SPRPNR")) {
+            link.add.on = add;
+            link.add.master_ref = core.axes[m].target();
+            if (!add) axis.couple(axis.target(), 0);   // its channel goes on from where the axis really is
+        }
+    } else {
+        link.add_since = -1;
+    }
+    core.signals.set_nc(signals::an_sprpna(a + 1), link.add.on);
+    if (link.exchange_with) exchange(core, a);
+}
+
+// The drives of two addresses change places. One side may be an axis without a drive.
+void Couplings::exchange(Core& core, std::size_t a) noexcept {
+    Link& link = links_[a];
+    const std::size_t other = link.exchange_with - 1;
+    const bool wanted = core.signals.plc(signals::ap_mixr(a + 1)) != 0, is = link.route != 0;
+    if (wanted != is) {
+        if (wanted && links_[other].route) {   // that one is lent to somebody else already
+            if (link.mix_since < 0) core.alarm(Alarm::CoupleConflict, core.config.axes[a].channel, name_of('A', a).view());
+            link.mix_since = core.tick;
+        } else if (may_switch(core, a, other, link.mix_since, "AP_MIXR")) {
+            link.route = wanted ? static_cast<std::uint32_t>(other) + 1 : 0;
+            links_[other].route = wanted ? static_cast<std::uint32_t>(a) + 1 : 0;
+            if (core.axes[a].exists()) core.axes[a].owner = 0;
+            if (core.axes[other].exists()) core.axes[other].owner = 0;
+        }
+    } else {
+        link.mix_since = -1;
+    }
+    core.signals.set_nc(signals::an_mixa(a + 1), link.route != 0);
+}
+
+// N0522 pulls a gantry slave onto its master; N2103 is what may be between them.
+double Couplings::gantry_pull(Core& core, Link& link, std::size_t a) noexcept {
+    const AxisUnit& axis = core.axes[a];
+    const AxisUnit& master = core.axes[link.sync.master - 1];
+    if (!axis.referenced || !master.referenced) return 0;   // their numbers have nothing to do with each other yet
+    const double measured = link.sync.sign * master.measured() - axis.measured();
+    if (link.gantry_limit > 0 && std::fabs(measured) > link.gantry_limit && core.on()) torn_ = static_cast<std::uint32_t>(a) + 1;
+    const AxisConfig& limits = core.config.axes[a];
+    const double most = kGantryPullOfRapid * limits.rapid, dt = core.config.tick_s;
+    const double left = link.sync.sign * master.target() - (link.sync.own_ref + link.sync.sign * (master.target() - link.sync.master_ref));
+    double v = std::fmax(-most, std::fmin(most, link.gantry_gain * left));
+    const double step = limits.acceleration * dt;
+    v = std::fmax(link.pull_v - step, std::fmin(link.pull_v + step, v));
+    if (std::fabs(v * dt) > std::fabs(left)) v = left / dt;
+    link.pull_v = v;
+    return v * dt;
+}
+
+void Couplings::follow(Core& core, std::size_t a) noexcept {
+    Link& link = links_[a];
+    AxisUnit& axis = core.axes[a];
+    if (!axis.exists() || (!link.sync.on && !link.add.on)) return;
+    Follow& by = link.sync.on ? link.sync : link.add;
+    const double master = core.axes[by.master - 1].target();
+    const bool loops_open = core.state == MachineState::Off || core.tick - powered_since_ < kFollowUpTicks;
+    if (loops_open) {   // follow-up gives both axes new numbers: the distance between them is what they now have
+        by.own_ref = axis.own_target();
+        by.master_ref = link.sync.on ? master : master - by.sign * (axis.target() - axis.own_target());
+        return;
+    }
+    if (link.sync.on) {
+        if (link.gantry) by.own_ref += gantry_pull(core, link, a);
+        axis.couple(by.own_ref + by.sign * (master - by.master_ref), 0);
+    } else {
+        axis.couple(axis.own_target(), by.sign * (master - by.master_ref));
+    }
+}
+
+void Couplings::step(Core& core) noexcept {
+    torn_ = 0;
+    if (count_ == 0) return;
+    if (core.state == MachineState::Off) powered_since_ = core.tick + 1;
+    for (std::size_t i = 0; i < count_; ++i) {
+        switch_requests(core, order_[i]);
+        follow(core, order_[i]);
+        core.axes[order_[i]].slave = links_[order_[i]].sync.on;
+    }
+}
+
+}  // namespace polyturn::kernel

@@ -1,0 +1,71 @@
+// Coupled axes: synchronous, superimposed, gantry and exchanged ones (nct_parameters_part2 22, architecture 5.8).
+//
+//   channels, jogs --own target of each axis-->  [ superimposed: + s * way of the master since switch-on ]
+//                                                [ synchronous:  own target := s * way of the master     ]  --> target()
+//
+// What its own channel commands and where the axis goes are two numbers of AxisUnit: own() and command(). A superimposed
+// axis adds its master's way to its own; a synchronous one has no way of its own. Masters are evaluated before their
+// slaves, so that a chain has no lag. All is position from a reference taken at standstill: nothing is summed up tick by
+// tick, the commanded difference of coupled slides is constant.
+//
+// Switching: PLC levels AP_SYNCR, AP_SPRPNR, AP_MIXR of the slave. It waits until slave and master rest, so it never makes
+// a step of the command; when they have not come to rest after PT_COUPLE_TIMEOUT there is an alarm, and the state stays.
+// An exchange (composite) moves nothing in here: it tells the channels which drive is behind an address (route), and they
+// read it at the barrier at which the M code that switched has left them.
+//
+// Cost: one pass over the axes that parameters couple at all; nothing for the others.
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "kernel/cyclic/core.hpp"
+
+namespace polyturn::kernel {
+
+class Couplings {
+public:
+    // From the parameters (N2101 to N2108, N0522): at the start and when they change. Couplings that act go on.
+    void configure(const params::Table& table, const KernelConfig& config) noexcept;
+    // After channels and jogs have said where their axes go, before limits and drives.
+    void step(Core& core) noexcept;
+
+    // For status and channels; axis numbers from 1, 0 none.
+    std::uint32_t synchronous_master(std::size_t a) const noexcept { return links_[a].sync.on ? links_[a].sync.master : 0; }
+    std::uint32_t superimposed_master(std::size_t a) const noexcept { return links_[a].add.on ? links_[a].add.master : 0; }
+    std::uint32_t route(std::size_t a) const noexcept { return links_[a].route; }   // axis behind the address; 0: its own
+    std::uint32_t master_of(std::size_t a) const noexcept { return links_[a].sync.on ? links_[a].sync.master : superimposed_master(a); }
+    // A gantry slave (from 1) that has gone too far from its master; 0 none. Asked once a tick.
+    std::uint32_t torn_gantry() const noexcept { return torn_; }
+
+private:
+    struct Follow {
+        std::uint32_t master = 0;          // from 1; 0 not configured
+        double sign = 1;
+        bool on = false;
+        double own_ref = 0, master_ref = 0;
+    };
+    struct Link {
+        Follow sync, add;
+        bool gantry = false;
+        double gantry_gain = 0, gantry_limit = 0, pull_v = 0;
+        std::uint32_t exchange_with = 0;   // N2104
+        std::uint32_t route = 0;
+        std::int64_t sync_since = -1, add_since = -1, mix_since = -1;   // request that waits for standstill
+        bool told = false;                 // about a request that contradicts another
+    };
+    bool rests(const Core& core, std::size_t a) const noexcept;
+    bool may_switch(Core& core, std::size_t a, std::size_t other, std::int64_t& since, const char* what) noexcept;
+    void switch_requests(Core& core, std::size_t a) noexcept;
+    void exchange(Core& core, std::size_t a) noexcept;
+    void follow(Core& core, std::size_t a) noexcept;
+    double gantry_pull(Core& core, Link& link, std::size_t a) noexcept;
+
+    std::array<Link, kMaxAxes> links_{};
+    std::array<std::uint8_t, kMaxAxes> order_{};   // axes with a link, masters first
+    std::size_t count_ = 0;
+    double timeout_s_ = 0;
+    std::uint32_t torn_ = 0;
+    std::int64_t powered_since_ = 0;       // tick; the loops are closed and follow-up is over some ticks later
+};
+
+}  // namespace polyturn::kernel

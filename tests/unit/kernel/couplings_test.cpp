@@ -1,0 +1,234 @@
+// Coupled axes on the bench: laws of nct_parameters_part2 22 against what the axes do. A1 X, A2 Z of L1; A3 X, A4 Z of L2.
+#include "tests/unit/kernel/rig.hpp"
+
+namespace polyturn::kernel {
+namespace {
+
+struct CoupledRig : TickRig {
+    using TickRig::TickRig;
+    void flag(std::uint32_t slot, bool on) { command(CommandKind::SetSignal, 0, on ? 1 : 0, 0, slot, 1); }
+    // Greatest difference quotient of the command of all axes seen so far, each over its limit.
+    void watch() {
+        on_tick = [this] {
+            for (unsigned a = 0; a < 4; ++a) {
+                const double now = position(a + 1), v = (now - before[a]) / 0.001, acc = (v - v_before[a]) / 0.001;
+                worst = std::max({worst, std::fabs(v) / kVelocity, std::fabs(acc) / kAcceleration});
+                before[a] = now, v_before[a] = v;
+            }
+            if (each_tick) each_tick();
+        };
+    }
+    std::array<double, 4> before{}, v_before{};
+    double worst = 0;
+    std::function<void()> each_tick;
+};
+
+void synchronous(params::Table& t, unsigned slave, unsigned master, bool mirrored) {
+    params::put(t, params::n2101_synchronous_master, master, slave);
+    params::put(t, params::n2102_synchron_config, mirrored ? 1 : 0, slave);
+}
+
+TEST(Couplings, ASynchronousSlaveGoesItsMastersWayAtAConstantDistance) {
+    for (const bool mirrored : {false, true}) {
+        CoupledRig rig([&](params::Table& t, RunOptions& o) {
+            synchronous(t, 4, 2, mirrored);
+            o.start_known[1] = o.start_known[3] = 1;
+            o.start_position[1] = 20, o.start_position[3] = 35;
+        });
+        rig.watch();
+        rig.run(3);
+        rig.before = {0, 20, 0, 35}, rig.v_before = {}, rig.worst = 0;
+        rig.flag(signals::ap_syncr(4), true);
+        rig.run(5);
+        double apart = 0;
+        rig.each_tick = [&] { apart = std::max(apart, std::fabs(rig.position(4) - 35 - (mirrored ? -1 : 1) * (rig.position(2) - 20))); };
+        PathRecord r = rig.line(1, {0, -15}, 100);
+        r.start[1] = 20, r.end[1] = 5;
+        rig.push(1, r);
+        rig.start(1);
+        rig.run_until_idle();
+        EXPECT_NEAR(rig.position(2), 5, 1e-9);
+        EXPECT_NEAR(rig.position(4), mirrored ? 50 : 20, 1e-9);
+        EXPECT_LT(apart, 1e-9);
+        EXPECT_LE(rig.worst, 1.01);
+        rig.flag(signals::ap_syncr(4), false);   // the distance stays, the slave is its own master again
+        rig.run(5);
+        rig.command(CommandKind::Step, 0, 1, 0, 4);
+        rig.run_until_idle();
+        EXPECT_NEAR(rig.position(4), mirrored ? 51 : 21, 1e-9);
+        EXPECT_NEAR(rig.position(2), 5, 1e-9);
+    }
+}
+
+TEST(Couplings, AChainOfSlavesHasNoLag) {
+    CoupledRig rig([](params::Table& t, RunOptions&) {
+        synchronous(t, 2, 4, true);
+        synchronous(t, 4, 3, false);
+        params::put(t, params::n2102_synchron_config, 4, 4);
+    });
+    rig.flag(signals::ap_syncr(2), true);
+    rig.flag(signals::ap_syncr(4), true);
+    rig.run(5);
+    rig.on_tick = [&] { EXPECT_EQ(rig.position(2), -rig.position(3)); };
+    rig.push(2, rig.line(2, {12, 0}, 80));
+    rig.start(2);
+    rig.run_until_idle();
+    EXPECT_NEAR(rig.position(2), -12, 1e-9);
+}
+
+TEST(Couplings, ASlaveRefusesToBeCommanded) {
+    CoupledRig rig([](params::Table& t, RunOptions&) { synchronous(t, 4, 2, false); });
+    rig.flag(signals::ap_syncr(4), true);
+    rig.run(5);
+    rig.push(2, rig.line(2, {0, 10}, 50));
+    rig.start(2);
+    rig.run_until_idle();
+    EXPECT_TRUE(rig.alarmed(Alarm::SlaveCommanded, 2));
+    EXPECT_EQ(rig.position(4), 0);
+    rig.command(CommandKind::Step, 0, 1, 0, 4);
+    rig.run_until_idle();
+    EXPECT_EQ(rig.position(4), 0);
+}
+
+TEST(Couplings, SuperimposedMotionAddsTheMastersWayWhileBothMove) {
+    for (const bool subtracted : {false, true}) {
+        CoupledRig rig([&](params::Table& t, RunOptions&) {
+            params::put(t, params::n2107_superimposed_master, 2, 4);
+            params::put(t, params::n2108_superimposed_config, subtracted ? 1 : 0, 4);
+        });
+        rig.flag(signals::ap_sprpnr(4), true);
+        rig.run(5);
+        EXPECT_EQ(rig.machine->core().signals.nc(signals::an_sprpna(4)), 1);
+        rig.push(1, rig.line(1, {0, -9}, 30));
+        rig.push(2, rig.line(2, {0, 4}, 10));
+        rig.start(1);
+        rig.start(2);
+        rig.run_until_idle();
+        EXPECT_NEAR(rig.position(4), subtracted ? 13 : -5, 1e-9);
+        EXPECT_NEAR(rig.machine->core().axes[3].own(), 4, 1e-9);       // what its program believes
+        rig.push(2, rig.line(2, {0, 2}, 10));
+        rig.start(2);
+        rig.run_until_idle();
+        EXPECT_NEAR(rig.position(4), subtracted ? 15 : -3, 1e-9);
+        rig.flag(signals::ap_sprpnr(4), false);
+        rig.run(5);
+        EXPECT_NEAR(rig.position(4), subtracted ? 15 : -3, 1e-9);      // nothing moves, its program sees the machine's number
+        EXPECT_NEAR(rig.machine->core().axes[3].own(), subtracted ? 15 : -3, 1e-9);
+    }
+}
+
+TEST(Couplings, ARequestWaitsForStandstillAndMakesNoStep) {
+    CoupledRig rig([](params::Table& t, RunOptions&) { synchronous(t, 4, 2, false); });
+    rig.watch();
+    rig.push(1, rig.line(1, {0, 40}, 150));
+    rig.start(1);
+    rig.run(100);
+    ASSERT_GT(std::fabs(rig.speed_of(2)), 1.0);
+    rig.flag(signals::ap_syncr(4), true);
+    rig.run_until_idle();
+    EXPECT_EQ(rig.position(4), 0);                      // it moved while the request waited
+    rig.run(5);
+    rig.push(1, rig.line(1, {0, -10}, 100));
+    rig.start(1);
+    rig.run_until_idle();
+    EXPECT_NEAR(rig.position(4), -10, 1e-9);
+    EXPECT_LE(rig.worst, 1.01);
+}
+
+TEST(Couplings, TellWhenTheAxesDoNotComeToRest) {
+    CoupledRig rig([](params::Table& t, RunOptions&) {
+        synchronous(t, 4, 2, false);
+        params::put(t, params::pt_couple_timeout, 0.2);
+    });
+    rig.push(1, rig.line(1, {0, 400}, 50));
+    rig.start(1);
+    rig.run(100);
+    rig.flag(signals::ap_syncr(4), true);
+    rig.run(190);
+    EXPECT_FALSE(rig.alarmed(Alarm::CoupleTimeout));
+    rig.run(30);
+    EXPECT_TRUE(rig.alarmed(Alarm::CoupleTimeout));
+    EXPECT_FALSE(rig.machine->core().axes[3].slave);
+}
+
+TEST(Couplings, RefuseTwoRolesForOneAxis) {
+    CoupledRig rig([](params::Table& t, RunOptions&) {
+        synchronous(t, 4, 2, false);
+        params::put(t, params::n2107_superimposed_master, 1, 4);
+    });
+    rig.flag(signals::ap_syncr(4), true);
+    rig.run(5);
+    rig.flag(signals::ap_sprpnr(4), true);
+    rig.run(5);
+    EXPECT_TRUE(rig.alarmed(Alarm::CoupleConflict));
+    EXPECT_TRUE(rig.machine->core().axes[3].slave);     // what was there stays
+    EXPECT_EQ(rig.machine->core().signals.nc(signals::an_sprpna(4)), 0);
+}
+
+TEST(Couplings, AGantryFollowsFromTheStartAndIsPulledOntoItsMaster) {
+    CoupledRig rig([](params::Table& t, RunOptions& o) {
+        params::put(t, params::n2101_synchronous_master, 2, 4);
+        params::put(t, params::n2102_synchron_config, 16, 4);
+        params::put(t, params::n0522_synchr_k, 10, 4);
+        params::put(t, params::n2103_synchron_error, 0.2, 4);
+        o.start_known[3] = 1;
+        o.start_position[3] = 0.05;
+    });
+    rig.run(3000);
+    EXPECT_NEAR(rig.position(4), 0, 1e-6);
+    rig.push(1, rig.line(1, {0, 30}, 100));
+    rig.start(1);
+    rig.run_until_idle();
+    EXPECT_NEAR(rig.position(4), 30, 1e-6);
+    EXPECT_FALSE(rig.alarmed(Alarm::GantryError));
+}
+
+TEST(Couplings, ATornGantryStopsTheMachine) {
+    CoupledRig rig([](params::Table& t, RunOptions& o) {
+        params::put(t, params::n2101_synchronous_master, 2, 4);
+        params::put(t, params::n2102_synchron_config, 16, 4);
+        params::put(t, params::n2103_synchron_error, 0.2, 4);
+        o.start_known[3] = 1;
+        o.start_position[3] = 0.5;
+    });
+    rig.run(20);
+    EXPECT_TRUE(rig.alarmed(Alarm::GantryError));
+    EXPECT_EQ(rig.machine->core().state, MachineState::EmergencyStop);
+}
+
+TEST(Couplings, AnExchangeIsAcknowledgedAndTellsWhatLiesBehindAnAddress) {
+    CoupledRig rig([](params::Table& t, RunOptions&) { params::put(t, params::n2104_composit_axis, 1, 3); });
+    rig.flag(signals::ap_mixr(3), true);
+    rig.run(5);
+    EXPECT_EQ(rig.machine->core().signals.nc(signals::an_mixa(3)), 1);
+    MachineStatus status;
+    ASSERT_TRUE(rig.kernel->status.read(status));
+    EXPECT_EQ(status.route[2], 1);
+    EXPECT_EQ(status.route[0], 3);
+    rig.flag(signals::ap_mixr(3), false);
+    rig.run(5);
+    EXPECT_EQ(rig.machine->core().signals.nc(signals::an_mixa(3)), 0);
+    ASSERT_TRUE(rig.kernel->status.read(status));
+    EXPECT_EQ(status.route[2], 0);
+}
+
+TEST(Couplings, AfterAnEmergencyStopTheDistanceIsTheOneThatIsThere) {
+    CoupledRig rig([](params::Table& t, RunOptions&) { synchronous(t, 4, 2, false); });
+    rig.watch();
+    rig.flag(signals::ap_syncr(4), true);
+    rig.run(5);
+    rig.push(1, rig.line(1, {0, 100}, 150));
+    rig.start(1);
+    rig.run(300);
+    rig.command(CommandKind::EmergencyStop);
+    rig.run(300);
+    EXPECT_NEAR(rig.position(4), rig.position(2), 1e-9);
+    EXPECT_EQ(rig.speed_of(4), 0);
+    const double before = rig.position(4);
+    rig.command(CommandKind::MachineOn);
+    rig.run(100);
+    EXPECT_NEAR(rig.position(4), before, 0.01);
+}
+
+}  // namespace
+}  // namespace polyturn::kernel
