@@ -32,6 +32,8 @@ public:
     // p, q: places of the plane's axes.
     void open(Sink& out, unsigned p, unsigned q, const Options& options);
     bool closed() const;
+    void configure(unsigned p, unsigned q, const Options& options) { p_ = p, q_ = q, options_ = options; }   // while off
+    bool off() const { return state_ == State::Off && !held_; }
 
     // --- what the block says, before its move
     void select(int side);                   // +1 left, -1 right of the path

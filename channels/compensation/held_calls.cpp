@@ -30,6 +30,7 @@ void HeldCalls::make(Call& call, Sink& to) {
         void operator()(Part& p) { to.part(p.count, call.at); }
         void operator()(Barrier&) { to.barrier(call.at); }
         void operator()(BlockEnd&) { to.block_end(call.at); }
+        void operator()(std::function<void()>& told) { told(); }
     };
     std::visit(Maker{call, to}, call.what);
 }

@@ -4,6 +4,7 @@
 // what follows stays here until the machine has come to it, as run mode wants it.
 #pragma once
 #include <deque>
+#include <functional>
 #include <string>
 #include <variant>
 
@@ -28,6 +29,8 @@ public:
     void barrier(const BlockContext& at) { calls_.push_back({Barrier{}, own(at), {}, {}, {}}); }
     void block_end(const BlockContext& at) { calls_.push_back({BlockEnd{}, own(at), {}, {}, {}}); }
 
+    void control(std::function<void()> told) { calls_.push_back({std::move(told), {}, {}, {}, {}}); }   // something told to a later stage
+
     bool empty() const { return calls_.empty(); }
     void clear() { calls_.clear(); }
     bool will_halt() const;
@@ -48,7 +51,7 @@ private:
     struct Barrier {};
     struct BlockEnd {};
     struct Call {
-        std::variant<Move, Dwell, Aux, Spindle, Wait, Variable, OffsetWrite, Message, Stop, Part, Barrier, BlockEnd> what;
+        std::variant<Move, Dwell, Aux, Spindle, Wait, Variable, OffsetWrite, Message, Stop, Part, Barrier, BlockEnd, std::function<void()>> what;
         BlockContext at;
         std::string text, second, third;
     };

@@ -93,7 +93,7 @@ Step Interpreter::nc_block() {
     }
     if (finishing_.active && !ended_ && !called_ && frames_.size() == finishing_.depth && core_.at.block == finishing_.last && !end_finishing()) return fault(core_.fault());
     end_one_block_shift();
-    if (core_.compensating()) {
+    if (core_.reads_ahead()) {
         const bool counts = !called_ && !calls && (block_.letters & ~letter_set("NO")) != 0;   // calls belong to nobody's path
         if (!core_.end_compensated_block(counts, wants_barrier_, ended_)) return fault(core_.fault());
     }
@@ -109,7 +109,7 @@ Step Interpreter::nc_block() {
         }
     }
     if (!modal_calls_.empty()) modal_calls_.back().armed = true;
-    if (core_.compensating()) return core_.halted() ? Step::AtBarrier : ended_ ? Step::Ended : Step::Continue;   // a barrier ahead may be held back
+    if (core_.reads_ahead()) return core_.halted() ? Step::AtBarrier : ended_ ? Step::Ended : Step::Continue;   // a barrier ahead may be held back
     if (ended_) return Step::Ended;
     return wants_barrier_ ? Step::AtBarrier : Step::Continue;
 }

@@ -171,14 +171,14 @@ Step Interpreter::end_of_text() {
     if (tape_begun_) return fault_at(Alarm::ProgramNotEnded, 0, 0, "%");
     core_.begin_block();
     finish(StopReason::End);
-    if (core_.compensating() && !core_.compensation_failed()) return fault(core_.fault());
+    if (core_.reads_ahead() && !core_.compensation_failed()) return fault(core_.fault());
     core_.end_block();
-    if (core_.compensating() && core_.halted()) return Step::AtBarrier;
+    if (core_.reads_ahead() && core_.halted()) return Step::AtBarrier;
     return Step::Ended;
 }
 
 Step Interpreter::step() {
-    if (core_.compensating()) {
+    if (core_.reads_ahead()) {
         if (core_.halted()) return Step::AtBarrier;
         if (!ended_ && !core_.compensation_failed()) return fault(core_.fault());
     }

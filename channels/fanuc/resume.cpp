@@ -53,7 +53,7 @@ void Interpreter::note_resume_point() {
         state_changed_ = false;
     }
     points_.push_back({serial_, line_left_ ? source_->position() : source_->next_position(), line_left_ ? column_ : 0,
-                       core_.path.programmed, core_.path.machine, states_.back()->number, core_.compensating()});
+                       core_.path.programmed, core_.path.machine, states_.back()->number, core_.reads_ahead()});
 }
 
 void Interpreter::executed(std::uint64_t serial) {

@@ -71,7 +71,7 @@ void Core::select_zero(std::int32_t row) {
 }
 
 void Core::preset(unsigned i, double programmed) {
-    if (compensating_) drop_compensation_vector();
+    if (reads_ahead()) drop_compensation_vector();
     // The word is what the display shall show with the travelled offset in it: G50 X Z T (fanuc_lathe 1.4).
     if (path.framed) {
         AxisValues wanted = path.programmed;
@@ -87,7 +87,7 @@ void Core::preset(unsigned i, double programmed) {
 }
 
 void Core::preset_by(unsigned i, double increment) {
-    if (compensating_) drop_compensation_vector();
+    if (reads_ahead()) drop_compensation_vector();
     path.preset[i] -= increment;
     sum_zeros();
     refresh_surface_zero();

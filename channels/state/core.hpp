@@ -21,6 +21,7 @@
 #include <string>
 
 #include "channels/compensation/options.hpp"
+#include "channels/corners/corner_stage.hpp"
 #include "channels/machine_view.hpp"
 #include "channels/port.hpp"
 #include "channels/sink.hpp"
@@ -165,6 +166,8 @@ public:
     bool compensation_off(double wish_p, double wish_q);  // G40; direction in which the contour would go on, 0 0 none
     void compensation_reset();                            // reset, cycle start: nothing is delivered any more
     bool compensating() const { return compensating_; }
+    // Compensation or a corner element is on: blocks are read ahead of what has been delivered.
+    bool reads_ahead() const { return compensating_ || staged_; }
     // counts: a block that does nothing but what moves nothing counts as one without movement. false: fault()
     bool end_compensated_block(bool counts, bool wants_barrier, bool program_ends);
     bool compensation_failed();                           // false: fault()
@@ -179,6 +182,13 @@ public:
     // nose touches it on the side of `outside`; 0 without compensation.
     double cut_shift(const AxisValues& a, const AxisValues& b, unsigned along, const AxisValues& outside) const;
     double machine_now(unsigned place) const;             // machine coordinate with the vector in it
+
+    // --- chamfers, roundings (channels/corners)
+    bool corner(const corners::Call& call);               // at the end of the next move
+    // The next block tells where this one ends (a line by its angle): what comes meanwhile waits for it.
+    bool reserve_move();
+    bool move_reserved() const { return staged_ && stage_->reserved(); }
+    template <class Make> void insert_reserved(Make&& make) { stage_->insert(std::forward<Make>(make)); }
 
     // --- everything else
     bool dwell(double value, bool revolutions);
@@ -199,6 +209,9 @@ private:
     bool spindle_ready(Alarm otherwise);
     bool within_stroke(const AxisValues& machine, AxisSet moved);
     void deliver();
+    bool stage_corners();
+    void chain();
+    template <class Told> void tell_comp(Told&& told);
     void tell_nose();
     void select_side();
     void tell_zero_distance();
@@ -228,6 +241,8 @@ private:
     Fault fault_;
     std::unique_ptr<compensation::Compensator> comp_;
     compensation::Options comp_options_;
+    std::unique_ptr<corners::CornerStage> stage_;
+    bool staged_ = false;   // stage_ and comp_ stand in the way
     bool compensating_ = false;
     CompSide comp_side_ = CompSide::Off;   // as programmed; a mirroring frame changes it
     AxisSet forced_ = 0;   // axes that the next move takes along although they are where it wants them

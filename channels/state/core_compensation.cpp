@@ -25,9 +25,10 @@ bool Core::compensation(CompSide side) {
     if (p < 0 || q < 0) return fail(Alarm::PlaneAxisMissing, 'G');
     if (tip_outside_its_plane(path)) return fail(Alarm::CompTipPlane, 'G', {}, path.tool.tip);
     if (!compensating_) {
-        if (!comp_) comp_ = std::make_unique<compensation::Compensator>();
-        comp_->open(*out_, static_cast<unsigned>(p), static_cast<unsigned>(q), comp_options_);
-        sink_ = comp_.get();
+        chain();
+        tell_comp([p, q, options = comp_options_](compensation::Compensator& comp) {
+            if (comp.off()) comp.configure(static_cast<unsigned>(p), static_cast<unsigned>(q), options);
+        });
         compensating_ = true;
     }
     comp_side_ = side;
@@ -38,37 +39,99 @@ bool Core::compensation(CompSide side) {
 void Core::select_side() {
     const bool left = (comp_side_ == CompSide::Left) != frame_mirrors_plane();
     at.comp = left ? CompSide::Left : CompSide::Right;
-    comp_->select(left ? 1 : -1);
+    tell_comp([left](compensation::Compensator& comp) { comp.select(left ? 1 : -1); });
+}
+
+// Both stages are put into the way, or are there already.
+void Core::chain() {
+    if (reads_ahead()) return;
+    if (!comp_) comp_ = std::make_unique<compensation::Compensator>();
+    comp_->open(*out_, 0, 1, comp_options_);
+    sink_ = comp_.get();
+}
+
+// What compensation is told waits behind a move that is held for its corner.
+template <class Told> void Core::tell_comp(Told&& told) {
+    if (staged_ && stage_->holding()) stage_->later([this, told] { tell_comp(told); });
+    else told(*comp_);
+}
+
+bool Core::stage_corners() {
+    int p = -1, q = -1;
+    plane_axes(p, q);
+    if (p < 0 || q < 0) return fail(Alarm::PlaneAxisMissing);
+    if (!staged_) {
+        chain();
+        if (!stage_) stage_ = std::make_unique<corners::CornerStage>();
+        stage_->open(*comp_);
+        sink_ = stage_.get();
+        staged_ = true;
+    }
+    if (stage_->holding()) return true;   // its own plane is that of the held move
+    AxisSet geometry = 0;
+    for (const int place : geo_)
+        if (place >= 0) geometry |= 1u << place;
+    stage_->plane(static_cast<unsigned>(p), static_cast<unsigned>(q), geometry);
+    return true;
+}
+
+bool Core::corner(const corners::Call& call) {
+    if (!stage_corners()) return false;
+    stage_->want(call);
+    return true;
+}
+
+bool Core::reserve_move() {
+    if (!stage_corners()) return false;
+    stage_->reserve();
+    return true;
 }
 
 bool Core::compensation_off(double wish_p, double wish_q) {
     at.comp = comp_side_ = CompSide::Off;
-    if (compensating_) comp_->cancel_towards({wish_p, wish_q});
+    if (compensating_) tell_comp([wish_p, wish_q](compensation::Compensator& comp) { comp.cancel_towards({wish_p, wish_q}); });
     return true;
 }
 
 void Core::compensation_reset() {
     at.comp = comp_side_ = CompSide::Off;
     sink_ = out_;
-    compensating_ = false;
+    compensating_ = staged_ = false;
     comp_.reset();
+    stage_.reset();
 }
 
 // The nose that cuts the move about to be delivered.
 void Core::tell_nose() {
     const ToolState& tool = path.tool;
     const bool tip = path.plane == Plane::ZX && tool.tip >= 0 && tool.tip <= 9;
-    comp_->nose(tool.nose_radius, tip ? kTip[tool.tip] : Vec{}, (tool.geometry != 0 || tool.wear != 0) && !tool.nose_off);
+    const double radius = tool.nose_radius;
+    const bool has_offset = (tool.geometry != 0 || tool.wear != 0) && !tool.nose_off;
+    if (!staged_) comp_->nose(radius, tip ? kTip[tool.tip] : Vec{}, has_offset);
+    else tell_comp([radius, share = tip ? kTip[tool.tip] : Vec{}, has_offset](compensation::Compensator& comp) { comp.nose(radius, share, has_offset); });
 }
 
-void Core::tell_zero_distance() { comp_->zero_distance(); }
+void Core::tell_zero_distance() {
+    tell_comp([](compensation::Compensator& comp) { comp.zero_distance(); });
+}
 
 bool Core::end_compensated_block(bool counts, bool wants_barrier, bool program_ends) {
-    if (program_ends) comp_->settle();
-    comp_->block_done(counts);
-    if (wants_barrier) comp_->ensure_halt(at);
-    if (comp_->failed()) return compensation_failed();
-    if (comp_->closed()) {
+    if (program_ends) {
+        if (staged_) stage_->flush();
+        comp_->settle();
+    }
+    if (staged_) {
+        stage_->forget_want();   // the block made no move
+        stage_->block_done();
+    }
+    tell_comp([counts](compensation::Compensator& comp) { comp.block_done(counts); });
+    if (wants_barrier) tell_comp([here = at](compensation::Compensator& comp) { comp.ensure_halt(here); });
+    if (!compensation_failed()) return false;
+    if (staged_ && !stage_->holding()) {
+        staged_ = false;
+        sink_ = comp_.get();
+    }
+    if (!staged_ && comp_->closed()) {
         sink_ = out_;
         compensating_ = false;
     }
@@ -76,22 +139,28 @@ bool Core::end_compensated_block(bool counts, bool wants_barrier, bool program_e
 }
 
 bool Core::compensation_failed() {
+    if (staged_ && stage_->failed() && stage_->fault() != Alarm{}) {
+        fail(stage_->fault(), stage_->fault_letter());
+        fault_.block = stage_->fault_block();
+        return false;
+    }
     if (!comp_->failed()) return true;
     const auto& fault = comp_->fault();
     if (fault.alarm == Alarm{}) return true;   // somebody else's alarm: it was told
-    fail(fault.alarm, fault.this_block ? 'G' : 0);
-    if (!fault.this_block) fault_.block = fault.at;
+    const bool here = fault.this_block && fault.at.serial == at.serial;
+    fail(fault.alarm, here ? 'G' : 0);
+    if (!here) fault_.block = fault.at;
     return false;
 }
 
-bool Core::holds_block() const { return compensating_ && comp_->holds_block(); }
+bool Core::holds_block() const { return reads_ahead() && (comp_->holds_block() || (staged_ && stage_->holding())); }
 
 bool Core::halted() const { return comp_->halted(); }
 
 bool Core::barrier_passed() {
-    if (!compensating_) return true;
+    if (!reads_ahead()) return true;
     comp_->resume();
-    return !comp_->holds() && !comp_->halted();
+    return !(staged_ && stage_->holding()) && !comp_->holds() && !comp_->halted();
 }
 
 double Core::machine_now(unsigned i) const {
@@ -106,6 +175,7 @@ double Core::machine_now(unsigned i) const {
 void Core::suspend_compensation(AxisSet which) {
     int p = -1, q = -1;
     const AxisSet plane = plane_axes(p, q);
+    if (staged_) stage_->flush();
     if (!(which & plane)) {
         comp_->settle();
         return;
@@ -116,6 +186,7 @@ void Core::suspend_compensation(AxisSet which) {
 
 void Core::begin_cycle(CycleMoves how) {
     using Bypass = compensation::Compensator::Bypass;
+    if (staged_) stage_->flush();
     if (compensating_) comp_->bypass(how == CycleMoves::Plain ? Bypass::Plain : Bypass::Shifted);
 }
 
@@ -148,6 +219,9 @@ double Core::cut_shift(const AxisValues& a, const AxisValues& b, unsigned along,
     return std::fabs(tool.nose_radius) * (1.0 + compensation::dot(tip ? kTip[tool.tip] : Vec{}, n)) / share;
 }
 
-void Core::drop_compensation_vector() { comp_->drop_vector(); }
+void Core::drop_compensation_vector() {
+    if (staged_) stage_->flush();
+    comp_->drop_vector();
+}
 
 }  // namespace polyturn::channels

@@ -79,7 +79,7 @@ void Core::deliver() {
     ++moves_;
     for (unsigned i = 0; i < view_->axis_count; ++i)
         if (view_->axes[i].rollover) move_.pos[i] = wrapped(move_.pos[i], view_->axes[i].rollover_deg);
-    if (compensating_) tell_nose();
+    if (reads_ahead()) tell_nose();
     sink_->move(move_, at);
 }
 
@@ -139,13 +139,13 @@ AxisValues Core::programmed_at(const AxisValues& machine, AxisSet which) const {
 }
 
 bool Core::machine_rapid(const AxisValues& machine, AxisSet which) {
-    if (compensating_) suspend_compensation(which);
+    if (reads_ahead()) suspend_compensation(which);
     const AxisValues target = programmed_at(machine, which);
     return rapid(target);
 }
 
 bool Core::reference(const AxisValues& machine, AxisSet which, MoveKind kind) {
-    if (compensating_) suspend_compensation(which);
+    if (reads_ahead()) suspend_compensation(which);
     const AxisValues target = programmed_at(machine, which);
     if (!begin_move(target, kind)) return false;
     if (move_.moved) {
@@ -226,7 +226,7 @@ bool Core::arc(const AxisValues& target, const ArcCall& programmed) {
         cq = call.centre_q + to_machine_q;
     }
     const double rs = std::hypot(sp - cp, sq - cq), re = std::hypot(ep - cp, eq - cq);
-    if (rs < kSamePoint || re < kSamePoint) return fail(compensating_ ? Alarm::CompArcCentre : Alarm::ArcWithoutRadius, 0);
+    if (rs < kSamePoint || re < kSamePoint) return fail(at.comp != CompSide::Off ? Alarm::CompArcCentre : Alarm::ArcWithoutRadius, 0);
     if (std::fabs(rs - re) > call.tolerance + kSame) return fail(Alarm::ArcRadiusDiffers, 0, {}, std::fabs(rs - re), call.tolerance);
     const double a0 = std::atan2(sq - cq, sp - cp), a1 = std::atan2(eq - cq, ep - cp);
     double sweep = call.clockwise ? a0 - a1 : a1 - a0;   // in the direction of travel

@@ -1,0 +1,43 @@
+// The chamfer or the rounding between two elements of a contour: where each of them ends, and what lies between.
+//
+//        a  ---------F             F  end of what is left of a, cut_a before the corner C along a
+//                     \            T  begin of what is left of b, cut_b behind the corner along b
+//                      T
+//                      |  b
+//
+// Rounding   its centre M is where the equidistants of a and b in distance r meet on the inner side; F, T nearest to M
+// Leg        cut_a = cut_b = size, measured along the elements
+// Length     |FT| = size with cut_a = cut_b; two lines that turn by d: cut = size / (2 cos(d/2))
+#pragma once
+#include "channels/compensation/element.hpp"
+
+namespace polyturn::channels::corners {
+
+using compensation::Element;
+using compensation::Vec;
+
+enum class Shape : unsigned char { Rounding, ChamferLeg, ChamferLength };
+
+struct Corner {
+    Vec from, to;          // F, T
+    bool arc = false;
+    Vec centre;
+    double sweep = 0.0;    // rad, > 0 left
+    double cut_a = 0.0, cut_b = 0.0;   // mm along the elements
+};
+
+enum class Fit : unsigned char {
+    Made,
+    Smooth,     // the elements go over into each other, or straight back: there is no corner to work on
+    TooLarge,
+};
+
+double path_length(const Element& e);
+Vec point_before_end(const Element& e, double distance);
+Vec point_behind_start(const Element& e, double distance);
+
+Fit make_corner(const Element& a, const Element& b, Shape shape, double size, Corner& corner);
+// Likewise; a size that does not fit is made smaller until it does.
+Fit make_largest_corner(const Element& a, const Element& b, Shape shape, double size, Corner& corner);
+
+}  // namespace polyturn::channels::corners

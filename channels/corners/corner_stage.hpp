@@ -1,0 +1,100 @@
+// Chamfers and roundings between two consecutive moves, for every language: a sink in front of compensation. It holds back
+// the move that has an element at its end until the next one of the contour tells where it must stop.
+//
+//   move with corner() -> held a, calls behind it wait --(next move b)--> a shortened, element, b shortened
+//
+// Invariants
+//   I1  Calls go on in the order in which they came. The element stands directly behind a, or directly before b when it
+//       takes its technology from b (Call::from_next).
+//   I2  Without a next move of the contour (another plane, a thread, rapid of the machine, a barrier, the end) a goes on
+//       as it is, without an element.
+//   I3  An element that does not fit and may not be made smaller is a fault: neither a nor anything behind it goes on.
+//   I4  What compensation is told between the moves waits in the same order (later()).
+#pragma once
+#include <functional>
+
+#include "channels/compensation/held_calls.hpp"
+#include "channels/corners/corner_element.hpp"
+
+namespace polyturn::channels::corners {
+
+struct Call {
+    Shape shape = Shape::Rounding;
+    double size = 0.0;            // mm
+    double feed = 0.0;            // of the element, in the unit that holds; 0: that of the block it takes its technology from
+    bool from_next = false;       // technology (feed, functions) of the next block instead of this one
+    bool reduce = false;          // too large: make it smaller; else Alarm::CornerTooLarge
+    bool required = false;        // no next move of the contour is a fault: Alarm::CornerWithoutNext
+    unsigned idle_blocks = 3;     // blocks without motion that may stand between; more: no element
+    char letter = 0;              // the word to point at
+};
+
+class CornerStage final : public Sink {
+public:
+    void open(Sink& down) { *this = CornerStage(), down_ = &down; }
+    void plane(unsigned p, unsigned q, AxisSet geometry) { p_ = p, q_ = q, geometry_ = geometry; }
+    void want(const Call& call) { want_ = call, wanted_ = true; }    // at the end of the move that comes next
+    void forget_want() { wanted_ = false; }
+    bool wants() const { return wanted_; }
+    bool holding() const { return holding_; }
+    void later(std::function<void()> told) { waiting_.control(std::move(told)); }   // while holding()
+    void flush();                                     // the held move goes on without an element
+    void block_done();                                // the block has been interpreted
+
+    // A move whose end only the next block tells: what comes meanwhile waits, until insert() makes the move in front of it.
+    void reserve() { holding_ = reserved_ = true, idle_ = 0, moved_ = true; }
+    bool reserved() const { return reserved_; }
+    template <class Make> void insert(Make&& make) {
+        compensation::HeldCalls calls;
+        calls.append(waiting_);
+        holding_ = reserved_ = false;
+        make();
+        while (!calls.empty()) calls.pass_on(*this);
+    }
+
+    bool failed() const { return failed_; }
+    Alarm fault() const { return alarm_; }
+    const BlockContext& fault_block() const { return held_.at; }
+    char fault_letter() const { return held_.call.letter; }
+
+    void move(const Move&, const BlockContext&) override;
+    void dwell(const Dwell& d, const BlockContext& at) override { holding_ ? waiting_.dwell(d, at) : down_->dwell(d, at); }
+    void aux(const Aux& a, const BlockContext& at) override { holding_ ? waiting_.aux(a, at) : down_->aux(a, at); }
+    void spindle(const Spindle& s, const BlockContext& at) override { holding_ ? waiting_.spindle(s, at) : down_->spindle(s, at); }
+    void wait(const Wait& w, const BlockContext& at) override { holding_ ? waiting_.wait(w, at) : down_->wait(w, at); }
+    void variable(const Variable& v, const BlockContext& at) override { holding_ ? waiting_.variable(v, at) : down_->variable(v, at); }
+    void offset(const OffsetWrite& o, const BlockContext& at) override { holding_ ? waiting_.offset(o, at) : down_->offset(o, at); }
+    void message(std::string_view text, const BlockContext& at) override { holding_ ? waiting_.message(text, at) : down_->message(text, at); }
+    void part(double count, const BlockContext& at) override { holding_ ? waiting_.part(count, at) : down_->part(count, at); }
+    void block_end(const BlockContext& at) override { holding_ ? waiting_.block_end(at) : down_->block_end(at); }
+    void stop(const Stop&, const BlockContext&) override;
+    void alarm(const Diagnosis&, const BlockContext&) override;
+    void barrier(const BlockContext&) override;
+
+private:
+    struct Held {
+        Move move;
+        BlockContext at;
+        Call call;
+    };
+
+    void take(const Move& m, const BlockContext& at);
+    bool on_contour(const Move& m) const;
+    Element element_of(const Move& m) const;
+    void join(Move b, const BlockContext& at);
+    Move element_between(const Move& a, const Move& b, const Corner& corner, const Move& model) const;
+    void pass_waiting();
+    void fail(Alarm alarm);
+
+    Sink* down_ = nullptr;
+    unsigned p_ = 0, q_ = 1;
+    AxisSet geometry_ = 0;         // axes of the workpiece system: one outside the plane that moves makes no corner
+    bool holding_ = false, reserved_ = false, wanted_ = false, failed_ = false, moved_ = false;
+    unsigned idle_ = 0;
+    Call want_;
+    Held held_;                    // when holding_ and not reserved_
+    compensation::HeldCalls waiting_;
+    Alarm alarm_{};
+};
+
+}  // namespace polyturn::channels::corners
