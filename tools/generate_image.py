@@ -9,9 +9,9 @@ BASE = {"f64": "double", "i64": "std::int64_t", "u64": "std::uint64_t", "i32": "
 
 def rows(path):
     lines = [line for line in path.read_text(encoding="utf-8").splitlines() if line.strip() and not line.startswith("#")]
-    table = list(csv.DictReader(lines))
+    table = list(csv.DictReader(lines, restval=""))
     for row in table:
-        if None in row or None in row.values():
+        if None in row or (not row.get("meaning")):
             sys.exit(f"{path}: wrong number of columns: {row}")
     return table
 
@@ -42,17 +42,35 @@ for row in rows(fields_csv):
         sys.exit(f"{fields_csv}: {row['struct']}.{row['field']} stands twice")
     structs[row["struct"]]["fields"].append(row | {"base": match[1], "count": match[2]})
 
-# Signals: PLC and NC flags and registers with their slots.
+# Signals: PLC and NC flags and registers with their slots. A name may hold ranges: CP_MGR{1..16} stands for sixteen rows. The
+# column `index` gives an array its elements: 0..31 is NAME[0] to NAME[31]; `alias` other spellings, with a space between them.
+# A double occupies two slots, its low word first.
 SCOPES = {"global": "1", "channel": "kMaxChannels", "axis": "kMaxAxes", "spindle": "kMaxSpindles"}
 COUNTS = {"global": 1, "channel": 16, "axis": 96, "spindle": 32}
-signals, next_slot = [], {"N": 0, "P": 0}
-for row in rows(signals_csv):
-    if row["scope"] not in SCOPES or row["writer"] not in next_slot or row["kind"] not in ("flag", "register"):
-        sys.exit(f"{signals_csv}: {row}")
-    if any(s["name"] == row["name"] for s in signals):
-        sys.exit(f"{signals_csv}: {row['name']} stands twice")
-    signals.append(row | {"slot": next_slot[row["writer"]]})
-    next_slot[row["writer"]] += COUNTS[row["scope"]]
+KINDS = {"flag": 1, "register": 1, "double": 2}
+
+
+def spelled_out(name):
+    match = re.search(r"\{(\d+)\.\.(\d+)\}", name)
+    if not match:
+        return [name]
+    return [full for i in range(int(match[1]), int(match[2]) + 1) for full in spelled_out(name[:match.start()] + str(i) + name[match.end():])]
+
+
+signals, next_slot, spellings = [], {"N": 0, "P": 0}, set()
+for pattern in rows(signals_csv):
+    index = re.fullmatch(r"(\d+)\.\.(\d+)", pattern.get("index") or "0..0")
+    if pattern["scope"] not in SCOPES or pattern["writer"] not in next_slot or pattern["kind"] not in KINDS or not index \
+            or (pattern.get("index") and pattern["scope"] != "global"):
+        sys.exit(f"{signals_csv}: {pattern}")
+    for name in spelled_out(pattern["name"]):
+        row = pattern | {"name": name, "first": int(index[1]), "count": int(index[2]) - int(index[1]) + 1, "alias": pattern.get("alias", "")}
+        for spelling in [name, *row["alias"].split()]:
+            if spelling in spellings:
+                sys.exit(f"{signals_csv}: {spelling} stands twice")
+            spellings.add(spelling)
+        signals.append(row | {"slot": next_slot[row["writer"]], "array": bool(pattern.get("index"))})
+        next_slot[row["writer"]] += COUNTS[row["scope"]] * row["count"] * KINDS[row["kind"]]
 
 hash_of = hashlib.sha256(b"".join(p.read_bytes() for p in (fields_csv, signals_csv, enums_hpp, capacities_hpp))).hexdigest()[:16]
 
@@ -71,7 +89,10 @@ for name in order:
     h.append("};")
 h += ["enum class SignalScope : std::uint8_t { Global, Channel, Axis, Spindle };",
       "enum class SignalWriter : std::uint8_t { Nc, Plc };",
-      "struct SignalRow { std::string_view name; SignalScope scope; SignalWriter writer; bool is_register; std::uint32_t slot; std::string_view meaning; };",
+      "enum class SignalKind : std::uint8_t { Flag, Register, Double };  // a double: two slots, its low word first",
+      "// `elements` counts NAME[first] and what follows; 0: no array. `alias`: other spellings, separated by a space.",
+      "struct SignalRow { std::string_view name; SignalScope scope; SignalWriter writer; bool is_register; std::uint32_t slot; std::string_view meaning;",
+      "                   SignalKind kind; std::uint16_t first, elements; std::string_view alias; };",
       "std::span<const SignalRow> signal_rows();",
       "struct FieldRow { std::string_view structure, writer, field, type, unit, meaning; std::uint32_t offset, size; };",
       "std::span<const FieldRow> image_fields();",
@@ -88,7 +109,8 @@ c = ["// Generated from ipc/image/fields.csv and ipc/image/signals.csv.", "#incl
      "static constexpr SignalRow kSignals[] = {"]
 for s in signals:
     c.append(f"    {{{text(s['name'])}, SignalScope::{s['scope'].capitalize()}, SignalWriter::{'Nc' if s['writer'] == 'N' else 'Plc'}, "
-             f"{'true' if s['kind'] == 'register' else 'false'}, {s['slot']}, {text(s['meaning'])}}},")
+             f"{'false' if s['kind'] == 'flag' else 'true'}, {s['slot']}, {text(s['meaning'])}, "
+             f"SignalKind::{s['kind'].capitalize()}, {s['first']}, {s['count'] if s['array'] else 0}, {text(s['alias'])}}},")
 c += ["};", "std::span<const SignalRow> signal_rows() { return kSignals; }", '#pragma GCC diagnostic ignored "-Winvalid-offsetof"', "static const FieldRow kFields[] = {"]
 for name in order:
     struct = structs[name]

@@ -30,4 +30,6 @@
 
 namespace polyturn {
 inline constexpr std::uint32_t kSlotOfNc = 0, kSlotOfPlc = 1;   // Command::flags and KernelEvent::line of signals
+inline constexpr std::uint32_t kSlotOfDouble = 2;               // bit of Command::flags of a Watch: two slots, the low word first
+inline constexpr std::size_t kMaxWatches = 64;                  // signals that one run reports
 }  // namespace polyturn

@@ -74,8 +74,22 @@ bool ChannelRunner::supplied() noexcept {
     return quiet || segment_->path.head.load(std::memory_order_acquire) - cursor_ >= core_.config.horizon;
 }
 
+// Marks of the PLC that are keys of the operator (Fagor: BLKSKIP1 to BLKSKIP3, M01STOP, M5008).
+void ChannelRunner::take_keys() noexcept {
+    keys = pressed_keys;
+    const auto mark = [&](PlcSignal signal, std::uint32_t bit) {
+        if (core_.signals.plc(signal(number_))) keys |= bit;
+    };
+    mark(signals::blkskip1, kKeyBlockSkip1);
+    mark(signals::blkskip2, kKeyBlockSkip1 << 1);
+    mark(signals::blkskip3, kKeyBlockSkip1 << 2);
+    mark(signals::m01stop, kKeyOptionalStop);
+    mark(signals::m5008, kKeySingleBlock);
+}
+
 void ChannelRunner::supply() noexcept {
     if (!segment_) return;
+    take_keys();
     drop_old_epochs();
     const auto head = segment_->path.head.load(std::memory_order_acquire);
     if (!dead_ && !stopped_) limit_ = std::min(head, cursor_ + core_.config.horizon);

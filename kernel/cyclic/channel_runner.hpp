@@ -57,7 +57,8 @@ public:
     void fault(Alarm number, std::string_view detail, double value) noexcept { raise(number, detail, value); }
     void emergency() noexcept;      // forget the path: the axes brake by themselves
     double feed_override = 1, rapid_override = 1;
-    std::uint32_t keys = 0;         // ChannelKey
+    std::uint32_t pressed_keys = 0; // ChannelKey, by the operator
+    std::uint32_t keys = 0;         // ChannelKey as they act: the operator's and those that the PLC's marks hold
 
     // --- for the clock ---
     // Virtual time may go on: enough records for the horizon, or the process has nothing more to say.
@@ -98,6 +99,7 @@ private:
     bool stop(const PathRecord& r) noexcept;
     void finished(const PathRecord& r, std::uint64_t index, double offset_s) noexcept;
     void begin_record(const PathRecord& r, double offset_s) noexcept;
+    void take_keys() noexcept;
     void drive() noexcept;
     void settle() noexcept;
     void report_progress() noexcept;

@@ -27,7 +27,7 @@ void Machine::take_commands() noexcept {
 void Machine::run_command(const Command& c) noexcept {
     const bool on = c.value != 0.0;
     const auto key = [&](std::uint32_t bits) {
-        each_channel(c, [&](ChannelRunner& r) { r.keys = on ? r.keys | bits : r.keys & ~bits; });
+        each_channel(c, [&](ChannelRunner& r) { r.pressed_keys = on ? r.pressed_keys | bits : r.pressed_keys & ~bits; });
     };
     switch (static_cast<CommandKind>(c.kind)) {
         case CommandKind::CycleStart: each_channel(c, [](ChannelRunner& r) { r.cycle_start(); }); break;
@@ -81,8 +81,11 @@ void Machine::run_command(const Command& c) noexcept {
             break;
         case CommandKind::SetParameter: (void)core_.store.ask_parameter(text_of(c), core_.tick, core_.config.answer_ticks); break;
         case CommandKind::Watch:
-            if (watch_count_ < watches_.size() && c.object < (c.flags ? kPlcSignals : kNcSignals))
-                watches_[watch_count_++] = {c.flags != 0, c.object, c.flags ? core_.signals.plc(c.object) : core_.signals.nc(c.object)};
+            if (watch_count_ < watches_.size() && c.object < (c.flags & kSlotOfPlc ? kPlcSignals : kNcSignals)) {
+                Watch& watch = watches_[watch_count_++];
+                watch = {(c.flags & kSlotOfPlc) != 0, (c.flags & kSlotOfDouble) != 0, c.object, 0.0};
+                watch.last = watched_value(watch);
+            }
             break;
         case CommandKind::Jog:
         case CommandKind::Step:

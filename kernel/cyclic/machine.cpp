@@ -44,6 +44,7 @@ void Machine::start() {
         if (core_.config.channels[l].exists) channels_[l]->prepare();
         if (core_.config.channels[l].exists) core_.signals.set_nc(signals::cn_ssel(l + 1), static_cast<std::int32_t>(core_.config.channels[l].default_spindle));
     }
+    show_free_parameters();
     store_version_ = store_segment_->version.load(std::memory_order_acquire);
     set_state(options.ready ? MachineState::On : MachineState::Off);
     publish();
@@ -113,6 +114,7 @@ void Machine::take_answers() noexcept {
     if (core_.store.take_changes(core_.table, core_.tick, core_.virtual_time)) {
         read_config(core_.table, core_.config, false);
         couplings_.configure(core_.table, core_.config);
+        show_free_parameters();
         for (unsigned a = 0; a < core_.config.axis_count; ++a) core_.axes[a].configure(core_.config.axes[a]);
         for (unsigned s = 0; s < core_.config.spindle_count; ++s) core_.spindles[s].configure(core_.config.spindles[s]);
         for (auto& channel : channels_) channel->store_changed();

@@ -13,6 +13,7 @@
 #include <array>
 #include <memory>
 
+#include "ipc/image/commands.hpp"
 #include "kernel/cyclic/axis_jog.hpp"
 #include "kernel/cyclic/channel_runner.hpp"
 #include "kernel/cyclic/command_queue.hpp"
@@ -70,6 +71,7 @@ private:
     void trace() noexcept;
     void watch_signals() noexcept;
     void set_state(MachineState state) noexcept;
+    void show_free_parameters() noexcept;
     void emergency_stop(Alarm reason, std::uint32_t channel, std::string_view detail, double value) noexcept;
     void partner_death(unsigned index) noexcept;
     void process_died(std::uint32_t slot) noexcept;
@@ -87,11 +89,12 @@ private:
     std::array<AxisJog, kMaxAxes> jogs_{};
     Couplings couplings_;
     struct Watch {
-        bool plc = false;
+        bool plc = false, is_double = false;
         std::uint32_t slot = 0;
-        std::int32_t last = 0;
+        double last = 0;
     };
-    std::array<Watch, 64> watches_{};
+    double watched_value(const Watch& watch) const noexcept;
+    std::array<Watch, kMaxWatches> watches_{};
     std::size_t watch_count_ = 0;
     bool store_dead_ = false, plc_late_ = false;
     std::int32_t builder_message_ = 0;

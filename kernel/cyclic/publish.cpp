@@ -1,4 +1,6 @@
 // What the machine shows at the end of a tick: status, watched signals, trace.
+#include <bit>
+
 #include "kernel/cyclic/machine.hpp"
 
 namespace polyturn::kernel {
@@ -42,10 +44,31 @@ void Machine::publish() noexcept {
     core_.image.tick.store(static_cast<std::uint64_t>(core_.tick), std::memory_order_release);
 }
 
+double Machine::watched_value(const Watch& watch) const noexcept {
+    const auto word = [&](std::uint32_t slot) { return watch.plc ? core_.signals.plc(slot) : core_.signals.nc(slot); };
+    if (!watch.is_double) return word(watch.slot);
+    const auto low = static_cast<std::uint32_t>(word(watch.slot)), high = static_cast<std::uint32_t>(word(watch.slot + 1));
+    return std::bit_cast<double>(std::uint64_t{high} << 32 | low);
+}
+
+// The builder's free parameters (N1200 to N1272) are signals for the PLC: N_P00, N_PDW1, N_PDB1 ...
+void Machine::show_free_parameters() noexcept {
+    const params::Table& table = core_.table;
+    for (unsigned byte = 0; byte < 8; ++byte)
+        for (unsigned bit = 0; bit < 8; ++bit)
+            core_.signals.set_nc(signals::n_p00() + byte * 8 + bit, params::bit(table, params::nth(params::n1200_plc_bits0, byte + 1), bit));
+    for (unsigned i = 0; i < 32; ++i) {
+        core_.signals.set_nc(signals::n_pdw1() + i, static_cast<std::int32_t>(params::get(table, params::nth(params::n1209_plc_dword1, i + 1))));
+        const auto bits = std::bit_cast<std::uint64_t>(params::get(table, params::nth(params::n1241_plc_double1, i + 1)));
+        core_.signals.set_nc(signals::n_pdb1() + 2 * i, static_cast<std::int32_t>(static_cast<std::uint32_t>(bits)));
+        core_.signals.set_nc(signals::n_pdb1() + 2 * i + 1, static_cast<std::int32_t>(static_cast<std::uint32_t>(bits >> 32)));
+    }
+}
+
 void Machine::watch_signals() noexcept {
     for (std::size_t i = 0; i < watch_count_; ++i) {
         Watch& watch = watches_[i];
-        const std::int32_t now = watch.plc ? core_.signals.plc(watch.slot) : core_.signals.nc(watch.slot);
+        const double now = watched_value(watch);
         if (now == watch.last) continue;
         watch.last = now;
         core_.event(KernelEventKind::Signal, 0, static_cast<std::int32_t>(watch.slot), now, watch.plc ? 1u : 0u);

@@ -447,6 +447,8 @@ Result<Commands> parse_set(std::string_view words, const MachineConfig& machine)
     }
     if (const auto signal = parse_signal(name); signal || signal.diagnosis().alarm != Alarm::SignalUnknown) {
         if (!signal) return signal.diagnosis();
+        if (signal->row->kind == SignalKind::Double)
+            return fault(Alarm::PressArgument, fmt::format("{} shows a parameter: set N1241 to N1272 instead", signal->row->name));
         const auto truth = on_off(value);
         const auto number = number_of(value);
         if (!number && !truth) return fault(Alarm::PressArgument, fmt::format("{} is no value of {}", value, signal->row->name));
@@ -459,7 +461,7 @@ Result<Commands> parse_set(std::string_view words, const MachineConfig& machine)
         return Commands{command};
     }
     if (const auto assignment = params::parse_assignment(words); !assignment) {
-        if (assignment.diagnosis().alarm == Alarm::ParamUnknown) return fault(Alarm::SignalUnknown, std::string(name));
+        if (assignment.diagnosis().alarm == Alarm::ParamUnknown) return parse_signal(name).diagnosis();
         return assignment.diagnosis();
     }
     Command command = command_of(CommandKind::SetParameter);

@@ -43,8 +43,10 @@ bool read_wishes(const JobOptions& options, const JobPlan& plan, RunWishes& wish
             diagnoses.push_back(std::move(diagnosis));
             continue;
         }
-        wishes.watch.push_back({name, signal->slot(), signal->row->writer == SignalWriter::Plc ? kSlotOfPlc : kSlotOfNc});
+        const std::uint32_t side = signal->row->writer == SignalWriter::Plc ? kSlotOfPlc : kSlotOfNc;
+        wishes.watch.push_back({name, signal->slot(), side, signal->row->kind == SignalKind::Double});
     }
+    if (wishes.watch.size() > kMaxWatches) fault(Alarm::PressArgument, fmt::format("--watch: {} names, {} are possible", wishes.watch.size(), kMaxWatches));
     for (const std::string& words : options.overrides) {
         const auto [channel, value] = split_channel(words);
         const auto percent = number_of(!value.empty() && value.back() == '%' ? value.substr(0, value.size() - 1) : value);

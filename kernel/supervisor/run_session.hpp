@@ -20,6 +20,7 @@ namespace polyturn::supervisor {
 struct WatchedSignal {
     std::string name;  // as it was asked for
     std::uint32_t slot = 0, side = 0;
+    bool is_double = false;
 };
 
 // What is wanted beside the job itself, already understood.

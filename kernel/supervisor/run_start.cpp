@@ -147,7 +147,7 @@ void RunSession::send_start() {
     for (const WatchedSignal& watched : wishes_.watch) {
         Command command = make(CommandKind::Watch, 0, 0);
         command.object = watched.slot;
-        command.flags = watched.side;
+        command.flags = watched.side | (watched.is_double ? kSlotOfDouble : 0u);
         send_at(command, 0.0);
     }
     for (const auto& [channel, setup] : plan_.setup.channels) {

@@ -171,5 +171,18 @@ TEST(Operator, WatchesAndForcesSignals) {
     EXPECT_EQ(rig.machine->core().signals.plc(signals::sp_rot(1)), 0);
 }
 
+TEST(Operator, MarksOfThePlcAreKeysAsLongAsTheyAreSet) {
+    TickRig rig;
+    const auto set = [&](PlcSignal mark, double value) {
+        rig.command(CommandKind::SetSignal, 0, value, 0, mark(1), kSlotOfPlc);
+        rig.run(2);
+        return rig.machine->channel(0).keys;
+    };
+    EXPECT_EQ(set(signals::blkskip2, 1), kKeyBlockSkip1 << 1);
+    EXPECT_EQ(set(signals::m01stop, 1), kKeyBlockSkip1 << 1 | kKeyOptionalStop);
+    EXPECT_EQ(set(signals::blkskip2, 0), std::uint32_t{kKeyOptionalStop});
+    EXPECT_EQ(set(signals::m5008, 1), std::uint32_t{kKeyOptionalStop} | kKeySingleBlock);
+}
+
 }  // namespace
 }  // namespace polyturn::kernel

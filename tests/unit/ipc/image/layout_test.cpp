@@ -52,7 +52,8 @@ TEST(Signals, HaveOneSlotForEachInstance) {
     std::set<std::pair<SignalWriter, std::uint32_t>> used;
     for (const SignalRow& row : signal_rows()) {
         const std::size_t count = row.scope == SignalScope::Global ? 1 : row.scope == SignalScope::Channel ? kMaxChannels : row.scope == SignalScope::Axis ? kMaxAxes : kMaxSpindles;
-        for (std::size_t i = 0; i < count; ++i) EXPECT_TRUE(used.insert({row.writer, row.slot + static_cast<std::uint32_t>(i)}).second) << row.name;
+        const std::size_t slots = count * (row.elements ? row.elements : 1) * (row.kind == SignalKind::Double ? 2 : 1);
+        for (std::size_t i = 0; i < slots; ++i) EXPECT_TRUE(used.insert({row.writer, row.slot + static_cast<std::uint32_t>(i)}).second) << row.name;
     }
 }
 
