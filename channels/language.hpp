@@ -34,6 +34,10 @@ public:
     // Interpretation goes on with this block as if neither it nor anything behind it had been read: modal state, calls,
     // variables, offsets and zeros are those that held before it. False: no state is kept for it.
     virtual bool resume_at(std::uint64_t serial) = 0;
+    // The machine was interrupted by a signal that the program has enabled, and stands. `serial`: the first block of which
+    // not everything is executed, 0 when there is none; `within`: it has begun. The interrupt program comes next.
+    // False: this language, or this block, cannot be interrupted.
+    virtual bool interrupt(std::uint64_t /*serial*/, bool /*within*/) { return false; }
 };
 
 // Whose alarm numbers a language speaks, by the name that --language takes.

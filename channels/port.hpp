@@ -8,6 +8,8 @@
 
 namespace polyturn::channels {
 
+struct MachineView;
+
 struct CalendarTime {
     int year = 2000, month = 1, day = 1, hour = 0, minute = 0, second = 0;
 };
@@ -30,6 +32,8 @@ public:
     virtual std::optional<double> given_variable(std::string_view name) = 0;
     virtual CalendarTime clock() = 0;
     virtual double running_ms() = 0;                // #3001
+    // What a program sends to an external device (DPRNT, BPRNT): bytes; `control`: signs around a transmission.
+    virtual void print(const MachineView&, std::string_view /*bytes*/, bool /*control*/) {}
     // Stroke limits of a machine axis that hold now (the PLC selects sets); false: those of the parameters' set A.
     virtual bool stroke_limits(unsigned machine_axis, double& min, double& max) = 0;
     // This program cuts per revolution on a spindle that it has not started itself. Has somebody else?

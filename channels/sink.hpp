@@ -126,6 +126,14 @@ struct OffsetWrite {
     double value = 0.0;             // as the table shows it (X as a diameter on a diameter axis)
 };
 
+// From here on a signal interrupts the program (M96), or no more (M97).
+struct Interrupts {
+    bool on = false;
+    bool at_block_end = false;      // otherwise within the running block
+    bool by_level = false;          // again and again while the signal is on; otherwise at its edge
+    bool mint = false;              // the signal is MINT, not UINT
+};
+
 struct Stop {
     StopReason reason = StopReason::M00;
 };
@@ -144,6 +152,8 @@ public:
     virtual void stop(const Stop&, const BlockContext&) = 0;
     virtual void part(double count, const BlockContext&) = 0;
     virtual void alarm(const Diagnosis&, const BlockContext&) = 0; // errors end the program
+    virtual void interrupts(const Interrupts&, const BlockContext&) {}
+    virtual void print(std::string_view, const BlockContext&) {}   // sent to an external device by the program
     virtual void barrier(const BlockContext&) = 0;                 // everything before must be executed; the runner stands AtBarrier
     virtual void block_end(const BlockContext&) = 0;
 };

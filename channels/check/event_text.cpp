@@ -294,6 +294,11 @@ void append_message_event(std::string& out, const EventScene& scene, std::string
     object.text("text", text);
 }
 
+void append_print_event(std::string& out, const EventScene& scene, std::string_view text, const BlockContext& at) {
+    Object object(out, "print", scene, &at);
+    object.text("text", text);
+}
+
 void append_part_event(std::string& out, const EventScene& scene, double count, const BlockContext& at) {
     Object object(out, "part", scene, &at);
     object.number("count", count);

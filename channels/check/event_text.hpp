@@ -27,6 +27,7 @@ void append_event(std::string& out, const EventScene&, const OffsetWrite&, const
 void append_event(std::string& out, const EventScene&, const Stop&, const BlockContext&);
 void append_event(std::string& out, const EventScene&, const Diagnosis&, const BlockContext&);
 void append_message_event(std::string& out, const EventScene&, std::string_view text, const BlockContext&);
+void append_print_event(std::string& out, const EventScene&, std::string_view text, const BlockContext&);
 void append_part_event(std::string& out, const EventScene&, double count, const BlockContext&);
 
 // A sink that appends every event to a text, each followed by `separator` (0: nothing).
@@ -46,6 +47,7 @@ public:
     void alarm(const Diagnosis& d, const BlockContext& at) override { errors_ += d.severity() == Severity::Error; put(d, at); }
     void message(std::string_view text, const BlockContext& at) override { append_message_event(*text_, scene_, text, at); end(); }
     void part(double count, const BlockContext& at) override { append_part_event(*text_, scene_, count, at); end(); }
+    void print(std::string_view text, const BlockContext& at) override { append_print_event(*text_, scene_, text, at); end(); }
     void barrier(const BlockContext&) override {}
     void block_end(const BlockContext&) override {}
     unsigned errors() const { return errors_; }

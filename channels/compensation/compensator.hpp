@@ -73,6 +73,8 @@ public:
     void variable(const Variable& v, const BlockContext& at) override { queue().variable(v, at), pump(); }
     void offset(const OffsetWrite& o, const BlockContext& at) override { queue().offset(o, at), pump(); }
     void message(std::string_view text, const BlockContext& at) override { queue().message(text, at), pump(); }
+    void print(std::string_view text, const BlockContext& at) override { queue().print(text, at), pump(); }
+    void interrupts(const Interrupts& i, const BlockContext& at) override { queue().interrupts(i, at), pump(); }
     void stop(const Stop&, const BlockContext&) override;
     void part(double count, const BlockContext& at) override { queue().part(count, at), pump(); }
     void alarm(const Diagnosis&, const BlockContext&) override;

@@ -26,6 +26,8 @@ void HeldCalls::make(Call& call, Sink& to) {
         void operator()(Variable& v) { v.name = call.text, to.variable(v, call.at); }
         void operator()(OffsetWrite& o) { o.table = call.text, o.axis = call.second, o.zero_name = call.third, to.offset(o, call.at); }
         void operator()(Message&) { to.message(call.text, call.at); }
+        void operator()(Print&) { to.print(call.text, call.at); }
+        void operator()(Interrupts& i) { to.interrupts(i, call.at); }
         void operator()(Stop& s) { to.stop(s, call.at); }
         void operator()(Part& p) { to.part(p.count, call.at); }
         void operator()(Barrier&) { to.barrier(call.at); }

@@ -24,6 +24,8 @@ public:
         calls_.push_back({o, own(at), std::string(o.table), std::string(o.axis), std::string(o.zero_name)});
     }
     void message(std::string_view text, const BlockContext& at) { calls_.push_back({Message{}, own(at), std::string(text), {}, {}}); }
+    void print(std::string_view text, const BlockContext& at) { calls_.push_back({Print{}, own(at), std::string(text), {}, {}}); }
+    void interrupts(const Interrupts& i, const BlockContext& at) { calls_.push_back({i, own(at), {}, {}, {}}); }
     void stop(const Stop& s, const BlockContext& at) { calls_.push_back({s, own(at), {}, {}, {}}); }
     void part(double count, const BlockContext& at) { calls_.push_back({Part{count}, own(at), {}, {}, {}}); }
     void barrier(const BlockContext& at) { calls_.push_back({Barrier{}, own(at), {}, {}, {}}); }
@@ -47,11 +49,12 @@ public:
 
 private:
     struct Message {};
+    struct Print {};
     struct Part { double count; };
     struct Barrier {};
     struct BlockEnd {};
     struct Call {
-        std::variant<Move, Dwell, Aux, Spindle, Wait, Variable, OffsetWrite, Message, Stop, Part, Barrier, BlockEnd, std::function<void()>> what;
+        std::variant<Move, Dwell, Aux, Spindle, Wait, Variable, OffsetWrite, Message, Print, Interrupts, Stop, Part, Barrier, BlockEnd, std::function<void()>> what;
         BlockContext at;
         std::string text, second, third;
     };

@@ -69,6 +69,8 @@ bool Interpreter::check_words() {
     if (m_count_) taken |= letter_set("PQL");
     if (drilling_ && !(coded_groups_ & bit_of(GGroup::OneShot))) taken |= letter_set("RQPLKE") | axis_letters_;
     if (parameter_input_) taken |= letter_set("NPR");
+    for (unsigned k = 0; k < m_count_; ++k)
+        if (block_.words[m_words_[k]].value == settings_.interrupt.on) taken |= letter_set("P");
     for (const char letter : settings_.aux_letters)
         if (letter) taken |= letter_bit(letter);
     const std::uint32_t extra = block_.letters & ~taken;
@@ -85,6 +87,7 @@ Step Interpreter::nc_block() {
         if (!code_calls(calls)) return fault(core_.fault());
     }
     if (!calls && !(classify() && (is_macro_call() ? macro_call() : check_words() && act()))) return fault(core_.fault());
+    if (interruption_.running && (block_.letters & ~letter_set("NO"))) interruption_.shows_end = false;
     if (sub_program_ >= 0) {
         const std::int64_t program = sub_program_;
         sub_program_ = -1;

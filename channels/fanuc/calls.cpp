@@ -59,6 +59,10 @@ bool Interpreter::macro_words(std::int64_t& program, std::int64_t& repeats, Loca
 }
 
 bool Interpreter::g_macro_call(const GCode&) {
+    if (block_.has('H') && !settings_.nct) {
+        std::int64_t kind = 0;
+        if (!block_.word('H').has_point && block_.value('H') >= 90 && block_.value('H') <= 94) return whole('H', kind) && g_pattern_data(kind);
+    }
     std::int64_t program = 0, repeats = 1;
     LocalSet arguments;
     if (!macro_words(program, repeats, arguments)) return false;

@@ -25,18 +25,6 @@ bool acts_late(double code, const MachineConfig& machine) {
     return code == 0 || code == 1 || code == 2 || code == 5 || code == 9 || code == 30 || code == 98 || code == 99 || machine.is_wait_code(code);
 }
 
-// M codes that switch the interrupt macro: -1 none. F6003#4, F6033, F6034; nct: N1758, N1759, N1760.
-std::pair<double, double> interrupt_codes(const Settings& settings, const params::Table& table, unsigned l) {
-    if (settings.nct) {
-        if (!params::bit(table, params::n1758_intrrt_contr, l, 0)) return {-1, -1};
-        if (!params::bit(table, params::n1758_intrrt_contr, l, 4)) return {96, 97};
-        return {static_cast<double>(params::get(table, params::n1759_m_code_mi_on, l)), static_cast<double>(params::get(table, params::n1760_m_code_mi_off, l))};
-    }
-    if (!params::bit(table, params::f6003, l, 4)) return {96, 97};
-    const auto on = static_cast<double>(params::get(table, params::f6033, l)), off = static_cast<double>(params::get(table, params::f6034, l));
-    return {on > 0 ? on : 96, off > 0 ? off : 97};
-}
-
 }  // namespace
 
 bool Interpreter::is_draining(double code) const { return in_ranges(settings_.draining_m, code); }
@@ -161,12 +149,7 @@ bool Interpreter::function_code(const Word& word, bool late) {
         fault_length_ = word.length;
         return core_.fail(code < 0 ? Alarm::NegativeSign : Alarm::PointForbidden, 'M', "M");
     }
-    // As a plain function it would be silently ineffective: the signal would come and nothing would happen.
-    if (const auto [on, off] = interrupt_codes(settings_, core_.view().table(), core_.view().channel); code == on || code == off) {
-        fault_column_ = word.column;
-        fault_length_ = word.length;
-        return core_.fail(Alarm::NotBuilt, 'M', fmt::format("M{:.0f} (interrupt macro)", code));
-    }
+    if (code == settings_.interrupt.on || code == settings_.interrupt.off) return interrupt_code(word);
     if (late && code == 5 && !(core_.spindle_turn(SpindleTurn::Stop) && core_.commit_spindle())) return false;
     if (code == 19 && !core_.spindle_position(0.0)) return false;
     if (settings_.index_first > 0 && code >= settings_.index_first && code < settings_.index_first + settings_.index_count) {

@@ -43,7 +43,7 @@ constexpr auto kRows = std::to_array<GCode>({
     {"G40", 400, kShared, G::Comp, &I::g_comp_off, "IJK", true, "Nose-radius compensation off"},
     {"G41", 410, kShared, G::Comp, &I::g_comp_on, "", false, "Compensation, left of the path"},
     {"G42", 420, kShared, G::Comp, &I::g_comp_on, "", false, "Compensation, right of the path"},
-    {"G49", 490, kN, G::OneShot, &I::g_nothing, "", true, "Length compensation off"},
+    {"G49", 490, kBCN, G::Length, &I::g_nothing, "", true, "Length compensation off"},
     {"G50", 500, kA, G::OneShot, &I::g_preset, "xS", false, "Coordinate setting; spindle speed limit"},
     {"G50", 500, kBCN, G::Scale, &I::g_nothing, "", true, "Scaling off"},
     {"G50.1", 501, kBCN, G::Mirror, &I::g_nothing, "x", true, "Mirror off"},

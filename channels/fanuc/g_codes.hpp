@@ -16,12 +16,14 @@ using Handler = bool (Interpreter::*)(const GCode&);
 enum class GGroup : std::uint8_t {
     Units,        // first: all numbers of the block depend on it
     Plane,        // axes of arcs and radii
+    Polar,        // points by radius and angle: G15 G16
     Distance,     // absolute or incremental words
     FeedMode,     // before F
     ReturnLevel,  // drilling
     ExactStop,    // holds for this block already
     Surface,      // before S
     Comp,         // nose-radius compensation
+    Length,       // length offsets by G codes: G43 G44 G49
     Scale, Mirror, Rotation,
     StrokeArea,   // G22 G23
     SpindleWatch, // G25 G26

@@ -111,6 +111,9 @@ Result<void> Interpreter::start(FileId main) {
     measuring_ = {};
     finishing_ = {};
     cycle_data_ = {};
+    interrupting_ = {};
+    interruption_ = {};
+    interrupted_.reset();
     serial_ = 0;
     points_.clear();
     states_.clear();
@@ -328,7 +331,8 @@ std::optional<TextPosition> Interpreter::find_program_in(FileId file, std::int64
 bool Interpreter::call_program(std::int64_t number, std::int64_t repeats, const LocalSet* arguments, bool by_code, bool modal, char letter) {
     if (repeats < 1) return true;
     unsigned subs = 0, macros = 0;
-    for (std::size_t i = 1; i < frames_.size(); ++i) ++(frames_[i].macro ? macros : subs);
+    for (std::size_t i = 1; i < frames_.size(); ++i)
+        if (!frames_[i].interrupt) ++(frames_[i].macro ? macros : subs);
     if (arguments && macros >= settings_.macro_levels) return core_.fail(Alarm::MacroTooDeep, letter, {}, settings_.macro_levels);
     if (!arguments && subs >= settings_.sub_levels) return core_.fail(Alarm::CallTooDeep, letter, {}, settings_.sub_levels);
     Frame frame;
@@ -379,6 +383,7 @@ bool Interpreter::return_from(bool has_target, std::int64_t target) {
         ended_ = true;
         return true;
     }
+    if (frame.interrupt) return return_from_interrupt(has_target, target);
     loops_.resize(frame.loops);
     if (frame.repeats > 0 && !has_target) {
         --frame.repeats;

@@ -40,6 +40,7 @@ struct Frame {
     bool macro = false;              // it has local variables of its own
     bool by_code = false;            // called by a G, M or T code: no such calls inside
     bool modal_call = false;         // called by G66
+    bool interrupt = false;          // an interrupt macro: M99 goes back to where the program was interrupted
     std::size_t loops = 0;           // entries of loops_ that belong to outer frames
     std::int64_t program = 0;        // its O number
     std::int64_t outer_program = 0;
@@ -66,6 +67,7 @@ public:
     void keep_resume_states(bool on) override;
     void executed(std::uint64_t serial) override;
     bool resume_at(std::uint64_t serial) override;
+    bool interrupt(std::uint64_t serial, bool within) override;
     const Settings& settings() const { return settings_; }
 
     // --- handlers of g_codes.cpp
@@ -162,6 +164,11 @@ private:
     bool is_macro_call() const;
     bool macro_call();
 
+    // interrupt macro (interrupts.cpp)
+    bool interrupt_code(const Word& word);
+    bool interrupt_has_nc_statements();
+    bool return_from_interrupt(bool has_target, std::int64_t target);
+    void arm_interrupts(bool on);
     // S, T, M (functions.cpp)
     bool spindle_word();
     bool tool_word();
@@ -207,6 +214,14 @@ private:
     Flow flow_of(Expression::Status status);
     Flow loop_number(const char*& at, const char* end, std::uint8_t& number);
     Flow skip_loop(std::uint8_t number, const char* at);
+    static std::uint8_t loop_word(std::string_view line, bool& ends);
+    bool loops_nest(std::uint8_t number, std::size_t from);
+    Flow print_statement(std::string_view name, const char*& at, const char* end);   // printing.cpp
+    Flow print_item(bool binary, const char*& at, const char* end, std::string& text);
+    bool g_pattern_data(std::int64_t kind);                                          // pattern_data.cpp
+    bool modal_variable(std::int64_t number, double& value);
+    VariableStatus value_fault(std::int64_t number, double value);
+    double mirrored_axes() const;     // #3007
     Flow jump(const char*& at, const char* end);
     bool written(std::int64_t number, double value, std::string_view comment);
     bool gather_arguments(LocalSet& arguments, std::size_t from_word);
@@ -240,6 +255,7 @@ private:
     std::vector<std::uint32_t> takes_;   // by row of g_codes(): letters it consumes
     std::vector<Frame> frames_;
     std::vector<Loop> loops_;
+    std::vector<std::pair<FileId, std::uint64_t>> checked_loops_;   // places of DO whose structure is good
     std::vector<ModalCall> modal_calls_;
     LineSource* source_ = nullptr;
     std::string_view line_;
@@ -293,7 +309,27 @@ private:
         unsigned place = 0;
         double target = 0.0, range = 0.0;           // true mm
     } measuring_;
-    double parts_ = 0;
+    struct Interrupting {             // M96 in force
+        bool on = false;
+        std::int64_t program = 0;
+    } interrupting_;
+    struct Interruption {             // an interrupt program runs
+        bool running = false;
+        bool shows_end = false;       // #5001 still gives the end of the interrupted block
+        bool again = false;           // the rest of the interrupted block is still to be driven
+        AxisValues end{}, begin{};    // of the interrupted block, workpiece system
+        PathState path;
+        std::array<double, 130> modal_variables{};
+    } interruption_;
+    std::shared_ptr<ResumeState> interrupted_;   // what held when the program was interrupted
+    double parts_ = 0, parts_wanted_ = 0;
+    double pattern_ = 0;              // #5900
+    std::uint32_t outputs_ = 0;       // #1132
+    double outputs_wide_ = 0;         // #1133
+    bool settings_iso_ = false, settings_sequence_ = false, settings_tv_ = false;   // #3005 without a further effect
+    double timer_ms_offset_ = 0, timer_h_offset_ = 0;   // #3001, #3002 as the program has set them
+    bool printing_ = false;           // between POPEN and PCLOS
+    bool print_blanks_ = false;
     std::int64_t sub_program_ = -1, sub_repeats_ = 1;   // called by a code of this block when the block has acted
     bool wants_barrier_ = false, ended_ = false, jumped_ = false, called_ = false;
     bool reread_ = false;             // the block stands before a barrier and is read again behind it

@@ -1,4 +1,5 @@
 // Statements of custom macro B: assignments, IF, WHILE, DO, END, GOTO.
+#include <algorithm>
 #include <cmath>
 
 #include "channels/fanuc/interpreter.hpp"
@@ -75,6 +76,8 @@ ScanHook::Read Interpreter::read_value(const char*& at, const char* end, double&
 
 Step Interpreter::macro_statement(std::size_t from) {
     jumped_ = called_ = wants_barrier_ = false;
+    bool ends = false;
+    if (const std::uint8_t number = loop_word(line_.substr(from), ends); number && !ends && !loops_nest(number, from)) return fault(core_.fault());
     const char* at = line_.data() + from;
     const char* const end = line_.data() + line_.size();
     Flow flow = run_statement(at, end);
@@ -124,8 +127,10 @@ Interpreter::Flow Interpreter::run_statement(const char*& at, const char* end) {
             return Flow::Done;
         }
         blanks(at, end);
-        if (at == end || *at != '#') return flow_fault(Alarm::MacroFormat, at, "THEN takes an assignment");
-        return assignment(at, end);
+        const char* word = at;
+        if (at == end || take(word, end, "IF") || take(word, end, "WHILE") || take(word, end, "DO") || take(word, end, "END"))
+            return flow_fault(Alarm::MacroFormat, at, "THEN takes one statement, and no loop");
+        return run_statement(at, end);
     }
     if (take(at, end, "GOTO")) return jump(at, end);
     if (take(at, end, "WHILE")) {
@@ -163,8 +168,8 @@ Interpreter::Flow Interpreter::run_statement(const char*& at, const char* end) {
     }
     std::string name;
     for (const char* p = at; p != end && is_letter(*p); ++p) name += *p;
-    if (name == "POPEN" || name == "PCLOS" || name == "DPRNT" || name == "BPRNT" || name == "SETVN")
-        return flow_fault(Alarm::NotBuilt, at, name);
+    if (name == "POPEN" || name == "PCLOS" || name == "DPRNT" || name == "BPRNT") return print_statement(name, at, end);
+    if (name == "SETVN") return flow_fault(Alarm::NotBuilt, at, name);
     return flow_fault(Alarm::WordUnknown, at, name);
 }
 
@@ -185,6 +190,68 @@ Interpreter::Flow Interpreter::loop_number(const char*& at, const char* end, std
     if (value != 1 && value != 2 && value != 3) return flow_fault(Alarm::DoNumberIllegal, begin);
     number = static_cast<std::uint8_t>(value);
     return Flow::Done;
+}
+
+// The number of a loop that a line begins or ends, behind block number and skip signs: 0 neither. `ends`: it is an END.
+std::uint8_t Interpreter::loop_word(std::string_view line, bool& ends) {
+    const char* at = line.data();
+    const char* const end = at + line.size();
+    blanks(at, end);
+    while (at != end && *at == '/') {
+        ++at;
+        while (at != end && ((*at >= '0' && *at <= '9') || *at == ' ')) ++at;
+    }
+    if (at != end && capital(*at) == 'N') {
+        ++at;
+        while (at != end && (*at == ' ' || (*at >= '0' && *at <= '9'))) ++at;
+    }
+    ends = take(at, end, "END");
+    if (!ends) {
+        if (take(at, end, "WHILE")) {
+            int depth = 0;
+            for (blanks(at, end); at != end; ++at) {
+                if (*at == '[') ++depth;
+                if (*at == ']' && --depth == 0) break;
+            }
+            if (at != end) ++at;
+        }
+        if (!take(at, end, "DO")) return 0;
+    }
+    blanks(at, end);
+    return at != end && *at >= '1' && *at <= '3' ? static_cast<std::uint8_t>(*at - '0') : 0;
+}
+
+// Each DO from here on has its END, and they do not cross (fanuc_lathe 6.8). Looked at once for each place.
+bool Interpreter::loops_nest(std::uint8_t number, std::size_t from) {
+    const auto place = std::pair(frames_.back().file, source_->position().offset);
+    if (std::find(checked_loops_.begin(), checked_loops_.end(), place) != checked_loops_.end()) return true;
+    const TextPosition back = source_->next_position();
+    const auto column = static_cast<std::uint32_t>(from) + 1;
+    const std::uint32_t at_line = source_->position().line;
+    kept_line_ = line_;   // reading on moves the window
+    std::array<std::uint8_t, 3> open{number};
+    std::size_t depth = 1;
+    bool crossed = false;
+    std::string_view line;
+    while (depth && !crossed && source_->next(line) == LineSource::Status::Line) {
+        bool ends = false;
+        const std::uint8_t word = loop_word(line, ends);
+        if (!word) continue;
+        if (ends) crossed = open[--depth] != word;
+        else if (crossed = depth == open.size() || std::find(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(depth), word) != open.begin() + static_cast<std::ptrdiff_t>(depth); !crossed) open[depth++] = word;
+    }
+    const std::uint32_t last_line = source_->position().line;
+    source_->seek(back);
+    // The line in hand must outlive the search: it is read again.
+    line_ = kept_line_;
+    if (!crossed && !depth) {
+        if (checked_loops_.size() < 256) checked_loops_.push_back(place);
+        return true;
+    }
+    fault_line_ = crossed ? last_line : at_line;
+    fault_column_ = crossed ? 1 : column;
+    fault_length_ = 2;
+    return core_.fail(Alarm::DoEndMismatch);
 }
 
 // Goes on behind END number.

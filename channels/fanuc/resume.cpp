@@ -2,26 +2,9 @@
 //
 // A point is noted for each block; the full state beside it only when the block before was more than a plain move, so that
 // a long contour costs a few words a block. Variables, offsets and zeros are put back from the undo log.
-#include "channels/fanuc/interpreter.hpp"
+#include "channels/fanuc/resume_state.hpp"
 
 namespace polyturn::channels::fanuc {
-namespace {
-
-template <class... Types>
-std::tuple<Types...> values_of(std::tuple<Types&...> references) { return references; }
-
-}  // namespace
-
-struct Interpreter::ResumeState {
-    std::uint64_t number = 0;
-    PathState path;
-    decltype(values_of(std::declval<Interpreter&>().modal())) modal;
-    std::vector<Frame> frames;
-    std::vector<Loop> loops;
-    std::vector<ModalCall> modal_calls;
-    std::vector<LocalSet> levels;
-};
-
 Interpreter::~Interpreter() = default;
 
 void Interpreter::keep_resume_states(bool on) {

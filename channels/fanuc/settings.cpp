@@ -66,6 +66,15 @@ Settings fanuc_settings(const Table& t, unsigned l) {
     s.measure_rapid = {rapid_x, rapid_x, or_x(static_cast<double>(get(t, f6252, l)), rapid_x)};
     s.measure_range = {range_x, range_x, or_x(static_cast<double>(get(t, f6255, l)), range_x)};
     s.angle_positive = !bit(t, f6004, l, 0);
+    s.interrupt.at_block_end = bit(t, f6003, l, 2);
+    s.interrupt.by_level = bit(t, f6003, l, 3);
+    s.interrupt.own_locals = !bit(t, f6003, l, 5);
+    if (bit(t, f6003, l, 4)) {
+        if (const auto on = static_cast<double>(get(t, f6033, l)); on > 0) s.interrupt.on = on;
+        if (const auto off = static_cast<double>(get(t, f6034, l)); off > 0) s.interrupt.off = off;
+    }
+    s.print_compact = bit(t, f6001, l, 1);
+    if (const auto device = get(t, f0020, l); device <= 2) s.print_line_end = bit(t, device == 0 ? f0103 : device == 1 ? f0113 : f0123, l, 3) ? "\n\r" : "\n";
     s.t_calls = bit(t, f6001, l, 5);
     if (s.t_calls) s.letter_calls.push_back({'T', 9000, 149});
     for (unsigned n = 0; n < 10; ++n) {

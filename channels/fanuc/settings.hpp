@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "channels/compensation/options.hpp"
@@ -59,6 +60,13 @@ struct Settings {
     struct LetterCall { char letter; std::int32_t program; std::int32_t variable; };
     std::vector<LetterCall> letter_calls;
     bool nested_calls = false;           // nct ENC
+    struct Interrupt {                   // F6003, F6033, F6034; N1758 to N1760
+        double on = 96, off = 97;        // M codes; negative: none
+        bool at_block_end = false, by_level = false, own_locals = true;
+    } interrupt;
+    bool print_compact = false;          // F6001#1 PRT, N1757#0: DPRNT without plus signs and leading blanks
+    bool print_parity = false;           // nct: even parity in bit 7 of what is printed
+    std::string print_line_end = "\n";
     std::vector<std::pair<double, double>> draining_m;   // ranges of M codes behind which nothing is read ahead
     bool drill_axis_by_plane = false;    // F5101#0
     bool peck_full = false;              // F5101#2 RTR: G83 leaves the hole between pecks

@@ -41,13 +41,41 @@ double offset_value(const OffsetCell& cell, const OffsetRange& range) {
     return range.table == OffsetTable::Geometry ? cell.geometry[k] : cell.wear[k];
 }
 
-// #4001..#4022: number of the group's row, in GGroup terms.
+// #4001..#4022: the groups as the control counts them (fanuc_lathe 6.3.5, nct part 1 14.2); Count: none of that number.
+constexpr GGroup kNone = GGroup::Count;
 constexpr GGroup kModalGroups[] = {
-    GGroup::Motion, GGroup::Surface, GGroup::Distance, GGroup::Mirror, GGroup::FeedMode, GGroup::Units, GGroup::Comp,
-    GGroup::SpindleWatch, GGroup::StrokeArea, GGroup::Drilling, GGroup::ReturnLevel, GGroup::MacroModal, GGroup::Surface,
-    GGroup::Zero, GGroup::ExactStop, GGroup::Plane};
+    GGroup::Motion, GGroup::Surface, GGroup::Distance, GGroup::Rotation, GGroup::FeedMode, GGroup::Units, GGroup::Comp, GGroup::SpindleWatch,
+    GGroup::StrokeArea, GGroup::Drilling, GGroup::ReturnLevel, GGroup::MacroModal, kNone, GGroup::Zero, GGroup::ExactStop, GGroup::Plane,
+    kNone, kNone, kNone, kNone, kNone, kNone};
+constexpr GGroup kModalGroupsNct[] = {
+    GGroup::Motion, GGroup::Plane, GGroup::Distance, GGroup::StrokeArea, GGroup::FeedMode, GGroup::Units, GGroup::Comp, GGroup::Length,
+    GGroup::Drilling, GGroup::ReturnLevel, GGroup::Scale, GGroup::MacroModal, GGroup::Surface, GGroup::Zero, GGroup::ExactStop, GGroup::Rotation,
+    GGroup::Polar, kNone, kNone, kNone, kNone, GGroup::Mirror};
 
 }  // namespace
+
+// #4001 to #4130: what the blocks before have left in force. False: there is no such group.
+bool Interpreter::modal_variable(std::int64_t number, double& value) {
+    if (number >= 4001 && number <= 4022) {
+        const GGroup group = (settings_.nct ? kModalGroupsNct : kModalGroups)[number - 4001];
+        const GCode* row = group == kNone ? nullptr : group == GGroup::Motion ? motion_ : active_[static_cast<std::size_t>(group)];
+        if (group == GGroup::Drilling && !drilling_) {   // a motion code ends the cycle without G80
+            value = 80;
+            return row != nullptr;
+        }
+        value = row ? row->tenths / 10.0 : 0.0;
+        return row != nullptr;
+    }
+    switch (number) {
+        case 4109: value = core_.path.feed / unit_; return true;
+        case 4113: value = static_cast<double>(last_m_); return true;
+        case 4114: value = static_cast<double>(last_n_); return true;
+        case 4115: value = static_cast<double>(program_number_); return true;
+        case 4119: value = core_.path.spindle.mode == SpindleModeCode::SurfaceSpeed ? core_.path.spindle.surface_m_min / (inch_ ? 0.3048 : 1.0) : core_.path.spindle.rpm; return true;
+        case 4120: value = static_cast<double>(last_t_); return true;
+        default: return false;
+    }
+}
 
 VariableStatus Interpreter::read_system(std::int64_t number, double& value) {
     MachineView& view = core_.view();
@@ -62,7 +90,8 @@ VariableStatus Interpreter::read_system(std::int64_t number, double& value) {
     const auto place_of = [&](std::int64_t first) { return static_cast<unsigned>(number - first); };
     const auto shown = [&](unsigned i, double true_value) { return view.to_shown(i, true_value) * (view.axes[i].rotary ? 1.0 : programmed_unit); };
     if (number >= 5001 && number < 5001 + static_cast<std::int64_t>(view.axis_count)) {
-        value = shown(place_of(5001), core_.path.programmed[place_of(5001)]);
+        const AxisValues& end = interruption_.running && interruption_.shows_end ? interruption_.end : core_.path.programmed;
+        value = shown(place_of(5001), end[place_of(5001)]);
         return VariableStatus::Ok;
     }
     const bool machine_now = number >= 5021 && number < 5021 + static_cast<std::int64_t>(view.axis_count);
@@ -101,42 +130,74 @@ VariableStatus Interpreter::read_system(std::int64_t number, double& value) {
         if (!view.axes[static_cast<std::size_t>(i)].rotary) value *= programmed_unit;
         return VariableStatus::Ok;
     }
-    if (number >= 4001 && number <= 4016) {
-        const GCode* row = active_[static_cast<std::size_t>(kModalGroups[number - 4001])];
-        if (number == 4001) row = motion_;
-        value = row ? row->tenths / 10.0 : 0.0;
-        return VariableStatus::Ok;
+    if (number >= 4001 && number <= 4130) {
+        if (interruption_.running) {
+            value = interruption_.modal_variables[static_cast<std::size_t>(number - 4001)];
+            return is_null(value) ? VariableStatus::Unknown : VariableStatus::Ok;
+        }
+        return modal_variable(number, value) ? VariableStatus::Ok : VariableStatus::Unknown;
     }
     switch (number) {
-        case 4109: value = core_.path.feed * programmed_unit; return VariableStatus::Ok;
-        case 4113: value = static_cast<double>(last_m_); return VariableStatus::Ok;
-        case 4114: value = static_cast<double>(last_n_); return VariableStatus::Ok;
-        case 4115: value = static_cast<double>(program_number_); return VariableStatus::Ok;
-        case 4119: value = core_.path.spindle.mode == SpindleModeCode::SurfaceSpeed ? core_.path.spindle.surface_m_min : core_.path.spindle.rpm; return VariableStatus::Ok;
-        case 4120: value = static_cast<double>(last_t_); return VariableStatus::Ok;
         case 3003: value = single_block_off_ * 1.0 + no_finish_wait_ * 2.0; return VariableStatus::Ok;
         case 3004: value = automatic_control_; return VariableStatus::Ok;
-        case 3005: value = (inch_ ? 4 : 0) + (settings_.series15 ? 512 : 0); return VariableStatus::Ok;
-        case 3007: value = 0.0; return VariableStatus::Ok;
+        case 3005:
+            value = (settings_tv_ ? 1 : 0) + (settings_iso_ ? 2 : 0) + (inch_ ? 4 : 0) + (settings_sequence_ ? 32 : 0) + (settings_.series15 ? 512 : 0);
+            return VariableStatus::Ok;
+        case 3007: value = mirrored_axes(); return VariableStatus::Ok;
         case 3901: value = parts_; return VariableStatus::Ok;
+        case 3902: value = parts_wanted_; return VariableStatus::Ok;
+        case 5900: value = port.given_variable("#5900").value_or(pattern_); return VariableStatus::Ok;
         default: break;
     }
     const bool interface_input = (number >= 1000 && number <= 1035) || (number >= 1100 && number <= 1135);
     const bool clock = number == 3001 || number == 3002 || number == 3011 || number == 3012;
     if (!interface_input && !clock) return VariableStatus::Unknown;
-    if (!fresh_) return VariableStatus::NeedsBarrier;
+    if (!fresh_ && (number < 1100 || number > 1133)) return VariableStatus::NeedsBarrier;
+    if (number >= 1100 && number <= 1131) {
+        value = outputs_ >> (number - 1100) & 1u;
+        return VariableStatus::Ok;
+    }
+    if (number == 1132 || number == 1133) {
+        value = number == 1132 ? outputs_ & 0xFFFFu : outputs_wide_;
+        return VariableStatus::Ok;
+    }
+    if (number == 1032) {   // bit k is #1000+k
+        double sum = 0.0;
+        for (std::int32_t k = 0; k < 16; ++k)
+            if (port.interface_value(1000 + k) != 0.0) sum += static_cast<double>(1u << k);
+        value = port.given_variable("#1032").value_or(sum);
+        return VariableStatus::Ok;
+    }
     if (interface_input) {
         value = port.interface_value(static_cast<std::int32_t>(number));
         return VariableStatus::Ok;
     }
     const CalendarTime now = port.clock();
     switch (number) {
-        case 3001: value = port.running_ms(); break;
-        case 3002: value = port.running_ms() / 3'600'000.0; break;
+        case 3001: value = std::fmod(port.running_ms() + timer_ms_offset_, 2147483648.0); break;
+        case 3002: value = std::fmod(port.running_ms() / 3'600'000.0 + timer_h_offset_, 9544.371767); break;
         case 3011: value = now.year * 10000.0 + now.month * 100 + now.day; break;
         default: value = now.hour * 10000.0 + now.minute * 100 + now.second; break;
     }
     return VariableStatus::Ok;
+}
+
+// Bit 0 is the first axis: those that run against what the program says.
+double Interpreter::mirrored_axes() const {
+    const PathState& path = core_.path;
+    if (!path.framed) return 0.0;
+    static constexpr PlaneRole kRoles[] = {PlaneRole::BasicX, PlaneRole::BasicY, PlaneRole::BasicZ};
+    double bits = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const int place = const_cast<Core&>(core_).view().axis_by_role(kRoles[k]);
+        if (place >= 0 && place < 8 && path.frame.linear[k][k] < 0) bits += static_cast<double>(1u << place);
+    }
+    return bits;
+}
+
+VariableStatus Interpreter::value_fault(std::int64_t number, double value) {
+    core_.fail(Alarm::VariableValue, 0, variable_name(number), value);
+    return VariableStatus::Fault;
 }
 
 VariableStatus Interpreter::write_system(std::int64_t number, double value) {
@@ -154,19 +215,53 @@ VariableStatus Interpreter::write_system(std::int64_t number, double value) {
         write_zero(static_cast<std::int32_t>(row), static_cast<unsigned>(i), (is_null(value) ? 0.0 : value) * (rotary ? 1.0 : unit_));
         return VariableStatus::Ok;
     }
-    if ((number >= 1100 && number <= 1115) || (number >= 1132 && number <= 1135)) return VariableStatus::Ok;   // a record, see written()
+    const double plain = is_null(value) ? 0.0 : value;
+    if (number >= 1100 && number <= (settings_.nct ? 1131 : 1115)) {
+        const std::uint32_t bit = 1u << (number - 1100);
+        outputs_ = plain != 0.0 ? outputs_ | bit : outputs_ & ~bit;
+        return VariableStatus::Ok;   // a record, see written()
+    }
+    if (number == 1132) {
+        if (plain < 0 || plain > 65535) return value_fault(number, plain);
+        outputs_ = (outputs_ & ~0xFFFFu) | static_cast<std::uint32_t>(std::llround(plain));
+        return VariableStatus::Ok;
+    }
+    if (number >= 1133 && number <= (settings_.nct ? 1135 : 1133)) {
+        if (std::fabs(plain) > 99999999) return value_fault(number, plain);
+        outputs_wide_ = plain;
+        return VariableStatus::Ok;
+    }
     switch (number) {
-        case 3001:
-        case 3002: return VariableStatus::Ok;
+        case 3001: timer_ms_offset_ = plain - core_.port().running_ms(); return VariableStatus::Ok;
+        case 3002: timer_h_offset_ = plain - core_.port().running_ms() / 3'600'000.0; return VariableStatus::Ok;
         case 3003:
-            single_block_off_ = (static_cast<int>(value) & 1) != 0;
-            no_finish_wait_ = (static_cast<int>(value) & 2) != 0;
+            if (plain < 0 || plain > 3) return value_fault(number, plain);
+            single_block_off_ = (static_cast<int>(plain) & 1) != 0;
+            no_finish_wait_ = (static_cast<int>(plain) & 2) != 0;
             return VariableStatus::Ok;
         case 3004:
-            automatic_control_ = static_cast<int>(value) & 7;
-            core_.path.override_locked = (automatic_control_ & 2) != 0;
+            if (plain < 0 || plain > 7) return value_fault(number, plain);
+            automatic_control_ = static_cast<int>(plain);
+            core_.path.override_locked = (automatic_control_ & 2) != 0 || (active_[static_cast<std::size_t>(GGroup::ExactStop)] && active_[static_cast<std::size_t>(GGroup::ExactStop)]->tenths == 630);
+            core_.path.exact_stop_off = (automatic_control_ & 4) != 0;
             return VariableStatus::Ok;
-        case 3901: parts_ = value; return VariableStatus::Ok;
+        case 3005: {
+            const auto bits = static_cast<unsigned>(std::llround(plain < 0 ? 0 : plain));
+            settings_tv_ = bits & 1u;
+            settings_iso_ = bits & 2u;
+            settings_sequence_ = bits & 32u;
+            settings_.series15 = bits & 512u;
+            inch_ = bits & 4u;
+            unit_ = inch_ ? 25.4 : 1.0;
+            active_[static_cast<std::size_t>(GGroup::Units)] = table_.find(inch_ ? 200 : 210);
+            return VariableStatus::Ok;
+        }
+        case 3901: parts_ = plain; return VariableStatus::Ok;
+        case 3902:
+            if (plain < 0) return value_fault(number, plain);
+            parts_wanted_ = plain;
+            return VariableStatus::Ok;
+        case 5900: pattern_ = plain; return VariableStatus::Ok;
         default: break;
     }
     const bool readable = (number >= 1000 && number <= 1035) || (number >= 3001 && number <= 3012) || (number >= 4001 && number <= 4130) || (number >= 5001 && number < 5200);

@@ -55,6 +55,17 @@ fanuc::Settings nct_settings(const Table& t, unsigned l) {
     s.feed_per_revolution = get(t, n0301_default_f_g95, l);
     s.surface_speed = static_cast<double>(get(t, n0686_default_surf_speed, l)) * (bit(t, n0104_unit_of_measure, l, 0) ? 0.3048 : 1.0);
     if (const auto first = get(t, n1702_write_prt_low, l); first >= 500) s.protected_first = first, s.protected_last = get(t, n1703_write_prt_hig, l);
+    if (!bit(t, n1758_intrrt_contr, l, 0)) {
+        s.interrupt.on = s.interrupt.off = -1;
+    } else if (bit(t, n1758_intrrt_contr, l, 4)) {
+        s.interrupt.on = static_cast<double>(get(t, n1759_m_code_mi_on, l));
+        s.interrupt.off = static_cast<double>(get(t, n1760_m_code_mi_off, l));
+    }
+    s.interrupt.own_locals = !bit(t, n1758_intrrt_contr, l, 1);
+    s.interrupt.at_block_end = bit(t, n1758_intrrt_contr, l, 2);
+    s.interrupt.by_level = !bit(t, n1758_intrrt_contr, l, 3);
+    s.print_compact = bit(t, n1757_print_contr, l, 0);
+    s.print_parity = true;
     s.sub_levels = 16;
     s.common_last = 499;
     s.angle_positive = false;

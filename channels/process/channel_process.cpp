@@ -99,6 +99,7 @@ void ChannelProcess::act(const ChannelEvent& event) {
         case ChannelEventKind::StoreChanged: store_changed_ = true; break;
         case ChannelEventKind::SelectProgram: choice_.path = std::string(text_of(event)); break;
         case ChannelEventKind::Quit: quit_ = true; break;
+        case ChannelEventKind::Interrupt: interrupt(event); break;
         case ChannelEventKind::None: break;
     }
 }
@@ -162,6 +163,7 @@ void ChannelProcess::go_on() {
 }
 
 void ChannelProcess::read_program() {
+    forget_executed();
     for (int n = 0; n < kStepsBetweenLooks; ++n) {
         const Step step = run_->step();
         if (run_->file_count() != names_published_) publish_names();
@@ -203,6 +205,27 @@ void ChannelProcess::reset(const ChannelEvent& event) {
     state_ = State::Idle;
     next_part_ = false;
     own_->epoch.store(event.epoch, std::memory_order_release);
+}
+
+// The path has stopped for the program's own interrupt signal: interpretation goes back to there.
+void ChannelProcess::interrupt(const ChannelEvent& event) {
+    maker_->discard();
+    ring_->resume();
+    own_->epoch.store(event.epoch, std::memory_order_release);
+    if (!run_) return;
+    port_.look();
+    sink_->forget();
+    if (!run_->interrupt(static_cast<std::uint64_t>(event.value), event.record != 0)) {
+        fail({Alarm::InterruptPlace, {}, {}, {}});
+        return;
+    }
+    state_ = State::Reading;
+}
+
+// States from before the record that the path is at are needed no more.
+void ChannelProcess::forget_executed() {
+    const std::uint64_t tail = kernel_->path_tail[channel_ - 1].tail.load(std::memory_order_acquire);
+    if (tail < ring_->pushed()) run_->executed(own_->path.slot(tail).serial);
 }
 
 void ChannelProcess::publish_names() {

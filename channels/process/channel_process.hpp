@@ -35,6 +35,8 @@ public:
     virtual Result<void> start() = 0;
     virtual Step step() = 0;
     virtual void barrier_done() = 0;
+    virtual bool interrupt(std::uint64_t /*serial*/, bool /*within*/) { return false; }   // see Language
+    virtual void executed(std::uint64_t /*serial*/) {}
     virtual std::size_t file_count() const = 0;
     virtual std::string file_name(std::size_t index) const = 0;
 };
@@ -66,6 +68,8 @@ private:
     void read_program();
     void end_program(StopReason reason);
     void reset(const ChannelEvent& event);
+    void interrupt(const ChannelEvent& event);
+    void forget_executed();
     void say_quiet();
     bool take_store();
     void fail(const Diagnosis& diagnosis);

@@ -14,7 +14,7 @@ public:
     void poll() {
         while (const ChannelEvent* event = ring_.front()) {
             const auto kind = static_cast<ChannelEventKind>(event->kind);
-            if (kind == ChannelEventKind::Reset || kind == ChannelEventKind::Quit) ++interrupts_;
+            if (cuts(kind)) ++interrupts_;
             events_.push_back(*event);
             ring_.pop();
         }
@@ -26,11 +26,12 @@ public:
         const ChannelEvent event = events_.front();
         events_.pop_front();
         const auto kind = static_cast<ChannelEventKind>(event.kind);
-        if (kind == ChannelEventKind::Reset || kind == ChannelEventKind::Quit) --interrupts_;
+        if (cuts(kind)) --interrupts_;
         return event;
     }
 
 private:
+    static bool cuts(ChannelEventKind kind) { return kind == ChannelEventKind::Reset || kind == ChannelEventKind::Quit || kind == ChannelEventKind::Interrupt; }
     RingConsumer<RingHead<ChannelEvent, 64>> ring_;
     std::deque<ChannelEvent> events_;
     int interrupts_ = 0;

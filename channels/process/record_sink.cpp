@@ -18,6 +18,7 @@ void place(const BlockContext& at, PathRecord& r) {
     r.stack_depth = at.stack_depth;
     r.line = at.line;
     r.block = at.block;
+    r.serial = at.serial;
 }
 
 std::uint8_t code_of(RecordKind kind) { return static_cast<std::uint8_t>(kind); }
@@ -184,6 +185,22 @@ void RecordSink::offset(const OffsetWrite& offset, const BlockContext& at) {
 void RecordSink::message(std::string_view text, const BlockContext& at) {
     PathRecord r = event(RecordKind::Message, at, note([&](Sink& sink) { sink.message(text, at); }));
     copy_text(text, r.text);
+    push(r, false, false);
+}
+
+void RecordSink::interrupts(const Interrupts& interrupts, const BlockContext& at) {
+    PathRecord r = event(RecordKind::Interrupts, at, 0);
+    r.code = interrupts.on;
+    r.mask = (interrupts.at_block_end ? kInterruptAtBlockEnd : 0u) | (interrupts.by_level ? kInterruptByLevel : 0u) | (interrupts.mint ? kInterruptByMint : 0u);
+    push(r, false, false);
+}
+
+// Only an event: a variable that nobody keeps.
+void RecordSink::print(std::string_view text, const BlockContext& at) {
+    const std::uint64_t number = note([&](Sink& sink) { sink.print(text, at); });
+    if (number == 0) return;
+    PathRecord r = event(RecordKind::Variable, at, number);
+    r.code = -1;
     push(r, false, false);
 }
 

@@ -32,6 +32,8 @@ public:
     void variable(const Variable&, const BlockContext&) override;
     void offset(const OffsetWrite&, const BlockContext&) override;
     void message(std::string_view text, const BlockContext&) override;
+    void interrupts(const Interrupts& interrupts, const BlockContext& at) override;
+    void print(std::string_view text, const BlockContext& at) override;
     void stop(const Stop&, const BlockContext&) override;
     void part(double count, const BlockContext&) override;
     void alarm(const Diagnosis&, const BlockContext&) override;
@@ -41,6 +43,7 @@ public:
     // The program has come to a barrier, or to its end: everything is out afterwards. `stop`: what ends it unless the
     // program itself has; a barrier without a record of its own gets one.
     void reach_barrier();
+    void forget() { drained_ = stopped_ = failed_ = false; }   // what was pushed is void: the program goes back
     void finish(StopReason reason);
     void end_of_part();   // the program has ended, another part follows: a barrier instead of the stop
     void more_parts(bool more) { more_parts_ = more; }

@@ -36,6 +36,8 @@ public:
     }
     Step step() override { return language_->step(); }
     void barrier_done() override { language_->barrier_done(); }
+    bool interrupt(std::uint64_t serial, bool within) override { return language_->interrupt(serial, within); }
+    void executed(std::uint64_t serial) override { language_->executed(serial); }
     std::size_t file_count() const override { return files_.count(); }
     std::string file_name(std::size_t index) const override { return files_.path(static_cast<FileId>(index)); }
     const ProgramFiles& files() const { return files_; }

@@ -77,6 +77,7 @@ struct PathState {
     double feed = 0.0;                      // mm/min, mm/rev
     Plane plane = Plane::ZX;
     bool exact_stop_mode = false, override_locked = false;
+    bool exact_stop_off = false;            // no exact stop whatever is programmed (#3004)
     bool after_thread = false;              // the move before was a thread: a further one chains
     double thread_lead = 0.0;
     ToolState tool;

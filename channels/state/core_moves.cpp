@@ -71,7 +71,7 @@ bool Core::within_stroke(const AxisValues& machine, AxisSet moved) {
 }
 
 void Core::deliver() {
-    move_.exact_stop = exact_once_ || path.exact_stop_mode;
+    move_.exact_stop = (exact_once_ || path.exact_stop_mode) && !path.exact_stop_off;
     move_.in_position = move_.exact_stop;
     move_.override_locked = path.override_locked;
     exact_once_ = false;

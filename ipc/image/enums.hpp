@@ -23,6 +23,7 @@ enum class RecordKind : std::uint8_t {
     Message,       // text for the operator
     Stop,          // code: StopReason
     Part,          // one part is finished (M99 of the main program, M30 of a counted part); value: count
+    Interrupts,    // M96, M97: code 1 on 0 off, mask InterruptBit
     Flag,          // reserved for couplings and exchanges: value written to a signal
 };
 
@@ -42,6 +43,8 @@ enum RecordFlag : std::uint32_t {
     kReference = 1u << 12,   // reported as a move of kind reference
 };
 
+enum InterruptBit : std::uint32_t { kInterruptAtBlockEnd = 1u << 0, kInterruptByLevel = 1u << 1, kInterruptByMint = 1u << 2 };
+
 enum class FeedMode : std::uint8_t { Rapid = 0, PerMinute, PerRevolution, InverseTime, Thread, Seconds, Revolutions };
 enum class SpindleModeCode : std::int32_t { Rpm = 0, SurfaceSpeed, Position, Off, Limit };
 enum class StopReason : std::int32_t { None = 0, M00, M01, M02, M30, End, Held, Waiting, SingleBlock, Alarm, Reset, Death };
@@ -57,6 +60,8 @@ enum class ChannelEventKind : std::uint32_t {
     StoreChanged,    // offsets, zeros, parameters: take them at the next barrier
     SelectProgram,   // text: file
     Quit,            // end the process
+    Interrupt,       // the interrupt signal came and the path rests: epoch raised; value: serial of the first block of which not
+                     // everything is executed (0 none), record: 1 when it has begun
 };
 
 enum class KernelEventKind : std::uint32_t {

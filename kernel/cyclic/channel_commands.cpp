@@ -99,7 +99,7 @@ void ChannelRunner::finish_reset() noexcept {
     phase_ = Phase::None;
     at_boundary_ = true;
     thread_moving_ = thread_committed_ = false;
-    begun_ = hold_ = interrupted_ = alarm_ = continue_ = released_ = passing_ = emergency_ = skipping_ = false;
+    begun_ = hold_ = interrupted_ = alarm_ = continue_ = released_ = passing_ = emergency_ = skipping_ = interrupts_on_ = interrupt_due_ = false;
     state_ = ChannelState::Reset;
     stop_reason_ = StopReason::Reset;
     for (SpindleUnit& spindle : core_.spindles)

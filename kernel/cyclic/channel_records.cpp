@@ -23,6 +23,7 @@ void ChannelRunner::execute_standing(double& left) noexcept {
         if (!begun_) {
             // A new step needs a running program; one that has begun is brought to its end in a hold too.
             if (state_ != ChannelState::Running || hold_ || interrupted_ || resetting_ || dead_ || core_.all_stop) return;
+            if (interrupt_due_ && (!(interrupt_bits_ & kInterruptAtBlockEnd) || r.serial != last_serial_)) return;
             line_ = r.line;
             block_ = r.block;
             file_ = r.file;
@@ -80,6 +81,13 @@ bool ChannelRunner::execute_instant(const PathRecord& r, double offset_s) noexce
             return true;
         }
         case RecordKind::Part: ++parts_; return true;
+        case RecordKind::Interrupts:
+            interrupt_bits_ = r.mask;
+            interrupts_on_ = r.code != 0;
+            interrupt_due_ = false;
+            // An edge counts from here on; a level that is there already counts at once.
+            interrupt_signal_ = core_.signals.plc((r.mask & kInterruptByMint ? signals::mint : signals::uint)(number_)) != 0;
+            return true;
         case RecordKind::Wait:  // a flying wait that was let pass: it is an arrival like any other
             core_.waits.arrive(index_, r.code, r.mask);
             passing_ = true;

@@ -50,6 +50,7 @@ bool ChannelRunner::stops_path(const PathRecord& r) noexcept {
         case RecordKind::SpindleSpeed:
         case RecordKind::Message:
         case RecordKind::Part:
+        case RecordKind::Interrupts:
         case RecordKind::Flag: return false;
         default: return true;
     }
@@ -107,6 +108,7 @@ void ChannelRunner::run() noexcept {
     moving_ = false;
     if (!segment_) return;
     double left = 1.0;  // part of the tick that is still to be used
+    watch_interrupt();
     if (at_boundary_) execute_standing(left);
     // What took a part of the tick ends within it: motion begins with the next one.
     const bool frozen = (interrupted_ || dead_) && at_rest();
@@ -129,6 +131,7 @@ void ChannelRunner::run() noexcept {
 void ChannelRunner::settle() noexcept {
     if (!at_rest()) return;
     if (resetting_) finish_reset();
+    if (interrupt_due_ && stands_for_interrupt()) break_off();
     if (dead_ && !rest_reported_) {
         rest_reported_ = true;
         core_.waits.leave(index_);
@@ -136,7 +139,7 @@ void ChannelRunner::settle() noexcept {
     }
     if (interrupted_ && state_ != ChannelState::Interrupted && !dead_) stand(ChannelState::Interrupted, StopReason::Alarm);
     if (hold_ && !interrupted_ && state_ == ChannelState::Running && phase_ != Phase::Handshake) stand(ChannelState::Held, StopReason::Held);
-    if (state_ == ChannelState::Running && step_.stands == Stands::BlockEnd) stand(ChannelState::ProgramStop, StopReason::SingleBlock);
+    if (state_ == ChannelState::Running && step_.stands == Stands::BlockEnd && (keys & kKeySingleBlock)) stand(ChannelState::ProgramStop, StopReason::SingleBlock);
 }
 
 void ChannelRunner::drive() noexcept {
@@ -148,8 +151,10 @@ void ChannelRunner::drive() noexcept {
     input.feed_override = feed_override;
     input.rapid_override = rapid_override;
     input.spindle_rev_s = core_.spindle_rev_s.data();
-    input.hold = skip_signal() || hold_ || resetting_ || dead_ || interrupted_ || core_.all_stop || !core_.on() || !program_runs();
-    input.single_block = (keys & kKeySingleBlock) != 0;
+    const bool breaks_off = interrupt_due_ && !(interrupt_bits_ & kInterruptAtBlockEnd);
+    const bool ends_block = interrupt_due_ && !breaks_off;
+    input.hold = skip_signal() || breaks_off || hold_ || resetting_ || dead_ || interrupted_ || core_.all_stop || !core_.on() || !program_runs();
+    input.single_block = (keys & kKeySingleBlock) != 0 || ends_block;
     input.in_position = axes_in_position();
     if (emergency_) input.emergency_dec = emergency_deceleration();
     if (keys & kKeyDryRun) input.dry_run_feed = dry_run_feed();
@@ -297,6 +302,7 @@ void ChannelRunner::begin_record(const PathRecord& r, double offset_s) noexcept 
 void ChannelRunner::finished(const PathRecord& r, std::uint64_t index, double offset_s) noexcept {
     if (!is_motion(r) || (r.flags & kBlockEnd)) report(KernelEventKind::RecordEnd, r, offset_s);
     if (r.flags & kBlockEnd) ++blocks_;
+    last_serial_ = r.serial;
     if (r.flags & kDrains) tell(ChannelEventKind::BarrierReached, index, r.value);
 }
 

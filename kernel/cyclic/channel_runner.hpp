@@ -105,6 +105,9 @@ private:
     void report_progress() noexcept;
     bool skip_signal() noexcept;
     void end_skipped_move() noexcept;
+    void watch_interrupt() noexcept;
+    bool stands_for_interrupt() noexcept;
+    void break_off() noexcept;
     void watch_standstill(const PathRecord& r) noexcept;
     void raise_not_in_position() noexcept;
     bool axes_in_position() const noexcept;
@@ -139,6 +142,10 @@ private:
     bool begun_ = false;                   // the standing record has reported its beginning
     bool hold_ = false, dead_ = false, stopped_ = false, resetting_ = false, interrupted_ = false, alarm_ = false, continue_ = false;
     bool rest_reported_ = false, released_ = false, passing_ = false, judged_ = false, emergency_ = false, skipping_ = false;
+    // M96: the signal is watched; it has come and the path is to stop; as it was at the last tick.
+    bool interrupts_on_ = false, interrupt_due_ = false, interrupt_signal_ = false;
+    std::uint32_t interrupt_bits_ = 0;
+    std::uint64_t last_serial_ = 0;        // block of the record that ended last
     std::array<char, 160> mdi_{};
     bool store_changed_ = false, moving_rapid_ = false, moving_ = false;
     std::int64_t stopped_since_ = 0, phase_since_ = 0, wait_since_ = 0, stands_since_ = 0;

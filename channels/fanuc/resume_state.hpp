@@ -1,0 +1,20 @@
+// What held before a block: see resume.cpp and interrupts.cpp.
+#pragma once
+#include "channels/fanuc/interpreter.hpp"
+
+namespace polyturn::channels::fanuc {
+
+template <class... Types>
+std::tuple<Types...> values_of(std::tuple<Types&...> references) { return references; }
+
+struct Interpreter::ResumeState {
+    std::uint64_t number = 0;
+    PathState path;
+    decltype(values_of(std::declval<Interpreter&>().modal())) modal;
+    std::vector<Frame> frames;
+    std::vector<Loop> loops;
+    std::vector<ModalCall> modal_calls;
+    std::vector<LocalSet> levels;
+};
+
+}  // namespace polyturn::channels::fanuc

@@ -1,0 +1,55 @@
+// The interrupt macro's signal: it is watched between M96 and M97, in path order, and stops the path at once or at the end of
+// the running block. What was pushed beyond is void; the channel goes on from there with the interrupt program.
+#include "kernel/cyclic/channel_runner.hpp"
+
+namespace polyturn::kernel {
+
+void ChannelRunner::watch_interrupt() noexcept {
+    if (!interrupts_on_) return;
+    const bool now = core_.signals.plc((interrupt_bits_ & kInterruptByMint ? signals::mint : signals::uint)(number_)) != 0;
+    const bool came = interrupt_bits_ & kInterruptByLevel ? now : now && !interrupt_signal_;
+    interrupt_signal_ = now;
+    if (came && state_ == ChannelState::Running) interrupt_due_ = true;
+}
+
+// The path rests: is this a place where the program may break off?
+bool ChannelRunner::stands_for_interrupt() noexcept {
+    if (state_ != ChannelState::Running || hold_ || interrupted_ || dead_ || stopped_) return false;
+    const bool dwells = phase_ == Phase::Dwell;
+    if (phase_ != Phase::None && !dwells) return false;   // a function or a wait is finished first
+    if (!(interrupt_bits_ & kInterruptAtBlockEnd)) return true;
+    if (dwells || begun_) return false;
+    const bool ended = step_.ended_to > step_.record;
+    if (!ended && step_.s > 0) return false;              // braked within a block for another reason
+    if (cursor_ >= visible_end_) return true;
+    if (record(cursor_).serial != last_serial_) return true;
+    planner_->step_block();                               // a further move of the same block, as in a cycle
+    return false;
+}
+
+void ChannelRunner::break_off() noexcept {
+    const bool any = cursor_ < visible_end_;
+    const bool ended = step_.ended_to > step_.record;
+    bool within = false;
+    std::uint64_t serial = 0;
+    if (any) {
+        const PathRecord& r = record(cursor_);
+        serial = r.serial;
+        within = begun_ || (!ended && step_.s > 0 && step_.record == cursor_) || serial == last_serial_;
+        if (begun_ || (!ended && step_.s > 0 && is_motion(r))) report(KernelEventKind::RecordEnd, r, 0);
+    }
+    ++epoch_;
+    cursor_ = segment_->path.head.load(std::memory_order_acquire);
+    planner_->clear(cursor_);
+    step_ = {};
+    step_.record = cursor_;
+    flying_ = kNoRecord;
+    phase_ = Phase::None;
+    at_boundary_ = true;
+    thread_moving_ = thread_committed_ = false;
+    begun_ = released_ = passing_ = skipping_ = false;
+    interrupts_on_ = interrupt_due_ = false;   // none is accepted until the interrupt program is over
+    tell(ChannelEventKind::Interrupt, within ? 1 : 0, static_cast<double>(serial));
+}
+
+}  // namespace polyturn::kernel
