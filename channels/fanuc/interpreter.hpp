@@ -141,10 +141,14 @@ private:
     };
     void note_resume_point();
     bool is_plain_move() const;
+    struct Interrupting {             // M96 in force
+        bool on = false;
+        std::int64_t program = 0;
+    };
     // Everything that holds from block to block beside positions, calls and variables.
     auto modal() {
         return std::tie(motion_, active_, cycle_end_, cycle_set_, cycle_taper_, drilling_, drill_, finishing_, cycle_data_, absolute_, inch_, unit_, last_m_, last_t_, last_n_,
-                        parameter_input_, lead_, single_block_off_, no_finish_wait_, automatic_control_, parts_, program_number_, tape_begun_, blocks_begun_);
+                        parameter_input_, lead_, single_block_off_, no_finish_wait_, automatic_control_, parts_, program_number_, tape_begun_, blocks_begun_, interrupting_);
     }
 
     // one block (block.cpp)
@@ -166,7 +170,7 @@ private:
 
     // interrupt macro (interrupts.cpp)
     bool interrupt_code(const Word& word);
-    bool interrupt_has_nc_statements();
+    bool interrupt_has_nc_statements(std::int64_t program);
     bool return_from_interrupt(bool has_target, std::int64_t target);
     void arm_interrupts(bool on);
     // S, T, M (functions.cpp)
@@ -309,10 +313,7 @@ private:
         unsigned place = 0;
         double target = 0.0, range = 0.0;           // true mm
     } measuring_;
-    struct Interrupting {             // M96 in force
-        bool on = false;
-        std::int64_t program = 0;
-    } interrupting_;
+    Interrupting interrupting_;
     struct Interruption {             // an interrupt program runs
         bool running = false;
         bool shows_end = false;       // #5001 still gives the end of the interrupted block

@@ -36,10 +36,10 @@ bool Interpreter::interrupt_code(const Word& word) {
 }
 
 // Are there blocks of words in it? Calls count: what they do cannot be seen from here.
-bool Interpreter::interrupt_has_nc_statements() {
-    const auto file = files_->find_number(interrupting_.program);
+bool Interpreter::interrupt_has_nc_statements(std::int64_t program) {
+    const auto file = files_->find_number(program);
     const FileId id = file ? *file : frames_.front().file;
-    const auto begin = find_program_in(id, interrupting_.program);
+    const auto begin = find_program_in(id, program);
     LineSource& source = files_->source(id);
     const TextPosition back = source.next_position();
     source.seek(begin.value_or(TextPosition{}));
@@ -64,9 +64,15 @@ bool Interpreter::interrupt_has_nc_statements() {
 }
 
 bool Interpreter::interrupt(std::uint64_t serial, bool within) {
-    if (!interrupting_.on || interruption_.running) return false;
+    // What held in that block, and not what was read since then.
+    Interrupting watch = interrupting_;
+    for (const ResumePoint& point : points_)
+        if (point.serial == serial)
+            for (const auto& state : states_)
+                if (state->number == point.state) watch = std::get<Interrupting>(state->modal);
+    if (!watch.on) return false;
     interruption_ = {};
-    const bool goes_on_behind = within && interrupt_has_nc_statements();
+    const bool goes_on_behind = within && interrupt_has_nc_statements(watch.program);
     interruption_.again = within && !goes_on_behind;
     const auto point = std::find_if(points_.begin(), points_.end(), [&](const ResumePoint& p) { return p.serial == serial + 1; });
     const bool read_on = within && point != points_.end();
@@ -75,6 +81,7 @@ bool Interpreter::interrupt(std::uint64_t serial, bool within) {
     const std::uint64_t target = goes_on_behind ? (read_on ? serial + 1 : 0) : serial;
     if (core_.compensating() || (target && !resume_at(target))) return false;
     ended_ = false;
+    interrupting_ = watch;
     if (!within) interruption_.end = core_.path.programmed;
     interruption_.begin = core_.path.programmed;
     for (unsigned i = 0; i < core_.view().axis_count; ++i)
@@ -126,8 +133,10 @@ bool Interpreter::return_from_interrupt(bool has_target, std::int64_t target) {
     if (!has_target) {
         const ResumeState& before = *interrupted_;
         const double parts = parts_;
+        const Interrupting watch = interrupting_;
         modal() = before.modal;
         parts_ = parts;
+        interrupting_ = watch;
         modal_calls_ = before.modal_calls;
         PathState& path = core_.path;
         path.feed_mode = before.path.feed_mode;

@@ -225,10 +225,8 @@ std::uint8_t Interpreter::loop_word(std::string_view line, bool& ends) {
 bool Interpreter::loops_nest(std::uint8_t number, std::size_t from) {
     const auto place = std::pair(frames_.back().file, source_->position().offset);
     if (std::find(checked_loops_.begin(), checked_loops_.end(), place) != checked_loops_.end()) return true;
-    const TextPosition back = source_->next_position();
+    const TextPosition here = source_->position();
     const auto column = static_cast<std::uint32_t>(from) + 1;
-    const std::uint32_t at_line = source_->position().line;
-    kept_line_ = line_;   // reading on moves the window
     std::array<std::uint8_t, 3> open{number};
     std::size_t depth = 1;
     bool crossed = false;
@@ -241,14 +239,13 @@ bool Interpreter::loops_nest(std::uint8_t number, std::size_t from) {
         else if (crossed = depth == open.size() || std::find(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(depth), word) != open.begin() + static_cast<std::ptrdiff_t>(depth); !crossed) open[depth++] = word;
     }
     const std::uint32_t last_line = source_->position().line;
-    source_->seek(back);
-    // The line in hand must outlive the search: it is read again.
-    line_ = kept_line_;
+    source_->seek(here);   // reading on has moved the window: the line in hand is read again
+    if (source_->next(line_) != LineSource::Status::Line) line_ = {};
     if (!crossed && !depth) {
         if (checked_loops_.size() < 256) checked_loops_.push_back(place);
         return true;
     }
-    fault_line_ = crossed ? last_line : at_line;
+    fault_line_ = crossed ? last_line : here.line;
     fault_column_ = crossed ? 1 : column;
     fault_length_ = 2;
     return core_.fail(Alarm::DoEndMismatch);

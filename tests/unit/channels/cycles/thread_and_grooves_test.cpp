@@ -94,8 +94,9 @@ TEST(Finishing, DrivesTheContourAndComesBack) {
 }
 
 TEST(InterruptMacro, IsNotPassedOnAsAPlainFunction) {
-    EXPECT_TRUE(run_lathe("M96 P8000", Nose{}, 60, 5).played.has({"PT1032", "M96"}));
-    EXPECT_TRUE(run_lathe("M41", Nose{}, 60, 5, {"F6003#4=1", "F6033 L1=41", "F6034 L1=42"}).played.has({"PT1032", "M41"}));
+    EXPECT_TRUE(run_lathe("M96 P8000", Nose{}, 60, 5).played.has({"\"number\":78", "O8000"}));
+    EXPECT_TRUE(run_lathe("M96", Nose{}, 60, 5).played.has({"\"number\":76"}));
+    EXPECT_TRUE(run_lathe("M41", Nose{}, 60, 5, {"F6003#4=1", "F6033 L1=41", "F6034 L1=42"}).played.has({"\"number\":76"}));
     EXPECT_EQ(run_lathe("M96", Nose{}, 60, 5, {"F6003#4=1", "F6033 L1=41", "F6034 L1=42"}).played.errors, 0u);
 }
 
