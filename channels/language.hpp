@@ -25,6 +25,10 @@ public:
     virtual void barrier_done() = 0;
     // A value that setup or operator give to a variable by its name in this language; false: no such variable.
     virtual bool preset_variable(std::string_view name, double value) = 0;
+    virtual bool preset_text(std::string_view, std::string_view) { return false; }
+    // A tool and one of its edges, as languages with such tables keep them: parameter DPn has the value. False: no such table.
+    virtual bool preset_tool(int, std::string_view) { return false; }
+    virtual bool preset_edge(int, int, std::string_view, double) { return false; }
     virtual Core& core() = 0;
 
     // Resume states (architecture 5.6): kept for blocks whose records are not all executed, when switched on.
@@ -45,6 +49,7 @@ Dialect dialect_of(std::string_view language);
 // By the name that --language takes; nothing for a language that is not built.
 std::unique_ptr<Language> make_language(std::string_view name, MachineView& view, Sink& sink, Port& port, ProgramFiles& files);
 std::unique_ptr<Language> make_fanuc(MachineView& view, Sink& sink, Port& port, ProgramFiles& files);
+std::unique_ptr<Language> make_sinumerik(MachineView& view, Sink& sink, Port& port, ProgramFiles& files);
 std::unique_ptr<Language> make_nct(MachineView& view, Sink& sink, Port& port, ProgramFiles& files);
 
 }  // namespace polyturn::channels

@@ -2,6 +2,7 @@
 #include "channels/language.hpp"
 #include "channels/mefi/settings.hpp"
 #include "channels/nct/settings.hpp"
+#include "channels/sinumerik/interpreter.hpp"
 
 namespace polyturn::channels {
 
@@ -23,10 +24,15 @@ std::unique_ptr<Language> make_nct(MachineView& view, Sink& sink, Port& port, Pr
     return std::make_unique<fanuc::Interpreter>(view, sink, port, files, &nct::nct_settings);
 }
 
+std::unique_ptr<Language> make_sinumerik(MachineView& view, Sink& sink, Port& port, ProgramFiles& files) {
+    return std::make_unique<sinumerik::Interpreter>(view, sink, port, files);
+}
+
 std::unique_ptr<Language> make_language(std::string_view name, MachineView& view, Sink& sink, Port& port, ProgramFiles& files) {
     if (name == "fanuc") return make_fanuc(view, sink, port, files);
     if (name == "nct") return make_nct(view, sink, port, files);
     if (name == "mefi") return std::make_unique<fanuc::Interpreter>(view, sink, port, files, &mefi::mefi_settings);
+    if (name == "sinumerik") return make_sinumerik(view, sink, port, files);
     return nullptr;
 }
 

@@ -43,6 +43,7 @@ struct BlockContext {
     std::uint64_t serial = 0;      // counts the blocks read since cycle start, from 1 (Language::resume_at)
     ToolRef tool;
     CompSide comp = CompSide::Off;
+    AxisSet display_swapped = 0;   // axes that the program counts the other way than the machine shows them: radius, not diameter
     std::string_view cycle;        // name of the cycle that makes it; empty none
 };
 

@@ -5,7 +5,7 @@
 
 #include "channels/check/check_port.hpp"
 #include "channels/check/event_text.hpp"
-#include "channels/language.hpp"
+#include "channels/preset.hpp"
 #include "ipc/machine/apply_setup.hpp"
 
 namespace polyturn::channels {
@@ -130,8 +130,7 @@ int run_check(const CheckOptions& options, std::FILE* out) {
     if (!interpreter) return refuse({Alarm::NotBuilt, {options.program, 0, 0, 0}, {}, "the language " + language}, scene, printer);
     if (const auto started = interpreter->start(*main); !started) return refuse(started.diagnosis(), scene, printer);
     place_axes(interpreter->core(), own);
-    for (const text::SetupVariable& variable : own.variables)
-        if (!variable.is_text) interpreter->preset_variable(variable.name, variable.value);
+    preset(*interpreter, own);
 
     // A loop of the program that causes nothing would keep the check for ever.
     constexpr std::uint64_t kMostSilentSteps = 20'000'000;
@@ -146,14 +145,14 @@ int run_check(const CheckOptions& options, std::FILE* out) {
             events.alarm({Alarm::LoopEndless, {options.program, interpreter->core().at.line, 0, 0}, {}, {}}, interpreter->core().at);
             break;
         }
-        if (step == Step::Continue) continue;
-        if (step != Step::AtBarrier) break;
+        if (step != Step::AtBarrier && step != Step::Continue) break;
+        if (step == Step::Continue && !sink.waiting) continue;
         if (sink.waiting) {
             sink.waiting = false;
             printer.flush();
             if (!ask_to_go_on()) break;   // nobody is there who could release it
         }
-        interpreter->barrier_done();
+        if (step == Step::AtBarrier) interpreter->barrier_done();
     }
     printer.flush();
     return events.errors() ? 1 : 0;

@@ -94,7 +94,7 @@ private:
     std::string& out_;
 };
 
-void axes(Object& object, std::string_view name, const MachineView& view, const AxisValues& values, bool shown) {
+void axes(Object& object, std::string_view name, const MachineView& view, const AxisValues& values, bool shown, AxisSet swapped) {
     object.key(name);
     object.raw("{");
     for (unsigned i = 0; i < view.axis_count; ++i) {
@@ -102,7 +102,7 @@ void axes(Object& object, std::string_view name, const MachineView& view, const 
         if (i) object.raw(",");
         object.append_text(axis.name);
         object.raw(":");
-        double value = shown ? view.to_shown(i, values[i]) : values[i];
+        double value = shown && view.axes[i].diameter != ((swapped >> i & 1u) != 0) ? values[i] * 2.0 : values[i];
         if (axis.rollover) {
             value -= std::floor(value / axis.rollover_deg) * axis.rollover_deg;
             if (axis.rollover_deg - value < kHalfUlp) value = 0.0;
@@ -161,8 +161,8 @@ void append_event(std::string& out, const EventScene& scene, const Move& move, c
     const MachineView& view = *scene.view;
     Object object(out, "move", scene, &at);
     object.text("kind", kind_name(move.kind));
-    axes(object, "pos", view, move.pos, true);
-    axes(object, "machine", view, move.machine, false);
+    axes(object, "pos", view, move.pos, true, at.display_swapped);
+    axes(object, "machine", view, move.machine, false, 0);
     if (move.kind == MoveKind::ArcCw || move.kind == MoveKind::ArcCcw) {
         object.key("centre");
         object.raw("{");

@@ -4,6 +4,7 @@
 
 #include "channels/check/event_text.hpp"
 #include "channels/process/channel_process.hpp"
+#include "channels/preset.hpp"
 #include "channels/program_files.hpp"
 
 namespace polyturn::channels {
@@ -30,8 +31,7 @@ public:
         if (!main) return main.diagnosis();
         if (auto started = language_->start(*main); !started) return started.diagnosis();
         language_->core().start_at_machine(view_->start);
-        for (const text::SetupVariable& variable : setup_->channel(view_->channel).variables)
-            if (!variable.is_text) language_->preset_variable(variable.name, variable.value);
+        preset(*language_, setup_->channel(view_->channel));
         return {};
     }
     Step step() override { return language_->step(); }

@@ -1,0 +1,243 @@
+// A block whose words are read: what must not be, and the order in which the rest acts.
+#include <algorithm>
+#include <cmath>
+
+#include "channels/sinumerik/interpreter.hpp"
+
+namespace polyturn::channels::sinumerik {
+namespace {
+
+// Groups whose handler acts before tools and functions, in this order: units and plane first, since the words count in them.
+constexpr std::uint8_t kEarly[] = {13, 6, 14, 29, 4, 10, 11, 12, 19, 20, 21, 24, 26, 27, 28, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 41, 42, 45, 46, 47, 49,
+                                   50, 51, 52, 53, 54, 55, 56, 57, 59, 61, 62, 64, 16, 17, 18, 22, 23, 40, 43, 44, 48, 60, 15, 8};
+constexpr std::uint8_t kFrameGroup = 3, kSuppression = 9, kCompensation = 7, kMotion = 1, kOneShot = 2;
+
+bool in_list(std::string_view list, std::string_view name) {
+    for (std::size_t at = list.find(name); at != std::string_view::npos; at = list.find(name, at + 1)) {
+        const bool front = at == 0 || list[at - 1] == ' ', back = at + name.size() == list.size() || list[at + name.size()] == ' ';
+        if (front && back) return true;
+    }
+    return false;
+}
+
+bool is_function(std::string_view name) { return name.size() == 1 && std::string_view("MHSTDF").find(name[0]) != std::string_view::npos; }
+
+}  // namespace
+
+bool Interpreter::takes(const GCode& code, const Address& address) const { return in_list(code.takes, address.name == "axis" ? "axes" : address.name); }
+
+// The G command that drives the axis words: of group 2, 3 or, when none of them wants them, group 1.
+const GCode* Interpreter::motion_code() const {
+    for (const std::uint8_t group : {kOneShot, kFrameGroup})
+        if (const GCode* code = block_.coded[group]) return code;
+    return find_g(kMotion, block_.coded[kMotion] ? block_.coded[kMotion]->number : modal_.active[kMotion]);
+}
+
+bool Interpreter::check_block() {
+    const GCode* motion = motion_code();
+    unsigned m = 0, s = 0, h = 0;
+    for (const Word& word : block_.words) {
+        const Address& address = *word.address;
+        if (address.name == "M" && ++m > 5) return fail_word(Alarm::FunctionsTooMany, word, "M");
+        if (address.name == "H" && ++h > 3) return fail_word(Alarm::FunctionsTooMany, word, "H");
+        if (address.name == "S" && ++s > 3) return fail_word(Alarm::FunctionsTooMany, word, "S");
+        if (address.use == Address::Use::Setting) continue;
+        if (is_function(address.name)) continue;
+        if (address.name == "P" && (block_.program.wanted || statement_)) continue;
+        bool taken = motion && takes(*motion, address);
+        for (const GCode* code : block_.codes) taken = taken || takes(*code, address);
+        if (!taken) return fail_word(Alarm::AddressIllegal, word, address.name == "axis" ? axis_name(word.axis) : std::string(address.name));
+    }
+    if (m + s + h > 10) return fail(Alarm::FunctionsTooMany, "M S H");
+    const std::size_t other = block_.words.size() + block_.codes.size();
+    for (const auto& [command, call] : block_.procedures)
+        if (command->own_block && (other > 0 || block_.procedures.size() > 1)) return fail(Alarm::OwnBlockNeeded, std::string(command->name));
+    return true;
+}
+
+bool Interpreter::act() {
+    for (const Written& one : written_) report_variable(one.name, one.value);
+    written_.clear();
+    if (!settings_and_tools() || !functions_before()) return false;
+    for (auto& [command, call] : block_.procedures)
+        if (!(this->*command->act)(call)) return false;
+    return motion() && functions_after();
+}
+
+bool Interpreter::settings_and_tools() {
+    const auto run = [this](std::uint8_t group) {
+        const GCode* code = block_.coded[group];
+        if (!code) return true;
+        if (!(this->*code->act)(*code)) return false;
+        if (code->modal) modal_.active[group] = code->number;
+        return true;
+    };
+    if (!block_.codes.empty())
+        for (const std::uint8_t group : kEarly)
+            if (!run(group)) return false;
+    if (const GCode* code = block_.coded[kMotion]) {
+        if (code->number != modal_.active[kMotion]) motion_changes(*code);
+        modal_.active[kMotion] = code->number;
+    }
+    core_.at.display_swapped = display_swapped();
+    if (block_.words.empty()) return true;
+    if (!tool_words()) return false;
+    core_.at.tool = core_.path.tool.ref;
+    block_feed_ = 0.0;
+    for (const Word& word : block_.words) {
+        if (word.address->name == "F" && !feed_word(word)) return false;
+        if (word.address->use == Address::Use::Setting && !(this->*word.address->act)(word)) return false;
+    }
+    return true;
+}
+
+bool Interpreter::motion() {
+    if (const GCode* code = block_.coded[kSuppression]; code && !(this->*code->act)(*code)) return false;
+    if (const GCode* code = block_.coded[kFrameGroup]; code && !(this->*code->act)(*code)) return false;
+    if (const GCode* code = block_.coded[kCompensation]) {
+        if (!(this->*code->act)(*code)) return false;
+        modal_.active[kCompensation] = code->number;
+    }
+    const GCode* one_shot = block_.coded[kOneShot];
+    const GCode* code = one_shot;
+    if (!code && !block_.coded[kFrameGroup]) {
+        const bool wanted = std::any_of(block_.words.begin(), block_.words.end(), [&](const Word& word) {
+            return word.address->use == Address::Use::Block && !is_function(word.address->name) && word.address->name != "P";
+        });
+        if (wanted || block_.coded[kMotion] || block_.coded[kCompensation]) code = find_g(kMotion, modal_.active[kMotion]);
+    }
+    if (!code) return true;
+    if (!code->act) return fail(Alarm::NotBuilt, std::string(code->name));
+    if (!update_feed() || !(this->*code->act)(*code)) return false;
+    for (AxisSet left = axis_words(); left; left &= left - 1) {
+        const auto i = static_cast<unsigned>(__builtin_ctz(left));
+        modal_.pending_zero[i] = modal_.pending_tool[i] = 0.0;
+    }
+    return true;
+}
+
+bool Interpreter::fail_word(Alarm alarm, const Word& word, std::string detail, double v0, double v1) {
+    fault_column_ = word.column;
+    fault_length_ = word.length;
+    return core_.fail(alarm, 0, std::move(detail), v0, v1);
+}
+
+// --- where axis words want their axes
+
+bool Interpreter::is_incremental(const Word& word) const {
+    switch (word.mode) {
+        case Mode::IC:
+        case Mode::DIC:
+        case Mode::RIC:
+        case Mode::CIC: return true;
+        case Mode::Plain:
+        case Mode::GP:
+        case Mode::QU: return !absolute();
+        default: return false;
+    }
+}
+
+bool Interpreter::counts_diameter(unsigned place, bool incremental) const {
+    const unsigned status = place < kChannelAxes && modal_.axis_diameter[place] ? modal_.axis_diameter[place]
+                            : static_cast<int>(place) == settings_.diameter_axis ? modal_.active[29] : 1u;
+    return status == 2 || (status == 3 && !incremental);
+}
+
+AxisSet Interpreter::display_swapped() const {
+    const MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    AxisSet set = 0;
+    for (unsigned i = 0; i < view.axis_count; ++i)
+        if (counts_diameter(i, false) != view.axes[i].diameter) set |= 1u << i;
+    return set;
+}
+
+double Interpreter::length_mm(const Word& word, int place, bool incremental) const {
+    const MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    double value = word.number();
+    if (place < 0) return value * unit();
+    const auto i = static_cast<unsigned>(place);
+    if (view.axes[i].rotary) return value;
+    bool diameter = counts_diameter(i, incremental);
+    if (word.mode == Mode::DAC || word.mode == Mode::DIC) diameter = true;
+    if (word.mode == Mode::RAC || word.mode == Mode::RIC) diameter = false;
+    return value * unit() * (diameter ? 0.5 : 1.0);
+}
+
+bool Interpreter::axis_target(const Word& word, AxisValues& target) {
+    const auto i = static_cast<std::size_t>(word.axis);
+    const ChannelAxis& axis = core_.view().axes[i];
+    const bool incremental = is_incremental(word);
+    const double value = length_mm(word, word.axis, incremental), now = core_.path.programmed[i];
+    if (word.mode >= Mode::CAC && word.mode <= Mode::CACN) return fail_word(Alarm::NotBuilt, word, "CAC, CIC, CDC");
+    if (word.mode == Mode::DC || word.mode == Mode::ACP || word.mode == Mode::ACN) {
+        if (!axis.rotary) return fail_word(Alarm::AxisKindWrong, word, axis.name);
+        if (word.mode != Mode::DC && !axis.rollover) return fail_word(Alarm::AxisKindWrong, word, axis.name);
+        if (!(value >= 0 && value <= 360)) return fail_word(Alarm::ValueOutOfRange, word, axis.name);
+        const double period = axis.rollover ? axis.rollover_deg : 360.0;
+        double way = std::fmod(value - now, period);
+        if (way < 0) way += period;                       // the positive way
+        if (word.mode == Mode::ACN && way > 0) way -= period;
+        if (word.mode == Mode::DC && way > period / 2) way -= period;
+        target[i] = now + way;
+        return true;
+    }
+    if (axis.rollover) {
+        target[i] = core_.rollover_target(static_cast<unsigned>(word.axis), value, !incremental);
+        return true;
+    }
+    if (!incremental) {
+        target[i] = value;
+        return true;
+    }
+    target[i] = now + value + (settings_.zero_travels ? modal_.pending_zero[i] : 0.0) + (settings_.tool_travels ? modal_.pending_tool[i] : 0.0);
+    return true;
+}
+
+bool Interpreter::read_axis_words(AxisValues& target, AxisSet& named) {
+    target = core_.path.programmed;
+    named = 0;
+    for (const Word& word : block_.words) {
+        if (word.axis < 0 || word.address->name != "axis") continue;
+        if (!axis_target(word, target)) return false;
+        named |= 1u << word.axis;
+    }
+    return true;
+}
+
+// Zeros, frames and tools change what the programmed numbers mean; an incremental block may travel the difference.
+void Interpreter::zeros_change(const std::function<void()>& change) {
+    const AxisValues before = core_.path.programmed;
+    change();
+    for (unsigned i = 0; i < core_.view().axis_count; ++i) modal_.pending_zero[i] += before[i] - core_.path.programmed[i];
+}
+
+int Interpreter::find_axis(std::string_view name) const {
+    const MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    if (const int place = view.axis_by_name(name); place >= 0) return place;
+    const auto number_behind = [&](std::size_t from) -> int {
+        int number = 0;
+        if (from >= name.size() || name.size() - from > 2) return -1;
+        for (std::size_t i = from; i < name.size(); ++i) {
+            if (!is_digit(name[i])) return -1;
+            number = number * 10 + (name[i] - '0');
+        }
+        return number;
+    };
+    if (name.size() > 1 && name[0] == 'S')
+        if (const int n = number_behind(1); n > 0) return kSpindleAxis + n;
+    // Machine axes: AX3 by number, X1 by the letter (MD10000: X1 Y1 Z1 A1 B1 C1 U1 V1).
+    if (name.size() > 2 && name.substr(0, 2) == "AX")
+        if (const int n = number_behind(2); n > 0)
+            for (unsigned i = 0; i < view.axis_count; ++i)
+                if (view.axes[i].machine_axis + 1 == n) return static_cast<int>(i);
+    if (name.size() == 2 && name[1] == '1' && std::string_view("XYZABCUV").find(name[0]) != std::string_view::npos) return view.axis_by_name(name.substr(0, 1));
+    return -1;
+}
+
+std::string Interpreter::axis_name(int place) const {
+    const MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    if (place >= kSpindleAxis) return "S" + std::to_string(place - kSpindleAxis);
+    return place >= 0 && static_cast<unsigned>(place) < view.axis_count ? view.axes[static_cast<std::size_t>(place)].name : std::string();
+}
+
+}  // namespace polyturn::channels::sinumerik

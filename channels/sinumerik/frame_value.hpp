@@ -1,0 +1,14 @@
+// The components of one frame: coarse and fine translation, rotation, scale, mirror, by the axes' places in the channel.
+#pragma once
+#include "channels/sink.hpp"
+
+namespace polyturn::channels::sinumerik {
+
+struct FrameValue {
+    AxisValues coarse_mm{}, fine_mm{};   // X as a radius
+    AxisValues rotation_deg{};           // about the geometry axis at that place
+    AxisValues scale{};                  // 0 stands for 1: a frame of zeros is the neutral one
+    AxisSet mirrored = 0;
+};
+
+}  // namespace polyturn::channels::sinumerik

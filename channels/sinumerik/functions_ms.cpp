@@ -1,0 +1,147 @@
+// M, H and S words: what a block says to spindles and PLC, and how it ends (sinumerik_part2 14).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "channels/sinumerik/interpreter.hpp"
+
+namespace polyturn::channels::sinumerik {
+namespace {
+
+bool ends_block(std::int64_t m) { return m == 0 || m == 1 || m == 2 || m == 17 || m == 30; }
+bool is_spindle_function(std::int64_t m) { return m == 3 || m == 4 || m == 5; }
+
+}  // namespace
+
+// The number of an M word and the spindle it means (0: none named).
+bool Interpreter::m_number(const Word& word, std::int64_t& number, std::uint16_t& spindle) {
+    const double value = word.number();
+    if (value != std::floor(value) || value > 2147483647.0) return fail_word(Alarm::PointForbidden, word, "M");
+    number = static_cast<std::int64_t>(value);
+    spindle = word.index > 0 ? static_cast<std::uint16_t>(word.index) : 0;
+    if (word.index >= 0 && ends_block(number)) return fail_word(Alarm::ExtensionForbidden, word, fmt::format("M{}", number));
+    return true;
+}
+
+bool Interpreter::with_spindle(std::uint16_t spindle, const std::function<bool()>& act) {
+    SpindleState& now = core_.path.spindle;
+    if (spindle == 0 || spindle == now.spindle) return act();
+    if (spindle > kMaxSpindles || !core_.view().machine.spindle(spindle).exists()) return fail(Alarm::SpindleNumberIllegal, {}, spindle);
+    const SpindleState master = now;
+    if (const auto kept = modal_.spindles.find(spindle); kept != modal_.spindles.end()) now = kept->second;
+    else now = {}, now.spindle = spindle;
+    const bool ok = act();
+    modal_.spindles[spindle] = now;
+    now = master;
+    return ok;
+}
+
+// S words and M3 M4 M5, told once for each spindle.
+bool Interpreter::spindle_words() {
+    const GCode* one_shot = block_.coded[2];
+    const GCode* frame = block_.coded[3];
+    std::vector<std::uint16_t> spindles{modal_.master_spindle};
+    const auto number_of_spindle = [&](const Word& word) { return word.index > 0 ? static_cast<std::uint16_t>(word.index) : modal_.master_spindle; };
+    const auto speaks = [&](const Word& word) {
+        if (word.address->name == "S") return !(one_shot && takes(*one_shot, *word.address)) && !(frame && takes(*frame, *word.address));
+        return word.address->name == "M" && is_spindle_function(static_cast<std::int64_t>(word.number()));
+    };
+    for (const Word& word : block_.words)
+        if (speaks(word) && std::find(spindles.begin(), spindles.end(), number_of_spindle(word)) == spindles.end()) spindles.push_back(number_of_spindle(word));
+    for (const std::uint16_t spindle : spindles) {
+        const bool ok = with_spindle(spindle, [&] {
+            for (const Word& word : block_.words) {
+                if (!speaks(word) || number_of_spindle(word) != spindle) continue;
+                fault_column_ = word.column, fault_length_ = word.length;
+                if (word.address->name == "S") {
+                    double value = word.number();
+                    if (core_.path.spindle.mode == SpindleModeCode::SurfaceSpeed && !metric_lengths()) value *= 0.3048;   // feet a minute
+                    if (!core_.spindle_speed(value)) return false;
+                } else {
+                    const auto m = static_cast<std::int64_t>(word.number());
+                    if (!core_.spindle_turn(m == 3 ? SpindleTurn::Cw : m == 4 ? SpindleTurn::Ccw : SpindleTurn::Stop)) return false;
+                }
+                fault_column_ = fault_length_ = 0;
+            }
+            return core_.commit_spindle();
+        });
+        if (!ok) return false;
+    }
+    return true;
+}
+
+bool Interpreter::functions_before() {
+    if (block_.words.empty() && block_.codes.empty()) return true;
+    if (!spindle_words()) return false;
+    for (const Word& word : block_.words) {
+        if (word.address->name == "H") {
+            core_.aux('H', word.number(), word.index > 0 ? fmt::format("H{}={}", word.index, to_text(word.value)) : fmt::format("H{}", to_text(word.value)), false);
+        } else if (word.address->name == "M") {
+            std::int64_t m = 0;
+            std::uint16_t spindle = 0;
+            if (!m_number(word, m, spindle)) return false;
+            if (ends_block(m)) continue;
+            if (settings_.tool_by_m6 && m == settings_.tool_change_m && !change_tool()) return false;
+            if (m == 19 && !with_spindle(spindle, [&] { return core_.spindle_position(m19_position(spindle)); })) return false;
+            const bool other = spindle != 0 && spindle != core_.view().config().default_spindle && (is_spindle_function(m) || m == 19);
+            const std::string text = word.index > 0 ? fmt::format("M{}={}", word.index, m) : fmt::format("M{}", m);
+            if (!other) core_.aux('M', static_cast<double>(m), text, false);   // the PLC's M3 means the channel's own spindle
+        }
+    }
+    return true;
+}
+
+double Interpreter::m19_position(std::uint16_t spindle) const {
+    const MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    const unsigned s = spindle ? spindle : modal_.master_spindle;
+    return s ? params::get(view.table(), params::sd43240, s) : 0.0;
+}
+
+// M0 M1 M2 M17 M30: behind the motion of the block.
+bool Interpreter::functions_after() {
+    for (const Word& word : block_.words) {
+        if (word.address->name != "M") continue;
+        std::int64_t m = 0;
+        std::uint16_t spindle = 0;
+        if (!m_number(word, m, spindle)) return false;
+        if (!ends_block(m)) continue;
+        if (m == 0 || m == 1) {
+            if (m == 1 && !core_.port().optional_stop()) continue;
+            core_.mark_emitted();
+            core_.sink().stop({m == 0 ? StopReason::M00 : StopReason::M01}, core_.at);
+            stop_reading();
+            continue;
+        }
+        called_ = true;
+        unsigned programs = 0;
+        for (const Level& level : levels_) programs += !level.section;
+        if (programs > 1) return return_from_level();   // M2 and M30 of a subprogram are its end
+        core_.mark_emitted();
+        core_.sink().part(++parts_, core_.at);
+        finish(m == 2 ? StopReason::M02 : StopReason::M30);   // M17 of a main program acts as M30
+        return true;
+    }
+    return true;
+}
+
+// LIMS: the highest speed under G96 G961 G97.
+bool Interpreter::a_limit(const Word& word) {
+    const unsigned feed = active(15);
+    const bool acts = feed != 8 && feed != 13;
+    return with_spindle(word.index > 0 ? static_cast<std::uint16_t>(word.index) : 0, [&] { return !acts || core_.spindle_limit(word.number()); });
+}
+
+// SPOS, SPOSA: a plain value and DC go the short way, IC counts from where it stands.
+bool Interpreter::a_spindle_position(const Word& word) {
+    return with_spindle(word.index > 0 ? static_cast<std::uint16_t>(word.index) : 0, [&] {
+        double angle = word.number();
+        if (word.mode == Mode::IC) angle += core_.path.spindle.angle_deg;
+        else if (angle < 0 || angle >= 360.0) return fail_word(Alarm::ValueOutOfRange, word, "SPOS");
+        angle = std::fmod(angle, 360.0);
+        if (angle < 0) angle += 360.0;
+        return core_.spindle_position(angle);
+    });
+}
+
+}  // namespace polyturn::channels::sinumerik

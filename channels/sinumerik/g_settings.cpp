@@ -1,0 +1,124 @@
+// G commands that set modes: units, plane, dimensions, feed types, diameters, exact stop, settable zeros. And F, FB, FZ.
+#include <cmath>
+
+#include "channels/sinumerik/interpreter.hpp"
+#include "ipc/machine/work_zeros.hpp"
+
+namespace polyturn::channels::sinumerik {
+namespace {
+
+// How a command of group 15 counts the feed.
+enum class FeedKind : std::uint8_t { Inverse, Linear, Revolution, Same };
+FeedKind feed_kind(unsigned number) {
+    switch (number) {
+        case 1: case 6: return FeedKind::Inverse;                              // G93 G931
+        case 2: case 7: case 8: case 9: return FeedKind::Linear;               // G94 G961 G971 G942
+        case 11: case 12: return FeedKind::Same;                               // G962 G972
+        default: return FeedKind::Revolution;                                  // G95 G96 G97 G952 G973
+    }
+}
+bool is_surface(unsigned number) { return number == 4 || number == 7 || number == 11; }   // G96 G961 G962
+
+}  // namespace
+
+bool Interpreter::g_nothing(const GCode&) { return true; }
+bool Interpreter::g_units(const GCode&) { return true; }
+bool Interpreter::g_distance(const GCode&) { return true; }
+bool Interpreter::g_diameter(const GCode&) { return true; }
+
+bool Interpreter::g_plane(const GCode& code) {
+    const auto plane = static_cast<Plane>(code.number - 1);
+    if (core_.path.plane == plane) return true;
+    if (core_.compensating()) return fail(Alarm::CompPlaneChanged);
+    core_.path.plane = plane;
+    apply_tool();   // lengths lie along other axes now
+    return true;
+}
+
+bool Interpreter::g_exact_stop(const GCode& code) {
+    core_.path.exact_stop_mode = code.number == 1;
+    return true;
+}
+
+bool Interpreter::g_exact_once(const GCode&) {
+    core_.force_exact_stop();
+    return true;
+}
+
+bool Interpreter::g_zero(const GCode& code) {
+    const int n = code.number - 1;   // $P_UIFR[n]
+    if (n >= settings_.frames) return fail(Alarm::GCodeUnknown, std::string(code.name));
+    if (n == 0) {
+        zeros_change([&] { core_.select_zero(static_cast<std::int32_t>(*work_zero_row("G500"))); });
+        return true;
+    }
+    const auto row = settable_zero_row(static_cast<std::size_t>(n));
+    if (!row) return fail(Alarm::GCodeUnknown, std::string(code.name));
+    zeros_change([&] { core_.select_zero(static_cast<std::int32_t>(*row)); });
+    return true;
+}
+
+bool Interpreter::g_feed_type(const GCode& code) {
+    const unsigned before = active(15);
+    const FeedKind old_kind = modal_.feed_revolution ? FeedKind::Revolution : feed_kind(before) == FeedKind::Inverse ? FeedKind::Inverse : FeedKind::Linear;
+    FeedKind kind = feed_kind(code.number);
+    if (kind == FeedKind::Same) kind = old_kind;
+    if (kind != old_kind) modal_.feed = modal_.feed_per_tooth = 0.0;   // another kind of feed wants a new F
+    modal_.feed_revolution = kind == FeedKind::Revolution;
+    if (code.number == 9 || code.number == 10) return true;            // G942 G952 leave the spindle as it is
+    SpindleState& spindle = core_.path.spindle;
+    if (is_surface(code.number)) {
+        if (!is_surface(before)) modal_.rpm_before_surface = spindle.rpm;
+        return core_.surface_speed(true);
+    }
+    if (is_surface(before)) {
+        if (!core_.surface_speed(false)) return false;
+        if (code.number <= 3 || code.number == 6) spindle.rpm = modal_.rpm_before_surface;   // G93 G94 G95: the last speed in revolutions
+    }
+    if (code.number == 8 || code.number == 13) return spindle.limit_rpm <= 0 || core_.spindle_limit(0.0);   // G971 G973: LIMS does not act
+    return true;
+}
+
+bool Interpreter::feed_word(const Word& word) {
+    if (const GCode* code = block_.coded[2]; code && takes(*code, *word.address)) return true;
+    if (const GCode* code = motion_code(); code && takes(*code, *word.address)) return true;
+    if (word.index >= 0) return fail_word(Alarm::NotBuilt, word, "F" + std::to_string(word.index));
+    if (word.number() <= 0) return fail_word(Alarm::FeedMissing, word);
+    modal_.feed = word.number() * feed_unit();
+    modal_.feed_per_tooth = 0.0;
+    return true;
+}
+
+bool Interpreter::a_feed(const Word& word) {   // FB
+    if (word.number() <= 0) return fail_word(Alarm::ValueOutOfRange, word, "FB");
+    if (has("F") || has("FD")) return fail_word(Alarm::CodesContradict, word, "FB, F");
+    block_feed_ = word.number() * feed_unit();
+    return true;
+}
+
+bool Interpreter::a_feed_tooth(const Word& word) {
+    if (!modal_.feed_revolution) return true;   // outside G95 it has no effect
+    modal_.feed_per_tooth = word.number() * feed_unit();
+    modal_.feed = 0.0;
+    return true;
+}
+
+bool Interpreter::update_feed() {
+    PathState& path = core_.path;
+    path.feed_mode = modal_.feed_revolution ? FeedMode::PerRevolution : feed_kind(active(15)) == FeedKind::Inverse ? FeedMode::InverseTime : FeedMode::PerMinute;
+    double feed = block_feed_ > 0 ? block_feed_ : modal_.feed_per_tooth > 0 ? modal_.feed_per_tooth : modal_.feed;
+    if (modal_.feed_revolution && modal_.feed_per_tooth > 0) feed *= modal_.teeth;
+    path.feed = feed;
+    return true;
+}
+
+void Interpreter::motion_changes(const GCode&) {}
+
+bool Interpreter::a_override(const Word& word) {
+    if (word.number() < 1 || word.number() > 200) return fail_word(Alarm::ValueOutOfRange, word, std::string(word.address->name));
+    return fail_word(Alarm::NotBuilt, word, std::string(word.address->name));
+}
+
+bool Interpreter::a_accepted(const Word&) { return true; }
+
+}  // namespace polyturn::channels::sinumerik

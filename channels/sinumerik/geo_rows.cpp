@@ -1,0 +1,166 @@
+// Rows of the geometry: moves, frames, compensation, corner elements. A null handler: known, not built.
+#include "channels/sinumerik/interpreter.hpp"
+
+namespace polyturn::channels::sinumerik {
+namespace {
+
+constexpr GCode kCodes[] = {
+    // name, group, number, modal, delivery state, handler, addresses it reads
+    // group 1: Modal motion commands
+    {"G0", 1, 1, true, false, &Interpreter::geo_motion, "axes I J K CR"},
+    {"G1", 1, 2, true, true, &Interpreter::geo_motion, "axes I J K CR"},
+    {"G2", 1, 3, true, false, &Interpreter::geo_motion, "axes I J K CR"},
+    {"G3", 1, 4, true, false, &Interpreter::geo_motion, "axes I J K CR"},
+    {"CIP", 1, 5, true, false, nullptr},
+    {"ASPLINE", 1, 6, true, false, nullptr},
+    {"BSPLINE", 1, 7, true, false, nullptr},
+    {"CSPLINE", 1, 8, true, false, nullptr},
+    {"POLY", 1, 9, true, false, nullptr},
+    {"G33", 1, 10, true, false, nullptr},
+    {"G331", 1, 11, true, false, nullptr},
+    {"G332", 1, 12, true, false, nullptr},
+    {"OEMIPO1", 1, 13, true, false, nullptr},
+    {"OEMIPO2", 1, 14, true, false, nullptr},
+    {"CT", 1, 15, true, false, nullptr},
+    {"G34", 1, 16, true, false, nullptr},
+    {"G35", 1, 17, true, false, nullptr},
+    {"INVCW", 1, 18, true, false, nullptr},
+    {"INVCCW", 1, 19, true, false, nullptr},
+    {"G335", 1, 20, true, false, nullptr},
+    {"G336", 1, 21, true, false, nullptr},
+    // group 2: Block-wise motions and dwell
+    {"G4", 2, 1, false, false, &Interpreter::geo_dwell, "F S"},
+    {"G63", 2, 2, false, false, nullptr},
+    {"G74", 2, 3, false, false, nullptr},
+    {"G75", 2, 4, false, false, nullptr},
+    {"REPOSL", 2, 5, false, false, nullptr},
+    {"REPOSQ", 2, 6, false, false, nullptr},
+    {"REPOSH", 2, 7, false, false, nullptr},
+    {"REPOSA", 2, 8, false, false, nullptr},
+    {"REPOSQA", 2, 9, false, false, nullptr},
+    {"REPOSHA", 2, 10, false, false, nullptr},
+    {"G147", 2, 11, false, false, nullptr},
+    {"G247", 2, 12, false, false, nullptr},
+    {"G347", 2, 13, false, false, nullptr},
+    {"G148", 2, 14, false, false, nullptr},
+    {"G248", 2, 15, false, false, nullptr},
+    {"G348", 2, 16, false, false, nullptr},
+    {"G5", 2, 17, false, false, nullptr},
+    {"G7", 2, 18, false, false, nullptr},
+    // group 3: Programmable frames, working-area limits and pole programming
+    {"TRANS", 3, 1, false, false, nullptr},
+    {"ROT", 3, 2, false, false, nullptr},
+    {"SCALE", 3, 3, false, false, nullptr},
+    {"MIRROR", 3, 4, false, false, nullptr},
+    {"ATRANS", 3, 5, false, false, nullptr},
+    {"AROT", 3, 6, false, false, nullptr},
+    {"ASCALE", 3, 7, false, false, nullptr},
+    {"AMIRROR", 3, 8, false, false, nullptr},
+    {"G25", 3, 10, false, false, nullptr},
+    {"G26", 3, 11, false, false, nullptr},
+    {"G110", 3, 12, false, false, nullptr},
+    {"G111", 3, 13, false, false, nullptr},
+    {"G112", 3, 14, false, false, nullptr},
+    {"G58", 3, 15, false, false, nullptr},
+    {"G59", 3, 16, false, false, nullptr},
+    {"ROTS", 3, 17, false, false, nullptr},
+    {"AROTS", 3, 18, false, false, nullptr},
+    // group 7: Tool radius compensation
+    {"G40", 7, 1, true, true, &Interpreter::g_nothing},
+    {"G41", 7, 2, true, false, nullptr},
+    {"G42", 7, 3, true, false, nullptr},
+    // group 9: Frame suppression
+    {"G53", 9, 1, false, false, nullptr},
+    {"SUPA", 9, 2, false, false, nullptr},
+    {"G153", 9, 3, false, false, nullptr},
+    // group 16: Feed correction at inner and outer curvature
+    {"CFC", 16, 1, true, true, &Interpreter::g_nothing},
+    {"CFTCP", 16, 2, true, false, nullptr},
+    {"CFIN", 16, 3, true, false, nullptr},
+    // group 17: Approach/retract response with tool radius compensation
+    {"NORM", 17, 1, true, true, &Interpreter::g_nothing},
+    {"KONT", 17, 2, true, false, nullptr},
+    {"KONTT", 17, 3, true, false, nullptr},
+    {"KONTC", 17, 4, true, false, nullptr},
+    // group 18: Corner behaviour of tool offset
+    {"G450", 18, 1, true, true, &Interpreter::g_nothing},
+    {"G451", 18, 2, true, false, nullptr},
+    // group 22: Tool offset type
+    {"CUT2D", 22, 1, true, true, &Interpreter::g_nothing},
+    {"CUT2DF", 22, 2, true, false, nullptr},
+    {"CUT3DC", 22, 3, true, false, nullptr},
+    {"CUT3DF", 22, 4, true, false, nullptr},
+    {"CUT3DFS", 22, 5, true, false, nullptr},
+    {"CUT3DFF", 22, 6, true, false, nullptr},
+    {"CUT3DCC", 22, 7, true, false, nullptr},
+    {"CUT3DCCD", 22, 8, true, false, nullptr},
+    {"CUT2DD", 22, 9, true, false, nullptr},
+    {"CUT2DFD", 22, 10, true, false, nullptr},
+    {"CUT3DCD", 22, 11, true, false, nullptr},
+    // group 23: Collision monitoring on inner contours
+    {"CDOF", 23, 1, true, true, &Interpreter::g_nothing},
+    {"CDON", 23, 2, true, false, nullptr},
+    {"CDOF2", 23, 3, true, false, nullptr},
+    // group 40: Constant tool radius compensation
+    {"CUTCONOF", 40, 1, true, true, &Interpreter::g_nothing},
+    {"CUTCONON", 40, 2, true, false, nullptr},
+    // group 43: Soft approach/retract (SAR/WAB) direction
+    {"G140", 43, 1, true, true, &Interpreter::g_nothing},
+    {"G141", 43, 2, true, false, nullptr},
+    {"G142", 43, 3, true, false, nullptr},
+    {"G143", 43, 4, true, false, nullptr},
+    // group 44: Soft approach/retract (SAR/WAB) path segmentation
+    {"G340", 44, 1, true, true, &Interpreter::g_nothing},
+    {"G341", 44, 2, true, false, nullptr},
+    // group 48: Approach/retract response with tool radius compensation
+    {"G460", 48, 1, true, true, &Interpreter::g_nothing},
+    {"G461", 48, 2, true, false, nullptr},
+    {"G462", 48, 3, true, false, nullptr},
+    // group 60: Working-area limitation (WCS)
+    {"WALCS0", 60, 1, true, true, &Interpreter::g_nothing},
+    {"WALCS1", 60, 2, true, false, nullptr},
+    {"WALCS2", 60, 3, true, false, nullptr},
+    {"WALCS3", 60, 4, true, false, nullptr},
+    {"WALCS4", 60, 5, true, false, nullptr},
+    {"WALCS5", 60, 6, true, false, nullptr},
+    {"WALCS6", 60, 7, true, false, nullptr},
+    {"WALCS7", 60, 8, true, false, nullptr},
+    {"WALCS8", 60, 9, true, false, nullptr},
+    {"WALCS9", 60, 10, true, false, nullptr},
+    {"WALCS10", 60, 11, true, false, nullptr},
+};
+
+using Index = Address::Index;
+using Use = Address::Use;
+constexpr Address kAddresses[] = {
+    // name, index, use, handler
+    {"I", Index::None, Use::Block}, {"J", Index::None, Use::Block}, {"K", Index::None, Use::Block},
+    {"I1", Index::None, Use::Block}, {"J1", Index::None, Use::Block}, {"K1", Index::None, Use::Block},
+    {"CR", Index::None, Use::Block}, {"AR", Index::None, Use::Block}, {"TURN", Index::None, Use::Block},
+    {"AP", Index::None, Use::Block}, {"RP", Index::None, Use::Block}, {"RPL", Index::None, Use::Block},
+    {"ANG", Index::None, Use::Block}, {"ANG1", Index::None, Use::Block}, {"ANG2", Index::None, Use::Block},
+    {"RND", Index::None, Use::Block}, {"RNDM", Index::None, Use::Refused}, {"CHF", Index::None, Use::Block}, {"CHR", Index::None, Use::Block},
+    {"FRC", Index::None, Use::Block}, {"FRCM", Index::None, Use::Refused},
+    {"SF", Index::None, Use::Block}, {"DITS", Index::None, Use::Refused}, {"DITE", Index::None, Use::Refused},
+    {"IR", Index::None, Use::Block}, {"JR", Index::None, Use::Block}, {"KR", Index::None, Use::Block},
+    {"DISR", Index::None, Use::Block}, {"DISCL", Index::None, Use::Block}, {"DISRP", Index::None, Use::Block}, {"FAD", Index::None, Use::Block},
+    {"DISC", Index::None, Use::Refused}, {"OFFN", Index::None, Use::Refused}, {"FP", Index::None, Use::Block},
+    {"ADIS", Index::None, Use::Refused}, {"ADISPOS", Index::None, Use::Refused},
+    {"DILF", Index::None, Use::Refused}, {"ALF", Index::None, Use::Refused},
+};
+
+constexpr Command kCommands[] = {
+    // name, function, least, most arguments, their types, handler
+    {"CTRANS", true, 0, 16, "ar", nullptr},  {"CFINE", true, 0, 16, "ar", nullptr}, {"CSCALE", true, 0, 16, "ar", nullptr},
+    {"CROT", true, 0, 6, "ar", nullptr},     {"CROTS", true, 0, 6, "ar", nullptr},  {"CMIRROR", true, 0, 8, "a", nullptr},
+    {"CRPL", true, 2, 2, "r", nullptr},      {"ADDFRAME", true, 2, 2, "fs", nullptr}, {"INVFRAME", true, 1, 1, "f", nullptr},
+    {"MEAFRAME", true, 3, 3, "v", nullptr},
+};
+
+}  // namespace
+
+std::span<const GCode> geometry_g_codes() { return kCodes; }
+std::span<const Address> geometry_addresses() { return kAddresses; }
+std::span<const Command> geometry_commands() { return kCommands; }
+
+}  // namespace polyturn::channels::sinumerik

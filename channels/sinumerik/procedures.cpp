@@ -1,0 +1,169 @@
+// Messages, alarms, master spindle, tools by their names; markers and waits between channels (sinumerik_part3 7.14, part 2 17.1b).
+#include <algorithm>
+#include <cmath>
+
+#include "channels/sinumerik/interpreter.hpp"
+
+namespace polyturn::channels::sinumerik {
+
+bool Interpreter::p_nothing(Call&) { return true; }
+
+bool Interpreter::p_msg(Call& c) {
+    message_ = c.has(0) ? to_text(c.value(0)) : std::string();
+    if (message_.size() > 124) return fail(Alarm::TextTooLong, "MSG", 124);
+    core_.mark_emitted();
+    core_.sink().message(message_, core_.at);
+    return true;
+}
+
+// SETAL(65001, "text"): errors stop the program as any alarm does; %1 channel, %2 block, %4 the text.
+bool Interpreter::p_setal(Call& c) {
+    const double number = c.number(0);
+    if (number < 60000 || number > 69999) return fail(Alarm::AlarmNumberIllegal, {}, number);
+    std::string text = c.has(1) ? c.value(1).text : std::string();
+    const auto replace = [&](std::string_view key, const std::string& by) {
+        if (const std::size_t at = text.find(key); at != std::string::npos) text.replace(at, key.size(), by);
+    };
+    replace("%1", std::to_string(core_.view().channel));
+    replace("%2", core_.at.block >= 0 ? "N" + std::to_string(core_.at.block) : std::string());
+    replace("%4", {});
+    return fail(Alarm::MacroAlarm, text.empty() ? "SETAL " + to_text(Value::of_int(number)) : text, number);
+}
+
+bool Interpreter::p_stopre(Call&) {
+    core_.mark_emitted();
+    core_.sink().barrier(core_.at);
+    stop_reading();
+    return true;
+}
+
+// SETMS(n): plain S, M3, G95, G96 and G33 mean spindle n from now on.
+bool Interpreter::p_setms(Call& c) {
+    const double n = c.has(0) ? c.number(0) : core_.view().config().default_spindle;
+    if (!(n >= 1 && n <= kMaxSpindles) || !core_.view().machine.spindle(static_cast<std::size_t>(n)).exists()) return fail(Alarm::SpindleNumberIllegal, {}, n);
+    const auto wanted = static_cast<std::uint16_t>(n);
+    if (wanted == modal_.master_spindle) return true;
+    SpindleState& now = core_.path.spindle;
+    modal_.spindles[now.spindle] = now;
+    if (const auto kept = modal_.spindles.find(wanted); kept != modal_.spindles.end()) {
+        now = kept->second;
+        modal_.spindles.erase(kept);
+    } else {
+        now = {};
+        now.spindle = wanted;
+    }
+    modal_.master_spindle = wanted;
+    return true;
+}
+
+// --- between channels
+
+// A channel by number or by its name (MD20000, here N0003).
+bool Interpreter::channel_of(const Value& value, unsigned& channel) {
+    channel = 0;
+    const MachineConfig& machine = core_.view().machine;
+    if (value.is_number()) {
+        if (value.number >= 1 && value.number <= kMaxChannels && value.number == std::floor(value.number)) channel = static_cast<unsigned>(value.number);
+    } else if (value.type == Type::String) {
+        for (unsigned l = 1; l <= kMaxChannels && !channel; ++l)
+            if (machine.channel(l).exists() && upper(params::get_text(core_.view().table(), params::n0003_channel_name, l)) == upper(value.text)) channel = l;
+    }
+    if (channel && machine.channel(channel).exists()) return true;
+    return fail(Alarm::ChannelIllegal, to_text(value));
+}
+
+bool Interpreter::marker_of(const Value& value, int& marker) {
+    if (!(value.number >= 0 && value.number <= 99) || value.number != std::floor(value.number)) return fail(Alarm::MarkerIllegal, {}, value.number);
+    marker = static_cast<int>(value.number);
+    return true;
+}
+
+bool Interpreter::p_wait_marker(Call& c) {
+    const Command* command = block_.procedures.front().first;
+    int marker = 0;
+    if (!marker_of(c.value(0), marker)) return false;
+    std::uint32_t channels = 1u << (core_.view().channel - 1);   // the own one may be left out
+    for (std::size_t i = 1; i < c.arguments.size(); ++i) {
+        unsigned channel = 0;
+        if (!c.has(i) || !channel_of(c.value(i), channel)) return c.has(i) ? false : fail(Alarm::ArgumentCountIllegal, std::string(command->name), static_cast<double>(i));
+        channels |= 1u << (channel - 1);
+    }
+    const bool flying = command->name == "WAITMC";
+    core_.mark_emitted();
+    core_.sink().wait({marker, {}, channels, flying}, core_.at);
+    if (!flying) stop_reading();   // a flying one is passed without a stop where the others are there already
+    return true;
+}
+
+bool Interpreter::p_wait_end(Call&) { return fail(Alarm::NotBuilt, "WAITE"); }
+bool Interpreter::p_set_marker(Call&) { return fail(Alarm::NotBuilt, "SETM"); }
+bool Interpreter::p_clear_marker(Call&) { return fail(Alarm::NotBuilt, "CLEARM"); }
+bool Interpreter::p_init(Call&) { return fail(Alarm::NotBuilt, "INIT"); }
+bool Interpreter::p_start(Call&) { return fail(Alarm::NotBuilt, "START"); }
+
+// Every positioning move ends in its own block here, so there is nothing left to wait for but what is still to be executed.
+bool Interpreter::p_wait_axis(Call& c) {
+    for (const Argument& argument : c.arguments)
+        if (!argument.given || argument.value.type != Type::Axis) return fail(Alarm::AxisArgumentMissing, "WAITP");
+    core_.mark_emitted();
+    core_.sink().barrier(core_.at);
+    stop_reading();
+    return true;
+}
+
+bool Interpreter::p_wait_spindle(Call& c) {
+    for (const Argument& argument : c.arguments) {
+        const double n = argument.value.number;
+        if (!argument.given || !(n >= 1 && n <= kMaxSpindles) || !core_.view().machine.spindle(static_cast<std::size_t>(n)).exists()) return fail(Alarm::SpindleNumberIllegal, {}, n);
+    }
+    core_.mark_emitted();
+    core_.sink().barrier(core_.at);
+    stop_reading();
+    return true;
+}
+
+// --- tools by their names
+
+bool Interpreter::f_gett(Call& c) {
+    double found = -1;
+    for (const auto& [number, tool] : tools_)
+        if (tool.name == c.value(0).text && (!c.has(1) || tool.duplo == static_cast<std::int32_t>(c.number(1)))) {
+            found = static_cast<double>(number);
+            break;
+        }
+    c.result = Value::of_int(found);
+    return true;
+}
+
+bool Interpreter::f_newt(Call& c) {
+    std::int64_t number = 1;
+    while (tools_.contains(number)) ++number;
+    if (number > 32000) return fail(Alarm::FunctionArgument, "NEWT", static_cast<double>(number));
+    undo([this, number] { tools_.erase(number); });
+    Tool& tool = tools_[number];
+    tool.name = c.value(0).text;
+    tool.duplo = c.has(1) ? static_cast<std::int32_t>(c.number(1)) : 1;
+    tool.edges[1];
+    c.result = Value::of_int(static_cast<double>(number));
+    return true;
+}
+
+bool Interpreter::f_getdno(Call& c) {
+    const auto found = tools_.find(static_cast<std::int64_t>(c.number(0)));
+    const int edge = static_cast<int>(c.number(1));
+    c.result = Value::of_int(found != tools_.end() && found->second.edges.contains(edge) ? edge : 0);
+    return true;
+}
+
+bool Interpreter::p_delt(Call& c) {
+    for (auto tool = tools_.begin(); tool != tools_.end(); ++tool) {
+        if (tool->second.name != c.value(0).text || (c.has(1) && tool->second.duplo != static_cast<std::int32_t>(c.number(1)))) continue;
+        if (tool->first == modal_.tool) return fail(Alarm::ToolUnknown, c.value(0).text);
+        undo([this, number = tool->first, before = tool->second] { tools_[number] = before; });
+        tools_.erase(tool);
+        return true;
+    }
+    return fail(Alarm::ToolUnknown, c.value(0).text);
+}
+
+}  // namespace polyturn::channels::sinumerik

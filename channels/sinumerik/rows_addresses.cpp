@@ -1,0 +1,37 @@
+// Rows of the addresses that are no geometry: feeds, spindles, tools, auxiliary functions (sinumerik_part3 5).
+#include "channels/sinumerik/interpreter.hpp"
+
+namespace polyturn::channels::sinumerik {
+namespace {
+
+using Index = Address::Index;
+using Use = Address::Use;
+
+constexpr Address kRows[] = {
+    // name, index, use, handler, signed, repeats
+    {"M", Index::Spindle, Use::Block, nullptr, false, true},
+    {"H", Index::Number, Use::Block, nullptr, true, true},
+    {"S", Index::Spindle, Use::Block, nullptr, false, true},
+    {"T", Index::Spindle, Use::Block, nullptr, false},
+    {"D", Index::None, Use::Block, nullptr, false},
+    {"DL", Index::None, Use::Refused},
+    {"L", Index::None, Use::Block, nullptr, false},
+    {"P", Index::None, Use::Block, nullptr, false},
+    {"F", Index::Number, Use::Block, nullptr, false, true},
+    {"FB", Index::None, Use::Setting, &Interpreter::a_feed, false},
+    {"FZ", Index::None, Use::Setting, &Interpreter::a_feed_tooth, false},
+    {"OVR", Index::None, Use::Setting, &Interpreter::a_override, false},
+    {"OVRRAP", Index::None, Use::Setting, &Interpreter::a_override, false},
+    {"LIMS", Index::Spindle, Use::Setting, &Interpreter::a_limit, false, true},
+    {"SPOS", Index::Spindle, Use::Setting, &Interpreter::a_spindle_position, true, true},
+    {"SPOSA", Index::Spindle, Use::Setting, &Interpreter::a_spindle_position, true, true},
+    {"TOFFL", Index::Number, Use::Setting, &Interpreter::a_tool_length_offset, true, true},
+    {"TOFF", Index::Axis, Use::Setting, &Interpreter::a_tool_axis_offset, true, true},
+    {"TOFFR", Index::None, Use::Setting, &Interpreter::a_tool_radius_offset},
+};
+
+}  // namespace
+
+std::span<const Address> program_addresses() { return kRows; }
+
+}  // namespace polyturn::channels::sinumerik

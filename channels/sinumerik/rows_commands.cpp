@@ -1,0 +1,79 @@
+// Functions and procedures that are no geometry (sinumerik_part3 7 and 9).
+#include "channels/sinumerik/interpreter.hpp"
+
+namespace polyturn::channels::sinumerik {
+namespace {
+
+using I = Interpreter;
+constexpr Command kRows[] = {
+    // name, function, least, most arguments, their types, handler, own block
+    // arithmetic
+    {"ABS", true, 1, 1, "r", &I::f_abs},
+    {"SIN", true, 1, 1, "r", &I::f_sin},
+    {"COS", true, 1, 1, "r", &I::f_cos},
+    {"TAN", true, 1, 1, "r", &I::f_tan},
+    {"ASIN", true, 1, 1, "r", &I::f_asin},
+    {"ACOS", true, 1, 1, "r", &I::f_acos},
+    {"ATAN2", true, 2, 2, "r", &I::f_atan2},
+    {"SQRT", true, 1, 1, "r", &I::f_sqrt},
+    {"POT", true, 1, 1, "r", &I::f_pot},
+    {"TRUNC", true, 1, 1, "r", &I::f_trunc},
+    {"ROUND", true, 1, 1, "r", &I::f_round},
+    {"ROUNDUP", true, 1, 1, "r", &I::f_roundup},
+    {"LN", true, 1, 1, "r", &I::f_ln},
+    {"EXP", true, 1, 1, "r", &I::f_exp},
+    {"MINVAL", true, 2, 2, "r", &I::f_minval},
+    {"MAXVAL", true, 2, 2, "r", &I::f_maxval},
+    {"BOUND", true, 3, 3, "r", &I::f_bound},
+    {"CALCDAT", true, 3, 3, "vrv", &I::f_calcdat},
+    // texts
+    {"ISNUMBER", true, 1, 1, "s", &I::f_isnumber},
+    {"NUMBER", true, 1, 1, "s", &I::f_number},
+    {"TOUPPER", true, 1, 1, "s", &I::f_toupper},
+    {"TOLOWER", true, 1, 1, "s", &I::f_tolower},
+    {"STRLEN", true, 1, 1, "s", &I::f_strlen},
+    {"INDEX", true, 2, 2, "sc", &I::f_index},
+    {"RINDEX", true, 2, 2, "sc", &I::f_rindex},
+    {"MINDEX", true, 2, 2, "s", &I::f_mindex},
+    {"MATCH", true, 2, 2, "s", &I::f_match},
+    {"SUBSTR", true, 2, 3, "srr", &I::f_substr},
+    {"SPRINT", true, 1, 10, "s*", &I::f_sprint},
+    // axes and names
+    {"AXNAME", true, 1, 1, "s", &I::f_axname},
+    {"AXSTRING", true, 1, 1, "a", &I::f_axstring},
+    {"ISAXIS", true, 1, 1, "r", &I::f_isaxis},
+    {"SPI", true, 1, 1, "r", &I::f_spi},
+    {"AXTOSPI", true, 1, 1, "a", &I::f_axtospi},
+    {"MODAXVAL", true, 2, 2, "ar", &I::f_modaxval},
+    {"ISVAR", true, 1, 1, "s", &I::f_isvar},
+    {"GETVARTYP", true, 1, 1, "s", &I::f_getvartyp},
+    {"STRINGIS", true, 1, 1, "s", &I::f_stringis},
+    {"ISFILE", true, 1, 1, "s", &I::f_isfile},
+    // tools
+    {"GETT", true, 1, 2, "sr", &I::f_gett},
+    {"NEWT", true, 1, 2, "sr", &I::f_newt},
+    {"GETDNO", true, 2, 2, "r", &I::f_getdno},
+    {"DELT", false, 1, 2, "sr", &I::p_delt, true},
+    // operator and channel
+    {"MSG", false, 0, 2, "*r", &I::p_msg},
+    {"SETAL", false, 1, 2, "rs", &I::p_setal},
+    {"STOPRE", false, 0, 0, "", &I::p_stopre, true},
+    {"SBLOF", false, 0, 0, "", &I::p_nothing},
+    {"SBLON", false, 0, 0, "", &I::p_nothing},
+    {"SETMS", false, 0, 1, "r", &I::p_setms, true},
+    {"WAITM", false, 1, 17, "r*", &I::p_wait_marker, true},
+    {"WAITMC", false, 1, 17, "r*", &I::p_wait_marker, true},
+    {"WAITE", false, 1, 16, "*", &I::p_wait_end, true},
+    {"SETM", false, 1, 16, "r", &I::p_set_marker},
+    {"CLEARM", false, 0, 16, "r", &I::p_clear_marker},
+    {"INIT", false, 2, 3, "*ss", &I::p_init, true},
+    {"START", false, 1, 16, "*", &I::p_start, true},
+    {"WAITP", false, 1, 8, "a", &I::p_wait_axis, true},
+    {"WAITS", false, 0, 8, "r", &I::p_wait_spindle, true},
+};
+
+}  // namespace
+
+std::span<const Command> program_commands() { return kRows; }
+
+}  // namespace polyturn::channels::sinumerik

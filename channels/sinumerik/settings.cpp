@@ -1,0 +1,33 @@
+#include "channels/sinumerik/settings.hpp"
+
+namespace polyturn::channels::sinumerik {
+
+Settings read_settings(const params::Table& table, const MachineView& view) {
+    using namespace params;
+    const unsigned l = view.channel;
+    Settings s;
+    for (unsigned g = 0; g < 64; ++g) {
+        s.g_reset[g] = static_cast<std::uint8_t>(get(table, md20150, l, g));
+        s.g_keep[g] = get(table, md20152, l, g) != 0;
+    }
+    s.metric_base = get(table, md10240) != 0;
+    const std::int64_t number = get(table, md20100, l);   // 0: the X of the planes, as on a lathe
+    if (number == 0) s.diameter_axis = view.axis_by_role(PlaneRole::BasicX);
+    else if (number <= static_cast<std::int64_t>(view.axis_count)) s.diameter_axis = static_cast<int>(number - 1);
+    s.tool_by_m6 = get(table, md22550, l) != 0;
+    s.tool_change_m = get(table, md22560, l);
+    s.default_edge = static_cast<int>(get(table, md20270, l));
+    s.tool_checked_late = (get(table, md22562, l) & 0x80) != 0;
+    s.frames = static_cast<int>(get(table, md28080, l));
+    s.r_parameters = static_cast<int>(get(table, md28050, l));
+    s.length_const = static_cast<int>(get(table, sd42940, l));
+    s.length_type = static_cast<int>(get(table, sd42950, l));
+    s.zero_travels = get(table, sd42440, l) != 0;
+    s.tool_travels = get(table, sd42442, l) != 0;
+    s.circle_error_mm = get(table, md21000, l);
+    s.circle_error_factor = get(table, md21010, l);
+    s.thread_start_deg = get(table, sd42000, l);
+    return s;
+}
+
+}  // namespace polyturn::channels::sinumerik

@@ -1,0 +1,156 @@
+// T, D, M6, TOFF: which tool and edge hold, and along which axes its lengths lie (sinumerik_part1 5 and 6).
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "channels/sinumerik/interpreter.hpp"
+
+namespace polyturn::channels::sinumerik {
+namespace {
+
+// L1 L2 L3 of a tool type in a plane, as geometry axes: 0 X, 1 Y, 2 Z, -1 none (sinumerik_part1 6.5).
+void length_axes(int type, unsigned plane, std::array<int, 3>& axes) {
+    // Rows: G17 G18 G19.
+    static constexpr int kMill[3][3] = {{2, 1, 0}, {1, 0, 2}, {0, 2, 1}};
+    static constexpr int kDrill[3][3] = {{2, -1, -1}, {1, -1, -1}, {0, -1, -1}};
+    static constexpr int kTurn[3][3] = {{1, 0, 2}, {0, 2, 1}, {2, 1, 0}};
+    static constexpr int kSlot[3][3] = {{0, 1, 2}, {1, 0, 2}, {2, 1, 0}};
+    const int family = type / 100;
+    const auto& row = (family == 4 || family == 5 ? kTurn : family == 2 ? kDrill : family == 7 ? kSlot : kMill)[plane];
+    axes = {row[0], row[1], row[2]};
+}
+
+}  // namespace
+
+bool Interpreter::tool_words() {
+    const Word* tool = word("T");
+    const Word* edge = word("D");
+    if (tool && !select_tool(*tool)) return false;
+    if (edge) {
+        if (edge->number() != std::floor(edge->number())) return fail_word(Alarm::PointForbidden, *edge, "D");
+        fault_column_ = edge->column, fault_length_ = edge->length;
+        if (!select_edge(static_cast<int>(edge->number()))) return false;
+        fault_column_ = fault_length_ = 0;
+    }
+    return true;
+}
+
+bool Interpreter::select_tool(const Word& word) {
+    std::int64_t number = 0;
+    if (word.value.type == Type::String) {
+        for (const auto& [n, tool] : tools_)
+            if (tool.name == word.value.text && !word.value.text.empty()) {
+                number = n;
+                break;
+            }
+        if (!number) return fail_word(Alarm::ToolUnknown, word, word.value.text);
+    } else {
+        if (word.number() != std::floor(word.number())) return fail_word(Alarm::PointForbidden, word, "T");
+        if (word.number() > 32000) return fail_word(Alarm::ToolUnknown, word, to_text(word.value));
+        number = static_cast<std::int64_t>(word.number());
+        if (number && !settings_.tool_checked_late && !tools_.contains(number)) return fail_word(Alarm::ToolUnknown, word, to_text(word.value));
+    }
+    core_.aux('T', static_cast<double>(number), fmt::format("T{}", number), false);
+    modal_.tool_selected = number;
+    return settings_.tool_by_m6 ? true : change_tool();
+}
+
+bool Interpreter::change_tool() {
+    if (modal_.tool_selected < 0) return true;
+    modal_.tool = modal_.tool_selected;
+    modal_.tool_selected = -1;
+    const auto found = tools_.find(modal_.tool);
+    ToolRef& ref = core_.path.tool.ref;
+    ref.number = modal_.tool;
+    ref.name = found == tools_.end() ? std::string_view{} : std::string_view(found->second.name);
+    if (has("D") && !settings_.tool_by_m6) return true;   // the block says it itself
+    if (settings_.default_edge == -2) return true;        // the old offset holds until D
+    int edge = modal_.tool == 0 ? 0 : settings_.default_edge;
+    if (edge > 0 && found != tools_.end() && !found->second.edges.contains(edge)) return fail(Alarm::EdgeUnknown, std::to_string(modal_.tool), edge);
+    if (edge > 0 && found == tools_.end()) edge = 0;
+    return select_edge(edge);
+}
+
+bool Interpreter::select_edge(int edge) {
+    const auto found = tools_.find(modal_.tool);
+    if (edge > 0) {
+        if (found == tools_.end()) {
+            if (modal_.tool != 0 || !tools_.empty()) return fail(Alarm::ToolUnknown, std::to_string(modal_.tool));
+            return fail(Alarm::EdgeUnknown, std::to_string(modal_.tool), edge);
+        }
+        if (!found->second.edges.contains(edge)) return fail(Alarm::EdgeUnknown, std::to_string(modal_.tool), edge);
+    }
+    modal_.edge = edge;
+    core_.path.tool.ref.edge = edge;
+    modal_.teeth = edge > 0 ? found->second.edges.at(edge).teeth : 0.0;
+    apply_tool();
+    return true;
+}
+
+// Lengths become a shift of their axes: an axis takes it along with its next word.
+void Interpreter::apply_tool() {
+    ToolState& state = core_.path.tool;
+    const Edge* edge = nullptr;
+    if (const auto found = tools_.find(modal_.tool); found != tools_.end())
+        if (const auto e = found->second.edges.find(modal_.edge); e != found->second.edges.end() && modal_.edge > 0) edge = &e->second;
+    int type = edge ? static_cast<int>(edge->dp[1]) : 0;
+    const int assigned = settings_.length_type ? settings_.length_type : type;
+    unsigned plane = static_cast<unsigned>(core_.path.plane);
+    if (settings_.length_const >= 17 && settings_.length_const <= 19) plane = static_cast<unsigned>(settings_.length_const - 17);
+    std::array<int, 3> axes{};
+    length_axes(assigned, plane, axes);
+    static constexpr PlaneRole kRoles[] = {PlaneRole::BasicX, PlaneRole::BasicY, PlaneRole::BasicZ};
+    AxisValues shift{};
+    const auto add = [&](int geometry, double mm) {
+        if (geometry < 0) return;
+        if (const int place = core_.view().axis_by_role(kRoles[geometry]); place >= 0) shift[static_cast<std::size_t>(place)] += mm;
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+        modal_.length_mm[i] = edge ? edge->dp[3 + i] + edge->dp[12 + i] + edge->dp[21 + i] : 0.0;
+        if (!edge) continue;
+        add(axes[i], modal_.length_mm[i]);
+        if (!modal_.toff_by_axis) add(axes[i], modal_.toff.length_mm[i]);
+    }
+    if (edge && modal_.toff_by_axis)
+        for (int g = 0; g < 3; ++g) add(g, modal_.toff.length_mm[static_cast<std::size_t>(g)]);
+    const bool tipped = type >= 400 && type < 600;   // turning and grinding: the edge has a position
+    state.nose_radius = edge ? edge->dp[6] + edge->dp[15] + modal_.toff.radius_mm : 0.0;
+    state.tip = edge && tipped ? static_cast<std::int32_t>(edge->dp[2]) : edge ? 9 : 0;
+    state.nose_off = edge == nullptr;
+    const AxisValues before = core_.path.programmed;
+    core_.set_shift(shift);
+    for (unsigned i = 0; i < core_.view().axis_count; ++i) modal_.pending_tool[i] += before[i] - core_.path.programmed[i];
+}
+
+bool Interpreter::a_tool_length_offset(const Word& word) {
+    if (has("TOFF")) return fail_word(Alarm::CodesContradict, word, "TOFFL, TOFF");
+    const std::int32_t n = word.index <= 0 ? 1 : word.index;
+    if (n > 3) return fail_word(Alarm::ArrayIndexIllegal, word, "TOFFL", n);
+    for (const Word& other : block_.words)
+        if (&other != &word && other.address == word.address && (other.index <= 0 ? 1 : other.index) == n) return fail_word(Alarm::AddressTwice, word, "TOFFL");
+    if (modal_.toff_by_axis) modal_.toff.length_mm = {}, modal_.toff_by_axis = false;
+    modal_.toff.length_mm[static_cast<std::size_t>(n - 1)] = word.number() * unit();
+    apply_tool();
+    return true;
+}
+
+bool Interpreter::a_tool_axis_offset(const Word& word) {
+    if (has("TOFFL")) return fail_word(Alarm::CodesContradict, word, "TOFFL, TOFF");
+    static constexpr PlaneRole kRoles[] = {PlaneRole::BasicX, PlaneRole::BasicY, PlaneRole::BasicZ};
+    for (std::size_t g = 0; g < 3; ++g) {
+        if (core_.view().axes[static_cast<std::size_t>(word.axis)].role != kRoles[g]) continue;
+        if (!modal_.toff_by_axis) modal_.toff.length_mm = {}, modal_.toff_by_axis = true;
+        modal_.toff.length_mm[g] = word.number() * unit();
+        apply_tool();
+        return true;
+    }
+    return fail_word(Alarm::AxisKindWrong, word, axis_name(word.axis));
+}
+
+bool Interpreter::a_tool_radius_offset(const Word& word) {
+    modal_.toff.radius_mm = word.number() * unit();
+    apply_tool();
+    return true;
+}
+
+}  // namespace polyturn::channels::sinumerik

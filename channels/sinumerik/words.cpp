@@ -1,0 +1,319 @@
+// The words of a block: addresses with their values, G commands, procedures, assignments, program calls. Everything is
+// computed here, in the order of the text; nothing acts yet.
+#include <cmath>
+
+#include "channels/sinumerik/interpreter.hpp"
+#include "channels/text/number.hpp"
+
+namespace polyturn::channels::sinumerik {
+namespace {
+
+const Address kAxisAddress{"axis", Address::Index::Number, Address::Use::Block, nullptr};
+
+struct ModeName {
+    std::string_view name;
+    Mode mode;
+};
+constexpr ModeName kModes[] = {{"AC", Mode::AC},   {"IC", Mode::IC},   {"DC", Mode::DC},     {"ACP", Mode::ACP},   {"ACN", Mode::ACN}, {"CAC", Mode::CAC},
+                               {"CIC", Mode::CIC}, {"CDC", Mode::CDC}, {"CACP", Mode::CACP}, {"CACN", Mode::CACN}, {"DAC", Mode::DAC}, {"DIC", Mode::DIC},
+                               {"RAC", Mode::RAC}, {"RIC", Mode::RIC}, {"QU", Mode::QU},     {"PM", Mode::PM},     {"PR", Mode::PR},   {"GP", Mode::GP}};
+
+}  // namespace
+
+bool Interpreter::parse_words() {
+    while (!cursor_.at_end()) {
+        if (block_.words.size() >= 64 || block_.codes.size() >= 32) return fail_at(Alarm::WordsTooMany, cursor_.at(), 1);
+        if (!parse_word()) return false;
+    }
+    return true;
+}
+
+bool Interpreter::parse_word() {
+    const char* const begin = cursor_.at();
+    const char c = *begin;
+    if (c == '$') {
+        Reference reference;
+        if (!reference_ahead(reference)) return false;
+        block_.assigns = true;
+        return reference ? assignment(reference) : parse_system_assignment();
+    }
+    if (c == '"') return syntax(begin);
+    if (!is_name_start(c)) return syntax(begin, std::string(1, c));
+    const std::string_view name = cursor_.name_ahead();
+    const std::string word = upper(name);
+
+    // R5 =, R[..] =, a declared variable
+    Reference reference;
+    if (!reference_ahead(reference)) return false;
+    if (reference) {
+        const bool letter_value = name.size() == 1 && reference.variable != r_;
+        if (cursor_.at_assign() || reference.variable == r_ || !letter_value) {
+            block_.assigns = true;
+            return assignment(reference);
+        }
+        cursor_.at() = begin;
+    }
+    const bool one_letter = name.size() == 1 || is_digit(name[1]);
+    if (one_letter && is_letter(c)) return parse_letter_word(begin);
+    Symbol symbol = find_symbol(word);
+    if (symbol.kind != Symbol::Kind::None) return parse_named_word(begin, word, symbol);
+    // An axis of several letters, perhaps with a numeric extension.
+    if (const int axis = find_axis(word); axis >= 0 && axis < kSpindleAxis) {
+        cursor_.advance(name.size());
+        Word value;
+        value.address = &kAxisAddress;
+        value.axis = axis;
+        return read_value(value) && add_word(std::move(value), begin);
+    }
+    // FZ0.03: an address of several letters with a number behind it.
+    std::size_t letters = 0;
+    while (letters < word.size() && !is_digit(word[letters])) ++letters;
+    if (letters > 1 && letters < word.size()) {
+        const std::string_view head(word.data(), letters);
+        if (const Symbol short_symbol = find_symbol(head); short_symbol.kind == Symbol::Kind::Address) {
+            cursor_.advance(letters);
+            Word value;
+            value.address = &short_symbol.address();
+            return read_value(value) && add_word(std::move(value), begin);
+        }
+    }
+    // A program by its name.
+    if (block_.program.wanted) return syntax(begin, word);
+    cursor_.advance(name.size());
+    if (cursor_.at_assign()) return fail_at(Alarm::NameUnknown, begin, name.size(), word);
+    block_.program.wanted = true;
+    block_.program.name = word;
+    program_column_ = cursor_.column(begin);
+    if (!files_->find_name(word) && !files_->find_name(word + ".SPF") && !files_->find_name(word + ".MPF")) return fail_at(Alarm::NameUnknown, begin, name.size(), word);
+    if (cursor_.peek() == '(') return read_program_arguments(word, block_.program.arguments);
+    return true;
+}
+
+// A letter and what belongs to it: X10, X=.., X1=.., S2=.., M[n]=.., G54, N is behind us.
+bool Interpreter::parse_letter_word(const char* begin) {
+    const char letter = upper(*begin);
+    std::size_t digits = 0;
+    while (is_digit(cursor_.next_raw(1 + digits))) ++digits;
+    Cursor after = cursor_;
+    after.advance(1 + digits);
+    const bool extended = digits > 0 && after.at_assign();
+    if (letter == 'G' && !extended) {
+        cursor_.advance(1);
+        const GCode* code = nullptr;
+        if (cursor_.next_raw() == '[') {   // G[group] = number
+            std::vector<Value> indices;
+            Value number;
+            if (!index_list(indices)) return false;
+            if (!cursor_.at_assign()) return syntax(cursor_.at(), "=");
+            cursor_.advance(1);
+            if (!expression(number)) return false;
+            if (indices.size() == 1 && indices[0].is_number() && number.is_number() && indices[0].number > 0 && number.number > 0)
+                code = find_g(static_cast<unsigned>(std::min(indices[0].number, 99.0)), static_cast<unsigned>(std::min(number.number, 999.0)));
+            if (!code) return fail_at(Alarm::GCodeUnknown, begin, static_cast<std::size_t>(cursor_.at() - begin), "G");
+            return add_g(code, begin);
+        }
+        double number = 0;
+        if (cursor_.at_assign()) {
+            cursor_.advance(1);
+            Value value;
+            if (!expression(value) || !number_of(value, begin, number)) return false;
+        } else {
+            cursor_.skip();
+            const ScannedNumber scanned = scan_number(cursor_.at(), cursor_.end());
+            if (scanned.status != ScannedNumber::Status::Ok) return fail_at(Alarm::NumberMissing, begin, 1, "G");
+            number = scanned.value;
+        }
+        if (number >= 0 && number < 1000 && number == std::floor(number))
+            if (const Symbol symbol = find_symbol("G" + std::to_string(static_cast<int>(number))); symbol.kind == Symbol::Kind::G) code = &symbol.g();
+        if (!code) return fail_at(Alarm::GCodeUnknown, begin, static_cast<std::size_t>(cursor_.at() - begin), std::string(begin, cursor_.at()));
+        return add_g(code, begin);
+    }
+    Word word;
+    const std::string name(1, letter);
+    if (extended) {
+        const std::string full = upper({begin, 1 + digits});
+        if (const int axis = find_axis(full); axis >= 0 && axis < kSpindleAxis) {
+            word.axis = axis;
+            word.address = &kAxisAddress;
+            cursor_.advance(1 + digits);
+            return read_value(word) && add_word(std::move(word), begin);
+        }
+        if (const Symbol symbol = find_symbol(full); symbol.kind == Symbol::Kind::Address || symbol.kind == Symbol::Kind::Reserved)
+            return parse_named_word(begin, full, symbol);   // I1, A3
+    }
+    const int axis = find_axis(name);
+    const Symbol symbol = find_symbol(name);
+    if (axis >= 0 && axis < kSpindleAxis) {
+        word.axis = axis;
+        word.address = &kAxisAddress;
+        cursor_.advance(1);
+        if (extended) return fail_at(Alarm::AxisUnknown, begin, 1 + digits, upper({begin, 1 + digits}));
+        return read_value(word) && add_word(std::move(word), begin);
+    }
+    if (symbol.kind != Symbol::Kind::Address) return fail_at(Alarm::AddressIllegal, begin, 1, name);
+    word.address = &symbol.address();
+    cursor_.advance(1);
+    if (letter == 'L') {   // the zeros of a subprogram number count: L0123 is another program than L123
+        const char* const first = cursor_.at();
+        while (is_digit(cursor_.next_raw())) cursor_.advance(1);
+        if (first == cursor_.at()) return fail_at(Alarm::NumberMissing, begin, 1, "L");
+        if (block_.program.wanted) return syntax(begin, "L");
+        block_.program.wanted = true;
+        block_.program.name = "L" + std::string(first, cursor_.at());
+        program_column_ = cursor_.column(begin);
+        return true;
+    }
+    if (extended) {
+        if (word.address->index == Address::Index::None) return fail_at(Alarm::AddressIllegal, begin, 1 + digits, upper({begin, 1 + digits}));
+        double number = 0;
+        for (std::size_t i = 0; i < digits; ++i) number = number * 10 + (begin[1 + i] - '0');
+        if (number > 99) return fail_at(Alarm::ArrayIndexIllegal, begin, 1 + digits, name, number);
+        word.index = static_cast<std::int32_t>(number);
+        word.spindle = word.address->index == Address::Index::Spindle;
+        cursor_.advance(digits);
+    } else if (cursor_.next_raw() == '[' || cursor_.peek() == '[') {
+        if (!read_index(word, *word.address)) return false;
+    }
+    return read_value(word) && add_word(std::move(word), begin);
+}
+
+bool Interpreter::parse_named_word(const char* begin, std::string_view name, const Symbol& symbol) {
+    switch (symbol.kind) {
+        case Symbol::Kind::G:
+            cursor_.advance(name.size());
+            return add_g(&symbol.g(), begin);
+        case Symbol::Kind::Address: {
+            Word word;
+            word.address = &symbol.address();
+            if (word.address->use == Address::Use::Refused) return fail_at(Alarm::NotBuilt, begin, name.size(), std::string(name));
+            cursor_.advance(name.size());
+            if (cursor_.peek() == '[' && !read_index(word, *word.address)) return false;
+            if (word.address->index == Address::Index::Axis && word.axis < 0) return fail_at(Alarm::AxisArgumentMissing, begin, name.size(), std::string(name));
+            return read_value(word) && add_word(std::move(word), begin);
+        }
+        case Symbol::Kind::Command: {
+            const Command& command = symbol.command();
+            if (!command.act) return fail_at(Alarm::NotBuilt, begin, name.size(), std::string(name));
+            cursor_.advance(name.size());
+            Call call;
+            if (!read_arguments(command, call)) return false;
+            block_.procedures.emplace_back(&command, std::move(call));
+            return true;
+        }
+        case Symbol::Kind::Statement:
+            // A jump or call may stand behind other words of its block.
+            statement_ = &symbol.statement();
+            statement_at_ = cursor_.column(begin);
+            cursor_.at() = cursor_.end();
+            return true;
+        default: return fail_at(Alarm::NotBuilt, begin, name.size(), std::string(name));
+    }
+}
+
+bool Interpreter::add_g(const GCode* code, const char* begin) {
+    const auto length = static_cast<std::size_t>(cursor_.at() - begin);
+    if (const GCode* other = block_.coded[code->group]) {
+        if (other != code) return fail_at(Alarm::SameGroupTwice, begin, length, std::string(other->name) + " and " + std::string(code->name), code->group);
+        return true;
+    }
+    if (!code->act) return fail_at(Alarm::NotBuilt, begin, length, std::string(code->name));
+    block_.coded[code->group] = code;
+    block_.codes.push_back(code);
+    return true;
+}
+
+// [axis], [2], [SPI(2)], [S2]
+bool Interpreter::read_index(Word& word, const Address& address) {
+    cursor_.skip();
+    const char* const from = cursor_.at();
+    std::vector<Value> indices;
+    if (!index_list(indices)) return false;
+    if (indices.size() != 1 || address.index == Address::Index::None) return fail_at(Alarm::ArrayIndexIllegal, from, 1, std::string(address.name));
+    const Value& index = indices[0];
+    if (index.type == Type::Axis) {
+        if (index.place() >= kSpindleAxis) {
+            word.index = index.place() - kSpindleAxis;
+            word.spindle = true;
+        } else {
+            word.axis = index.place();
+        }
+        if (address.index == Address::Index::Number) return fail_at(Alarm::ArrayIndexIllegal, from, 1, std::string(address.name));
+        return true;
+    }
+    if (!index.is_number() || address.index == Address::Index::Axis) return fail_at(Alarm::ArrayIndexIllegal, from, 1, std::string(address.name));
+    if (!(index.number >= 0 && index.number <= 99)) return fail_at(Alarm::ArrayIndexIllegal, from, 1, std::string(address.name), index.number);
+    word.index = static_cast<std::int32_t>(std::nearbyint(index.number));
+    word.spindle = address.index == Address::Index::Spindle;
+    return true;
+}
+
+bool Interpreter::read_value(Word& word) {
+    if (!cursor_.at_assign()) {   // one letter and a number
+        cursor_.skip();
+        const char* const from = cursor_.at();
+        // An axis of which no value is wanted is not known here: a name without a value is a mistake.
+        const ScannedNumber scanned = scan_number(cursor_.at(), cursor_.end());
+        switch (scanned.status) {
+            case ScannedNumber::Status::Ok: break;
+            case ScannedNumber::Status::SecondPoint: return fail_at(Alarm::SecondPoint, cursor_.at(), 1);
+            case ScannedNumber::Status::TooManyDigits: return fail_at(Alarm::DigitsTooMany, from, 1);
+            case ScannedNumber::Status::Missing: return fail_at(Alarm::NumberMissing, from, 1, std::string(word.address->name));
+        }
+        word.has_value = true;
+        word.value = scanned.has_point ? Value::of_real(scanned.value) : Value::of_int(scanned.value);
+        return true;
+    }
+    cursor_.advance(1);
+    const std::string_view name = cursor_.name_ahead();
+    if (!name.empty() && name.size() <= 4) {
+        const std::string modifier = upper(name);
+        Cursor after = cursor_;
+        after.advance(name.size());
+        if (after.peek() == '(')
+            for (const ModeName& row : kModes)
+                if (row.name == modifier) {
+                    cursor_ = after;
+                    word.mode = row.mode;
+                    break;
+                }
+    }
+    word.has_value = true;
+    // A list in brackets: only where several values belong together (POSP), else it is an expression.
+    return expression(word.value);
+}
+
+bool Interpreter::add_word(Word word, const char* begin) {
+    word.column = static_cast<std::uint16_t>(std::min<std::size_t>(cursor_.column(begin), 65535));
+    word.length = static_cast<std::uint16_t>(std::min<std::size_t>(static_cast<std::size_t>(cursor_.at() - begin), 65535));
+    const Address& address = *word.address;
+    const bool axis_word = word.address == &kAxisAddress;
+    const bool text_allowed = address.name == "T";
+    if (word.mode != Mode::Plain && word.value.type == Type::String && !text_allowed)
+        return fail_at(Alarm::OperandTypeIllegal, begin, word.length, std::string(address.name));
+    if (!word.value.is_number() && !(text_allowed && word.value.type == Type::String))
+        return fail_at(Alarm::OperandTypeIllegal, begin, word.length, std::string(address.name) + ": " + std::string(type_name(word.value.type)));
+    if (!address.is_signed && word.value.number < 0) return fail_at(Alarm::NegativeSign, begin, word.length, std::string(address.name));
+    for (const Word& other : block_.words) {
+        if (other.address != word.address) continue;
+        const bool same = axis_word ? other.axis == word.axis : !address.repeats || (address.index != Address::Index::None && address.name != "M" && address.name != "H" && other.axis == word.axis && other.index == word.index);
+        if (same) return fail_at(Alarm::AddressTwice, begin, word.length, axis_word ? axis_name(word.axis) : std::string(address.name));
+    }
+    block_.words.push_back(std::move(word));
+    return true;
+}
+
+const Word* Interpreter::word(std::string_view name) const {
+    const Word* found = nullptr;
+    for (const Word& word : block_.words)
+        if (word.address->name == name) found = &word;
+    return found;
+}
+
+AxisSet Interpreter::axis_words() const {
+    AxisSet set = 0;
+    for (const Word& word : block_.words)
+        if (word.address == &kAxisAddress) set |= 1u << word.axis;
+    return set;
+}
+
+}  // namespace polyturn::channels::sinumerik
