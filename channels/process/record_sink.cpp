@@ -73,13 +73,14 @@ void RecordSink::move(const Move& move, const BlockContext& at) {
     r.spindle = move.spindle;
     r.feed_mode = static_cast<std::uint8_t>(move.feed_mode);
     switch (move.feed_mode) {
-        case FeedMode::PerMinute: r.feed = move.feed / 60; break;
+        case FeedMode::PerMinute: r.feed = move.feed / 60 * move.feed_scale; break;
         case FeedMode::InverseTime:   // 1/min over the length of this block: a speed like any other once that is known
             r.feed = move.feed / 60 * maker_->length_of_next();
             r.feed_mode = static_cast<std::uint8_t>(FeedMode::PerMinute);
             break;
-        default: r.feed = move.feed; break;
+        default: r.feed = move.feed * move.feed_scale; break;
     }
+    if (move.speed_limit > 0 && r.feed_mode == static_cast<std::uint8_t>(FeedMode::PerMinute)) r.feed = std::min(r.feed, move.speed_limit / 60);
     if (move.kind == MoveKind::Rapid || move.kind == MoveKind::Reference) r.flags |= kRapid;
     if (move.kind == MoveKind::Reference) r.flags |= kReference;
     if (move.kind == MoveKind::Skip) {

@@ -61,7 +61,7 @@ bool Interpreter::act() {
     if (!settings_and_tools() || !functions_before()) return false;
     for (auto& [command, call] : block_.procedures)
         if (!(this->*command->act)(call)) return false;
-    return motion() && functions_after();
+    return motion() && positioning_axes() && functions_after();
 }
 
 bool Interpreter::settings_and_tools() {

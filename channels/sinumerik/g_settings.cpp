@@ -114,11 +114,6 @@ bool Interpreter::update_feed() {
 
 void Interpreter::motion_changes(const GCode&) {}
 
-bool Interpreter::a_override(const Word& word) {
-    if (word.number() < 1 || word.number() > 200) return fail_word(Alarm::ValueOutOfRange, word, std::string(word.address->name));
-    return fail_word(Alarm::NotBuilt, word, std::string(word.address->name));
-}
-
-bool Interpreter::a_accepted(const Word&) { return true; }
+bool Interpreter::a_nothing(const Word&) { return true; }
 
 }  // namespace polyturn::channels::sinumerik

@@ -16,6 +16,7 @@ Interpreter::Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles
     r_->name = "R";
     r_->dimensions = {static_cast<unsigned>(settings_.r_parameters)};
     r_->cells.assign(static_cast<std::size_t>(settings_.r_parameters), Value::of_real(0.0));
+    core_.wait_for_spindle(true);
     reset_modal();
 }
 
@@ -31,6 +32,7 @@ void Interpreter::reset_modal() {
     core_.path.override_locked = false;
     modal_.feed_revolution = modal_.active[15] == 3 || modal_.active[15] == 4 || modal_.active[15] == 5 || modal_.active[15] == 13;
     core_.path.feed = 0;
+    core_.path.feed_path = {};
     modal_.master_spindle = core_.path.spindle.spindle = core_.view().config().default_spindle;
     core_.path.tool = {};
     core_.path.tool.nose_off = true;

@@ -73,7 +73,12 @@ struct Modal {
     bool feed_revolution = false;     // what group 15 makes of F
     double rpm_before_surface = 0.0;  // S before G96
     std::array<std::uint8_t, kChannelAxes> axis_diameter{};   // DIAMONA and the like: as the numbers of group 29; 0: the channel's
-    double rapid_override = 100, path_override = 100;
+    double path_override = 100;       // OVR, percent
+    bool feed_group_set = false;      // FGROUP: F counts these axes
+    AxisSet feed_group = 0;
+    AxisValues feed_radius{};         // FGREF, mm; 0 as delivered
+    AxisValues feed_limit{};          // FL, mm/min or deg/min; 0 none
+    AxisValues axis_feed{};           // FA, mm/min or deg/min; 0 none
     std::int64_t tool_selected = -1;  // T that waits for M6; -1 none
     std::int64_t tool = 0;            // active tool
     int edge = 0;                     // active D
@@ -168,7 +173,11 @@ public:
     bool a_feed(const Word&);
     bool a_feed_tooth(const Word&);
     bool a_override(const Word&);
-    bool a_accepted(const Word&);
+    bool a_feed_radius(const Word&);
+    bool a_feed_limit(const Word&);
+    bool a_axis_feed(const Word&);
+    bool a_axis_diameter(const Word&);
+    bool a_nothing(const Word&);
     bool a_limit(const Word&);
     bool a_spindle_position(const Word&);
     bool a_tool_length_offset(const Word&);
@@ -254,6 +263,8 @@ public:
     bool p_init(Call&);
     bool p_start(Call&);
     bool p_nothing(Call&);
+    bool p_fgroup(Call&);
+    bool p_diamchan(Call&);
     bool p_wait_axis(Call&);
     bool p_wait_spindle(Call&);
     bool p_delt(Call&);
@@ -297,6 +308,8 @@ private:
     bool functions_before();
     bool motion();
     bool functions_after();
+    bool positioning_axes();
+    void tell_feed_path();
     const GCode* motion_code() const;
     bool takes(const GCode& code, const Address& address) const;
 

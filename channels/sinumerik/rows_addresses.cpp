@@ -8,7 +8,7 @@ using Index = Address::Index;
 using Use = Address::Use;
 
 constexpr Address kRows[] = {
-    // name, index, use, handler, signed, repeats
+    // name, index, use, handler, signed, repeats, without value
     {"M", Index::Spindle, Use::Block, nullptr, false, true},
     {"H", Index::Number, Use::Block, nullptr, true, true},
     {"S", Index::Spindle, Use::Block, nullptr, false, true},
@@ -22,6 +22,16 @@ constexpr Address kRows[] = {
     {"FZ", Index::None, Use::Setting, &Interpreter::a_feed_tooth, false},
     {"OVR", Index::None, Use::Setting, &Interpreter::a_override, false},
     {"OVRRAP", Index::None, Use::Setting, &Interpreter::a_override, false},
+    {"FGREF", Index::Axis, Use::Setting, &Interpreter::a_feed_radius, false, true},
+    {"FL", Index::Axis, Use::Setting, &Interpreter::a_feed_limit, false, true},
+    {"FA", Index::Spindle, Use::Setting, &Interpreter::a_axis_feed, false, true},
+    {"POS", Index::Axis, Use::Setting, &Interpreter::a_nothing, true, true},    // driven behind the path: positioning_axes()
+    {"POSA", Index::Axis, Use::Setting, &Interpreter::a_nothing, true, true},
+    {"DIAMONA", Index::Axis, Use::Setting, &Interpreter::a_axis_diameter, true, true, true},
+    {"DIAM90A", Index::Axis, Use::Setting, &Interpreter::a_axis_diameter, true, true, true},
+    {"DIAMOFA", Index::Axis, Use::Setting, &Interpreter::a_axis_diameter, true, true, true},
+    {"DIACYCOFA", Index::Axis, Use::Setting, &Interpreter::a_axis_diameter, true, true, true},
+    {"DIAMCHANA", Index::Axis, Use::Setting, &Interpreter::a_axis_diameter, true, true, true},
     {"LIMS", Index::Spindle, Use::Setting, &Interpreter::a_limit, false, true},
     {"SPOS", Index::Spindle, Use::Setting, &Interpreter::a_spindle_position, true, true},
     {"SPOSA", Index::Spindle, Use::Setting, &Interpreter::a_spindle_position, true, true},

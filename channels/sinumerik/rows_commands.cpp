@@ -68,6 +68,8 @@ constexpr Command kRows[] = {
     {"CLEARM", false, 0, 16, "r", &I::p_clear_marker},
     {"INIT", false, 2, 3, "*ss", &I::p_init, true},
     {"START", false, 1, 16, "*", &I::p_start, true},
+    {"FGROUP", false, 0, 8, "a", &I::p_fgroup, true},
+    {"DIAMCHAN", false, 0, 0, "", &I::p_diamchan},
     {"WAITP", false, 1, 8, "a", &I::p_wait_axis, true},
     {"WAITS", false, 0, 8, "r", &I::p_wait_spindle, true},
 };

@@ -40,6 +40,7 @@ struct Address {
     Act act = nullptr;
     bool is_signed = true;
     bool repeats = false;                // may stand several times in a block (M, H, and what has an index)
+    bool valueless = false;              // stands without a value: DIAMONA[X]
 };
 
 // What a call of a function or procedure passes.

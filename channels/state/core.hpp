@@ -63,6 +63,15 @@ struct SpindleState {
     double angle_deg = 0.0;                 // of a positioned spindle
 };
 
+// Which axes the feed counts, when they are not the linear ones.
+struct FeedPath {
+    bool active = false;                    // false: the linear axes, and the rotary ones where they move alone
+    AxisSet counted = 0;
+    AxisValues weight{};                    // mm that a millimetre or degree of the axis counts
+    AxisValues limit_mm_min{};              // speed of the axis that the path must keep; 0 none
+    double scale = 1.0;                     // programmed override of the feed
+};
+
 // All of it, plain: a resume state is a copy.
 struct PathState {
     AxisValues programmed{}, machine{};
@@ -75,6 +84,7 @@ struct PathState {
     Frame frame, inverse;
     FeedMode feed_mode = FeedMode::PerMinute;
     double feed = 0.0;                      // mm/min, mm/rev
+    FeedPath feed_path;
     Plane plane = Plane::ZX;
     bool exact_stop_mode = false, override_locked = false;
     bool exact_stop_off = false;            // no exact stop whatever is programmed (#3004)
@@ -159,6 +169,8 @@ public:
     // A word of a roll-over axis as its target: absolute or incremental, see the parameters.
     double rollover_target(unsigned place, double word, bool absolute);
     void force_exact_stop() { exact_once_ = true; }
+    // A cut per revolution waits for a spindle that stands, and is a warning only (sinumerik); otherwise it is an alarm.
+    void wait_for_spindle(bool on) { waits_for_spindle_ = on; }
 
     // --- nose-radius compensation (channels/compensation). While it is on, blocks are read ahead of what has been delivered:
     // the language tells the end of each block and stops at barriers when halted() says so.
@@ -207,6 +219,7 @@ public:
 private:
     bool begin_move(const AxisValues& target, MoveKind kind);
     bool feed_ready();
+    void tell_feed_path();
     bool spindle_ready(Alarm otherwise);
     bool within_stroke(const AxisValues& machine, AxisSet moved);
     void deliver();
@@ -250,7 +263,7 @@ private:
     bool emitted_ = false;
     bool exact_once_ = false;
     std::uint64_t moves_ = 0;
-    bool warned_spindle_ = false;
+    bool warned_spindle_ = false, waits_for_spindle_ = false;
     bool check_before_move_ = true;
     double surface_zero_told_ = 0.0;
     AxisSet skip_moved_ = 0;

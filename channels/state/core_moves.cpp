@@ -99,7 +99,39 @@ bool Core::feed_ready() {
     move_.feed_mode = path.feed_mode;
     move_.feed = path.feed;
     move_.spindle = path.spindle.spindle;
+    tell_feed_path();
     return true;
+}
+
+// The feed counts other axes than the path does: how much of the path one unit of it is, and which axis holds it back.
+void Core::tell_feed_path() {
+    const FeedPath& by = path.feed_path;
+    move_.feed_scale = by.scale;
+    move_.speed_limit = 0.0;
+    if (!by.active) return;
+    const bool arc = move_.kind == MoveKind::ArcCw || move_.kind == MoveKind::ArcCcw;
+    const double arc_length = arc ? move_.radius * std::fabs(move_.sweep) : 0.0;
+    double linear2 = 0.0, rotary2 = 0.0, counted2 = 0.0;
+    bool linear = false;
+    std::array<double, kChannelAxes> way{};
+    for (unsigned i = 0; i < view_->axis_count; ++i) {
+        const bool in_plane = arc && (i == move_.plane_p || i == move_.plane_q);
+        // Both axes of an arc together make its length.
+        way[i] = !in_plane ? std::fabs(move_.machine[i] - move_.machine_start[i]) : i == move_.plane_p ? arc_length : 0.0;
+        if (way[i] <= kSame) continue;
+        (view_->axes[i].rotary ? rotary2 : linear2) += way[i] * way[i];
+        linear = linear || !view_->axes[i].rotary;
+        if (by.counted >> i & 1u) counted2 += way[i] * way[i] * by.weight[i] * by.weight[i];
+    }
+    const double length = std::sqrt(linear ? linear2 : rotary2);
+    if (length <= kSame) return;
+    if (counted2 > 0) move_.feed_scale *= length / std::sqrt(counted2);
+    for (unsigned i = 0; i < view_->axis_count; ++i) {
+        const double distance = arc && i == move_.plane_q ? arc_length : way[i];
+        if (by.limit_mm_min[i] <= 0 || distance <= kSame) continue;
+        const double limit = by.limit_mm_min[i] * length / distance;
+        if (move_.speed_limit <= 0 || limit < move_.speed_limit) move_.speed_limit = limit;
+    }
 }
 
 bool Core::rapid(const AxisValues& target) {

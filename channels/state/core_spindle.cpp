@@ -140,7 +140,9 @@ bool Core::spindle_ready(Alarm otherwise) {
     const bool surface = s.mode == SpindleModeCode::SurfaceSpeed;
     if (s.turn != SpindleTurn::Stop && (surface ? s.surface_m_min : s.rpm) > 0) return true;
     switch (port_->started_by_others(s.spindle)) {
-        case Port::Turning::No: return fail(otherwise);
+        case Port::Turning::No:
+            if (waits_for_spindle_ && otherwise == Alarm::SpindleStopped) break;
+            return fail(otherwise);
         case Port::Turning::Watched: return true;
         case Port::Turning::Unknown: break;
     }

@@ -1,0 +1,122 @@
+// Which axes F counts (FGROUP), at which radius (FGREF), which of them holds it back (FL), OVR; positioning axes with their own
+// feed (POS, POSA, FA).
+#include <cmath>
+#include <numbers>
+
+#include "channels/sinumerik/interpreter.hpp"
+
+namespace polyturn::channels::sinumerik {
+namespace {
+
+constexpr double kDefaultRadius = 360.0 / (2.0 * std::numbers::pi);   // FGREF: a degree counts as a millimetre
+
+}  // namespace
+
+// Core's view of FGROUP, FGREF, FL: only when the program has said anything else than the delivery state.
+void Interpreter::tell_feed_path() {
+    FeedPath& by = core_.path.feed_path;
+    const MachineView& view = core_.view();
+    by = {};
+    by.scale = modal_.path_override / 100.0;
+    by.limit_mm_min = modal_.feed_limit;
+    by.active = modal_.feed_group_set;
+    for (unsigned i = 0; i < view.axis_count; ++i) {
+        const bool geometry = view.axes[i].role == PlaneRole::BasicX || view.axes[i].role == PlaneRole::BasicY || view.axes[i].role == PlaneRole::BasicZ;
+        const bool counted = modal_.feed_group_set ? (modal_.feed_group >> i & 1u) != 0 : geometry;
+        if (counted) by.counted |= 1u << i;
+        by.weight[i] = view.axes[i].rotary ? (modal_.feed_radius[i] > 0 ? modal_.feed_radius[i] : kDefaultRadius) * std::numbers::pi / 180.0 : 1.0;
+        by.active = by.active || by.limit_mm_min[i] > 0 || (view.axes[i].rotary && modal_.feed_radius[i] > 0);
+    }
+}
+
+bool Interpreter::p_fgroup(Call& c) {
+    AxisSet group = 0;
+    for (const Argument& argument : c.arguments) {
+        if (!argument.given || argument.value.type != Type::Axis || argument.value.place() < 0 || argument.value.place() >= kSpindleAxis) return fail(Alarm::AxisArgumentMissing, "FGROUP");
+        group |= 1u << argument.value.place();
+    }
+    modal_.feed_group = group;
+    modal_.feed_group_set = !c.arguments.empty();
+    tell_feed_path();
+    return true;
+}
+
+bool Interpreter::a_feed_radius(const Word& word) {   // FGREF[axis]
+    if (!core_.view().axes[static_cast<std::size_t>(word.axis)].rotary) return fail_word(Alarm::AxisKindWrong, word, axis_name(word.axis));
+    if (word.number() <= 0) return fail_word(Alarm::ValueOutOfRange, word, "FGREF");
+    modal_.feed_radius[static_cast<std::size_t>(word.axis)] = word.number() * unit();
+    tell_feed_path();
+    return true;
+}
+
+bool Interpreter::a_feed_limit(const Word& word) {   // FL[axis]
+    modal_.feed_limit[static_cast<std::size_t>(word.axis)] = word.number() * (core_.view().axes[static_cast<std::size_t>(word.axis)].rotary ? 1.0 : feed_unit());
+    tell_feed_path();
+    return true;
+}
+
+bool Interpreter::a_override(const Word& word) {
+    if (word.number() < 1 || word.number() > 200) return fail_word(Alarm::ValueOutOfRange, word, std::string(word.address->name));
+    if (word.address->name == "OVRRAP") {
+        if (word.number() != 100) return fail_word(Alarm::NotBuilt, word, "OVRRAP");
+        return true;
+    }
+    modal_.path_override = word.number();
+    tell_feed_path();
+    return true;
+}
+
+// FA[axis], FA[S2]: feed of a positioning axis, mm/min or deg/min.
+bool Interpreter::a_axis_feed(const Word& word) {
+    if (word.number() <= 0) return fail_word(Alarm::ValueOutOfRange, word, "FA");
+    if (word.axis < 0) return fail_word(Alarm::NotBuilt, word, "FA[S]");
+    const bool rotary = core_.view().axes[static_cast<std::size_t>(word.axis)].rotary;
+    modal_.axis_feed[static_cast<std::size_t>(word.axis)] = word.number() * (rotary ? 1.0 : feed_unit());
+    return true;
+}
+
+// POS[axis], POSA[axis]: behind the path of their block, one after the other, each with its own feed; without FA in rapid.
+bool Interpreter::positioning_axes() {
+    for (const Word& word : block_.words) {
+        const std::string_view name = word.address->name;
+        if (name != "POS" && name != "POSA") continue;
+        const auto i = static_cast<std::size_t>(word.axis);
+        if (axis_words() >> i & 1u) return fail_word(Alarm::AddressTwice, word, axis_name(word.axis));
+        AxisValues target = core_.path.programmed;
+        if (!axis_target(word, target)) return false;
+        if (modal_.axis_feed[i] > 0) {
+            const PathState before = core_.path;
+            core_.path.feed = modal_.axis_feed[i];
+            core_.path.feed_mode = FeedMode::PerMinute;
+            core_.path.feed_path = {};
+            const bool ok = core_.linear(target);
+            core_.path.feed = before.feed;
+            core_.path.feed_mode = before.feed_mode;
+            core_.path.feed_path = before.feed_path;
+            if (!ok) return false;
+        } else if (!core_.rapid(target)) {
+            return false;
+        }
+        modal_.pending_zero[i] = modal_.pending_tool[i] = 0.0;
+    }
+    return true;
+}
+
+// --- diameters of single axes: DIAMONA[X] and the like
+
+bool Interpreter::a_axis_diameter(const Word& word) {
+    const auto i = static_cast<std::size_t>(word.axis);
+    const std::string_view name = word.address->name;
+    if (core_.view().axes[i].rotary) return fail_word(Alarm::AxisKindWrong, word, axis_name(word.axis));
+    modal_.axis_diameter[i] = name == "DIAMONA" ? 2 : name == "DIAM90A" ? 3 : name == "DIAMOFA" ? 1 : name == "DIACYCOFA" ? 4 : 0;   // DIAMCHANA: as the channel
+    core_.at.display_swapped = display_swapped();
+    return true;
+}
+
+bool Interpreter::p_diamchan(Call&) {
+    modal_.axis_diameter = {};
+    core_.at.display_swapped = display_swapped();
+    return true;
+}
+
+}  // namespace polyturn::channels::sinumerik
