@@ -1,0 +1,260 @@
+// The language fagor (8037 T): ISO blocks with G codes by table, statements in round brackets.
+//
+// One step() reads one block:
+//   header -> words or statement   words: classify -> check that every word has a taker -> act, in the order of GGroup
+// A block that needs a live value stops before anything has been done: AtBarrier, then it is read again (architecture 5.5).
+//
+// Programmed numbers are of the part: X as the program writes it (diameter or radius), before mirror and scale. point_ and
+// target_ are of the part in true millimetres (X as a radius) before mirror and scale; Core sees them behind both.
+#pragma once
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "channels/fagor/expression.hpp"
+#include "channels/fagor/g_codes.hpp"
+#include "channels/fagor/modal.hpp"
+#include "channels/fagor/reader.hpp"
+#include "channels/fagor/settings.hpp"
+#include "channels/fagor/values.hpp"
+#include "channels/language.hpp"
+
+namespace polyturn::channels::cycles {
+struct Contour;
+class ContourRecorder;
+}
+
+namespace polyturn::channels::fagor {
+
+// A text that is being run: the main program, a subroutine, another program, a repeated part.
+struct Frame {
+    enum class Kind : std::uint8_t { Main, Subroutine, Program, Repeat } kind = Kind::Main;
+    FileId file = 0;
+    TextPosition resume;             // where the caller goes on
+    std::int64_t program = -1;       // its number
+    bool own_level = false;          // it has a set of local parameters
+    bool modal = false;              // run for MCALL or MEXEC: no further one inside
+    bool interrupt = false;
+    bool maker = false;              // attribute O of its file
+    std::int32_t m_code = -1;        // subroutine of this M function
+    bool m_itself = false;           // the function itself follows
+    std::uint32_t given = 0;         // CALLP
+    std::int64_t runs_left = 0;      // of a modal call with N, of RPT
+    TextPosition begin;              // Repeat, and subroutines that run again
+    std::uint32_t last_line = 0;     // Repeat
+};
+
+class Interpreter final : public Language, private ReaderHost, private VariableHost {
+public:
+    Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles& files);
+    ~Interpreter() override;
+
+    Result<void> start(FileId main) override;
+    Step step() override;
+    void barrier_done() override;
+    bool preset_variable(std::string_view name, double value) override;
+    Core& core() override { return core_; }
+    void keep_resume_states(bool on) override;
+    void executed(std::uint64_t serial) override;
+    bool resume_at(std::uint64_t serial) override;
+
+    // --- handlers of g_codes.cpp
+    bool g_units(const GCode&), g_x_format(const GCode&), g_plane(const GCode&), g_plane_of_axes(const GCode&), g_distance(const GCode&);
+    bool g_feed_mode(const GCode&), g_spindle_mode(const GCode&), g_corner(const GCode&), g_look_ahead(const GCode&);
+    bool g_mirror(const GCode&), g_mirror_axes(const GCode&), g_scale(const GCode&);
+    bool g_comp(const GCode&), g_zone_limit(const GCode&), g_zone(const GCode&);
+    bool g_dwell(const GCode&), g_home(const GCode&), g_zero(const GCode&), g_zero_table(const GCode&), g_preset(const GCode&), g_polar_origin(const GCode&);
+    bool g_linear(const GCode&), g_arc(const GCode&), g_thread(const GCode&), g_withdrawal(const GCode&), g_hard_stop(const GCode&);
+    bool g_probe(const GCode&), g_inclined(const GCode&);
+    bool g_section(const GCode&), g_drilling(const GCode&), g_threading(const GCode&), g_grooving(const GCode&), g_profile(const GCode&);
+
+private:
+    // reading and flow (interpreter.cpp)
+    Step read_block();
+    Step iso_block();
+    Step end_block(bool counts, std::uint64_t moves_before);
+    Step end_of_text();
+    Step fault(Fault fault);
+    Step fault_at(Alarm alarm, std::uint32_t column, std::uint32_t length, std::string detail = {}, double v0 = 0, double v1 = 0);
+    void live_value_barrier();
+    void finish(StopReason reason);
+    void clear_modal();
+    void show_diameter();
+    bool fail_word(const Word& word, Alarm alarm, std::string detail = {}, double v0 = 0, double v1 = 0);
+
+    // calls (calls.cpp)
+    std::optional<TextPosition> find_label(FileId file, std::int64_t label);
+    bool find_subroutine(std::int64_t number, FileId& file, TextPosition& begin);
+    std::optional<FileId> find_program(std::int64_t number);
+    bool jump_to(std::int64_t label);
+    bool call_subroutine(std::int64_t number, Frame frame, const LocalSet* arguments);
+    bool call_program(std::int64_t number, Frame frame);
+    bool push_frame(Frame frame);
+    void pop_frame();
+    bool return_from_frame();
+    bool run_modal_call(std::int64_t repeats);
+    bool end_of_frame_text();
+    bool attribute_of(FileId file, char attribute);
+
+    // one block of words (block.cpp)
+    bool classify();
+    bool check_words();
+    bool act();
+    bool has(char letter) const { return (letters_ & letter_bit(letter)) != 0; }
+    const Word* word(char letter) const;
+    double number(char letter) const { const Word* w = word(letter); return w ? w->value : 0.0; }
+    bool coded(GGroup group) const { return coded_[static_cast<std::size_t>(group)] != nullptr; }
+    bool has_axes() const { return axis_word_count_ != 0; }
+    bool whole(const Word& word, std::int64_t& value);
+    double unit() const { return modal_.inch ? 25.4 : 1.0; }
+    double length(double programmed, int place) const;      // true mm (X as a radius) or degrees
+    double distance(char letter) const { return number(letter) * unit(); }
+    double from_length(double true_mm, int place) const;    // as the program would write it
+    bool feed_word(), spindle_word(), tool_words(), m_before(), m_after();
+
+    // tool, spindle, auxiliary functions (functions.cpp)
+    bool change_tool(std::int64_t tool, std::int64_t offset);
+    void load_tool();
+    bool m_function(const Word& word, bool behind);
+    const MEntry* m_entry(double code) const;
+    bool m_end(double code);
+    bool spindle_gear(double code);
+
+    // points and motion (points.cpp, g_motion.cpp)
+    AxisValues part_point() const;                          // the present point before mirror and scale
+    AxisValues to_core(const AxisValues& part) const;
+    double factor(unsigned place) const;
+    bool read_point(AxisValues& target, AxisSet* named);
+    bool polar_point(AxisValues& target);
+    bool angle_point(AxisValues& target);
+    bool plane_places(unsigned& p, unsigned& q);
+    void polar_origin(double& p, double& q) const;          // in the part, before mirror and scale
+    bool straight(const AxisValues& target, bool rapid);
+    bool set_feed(const AxisValues& target);
+    double largest_feed(const AxisValues& target) const;
+    bool arc_centre(const AxisValues& target, bool absolute, double& cp, double& cq);
+    bool drive_arc(const AxisValues& target, double cp, double cq, bool clockwise);
+    bool begin_machine_block();
+    char centre_letter(unsigned place) const;
+    bool tangent_arc(const AxisValues& target), three_point_arc(const AxisValues& target);
+    void refresh_zero();
+
+    // cycles (g_cycles.cpp, g_profile.cpp)
+    struct CycleGuard;
+    bool cycle_word(char letter, double& value, bool ordinate);
+    bool cycle_place(unsigned& z, unsigned& x);
+    bool read_profile(cycles::Contour& part, cycles::Contour& blank, bool& has_blank);
+    void restore_after_cycle(bool cancel_compensation);
+
+    // probing, interrupts (g_probe.cpp)
+    Step finish_probe();
+
+    // statements (statements.cpp, assignments.cpp)
+    Step statement_block();
+    enum class Flow : std::uint8_t { Done, NeedsBarrier, Fault };
+    Flow run_statement(const char*& at, const char* end, bool inside_if);
+    Flow assignments(const char*& at, const char* end);
+    Flow evaluate(const char*& at, const char* end, double& value);
+    Flow target(const char*& at, const char* end, Target& to);
+    Flow assign(const Target& to, double value, const char* at);
+    Flow flow_of(Expression::Status status);
+    Flow flow_fault(Alarm alarm, const char* at, std::size_t length = 1, std::string detail = {}, double value = 0.0);
+    Flow condition(const char*& at, const char* end);
+    Flow error_statement(const char*& at, const char* end), message_statement(const char*& at, const char* end);
+    Flow go_to(const char*& at, const char* end), repeat(const char*& at, const char* end);
+    Flow call(const char*& at, const char* end, std::string_view how);
+    Flow execute(const char*& at, const char* end, bool modal);
+    Flow open(const char*& at, const char* end), write(const char*& at, const char* end);
+    Flow reposition(const char*& at, const char* end);
+    Flow skip_definition(const char*& at, const char* end);
+    Flow label_of_statement(const char*& at, const char* end, std::int64_t& label);
+    Flow number_of_statement(const char*& at, const char* end, char letter, std::int64_t& number);
+    bool quoted(const char*& at, const char* end, std::string& text);
+    std::string with_parameters(std::string_view text, bool only_marked);
+
+    // variables (system_variables.cpp)
+    Access read(const Target& target, double& value) override;
+    Access write_value(const Target& target, double value);
+    Access read_named(const Target& target, double& value);
+    Access write_named(const Target& target, double value);
+    Access table_value(const Target& target, double& value);
+    Access write_table(const Target& target, double value);
+    Access read_state(const Target& target, double& value);
+    Access read_coordinate(const Target& target, double& value);
+    Access read_feed_or_spindle(const Target& target, double& value);
+    Access plc_value(const Target& target, bool write, double& value);
+    Access block_position(const Target& target, double& value);
+    double* plc_cell(const Target& target);
+    bool g_active(unsigned number) const;
+    double machine_parameter(const Target& target) const;
+    int place_of(char axis) const;
+    Access variable_fault(Alarm alarm, std::string detail, double v0 = 0.0, double v1 = 0.0);
+
+    // ReaderHost
+    bool block_skip(unsigned number) override { return core_.port().block_skip(number); }
+    bool parameter_value(std::int64_t number, double& value) override;
+
+    // resume states (resume.cpp)
+    struct ResumeState;
+    struct ResumePoint {
+        std::uint64_t serial;
+        TextPosition position;
+        AxisValues programmed, machine;
+        std::uint64_t state;
+        bool compensated;
+    };
+    void note_resume_point();
+    bool is_plain_move() const;
+
+    Core core_;
+    ProgramFiles* files_;
+    Settings settings_;
+    Reader reader_;
+    Expression expression_;
+    Values values_;
+    Modal modal_;
+    Block block_;
+    std::vector<Frame> frames_;
+    LineSource* source_ = nullptr;
+    std::string line_storage_;
+    std::string_view line_;
+
+    // the block
+    std::array<const GCode*, static_cast<std::size_t>(GGroup::Count)> coded_{};
+    std::uint32_t letters_ = 0;                   // of words that are not bound to a G code
+    std::array<const Word*, 26> by_letter_{};
+    std::array<const Word*, kChannelAxes> axis_words_{};
+    unsigned axis_word_count_ = 0;
+    std::array<const Word*, 7> m_words_{};
+    unsigned m_count_ = 0;
+    std::uint32_t mirrors_ = 0;                   // G11 G12 G13 of this block: bits 1, 2, 4
+    const Word* element_word_ = nullptr;          // R of G36 to G39
+    const Word* number_word_ = nullptr;           // N of G41, G42, G159
+    const Word* centre_second_ = nullptr;         // second word of one centre letter (plane XU)
+    std::int64_t repeats_ = -1;                   // N at the end of the block
+    AxisValues target_{};                         // of the part
+    bool in_machine_ = false;                     // G53 with motion
+
+    bool wants_barrier_ = false, ended_ = false, jumped_ = false, called_ = false;
+    bool reread_ = false, fresh_ = false;
+    bool probing_ = false;                        // a probe move stands before its barrier
+    std::uint16_t probe_code_ = 75;
+    bool reads_profile_ = false;                  // this interpreter only looks at a profile
+    std::uint32_t fault_column_ = 0, fault_length_ = 0, fault_line_ = 0;
+    std::string message_;
+    std::map<std::pair<FileId, std::int64_t>, TextPosition> labels_;
+    std::map<std::int64_t, std::pair<FileId, TextPosition>> subroutines_;
+    std::deque<std::shared_ptr<const std::string>> texts_;   // of written programs that were run: their files read them
+    std::map<const std::string*, FileId> text_files_;
+    std::array<std::int8_t, 26> place_{};         // axis letter -> place; -1 none
+
+    std::deque<ResumePoint> points_;
+    std::deque<std::shared_ptr<ResumeState>> states_;
+    std::uint64_t serial_ = 0, next_state_ = 1;
+    bool keep_states_ = false, state_changed_ = true;
+};
+
+}  // namespace polyturn::channels::fagor
