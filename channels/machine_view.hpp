@@ -36,6 +36,7 @@ struct MachineView {
     unsigned axis_count = 0;
     std::unique_ptr<std::array<std::array<char, 4>, kChannelAxes>> names;   // stays where it is when the view is moved
     AxisValues start{};             // machine coordinates at cycle start; X as a radius
+    bool tables_in_radius = false;  // zero offsets of diameter axes are kept as radii (fagor)
 
     const ChannelConfig& config() const { return machine.channel(channel); }
     const params::Table& table() const { return *parameters; }
@@ -43,6 +44,7 @@ struct MachineView {
     int axis_by_name(std::string_view name) const;   // place; -1 none
     // True millimetres from what the offset table or a screen shows on that axis.
     double from_shown(unsigned place, double value) const { return axes[place].diameter ? value * 0.5 : value; }
+    double from_table(unsigned place, double value) const { return tables_in_radius ? value : from_shown(place, value); }
     double to_shown(unsigned place, double value) const { return axes[place].diameter ? value * 2.0 : value; }
 };
 

@@ -92,6 +92,31 @@ std::optional<FileId> ProgramFiles::find_number(std::int64_t number) {
     return std::nullopt;
 }
 
+const std::vector<std::string>& ProgramFiles::memory(std::string_view extension) {
+    if (memory_of_ == extension) return memory_;
+    memory_of_ = extension;
+    memory_ = library_;
+    for (const std::string& folder : folders_) {
+        std::error_code error;
+        std::vector<std::string> found;
+        for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, error))
+            if (entry.is_regular_file(error) && upper(entry.path().extension().string()) == extension) found.push_back(entry.path().string());
+        std::sort(found.begin(), found.end());
+        memory_.insert(memory_.end(), found.begin(), found.end());
+    }
+    return memory_;
+}
+
+std::optional<FileId> ProgramFiles::find_number(std::int64_t number, std::string_view extension) {
+    for (const std::string& path : memory(extension))
+        if (number_of_name(path) == number) return open_if(path);
+    return std::nullopt;
+}
+
+std::size_t ProgramFiles::memory_count(std::string_view extension) { return memory(extension).size(); }
+
+std::optional<FileId> ProgramFiles::memory_file(std::string_view extension, std::size_t index) { return open_if(memory(extension)[index]); }
+
 std::optional<FileId> ProgramFiles::find_name(std::string_view name) {
     const std::string want = upper(name);
     const auto fits = [&](const fs::path& path) { return upper(path.filename().string()) == want || upper(path.stem().string()) == want; };

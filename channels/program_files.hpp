@@ -23,6 +23,11 @@ public:
     Result<FileId> open_text(std::string_view text, std::string_view name);   // the text must outlive this
     // The file of program `number`: a library file or a file of the folders whose name or first O word says so.
     std::optional<FileId> find_number(std::int64_t number);
+    // Likewise, and files of the folders whose name is the number with this extension (fagor: 000611.PIT).
+    std::optional<FileId> find_number(std::int64_t number, std::string_view extension);
+    // All library files, then all files of the folders with this extension, in the order of their names.
+    std::size_t memory_count(std::string_view extension);
+    std::optional<FileId> memory_file(std::string_view extension, std::size_t index);
     // A file by name ("PROFILE" or "PROFILE.SPF"), whatever its case.
     std::optional<FileId> find_name(std::string_view name);
 
@@ -36,9 +41,12 @@ private:
         LineSource source;
     };
     std::optional<FileId> open_if(const std::string& path);
+    const std::vector<std::string>& memory(std::string_view extension);
 
     std::vector<std::unique_ptr<File>> files_;
     std::vector<std::string> library_, folders_;
+    std::vector<std::string> memory_;     // what memory() has found, for the extension memory_of_
+    std::string memory_of_;
 };
 
 }  // namespace polyturn::channels

@@ -47,6 +47,7 @@ void Compensator::ensure_halt(const BlockContext& at) {
 
 void Compensator::select(int side) {
     cancel_ = false;
+    selected_ = true;
     if (state_ == State::Off) state_ = State::Armed;
     else if (state_ == State::Leaving) state_ = State::On;
     else if (state_ == State::On && side == side_) repeated_ = true;
@@ -111,12 +112,27 @@ void Compensator::move(const Move& m, const BlockContext& at) {
     const bool cancels = cancel_;
     cancel_ = false;
     if (cancels && (state_ == State::Armed || state_ == State::Resuming)) state_ = State::Off;
+    if (options_.rapid_suspends && m.kind == MoveKind::Rapid && state_ == State::On && !cancels) {
+        // Nothing is known yet of the cut behind it: it is the way there, or it is driven as programmed.
+        if (held_rapid()) finish_at_programmed();
+        else if (held_) finish(before_rapid());
+        if (!failed_) hold(m, at, Role::Begin);
+        return;
+    }
     switch (state_) {
         case State::Off: deliver(m, at); return;
         case State::Armed:
         case State::Resuming:
             if (!has_offset_) {
                 deliver(m, at);
+                return;
+            }
+            if (in_place_) {   // from where it stands square onto the contour
+                in_place_ = false;
+                start_ = Vectors::one({});
+                hold(m, at, Role::Contour);
+                start_.add(block_.element.nose * block_.element.normal_at_start());
+                state_ = State::On;
                 return;
             }
             if (is_arc(m)) {
@@ -144,7 +160,7 @@ void Compensator::move(const Move& m, const BlockContext& at) {
 void Compensator::hold(const Move& m, const BlockContext& at, Role role) {
     block_ = {m, at, element_of(m), tip_, role};
     held_ = true;
-    repeated_ = false;
+    repeated_ = settled_ = false;
 }
 
 void Compensator::contour_block(const Move& m, const BlockContext& at) {
@@ -162,7 +178,11 @@ void Compensator::contour_block(const Move& m, const BlockContext& at) {
         drop_small(corner.vectors, options_.small_vector, next.arc && std::fabs(next.sweep) >= kHalfTurn);
         if (!finish(corner.vectors)) return;
     }
+    const bool apart = !held_ && settled_ && options_.straight_after_halt;
     hold(m, at, Role::Contour);
+    if (!apart) return;
+    start_.add(block_.element.nose * block_.element.normal_at_start());
+    drop_small(start_, 0.0, false);
 }
 
 void Compensator::cancel_block(const Move& m, const BlockContext& at) {
@@ -173,6 +193,14 @@ void Compensator::cancel_block(const Move& m, const BlockContext& at) {
     }
     if (held_) {
         CornerResult corner;
+        if (options_.rapid_suspends && m.kind == MoveKind::Rapid) {
+            if (held_rapid()) finish_at_programmed();
+            else if (!finish(before_rapid())) return;
+            wish_set_ = repeated_ = false;
+            straight_to_programmed(m, at);
+            state_ = State::Off;
+            return;
+        }
         if (wish_set_) corner = retract_corner(block_.element, wish_);
         else corner = cancel_corner(block_.element, element_of(m), options_);
         drop_small(corner.vectors, options_.small_vector, false);
@@ -183,7 +211,28 @@ void Compensator::cancel_block(const Move& m, const BlockContext& at) {
     state_ = State::Off;
 }
 
+// The nose stops its radius before the end of the element: what stands there is not cut into (fagor 8.2.7).
+Vectors Compensator::before_rapid() const {
+    const Element& e = block_.element;
+    const double way = e.arc ? std::fabs(e.sweep) * e.end_radius : length(e.end - e.start);
+    return Vectors::one(e.nose * e.normal_at_end() - std::fmin(e.nose, way) * e.end_dir);
+}
+
+// G40 without movement: straight from the compensated end to the programmed one.
+void Compensator::leave_in_place() {
+    here_ = block_.element.end + displacement_;
+    go(block_, block_.element.end, false, {});
+    start_ = Vectors::one({});
+    displacement_ = {};
+}
+
 void Compensator::settle() {
+    settled_ = true;
+    if (held_rapid() && options_.rapid_suspends && !failed_) {
+        finish_at_programmed();
+        state_ = State::Armed;
+        return;
+    }
     if (held_ && !failed_) finish(Vectors::one(block_.element.nose * block_.element.normal_at_end()));
 }
 
@@ -209,12 +258,20 @@ void Compensator::block_done(bool counts) {
     if (cancel_) {   // G40 in a block that does not move in the plane
         settle();
         state_ = state_ == State::On && displaced() ? State::Leaving : State::Off;
+        in_place_ = false;
+        if (state_ == State::Leaving && options_.in_place && !failed_) {
+            leave_in_place();
+            state_ = State::Off;
+        }
         cancel_ = wish_set_ = repeated_ = false;
+    } else if (!moved_ && selected_ && state_ == State::Armed && options_.in_place) {
+        in_place_ = true;
     } else if (!moved_ && held_) {
         if (counts) ++idle_blocks_;
-        if (zero_ || idle_blocks_ >= 2) settle();
+        if (idle_blocks_ > options_.idle_blocks && options_.idle_is_fault) fail(Alarm::CompIdleBlocks, true, block_.at);
+        else if (!options_.idle_is_fault && (zero_ || idle_blocks_ >= options_.idle_blocks)) settle();
     }
-    moved_ = zero_ = false;
+    moved_ = zero_ = selected_ = false;
 }
 
 // The held block may not be delivered (I2).

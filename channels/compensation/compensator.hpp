@@ -109,6 +109,9 @@ private:
     void straight_to_programmed(const Move& m, const BlockContext& at);
     bool finish(Vectors end);
     void finish_at_programmed();
+    bool held_rapid() const { return held_ && block_.role == Role::Begin && block_.move.kind == MoveKind::Rapid; }
+    Vectors before_rapid() const;
+    void leave_in_place();
     bool fail(Alarm alarm, bool this_block, const BlockContext& at);
     // one move in the plane from here_ to `to`
     void go(const Held& b, Vec to, bool by_arc, Vec about);
@@ -137,6 +140,9 @@ private:
     Vec wish_;
     Bypass bypass_ = Bypass::None;
     bool moved_ = false, zero_ = false;   // in this block
+    bool selected_ = false;               // G41, G42 in this block
+    bool in_place_ = false;               // compensation begins where the tool stands
+    bool settled_ = false;                // the last element ended without knowing the next
     unsigned idle_blocks_ = 0;
 };
 

@@ -33,7 +33,8 @@ double opening_deg(const Element& a, const Element& b) {
 }
 
 void add_outer(Vectors& list, const Element& a, const Element& b, Turn turn, const Options& options) {
-    if (options.corner == Corner::Arc || (options.corner == Corner::Intersection && opening_deg(a, b) < options.intersection_from_deg)) {
+    if (options.corner == Corner::Arc || (options.arc_below_deg > 0 && opening_deg(a, b) < options.arc_below_deg) ||
+        (options.corner == Corner::Intersection && opening_deg(a, b) < options.intersection_from_deg)) {
         list.add(first_normal(a));
         list.add(second_normal(b), true);
     } else if (turn == Turn::Obtuse || (options.corner == Corner::Intersection && turn != Turn::Reversal)) {
@@ -42,6 +43,23 @@ void add_outer(Vectors& list, const Element& a, const Element& b, Turn turn, con
     } else {
         add_extended(list, a, b);
     }
+}
+
+}  // namespace
+
+namespace {
+
+// Does the nose centre really pass this point on its way along the element?
+bool on_path(const Element& e, Vec point) {
+    if (!e.arc) {
+        const double along = dot(point - e.start, e.start_dir);
+        return along > -1e-9 && along < length(e.end - e.start) + 1e-9;
+    }
+    const Vec from = e.start - e.centre, to = point - e.centre;
+    double turned = std::atan2(cross(from, to), dot(from, to));
+    if (e.sweep < 0) turned = -turned;
+    if (turned < -1e-9) turned += 2 * std::numbers::pi;
+    return turned <= std::fabs(e.sweep) + 1e-9;
 }
 
 }  // namespace
@@ -82,6 +100,11 @@ CornerResult offset_corner(const Element& a, const Element& next, const Options&
     const bool straight_on = std::fabs(t) < kTangent && dot(a.end_dir, b.start_dir) > 0;
     if (a.side != b.side) {   // the nose crosses the contour: inner and outer mean nothing here
         const auto v = meeting_point(a, b);
+        if (options.sides_meet_on_paths && !(v && on_path(a, a.end + *v) && on_path(b, b.start + *v))) {
+            list.add(first_normal(a));
+            list.add(second_normal(next));
+            return result;
+        }
         list.add(v ? *v : second_normal(b));
         return result;
     }

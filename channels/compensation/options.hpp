@@ -1,7 +1,9 @@
 // Where controls differ in nose-radius compensation, as values. A language sets them from its parameters and codes; the
 // mechanism itself never asks which control it is.
 #pragma once
+#include <array>
 #include <cstdint>
+#include <utility>
 
 namespace polyturn::channels::compensation {
 
@@ -24,6 +26,12 @@ enum class Check : std::uint8_t {
     Alarm,
 };
 
+// From the nose centre to the imaginary tip, as a share of the radius: first and second axis (Z, X) of the codes 0 to 9.
+using TipTable = std::array<std::pair<double, double>, 10>;
+inline constexpr TipTable kTips = {{{0, 0}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, -1}, {0, 0}}};
+// fagor_8037t part 1, 8.2.1: odd codes touch two sides, even ones one side.
+inline constexpr TipTable kTipsAround = {{{0, 0}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {0, 0}}};
+
 struct Options {
     Entry entry = Entry::Around;
     Corner corner = Corner::Extended;
@@ -31,6 +39,14 @@ struct Options {
     double intersection_from_deg = 80.0;    // Corner::Intersection
     double small_vector = 0.0;              // mm: corner vectors that close on both axes count as one
     bool resume_at_intersection = false;    // after G53, G28: straight to the next vector instead of a new beginning (CCN)
+    const TipTable* tips = &kTips;
+    double arc_below_deg = 0.0;             // Corner::Extended: an arc where the elements are closer than this
+    bool in_place = false;                  // begins and ends also where the tool stands, in a block without movement in the plane
+    bool sides_meet_on_paths = false;       // a change of side: at the intersection only where both paths pass it, else straight across
+    bool rapid_suspends = false;            // rapid moves are not compensated; the cut before one ends the radius before its end
+    bool straight_after_halt = false;       // behind a barrier the next element is begun at its own normal
+    unsigned idle_blocks = 2;               // so many blocks without movement end the held one at its normal
+    bool idle_is_fault = false;             // or are an alarm
     double inner_arc_feed_from = -1.0;      // inside arcs: feed in proportion to the radius, not below this share; < 0: as programmed
 };
 

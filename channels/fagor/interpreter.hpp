@@ -4,8 +4,8 @@
 //   header -> words or statement   words: classify -> check that every word has a taker -> act, in the order of GGroup
 // A block that needs a live value stops before anything has been done: AtBarrier, then it is read again (architecture 5.5).
 //
-// Programmed numbers are of the part: X as the program writes it (diameter or radius), before mirror and scale. point_ and
-// target_ are of the part in true millimetres (X as a radius) before mirror and scale; Core sees them behind both.
+// Programmed numbers are X as the program writes it (diameter or radius); target_ is in true millimetres, X as a radius, before
+// mirror and scale, which are a frame of Core.
 #pragma once
 #include <deque>
 #include <map>
@@ -77,6 +77,10 @@ private:
     Step iso_block();
     Step end_block(bool counts, std::uint64_t moves_before);
     Step end_of_text();
+    Step blank_line();
+    void take_machine();
+    bool inside_modal_call() const;
+    Result<void> index_subroutines(FileId file);
     Step fault(Fault fault);
     Step fault_at(Alarm alarm, std::uint32_t column, std::uint32_t length, std::string detail = {}, double v0 = 0, double v1 = 0);
     void live_value_barrier();
@@ -96,13 +100,13 @@ private:
     void pop_frame();
     bool return_from_frame();
     bool run_modal_call(std::int64_t repeats);
-    bool end_of_frame_text();
     bool attribute_of(FileId file, char attribute);
 
     // one block of words (block.cpp)
     bool classify();
     bool check_words();
     bool act();
+    static std::string_view cycle_name(unsigned number);
     bool has(char letter) const { return (letters_ & letter_bit(letter)) != 0; }
     const Word* word(char letter) const;
     double number(char letter) const { const Word* w = word(letter); return w ? w->value : 0.0; }
@@ -124,14 +128,14 @@ private:
     bool spindle_gear(double code);
 
     // points and motion (points.cpp, g_motion.cpp)
-    AxisValues part_point() const;                          // the present point before mirror and scale
-    AxisValues to_core(const AxisValues& part) const;
-    double factor(unsigned place) const;
     bool read_point(AxisValues& target, AxisSet* named);
     bool polar_point(AxisValues& target);
     bool angle_point(AxisValues& target);
     bool plane_places(unsigned& p, unsigned& q);
     void polar_origin(double& p, double& q) const;          // in the part, before mirror and scale
+    void set_polar_origin(double p, double q);
+    void reset_polar_origin();
+    void refresh_frame();
     bool straight(const AxisValues& target, bool rapid);
     bool set_feed(const AxisValues& target);
     double largest_feed(const AxisValues& target) const;
@@ -238,6 +242,7 @@ private:
     AxisValues target_{};                         // of the part
     bool in_machine_ = false;                     // G53 with motion
 
+    bool title_allowed_ = false;                  // the line is the first of its text
     bool wants_barrier_ = false, ended_ = false, jumped_ = false, called_ = false;
     bool reread_ = false, fresh_ = false;
     bool probing_ = false;                        // a probe move stands before its barrier

@@ -55,11 +55,11 @@ void Core::sum_zeros() {
 
 void Core::load_zeros() {
     const auto& zeros = view_->store->zeros;
-    const auto row = static_cast<std::size_t>(path.zero_row);
+    const auto row = static_cast<std::size_t>(path.zero_row == kZeroNone ? 0 : path.zero_row);
     for (unsigned i = 0; i < view_->axis_count; ++i) {
         const double external = zeros[kZeroExternalRow * kChannelAxes + i] + zeros[kZeroShiftRow * kChannelAxes + i];
-        path.external[i] = view_->from_shown(i, external);
-        path.work[i] = view_->from_shown(i, zeros[row * kChannelAxes + i]);
+        path.external[i] = view_->from_table(i, external);
+        path.work[i] = path.zero_row == kZeroNone ? 0.0 : view_->from_table(i, zeros[row * kChannelAxes + i]);
     }
     sum_zeros();
 }
@@ -99,6 +99,15 @@ void Core::local_zero(unsigned i, double value) {
     refresh_surface_zero();
 }
 
+void Core::hold_zeros_as_preset() {
+    for (unsigned i = 0; i < view_->axis_count; ++i) {
+        path.preset[i] += path.work[i] + path.local[i];
+        path.work[i] = path.local[i] = 0.0;
+    }
+    path.zero_row = kZeroNone;
+    sum_zeros();
+}
+
 void Core::clear_preset() {
     path.preset = {};
     sum_zeros();
@@ -122,8 +131,8 @@ AxisSet Core::plane_axes(int& p, int& q) const {
     static constexpr PlaneRole kRoles[3][2] = {
         {PlaneRole::BasicX, PlaneRole::BasicY}, {PlaneRole::BasicZ, PlaneRole::BasicX}, {PlaneRole::BasicY, PlaneRole::BasicZ}};
     const auto& roles = kRoles[static_cast<std::size_t>(path.plane)];
-    p = view_->axis_by_role(roles[0]);
-    q = view_->axis_by_role(roles[1]);
+    p = path.plane_p >= 0 ? path.plane_p : view_->axis_by_role(roles[0]);
+    q = path.plane_q >= 0 ? path.plane_q : view_->axis_by_role(roles[1]);
     AxisSet set = 0;
     if (p >= 0) set |= 1u << p;
     if (q >= 0) set |= 1u << q;

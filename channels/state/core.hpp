@@ -86,6 +86,7 @@ struct PathState {
     double feed = 0.0;                      // mm/min, mm/rev
     FeedPath feed_path;
     Plane plane = Plane::ZX;
+    std::int8_t plane_p = -1, plane_q = -1;  // places of a plane of any two axes (fagor G16); -1: by `plane`
     bool exact_stop_mode = false, override_locked = false;
     bool exact_stop_off = false;            // no exact stop whatever is programmed (#3004)
     bool after_thread = false;              // the move before was a thread: a further one chains
@@ -145,6 +146,7 @@ public:
     void preset_by(unsigned place, double increment);
     void local_zero(unsigned place, double value);        // G52
     void clear_preset();
+    void hold_zeros_as_preset();                          // what is active becomes a preset; the settable offset is off (fagor G92)
     void set_shift(const AxisValues& shift);              // tool offset as a shift
     void set_wanted(const AxisValues& vector);            // tool offset that the next move travels
     bool vector_pending() const;
@@ -165,6 +167,7 @@ public:
     bool skip(const AxisValues& target, double feed, FeedMode mode, std::string_view input);
     AxisSet take_skip();    // axes stand where the signal stopped them; the set of those that ended before their target
     bool machine_rapid(const AxisValues& machine, AxisSet which);      // G53
+    void suspend_for(AxisSet which) { if (compensating_) suspend_compensation(which); }   // the next move leaves compensation
     bool reference(const AxisValues& machine, AxisSet which, MoveKind kind);   // end point of G28, G30
     // A word of a roll-over axis as its target: absolute or incremental, see the parameters.
     double rollover_target(unsigned place, double word, bool absolute);

@@ -7,8 +7,10 @@ namespace {
 
 using compensation::Vec;
 
-// From the nose centre to the imaginary tip, as a share of the radius: Z and X of the directions 0 to 9.
-constexpr Vec kTip[10] = {{0, 0}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, -1}, {0, 0}};
+Vec tip_of(const compensation::Options& options, std::int32_t tip) {
+    const auto& [p, q] = (*options.tips)[static_cast<std::size_t>(tip)];
+    return {p, q};
+}
 
 bool tip_outside_its_plane(const PathState& path) { return path.plane != Plane::ZX && path.tool.tip >= 1 && path.tool.tip <= 8; }
 
@@ -107,8 +109,8 @@ void Core::tell_nose() {
     const bool tip = path.plane == Plane::ZX && tool.tip >= 0 && tool.tip <= 9;
     const double radius = tool.nose_radius;
     const bool has_offset = (tool.geometry != 0 || tool.wear != 0) && !tool.nose_off;
-    if (!staged_) comp_->nose(radius, tip ? kTip[tool.tip] : Vec{}, has_offset);
-    else tell_comp([radius, share = tip ? kTip[tool.tip] : Vec{}, has_offset](compensation::Compensator& comp) { comp.nose(radius, share, has_offset); });
+    if (!staged_) comp_->nose(radius, tip ? tip_of(comp_options_, tool.tip) : Vec{}, has_offset);
+    else tell_comp([radius, share = tip ? tip_of(comp_options_, tool.tip) : Vec{}, has_offset](compensation::Compensator& comp) { comp.nose(radius, share, has_offset); });
 }
 
 void Core::tell_zero_distance() {
@@ -216,7 +218,7 @@ double Core::cut_shift(const AxisValues& a, const AxisValues& b, unsigned along,
     }
     if (std::fabs(share) < 1e-6) return 0.0;
     const bool tip = path.plane == Plane::ZX && tool.tip >= 0 && tool.tip <= 9;
-    return std::fabs(tool.nose_radius) * (1.0 + compensation::dot(tip ? kTip[tool.tip] : Vec{}, n)) / share;
+    return std::fabs(tool.nose_radius) * (1.0 + compensation::dot(tip ? tip_of(comp_options_, tool.tip) : Vec{}, n)) / share;
 }
 
 void Core::drop_compensation_vector() {

@@ -1,0 +1,230 @@
+// F, S, T, D and M words.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "channels/fagor/interpreter.hpp"
+
+namespace polyturn::channels::fagor {
+namespace {
+
+// M functions that act behind the block's motion: what ends something must not end it before the cut (5.5).
+bool acts_late(double code) { return code == 0 || code == 1 || code == 2 || code == 5 || code == 9 || code == 30; }
+
+}  // namespace
+
+bool Interpreter::feed_word() {
+    const Word& f = *word('F');
+    if (f.value < 0) return fail_word(f, Alarm::NegativeSign, "F");
+    if (modal_.motion >= 33 && has_axes()) return fail_word(f, Alarm::FagorIncompatible, "F in a thread");
+    switch (modal_.feed_code) {
+        case 94: modal_.feed_minute = f.value * unit(); break;
+        case 95: modal_.feed_revolution = f.value * unit(); break;
+        default: modal_.feed_inverse = f.value; break;
+    }
+    return true;
+}
+
+// S: a speed, a cutting speed with G96, an angle with M19.
+bool Interpreter::spindle_word() {
+    if (!has('S')) return true;
+    const Word& s = *word('S');
+    for (unsigned k = 0; k < m_count_; ++k)
+        if (m_words_[k]->value == 19) return true;   // its angle
+    if (s.value < 0) return fail_word(s, Alarm::NegativeSign, "S");
+    double value = s.value;
+    if (core_.path.spindle.mode == SpindleModeCode::SurfaceSpeed) {
+        if (modal_.inch) value *= 0.3048;
+    } else {
+        if (modal_.gear && settings_.gear_max[static_cast<std::size_t>(modal_.gear - 1)] > 0) value = std::fmin(value, settings_.gear_max[static_cast<std::size_t>(modal_.gear - 1)]);
+        if (core_.path.spindle.limit_rpm > 0) value = std::fmin(value, core_.path.spindle.limit_rpm);   // G92 S: none above it is taken
+        if (settings_.gear_automatic && !spindle_gear(value)) return false;
+    }
+    return core_.spindle_speed(value);
+}
+
+// AUTOGEAR: the gear whose speeds contain this one, told to the PLC by its M function.
+bool Interpreter::spindle_gear(double rpm) {
+    int gear = 0;
+    for (int n = 4; n >= 1; --n)
+        if (settings_.gear_max[static_cast<std::size_t>(n - 1)] >= rpm) gear = n;
+    if (gear == 0 || gear == modal_.gear) return true;
+    const MEntry* entry = m_entry(40 + gear);
+    if (entry && entry->subroutine) {
+        if (block_.count > 1) return core_.fail(Alarm::FagorGearAlone, 'S');
+        modal_.gear = gear;
+        Frame frame;
+        frame.m_code = entry->code;
+        frame.m_itself = !entry->only_subroutine;
+        return call_subroutine(entry->subroutine, frame, nullptr);
+    }
+    modal_.gear = gear;
+    core_.aux('M', 40 + gear, fmt::format("M{}", 40 + gear), false);
+    return true;
+}
+
+bool Interpreter::tool_words() {
+    if (!has('T') && !has('D')) return true;
+    std::int64_t tool = core_.path.tool.ref.number, offset = -1;
+    if (has('T')) {
+        if (!whole(*word('T'), tool)) return false;
+        if (tool > 255) return fail_word(*word('T'), Alarm::FagorValueRange, "T", static_cast<double>(tool));
+        // An expended tool gives way to another one of its family that is not (11.2.2).
+        const auto expended = [this](std::int64_t n) {
+            const double life = values_.tool(ToolField::Life, static_cast<std::size_t>(n));
+            return life > 0 && values_.tool(ToolField::Used, static_cast<std::size_t>(n)) >= life;
+        };
+        if (tool > 0 && expended(tool)) {
+            const double family = values_.tool(ToolField::Family, static_cast<std::size_t>(tool));
+            std::int64_t other = 0;
+            for (std::size_t pocket = 1; pocket < kTools && !other; ++pocket) {
+                const auto n = static_cast<std::int64_t>(values_.tool(ToolField::Pocket, pocket));
+                if (n > 0 && n != tool && values_.tool(ToolField::Family, static_cast<std::size_t>(n)) == family && !expended(n)) other = n;
+            }
+            if (!other) return fail_word(*word('T'), Alarm::FagorToolExpended, {}, static_cast<double>(tool));
+            tool = other;
+        }
+        offset = static_cast<std::int64_t>(values_.tool(ToolField::Offset, static_cast<std::size_t>(tool)));
+    }
+    if (has('D')) {
+        if (!whole(*word('D'), offset)) return false;
+    }
+    const std::int64_t most = std::min<std::int64_t>(settings_.offsets, static_cast<std::int64_t>(kOffsets) - 1);
+    if (offset > most) return fail_word(has('D') ? *word('D') : *word('T'), Alarm::OffsetNumberIllegal, {}, static_cast<double>(offset), static_cast<double>(most));
+    if (has('T')) core_.aux('T', static_cast<double>(tool), fmt::format("T{}", tool), false);
+    if (has('T') && settings_.change_by_m06) {
+        modal_.next_tool = tool;
+        modal_.next_offset = offset;
+        return true;
+    }
+    return change_tool(tool, offset);
+}
+
+bool Interpreter::change_tool(std::int64_t tool, std::int64_t offset) {
+    ToolState& state = core_.path.tool;
+    state.ref.number = tool;
+    state.ref.offset = static_cast<std::int32_t>(offset);
+    state.geometry = state.wear = static_cast<std::int32_t>(offset);
+    core_.at.tool = state.ref;
+    load_tool();
+    return true;
+}
+
+// Lengths and wear of the offset in use, both as radii: the next move brings the new tip to where the old one was (8.1).
+void Interpreter::load_tool() {
+    ToolState& state = core_.path.tool;
+    MachineView& view = core_.view();
+    const auto number = static_cast<std::size_t>(state.geometry);
+    const bool none = number == 0;
+    const OffsetCell& cell = view.store->offsets[number];
+    AxisValues vector{};
+    static constexpr PlaneRole kRoles[] = {PlaneRole::BasicX, PlaneRole::BasicY, PlaneRole::BasicZ};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const int place = view.axis_by_role(kRoles[k]);
+        if (place >= 0 && !none) vector[static_cast<std::size_t>(place)] = cell.geometry[k] + cell.wear[k];
+    }
+    state.nose_off = none;
+    state.nose_radius = none ? 0.0 : cell.geometry_r + cell.wear_r;
+    state.tip = none ? 0 : static_cast<std::int32_t>(cell.tip);
+    core_.set_wanted(vector);
+}
+
+const MEntry* Interpreter::m_entry(double code) const {
+    for (const MEntry& entry : settings_.m_table)
+        if (entry.code == static_cast<std::int32_t>(code)) return &entry;
+    return nullptr;
+}
+
+bool Interpreter::m_before() {
+    for (unsigned k = 0; k < m_count_; ++k) {
+        std::int64_t code = 0;
+        if (!whole(*m_words_[k], code)) return false;
+        if (code > 9999) return fail_word(*m_words_[k], Alarm::FagorValueRange, "M", static_cast<double>(code));
+        if (code == 3 || code == 4) {
+            if (!core_.spindle_turn(code == 3 ? SpindleTurn::Cw : SpindleTurn::Ccw)) return false;
+        }
+    }
+    if (!core_.commit_spindle()) return false;
+    for (unsigned k = 0; k < m_count_; ++k) {
+        const MEntry* entry = m_entry(m_words_[k]->value);
+        const bool late = entry ? entry->after_motion || acts_late(m_words_[k]->value) : acts_late(m_words_[k]->value);
+        if (!late && !m_function(*m_words_[k], false)) return false;
+    }
+    return true;
+}
+
+bool Interpreter::m_function(const Word& word, bool behind) {
+    const auto code = static_cast<std::int32_t>(word.value);
+    const MEntry* entry = m_entry(code);
+    if (code >= 41 && code <= 44) {
+        const double speed = core_.path.spindle.rpm, most = settings_.gear_max[static_cast<std::size_t>(code - 41)];
+        const bool same = modal_.gear == code - 40 && most > 0 && speed <= most;
+        modal_.gear = code - 40;
+        if (same) return true;   // the speed belongs to this gear already: nothing is done (5.5.2)
+    }
+    if (entry && entry->subroutine) {
+        for (const Frame& frame : frames_)
+            if (frame.m_code == code) entry = nullptr;   // inside its own subroutine the function itself
+        if (entry) {
+            Frame frame;
+            frame.m_code = code;
+            frame.m_itself = !entry->only_subroutine;
+            if (code == 6 && settings_.change_by_m06 && modal_.next_tool >= 0 && !change_tool(modal_.next_tool, modal_.next_offset)) return false;
+            return call_subroutine(entry->subroutine, frame, nullptr);
+        }
+    }
+    if (behind && code == 5 && !(core_.spindle_turn(SpindleTurn::Stop) && core_.commit_spindle())) return false;
+    if (code == 19) {
+        const double angle = has('S') ? number('S') : 0.0;
+        modal_.position_angle = angle;
+        if (!core_.spindle_position(angle)) return false;
+    }
+    char text[16];
+    const auto end = fmt::format_to_n(text, sizeof text, "M{}", code);
+    const bool drains = entry && entry->stops_preparation;
+    core_.aux('M', code, {text, end.size}, drains);
+    if (drains) wants_barrier_ = true;
+    if (code == 6 && settings_.change_by_m06 && modal_.next_tool >= 0) {
+        if (!change_tool(modal_.next_tool, modal_.next_offset)) return false;
+        modal_.next_tool = modal_.next_offset = -1;
+    }
+    const auto set = [this](int n, std::uint64_t clears) { modal_.m_states = (modal_.m_states & ~clears) | std::uint64_t{1} << n; };
+    constexpr std::uint64_t kTurning = 1ull << 3 | 1ull << 4 | 1ull << 5 | 1ull << 19, kCoolant = 1ull << 8 | 1ull << 9, kGears = 0xFull << 41;
+    if (code == 3 || code == 4 || code == 5 || code == 19) set(code, kTurning);
+    else if (code == 8 || code == 9) set(code, kCoolant);
+    else if (code >= 41 && code <= 44) set(code, kGears);
+    else if (code == 6) set(code, 0);
+    return true;
+}
+
+bool Interpreter::m_after() {
+    for (unsigned k = 0; k < m_count_; ++k) {
+        const Word& word = *m_words_[k];
+        const double code = word.value;
+        const MEntry* entry = m_entry(code);
+        if (!acts_late(code) && !(entry && entry->after_motion)) continue;
+        if (code == 0 || code == 1 || code == 2 || code == 30) {
+            if (!m_end(code)) return false;
+        } else if (!m_function(word, true)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool Interpreter::m_end(double code) {
+    if (code <= 1) {
+        if (code == 1 && !core_.port().optional_stop()) return true;
+        core_.mark_emitted();
+        core_.sink().stop({code == 0 ? StopReason::M00 : StopReason::M01}, core_.at);
+        wants_barrier_ = true;
+        return true;
+    }
+    // The end of the program stops the spindle and sets the initial state (5.5).
+    if (core_.path.spindle.turn != SpindleTurn::Stop && !(core_.spindle_turn(SpindleTurn::Stop) && core_.commit_spindle())) return false;
+    core_.sink().part(++modal_.parts, core_.at);
+    finish(code == 2 ? StopReason::M02 : StopReason::M30);
+    return true;
+}
+
+}  // namespace polyturn::channels::fagor

@@ -1,0 +1,268 @@
+// Reading blocks and the end of each. What a block does stands in block.cpp, statements.cpp and behind the handlers.
+#include "channels/fagor/interpreter.hpp"
+
+#include <cmath>
+
+namespace polyturn::channels::fagor {
+
+Interpreter::Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles& files)
+    : core_(view, sink, port), files_(&files), settings_(read_settings(view.table(), view.channel)), reader_(*this), expression_(*this) {
+    place_.fill(-1);
+    for (unsigned i = 0; i < view.axis_count; ++i) {
+        const std::string& name = view.axes[i].name;
+        if (name.size() == 1 && axis_number(name[0])) place_[static_cast<std::size_t>(name[0] - 'A')] = static_cast<std::int8_t>(i);
+    }
+    for (std::size_t n = 0; n < kTools; ++n) values_.tool(ToolField::Offset, n) = static_cast<double>(n);   // a tool's own offset until TLFD says otherwise
+    frames_.reserve(32);
+    modal_.diameter = core_.view().axis_by_role(PlaneRole::BasicX) >= 0 && view.axes[static_cast<std::size_t>(view.axis_by_role(PlaneRole::BasicX))].diameter;
+    clear_modal();
+}
+
+// What the machine parameters say holds at the start of a program (fagor_8037t part 1, 9.1).
+void Interpreter::clear_modal() {
+    const bool diameter = modal_.diameter;
+    Modal fresh;
+    fresh.written = modal_.written;
+    fresh.parts = modal_.parts;
+    modal_ = fresh;
+    modal_.diameter = diameter;
+    modal_.motion = settings_.g1 ? 1 : 0;
+    modal_.plane = settings_.g17 ? 17 : 18;
+    modal_.corner = settings_.round_corner ? 5 : 7;
+    modal_.inch = settings_.inch;
+    modal_.absolute = !settings_.incremental;
+    modal_.feed_code = settings_.per_revolution ? 95 : 94;
+    core_.path.plane = settings_.g17 ? Plane::XY : Plane::ZX;
+    core_.path.plane_p = core_.path.plane_q = -1;
+    core_.path.feed_mode = settings_.per_revolution ? FeedMode::PerRevolution : FeedMode::PerMinute;
+    core_.path.feed = 0.0;
+    core_.path.exact_stop_mode = modal_.corner == 7;
+    core_.path.override_locked = false;
+    core_.path.zero_row = kZeroNone;
+    core_.set_frame(Frame{});
+}
+
+void Interpreter::show_diameter() {
+    const int x = core_.view().axis_by_role(PlaneRole::BasicX);
+    if (x >= 0) core_.view().axes[static_cast<std::size_t>(x)].diameter = modal_.diameter;
+}
+
+Result<void> Interpreter::start(FileId main) {
+    core_.compensation_reset();
+    compensation::Options options;
+    options.tips = &compensation::kTipsAround;
+    options.corner = settings_.comp_mode == 1 ? compensation::Corner::Arc : settings_.comp_mode == 2 ? compensation::Corner::Intersection : compensation::Corner::Extended;
+    options.intersection_from_deg = options.arc_below_deg = 60.0;   // 300 degrees on the tool's side
+    options.in_place = options.sides_meet_on_paths = options.rapid_suspends = options.straight_after_halt = options.idle_is_fault = true;
+    options.idle_blocks = 48;
+    core_.compensation_options(options);
+    clear_modal();
+    frames_.clear();
+    while (values_.levels().size() > 1) values_.pop_level();
+    Frame frame;
+    frame.file = main;
+    frame.maker = attribute_of(main, 'O');
+    frames_.push_back(frame);
+    source_ = &files_->source(main);
+    source_->seek({0, 1});
+    ended_ = reread_ = probing_ = false;
+    fresh_ = true;   // cycle start is a barrier
+    serial_ = 0;
+    points_.clear();
+    states_.clear();
+    values_.undo().clear();
+    state_changed_ = true;
+    core_.refresh_limits();
+    core_.load_zeros();
+    show_diameter();
+    return index_subroutines(main);
+}
+
+void Interpreter::barrier_done() {
+    if (!core_.barrier_passed()) return;   // compensation has read on: the program is ahead of this barrier
+    fresh_ = true;
+    core_.refresh_limits();
+    take_machine();
+}
+
+// The axes as the machine has them; a transformation lies between them and the part.
+void Interpreter::take_machine() {
+    const MachineView& view = core_.view();
+    for (unsigned i = 0; i < view.axis_count; ++i)
+        if (const auto now = core_.port().axis_command(view.axes[i].machine_axis)) core_.take_machine(i, *now);
+}
+
+Step Interpreter::fault_at(Alarm alarm, std::uint32_t column, std::uint32_t length, std::string detail, double v0, double v1) {
+    Diagnosis diagnosis;
+    diagnosis.alarm = alarm;
+    diagnosis.place = {files_->path(frames_.back().file), fault_line_ ? fault_line_ : core_.at.line, column ? character_column(line_, column) : 0, length};
+    diagnosis.values = {v0, v1};
+    diagnosis.detail = std::move(detail);
+    core_.sink().alarm(diagnosis, core_.at);
+    ended_ = true;
+    return Step::Failed;
+}
+
+Step Interpreter::fault(Fault fault) {
+    if (fault.block) {   // another block of the program
+        const BlockContext& at = *fault.block;
+        core_.sink().alarm({fault.alarm, {files_->path(at.file), at.line, fault.column, fault.length}, {fault.value0, fault.value1}, std::move(fault.detail)}, at);
+        ended_ = true;
+        return Step::Failed;
+    }
+    std::uint32_t column = fault_column_, length = fault_length_;
+    if (!column && fault.letter >= 'A' && fault.letter <= 'Z') {
+        const Word* word = by_letter_[static_cast<std::size_t>(fault.letter - 'A')];
+        for (unsigned k = 0; !word && k < block_.count; ++k)
+            if (block_.words[k].letter == fault.letter) word = &block_.words[k];
+        if (word) column = word->column, length = word->length;
+    }
+    return fault_at(fault.alarm, column, length, std::move(fault.detail), fault.value0, fault.value1);
+}
+
+bool Interpreter::fail_word(const Word& word, Alarm alarm, std::string detail, double v0, double v1) {
+    fault_column_ = word.column;
+    fault_length_ = word.length;
+    return core_.fail(alarm, 0, std::move(detail), v0, v1);
+}
+
+void Interpreter::finish(StopReason reason) {
+    core_.mark_emitted();
+    core_.sink().stop({reason}, core_.at);
+    ended_ = true;
+}
+
+Step Interpreter::end_of_text() {
+    Frame& frame = frames_.back();
+    if (frame.kind == Frame::Kind::Subroutine) return fault_at(Alarm::ProgramNotEnded, 0, 0, "RET");
+    if (frame.kind != Frame::Kind::Main) {
+        core_.begin_block();
+        return return_from_frame() ? Step::Continue : fault(core_.fault());
+    }
+    core_.at.block = -1;
+    line_ = {};
+    core_.begin_block();
+    finish(StopReason::End);
+    if (core_.compensating() && !core_.compensation_failed()) return fault(core_.fault());
+    core_.end_block();
+    if (core_.compensating() && core_.halted()) return Step::AtBarrier;
+    return Step::Ended;
+}
+
+Step Interpreter::step() {
+    if (core_.compensating()) {
+        if (core_.halted()) return Step::AtBarrier;
+        if (!ended_ && !core_.compensation_failed()) return fault(core_.fault());
+    }
+    if (ended_) return Step::Ended;
+    if (probing_) return finish_probe();
+    return read_block();
+}
+
+void Interpreter::live_value_barrier() { core_.sink().barrier(core_.at); }
+
+Step Interpreter::read_block() {
+    Frame& frame = frames_.back();
+    if (frame.kind == Frame::Kind::Repeat && !reread_ && source_->next_position().line > frame.last_line) {
+        core_.begin_block();
+        return return_from_frame() ? Step::Continue : fault(core_.fault());
+    }
+    if (!reread_) {
+        core_.at.serial = ++serial_;
+        if (keep_states_) note_resume_point();
+        else values_.begin_block(serial_);
+        std::string_view line;
+        switch (source_->next(line)) {
+            case LineSource::Status::Line: break;
+            case LineSource::Status::End: return end_of_text();
+            case LineSource::Status::TooLong: return fault_at(Alarm::LineTooLong, 0, 0);
+            case LineSource::Status::ReadError: return fault_at(Alarm::FileUnreadable, 0, 0, "reading failed");
+        }
+        line_storage_.assign(line);
+        line_ = line_storage_;
+        core_.at.line = source_->position().line;
+        title_allowed_ = source_->position().line == 1;
+    }
+    reread_ = false;
+    fault_line_ = fault_column_ = fault_length_ = 0;
+    by_letter_.fill(nullptr);
+    core_.begin_block();
+    BlockContext& at = core_.at;
+    at.file = frame.file;
+    at.stack_depth = static_cast<std::uint8_t>(frames_.size() - 1);
+    at.block = -1;
+    at.cycle = {};
+    const BlockKind kind = reader_.read(line_, block_);
+    if (block_.label >= 0) at.block = modal_.last_label = block_.label;
+    switch (kind) {
+        case BlockKind::Blank: return blank_line();
+        case BlockKind::Comment:
+        case BlockKind::Skipped: return Step::Continue;
+        case BlockKind::Title:
+            if (title_allowed_) return Step::Continue;
+            return fault_at(Alarm::CharacterUnknown, 1, 1, "%");
+        case BlockKind::NeedsBarrier:
+        case BlockKind::Fault: return fault_at(reader_.fault().alarm, reader_.fault().column, reader_.fault().length, reader_.fault().detail);
+        case BlockKind::Iso:
+            if (keep_states_ && !is_plain_move()) state_changed_ = true;
+            return iso_block();
+        case BlockKind::Statement: break;
+    }
+    state_changed_ = true;
+    return statement_block();
+}
+
+// Blank lines may only stand behind the last block (fagor_8037t part 1, 2).
+Step Interpreter::blank_line() {
+    const TextPosition back = source_->next_position();
+    std::string_view line;
+    bool last = true;
+    while (last && source_->next(line) == LineSource::Status::Line) last = line.find_first_not_of(" \t") == std::string_view::npos;
+    source_->seek(back);
+    return last ? Step::Continue : fault_at(Alarm::FagorBlockEmpty, 0, 0);
+}
+
+Step Interpreter::iso_block() {
+    jumped_ = called_ = wants_barrier_ = false;
+    const std::uint64_t moves_before = core_.moves();
+    if (!(classify() && check_words() && act())) return fault(core_.fault());
+    return end_block(block_.count != 0, moves_before);
+}
+
+// Behind words and statements: compensation goes on, and the modal subroutine runs where the block has moved.
+Step Interpreter::end_block(bool counts, std::uint64_t moves_before) {
+    if (core_.compensating() && !core_.end_compensated_block(counts && !called_, wants_barrier_, ended_)) return fault(core_.fault());
+    if (core_.emitted()) {
+        fresh_ = false;
+        core_.end_block();
+    }
+    if (!ended_ && core_.moves() != moves_before && modal_.modal_call.kind != ModalCall::Kind::None && !inside_modal_call()) {
+        if (!run_modal_call(repeats_ < 0 ? 1 : repeats_)) return fault(core_.fault());
+    }
+    if (core_.compensating()) return core_.halted() ? Step::AtBarrier : ended_ ? Step::Ended : Step::Continue;   // a barrier ahead may be held back
+    if (ended_) return Step::Ended;
+    return wants_barrier_ ? Step::AtBarrier : Step::Continue;
+}
+
+bool Interpreter::parameter_value(std::int64_t number, double& value) {
+    if (!Values::exists(number)) return false;
+    value = values_.parameter(number);
+    return true;
+}
+
+bool Interpreter::preset_variable(std::string_view name, double value) {
+    const char* at = name.data();
+    Target to;
+    if (expression_.target(at, name.data() + name.size(), to) != Expression::Status::Ok || at != name.data() + name.size()) return false;
+    if (!to.row) {
+        if (!Values::exists(to.number)) return false;
+        values_.parameter(to.number) = std::isnan(value) ? 0.0 : value;
+        return true;
+    }
+    const bool fresh = std::exchange(fresh_, true);
+    const bool good = to.row->writable && write_named(to, value) == Access::Ok;
+    fresh_ = fresh;
+    return good;
+}
+
+}  // namespace polyturn::channels::fagor
