@@ -50,6 +50,7 @@ Dialect dialect_of(std::string_view language);
 std::unique_ptr<Language> make_language(std::string_view name, MachineView& view, Sink& sink, Port& port, ProgramFiles& files);
 std::unique_ptr<Language> make_fanuc(MachineView& view, Sink& sink, Port& port, ProgramFiles& files);
 std::unique_ptr<Language> make_sinumerik(MachineView& view, Sink& sink, Port& port, ProgramFiles& files);
+std::unique_ptr<Language> make_fagor(MachineView& view, Sink& sink, Port& port, ProgramFiles& files);
 std::unique_ptr<Language> make_nct(MachineView& view, Sink& sink, Port& port, ProgramFiles& files);
 
 }  // namespace polyturn::channels

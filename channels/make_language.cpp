@@ -1,3 +1,4 @@
+#include "channels/fagor/interpreter.hpp"
 #include "channels/fanuc/interpreter.hpp"
 #include "channels/language.hpp"
 #include "channels/mefi/settings.hpp"
@@ -28,11 +29,17 @@ std::unique_ptr<Language> make_sinumerik(MachineView& view, Sink& sink, Port& po
     return std::make_unique<sinumerik::Interpreter>(view, sink, port, files);
 }
 
+std::unique_ptr<Language> make_fagor(MachineView& view, Sink& sink, Port& port, ProgramFiles& files) {
+    fagor::prepare_axes(view);
+    return std::make_unique<fagor::Interpreter>(view, sink, port, files);
+}
+
 std::unique_ptr<Language> make_language(std::string_view name, MachineView& view, Sink& sink, Port& port, ProgramFiles& files) {
     if (name == "fanuc") return make_fanuc(view, sink, port, files);
     if (name == "nct") return make_nct(view, sink, port, files);
     if (name == "mefi") return std::make_unique<fanuc::Interpreter>(view, sink, port, files, &mefi::mefi_settings);
     if (name == "sinumerik") return make_sinumerik(view, sink, port, files);
+    if (name == "fagor") return make_fagor(view, sink, port, files);
     return nullptr;
 }
 

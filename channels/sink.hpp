@@ -56,6 +56,7 @@ struct Move {
     bool thread_chained = false;    // goes on from the thread before without a new start angle
     std::uint8_t skip_input = 0;    // Skip: number of the input; 0 it has a name only
     std::string_view skip_name;     // Skip: name of the input (SKIP, XAE) or its number
+    bool skip_release = false;      // Skip: ends when the signal goes
     std::uint16_t spindle = 0;      // machine spindle (from 1) of feed per revolution and thread; 0 none
     AxisSet moved = 0;              // axes whose machine coordinate changes
     AxisValues machine_start{}, machine{};  // I2; arcs: the plane axes turn about `centre`

@@ -19,7 +19,14 @@ void CheckPort::skip_move(const Move& move, const MachineView& view) {
         if (sensor.input != move.skip_name || place < 0) continue;
         const auto i = static_cast<unsigned>(place);
         const double from = move.machine_start[i], way = move.machine[i] - from, at = view.from_shown(i, sensor.at);
-        if (way == 0.0 || (sensor.direction != 0 && (way > 0) != (sensor.direction > 0))) continue;
+        if (way == 0.0) continue;
+        if (move.skip_release) {   // on beyond `at` in its direction: it goes when the axis comes back past it
+            const double side = sensor.direction < 0 ? -1.0 : 1.0;
+            if ((from - at) * side < 0) share = 0.0;
+            else if (way * side < 0) share = std::fmin(share, (at - from) / way);
+            continue;
+        }
+        if (sensor.direction != 0 && (way > 0) != (sensor.direction > 0)) continue;
         const double here = (at - from) / way;
         share = std::fmin(share, here < 0 ? 0.0 : here);   // passed already: the signal is there at once
     }

@@ -75,6 +75,28 @@ Fit rounding(Element a, Element b, double radius, Corner& corner) {
     return fits(a, b, corner) ? Fit::Made : Fit::TooLarge;
 }
 
+// From `far` tangentially onto the circle that touches direction d in `corner`; forward: towards it, else away from it.
+Fit tangential(Vec far, Vec corner_point, Vec d, double radius, bool forward, Corner& corner) {
+    const double way = length(far - corner_point);
+    const double aside = cross(d, far - corner_point);
+    if (way < 2 * radius - kFit) return Fit::TooLarge;
+    if (std::fabs(aside) < kFit * way) return Fit::TooLarge;   // on the tangent itself: no circle leads there
+    const double left = aside > 0 ? 1.0 : -1.0;                // the circle turns that way
+    corner.arc = true;
+    corner.centre = corner_point + (left * radius) * left_of(d);
+    const Vec out = far - corner.centre;
+    const double distance = length(out);
+    if (distance <= radius) return Fit::TooLarge;
+    const double opening = std::acos(radius / distance) * (forward ? left : -left);
+    const Vec touch = corner.centre + radius * turned(unit(out), opening);
+    corner.from = forward ? touch : corner_point;
+    corner.to = forward ? corner_point : touch;
+    const Vec from = corner.from - corner.centre, to = corner.to - corner.centre;
+    corner.sweep = std::atan2(cross(from, to), dot(from, to));
+    if (corner.sweep * left < 0) corner.sweep += left * kTurn;
+    return Fit::Made;
+}
+
 }  // namespace
 
 double path_length(const Element& e) {
@@ -93,11 +115,14 @@ Vec point_behind_start(const Element& e, double distance) {
 
 Fit make_corner(const Element& a, const Element& b, Shape shape, double size, Corner& corner) {
     corner = {};
+    if (shape == Shape::Entry) return a.arc ? Fit::NotStraight : tangential(a.start, a.end, b.start_dir, size, true, corner);
+    if (shape == Shape::Exit) return b.arc ? Fit::NotStraight : tangential(b.end, a.end, a.end_dir, size, false, corner);
     if (std::fabs(cross(a.end_dir, b.start_dir)) < kSmooth) return Fit::Smooth;
     switch (shape) {
         case Shape::Rounding: return rounding(a, b, size, corner);
         case Shape::ChamferLeg: return chamfer_by_leg(a, b, size, corner);
         case Shape::ChamferLength: return chamfer_by_length(a, b, size, corner);
+        default: break;
     }
     return Fit::Smooth;
 }

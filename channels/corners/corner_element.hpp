@@ -8,6 +8,9 @@
 // Rounding   its centre M is where the equidistants of a and b in distance r meet on the inner side; F, T nearest to M
 // Leg        cut_a = cut_b = size, measured along the elements
 // Length     |FT| = size with cut_a = cut_b; two lines that turn by d: cut = size / (2 cos(d/2))
+// Entry      a, a line, leaves its own way: it goes tangentially onto a circle that touches b where b begins (T = C). Its centre
+//            lies on the side of a's start; at least twice the radius lies between start and corner (fagor 6.7)
+// Exit       the mirror image: the circle touches a where a ends (F = C), b, a line, leaves it tangentially (fagor 6.8)
 #pragma once
 #include "channels/compensation/element.hpp"
 
@@ -16,7 +19,7 @@ namespace polyturn::channels::corners {
 using compensation::Element;
 using compensation::Vec;
 
-enum class Shape : unsigned char { Rounding, ChamferLeg, ChamferLength };
+enum class Shape : unsigned char { Rounding, ChamferLeg, ChamferLength, Entry, Exit };
 
 struct Corner {
     Vec from, to;          // F, T
@@ -30,6 +33,7 @@ enum class Fit : unsigned char {
     Made,
     Smooth,     // the elements go over into each other, or straight back: there is no corner to work on
     TooLarge,
+    NotStraight,   // Entry, Exit: the block that it bends is an arc
 };
 
 double path_length(const Element& e);

@@ -103,6 +103,10 @@ void CornerStage::join(Move b, const BlockContext& at) {
     Fit fit = both_rapid && call.shape == Shape::Rounding ? Fit::Smooth   // rapid knows no arcs
               : call.reduce                               ? make_largest_corner(first, second, call.shape, call.size, corner)
                                                           : make_corner(first, second, call.shape, call.size, corner);
+    if (fit == Fit::NotStraight) {
+        fail(Alarm::FagorTangential);
+        return;
+    }
     if (fit == Fit::TooLarge && !call.reduce) {
         fail(Alarm::CornerTooLarge);
         return;

@@ -164,6 +164,12 @@ bool Interpreter::act() {
     return m_count_ ? m_after() : true;
 }
 
+bool Interpreter::has_axes_beside(std::string_view letters) const {
+    for (const Word* word : axis_words_)
+        if (word && letters.find(word->letter) == std::string_view::npos) return true;
+    return false;
+}
+
 std::string_view Interpreter::cycle_name(unsigned number) {
     static constexpr std::string_view kNames[] = {"G81", "G82", "G83", "G84", "G85", "G86", "G87", "G88", "G89"};
     if (number >= 81) return kNames[number - 81];

@@ -113,7 +113,7 @@ bool Interpreter::jump_to(std::int64_t label) {
     const auto found = find_label(frames_.back().file, label);
     if (!found) return core_.fail(Alarm::SequenceNumberMissing, 0, std::to_string(label));
     // A jump out of a repeated part ends the repetition.
-    while (frames_.back().kind == Frame::Kind::Repeat && (found->line < frames_.back().begin.line || found->line > frames_.back().last_line)) {
+    while (frames_.back().kind == CallFrame::Kind::Repeat && (found->line < frames_.back().begin.line || found->line > frames_.back().last_line)) {
         const FileId file = frames_.back().file;
         frames_.pop_back();
         if (frames_.back().file != file) return core_.fail(Alarm::SequenceNumberMissing, 0, std::to_string(label));
@@ -123,13 +123,13 @@ bool Interpreter::jump_to(std::int64_t label) {
     return true;
 }
 
-bool Interpreter::push_frame(Frame frame) {
+bool Interpreter::push_frame(CallFrame frame) {
     unsigned levels = 0, locals = 0;
-    for (const Frame& other : frames_) {
-        levels += other.kind == Frame::Kind::Subroutine || other.kind == Frame::Kind::Program;
+    for (const CallFrame& other : frames_) {
+        levels += other.kind == CallFrame::Kind::Subroutine || other.kind == CallFrame::Kind::Program;
         locals += other.own_level;
     }
-    if (frame.kind != Frame::Kind::Repeat && levels >= kCallLevels) return core_.fail(Alarm::CallTooDeep, 0, {}, kCallLevels);
+    if (frame.kind != CallFrame::Kind::Repeat && levels >= kCallLevels) return core_.fail(Alarm::CallTooDeep, 0, {}, kCallLevels);
     if (frame.own_level && locals >= kLocalLevels) return core_.fail(Alarm::FagorLevels, 0, {}, kLocalLevels);
     if (frames_.size() > 60) return core_.fail(Alarm::CallTooDeep, 0, {}, 60);
     frame.resume = source_->next_position();
@@ -140,7 +140,7 @@ bool Interpreter::push_frame(Frame frame) {
     return true;
 }
 
-bool Interpreter::call_subroutine(std::int64_t number, Frame frame, const LocalSet* arguments) {
+bool Interpreter::call_subroutine(std::int64_t number, CallFrame frame, const LocalSet* arguments) {
     FileId file = 0;
     TextPosition begin;
     if (!find_subroutine(number, file, begin)) return core_.fail(Alarm::SubprogramMissing, 0, "SUB " + std::to_string(number));
@@ -148,7 +148,7 @@ bool Interpreter::call_subroutine(std::int64_t number, Frame frame, const LocalS
         if (!attribute_of(file, 'O')) return core_.fail(Alarm::FagorMakerSubroutine, 0, std::to_string(number));
         if (!frames_.back().maker) return core_.fail(Alarm::FagorMakerCall, 0, std::to_string(number));
     }
-    frame.kind = Frame::Kind::Subroutine;
+    frame.kind = CallFrame::Kind::Subroutine;
     frame.file = file;
     frame.begin = begin;
     frame.program = frames_.back().program;
@@ -159,10 +159,10 @@ bool Interpreter::call_subroutine(std::int64_t number, Frame frame, const LocalS
     return true;
 }
 
-bool Interpreter::call_program(std::int64_t number, Frame frame) {
+bool Interpreter::call_program(std::int64_t number, CallFrame frame) {
     const auto file = find_program(number);
     if (!file) return core_.fail(Alarm::SubprogramMissing, 0, "P" + std::to_string(number));
-    frame.kind = Frame::Kind::Program;
+    frame.kind = CallFrame::Kind::Program;
     frame.file = *file;
     frame.begin = {0, 1};
     frame.program = number;
@@ -171,7 +171,7 @@ bool Interpreter::call_program(std::int64_t number, Frame frame) {
 }
 
 void Interpreter::pop_frame() {
-    const Frame done = frames_.back();
+    const CallFrame done = frames_.back();
     frames_.pop_back();
     if (done.own_level) values_.pop_level();
     source_ = &files_->source(frames_.back().file);
@@ -182,7 +182,7 @@ void Interpreter::pop_frame() {
 // RET, the end of a program, the end of a repeated part: once more, or back to the caller.
 bool Interpreter::return_from_frame() {
     state_changed_ = true;
-    Frame& frame = frames_.back();
+    CallFrame& frame = frames_.back();
     if (frame.runs_left > 0) {   // the same parameters as they are now (12.5)
         --frame.runs_left;
         source_->seek(frame.begin);
@@ -201,7 +201,7 @@ bool Interpreter::return_from_frame() {
 }
 
 bool Interpreter::inside_modal_call() const {
-    for (const Frame& frame : frames_)
+    for (const CallFrame& frame : frames_)
         if (frame.modal) return true;
     return false;
 }
@@ -209,7 +209,7 @@ bool Interpreter::inside_modal_call() const {
 bool Interpreter::run_modal_call(std::int64_t repeats) {
     if (repeats < 1) return true;
     const ModalCall call = modal_.modal_call;
-    Frame frame;
+    CallFrame frame;
     frame.modal = true;
     frame.given = call.given;
     if (call.kind == ModalCall::Kind::Program) return call_program(call.number, frame);   // N does not count (12.7)

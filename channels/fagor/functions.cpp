@@ -53,7 +53,7 @@ bool Interpreter::spindle_gear(double rpm) {
     if (entry && entry->subroutine) {
         if (block_.count > 1) return core_.fail(Alarm::FagorGearAlone, 'S');
         modal_.gear = gear;
-        Frame frame;
+        CallFrame frame;
         frame.m_code = entry->code;
         frame.m_itself = !entry->only_subroutine;
         return call_subroutine(entry->subroutine, frame, nullptr);
@@ -163,10 +163,10 @@ bool Interpreter::m_function(const Word& word, bool behind) {
         if (same) return true;   // the speed belongs to this gear already: nothing is done (5.5.2)
     }
     if (entry && entry->subroutine) {
-        for (const Frame& frame : frames_)
+        for (const CallFrame& frame : frames_)
             if (frame.m_code == code) entry = nullptr;   // inside its own subroutine the function itself
         if (entry) {
-            Frame frame;
+            CallFrame frame;
             frame.m_code = code;
             frame.m_itself = !entry->only_subroutine;
             if (code == 6 && settings_.change_by_m06 && modal_.next_tool >= 0 && !change_tool(modal_.next_tool, modal_.next_offset)) return false;

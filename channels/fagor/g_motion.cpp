@@ -77,14 +77,18 @@ bool Interpreter::g_linear(const GCode& row) {
     AxisSet named = 0;
     if (!read_point(target_, &named)) return false;
     if (in_machine_) core_.suspend_for(named);
-    if (row.number == 0) return drive_line(target_, true);
-    // Positioning-only axes arrive together with the others.
-    return drive_line(target_, false);
+    slide(target_, named);
+    return drive_line(target_, row.number == 0);
 }
 
 bool Interpreter::drive_line(const AxisValues& target, bool rapid) {
-    if (!element_before_line(rapid)) return false;
-    return straight(target, rapid);
+    if (!element_at_end(true)) return false;
+    const AxisValues from = core_.path.programmed;
+    if (!straight(target, rapid)) return false;
+    int p = -1, q = -1;
+    core_.plane_axes(p, q);
+    if (p >= 0 && q >= 0) note_direction(target[static_cast<std::size_t>(p)] - from[static_cast<std::size_t>(p)], target[static_cast<std::size_t>(q)] - from[static_cast<std::size_t>(q)]);
+    return true;
 }
 
 bool Interpreter::g_arc(const GCode& row) {
@@ -149,7 +153,7 @@ bool Interpreter::g_arc(const GCode& row) {
 bool Interpreter::drive_arc(const AxisValues& target, double cp, double cq, bool clockwise) {
     unsigned p = 0, q = 0;
     if (!plane_places(p, q)) return false;
-    if (!element_before_arc()) return false;
+    if (!element_at_end(false)) return false;
     ArcCall call;
     call.clockwise = clockwise;
     call.centre_p = cp;
@@ -168,6 +172,8 @@ bool Interpreter::drive_arc(const AxisValues& target, double cp, double cq, bool
         return false;
     }
     if (!core_.arc(target, call)) return false;
+    const double rp = target[p] - cp, rq = target[q] - cq;
+    note_direction(clockwise ? rq : -rq, clockwise ? -rp : rp);
     if (settings_.polar_origin_moves) set_polar_origin(cp, cq);
     return true;
 }

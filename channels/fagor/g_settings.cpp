@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "channels/fagor/interpreter.hpp"
+#include "ipc/machine/work_zeros.hpp"
 
 namespace polyturn::channels::fagor {
 

@@ -2,11 +2,15 @@
 #include "channels/fagor/interpreter.hpp"
 
 #include <cmath>
+#include <utility>
+
+#include "channels/text/word_scanner.hpp"
+#include <utility>
 
 namespace polyturn::channels::fagor {
 
 Interpreter::Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles& files)
-    : core_(view, sink, port), files_(&files), settings_(read_settings(view.table(), view.channel)), reader_(*this), expression_(*this) {
+    : inclined_(sink, view), core_(view, inclined_, port), files_(&files), settings_(read_settings(view.table(), view.channel)), reader_(*this), expression_(*this) {
     place_.fill(-1);
     for (unsigned i = 0; i < view.axis_count; ++i) {
         const std::string& name = view.axes[i].name;
@@ -59,7 +63,7 @@ Result<void> Interpreter::start(FileId main) {
     clear_modal();
     frames_.clear();
     while (values_.levels().size() > 1) values_.pop_level();
-    Frame frame;
+    CallFrame frame;
     frame.file = main;
     frame.maker = attribute_of(main, 'O');
     frames_.push_back(frame);
@@ -88,8 +92,14 @@ void Interpreter::barrier_done() {
 // The axes as the machine has them; a transformation lies between them and the part.
 void Interpreter::take_machine() {
     const MachineView& view = core_.view();
-    for (unsigned i = 0; i < view.axis_count; ++i)
-        if (const auto now = core_.port().axis_command(view.axes[i].machine_axis)) core_.take_machine(i, *now);
+    AxisValues machine{};
+    for (unsigned i = 0; i < view.axis_count; ++i) {
+        const auto now = core_.port().axis_command(view.axes[i].machine_axis);
+        if (!now) return;   // nobody drives: they stand where they were commanded
+        machine[i] = *now;
+    }
+    if (inclined_.active()) inclined_.to_cartesian(machine);
+    for (unsigned i = 0; i < view.axis_count; ++i) core_.take_machine(i, machine[i]);
 }
 
 Step Interpreter::fault_at(Alarm alarm, std::uint32_t column, std::uint32_t length, std::string detail, double v0, double v1) {
@@ -133,9 +143,9 @@ void Interpreter::finish(StopReason reason) {
 }
 
 Step Interpreter::end_of_text() {
-    Frame& frame = frames_.back();
-    if (frame.kind == Frame::Kind::Subroutine) return fault_at(Alarm::ProgramNotEnded, 0, 0, "RET");
-    if (frame.kind != Frame::Kind::Main) {
+    CallFrame& frame = frames_.back();
+    if (frame.kind == CallFrame::Kind::Subroutine) return fault_at(Alarm::ProgramNotEnded, 0, 0, "RET");
+    if (frame.kind != CallFrame::Kind::Main) {
         core_.begin_block();
         return return_from_frame() ? Step::Continue : fault(core_.fault());
     }
@@ -143,14 +153,14 @@ Step Interpreter::end_of_text() {
     line_ = {};
     core_.begin_block();
     finish(StopReason::End);
-    if (core_.compensating() && !core_.compensation_failed()) return fault(core_.fault());
+    if (core_.reads_ahead() && !core_.compensation_failed()) return fault(core_.fault());
     core_.end_block();
-    if (core_.compensating() && core_.halted()) return Step::AtBarrier;
+    if (core_.reads_ahead() && core_.halted()) return Step::AtBarrier;
     return Step::Ended;
 }
 
 Step Interpreter::step() {
-    if (core_.compensating()) {
+    if (core_.reads_ahead()) {
         if (core_.halted()) return Step::AtBarrier;
         if (!ended_ && !core_.compensation_failed()) return fault(core_.fault());
     }
@@ -162,8 +172,8 @@ Step Interpreter::step() {
 void Interpreter::live_value_barrier() { core_.sink().barrier(core_.at); }
 
 Step Interpreter::read_block() {
-    Frame& frame = frames_.back();
-    if (frame.kind == Frame::Kind::Repeat && !reread_ && source_->next_position().line > frame.last_line) {
+    CallFrame& frame = frames_.back();
+    if (frame.kind == CallFrame::Kind::Repeat && !reread_ && source_->next_position().line > frame.last_line) {
         core_.begin_block();
         return return_from_frame() ? Step::Continue : fault(core_.fault());
     }
@@ -226,12 +236,17 @@ Step Interpreter::iso_block() {
     jumped_ = called_ = wants_barrier_ = false;
     const std::uint64_t moves_before = core_.moves();
     if (!(classify() && check_words() && act())) return fault(core_.fault());
+    if (inclined_.failed()) {
+        const ChannelAxis& axis = core_.view().axes[inclined_.failed_axis()];
+        const double limit = inclined_.failed_at() > axis.limit_max ? axis.limit_max : axis.limit_min;
+        return fault({Alarm::StrokeExceeded, axis.name[0], inclined_.failed_at(), limit, axis.name, {}});
+    }
     return end_block(block_.count != 0, moves_before);
 }
 
 // Behind words and statements: compensation goes on, and the modal subroutine runs where the block has moved.
 Step Interpreter::end_block(bool counts, std::uint64_t moves_before) {
-    if (core_.compensating() && !core_.end_compensated_block(counts && !called_, wants_barrier_, ended_)) return fault(core_.fault());
+    if (core_.reads_ahead() && !core_.end_compensated_block(counts && !called_, wants_barrier_, ended_)) return fault(core_.fault());
     if (core_.emitted()) {
         fresh_ = false;
         core_.end_block();
@@ -239,7 +254,7 @@ Step Interpreter::end_block(bool counts, std::uint64_t moves_before) {
     if (!ended_ && core_.moves() != moves_before && modal_.modal_call.kind != ModalCall::Kind::None && !inside_modal_call()) {
         if (!run_modal_call(repeats_ < 0 ? 1 : repeats_)) return fault(core_.fault());
     }
-    if (core_.compensating()) return core_.halted() ? Step::AtBarrier : ended_ ? Step::Ended : Step::Continue;   // a barrier ahead may be held back
+    if (core_.reads_ahead()) return core_.halted() ? Step::AtBarrier : ended_ ? Step::Ended : Step::Continue;   // a barrier ahead may be held back
     if (ended_) return Step::Ended;
     return wants_barrier_ ? Step::AtBarrier : Step::Continue;
 }

@@ -21,6 +21,7 @@
 #include "channels/fagor/settings.hpp"
 #include "channels/fagor/values.hpp"
 #include "channels/language.hpp"
+#include "channels/state/inclined_axis.hpp"
 
 namespace polyturn::channels::cycles {
 struct Contour;
@@ -30,7 +31,7 @@ class ContourRecorder;
 namespace polyturn::channels::fagor {
 
 // A text that is being run: the main program, a subroutine, another program, a repeated part.
-struct Frame {
+struct CallFrame {
     enum class Kind : std::uint8_t { Main, Subroutine, Program, Repeat } kind = Kind::Main;
     FileId file = 0;
     TextPosition resume;             // where the caller goes on
@@ -45,6 +46,7 @@ struct Frame {
     std::int64_t runs_left = 0;      // of a modal call with N, of RPT
     TextPosition begin;              // Repeat, and subroutines that run again
     std::uint32_t last_line = 0;     // Repeat
+    AxisValues point{};              // interrupt: where the program was left, as programmed
 };
 
 class Interpreter final : public Language, private ReaderHost, private VariableHost {
@@ -69,6 +71,7 @@ public:
     bool g_dwell(const GCode&), g_home(const GCode&), g_zero(const GCode&), g_zero_table(const GCode&), g_preset(const GCode&), g_polar_origin(const GCode&);
     bool g_linear(const GCode&), g_arc(const GCode&), g_thread(const GCode&), g_withdrawal(const GCode&), g_hard_stop(const GCode&);
     bool g_probe(const GCode&), g_inclined(const GCode&);
+    bool g_not_built(const GCode& row) { return core_.fail(Alarm::NotBuilt, 71, std::string(row.text)); }
     bool g_section(const GCode&), g_drilling(const GCode&), g_threading(const GCode&), g_grooving(const GCode&), g_profile(const GCode&);
 
 private:
@@ -94,9 +97,9 @@ private:
     bool find_subroutine(std::int64_t number, FileId& file, TextPosition& begin);
     std::optional<FileId> find_program(std::int64_t number);
     bool jump_to(std::int64_t label);
-    bool call_subroutine(std::int64_t number, Frame frame, const LocalSet* arguments);
-    bool call_program(std::int64_t number, Frame frame);
-    bool push_frame(Frame frame);
+    bool call_subroutine(std::int64_t number, CallFrame frame, const LocalSet* arguments);
+    bool call_program(std::int64_t number, CallFrame frame);
+    bool push_frame(CallFrame frame);
     void pop_frame();
     bool return_from_frame();
     bool run_modal_call(std::int64_t repeats);
@@ -117,6 +120,7 @@ private:
     double length(double programmed, int place) const;      // true mm (X as a radius) or degrees
     double distance(char letter) const { return number(letter) * unit(); }
     double from_length(double true_mm, int place) const;    // as the program would write it
+    double from_length_plain(double mm) const;
     bool feed_word(), spindle_word(), tool_words(), m_before(), m_after();
 
     // tool, spindle, auxiliary functions (functions.cpp)
@@ -137,6 +141,11 @@ private:
     void reset_polar_origin();
     void refresh_frame();
     bool straight(const AxisValues& target, bool rapid);
+    bool drive_line(const AxisValues& target, bool rapid);
+    bool read_point_without_polar(AxisValues& target);
+    void thread_way(const AxisValues& target, double& length, double& along) const;
+    int get_axis_type(unsigned place) const;
+    bool has_axes_beside(std::string_view letters) const;
     bool set_feed(const AxisValues& target);
     double largest_feed(const AxisValues& target) const;
     bool arc_centre(const AxisValues& target, bool absolute, double& cp, double& cq);
@@ -155,6 +164,12 @@ private:
 
     // probing, interrupts (g_probe.cpp)
     Step finish_probe();
+    bool start_probe(std::string_view input, std::uint16_t code);
+    void set_inclined(int state);
+    void slide(AxisValues& target, AxisSet named) const;
+    bool element_at_end(bool straight_block);
+    bool end_direction(double& p, double& q) const;
+    void note_direction(double p, double q);
 
     // statements (statements.cpp, assignments.cpp)
     Step statement_block();
@@ -213,6 +228,7 @@ private:
     void note_resume_point();
     bool is_plain_move() const;
 
+    InclinedAxis inclined_;          // behind Core: cartesian machine coordinates to those of the axes
     Core core_;
     ProgramFiles* files_;
     Settings settings_;
@@ -221,7 +237,7 @@ private:
     Values values_;
     Modal modal_;
     Block block_;
-    std::vector<Frame> frames_;
+    std::vector<CallFrame> frames_;
     LineSource* source_ = nullptr;
     std::string line_storage_;
     std::string_view line_;
@@ -247,6 +263,7 @@ private:
     bool reread_ = false, fresh_ = false;
     bool probing_ = false;                        // a probe move stands before its barrier
     std::uint16_t probe_code_ = 75;
+    int inclined_place_ = -1, orthogonal_place_ = -1;
     bool reads_profile_ = false;                  // this interpreter only looks at a profile
     std::uint32_t fault_column_ = 0, fault_length_ = 0, fault_line_ = 0;
     std::string message_;

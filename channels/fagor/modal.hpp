@@ -47,6 +47,7 @@ struct Modal {
     double scale = 1.0;               // G72 S
     AxisValues axis_scale{};          // G72 X..; 0 is 1
     double polar_p = 0.0, polar_q = 0.0;   // polar origin, machine coordinates without tool
+    double direction_p = 0.0, direction_q = 0.0;   // of the path at the end of the last block in the plane
     double lead = 0.0;                // of the last thread block
     double end_lead = 0.0;            // that the last G34 ended with
     bool lead_varies = false;         // the last thread block was a G34 with K

@@ -9,7 +9,7 @@ struct Interpreter::ResumeState {
     std::uint64_t number = 0;
     PathState path;
     Modal modal;
-    std::vector<Frame> frames;
+    std::vector<CallFrame> frames;
     std::vector<LocalSet> levels;
 };
 
@@ -42,7 +42,7 @@ void Interpreter::note_resume_point() {
         states_.push_back(std::move(state));
         state_changed_ = false;
     }
-    points_.push_back({serial_, source_->next_position(), core_.path.programmed, core_.path.machine, states_.back()->number, core_.compensating()});
+    points_.push_back({serial_, source_->next_position(), core_.path.programmed, core_.path.machine, states_.back()->number, core_.reads_ahead()});
 }
 
 void Interpreter::executed(std::uint64_t serial) {
@@ -74,6 +74,7 @@ bool Interpreter::resume_at(std::uint64_t serial) {
     fresh_ = true;
     state_changed_ = true;
     core_.at.tool = core_.path.tool.ref;
+    inclined_.activate(modal_.inclined != 0);
     show_diameter();
     return true;
 }

@@ -37,7 +37,7 @@ public:
         cell = value;
     }
     // Local sets are part of a resume state: no undo.
-    bool is_local(std::int64_t number) const { return number >= 0 && number < 26; }
+    static bool is_local(std::int64_t number) { return number >= 0 && number < 26; }
     const std::vector<LocalSet>& levels() const { return levels_; }
     void set_levels(const std::vector<LocalSet>& levels) { levels_ = levels; }
     void push_level(const LocalSet& set) { levels_.push_back(set); }

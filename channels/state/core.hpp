@@ -26,6 +26,7 @@
 #include "channels/port.hpp"
 #include "channels/sink.hpp"
 #include "channels/state/frame.hpp"
+#include "channels/state/work_zone.hpp"
 #include "channels/state/zero_rows.hpp"
 
 namespace polyturn::channels {
@@ -89,6 +90,7 @@ struct PathState {
     std::int8_t plane_p = -1, plane_q = -1;  // places of a plane of any two axes (fagor G16); -1: by `plane`
     bool exact_stop_mode = false, override_locked = false;
     bool exact_stop_off = false;            // no exact stop whatever is programmed (#3004)
+    std::array<WorkZone, 5> zones;          // guarded before each move
     bool after_thread = false;              // the move before was a thread: a further one chains
     double thread_lead = 0.0;
     ToolState tool;
@@ -164,7 +166,8 @@ public:
     bool arc(const AxisValues& target, const ArcCall& call);
     bool thread(const AxisValues& target, const ThreadCall& call);
     // Until the input comes; a barrier follows, then take_skip(). feed 0: the modal one.
-    bool skip(const AxisValues& target, double feed, FeedMode mode, std::string_view input);
+    // release: until the signal goes instead.
+    bool skip(const AxisValues& target, double feed, FeedMode mode, std::string_view input, bool release = false);
     AxisSet take_skip();    // axes stand where the signal stopped them; the set of those that ended before their target
     bool machine_rapid(const AxisValues& machine, AxisSet which);      // G53
     void suspend_for(AxisSet which) { if (compensating_) suspend_compensation(which); }   // the next move leaves compensation
@@ -225,6 +228,7 @@ private:
     void tell_feed_path();
     bool spindle_ready(Alarm otherwise);
     bool within_stroke(const AxisValues& machine, AxisSet moved);
+    bool zones_allow();                                   // move_ does not violate a guarded work zone
     void deliver();
     bool stage_corners();
     void chain();

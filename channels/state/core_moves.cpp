@@ -53,7 +53,8 @@ bool Core::begin_move(const AxisValues& target, MoveKind kind) {
     }
     move_.kind = kind;
     move_.moved = moved;
-    return within_stroke(move_.machine, moved);
+    const bool arc = kind == MoveKind::ArcCw || kind == MoveKind::ArcCcw;
+    return within_stroke(move_.machine, moved) && (arc || zones_allow());
 }
 
 bool Core::within_stroke(const AxisValues& machine, AxisSet moved) {
@@ -66,6 +67,25 @@ bool Core::within_stroke(const AxisValues& machine, AxisSet moved) {
             const double limit = machine[i] > axis.limit_max ? axis.limit_max : axis.limit_min;
             return fail(Alarm::StrokeExceeded, axis.name[0], std::string(axis.name), view_->to_shown(i, machine[i]), view_->to_shown(i, limit));
         }
+    }
+    return true;
+}
+
+// The zones hold for the tool's tip in the machine: its lengths are taken off (fagor_8037t part 1, 3.8).
+bool Core::zones_allow() {
+    for (std::size_t n = 0; n < path.zones.size(); ++n) {
+        if (path.zones[n].guard == WorkZone::Guard::Off || !move_.moved) continue;
+        Move tip = move_;
+        for (unsigned i = 0; i < view_->axis_count; ++i) {
+            tip.machine[i] -= path.wanted[i];
+            tip.machine_start[i] -= path.vector[i];
+        }
+        int p = -1, q = -1;
+        plane_axes(p, q);
+        if (p >= 0 && q >= 0) tip.centre_p -= path.wanted[static_cast<std::size_t>(p)], tip.centre_q -= path.wanted[static_cast<std::size_t>(q)];
+        if (!violates(path.zones[n], tip)) continue;
+        const bool enters = path.zones[n].guard == WorkZone::Guard::NoEntry;
+        return fail(enters ? Alarm::FagorZoneEntered : Alarm::FagorZoneLeft, 0, {}, static_cast<double>(n + 1));
     }
     return true;
 }
@@ -191,7 +211,7 @@ bool Core::reference(const AxisValues& machine, AxisSet which, MoveKind kind) {
     return true;
 }
 
-bool Core::skip(const AxisValues& target, double feed, FeedMode mode, std::string_view input) {
+bool Core::skip(const AxisValues& target, double feed, FeedMode mode, std::string_view input, bool release) {
     skip_moved_ = 0;
     if (!begin_move(target, MoveKind::Skip)) return false;
     if (!move_.moved) return true;
@@ -206,6 +226,7 @@ bool Core::skip(const AxisValues& target, double feed, FeedMode mode, std::strin
     for (const char c : input) number = c >= '0' && c <= '9' && number < 25 ? number * 10 + static_cast<unsigned>(c - '0') : 0;
     move_.skip_input = static_cast<std::uint8_t>(number);
     move_.skip_name = input;
+    move_.skip_release = release;
     deliver();
     path.after_thread = false;
     skip_moved_ = move_.moved;
@@ -292,7 +313,7 @@ bool Core::arc(const AxisValues& target, const ArcCall& programmed) {
         }
     }
     move_.moved |= (1u << p) | (1u << q);
-    if (!feed_ready()) return false;
+    if (!zones_allow() || !feed_ready()) return false;
     deliver();
     path.after_thread = false;
     accept(target);
