@@ -57,8 +57,20 @@ public:
     WaitWatch(Sink& next, CheckPort& port, const MachineView& view) : next_(&next), port_(&port), view_(&view) {}
     bool waiting = false;
     void move(const Move& m, const BlockContext& at) override {
-        if (m.kind == MoveKind::Skip) port_->skip_move(m, *view_);
-        next_->move(m, at);
+        if (m.kind != MoveKind::Skip) {
+            next_->move(m, at);
+            return;
+        }
+        // The event shows the point that the signal leaves, as a run of the machine would.
+        port_->skip_move(m, *view_);
+        Move stopped = m;
+        for (unsigned i = 0; i < view_->axis_count; ++i) {
+            const auto end = port_->axis_at_skip(view_->axes[i].machine_axis);
+            if (!end) continue;
+            stopped.pos[i] += *end - m.machine[i];
+            stopped.machine[i] = *end;
+        }
+        next_->move(stopped, at);
     }
     void dwell(const Dwell& d, const BlockContext& at) override { next_->dwell(d, at); }
     void aux(const Aux& a, const BlockContext& at) override { next_->aux(a, at); }

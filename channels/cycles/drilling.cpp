@@ -41,6 +41,55 @@ bool peck(Core& core, const Drilling& hole) {
 
 }  // namespace
 
+namespace {
+
+bool level(Core& core, const AxialHole& hole, double to, bool rapid) {
+    AxisValues target = core.path.programmed;
+    target[hole.axis] = to;
+    return rapid ? core.rapid(target) : core.linear(target);
+}
+
+}  // namespace
+
+bool drill_axial(Core& core, const AxialHole& hole) {
+    constexpr int kMostPecks = 100'000;
+    const double away = hole.bottom < hole.surface ? 1.0 : -1.0, total = std::fabs(hole.bottom - hole.surface);
+    const double approach = hole.approach[hole.axis];
+    if (!core.rapid(hole.approach)) return false;
+    double depth = std::fmin(hole.peck, total), peck = hole.peck;
+    if (!level(core, hole, hole.surface - away * depth, false)) return false;
+    for (int count = 0; depth < total - 1e-9; ++count) {
+        const double last = hole.surface - away * depth;
+        peck = std::fmax(peck * hole.factor, hole.least);
+        if (count == kMostPecks || !(peck > 0)) return core.fail(Alarm::CycleValueIllegal, 'B', "B", hole.peck);
+        double back = hole.retract > 0 ? last + away * hole.retract : approach;
+        if (away * back > away * approach) back = approach;
+        if (!level(core, hole, back, true)) return false;
+        const double near = last + away * hole.clearance;
+        if (away * near < away * back - 1e-9 && !level(core, hole, near, true)) return false;
+        depth = std::fmin(depth + peck, total);
+        if (!level(core, hole, hole.surface - away * depth, false)) return false;
+    }
+    if (hole.dwell > 0 && !core.dwell(hole.dwell, false)) return false;
+    return level(core, hole, approach, true);
+}
+
+bool tap_axial(Core& core, const AxialHole& hole) {
+    if (!core.rapid(hole.approach)) return false;
+    const SpindleTurn in = core.path.spindle.turn;
+    if (in == SpindleTurn::Stop) return core.fail(Alarm::ThreadSpindleStopped);
+    const SpindleTurn back = in == SpindleTurn::Cw ? SpindleTurn::Ccw : SpindleTurn::Cw;
+    const bool rigid = hole.tap != AxialHole::Tap::Floating;
+    if (hole.tap == AxialHole::Tap::Oriented && !(turn(core, SpindleTurn::Stop) && core.spindle_position(0.0) && turn(core, in))) return false;
+    const bool locked = core.path.override_locked;
+    core.path.override_locked = true;
+    const bool good = level(core, hole, hole.bottom, false) &&
+                      (hole.dwell <= 0 || (turn(core, SpindleTurn::Stop) && core.dwell(hole.dwell, false))) && turn(core, back) &&
+                      level(core, hole, hole.approach[hole.axis], false);
+    core.path.override_locked = locked;
+    return good && turn(core, rigid ? SpindleTurn::Stop : in);
+}
+
 bool drill(Core& core, const Drilling& hole) {
     if (!to(core, hole, hole.r_level, true)) return false;
     const SpindleTurn in = core.path.spindle.turn;

@@ -25,6 +25,23 @@ struct Drilling {
     bool to_r_level = false;        // ends at the R level
 };
 
+// A hole on the turning axis with depths counted from the surface (fagor G83): the approach point lies in front of it.
+//
+//   approach ---.  G00 from the call point          peck k: `peck` * factor^(k-1), not below `least`; behind each the tool
+//   surface  ---+--   the first cut begins here     goes back by `retract` (0: to the approach point), then in rapid to
+//   bottom   ---v                                   `clearance` before the last depth
+struct AxialHole {
+    AxisValues approach{};          // point
+    unsigned axis = 0;
+    double surface = 0.0, bottom = 0.0;
+    double peck = 0.0, factor = 1.0, least = 0.0;
+    double retract = 0.0, clearance = 1.0;
+    double dwell = 0.0;             // seconds; 0 none
+    enum class Tap : std::uint8_t { Floating, Oriented, Turning } tap = Tap::Floating;   // of tap_axial: the last two are rigid
+};
+bool drill_axial(Core& core, const AxialHole& hole);
+bool tap_axial(Core& core, const AxialHole& hole);
+
 // From the present point: the hole's position is reached already, the axis stands on the initial level.
 bool drill(Core& core, const Drilling& hole);
 

@@ -45,4 +45,28 @@ bool cut_grooves(Core& core, const Grooving& cycle) {
     return moves.rapid(start);
 }
 
+bool plunge_groove(Core& core, const PlungedGroove& groove) {
+    CycleMoves moves(core);
+    if (!moves.ready()) return false;
+    const Point call = moves.here();
+    const bool x = groove.along_x;
+    const auto side = [x](Point p) { return x ? p.z : p.x; };
+    const auto deep = [x](Point p) { return x ? p.x : p.z; };
+    const auto point = [x](double s, double d) { return x ? Point{s, d} : Point{d, s}; };
+    const double width = std::fabs(side(groove.end) - side(groove.start)) - groove.cutter;
+    const double towards = side(groove.end) >= side(groove.start) ? 1.0 : -1.0;
+    const double away = deep(groove.start) >= deep(groove.end) ? 1.0 : -1.0;
+    const int steps = width > 1e-9 ? static_cast<int>(std::ceil(width / groove.step - 1e-9)) : 0;
+    if (steps > kMostPecks) return core.fail(Alarm::CycleValueIllegal, 'C', "C", groove.step);
+    const double clear = deep(groove.start) + away * groove.safety;
+    for (int k = 0; k <= steps; ++k) {
+        const double at = side(groove.start) + (steps ? towards * width * k / steps : 0.0);
+        if (!moves.rapid(point(at, clear))) return false;
+        if (!moves.linear(point(at, deep(groove.end)))) return false;
+        if (groove.dwell > 0 && !core.dwell(groove.dwell, false)) return false;
+        if (!moves.rapid(point(at, clear))) return false;
+    }
+    return moves.rapid(call);
+}
+
 }  // namespace polyturn::channels::cycles

@@ -27,4 +27,18 @@ struct Grooving {
 
 bool cut_grooves(Core& core, const Grooving& cycle);
 
+// A groove as wide as its two points, plunged side by side with a cutter of some width (fagor G88, G89).
+//
+//   start ---.      .--- call point          steps of equal size, not above `step`; the last plunge ends on the far side
+//            |  |  |
+//            '--+--+-- end
+struct PlungedGroove {
+    bool along_x = true;            // plunges along X (G88), else along Z (G89)
+    Point start, end;
+    double cutter = 0.0, step = 0.0, safety = 0.0;   // mm
+    double dwell = 0.0;             // seconds behind each plunge; 0 none
+};
+
+bool plunge_groove(Core& core, const PlungedGroove& groove);
+
 }  // namespace polyturn::channels::cycles
