@@ -99,6 +99,9 @@ struct Spindle {
     double value = 0.0;             // 1/min, m/min or degrees
     SpindleTurn turn = SpindleTurn::Stop;
     double limit = 0.0;             // 1/min; 0 none
+    SpindleApproach approach = SpindleApproach::Shortest;   // Position
+    double way = 0.0;               // Position, Incremental: degrees; `value` is where it leads
+    std::array<double, 4> watch{};  // Watch: seconds, % to begin with, %, 1/min; NaN: the parameter's
     std::int32_t css_axis = -1;     // SurfaceSpeed: place of the turning axis
     double css_zero = 0.0;          // SurfaceSpeed: machine coordinate of that axis at diameter 0
     bool mode_changed = false, speed_changed = false, turn_changed = false, limit_changed = false;

@@ -207,6 +207,7 @@ void append_event(std::string& out, const EventScene& scene, const Aux& aux, con
 }
 
 void append_event(std::string& out, const EventScene& scene, const Spindle& spindle, const BlockContext& at) {
+    if (spindle.silent) return;
     Object object(out, "spindle", scene, &at);
     object.integer("spindle", spindle.spindle);
     std::string_view mode = "rpm";

@@ -154,7 +154,7 @@ bool Interpreter::function_code(const Word& word, bool late) {
     if (code == 19 && !core_.spindle_position(0.0)) return false;
     if (settings_.index_first > 0 && code >= settings_.index_first && code < settings_.index_first + settings_.index_count) {
         const double step = (code - settings_.index_first + 1) * settings_.index_angle;
-        if (!core_.spindle_position(core_.path.spindle.angle_deg + step)) return false;
+        if (!core_.spindle_index(settings_.index_negative ? -step : step)) return false;
     }
     const bool drains = is_draining(code);
     char text[24];

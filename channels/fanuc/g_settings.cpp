@@ -1,5 +1,7 @@
 // Handlers of settings: units, plane, feed mode, zeros, coordinate setting, dwell.
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "channels/fanuc/interpreter.hpp"
 
@@ -76,6 +78,20 @@ bool Interpreter::g_zero_extended(const GCode&) {
     if (number < 1 || number > 300) return core_.fail(Alarm::OffsetNumberIllegal, 'P', {}, static_cast<double>(number), 300);
     core_.select_zero(kZeroG541Row + static_cast<std::int32_t>(number));
     return true;
+}
+
+// G25, G26: supervision of the spindle's speed. Q R are percents; P is a time, seconds in nct and milliseconds elsewhere; the
+// absolute limit is D in nct and I elsewhere. What is not programmed is the parameter's.
+bool Interpreter::g_spindle_watch(const GCode& code) {
+    if (code.tenths == 250) return core_.spindle_watch(false);
+    std::array<double, 4> values;
+    const char letters[] = {'P', 'Q', 'R', settings_.nct ? 'D' : 'I'};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = block_.has(letters[i]) ? block_.value(letters[i]) : std::numeric_limits<double>::quiet_NaN();
+        if (values[i] < 0) return core_.fail(Alarm::NegativeSign, letters[i], std::string(1, letters[i]));
+    }
+    if (!settings_.nct) values[0] *= 1e-3;
+    return core_.spindle_watch(true, values);
 }
 
 // G50 (system A), G92: the present point gets the programmed coordinates, or the spindle its highest speed.

@@ -77,6 +77,7 @@ public:
     bool g_feed_mode(const GCode&);
     bool g_exact_stop(const GCode&);
     bool g_exact_once(const GCode&);
+    bool g_spindle_watch(const GCode&);
     bool g_surface(const GCode&);
     bool g_comp_on(const GCode&);
     bool g_comp_off(const GCode&);

@@ -24,7 +24,8 @@ void common_settings(Settings& s, const Table& t, unsigned l) {
     }
     if (const auto spindle = static_cast<unsigned>(get(t, n0604_default_spindle, l)); spindle >= 1 && spindle <= kMaxSpindles) {
         s.index_angle = static_cast<double>(get(t, n0822_basic_angle_of_spnd_pos, spindle));
-        if (s.index_angle > 0) {
+        s.index_negative = bit(t, n0607_spindle_config, spindle, 7);
+        if (s.index_angle > 0 && !bit(t, n0607_spindle_config, spindle, 3)) {
             s.index_first = static_cast<double>(get(t, n0820_start_m_of_spnd_pos, spindle));
             s.index_count = static_cast<double>(get(t, n0821_no_of_m_code_for_spnd_pos, spindle));
         }

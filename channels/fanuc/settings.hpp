@@ -81,6 +81,7 @@ struct Settings {
     int measure_input = 0;               // nct: N3002
     bool measure_to_wear = false, measure_added = true;
     double index_first = 0, index_count = 0, index_angle = 0;   // N0820 to N0822 of the channel's spindle
+    bool index_negative = false;        // N0607 IDS
     double surface_speed = 0;            // N0686: G96 until S; 0: S must be programmed
     double part_code = 0;                // N2305: M code that counts a part; 0: M2 and M30
     bool s_drains = false, t_drains = false;

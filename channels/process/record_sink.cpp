@@ -149,6 +149,14 @@ void RecordSink::spindle(const Spindle& spindle, const BlockContext& at) {
         r.axis[0] = view_->axes[static_cast<std::size_t>(spindle.css_axis)].machine_axis;
         r.shape[1] = spindle.css_zero;
     }
+    if (spindle.mode == SpindleModeCode::Position) {
+        r.plane[0] = static_cast<std::uint8_t>(spindle.approach);
+        r.shape[2] = spindle.way;
+    }
+    if (spindle.mode == SpindleModeCode::Watch) {
+        r.value = spindle.watch[0];
+        r.shape[0] = spindle.watch[1], r.shape[2] = spindle.watch[2], r.shape[3] = spindle.watch[3];
+    }
     // An S word alone is a speed; what it turns like is the PLC's.
     const bool plain = spindle.mode == SpindleModeCode::Rpm && !spindle.mode_changed && !spindle.limit_changed;
     if (plain) r.kind = code_of(RecordKind::SpindleSpeed);

@@ -217,12 +217,15 @@ public:
     bool spindle_turn(SpindleTurn turn);
     bool surface_speed(bool on);
     bool spindle_limit(double rpm);
-    bool spindle_position(double degrees);
+    bool spindle_position(double degrees, SpindleApproach approach = SpindleApproach::Shortest);
+    bool spindle_index(double way_deg);                   // turns the closed loop by so much, with its sign
+    bool spindle_watch(bool on, const std::array<double, 4>& values = {});   // fluctuation; values as in Spindle::watch
     bool commit_spindle();
     void forget_pending() { mode_changed_ = speed_changed_ = turn_changed_ = limit_changed_ = false; }   // after PathState was put back
     void refresh_surface_zero();                          // G96: the zero of X may have changed
 
 private:
+    bool spindle_to(double degrees, SpindleApproach approach, double way_deg);
     bool begin_move(const AxisValues& target, MoveKind kind);
     bool feed_ready();
     void tell_feed_path();

@@ -64,18 +64,37 @@ bool Core::spindle_limit(double rpm) {
     return true;
 }
 
-bool Core::spindle_position(double degrees) {
+bool Core::spindle_position(double degrees, SpindleApproach approach) { return spindle_to(degrees, approach, 0.0); }
+
+bool Core::spindle_index(double way_deg) { return spindle_to(path.spindle.angle_deg + way_deg, SpindleApproach::Incremental, way_deg); }
+
+bool Core::spindle_to(double degrees, SpindleApproach approach, double way_deg) {
     SpindleState& s = path.spindle;
     if (s.spindle == 0) return fail(Alarm::SpindleMissing, 'M');
     s.turn = SpindleTurn::Stop;
     s.commanded = true;
-    s.angle_deg = degrees = std::fmod(degrees, 360.0);
+    degrees = std::fmod(degrees, 360.0);
+    s.angle_deg = degrees < 0 ? degrees + 360.0 : degrees;
     emitted_ = true;
     Spindle told;
     told.spindle = s.spindle;
     told.mode = SpindleModeCode::Position;
-    told.value = degrees;
+    told.value = s.angle_deg;
+    told.approach = approach;
+    told.way = way_deg;
     told.mode_changed = true;
+    sink_->spindle(told, at);
+    return true;
+}
+
+bool Core::spindle_watch(bool on, const std::array<double, 4>& values) {
+    if (path.spindle.spindle == 0) return on ? fail(Alarm::SpindleMissing, 'G') : true;
+    emitted_ = true;
+    Spindle told;
+    told.spindle = path.spindle.spindle;
+    told.mode = on ? SpindleModeCode::Watch : SpindleModeCode::WatchOff;
+    told.watch = values;
+    told.mode_changed = told.silent = true;
     sink_->spindle(told, at);
     return true;
 }

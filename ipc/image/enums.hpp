@@ -14,7 +14,9 @@ enum class RecordKind : std::uint8_t {
     Dwell,         // feed seconds or spindle revolutions (feed_mode)
     Aux,           // M, S or T to the PLC; done when the PLC has finished it
     SpindleMode,   // code: SpindleModeCode; value: 1/min or m/min or degrees; shape[0] limit 1/min (0 none),
-                   // shape[1] machine coordinate of the turning axis at diameter 0, axis[0] that axis
+                   // shape[1] machine coordinate of the turning axis at diameter 0, axis[0] that axis;
+                   // Position: plane[0] SpindleApproach, shape[2] way in degrees when Incremental (value is where it leads);
+                   // Watch: value seconds, shape[0] % to begin with, shape[2] % and shape[3] 1/min; NaN: the parameter's
     SpindleSpeed,  // S word: value 1/min for `spindle`; what it turns like is the PLC's SP_ROT
     Wait,          // code, mask; flags kFlying
     Barrier,       // the channel stands until this is executed; the kernel answers with BarrierReached
@@ -46,7 +48,9 @@ enum RecordFlag : std::uint32_t {
 enum InterruptBit : std::uint32_t { kInterruptAtBlockEnd = 1u << 0, kInterruptByLevel = 1u << 1, kInterruptByMint = 1u << 2 };
 
 enum class FeedMode : std::uint8_t { Rapid = 0, PerMinute, PerRevolution, InverseTime, Thread, Seconds, Revolutions };
-enum class SpindleModeCode : std::int32_t { Rpm = 0, SurfaceSpeed, Position, Off, Limit };
+enum class SpindleModeCode : std::int32_t { Rpm = 0, SurfaceSpeed, Position, Off, Limit, Watch, WatchOff };
+// How a positioned spindle comes to an angle.
+enum class SpindleApproach : std::uint8_t { Shortest = 0, Positive, Negative, Incremental };
 enum class StopReason : std::int32_t { None = 0, M00, M01, M02, M30, End, Held, Waiting, SingleBlock, Alarm, Reset, Death };
 enum class ChannelState : std::uint32_t { Absent = 0, Reset, Running, Held, Waiting, ProgramStop, Ended, Interrupted, Dead };
 enum class ChannelMode : std::uint32_t { Auto = 0, Mdi, Jog, Handwheel, Reference };

@@ -53,22 +53,6 @@ AxisConfig read_axis(const p::Table& t, unsigned a) {
     return axis;
 }
 
-SpindleConfig read_spindle(const p::Table& t, unsigned s) {
-    SpindleConfig spindle;
-    spindle.exists = p::bit(t, p::n0607_spindle_config, s, 0);
-    spindle.override_in_thread = p::bit(t, p::n0607_spindle_config, s, 5);
-    spindle.speed_min = static_cast<double>(p::get(t, p::n0642_r1_s_min, s));
-    spindle.speed_max = static_cast<double>(p::get(t, p::n0650_r1_s_max, s));
-    const auto ramp = [](std::int64_t rpm_per_s) { return rpm_per_s > 0 ? static_cast<double>(rpm_per_s) : kUnlimited; };
-    spindle.ramp_up = ramp(p::get(t, p::n0666_r1_s_ramp_up, s));
-    spindle.ramp_down = ramp(p::get(t, p::n0674_r1_s_ramp_down, s));
-    spindle.tolerance_percent = static_cast<double>(p::get(t, p::n0627_s_n, s));
-    spindle.tolerance_rpm = static_cast<double>(p::get(t, p::n0628_s_nw, s));
-    spindle.standstill_rpm = static_cast<double>(p::get(t, p::n0629_s_n0, s));
-    spindle.encoder_counts = static_cast<std::uint32_t>(p::get(t, p::pt_encoder_counts, s));
-    return spindle;
-}
-
 ChannelConfig read_channel(const p::Table& t, unsigned l) {
     ChannelConfig channel;
     channel.group = static_cast<std::uint32_t>(p::get(t, p::n0000_machine_group, l));

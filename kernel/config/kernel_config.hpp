@@ -8,6 +8,7 @@
 
 #include "ipc/capacities.hpp"
 #include "ipc/params/table.hpp"
+#include "kernel/config/spindle_config.hpp"
 
 namespace polyturn::kernel {
 
@@ -31,15 +32,6 @@ struct AxisConfig {
     double error_standing = 0, error_moving = 0, error_absolute = 0;  // mm; N0519..N0521, 0: not supervised
     bool stroke_limited = false;
     double stroke_low = 0, stroke_high = 0;
-};
-
-struct SpindleConfig {
-    bool exists = false;
-    bool override_in_thread = false;      // N0607 TOE
-    double speed_min = 0, speed_max = 0;  // 1/min, of the engaged range
-    double ramp_up = kUnlimited, ramp_down = kUnlimited;  // 1/min per s
-    double tolerance_percent = 0, tolerance_rpm = 0, standstill_rpm = 0;
-    std::uint32_t encoder_counts = 4096;  // of the simulated encoder
 };
 
 // What the death of a channel's process means for the others of its machine group (PT_PARTNER_DEATH).

@@ -56,6 +56,7 @@ bool ChannelRunner::execute(const PathRecord& r, double& left) noexcept {
         case RecordKind::Wait: return arrive(r);
         case RecordKind::Barrier: return true;
         case RecordKind::Stop: return stop(r);
+        case RecordKind::SpindleMode: return position_spindle(r);
         default:
             raise(Alarm::RecordInvalid, "unknown kind");
             return false;
@@ -212,10 +213,31 @@ bool ChannelRunner::take_spindle(std::uint32_t number, bool lock) noexcept {
     return true;
 }
 
+// An angle for a spindle whose loop is closed is driven at once and waited for; for the others it is where the PLC's M19
+// will take it, and the M code that follows waits.
+bool ChannelRunner::position_spindle(const PathRecord& r) noexcept {
+    const std::uint32_t number = r.spindle ? r.spindle : core_.config.channels[index_].default_spindle;
+    if (phase_ != Phase::Spindle) {
+        if (!take_spindle(number, false)) return false;
+        const auto how = static_cast<SpindleApproach>(r.plane[0]);
+        if (!core_.spindles[number - 1].demand_position(how == SpindleApproach::Incremental ? r.shape[2] : r.value, how)) {
+            raise(Alarm::SpindleNotClosed, name_of('S', number - 1).view());
+            return false;
+        }
+        // The PLC may have let it go with this very tick.
+        if (!core_.spindles[number - 1].closed() || !core_.signals.plc(signals::sp_oreq(number))) return true;
+        phase_ = Phase::Spindle;
+        return false;
+    }
+    if (core_.spindles[number - 1].loop() == SpindleUnit::Loop::Turning) raise(Alarm::SpindleNotClosed, name_of('S', number - 1).view());
+    return core_.spindles[number - 1].in_position();
+}
+
 void ChannelRunner::spindle_mode(const PathRecord& r) noexcept {
     const std::uint32_t number = r.spindle ? r.spindle : core_.config.channels[index_].default_spindle;
     const auto mode = static_cast<RecordKind>(r.kind) == RecordKind::SpindleSpeed ? SpindleModeCode::Rpm : static_cast<SpindleModeCode>(r.code);
-    if (!take_spindle(number, mode == SpindleModeCode::SurfaceSpeed)) return;
+    const bool watches = mode == SpindleModeCode::Watch || mode == SpindleModeCode::WatchOff;   // commands nothing
+    if (!(watches && number >= 1 && number <= kMaxSpindles) && !take_spindle(number, mode == SpindleModeCode::SurfaceSpeed)) return;
     SpindleUnit& spindle = core_.spindles[number - 1];
     switch (mode) {
         case SpindleModeCode::Rpm: spindle.demand_speed(std::fabs(r.value)); break;
@@ -224,7 +246,9 @@ void ChannelRunner::spindle_mode(const PathRecord& r) noexcept {
         case SpindleModeCode::SurfaceSpeed:
             spindle.demand_surface_speed(r.value, r.shape[0], core_.config.channels[index_].surface_speed_min_rpm, r.axis[0], r.shape[1]);
             break;
-        case SpindleModeCode::Position: break;  // the PLC orients the spindle (SP_ROT 19)
+        case SpindleModeCode::Position: break;  // stands: position_spindle()
+        case SpindleModeCode::Watch: spindle.watch_fluctuation(true, r.value, r.shape[0], r.shape[2], r.shape[3]); break;
+        case SpindleModeCode::WatchOff: spindle.watch_fluctuation(false, 0, 0, 0, 0); break;
     }
 }
 

@@ -46,7 +46,7 @@ bool ChannelRunner::stops_path(const PathRecord& r) noexcept {
         case RecordKind::Curve: return (r.flags & kThread) != 0;
         case RecordKind::Variable:
         case RecordKind::Offset:
-        case RecordKind::SpindleMode:
+        case RecordKind::SpindleMode: return static_cast<SpindleModeCode>(r.code) == SpindleModeCode::Position;
         case RecordKind::SpindleSpeed:
         case RecordKind::Message:
         case RecordKind::Part:

@@ -77,7 +77,7 @@ public:
 
 private:
     // What the record that the path stands before is doing.
-    enum class Phase : std::uint8_t { None, Dwell, Handshake, Waiting, Stopped, Thread };
+    enum class Phase : std::uint8_t { None, Dwell, Handshake, Waiting, Stopped, Thread, Spindle };
     static constexpr std::uint64_t kNoRecord = ~0ull;
 
     const PathRecord& record(std::uint64_t index) const noexcept { return segment_->path.slot(index); }
@@ -119,6 +119,7 @@ private:
     void stand(ChannelState state, StopReason reason) noexcept;
     void raise(Alarm number, std::string_view detail = {}, double value = 0) noexcept;
     void spindle_mode(const PathRecord& r) noexcept;
+    bool position_spindle(const PathRecord& r) noexcept;
     bool take_spindle(std::uint32_t number, bool lock) noexcept;
     void tell(ChannelEventKind kind, std::uint64_t record, double value = 0, std::string_view text = {}) noexcept;
 

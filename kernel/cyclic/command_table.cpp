@@ -40,6 +40,7 @@ void Machine::run_command(const Command& c) noexcept {
         case CommandKind::EmergencyStop: emergency_stop(Alarm::EmergencyStop, 0, {}, 0); break;
         case CommandKind::MachineOn:
             for (AxisUnit& axis : core_.axes) axis.clear_fault();
+            for (SpindleUnit& spindle : core_.spindles) spindle.clear_fault();
             core_.all_stop = plc_.dead() || plc_late_;
             if (!core_.on()) set_state(MachineState::On);
             break;
@@ -78,6 +79,7 @@ void Machine::run_command(const Command& c) noexcept {
         case CommandKind::DriveFault:
             if (!c.flags && c.object >= 1 && c.object <= kMaxAxes && core_.axes[c.object - 1].exists())
                 static_cast<SimulatedDrive*>(core_.axes[c.object - 1].drive())->fail(on);
+            if (c.flags && c.object >= 1 && c.object <= kMaxSpindles && core_.spindles[c.object - 1].simulated()) core_.spindles[c.object - 1].simulated()->fail(on);
             break;
         case CommandKind::SetParameter: (void)core_.store.ask_parameter(text_of(c), core_.tick, core_.config.answer_ticks); break;
         case CommandKind::Watch:
@@ -112,6 +114,7 @@ void Machine::run_command(const Command& c) noexcept {
 
 // Reset clears what stopped the whole machine, but not an emergency stop, and not a PLC that is still dead.
 void Machine::reset_machine() noexcept {
+    for (SpindleUnit& spindle : core_.spindles) spindle.clear_fault();
     if (core_.state != MachineState::EmergencyStop && !plc_.dead() && !plc_late_) core_.all_stop = false;
 }
 

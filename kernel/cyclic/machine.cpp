@@ -37,7 +37,7 @@ void Machine::start() {
         core_.axes[a].referenced = options.ready != 0 || params::bit(core_.table, params::n0900_reference_type, a + 1, 3);
     }
     for (unsigned s = 0; s < kMaxSpindles; ++s)
-        if (core_.config.spindles[s].exists) core_.spindles[s].open(s + 1, core_.config.spindles[s], core_.config.tick_s);
+        open_spindle(s);
     for (unsigned l = 0; l < kMaxChannels; ++l) {
         const double factor = options.feed_override[l];
         channels_[l]->feed_override = factor > 0 ? factor : 1.0;
@@ -145,19 +145,6 @@ void Machine::run_channels() noexcept {
     for (unsigned l = 0; released >> l; ++l)
         if (released >> l & 1u) channels_[l]->release_wait();
     for (auto& channel : channels_) channel->after_waits(runners_);
-}
-
-void Machine::run_spindles() noexcept {
-    for (std::uint32_t s = 0; s < core_.config.spindle_count; ++s) {
-        SpindleUnit& spindle = core_.spindles[s];
-        if (!spindle.exists()) continue;
-        const double factor = spindle.override_locked && !spindle.config().override_in_thread ? 1.0 : spindle.override_factor;
-        const double at = core_.axes[spindle.surface_axis()].target();
-        spindle.step(core_.config.tick_s, core_.signals.plc(signals::sp_rot(s + 1)), factor, at, core_.on(), core_.all_stop);
-        core_.spindle_rev_s[s] = spindle.speed() / 60.0;
-        core_.signals.set_nc(signals::sn_ns(s + 1), spindle.reached() || spindle.standing());
-        core_.signals.set_nc(signals::sn_n0(s + 1), spindle.standing());
-    }
 }
 
 void Machine::run_axes() noexcept {

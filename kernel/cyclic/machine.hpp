@@ -63,7 +63,9 @@ private:
     void jog_command(const Command& command) noexcept;
     double jog_feed(std::uint32_t axis) const noexcept;
     void run_jogs() noexcept;
+    void open_spindle(unsigned index);
     void run_spindles() noexcept;
+    void spindle_fault(std::uint32_t index) noexcept;
     void run_axes() noexcept;
     void axis_fault(std::size_t a) noexcept;
     void supervise() noexcept;

@@ -31,7 +31,7 @@ void Machine::publish() noexcept {
         if (!spindle.exists()) continue;
         SpindleStatus& out = status.spindles[s];
         out.command = spindle.command();
-        out.speed = spindle.speed();
+        out.speed = spindle.shown_speed();
         out.angle = spindle.angle();
         out.override = spindle.override_factor;
         out.owner = spindle.owner;

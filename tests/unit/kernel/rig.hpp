@@ -39,7 +39,10 @@ public:
             params::put(t, params::n0516_inpos, 0.005, a);
         }
         for (unsigned s = 1; s <= 2; ++s) {
-            params::put(t, params::n0607_spindle_config, 1, s);
+            params::put(t, params::n0607_spindle_config, 7, s);
+            params::put(t, params::n0608_spindle_encoder_counts, 4096, s);
+            params::put(t, params::n0610_spindle_n_time_constant, 0, s);
+            params::put(t, params::n0634_r1_s_calibration, 4500, s);
             params::put(t, params::n0650_r1_s_max, 4000, s);
             params::put(t, params::n0666_r1_s_ramp_up, 1500, s);
             params::put(t, params::n0674_r1_s_ramp_down, 1500, s);
