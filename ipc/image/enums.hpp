@@ -43,6 +43,9 @@ enum RecordFlag : std::uint32_t {
     kThreadEnd = 1u << 10,   // last record of a thread: it may start once this one is in the ring
     kSkipMove = 1u << 11,    // ends when the skip input comes
     kReference = 1u << 12,   // reported as a move of kind reference
+    kTapping = 1u << 16,     // rigid tapping: the last slot is a spindle (axis[i] = kMaxAxes + spindle from 0), in revolutions
+    kTapOut = 1u << 17,      // and this is the way out of the hole
+    kFixedStop = 1u << 18,   // ends where the axis stops moving though its drive gives the torque of `value` (thousandths)
 };
 
 enum InterruptBit : std::uint32_t { kInterruptAtBlockEnd = 1u << 0, kInterruptByLevel = 1u << 1, kInterruptByMint = 1u << 2 };

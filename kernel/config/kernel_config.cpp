@@ -63,6 +63,8 @@ ChannelConfig read_channel(const p::Table& t, unsigned l) {
     channel.surface_speed_axis = static_cast<std::uint32_t>(p::get(t, p::n0687_default_g96_axis, l));
     channel.surface_speed_min_rpm = static_cast<double>(p::get(t, p::n0688_min_spindle_speed_g96, l));
     channel.in_position_timeout_s = p::get(t, p::n1340_inpos_timeout, l);
+    channel.feed_waits_for_spindle = p::get(t, p::pt_feed_waits, l) != 0;
+    for (unsigned n = 0; n < 3; ++n) channel.aux_letters[n] = static_cast<char>(p::get(t, p::nth(p::n1333_aux_fu_addr1, n + 1), l));
     channel.in_position_at_rapid_end = p::bit(t, p::n1337_execution_config, l, 0);
     if (channel.group >= 1 && channel.group <= kMaxGroups) {
         channel.wait_timeout_s = p::get(t, p::pt_wait_timeout, channel.group);

@@ -49,6 +49,8 @@ struct ChannelConfig {
     double wait_timeout_s = 0;            // 0: never
     PartnerDeath partner_death = PartnerDeath::GoOn;
     bool in_position_at_rapid_end = false;  // N1337 PCH
+    bool feed_waits_for_spindle = true;   // PT_FEED_WAITS
+    std::array<char, 3> aux_letters{};    // N1333 to N1335: whose values go to CN_AUX1C to CN_AUX3C
 };
 
 struct KernelConfig {

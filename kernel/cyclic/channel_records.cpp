@@ -129,14 +129,13 @@ bool ChannelRunner::handshake(const PathRecord& r) noexcept {
         NcSignal strobe, code;
         PlcSignal finished;
     };
+    const auto& letters = core_.config.channels[index_].aux_letters;
+    const NcSignal second = r.code == letters[2] ? signals::cn_aux3c : r.code == letters[1] ? signals::cn_aux2c : signals::cn_aux1c;
     const Lines lines = r.code == 'S' ? Lines{signals::cn_sstr, signals::cn_scode, signals::cp_sfin}
                       : r.code == 'T' ? Lines{signals::cn_tstr, signals::cn_tcode, signals::cp_tfin}
-                                      : Lines{signals::cn_mstr, signals::cn_mcode, signals::cp_mfin};
+                      : r.code == 'M' ? Lines{signals::cn_mstr, signals::cn_mcode, signals::cp_mfin}
+                                      : Lines{signals::cn_bstr, second, signals::cp_bfin};
     if (phase_ != Phase::Handshake) {
-        if (r.code != 'M' && r.code != 'S' && r.code != 'T') {  // second auxiliary function: a value without a handshake
-            core_.signals.set_nc(signals::cn_aux1c(number_), static_cast<std::int32_t>(std::lround(r.value)));
-            return true;
-        }
         phase_ = Phase::Handshake;
         strobe_ = core_.signals.nc(lines.strobe(number_)) + 1;
         core_.signals.set_nc(lines.code(number_), static_cast<std::int32_t>(std::lround(r.value)));
@@ -240,7 +239,12 @@ void ChannelRunner::spindle_mode(const PathRecord& r) noexcept {
     if (!(watches && number >= 1 && number <= kMaxSpindles) && !take_spindle(number, mode == SpindleModeCode::SurfaceSpeed)) return;
     SpindleUnit& spindle = core_.spindles[number - 1];
     switch (mode) {
-        case SpindleModeCode::Rpm: spindle.demand_speed(std::fabs(r.value)); break;
+        case SpindleModeCode::Rpm:
+            spindle.demand_speed(std::fabs(r.value));
+            // The PLC hears of it (a gear range may have to be chosen); nobody waits for its answer.
+            core_.signals.set_nc(signals::cn_scode(number_), static_cast<std::int32_t>(std::lround(std::fabs(r.value))));
+            core_.signals.set_nc(signals::cn_sstr(number_), core_.signals.nc(signals::cn_sstr(number_)) + 1);
+            break;
         case SpindleModeCode::Off: spindle.demand_speed(0.0); break;
         case SpindleModeCode::Limit: spindle.limit_surface_speed(r.shape[0] > 0 ? r.shape[0] : r.value); break;
         case SpindleModeCode::SurfaceSpeed:

@@ -7,6 +7,7 @@ namespace {
 // A channel sleeps when its ring is full; it is woken when this much has become free, not for every record.
 constexpr std::uint64_t kWakeChunk = 1024;
 constexpr double kStandingRevS = 1e-3;
+constexpr double kSpindleTimeoutS = 15.0;   // from the end of its ramp on
 }  // namespace
 
 ChannelRunner::ChannelRunner(Core& core, unsigned index) : core_(core), index_(index), number_(index + 1), names_(std::make_unique<ProgramNames>()) {}
@@ -158,6 +159,7 @@ void ChannelRunner::drive() noexcept {
     input.in_position = axes_in_position();
     if (emergency_) input.emergency_dec = emergency_deceleration();
     if (keys & kKeyDryRun) input.dry_run_feed = dry_run_feed();
+    else if (waits_for_speed()) input.feed_override = 0;
     step_ = planner_->tick(input);
     report_progress();
     if (skipping_ && planner_->at_rest()) end_skipped_move();
@@ -222,6 +224,16 @@ void ChannelRunner::report_progress() noexcept {
     }
 }
 
+// A cut that begins from standstill waits for the spindle's speed (PT_FEED_WAITS); the M3 before it did not.
+bool ChannelRunner::waits_for_speed() const noexcept {
+    if (!core_.config.channels[index_].feed_waits_for_spindle || !planner_->at_rest() || cursor_ >= planner_->next_record()) return false;
+    const PathRecord& r = record(cursor_);
+    if (!is_motion(r) || (r.flags & (kRapid | kThread | kTapping))) return false;
+    const auto number = static_cast<std::uint32_t>(core_.signals.nc(signals::cn_ssel(number_)));
+    if (number == 0 || number > kMaxSpindles || !core_.spindles[number - 1].exists() || core_.spindles[number - 1].owner != number_) return false;
+    return !core_.spindles[number - 1].at_speed(core_.signals.plc(signals::sp_rot(number)));
+}
+
 // A path that stands though a program runs: is it for a reason that the operator must be told?
 void ChannelRunner::watch_standstill(const PathRecord& r) noexcept {
     if (step_.stands != Stands::NoFeed && step_.stands != Stands::InPosition) {
@@ -233,6 +245,12 @@ void ChannelRunner::watch_standstill(const PathRecord& r) noexcept {
         const double limit = core_.config.channels[index_].in_position_timeout_s;
         if (limit > 0 && stood_s > limit) raise_not_in_position();
         return;
+    }
+    if (waits_for_speed()) {
+        const auto number = static_cast<std::uint32_t>(core_.signals.nc(signals::cn_ssel(number_)));
+        const SpindleUnit& waited = core_.spindles[number - 1];
+        if (waited.ramping()) stands_since_ = core_.tick;
+        if (waited.command() != 0.0 && stood_s > kSpindleTimeoutS) return raise(Alarm::SpindleTooSlow, name_of('S', number - 1).view(), waited.shown_speed());
     }
     const bool per_revolution = static_cast<FeedMode>(r.feed_mode) == FeedMode::PerRevolution;
     if (!per_revolution || r.spindle == 0 || r.spindle > kMaxSpindles) return;

@@ -109,6 +109,7 @@ private:
     bool stands_for_interrupt() noexcept;
     void break_off() noexcept;
     void watch_standstill(const PathRecord& r) noexcept;
+    bool waits_for_speed() const noexcept;
     void raise_not_in_position() noexcept;
     bool axes_in_position() const noexcept;
     double dry_run_feed() const noexcept;

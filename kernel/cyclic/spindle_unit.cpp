@@ -50,6 +50,14 @@ bool SpindleUnit::at_index() const noexcept {
     return std::fabs(off) <= range().in_position;
 }
 
+bool SpindleUnit::at_speed(std::int32_t rotation) const noexcept {
+    if (rotation != kRight && rotation != kLeft) return true;
+    if (mode_ == Mode::Speed && speed_ == 0) return true;
+    if (fresh_demand_ || target_ == 0 || (target_ > 0) != (rotation == kRight)) return false;
+    if (!has_encoder()) return !ramping();
+    return reached() && (!standing() || std::fabs(target_) <= config_.standstill_rpm);
+}
+
 double SpindleUnit::feedforward() const noexcept {
     if (!config_.feedforward) return 0.0;
     const bool on = tapping_ ? tap_feedforward_ : config_.feedforward_in_rapid;   // beside tapping all its moves are rapid
@@ -174,6 +182,7 @@ double SpindleUnit::closed_speed(const SpindleInput& in) noexcept {
 void SpindleUnit::step(const SpindleInput& in) noexcept {
     range_ = std::clamp<std::uint32_t>(in.range, 1, kGearRanges);
     follow_request(in);
+    fresh_demand_ = false;
     double rev_s = 0;
     if (loop_ == Loop::Closed) {
         target_ = ramped_ = 0;

@@ -55,9 +55,9 @@ public:
     SimulatedDrive* simulated() const noexcept { return simulated_; }
 
     // What a program demands.
-    void demand_speed(double rpm) noexcept { mode_ = Mode::Speed, speed_ = rpm; }
+    void demand_speed(double rpm) noexcept { mode_ = Mode::Speed, speed_ = rpm, fresh_demand_ = true; }
     void demand_surface_speed(double m_min, double limit_rpm, double min_rpm, std::uint32_t axis, double centre) noexcept {
-        mode_ = Mode::SurfaceSpeed, surface_speed_ = m_min, surface_limit_ = limit_rpm, surface_min_ = min_rpm, surface_axis_ = axis, surface_centre_ = centre;
+        mode_ = Mode::SurfaceSpeed, fresh_demand_ = true, surface_speed_ = m_min, surface_limit_ = limit_rpm, surface_min_ = min_rpm, surface_axis_ = axis, surface_centre_ = centre;
     }
     void limit_surface_speed(double rpm) noexcept { surface_limit_ = rpm; }
     // An angle in degrees from zero pulse + grid shift, or a way in degrees. A loop that is open takes an angle as the place
@@ -80,6 +80,9 @@ public:
     bool reached() const noexcept { return watch_.reached(); }
     bool standing() const noexcept { return config_.encoder_counts > 0 ? watch_.standing() : ramped_ == 0.0; }
     bool fluctuates() const noexcept { return watch_.fluctuates(); }
+    // It turns as demanded under this SP_ROT, or is not meant to turn.
+    bool at_speed(std::int32_t rotation) const noexcept;
+    bool ramping() const noexcept { return ramped_ != target_; }
     bool has_encoder() const noexcept { return config_.encoder_counts > 0; }
     const SpindleWatch& watch() const noexcept { return watch_; }
     bool settled() const noexcept { return loop_ == Loop::Closed ? positioner_.resting() && (in_position_ || fault_ != Fault::None) : loop_ == Loop::Turning && ramped_ == target_; }
@@ -143,6 +146,7 @@ private:
     double approach_rpm_ = 0, waited_s_ = 0, backlash_ = 0, last_position_ = 0;
     double interpolated_ = 0;
     bool zero_known_ = false, search_again_ = false, in_position_ = false, cannot_orient_ = false;
+    bool fresh_demand_ = false;             // what target_ says is older than what is demanded
     bool interpolating_ = false, tapping_ = false, tap_feedforward_ = false, switch_was_ = false, probe_armed_ = false;
     std::int64_t search_from_ = 0;
     Fault fault_ = Fault::None;

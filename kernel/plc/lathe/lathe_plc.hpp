@@ -1,22 +1,34 @@
-// The built-in PLC: a lathe with chucks on its spindles, turrets with driven tools, and coolant.
+// The built-in PLC: a lathe with chucks on its spindles, turrets with driven tools, gear ranges, coolant and helpers.
 //
-//   code            what happens                                              finished
-//   M3 M4           CN_SSEL's spindle turns right, left; refused while its    speed reached (SN_NS, not SN_N0),
-//                   chuck is open                                             or standing for a second: S0
-//   M5              CN_SSEL's spindle stops                                   standstill (SN_N0)
-//   M19             CN_SSEL's spindle is oriented                             in position (SN_INPOS)
-//   M8 M9           coolant of the channel on, off                            at once
-//   M10 M11         chuck of CN_SSEL's spindle clamps, opens; opening is      after PT_CHUCK_TIME
-//                   refused unless the spindle stands
-//   M13 M14 M15     driven tool of the channel's turret right, left, stop     speed reached, standstill
-//   T               turret goes the shorter way to the station of that        PT_TURRET_TIME a station;
-//                   number; T0 and the present station need no movement       at once when there is no movement
-//   M2 M30          the spindles that this channel started stop, its          at once
-//                   coolant and driven tool too; a reset does the same
-//   S, other M      nothing                                                   at once
+//   code            what happens                                                finished
+//   M3 M4 M5        CN_SSEL's spindle turns right, left, stops; M3 M4 are       at once: a feed waits for the speed, not
+//                   refused while its chuck is open                             this code
+//   M19             CN_SSEL's spindle is oriented (SP_ROT 19, SP_OREQ)          in position (SN_INPOS)
+//   N0823's code    its position loop closes where it stops                     in position
+//   N0689 to N0690  the builder's own states of the spindle: SP_ROT             at once
+//   M41 to M48      gear range 1 to 8, as far as PT_GEAR_RANGES goes: the       after PT_GEAR_TIME at creep speed
+//                   spindle creeps (SP_PAR) until the range is engaged; M40     (M40 at once)
+//                   chooses by S
+//   M8 M9           coolant of the channel on, off                              at once
+//   M10 M11         chuck of CN_SSEL's spindle clamps, opens; opening waits     PT_CHUCK_TIME after that
+//                   for a spindle that M5 stops, and is refused while it turns
+//   M13 M14 M15     driven tool of the channel's turret right, left, stop       at once
+//   T               turret goes the shorter way, or forwards only               PT_TURRET_TIME a station, then
+//                   (PT_TURRET_FORWARD), to the station of that number; T0      PT_TURRET_CLAMP; at once when there is
+//                   and the present station need no movement                    no movement
+//   M2 M30          the spindles that this channel started stop, its coolant    at once
+//                   and driven tool too; a reset does the same
+//   helpers         each has the codes n and n+1 that its parameter gives, 0:   after the time of the helper
+//                   there is none: tailstock forwards and back (PT_M_TAILSTOCK), bar feed (PT_M_BAR: opens the chuck, feeds,
+//                   clamps), parts catcher out and in (PT_M_CATCHER), door open and closed (PT_M_DOOR), C axis and spindle
+//                   (PT_M_C_AXIS), and PT_M_SPINDLE + k makes S k+1 the spindle of the channel
+//   S, B, other M   nothing                                                     at once
 //
 // Whose spindle: who gave the last M3, M4 or M19 to it. So the end of one turret's program leaves a spindle alone that
 // the other turret has started. Emergency stop and machine off stop everything; the turret halts between stations.
+// Lubrication: an impulse of PT_LUBE_TIME whenever an axis has travelled its distance (AN_LUBR).
+// Inputs that must be on, 0 for one that is not wired: door closed (PT_IN_DOOR), clamping pressure (PT_IN_CHUCK), lubricant
+// (PT_IN_LUBE), bar (PT_IN_BAR). What they say, the kernel's interlocks judge: CP_DOOROPEN, SP_UNCLAMPED, CP_NOLUBE, CP_BAREND.
 //
 // A refused code is not finished: the channel stands, PLC_ALARM names the reason, the channel's reset clears both.
 #pragma once
@@ -29,20 +41,26 @@
 namespace polyturn::plc {
 
 inline constexpr double kSpindleTimeS = 15.0;
-inline constexpr std::size_t kChannels = 16, kSpindles = 32;
+inline constexpr std::size_t kChannels = 16, kSpindles = 32, kAxes = 96, kRanges = 8, kMGroups = 16;
 
-// Values of PLC_ALARM.
+// Values of PLC_ALARM; their texts: kernel/plc/lathe/messages.csv.
 enum Message : std::int32_t {
     kNoMessage = 0,
     kChuckWhileTurning = 1,  // M11 while the spindle turns
     kTurningWhileOpen = 2,   // M3, M4, M19 while the chuck is open
     kNoSuchStation = 3,      // T beyond PT_TURRET_STATIONS
     kNoSpindle = 4,          // a spindle code, and neither CN_SSEL nor a driven tool names a spindle
-    kSpindleTooSlow = 5,     // speed, standstill or position was not reached within kSpindleTimeS
+    kSpindleTooSlow = 5,     // standstill or position was not reached within kSpindleTimeS
+    kSpindleIsAxis = 6,      // M3, M4, M19 while the drive is a C axis
+    kDoorOpen = 7,           // M3, M4 while the door is open
+    kTailstockTurning = 8,   // the tailstock goes back while its spindle turns
+    kNoPressure = 9,         // M3, M4, M19 without clamping pressure
+    kBarEnd = 10,            // bar feed without a bar
 };
 
 // Digital outputs (from 0), for each channel and each spindle.
-inline constexpr std::size_t kOutputsPerChannel = 8, kCoolant = 0, kTurretTurns = 1, kTurretLocked = 2;
+inline constexpr std::size_t kOutputsPerChannel = 8, kCoolant = 0, kTurretTurns = 1, kTurretLocked = 2, kTailstockOut = 3, kCatcherOut = 4, kDoorUnlocked = 5,
+                             kLubricates = 6, kBarFeeds = 7;
 inline constexpr std::size_t kOutputsPerSpindle = 2, kFirstSpindleOutput = 128, kChuckClamp = 0, kChuckOpen = 1;
 
 class LathePlc {
@@ -52,70 +70,105 @@ public:
     void cycle(const PolyturnPlcInputs& in, PolyturnPlcOutputs& out);
 
 private:
-    enum class Rotation : std::int32_t { Right = 3, Left = 4, Stop = 5, Orient = 19 };
-    enum class Task : std::uint8_t { None, Speed, Standstill, InPosition, Chuck, Refused };
+    enum Rotation : std::int32_t { kRight = 3, kLeft = 4, kStop = 5, kOrient = 19 };
+    enum class Task : std::uint8_t { None, InPosition, Standstill, Chuck, Gear, Helper, BarOpen, BarFeed, BarClamp, Refused };
+    enum Helper : std::uint8_t { kTailstock, kBar, kCatcher, kDoor, kHelpers };
     struct Pending {  // the M code that a channel waits for
         Task task = Task::None;
         std::uint32_t spindle = 0;       // from 1
         std::uint64_t believe_cycle = 0; // from this cycle on the spindle's flags speak of the new command
-        std::int64_t due_tick = 0;       // Chuck: done; spindle: given up
-        std::int64_t stood_tick = 0;     // Speed: when the spindle was last seen to turn, or the code came
+        std::int64_t due_tick = 0;       // done; or a spindle is given up
+        std::int32_t range = 0;          // Gear: the new one
     };
     struct Turret {
         std::int32_t station = 1, target = 1;
         std::int32_t step = 0;           // +1, -1 while it turns, 0 at rest
-        std::int64_t due_tick = 0;       // when it passes the next station
+        std::int64_t due_tick = 0;       // when it passes the next station, or is locked
+        bool clamping = false;
     };
     struct Channel {
-        std::int32_t reset_seen = 0, m_seen = 0, s_seen = 0, t_seen = 0;  // strobes already taken
+        std::int32_t reset_seen = 0, m_seen = 0, s_seen = 0, t_seen = 0, b_seen = 0;  // strobes already taken
         std::int32_t finished = 0;       // CP_FIN
+        std::int32_t m_code = 0;
+        std::int64_t lubricates_until = 0;
+        std::uint32_t selected = 0;      // CP_SSEL
+        std::array<bool, kHelpers> out{};
         bool coolant = false, t_pending = false;
         Pending pending;
         Turret turret;
         Message message = kNoMessage;
     };
     struct Spindle {
-        Rotation rotation = Rotation::Stop;
+        std::int32_t rotation = kStop;
         std::uint32_t started_by = 0;    // channel from 1; 0 nobody
-        bool chuck_open = false;
+        std::int32_t range = 1;
+        bool chuck_open = false, closes = false, creeps = false, automatic_range = false, is_axis = false;
     };
     struct ChannelSlots {
-        std::int32_t reset, m_strobe, m_code, s_strobe, t_strobe, t_code, selected;
-        std::int32_t m_fin, s_fin, t_fin, fin, active_tool;
+        std::int32_t reset, m_strobe, m_code, s_strobe, s_code, t_strobe, t_code, b_strobe, selected;
+        std::int32_t m_fin, s_fin, t_fin, b_fin, fin, active_tool, group, door_open, no_lube, bar_end, select;
     };
     struct SpindleSlots {
-        std::int32_t reached, stands, in_position, rotation, close_loop;
+        std::int32_t reached, stands, in_position, rotation, close_loop, creep, range, detach, unclamped;
     };
-
+    struct ChannelSettings {
+        double turret_time_s, turret_clamp_s, lube_time_s;
+        std::array<double, kHelpers> time_s;
+        std::array<std::int32_t, kHelpers> code;
+        std::array<std::int32_t, kMGroups> group_low, group_high;
+        std::int32_t stations, first_spindle_code, in_door, in_lube, in_bar;
+        std::uint32_t driven_spindle;    // from 1; 0 none
+        bool forward_only;
+    };
+    struct SpindleSettings {
+        double chuck_time_s, gear_time_s;
+        std::array<double, kRanges> range_max;
+        std::int32_t ranges, closing_code, state_low, state_high, c_axis_code, in_chuck;
+    };
     struct View {  // one cycle's inputs and outputs, by meaning
         const PolyturnPlcInputs& in;
         PolyturnPlcOutputs& out;
     };
 
+    // resolve.cpp
+    // lathe_plc.cpp: strobes, codes, what they wait for
     void take_codes(View view, std::uint32_t channel);
     void start_m(View view, std::uint32_t channel, std::int32_t code);
-    void start_t(View view, std::uint32_t channel, std::int32_t code);
-    void turn(View view, std::uint32_t channel, std::uint32_t spindle, Rotation rotation);
     void refuse(std::uint32_t channel, Message message);
     void finish_m(View view, std::uint32_t channel);
     void watch_pending(View view, std::uint32_t channel);
-    void move_turret(View view, std::uint32_t channel);
     void end_of_channel(std::uint32_t channel);
     void stop_everything();
     void write_outputs(View view) const;
+    // spindles.cpp
+    bool spindle_code(View view, std::uint32_t channel, std::uint32_t selected, std::int32_t code);
+    void turn(View view, std::uint32_t channel, std::uint32_t spindle, std::int32_t rotation, bool closes = false);
+    void chuck(View view, std::uint32_t channel, std::uint32_t spindle, bool open);
+    void change_gear(View view, std::uint32_t channel, std::uint32_t spindle, std::int32_t range);
+    void choose_range(View view, std::uint32_t spindle, double rpm);
+    [[nodiscard]] Message why_not_turn(View view, std::uint32_t channel, std::uint32_t spindle) const;
+    // devices.cpp
+    void start_t(View view, std::uint32_t channel, std::int32_t code);
+    void move_turret(View view, std::uint32_t channel);
+    bool helper_code(View view, std::uint32_t channel, std::uint32_t selected, std::int32_t code);
+    bool bar_step(View view, std::uint32_t channel);
+    void lubricate(View view, std::uint32_t channel);
+    [[nodiscard]] bool missing(View view, std::int32_t input) const { return input > 0 && view.in.input[input - 1] == 0; }
+
     std::int64_t ticks(double seconds) const;
     Channel& at(std::uint32_t channel) { return channels_[channel - 1]; }
     const ChannelSlots& slots(std::uint32_t channel) const { return channel_slots_[channel - 1]; }
+    const ChannelSettings& settings(std::uint32_t channel) const { return channel_settings_[channel - 1]; }
 
     std::array<Channel, kChannels> channels_{};
     std::array<Spindle, kSpindles> spindles_{};
     std::array<ChannelSlots, kChannels> channel_slots_{};
     std::array<SpindleSlots, kSpindles> spindle_slots_{};
-    std::array<double, kChannels> turret_time_s_{};
-    std::array<double, kSpindles> chuck_time_s_{};
-    std::array<std::int32_t, kChannels> stations_{};
-    std::array<std::uint32_t, kChannels> driven_spindle_{};  // from 1; 0 none
-    std::int32_t machine_on_slot_ = 0, emergency_slot_ = 0, message_slot_ = 0;
+    std::array<ChannelSettings, kChannels> channel_settings_{};
+    std::array<SpindleSettings, kSpindles> spindle_settings_{};
+    std::array<std::int32_t, kAxes> lube_slot_{};
+    std::array<std::uint32_t, kAxes> axis_channel_{};
+    std::int32_t machine_on_slot_ = 0, emergency_slot_ = 0, message_slot_ = 0, group_stride_ = 0;
     double tick_s_ = 0.001;
     bool first_ = true;
 };

@@ -212,6 +212,7 @@ public:
             out.signal[signals::cp_mfin(l)] = in.signal[signals::cn_mstr(l)];
             out.signal[signals::cp_sfin(l)] = in.signal[signals::cn_sstr(l)];
             out.signal[signals::cp_tfin(l)] = in.signal[signals::cn_tstr(l)];
+            out.signal[signals::cp_bfin(l)] = in.signal[signals::cn_bstr(l)];
         }
     }
 

@@ -31,13 +31,19 @@ protected:
         nc_names.clear();
         plc_names.clear();
         parameters = {{"PT_TURRET_TIME", 0.3}, {"PT_CHUCK_TIME", 0.8}, {"PT_TURRET_STATIONS", 12}, {"PT_DRIVEN_SPINDLE", 3}};
+        restart();
+    }
+    // A new PLC, with the parameters as they are now; what is not named is 0.
+    void restart() {
+        nc_names.clear();
+        plc_names.clear();
+        plc_ = {};
         PolyturnPlcHost host{POLYTURN_PLC_API, 16, 96, 32, 256, 0.001,
                              [](const char* name, std::uint32_t instance) { return slot_of(nc_names, name, instance); },
                              [](const char* name, std::uint32_t instance) { return slot_of(plc_names, name, instance); },
                              [](const char* number, std::uint32_t, double* value) {
                                  const auto found = parameters.find(number);
-                                 if (found == parameters.end()) return 0;
-                                 *value = found->second;
+                                 *value = found == parameters.end() ? 0.0 : found->second;
                                  return 1;
                              }};
         ASSERT_EQ(plc_.resolve(host), nullptr);
@@ -86,40 +92,190 @@ TEST_F(LatheRig, CodesThatMoveNothingAreFinishedInTheSameCycle) {
     EXPECT_EQ(plc("CP_FIN"), 10) << "nine M codes and one S code";
 }
 
-TEST_F(LatheRig, SpindleCodeWaitsForTheSpindleAndNotForTheFlagsOfBefore) {
-    struct Row { int code; int rotation; int reached, stands; };
-    for (const Row& row : {Row{3, 3, 1, 0}, Row{4, 4, 1, 0}, Row{5, 5, 1, 1}}) {
-        SCOPED_TRACE(row.code);
-        spindle(1, 1, 1);  // what still stands in the inputs when the code comes
-        m(row.code);
-        EXPECT_EQ(plc("SP_ROT", 1), row.rotation);
-        run(2);
-        EXPECT_FALSE(m_done()) << "the flags speak of the state before";
+TEST_F(LatheRig, SpindleCodeIsFinishedAtOnce) {
+    for (const int code : {3, 4, 5}) {
+        SCOPED_TRACE(code);
         spindle(1, 0, 0);
-        run(50);
-        EXPECT_FALSE(m_done());
-        spindle(1, row.reached, row.stands);
-        run();
-        EXPECT_TRUE(m_done());
+        m(code);
+        EXPECT_EQ(plc("SP_ROT", 1), code);
+        EXPECT_TRUE(m_done()) << "a feed waits for the speed, the code does not";
     }
 }
 
-TEST_F(LatheRig, SpindleThatIsMeantToStandIsAtItsSpeedAfterASecond) {
-    m(3);  // S0: both flags stay 1
-    run(99);
-    EXPECT_FALSE(m_done());
-    run(1);
-    EXPECT_TRUE(m_done());
-}
-
-TEST_F(LatheRig, SpindleThatDoesNotGetThereIsReported) {
-    spindle(1, 0, 0);
-    m(3);
+TEST_F(LatheRig, SpindleThatDoesNotComeIntoPositionIsReported) {
+    m(19);
     run(1499);
     EXPECT_EQ(plc("PLC_ALARM"), kNoMessage);
     run(1);
     EXPECT_EQ(plc("PLC_ALARM"), kSpindleTooSlow);
     EXPECT_FALSE(m_done());
+}
+
+TEST_F(LatheRig, LoopIsClosedByItsOwnCodeAndStatesOfTheBuilderGoIntoTheRegister) {
+    parameters["N0823"] = 24, parameters["N0689"] = 20, parameters["N0690"] = 23;
+    restart();
+    m(24);
+    EXPECT_EQ(plc("SP_ROT", 1), 24);
+    EXPECT_EQ(plc("SP_OREQ", 1), 1);
+    EXPECT_FALSE(m_done());
+    nc("SN_INPOS", 1) = 1;
+    run(3);
+    EXPECT_TRUE(m_done());
+    m(21);
+    EXPECT_EQ(plc("SP_ROT", 1), 21);
+    EXPECT_TRUE(m_done());
+}
+
+TEST_F(LatheRig, GearRangeEngagesAtCreepSpeed) {
+    parameters["PT_GEAR_RANGES"] = 2, parameters["PT_GEAR_TIME"] = 0.5;
+    restart();
+    m(3);
+    m(42);
+    spindle(1, 0, 0);
+    EXPECT_EQ(plc("SP_PAR", 1), 1);
+    run(20);
+    EXPECT_EQ(plc("SP_RANGE", 1), 1) << "it does not creep yet";
+    spindle(1, 1, 0);
+    run(50);
+    EXPECT_EQ(plc("SP_RANGE", 1), 1);
+    EXPECT_FALSE(m_done());
+    run(2);
+    EXPECT_EQ(plc("SP_RANGE", 1), 2);
+    EXPECT_EQ(plc("SP_PAR", 1), 0);
+    EXPECT_TRUE(m_done());
+    m(44);
+    EXPECT_TRUE(m_done()) << "no such range: nobody's code";
+    EXPECT_EQ(plc("SP_RANGE", 1), 2);
+}
+
+TEST_F(LatheRig, AutomaticRangeIsTheLowestThatGivesTheSpeed) {
+    parameters["PT_GEAR_RANGES"] = 3, parameters["N0650"] = 500, parameters["N0651"] = 1500, parameters["N0652"] = 4000;
+    restart();
+    m(40);
+    for (const auto& [rpm, range] : {std::pair{400, 1}, std::pair{1500, 2}, std::pair{1501, 3}, std::pair{9000, 3}}) {
+        nc("CN_SCODE") = rpm, ++nc("CN_SSTR");
+        run();
+        EXPECT_EQ(plc("SP_RANGE", 1), range) << rpm;
+    }
+}
+
+TEST_F(LatheRig, HelpersTakeTheirTimeAndRefuseWhatIsDangerous) {
+    parameters["PT_M_TAILSTOCK"] = 25, parameters["PT_TAILSTOCK_TIME"] = 0.2, parameters["PT_M_CATCHER"] = 60, parameters["PT_CATCHER_TIME"] = 0.1;
+    restart();
+    m(25);
+    EXPECT_EQ(output(kTailstockOut), 1);
+    run(19);
+    EXPECT_FALSE(m_done());
+    run(1);
+    EXPECT_TRUE(m_done());
+    spindle(1, 1, 0);
+    m(26);
+    EXPECT_EQ(plc("PLC_ALARM"), kTailstockTurning);
+    ++nc("CN_RESET"), run();
+    spindle(1, 1, 1);
+    m(26);
+    run(20);
+    EXPECT_TRUE(m_done());
+    EXPECT_EQ(output(kTailstockOut), 0);
+    m(60);
+    run(10);
+    EXPECT_EQ(output(kCatcherOut), 1);
+    EXPECT_TRUE(m_done());
+}
+
+TEST_F(LatheRig, BarFeedOpensTheChuckFeedsAndClamps) {
+    parameters["PT_M_BAR"] = 35, parameters["PT_BAR_TIME"] = 0.5, parameters["PT_IN_BAR"] = 7;
+    restart();
+    m(35);
+    EXPECT_EQ(plc("PLC_ALARM"), kBarEnd);
+    EXPECT_EQ(plc("CP_BAREND"), 1);
+    ++nc("CN_RESET"), input_[6] = 1, run();
+    m(35);
+    EXPECT_EQ(output(kFirstSpindleOutput + kChuckOpen), 1);
+    EXPECT_EQ(plc("SP_UNCLAMPED", 1), 1);
+    run(80);
+    EXPECT_EQ(output(kBarFeeds), 1);
+    run(50);
+    EXPECT_EQ(output(kBarFeeds), 0);
+    EXPECT_EQ(output(kFirstSpindleOutput + kChuckClamp), 1);
+    EXPECT_FALSE(m_done());
+    run(80);
+    EXPECT_TRUE(m_done());
+}
+
+TEST_F(LatheRig, ChuckWaitsForASpindleThatStops) {
+    spindle(1, 1, 0);
+    m(3);
+    m(5);
+    m(11);
+    run(50);
+    EXPECT_EQ(output(kFirstSpindleOutput + kChuckOpen), 0);
+    spindle(1, 1, 1);
+    run(2);
+    EXPECT_EQ(output(kFirstSpindleOutput + kChuckOpen), 1);
+    run(80);
+    EXPECT_TRUE(m_done());
+}
+
+TEST_F(LatheRig, SpindleNeitherTurnsAsAnAxisNorWithTheDoorOpenNorWithoutPressure) {
+    parameters["PT_M_C_AXIS"] = 30 + 70, parameters["PT_IN_DOOR"] = 1, parameters["PT_IN_CHUCK"] = 2;
+    restart();
+    m(3);
+    EXPECT_EQ(plc("PLC_ALARM"), kNoPressure);
+    EXPECT_EQ(plc("SP_UNCLAMPED", 1), 1);
+    ++nc("CN_RESET"), input_[1] = 1, run();
+    m(3);
+    EXPECT_EQ(plc("PLC_ALARM"), kDoorOpen);
+    EXPECT_EQ(plc("CP_DOOROPEN"), 1);
+    ++nc("CN_RESET"), input_[0] = 1, run();
+    m(100);
+    run(3);
+    EXPECT_TRUE(m_done());
+    EXPECT_EQ(plc("SP_SDETCHR", 1), 1);
+    m(3);
+    EXPECT_EQ(plc("PLC_ALARM"), kSpindleIsAxis);
+    ++nc("CN_RESET"), run();
+    m(101);
+    run(3);
+    m(3);
+    EXPECT_TRUE(m_done());
+}
+
+TEST_F(LatheRig, SpindleOfTheChannelIsChosenByCode) {
+    parameters["PT_M_SPINDLE"] = 70;
+    restart();
+    m(71);
+    EXPECT_EQ(plc("CP_SSEL"), 2);
+    EXPECT_TRUE(m_done());
+}
+
+TEST_F(LatheRig, ValidCodeOfAGroupIsShown) {
+    parameters["N1342"] = 51, parameters["N1358"] = 53;
+    restart();
+    m(52);
+    EXPECT_EQ(plc("CP_MGR2"), 52);
+    m(60);
+    EXPECT_EQ(plc("CP_MGR2"), 52);
+}
+
+TEST_F(LatheRig, AxisThatHasTravelledItsDistanceIsLubricated) {
+    parameters["PT_LUBE_TIME"] = 0.3, parameters["N0002"] = 1;
+    restart();
+    nc("AN_LUBR", 4) = 1, run(), nc("AN_LUBR", 4) = 0;
+    EXPECT_EQ(output(kLubricates), 1);
+    run(29);
+    EXPECT_EQ(output(kLubricates), 1);
+    run(2);
+    EXPECT_EQ(output(kLubricates), 0);
+}
+
+TEST_F(LatheRig, TurretMayBeOneThatTurnsForwardsOnlyAndMustBeLocked) {
+    parameters["PT_TURRET_FORWARD"] = 1, parameters["PT_TURRET_CLAMP"] = 0.2;
+    restart();
+    t(12);
+    int cycles = 1;
+    for (; !t_done() && cycles < 1000; ++cycles) run();
+    EXPECT_EQ(cycles, 1 + 30 * 11 + 20);
 }
 
 TEST_F(LatheRig, OrientationClosesTheLoopAndEndsInPosition) {
@@ -232,14 +388,14 @@ TEST_F(LatheRig, EndOfProgramStopsWhatTheChannelStartedAndNothingElse) {
 }
 
 TEST_F(LatheRig, ResetAnswersWhatWasPendingAndStopsTheSpindle) {
-    spindle(1, 0, 0);
-    m(3);
+    m(19);
     run(10);
     EXPECT_FALSE(m_done());
     ++nc("CN_RESET");
     run();
     EXPECT_TRUE(m_done());
     EXPECT_EQ(plc("SP_ROT", 1), 5);
+    EXPECT_EQ(plc("SP_OREQ", 1), 0);
 }
 
 TEST_F(LatheRig, EmergencyStopStopsEverythingAndTheTurretHalts) {

@@ -1,0 +1,103 @@
+// Turret, tailstock, bar feeder, parts catcher, door, lubrication.
+#include "kernel/plc/lathe/lathe_plc.hpp"
+
+namespace polyturn::plc {
+
+void LathePlc::start_t(View view, std::uint32_t channel, std::int32_t code) {
+    Channel& me = at(channel);
+    Turret& turret = me.turret;
+    const ChannelSettings& set = settings(channel);
+    const std::int32_t count = set.stations;
+    me.t_pending = true;
+    if (code < 0 || (count > 0 && code > count)) {
+        me.message = kNoSuchStation;  // t_pending stays until the reset: a refused code is not finished
+        return;
+    }
+    turret.target = code == 0 || count == 0 ? turret.station : code;
+    if (turret.target == turret.station && turret.step == 0) return;  // move_turret finishes it in this cycle
+    const std::int32_t forward = (turret.target - turret.station + count) % count;
+    turret.step = set.forward_only || 2 * forward <= count ? 1 : -1;
+    turret.clamping = false;
+    turret.due_tick = view.in.tick + ticks(set.turret_time_s);
+}
+
+void LathePlc::move_turret(View view, std::uint32_t channel) {
+    Channel& me = at(channel);
+    Turret& turret = me.turret;
+    const ChannelSettings& set = settings(channel);
+    while (turret.step != 0 && view.in.tick >= turret.due_tick) {
+        if (turret.clamping) {
+            turret.step = 0;
+            turret.clamping = false;
+            break;
+        }
+        turret.station = (turret.station - 1 + turret.step + set.stations) % set.stations + 1;
+        turret.clamping = turret.station == turret.target;
+        turret.due_tick += ticks(turret.clamping ? set.turret_clamp_s : set.turret_time_s);
+    }
+    if (!me.t_pending || turret.step != 0 || me.message == kNoSuchStation) return;
+    me.t_pending = false;
+    view.out.signal[slots(channel).t_fin] = me.t_seen;
+    ++me.finished;
+}
+
+bool LathePlc::helper_code(View view, std::uint32_t channel, std::uint32_t selected, std::int32_t code) {
+    Channel& me = at(channel);
+    const ChannelSettings& set = settings(channel);
+    if (set.first_spindle_code > 0 && code >= set.first_spindle_code && code < set.first_spindle_code + static_cast<std::int32_t>(kSpindles)) {
+        me.selected = static_cast<std::uint32_t>(code - set.first_spindle_code) + 1;
+        finish_m(view, channel);
+        return true;
+    }
+    for (std::size_t h = 0; h < kHelpers; ++h) {
+        const std::int32_t first = set.code[h];
+        if (first <= 0 || (code != first && (code != first + 1 || h == kBar))) continue;
+        const bool out = code == first;
+        if (h == kBar) {
+            if (selected == 0) return refuse(channel, kNoSpindle), true;
+            if (missing(view, set.in_bar)) return refuse(channel, kBarEnd), true;
+            chuck(view, channel, selected, true);
+            if (me.pending.task == Task::Chuck) me.pending.task = Task::BarOpen;
+            else if (me.pending.task == Task::Standstill) me.pending.range = 2;   // goes on as a bar feed
+            return true;
+        }
+        const bool turns = selected != 0 && view.in.signal[spindle_slots_[selected - 1].stands] == 0;
+        if (h == kTailstock && !out && turns) return refuse(channel, kTailstockTurning), true;
+        me.out[h] = out;
+        me.pending = {Task::Helper, 0, 0, view.in.tick + ticks(set.time_s[h]), 0};
+        return true;
+    }
+    return false;
+}
+
+// Chuck open, bar forwards, chuck closed. True: done.
+bool LathePlc::bar_step(View view, std::uint32_t channel) {
+    Channel& me = at(channel);
+    Pending& pending = me.pending;
+    if (view.in.tick < pending.due_tick) return false;
+    const ChannelSettings& set = settings(channel);
+    const double chuck_s = spindle_settings_[pending.spindle - 1].chuck_time_s;
+    switch (pending.task) {
+        case Task::BarOpen:
+            me.out[kBar] = true;
+            pending.task = Task::BarFeed;
+            pending.due_tick = view.in.tick + ticks(set.time_s[kBar]);
+            return false;
+        case Task::BarFeed:
+            me.out[kBar] = false;
+            spindles_[pending.spindle - 1].chuck_open = false;
+            pending.task = Task::BarClamp;
+            pending.due_tick = view.in.tick + ticks(chuck_s);
+            return false;
+        default: return true;
+    }
+}
+
+void LathePlc::lubricate(View view, std::uint32_t channel) {
+    const double time_s = settings(channel).lube_time_s;
+    if (time_s <= 0) return;
+    for (std::size_t a = 0; a < kAxes; ++a)
+        if (axis_channel_[a] == channel && view.in.signal[lube_slot_[a]] != 0) at(channel).lubricates_until = view.in.tick + ticks(time_s);
+}
+
+}  // namespace polyturn::plc

@@ -1,0 +1,94 @@
+// Names of signals and numbers of parameters become slots and values, once.
+#include <cstdio>
+
+#include "kernel/plc/lathe/lathe_plc.hpp"
+
+namespace polyturn::plc {
+namespace {
+
+struct Finder {
+    const PolyturnPlcHost& host;
+    const char* missing = nullptr;
+    std::int32_t nc(const char* name, std::uint32_t instance) {
+        const std::int32_t slot = host.nc_slot(name, instance);
+        if (slot < 0) missing = name;
+        return slot;
+    }
+    std::int32_t plc(const char* name, std::uint32_t instance) {
+        const std::int32_t slot = host.plc_slot(name, instance);
+        if (slot < 0) missing = name;
+        return slot;
+    }
+    double real(const char* number, std::uint32_t instance) {
+        double value = 0.0;
+        if (!host.parameter(number, instance, &value)) missing = number;
+        return value;
+    }
+    std::int32_t whole(const char* number, std::uint32_t instance) { return static_cast<std::int32_t>(real(number, instance)); }
+    // The n-th (from 0) of a row of parameters that begins with N<first>.
+    double in_row(int first, std::uint32_t n, std::uint32_t instance) {
+        char number[8];
+        std::snprintf(number, sizeof number, "N%04d", static_cast<int>(static_cast<std::uint32_t>(first) + n) % 10000);
+        double value = 0.0;
+        if (!host.parameter(number, instance, &value)) missing = "a parameter of a row";
+        return value;
+    }
+};
+
+}  // namespace
+
+const char* LathePlc::resolve(const PolyturnPlcHost& host) {
+    Finder f{host};
+    if (host.channels < kChannels || host.spindles < kSpindles || host.axes < kAxes) return "the capacities of the image";
+    for (std::uint32_t c = 1; c <= kChannels; ++c) {
+        channel_slots_[c - 1] = {f.nc("CN_RESET", c), f.nc("CN_MSTR", c), f.nc("CN_MCODE", c), f.nc("CN_SSTR", c), f.nc("CN_SCODE", c), f.nc("CN_TSTR", c),
+                                 f.nc("CN_TCODE", c), f.nc("CN_BSTR", c), f.nc("CN_SSEL", c),
+                                 f.plc("CP_MFIN", c), f.plc("CP_SFIN", c), f.plc("CP_TFIN", c), f.plc("CP_BFIN", c), f.plc("CP_FIN", c), f.plc("CP_ACTT", c),
+                                 f.plc("CP_MGR1", c), f.plc("CP_DOOROPEN", c), f.plc("CP_NOLUBE", c), f.plc("CP_BAREND", c), f.plc("CP_SSEL", c)};
+        ChannelSettings& s = channel_settings_[c - 1];
+        s.turret_time_s = f.real("PT_TURRET_TIME", c);
+        s.turret_clamp_s = f.real("PT_TURRET_CLAMP", c);
+        s.forward_only = f.real("PT_TURRET_FORWARD", c) != 0;
+        s.stations = f.whole("PT_TURRET_STATIONS", c);
+        s.lube_time_s = f.real("PT_LUBE_TIME", c);
+        static constexpr const char* kCodes[kHelpers] = {"PT_M_TAILSTOCK", "PT_M_BAR", "PT_M_CATCHER", "PT_M_DOOR"};
+        static constexpr const char* kTimes[kHelpers] = {"PT_TAILSTOCK_TIME", "PT_BAR_TIME", "PT_CATCHER_TIME", "PT_DOOR_TIME"};
+        for (std::size_t h = 0; h < kHelpers; ++h) s.code[h] = f.whole(kCodes[h], c), s.time_s[h] = f.real(kTimes[h], c);
+        s.first_spindle_code = f.whole("PT_M_SPINDLE", c);
+        s.in_door = f.whole("PT_IN_DOOR", c);
+        s.in_lube = f.whole("PT_IN_LUBE", c);
+        s.in_bar = f.whole("PT_IN_BAR", c);
+        s.driven_spindle = static_cast<std::uint32_t>(f.real("PT_DRIVEN_SPINDLE", c));
+        if (s.driven_spindle > kSpindles) s.driven_spindle = 0;
+        for (std::uint32_t n = 0; n < kMGroups; ++n) {
+            s.group_low[n] = static_cast<std::int32_t>(f.in_row(1341, n, c));
+            s.group_high[n] = static_cast<std::int32_t>(f.in_row(1357, n, c));
+        }
+    }
+    group_stride_ = host.plc_slot("CP_MGR2", 1) - host.plc_slot("CP_MGR1", 1);
+    for (std::uint32_t s = 1; s <= kSpindles; ++s) {
+        SpindleSettings& set = spindle_settings_[s - 1];
+        set.chuck_time_s = f.real("PT_CHUCK_TIME", s);
+        set.gear_time_s = f.real("PT_GEAR_TIME", s);
+        set.ranges = f.whole("PT_GEAR_RANGES", s);
+        set.c_axis_code = f.whole("PT_M_C_AXIS", s);
+        set.in_chuck = f.whole("PT_IN_CHUCK", s);
+        set.closing_code = f.whole("N0823", s);
+        set.state_low = f.whole("N0689", s);
+        set.state_high = f.whole("N0690", s);
+        for (std::uint32_t n = 0; n < kRanges; ++n) set.range_max[n] = f.in_row(650, n, s);
+        spindle_slots_[s - 1] = {f.nc("SN_NS", s), f.nc("SN_N0", s), f.nc("SN_INPOS", s), f.plc("SP_ROT", s), f.plc("SP_OREQ", s), f.plc("SP_PAR", s),
+                                 f.plc("SP_RANGE", s), f.plc("SP_SDETCHR", s), f.plc("SP_UNCLAMPED", s)};
+    }
+    for (std::uint32_t a = 1; a <= kAxes; ++a) {
+        lube_slot_[a - 1] = f.nc("AN_LUBR", a);
+        axis_channel_[a - 1] = static_cast<std::uint32_t>(f.real("N0002", a));
+    }
+    machine_on_slot_ = f.nc("N_MACHINE_ON", 1);
+    emergency_slot_ = f.nc("N_ESTOP", 1);
+    message_slot_ = f.plc("PLC_ALARM", 1);
+    tick_s_ = host.tick_s;
+    return f.missing;
+}
+
+}  // namespace polyturn::plc

@@ -1,0 +1,101 @@
+// Codes that concern a spindle: turning, orienting, gear ranges, its chuck, C axis.
+#include "kernel/plc/lathe/lathe_plc.hpp"
+
+namespace polyturn::plc {
+namespace {
+// An output acts one PLC cycle later, and the flags that answer it come with the inputs after that.
+constexpr std::uint64_t kCyclesUntilAnswer = 3;
+constexpr std::int32_t kAutomaticRange = 40;
+}  // namespace
+
+// True: it was one of them, finished, pending or refused.
+bool LathePlc::spindle_code(View view, std::uint32_t channel, std::uint32_t selected, std::int32_t code) {
+    const std::uint32_t driven = settings(channel).driven_spindle;
+    switch (code) {
+        case 3: return turn(view, channel, selected, kRight), true;
+        case 4: return turn(view, channel, selected, kLeft), true;
+        case 5: return turn(view, channel, selected, kStop), true;
+        case 19: return turn(view, channel, selected, kOrient, true), true;
+        case 13: return turn(view, channel, driven, kRight), true;
+        case 14: return turn(view, channel, driven, kLeft), true;
+        case 15: return turn(view, channel, driven, kStop), true;
+        case 10:
+        case 11: return chuck(view, channel, selected, code == 11), true;
+        default: break;
+    }
+    if (selected == 0) return false;
+    const SpindleSettings& set = spindle_settings_[selected - 1];
+    Spindle& s = spindles_[selected - 1];
+    if (set.closing_code > 0 && code == set.closing_code) return turn(view, channel, selected, code, true), true;
+    if (set.c_axis_code > 0 && (code == set.c_axis_code || code == set.c_axis_code + 1)) {
+        s.is_axis = code == set.c_axis_code;
+        s.rotation = kStop;
+        s.closes = false;
+        at(channel).pending = {Task::Standstill, selected, view.in.cycle + kCyclesUntilAnswer, view.in.tick + ticks(kSpindleTimeS), 0};
+        return true;
+    }
+    if (set.state_high > 0 && code >= set.state_low && code <= set.state_high) {
+        s.rotation = code;
+        finish_m(view, channel);
+        return true;
+    }
+    if (set.ranges > 1 && code >= kAutomaticRange && code <= kAutomaticRange + set.ranges) {
+        s.automatic_range = code == kAutomaticRange;
+        if (s.automatic_range) finish_m(view, channel);
+        else change_gear(view, channel, selected, code - kAutomaticRange);
+        return true;
+    }
+    return false;
+}
+
+Message LathePlc::why_not_turn(View view, std::uint32_t channel, std::uint32_t spindle) const {
+    const Spindle& s = spindles_[spindle - 1];
+    if (s.chuck_open) return kTurningWhileOpen;
+    if (s.is_axis) return kSpindleIsAxis;
+    if (missing(view, spindle_settings_[spindle - 1].in_chuck)) return kNoPressure;
+    if (missing(view, settings(channel).in_door)) return kDoorOpen;
+    return kNoMessage;
+}
+
+void LathePlc::turn(View view, std::uint32_t channel, std::uint32_t spindle, std::int32_t rotation, bool closes) {
+    if (spindle == 0) return refuse(channel, kNoSpindle);
+    Spindle& s = spindles_[spindle - 1];
+    if (rotation != kStop)
+        if (const Message why = why_not_turn(view, channel, spindle); why != kNoMessage) return refuse(channel, why);
+    s.rotation = rotation;
+    s.closes = closes;
+    s.started_by = rotation == kStop ? 0 : channel;
+    if (!closes) return finish_m(view, channel);
+    at(channel).pending = {Task::InPosition, spindle, view.in.cycle + kCyclesUntilAnswer, view.in.tick + ticks(kSpindleTimeS), 0};
+}
+
+void LathePlc::chuck(View view, std::uint32_t channel, std::uint32_t spindle, bool open) {
+    if (spindle == 0) return refuse(channel, kNoSpindle);
+    const Spindle& s = spindles_[spindle - 1];
+    if (open && s.rotation != kStop) return refuse(channel, kChuckWhileTurning);
+    Pending& pending = at(channel).pending;
+    pending = {Task::Standstill, spindle, view.in.cycle + kCyclesUntilAnswer, view.in.tick + ticks(kSpindleTimeS), open ? 1 : 0};
+    if (open && view.in.signal[spindle_slots_[spindle - 1].stands] == 0) return;   // M5 has only just been given
+    spindles_[spindle - 1].chuck_open = open;
+    pending.task = Task::Chuck;
+    pending.due_tick = view.in.tick + ticks(spindle_settings_[spindle - 1].chuck_time_s);
+}
+
+void LathePlc::change_gear(View view, std::uint32_t channel, std::uint32_t spindle, std::int32_t range) {
+    Spindle& s = spindles_[spindle - 1];
+    if (s.range == range) return finish_m(view, channel);
+    s.creeps = true;
+    at(channel).pending = {Task::Gear, spindle, view.in.cycle + kCyclesUntilAnswer, 0, range};
+}
+
+// M40: the lowest range that can give the speed, engaged while the spindle stands.
+void LathePlc::choose_range(View view, std::uint32_t spindle, double rpm) {
+    Spindle& s = spindles_[spindle - 1];
+    if (!s.automatic_range || view.in.signal[spindle_slots_[spindle - 1].stands] == 0) return;
+    const SpindleSettings& set = spindle_settings_[spindle - 1];
+    std::int32_t range = 1;
+    while (range < set.ranges && set.range_max[static_cast<std::size_t>(range - 1)] < rpm) ++range;
+    s.range = range;
+}
+
+}  // namespace polyturn::plc
