@@ -77,6 +77,11 @@ struct Move {
     double lead_change = 0.0;       // mm along the lead axis a revolution
     double start_angle = 0.0;       // deg
     std::int32_t starts = 0;        // 0 not told
+    // Rigid tapping: the positioned spindle turns along with the move
+    double tap_turns = 0.0;         // revolutions, positive like M3; 0: it does not
+    double tap_rpm = 0.0;           // the programmed speed, 1/min
+    bool tap_out = false;           // the way out of the hole
+    bool tap_feedforward = false;   // N1503 RFF
 };
 
 struct Dwell {

@@ -156,7 +156,7 @@ bool Interpreter::function_code(const Word& word, bool late) {
         const double step = (code - settings_.index_first + 1) * settings_.index_angle;
         if (!core_.spindle_index(settings_.index_negative ? -step : step)) return false;
     }
-    const bool drains = is_draining(code);
+    const bool drains = is_draining(code) || (code == 5 && core_.frees_axis());
     char text[24];
     const auto end = fmt::format_to_n(text, sizeof text, "M{}", static_cast<std::int64_t>(code));
     core_.aux('M', code, {text, end.size}, drains);

@@ -139,7 +139,7 @@ void PathMaker::close_chain() {
 }
 
 bool PathMaker::must_stop(const PathRecord& a, const PathRecord& b) const {
-    if (has(a, kExactStop)) return true;
+    if (has(a, kExactStop) || has(b, kTapping)) return true;
     if ((has(a, kRapid) || has(b, kRapid)) && !limits_->rapid_overlaps) return true;
     if (has(a, kThread) != has(b, kThread)) return true;
     if (has(b, kThread) && !has(b, kThreadChained)) return true;

@@ -95,6 +95,16 @@ void RecordSink::move(const Move& move, const BlockContext& at) {
         r.lead_change = move.lead > 0 ? move.lead_change * move.lead_path / move.lead : 0;
         r.start_angle = move.start_angle;
     }
+    if (move.tap_turns != 0 && r.axis_count < kMaxPathAxes && move.spindle != 0) {
+        r.flags |= kTapping | kOverrideLocked | kExactStop | (move.tap_out ? std::uint32_t{kTapOut} : 0u);
+        r.axis[r.axis_count] = static_cast<std::uint8_t>(kMaxAxes + move.spindle - 1u);   // behind the axes: its slot is no axis
+        r.end[r.axis_count] = move.tap_turns;
+        r.value = move.tap_feedforward ? 1.0 : 0.0;
+        if (move.feed_mode == FeedMode::PerRevolution) {   // the spindle does not lead, it is led
+            r.feed_mode = static_cast<std::uint8_t>(FeedMode::PerMinute);
+            r.feed = move.feed * move.tap_rpm / 60;
+        }
+    }
     if (move.exact_stop) r.flags |= kExactStop;
     if (move.in_position) r.flags |= kExactStop | kInPosition;
     if (move.override_locked) r.flags |= kOverrideLocked;

@@ -93,6 +93,10 @@ struct PathState {
     std::array<WorkZone, 5> zones;          // guarded before each move
     bool after_thread = false;              // the move before was a thread: a further one chains
     double thread_lead = 0.0;
+    double tap_pitch = 0.0;                 // rigid tapping is on: mm a revolution, positive: right-hand; 0 off
+    std::uint8_t tap_axis = 0;              // place of the axis that goes into the hole
+    double tap_depth_sign = 1.0;            // its direction into the hole
+    bool tap_feedforward = false;
     ToolState tool;
     SpindleState spindle;
 };
@@ -219,6 +223,7 @@ public:
     bool spindle_limit(double rpm);
     bool spindle_position(double degrees, SpindleApproach approach = SpindleApproach::Shortest);
     bool spindle_index(double way_deg);                   // turns the closed loop by so much, with its sign
+    bool frees_axis() const;                              // stopping the channel's spindle gives its drive to an axis of the channel
     bool spindle_watch(bool on, const std::array<double, 4>& values = {});   // fluctuation; values as in Spindle::watch
     bool commit_spindle();
     void forget_pending() { mode_changed_ = speed_changed_ = turn_changed_ = limit_changed_ = false; }   // after PathState was put back
@@ -226,6 +231,7 @@ public:
 
 private:
     bool spindle_to(double degrees, SpindleApproach approach, double way_deg);
+    void turn_with_move();
     bool begin_move(const AxisValues& target, MoveKind kind);
     bool feed_ready();
     void tell_feed_path();

@@ -173,6 +173,7 @@ bool Core::linear(const AxisValues& target) {
     if (!begin_move(target, MoveKind::Linear)) return false;
     if (move_.moved) {
         if (!feed_ready()) return false;
+        if (path.tap_pitch != 0) turn_with_move();
         deliver();
         path.after_thread = false;
     } else if (compensating_) {
@@ -180,6 +181,15 @@ bool Core::linear(const AxisValues& target) {
     }
     accept(target);
     return true;
+}
+
+// Into the hole the spindle turns as the thread's hand says, out of it the other way.
+void Core::turn_with_move() {
+    const double way = (move_.machine[path.tap_axis] - move_.machine_start[path.tap_axis]) * path.tap_depth_sign;
+    move_.tap_turns = way / path.tap_pitch;
+    move_.tap_rpm = path.spindle.rpm;
+    move_.tap_out = way < 0;
+    move_.tap_feedforward = path.tap_feedforward;
 }
 
 // The programmed point with the named axes at these machine coordinates.

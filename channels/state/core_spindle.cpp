@@ -87,6 +87,12 @@ bool Core::spindle_to(double degrees, SpindleApproach approach, double way_deg) 
     return true;
 }
 
+bool Core::frees_axis() const {
+    for (unsigned i = 0; i < view_->axis_count; ++i)
+        if (path.spindle.spindle != 0 && view_->machine.axis(view_->axes[i].machine_axis + 1u).on_spindle == path.spindle.spindle) return true;
+    return false;
+}
+
 bool Core::spindle_watch(bool on, const std::array<double, 4>& values) {
     if (path.spindle.spindle == 0) return on ? fail(Alarm::SpindleMissing, 'G') : true;
     emitted_ = true;

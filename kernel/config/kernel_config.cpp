@@ -84,6 +84,13 @@ void read_config(const params::Table& t, KernelConfig& config, bool first) {
         config.spindles[s - 1] = read_spindle(t, s);
         if (config.spindles[s - 1].exists) config.spindle_count = s;
     }
+    for (unsigned a = 1; a <= config.axis_count; ++a) {
+        AxisConfig& axis = config.axes[a - 1];
+        const auto address = p::get(t, p::n0503_axis_output_address, a);
+        if (!axis.exists || !axis.rotary || address == 0) continue;
+        for (unsigned s = config.spindle_count; s >= 1; --s)
+            if (config.spindles[s - 1].exists && p::get(t, p::n0603_spindle_output_address, s) == address) axis.on_spindle = s;
+    }
     for (unsigned l = 1; l <= kMaxChannels; ++l) config.channels[l - 1] = read_channel(t, l);
     config.channel_timeout_s = p::get(t, p::pt_channel_timeout);
     config.supervisor_timeout_s = p::get(t, p::pt_supervisor_timeout);

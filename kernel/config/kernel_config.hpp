@@ -18,6 +18,7 @@ struct AxisConfig {
     bool exists = false;
     bool rotary = false;
     bool diameter = false;
+    std::uint32_t on_spindle = 0;         // from 1: it shares the drive of this spindle (N0503 = N0603); 0 none
     std::uint32_t channel = 0;            // from 1; 0: belongs to none
     double rapid = 0, max_feed = 0;       // mm/s
     double manual_rapid = 0, jog_max_feed = 0;

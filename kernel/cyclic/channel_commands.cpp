@@ -44,6 +44,7 @@ void ChannelRunner::cycle_start() noexcept {
                 core_.alarm(Alarm::NotReady, number_, "an axis is being moved by hand");
                 return;
             }
+            know_positions();
             state_ = ChannelState::Running;
             stop_reason_ = StopReason::None;
             hold_ = false;

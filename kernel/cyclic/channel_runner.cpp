@@ -101,7 +101,9 @@ void ChannelRunner::supply() noexcept {
         if (r.epoch != epoch_) break;  // pushed after a reset of which the path has not come to rest yet
         const bool flying = static_cast<RecordKind>(r.kind) == RecordKind::Wait && (r.flags & kFlying);
         if (flying && flying_ == kNoRecord) flying_ = planner_->next_record();
-        planner_->append(PlannedRecord::from(r, stops_path(r)));
+        PlannedRecord planned = PlannedRecord::from(r, stops_path(r));
+        if (r.flags & kTapping) limit_tapping(r, planned);
+        planner_->append(planned);
     }
 }
 
@@ -157,6 +159,7 @@ void ChannelRunner::drive() noexcept {
     input.hold = skip_signal() || breaks_off || hold_ || resetting_ || dead_ || interrupted_ || core_.all_stop || !core_.on() || !program_runs();
     input.single_block = (keys & kKeySingleBlock) != 0 || ends_block;
     input.in_position = axes_in_position();
+    if (waits_for_drive()) input.hold = true;
     if (emergency_) input.emergency_dec = emergency_deceleration();
     if (keys & kKeyDryRun) input.dry_run_feed = dry_run_feed();
     else if (waits_for_speed()) input.feed_override = 0;
@@ -177,6 +180,7 @@ void ChannelRunner::drive() noexcept {
     const PathRecord& r = record(cursor_);
     if (!is_motion(r) || (r.flags & kThread)) return;
     moving_rapid_ = (r.flags & kRapid) != 0;
+    cursor_record_ = cursor_;
     if (step_.s > 0) place_axes(r, step_.s);
     line_ = r.line;
     block_ = r.block;
@@ -218,6 +222,7 @@ void ChannelRunner::report_progress() noexcept {
         if (i >= step_.began_from && i < step_.began_to) begin_record(r, planner_->begin_fraction(i) * dt);
         if (i < step_.ended_from || i >= step_.ended_to) continue;
         const double offset_s = planner_->end_fraction(i) * dt;
+        cursor_record_ = i;
         if (is_motion(r)) place_axes(r, r.length);
         else execute_instant(r, offset_s);
         finished(r, i, offset_s);
@@ -228,10 +233,35 @@ void ChannelRunner::report_progress() noexcept {
 bool ChannelRunner::waits_for_speed() const noexcept {
     if (!core_.config.channels[index_].feed_waits_for_spindle || !planner_->at_rest() || cursor_ >= planner_->next_record()) return false;
     const PathRecord& r = record(cursor_);
-    if (!is_motion(r) || (r.flags & (kRapid | kThread | kTapping))) return false;
+    if (!is_motion(r) || (r.flags & (kRapid | kThread | kTapping | kOverrideLocked))) return false;
     const auto number = static_cast<std::uint32_t>(core_.signals.nc(signals::cn_ssel(number_)));
     if (number == 0 || number > kMaxSpindles || !core_.spindles[number - 1].exists() || core_.spindles[number - 1].owner != number_) return false;
     return !core_.spindles[number - 1].at_speed(core_.signals.plc(signals::sp_rot(number)));
+}
+
+// A C axis whose drive is a spindle now: it is waited for when that stops, and refused when it turns, or when the spindle
+// has turned the axis since the program last looked where it is.
+bool ChannelRunner::waits_for_drive() noexcept {
+    if (!planner_->at_rest() || cursor_ >= planner_->next_record() || !is_motion(record(cursor_))) return false;
+    const PathRecord& r = record(cursor_);
+    for (std::uint32_t i = 0; i < r.axis_count; ++i) {
+        if (r.axis[i] >= kMaxAxes || r.start[i] == r.end[i]) continue;
+        const std::uint32_t s = core_.config.axes[r.axis[i]].on_spindle;
+        if (!s || (core_.shared_axes[r.axis[i]].has_drive && !core_.shared_axes[r.axis[i]].displaced)) continue;
+        const std::int32_t rotation = core_.signals.plc(signals::sp_rot(s));
+        ShortText text = name_of('A', r.axis[i]);
+        text << " on S" << s;
+        if (core_.shared_axes[r.axis[i]].displaced) raise(Alarm::AxisDisplaced, text.view());
+        else if (rotation == 3 || rotation == 4 || core_.signals.plc(signals::ap_detchr(r.axis[i] + 1))) raise(Alarm::AxisIsSpindle, text.view());
+        return true;
+    }
+    return false;
+}
+
+// At a barrier the channel reads where its axes are.
+void ChannelRunner::know_positions() noexcept {
+    for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
+        if (core_.config.axes[a].on_spindle && core_.config.axes[a].channel == number_ && core_.shared_axes[a].has_drive) core_.shared_axes[a].displaced = false;
 }
 
 // A path that stands though a program runs: is it for a reason that the operator must be told?
@@ -288,10 +318,44 @@ double ChannelRunner::dry_run_feed() const noexcept {
     return feed;
 }
 
+// Rigid tapping: the spindle is one of those whose limits the path keeps (N1508, N1516, N1524, N0320).
+void ChannelRunner::limit_tapping(const PathRecord& r, PlannedRecord& planned) const noexcept {
+    const std::uint32_t s = r.axis[r.axis_count] - static_cast<std::uint32_t>(kMaxAxes);
+    if (s >= kMaxSpindles || !core_.spindles[s].exists() || r.end[r.axis_count] == 0) return;
+    const SpindleRange& range = core_.spindles[s].range();
+    const double way = r.length / std::fabs(r.end[r.axis_count]);   // mm a revolution
+    const double acceleration = (r.flags & kTapOut) ? range.out_acceleration : range.tap_acceleration;
+    if (acceleration > 0) planned.a_max = std::min(planned.a_max, acceleration * way);
+    if (range.tap_jerk > 0) planned.j_max = std::min(planned.j_max, range.tap_jerk * way);
+    if (range.speed_max > 0) planned.v_max = std::min(planned.v_max, range.speed_max / 60.0 * way);
+}
+
+// The spindle's share of a tapping move; false: it has no closed loop.
+bool ChannelRunner::place_spindle(const PathRecord& r, double s) noexcept {
+    const std::uint32_t number = r.axis[r.axis_count] - static_cast<std::uint32_t>(kMaxAxes);
+    if (number >= kMaxSpindles || !core_.spindles[number].closed()) {
+        raise(Alarm::SpindleNotClosed, name_of('S', std::min<std::uint32_t>(number, kMaxSpindles - 1)).view());
+        return false;
+    }
+    SpindleUnit& spindle = core_.spindles[number];
+    if (tapped_ != cursor_record_) {   // a new move begins where the last one ended
+        tapped_ = cursor_record_;
+        tap_from_ = spindle.position();
+    }
+    spindle.tapping(true, r.value != 0);
+    spindle.interpolate(tap_from_ + r.end[r.axis_count] * s / r.length);
+    return true;
+}
+
 void ChannelRunner::place_axes(const PathRecord& r, double s) noexcept {
+    if ((r.flags & kTapping) && !place_spindle(r, s)) return;
     SlotVector position;
     position_at(r, s, position);
     for (std::uint32_t i = 0; i < r.axis_count; ++i) {
+        if (core_.config.axes[r.axis[i]].on_spindle && position[i] != core_.axes[r.axis[i]].command() && !core_.shared_axes[r.axis[i]].has_drive) {
+            raise(Alarm::AxisIsSpindle, name_of('A', r.axis[i]).view());
+            continue;
+        }
         AxisUnit& axis = core_.axes[r.axis[i]];
         axis.owner = number_;
         axis.rapid = (r.flags & kRapid) != 0;
@@ -321,7 +385,10 @@ void ChannelRunner::finished(const PathRecord& r, std::uint64_t index, double of
     if (!is_motion(r) || (r.flags & kBlockEnd)) report(KernelEventKind::RecordEnd, r, offset_s);
     if (r.flags & kBlockEnd) ++blocks_;
     last_serial_ = r.serial;
-    if (r.flags & kDrains) tell(ChannelEventKind::BarrierReached, index, r.value);
+    if (r.flags & kDrains) {
+        know_positions();
+        tell(ChannelEventKind::BarrierReached, index, r.value);
+    }
 }
 
 void ChannelRunner::tell(ChannelEventKind kind, std::uint64_t index, double value, std::string_view text) noexcept {

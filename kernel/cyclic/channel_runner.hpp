@@ -109,7 +109,11 @@ private:
     bool stands_for_interrupt() noexcept;
     void break_off() noexcept;
     void watch_standstill(const PathRecord& r) noexcept;
+    void limit_tapping(const PathRecord& r, PlannedRecord& planned) const noexcept;
+    bool place_spindle(const PathRecord& r, double s) noexcept;
     bool waits_for_speed() const noexcept;
+    bool waits_for_drive() noexcept;
+    void know_positions() noexcept;
     void raise_not_in_position() noexcept;
     bool axes_in_position() const noexcept;
     double dry_run_feed() const noexcept;
@@ -154,6 +158,8 @@ private:
     std::array<std::uint8_t, kMaxPathAxes> last_axes_{};  // of the last move: who must be in position
     std::uint32_t last_axis_count_ = 0;
     double dwell_left_ = 0;
+    std::uint64_t cursor_record_ = 0, tapped_ = kNoRecord;   // record that is placed; and the last tapping one of them
+    double tap_from_ = 0;                  // revolutions at which that began
     std::int32_t strobe_ = 0;
     std::uint32_t warned_ = 0;             // partners of this wait that the operator was told about
     std::uint64_t events_sent_ = 0, rung_at_ = 0;

@@ -77,7 +77,9 @@ void Machine::run_command(const Command& c) noexcept {
             if (c.object < kInputs) core_.signals.set_input(c.object, on);
             break;
         case CommandKind::DriveFault:
-            if (!c.flags && c.object >= 1 && c.object <= kMaxAxes && core_.axes[c.object - 1].exists())
+            if (!c.flags && c.object >= 1 && c.object <= kMaxAxes && core_.config.axes[c.object - 1].on_spindle)
+                core_.spindles[core_.config.axes[c.object - 1].on_spindle - 1].simulated()->fail(on);
+            else if (!c.flags && c.object >= 1 && c.object <= kMaxAxes && core_.axes[c.object - 1].exists())
                 static_cast<SimulatedDrive*>(core_.axes[c.object - 1].drive())->fail(on);
             if (c.flags && c.object >= 1 && c.object <= kMaxSpindles && core_.spindles[c.object - 1].simulated()) core_.spindles[c.object - 1].simulated()->fail(on);
             break;

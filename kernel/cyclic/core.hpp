@@ -46,6 +46,13 @@ struct Core {
     std::array<AxisUnit, kMaxAxes> axes{};
     std::array<SpindleUnit, kMaxSpindles> spindles{};
     WaitBoard waits;
+    // Axes that share a drive with a spindle (C axes).
+    struct SharedAxis {
+        bool has_drive = false;            // it, not the spindle
+        bool displaced = false;            // the spindle has turned it, and its channel's program does not know yet where it is
+        double left_at = 0;                // where the axis was when it lost the drive
+    };
+    std::array<SharedAxis, kMaxAxes> shared_axes{};
     ChannelSet jogging = 0;                // channels of which an axis is moved by hand
     std::array<double, kMaxSpindles> spindle_rev_s{};  // measured, for feed per revolution
 

@@ -33,7 +33,7 @@ void Machine::start() {
     for (unsigned a = 0; a < kMaxAxes; ++a) {
         if (!core_.config.axes[a].exists) continue;
         const double at = options.start_known[a] ? options.start_position[a] : 0.0;
-        core_.axes[a].open(a + 1, core_.config.axes[a], core_.config.tick_s, at, simulated_drive_api());
+        open_axis(a, at);
         core_.axes[a].referenced = options.ready != 0 || params::bit(core_.table, params::n0900_reference_type, a + 1, 3);
     }
     for (unsigned s = 0; s < kMaxSpindles; ++s)
@@ -165,7 +165,8 @@ void Machine::run_axes() noexcept {
             core_.signals.set_nc(signals::an_otp(a + 1), axis.stroke_side & 1u);
             core_.signals.set_nc(signals::an_otn(a + 1), axis.stroke_side >> 1 & 1u);
         }
-        axis.exchange(core_.config.tick_s, core_.state != MachineState::Off);
+        const bool lent = config.on_spindle && !core_.shared_axes[a].has_drive;
+        axis.exchange(core_.config.tick_s, core_.state != MachineState::Off && !lent);
         if (axis.faulted() && !was_faulted) axis_fault(a);
         core_.signals.set_nc(signals::an_inpos(a + 1), axis.in_position());
         core_.signals.set_nc(signals::an_move(a + 1), axis.moving());

@@ -20,6 +20,7 @@
 #include "kernel/cyclic/core.hpp"
 #include "kernel/cyclic/couplings.hpp"
 #include "kernel/cyclic/plc_link.hpp"
+#include "kernel/drives/shared_drive.hpp"
 
 namespace polyturn::kernel {
 
@@ -64,6 +65,8 @@ private:
     double jog_feed(std::uint32_t axis) const noexcept;
     void run_jogs() noexcept;
     void open_spindle(unsigned index);
+    void open_axis(unsigned index, double at);
+    void share_drives() noexcept;
     void run_spindles() noexcept;
     void spindle_fault(std::uint32_t index) noexcept;
     void run_axes() noexcept;
@@ -89,6 +92,7 @@ private:
     std::array<std::unique_ptr<ChannelRunner>, kMaxChannels> channels_;
     std::array<ChannelRunner*, kMaxChannels> runners_{};
     std::array<AxisJog, kMaxAxes> jogs_{};
+    std::array<std::unique_ptr<SharedDrive>, kMaxSpindles> shared_drives_{};
     Couplings couplings_;
     struct Watch {
         bool plc = false, is_double = false;

@@ -1,16 +1,70 @@
 // The spindles' part of a tick: what the PLC and the channels ask of them, what is told about them, and their faults.
+#include <cmath>
+
 #include "kernel/cyclic/machine.hpp"
 
 namespace polyturn::kernel {
+namespace {
+constexpr double kDisplacedDeg = 1e-3;   // closer than that the C axis is where its program believes it
+}  // namespace
 
 void Machine::open_spindle(unsigned index) {
     const SpindleConfig& config = core_.config.spindles[index];
-    if (!config.exists) return;
+    if (!config.exists || core_.spindles[index].exists()) return;   // or opened with its C axis
     void* drive = SpindleUnit::open_drive(index + 1, config, core_.config.tick_s);
     core_.spindles[index].open(config, core_.config.tick_s, simulated_drive_api(), drive, static_cast<SimulatedDrive*>(drive));
 }
 
+// A C axis and its spindle get one drive between them.
+void Machine::open_axis(unsigned index, double at) {
+    const AxisConfig& config = core_.config.axes[index];
+    if (!config.on_spindle) {
+        core_.axes[index].open(index + 1, config, core_.config.tick_s, at, simulated_drive_api());
+        return;
+    }
+    const unsigned s = config.on_spindle - 1;
+    const SpindleConfig& spindle = core_.config.spindles[s];
+    PolyturnDriveSetup setup{};
+    setup.version = POLYTURN_DRIVE_VERSION;
+    setup.number = s + 1;
+    setup.tick_s = core_.config.tick_s;
+    setup.start_position = std::llround(at * 1e6);
+    setup.frequency_hz = config.drive_frequency_hz;
+    setup.damping = config.drive_damping;
+    shared_drives_[s] = std::make_unique<SharedDrive>(simulated_drive_api(), setup, spindle.drive_counts);
+    shared_drives_[s]->hand_to_axis();
+    core_.axes[index].open(index + 1, config, core_.config.tick_s, at, SharedDrive::axis_side());
+    core_.spindles[s].open(spindle, core_.config.tick_s, SharedDrive::spindle_side(), shared_drives_[s].get(), static_cast<SimulatedDrive*>(shared_drives_[s]->real()));
+    shared_drives_[s]->give_to(SharedDrive::User::Axis);
+    core_.shared_axes[index].has_drive = true;
+}
+
+// Who has a shared drive in this tick. The PLC's detach flags decide (nct_parameters_part1 7.1); with neither of them the
+// axis has it while the spindle is meant to stand, and both change only at standstill.
+void Machine::share_drives() noexcept {
+    for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) {
+        const std::uint32_t s = core_.config.axes[a].on_spindle;
+        if (!s || !core_.axes[a].exists()) continue;
+        Core::SharedAxis& shared = core_.shared_axes[a];
+        AxisUnit& axis = core_.axes[a];
+        const SpindleUnit& spindle = core_.spindles[s - 1];
+        const std::int32_t rotation = core_.signals.plc(signals::sp_rot(s));
+        const bool stands = rotation != 3 && rotation != 4 && !core_.signals.plc(signals::sp_par(s)) && !core_.signals.plc(signals::sp_oreq(s));
+        const bool for_axis = core_.signals.plc(signals::sp_sdetchr(s)) != 0 || (stands && !core_.signals.plc(signals::ap_detchr(a + 1)));
+        if (for_axis && !shared.has_drive && spindle.may_lend_drive()) {
+            shared.has_drive = true;
+            shared.displaced = std::fabs(axis.measured() - shared.left_at) > kDisplacedDeg;
+        } else if (!for_axis && shared.has_drive && !axis.moving()) {
+            shared.has_drive = false;
+            if (!shared.displaced) shared.left_at = axis.command();
+        }
+        shared_drives_[s - 1]->give_to(shared.has_drive ? SharedDrive::User::Axis : SharedDrive::User::Spindle);
+        core_.signals.set_nc(signals::sn_axis(s), shared.has_drive);
+    }
+}
+
 void Machine::run_spindles() noexcept {
+    share_drives();
     SpindleInput in;
     in.tick_s = core_.config.tick_s;
     in.powered = core_.on();
@@ -26,7 +80,7 @@ void Machine::run_spindles() noexcept {
         in.creep = plc(signals::sp_par) != 0;
         in.close_loop = plc(signals::sp_oreq) != 0;
         in.orient_switch = plc(signals::sp_osw) != 0;
-        in.muted = plc(signals::sp_sdetchr) != 0;
+        in.muted = plc(signals::sp_sdetchr) != 0 || (shared_drives_[s] && shared_drives_[s]->user() == SharedDrive::User::Axis);
         in.override_factor = spindle.override_locked && !spindle.config().override_in_thread ? 1.0 : spindle.override_factor;
         in.axis_position = core_.axes[spindle.surface_axis()].target();
         const bool fluctuated = spindle.fluctuates(), could_orient = !spindle.cannot_orient();

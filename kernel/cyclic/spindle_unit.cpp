@@ -171,7 +171,11 @@ double SpindleUnit::ramp(double dt) noexcept {
 
 double SpindleUnit::closed_speed(const SpindleInput& in) noexcept {
     if (interpolating_) positioner_.follow(interpolated_, in.tick_s);
-    else positioner_.step(in.tick_s);
+    else {
+        if (interpolated_before_) positioner_.take_over(positioner_.position(), 0);   // the path has brought it to rest
+        positioner_.step(in.tick_s);
+    }
+    interpolated_before_ = interpolating_;
     interpolating_ = false;
     const double position = positioner_.position();
     if (position != last_position_) backlash_ = position > last_position_ ? 0.0 : -range().backlash;

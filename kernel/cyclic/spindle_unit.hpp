@@ -147,7 +147,7 @@ private:
     double interpolated_ = 0;
     bool zero_known_ = false, search_again_ = false, in_position_ = false, cannot_orient_ = false;
     bool fresh_demand_ = false;             // what target_ says is older than what is demanded
-    bool interpolating_ = false, tapping_ = false, tap_feedforward_ = false, switch_was_ = false, probe_armed_ = false;
+    bool interpolating_ = false, interpolated_before_ = false, tapping_ = false, tap_feedforward_ = false, switch_was_ = false, probe_armed_ = false;
     std::int64_t search_from_ = 0;
     Fault fault_ = Fault::None;
 };
