@@ -33,6 +33,7 @@ void Interpreter::reset_modal() {
     modal_.feed_revolution = modal_.active[15] == 3 || modal_.active[15] == 4 || modal_.active[15] == 5 || modal_.active[15] == 13;
     core_.path.feed = 0;
     core_.path.feed_path = {};
+    core_.path.surface_axis = -1;
     modal_.master_spindle = core_.path.spindle.spindle = core_.view().config().default_spindle;
     core_.path.tool = {};
     core_.path.tool.nose_off = true;

@@ -22,6 +22,7 @@
 #include "channels/sinumerik/tables.hpp"
 #include "channels/sinumerik/text_index.hpp"
 #include "channels/sinumerik/tool_table.hpp"
+#include "ipc/params/registry.hpp"
 
 namespace polyturn::channels::sinumerik {
 
@@ -178,6 +179,8 @@ public:
     bool a_axis_feed(const Word&);
     bool a_axis_diameter(const Word&);
     bool a_nothing(const Word&);
+    bool a_cutting_speed(const Word&);
+    bool a_surface_axis(const Word&);
     bool a_limit(const Word&);
     bool a_spindle_position(const Word&);
     bool a_tool_length_offset(const Word&);
@@ -265,6 +268,7 @@ public:
     bool p_nothing(Call&);
     bool p_fgroup(Call&);
     bool p_diamchan(Call&);
+    bool p_spindle_control(Call&);
     bool p_wait_axis(Call&);
     bool p_wait_spindle(Call&);
     bool p_delt(Call&);
@@ -352,6 +356,12 @@ private:
     bool system_name(std::string& name, std::vector<Value>& indices);
     bool tool_value(const std::string& name, const std::vector<Value>& indices, const char* from, std::size_t length, Value& value);
     bool edge_cell(const std::string& name, const std::vector<Value>& indices, const char* from, std::size_t length, bool make, double*& cell);
+    struct DataCell {
+        const params::Row* row = nullptr;   // nullptr: no machine or setting data
+        std::size_t slot = 0;
+    };
+    bool data_cell(const std::string& name, const std::vector<Value>& indices, const char* from, std::size_t length, DataCell& cell);
+    bool write_data(const DataCell& cell, const std::string& name, double value, const char* from, std::size_t length);
     bool channel_of(const Value& value, unsigned& channel);
     bool marker_of(const Value& value, int& marker);
 

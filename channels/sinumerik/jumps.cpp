@@ -84,7 +84,7 @@ bool Interpreter::jump_target(std::string& label) {
     const std::string word = upper(name);
     Cursor after = cursor_;
     after.advance(name.size());
-    const bool plain = !name.empty() && (after.at_end() || is_name_start(after.peek()) || after.peek() == ',') && !find_variable(word);
+    const bool plain = !name.empty() && (after.at_end() || std::string_view("([<+").find(after.peek()) == std::string_view::npos) && !find_variable(word);
     if (plain) {
         label = word;
         cursor_.advance(name.size());

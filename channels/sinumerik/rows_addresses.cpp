@@ -25,6 +25,7 @@ constexpr Address kRows[] = {
     {"FGREF", Index::Axis, Use::Setting, &Interpreter::a_feed_radius, false, true},
     {"FL", Index::Axis, Use::Setting, &Interpreter::a_feed_limit, false, true},
     {"FA", Index::Spindle, Use::Setting, &Interpreter::a_axis_feed, false, true},
+    {"AX", Index::Axis, Use::Block, nullptr, true, true},   // an axis word by a variable
     {"POS", Index::Axis, Use::Setting, &Interpreter::a_nothing, true, true},    // driven behind the path: positioning_axes()
     {"POSA", Index::Axis, Use::Setting, &Interpreter::a_nothing, true, true},
     {"DIAMONA", Index::Axis, Use::Setting, &Interpreter::a_axis_diameter, true, true, true},
@@ -33,6 +34,8 @@ constexpr Address kRows[] = {
     {"DIACYCOFA", Index::Axis, Use::Setting, &Interpreter::a_axis_diameter, true, true, true},
     {"DIAMCHANA", Index::Axis, Use::Setting, &Interpreter::a_axis_diameter, true, true, true},
     {"LIMS", Index::Spindle, Use::Setting, &Interpreter::a_limit, false, true},
+    {"SVC", Index::Spindle, Use::Setting, &Interpreter::a_cutting_speed, false, true},
+    {"SCC", Index::Axis, Use::Setting, &Interpreter::a_surface_axis, true, false, true},
     {"SPOS", Index::Spindle, Use::Setting, &Interpreter::a_spindle_position, true, true},
     {"SPOSA", Index::Spindle, Use::Setting, &Interpreter::a_spindle_position, true, true},
     {"TOFFL", Index::Number, Use::Setting, &Interpreter::a_tool_length_offset, true, true},

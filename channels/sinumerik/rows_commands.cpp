@@ -61,6 +61,8 @@ constexpr Command kRows[] = {
     {"SBLOF", false, 0, 0, "", &I::p_nothing},
     {"SBLON", false, 0, 0, "", &I::p_nothing},
     {"SETMS", false, 0, 1, "r", &I::p_setms, true},
+    {"SPCON", false, 0, 8, "r", &I::p_spindle_control},
+    {"SPCOF", false, 0, 8, "r", &I::p_spindle_control},
     {"WAITM", false, 1, 17, "r*", &I::p_wait_marker, true},
     {"WAITMC", false, 1, 17, "r*", &I::p_wait_marker, true},
     {"WAITE", false, 1, 16, "*", &I::p_wait_end, true},

@@ -137,6 +137,12 @@ bool Interpreter::system_value(Value& value) {
         if (name != "$AC_PARAM") value = name == "$AC_MARKER" ? Value::of_int(value.number) : Value::of_bool(value.number != 0);
         return true;
     }
+    DataCell data;
+    if (!data_cell(name, indices, from, length, data)) return false;
+    if (data.row) {
+        const double cell = core_.view().table().numbers[data.slot];
+        return value = data.row->type == params::Type::Real ? Value::of_real(cell) : Value::of_int(cell), true;
+    }
     if (is_system_variable(name)) return fail_at(Alarm::NotBuilt, from, length, name);
     return unknown();
 }
@@ -233,6 +239,12 @@ bool Interpreter::parse_system_assignment() {
         written_system_[slot] = value;
         written_.push_back({slot, value});
         return true;
+    }
+    DataCell data;
+    if (!data_cell(name, indices, from, length, data)) return false;
+    if (data.row) {
+        if (!convert(value, data.row->type == params::Type::Real ? Type::Real : Type::Int)) return fail_at(Alarm::ConversionImpossible, at, 1, name);
+        return write_data(data, name, value.number, from, length);
     }
     if (is_system_variable(name)) return fail_at(Alarm::SystemVariableReadOnly, from, length, name);
     return fail_at(Alarm::SystemVariableUnknown, from, length, name);

@@ -189,6 +189,7 @@ bool Interpreter::parse_named_word(const char* begin, std::string_view name, con
             cursor_.advance(name.size());
             if (cursor_.peek() == '[' && !read_index(word, *word.address)) return false;
             if (word.address->index == Address::Index::Axis && word.axis < 0) return fail_at(Alarm::AxisArgumentMissing, begin, name.size(), std::string(name));
+            if (name == "AX") word.address = &kAxisAddress;
             if (!word.address->valueless) return read_value(word) && add_word(std::move(word), begin);
             return add_word(std::move(word), begin);
         }

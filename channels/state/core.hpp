@@ -86,6 +86,7 @@ struct PathState {
     FeedMode feed_mode = FeedMode::PerMinute;
     double feed = 0.0;                      // mm/min, mm/rev
     FeedPath feed_path;
+    std::int32_t surface_axis = -1;         // place of the axis of constant surface speed; -1 the machine's
     Plane plane = Plane::ZX;
     std::int8_t plane_p = -1, plane_q = -1;  // places of a plane of any two axes (fagor G16); -1: by `plane`
     bool exact_stop_mode = false, override_locked = false;
@@ -220,6 +221,7 @@ public:
     bool spindle_speed(double value);                     // S word: 1/min, or m/min with G96
     bool spindle_turn(SpindleTurn turn);
     bool surface_speed(bool on);
+    bool surface_axis_is(int place);                      // the axis that constant surface speed looks at from now on
     bool spindle_limit(double rpm);
     bool spindle_position(double degrees, SpindleApproach approach = SpindleApproach::Shortest);
     bool spindle_index(double way_deg);                   // turns the closed loop by so much, with its sign

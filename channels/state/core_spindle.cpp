@@ -6,7 +6,14 @@
 
 namespace polyturn::channels {
 
+bool Core::surface_axis_is(int place) {
+    path.surface_axis = place;
+    if (path.spindle.mode == SpindleModeCode::SurfaceSpeed) mode_changed_ = true;
+    return true;
+}
+
 int Core::surface_axis() const {
+    if (path.surface_axis >= 0) return path.surface_axis;
     const std::uint16_t number = view_->config().surface_speed_axis;
     for (unsigned i = 0; i < view_->axis_count; ++i)
         if (number != 0 && view_->axes[i].machine_axis + 1u == number) return static_cast<int>(i);

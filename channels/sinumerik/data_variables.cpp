@@ -1,0 +1,84 @@
+// Machine and setting data by their names: $MC_GCODE_RESET_VALUES[5], $SC_FRAME_OFFSET_INCR_PROG=0, $MA_MAX_AX_VELO[X]. They are
+// rows of the parameter registry; a program may write setting data, for its own run.
+#include <cmath>
+
+#include "channels/sinumerik/interpreter.hpp"
+#include "ipc/params/registry.hpp"
+
+namespace polyturn::channels::sinumerik {
+namespace {
+
+struct DataName {
+    std::string_view name, row;   // row of the registry; empty: see below
+};
+constexpr DataName kNames[] = {
+    {"$MN_SCALING_SYSTEM_IS_METRIC", "MD10240"},
+    {"$MC_DIAMETER_AX_DEF", "MD20100"},
+    {"$MC_GCODE_RESET_VALUES", "MD20150"},
+    {"$MC_GCODE_RESET_MODE", "MD20152"},
+    {"$MC_CUTTING_EDGE_DEFAULT", "MD20270"},
+    {"$MC_TOOL_CHANGE_MODE", "MD22550"},
+    {"$MC_TOOL_CHANGE_M_CODE", "MD22560"},
+    {"$MC_TOOL_CHANGE_ERROR_MODE", "MD22562"},
+    {"$MN_CIRCLE_ERROR_CONST", "MD21000"}, {"$MC_CIRCLE_ERROR_CONST", "MD21000"},
+    {"$MC_CIRCLE_ERROR_FACTOR", "MD21010"},
+    {"$MC_MM_NUM_R_PARAM", "MD28050"},
+    {"$MC_MM_NUM_USER_FRAMES", "MD28080"},
+    {"$MA_MAX_AX_VELO", "N0304"},
+    {"$MA_AX_VELO_LIMIT", "N0304"},
+    {"$SC_THREAD_START_ANGLE", "SD42000"},
+    {"$SC_FRAME_OFFSET_INCR_PROG", "SD42440"},
+    {"$SC_TOOL_OFFSET_INCR_PROG", "SD42442"},
+    {"$SC_TOOL_LENGTH_CONST", "SD42940"},
+    {"$SC_TOOL_LENGTH_TYPE", "SD42950"},
+    {"$SA_M19_SPOS", "SD43240"},
+};
+
+}  // namespace
+
+// The cell that a data name means; found is false for names that are no data, and for those that are not built.
+bool Interpreter::data_cell(const std::string& name, const std::vector<Value>& indices, const char* from, std::size_t length, DataCell& cell) {
+    cell = {};
+    if (name.size() < 5 || (!name.starts_with("$M") && !name.starts_with("$S")) || name[3] != '_') return true;
+    const params::Row* row = nullptr;
+    for (const DataName& one : kNames)
+        if (one.name == name) row = params::find(one.row);
+    if (!row) return fail_at(Alarm::SystemVariableUnknown, from, length, name);
+    unsigned instance = 1;
+    std::size_t element = 0;
+    if (row->scope == params::Scope::Channel) instance = core_.view().channel;
+    for (const Value& index : indices) {
+        if (index.type == Type::Axis) {
+            if (row->scope == params::Scope::Axis && index.place() >= 0 && index.place() < kSpindleAxis) instance = core_.view().axes[static_cast<std::size_t>(index.place())].machine_axis + 1u;
+            else if (row->scope == params::Scope::Spindle && index.place() >= kSpindleAxis) instance = static_cast<unsigned>(index.place() - kSpindleAxis);
+            else return fail_at(Alarm::AxisKindWrong, from, length, index.text);
+        } else if (index.is_number() && index.number >= 0) {
+            if (row->array > 1) element = static_cast<std::size_t>(std::nearbyint(std::fmin(index.number, 1e6)));
+        } else {
+            return fail_at(Alarm::ArrayIndexIllegal, from, length, name);
+        }
+    }
+    if (row->scope == params::Scope::Spindle && indices.empty()) instance = modal_.master_spindle;
+    const bool axis_missing = row->scope == params::Scope::Axis && (indices.empty() || indices.back().type != Type::Axis);
+    if (axis_missing) return fail_at(Alarm::AxisArgumentMissing, from, length, name);
+    if (element >= row->array || instance < 1 || instance > params::instances(row->scope)) return fail_at(Alarm::ArrayIndexIllegal, from, length, name, static_cast<double>(element));
+    cell.row = row;
+    cell.slot = row->first_slot + (instance - 1) * row->array + element;
+    return true;
+}
+
+bool Interpreter::write_data(const DataCell& cell, const std::string& name, double value, const char* from, std::size_t length) {
+    if (!name.starts_with("$S")) return fail_at(Alarm::SystemVariableReadOnly, from, length, name);
+    if (!(value >= cell.row->min && value <= cell.row->max)) return fail_at(Alarm::ValueOutOfRange, from, length, name);
+    params::Table& table = *core_.view().parameters;
+    const std::size_t slot = cell.slot;
+    undo([this, slot, before = table.numbers[slot]] {
+        core_.view().parameters->numbers[slot] = before;
+        settings_ = read_settings(core_.view().table(), core_.view());
+    });
+    table.numbers[slot] = value;
+    settings_ = read_settings(core_.view().table(), core_.view());
+    return true;
+}
+
+}  // namespace polyturn::channels::sinumerik
