@@ -64,11 +64,18 @@ bool Interpreter::spindle_words() {
                 }
                 fault_column_ = fault_length_ = 0;
             }
-            return core_.commit_spindle();
+            if (!core_.commit_spindle()) return false;
+            for (const Word& word : block_.words)   // the PLC's M3 means the spindle that was told last
+                if (word.address->name == "M" && speaks(word) && number_of_spindle(word) == spindle) m_to_plc(word, static_cast<std::int64_t>(word.number()));
+            return true;
         });
         if (!ok) return false;
     }
     return true;
+}
+
+void Interpreter::m_to_plc(const Word& word, std::int64_t m) {
+    core_.aux('M', static_cast<double>(m), word.index > 0 ? fmt::format("M{}={}", word.index, m) : fmt::format("M{}", m), false);
 }
 
 bool Interpreter::functions_before() {
@@ -82,11 +89,12 @@ bool Interpreter::functions_before() {
             std::uint16_t spindle = 0;
             if (!m_number(word, m, spindle)) return false;
             if (ends_block(m)) continue;
-            if (settings_.tool_by_m6 && m == settings_.tool_change_m && !change_tool()) return false;
+            if (settings_.tool_by_m6 && m == settings_.tool_change_m) {
+                if (!change_tool()) return false;
+                core_.at.tool = core_.path.tool.ref;
+            }
             if (m == 19 && !with_spindle(spindle, [&] { return core_.spindle_position(m19_position(spindle)); })) return false;
-            const bool other = spindle != 0 && spindle != core_.view().config().default_spindle && (is_spindle_function(m) || m == 19);
-            const std::string text = word.index > 0 ? fmt::format("M{}={}", word.index, m) : fmt::format("M{}", m);
-            if (!other) core_.aux('M', static_cast<double>(m), text, false);   // the PLC's M3 means the channel's own spindle
+            if (!is_spindle_function(m)) m_to_plc(word, m);
         }
     }
     return true;

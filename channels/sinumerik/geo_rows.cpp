@@ -145,7 +145,6 @@ constexpr Address kAddresses[] = {
     {"IR", Index::None, Use::Block}, {"JR", Index::None, Use::Block}, {"KR", Index::None, Use::Block},
     {"DISR", Index::None, Use::Block}, {"DISCL", Index::None, Use::Block}, {"DISRP", Index::None, Use::Block}, {"FAD", Index::None, Use::Block},
     {"DISC", Index::None, Use::Refused}, {"OFFN", Index::None, Use::Refused}, {"FP", Index::None, Use::Block},
-    {"ADIS", Index::None, Use::Refused}, {"ADISPOS", Index::None, Use::Refused},
     {"DILF", Index::None, Use::Refused}, {"ALF", Index::None, Use::Refused},
 };
 

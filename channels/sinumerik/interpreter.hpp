@@ -319,8 +319,10 @@ private:
 
     // M S T D H (functions_ms.cpp, tools.cpp, spindles.cpp)
     bool m_number(const Word& word, std::int64_t& number, std::uint16_t& spindle);
+    void m_to_plc(const Word& word, std::int64_t m);
     double m19_position(std::uint16_t spindle) const;
     bool tool_words();
+    bool changes_tool() const;
     bool select_tool(const Word& word);
     bool change_tool();
     bool select_edge(int edge);

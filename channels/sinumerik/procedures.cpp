@@ -73,7 +73,9 @@ bool Interpreter::channel_of(const Value& value, unsigned& channel) {
 }
 
 bool Interpreter::marker_of(const Value& value, int& marker) {
-    if (!(value.number >= 0 && value.number <= 99) || value.number != std::floor(value.number)) return fail(Alarm::MarkerIllegal, {}, value.number);
+    // 0 to 99; beyond them the machine's own waiting codes, with which it meets channels of other languages.
+    const bool known = (value.number >= 0 && value.number <= 99) || core_.view().machine.is_wait_code(value.number);
+    if (!known || value.number != std::floor(value.number)) return fail(Alarm::MarkerIllegal, {}, value.number);
     marker = static_cast<int>(value.number);
     return true;
 }

@@ -33,6 +33,8 @@ constexpr Address kRows[] = {
     {"DIAMOFA", Index::Axis, Use::Setting, &Interpreter::a_axis_diameter, true, true, true},
     {"DIACYCOFA", Index::Axis, Use::Setting, &Interpreter::a_axis_diameter, true, true, true},
     {"DIAMCHANA", Index::Axis, Use::Setting, &Interpreter::a_axis_diameter, true, true, true},
+    {"ADIS", Index::None, Use::Setting, &Interpreter::a_nothing, false},      // corners are rounded within PT_PATH_TOL, which is less
+    {"ADISPOS", Index::None, Use::Setting, &Interpreter::a_nothing, false},
     {"LIMS", Index::Spindle, Use::Setting, &Interpreter::a_limit, false, true},
     {"SVC", Index::Spindle, Use::Setting, &Interpreter::a_cutting_speed, false, true},
     {"SCC", Index::Axis, Use::Setting, &Interpreter::a_surface_axis, true, false, true},

@@ -58,6 +58,7 @@ constexpr Command kRows[] = {
     {"MSG", false, 0, 2, "*r", &I::p_msg},
     {"SETAL", false, 1, 2, "rs", &I::p_setal},
     {"STOPRE", false, 0, 0, "", &I::p_stopre, true},
+    {"DRFOF", false, 0, 0, "", &I::p_stopre, true},   // there are no handwheel offsets: what is left is its stop
     {"SBLOF", false, 0, 0, "", &I::p_nothing},
     {"SBLON", false, 0, 0, "", &I::p_nothing},
     {"SETMS", false, 0, 1, "r", &I::p_setms, true},

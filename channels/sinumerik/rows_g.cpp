@@ -1,4 +1,5 @@
-// Rows of the G commands that set modes: sinumerik_part3 6.3. A null handler: known, not built.
+// Rows of the G commands that set modes: sinumerik_part3 6.3. A null handler: known, not built. g_nothing: the mode is kept and
+// can be read; it has nothing to act on here (orientation axes, transformations) or leaves the path where it is (compressors).
 #include "channels/sinumerik/interpreter.hpp"
 
 namespace polyturn::channels::sinumerik {
@@ -74,7 +75,7 @@ constexpr GCode kRows[] = {
     {"FFWON", 24, 2, true, false, &Interpreter::g_nothing},
     // group 25: Tool orientation reference
     {"ORIWKS", 25, 1, true, true, &Interpreter::g_nothing},
-    {"ORIMKS", 25, 2, true, false, nullptr},
+    {"ORIMKS", 25, 2, true, false, &Interpreter::g_nothing},
     // group 26: Repositioning mode for REPOS (modal)
     {"RMB", 26, 1, true, false, &Interpreter::g_nothing},
     {"RMI", 26, 2, true, true, &Interpreter::g_nothing},
@@ -82,7 +83,7 @@ constexpr GCode kRows[] = {
     {"RMN", 26, 4, true, false, &Interpreter::g_nothing},
     // group 27: Tool offset with orientation change at outer corners
     {"ORIC", 27, 1, true, true, &Interpreter::g_nothing},
-    {"ORID", 27, 2, true, false, nullptr},
+    {"ORID", 27, 2, true, false, &Interpreter::g_nothing},
     // group 28: Working-area limitation (BCS)
     {"WALIMON", 28, 1, true, true, &Interpreter::g_nothing},
     {"WALIMOF", 28, 2, true, false, &Interpreter::g_nothing},
@@ -93,10 +94,10 @@ constexpr GCode kRows[] = {
     {"DIAMCYCOF", 29, 4, true, false, &Interpreter::g_diameter},
     // group 30: NC block compression
     {"COMPOF", 30, 1, true, true, &Interpreter::g_nothing},
-    {"COMPON", 30, 2, true, false, nullptr},
-    {"COMPCURV", 30, 3, true, false, nullptr},
-    {"COMPCAD", 30, 4, true, false, nullptr},
-    {"COMPSURF", 30, 5, true, false, nullptr},
+    {"COMPON", 30, 2, true, false, &Interpreter::g_nothing},
+    {"COMPCURV", 30, 3, true, false, &Interpreter::g_nothing},
+    {"COMPCAD", 30, 4, true, false, &Interpreter::g_nothing},
+    {"COMPSURF", 30, 5, true, false, &Interpreter::g_nothing},
     // group 31: OEM G codes
     {"G810", 31, 1, true, false, nullptr},
     {"G811", 31, 2, true, false, nullptr},
@@ -124,11 +125,11 @@ constexpr GCode kRows[] = {
     {"FTOCON", 33, 2, true, false, nullptr},
     // group 34: Tool orientation smoothing
     {"OSOF", 34, 1, true, true, &Interpreter::g_nothing},
-    {"OSC", 34, 2, true, false, nullptr},
-    {"OSS", 34, 3, true, false, nullptr},
-    {"OSSE", 34, 4, true, false, nullptr},
-    {"OSD", 34, 5, true, false, nullptr},
-    {"OST", 34, 6, true, false, nullptr},
+    {"OSC", 34, 2, true, false, &Interpreter::g_nothing},
+    {"OSS", 34, 3, true, false, &Interpreter::g_nothing},
+    {"OSSE", 34, 4, true, false, &Interpreter::g_nothing},
+    {"OSD", 34, 5, true, false, &Interpreter::g_nothing},
+    {"OST", 34, 6, true, false, &Interpreter::g_nothing},
     // group 35: Punching and nibbling
     {"SPOF", 35, 1, true, true, &Interpreter::g_nothing},
     {"SON", 35, 2, true, false, nullptr},
@@ -137,14 +138,14 @@ constexpr GCode kRows[] = {
     {"PONS", 35, 5, true, false, nullptr},
     // group 36: Punching with delay
     {"PDELAYON", 36, 1, true, true, &Interpreter::g_nothing},
-    {"PDELAYOF", 36, 2, true, false, nullptr},
+    {"PDELAYOF", 36, 2, true, false, &Interpreter::g_nothing},
     // group 37: Feed profile
     {"FNORM", 37, 1, true, true, &Interpreter::g_nothing},
     {"FLIN", 37, 2, true, false, &Interpreter::g_nothing},
     {"FCUB", 37, 3, true, false, &Interpreter::g_nothing},
     // group 38: Assignment of fast inputs/outputs for punching/nibbling
     {"SPIF1", 38, 1, true, true, &Interpreter::g_nothing},
-    {"SPIF2", 38, 2, true, false, nullptr},
+    {"SPIF2", 38, 2, true, false, &Interpreter::g_nothing},
     // group 39: Programmable contour accuracy
     {"CPRECOF", 39, 1, true, true, &Interpreter::g_nothing},
     {"CPRECON", 39, 2, true, false, &Interpreter::g_nothing},
@@ -169,30 +170,30 @@ constexpr GCode kRows[] = {
     {"G291", 47, 2, true, false, nullptr},
     // group 49: Point-to-point motion
     {"CP", 49, 1, true, true, &Interpreter::g_nothing},
-    {"PTP", 49, 2, true, false, nullptr},
-    {"PTPG0", 49, 3, true, false, nullptr},
-    {"PTPWOC", 49, 4, true, false, nullptr},
+    {"PTP", 49, 2, true, false, &Interpreter::g_nothing},
+    {"PTPG0", 49, 3, true, false, &Interpreter::g_nothing},
+    {"PTPWOC", 49, 4, true, false, &Interpreter::g_nothing},
     // group 50: Orientation programming
     {"ORIEULER", 50, 1, true, true, &Interpreter::g_nothing},
-    {"ORIRPY", 50, 2, true, false, nullptr},
-    {"ORIVIRT1", 50, 3, true, false, nullptr},
-    {"ORIVIRT2", 50, 4, true, false, nullptr},
-    {"ORIAXPOS", 50, 5, true, false, nullptr},
-    {"ORIRPY2", 50, 6, true, false, nullptr},
+    {"ORIRPY", 50, 2, true, false, &Interpreter::g_nothing},
+    {"ORIVIRT1", 50, 3, true, false, &Interpreter::g_nothing},
+    {"ORIVIRT2", 50, 4, true, false, &Interpreter::g_nothing},
+    {"ORIAXPOS", 50, 5, true, false, &Interpreter::g_nothing},
+    {"ORIRPY2", 50, 6, true, false, &Interpreter::g_nothing},
     // group 51: Orientation interpolation type
     {"ORIVECT", 51, 1, true, true, &Interpreter::g_nothing},
-    {"ORIAXES", 51, 2, true, false, nullptr},
-    {"ORIPATH", 51, 3, true, false, nullptr},
-    {"ORIPLANE", 51, 4, true, false, nullptr},
-    {"ORICONCW", 51, 5, true, false, nullptr},
-    {"ORICONCCW", 51, 6, true, false, nullptr},
-    {"ORICONIO", 51, 7, true, false, nullptr},
-    {"ORICONTO", 51, 8, true, false, nullptr},
-    {"ORICURVE", 51, 9, true, false, nullptr},
-    {"ORIPATHS", 51, 10, true, false, nullptr},
+    {"ORIAXES", 51, 2, true, false, &Interpreter::g_nothing},
+    {"ORIPATH", 51, 3, true, false, &Interpreter::g_nothing},
+    {"ORIPLANE", 51, 4, true, false, &Interpreter::g_nothing},
+    {"ORICONCW", 51, 5, true, false, &Interpreter::g_nothing},
+    {"ORICONCCW", 51, 6, true, false, &Interpreter::g_nothing},
+    {"ORICONIO", 51, 7, true, false, &Interpreter::g_nothing},
+    {"ORICONTO", 51, 8, true, false, &Interpreter::g_nothing},
+    {"ORICURVE", 51, 9, true, false, &Interpreter::g_nothing},
+    {"ORIPATHS", 51, 10, true, false, &Interpreter::g_nothing},
     // group 52: Workpiece-related frame rotation
     {"PAROTOF", 52, 1, true, true, &Interpreter::g_nothing},
-    {"PAROT", 52, 2, true, false, nullptr},
+    {"PAROT", 52, 2, true, false, &Interpreter::g_nothing},
     // group 53: Tool-related frame rotation
     {"TOROTOF", 53, 1, true, true, &Interpreter::g_nothing},
     {"TOROT", 53, 2, true, false, nullptr},
@@ -205,9 +206,9 @@ constexpr GCode kRows[] = {
     {"TOFRAMEX", 53, 9, true, false, nullptr},
     // group 54: Vector rotation in polynomial programming
     {"ORIROTA", 54, 1, true, true, &Interpreter::g_nothing},
-    {"ORIROTR", 54, 2, true, false, nullptr},
-    {"ORIROTT", 54, 3, true, false, nullptr},
-    {"ORIROTC", 54, 4, true, false, nullptr},
+    {"ORIROTR", 54, 2, true, false, &Interpreter::g_nothing},
+    {"ORIROTT", 54, 3, true, false, &Interpreter::g_nothing},
+    {"ORIROTC", 54, 4, true, false, &Interpreter::g_nothing},
     // group 55: Rapid traverse with/without linear interpolation
     {"RTLION", 55, 1, true, true, &Interpreter::g_nothing},
     {"RTLIOF", 55, 2, true, false, &Interpreter::g_nothing},
@@ -230,7 +231,7 @@ constexpr GCode kRows[] = {
     {"DYNFINISH", 59, 5, true, false, &Interpreter::g_nothing},
     // group 61: Tool orientation smoothing (ORISON)
     {"ORISOF", 61, 1, true, true, &Interpreter::g_nothing},
-    {"ORISON", 61, 2, true, false, nullptr},
+    {"ORISON", 61, 2, true, false, &Interpreter::g_nothing},
     // group 62: Repositioning mode for REPOS (block-wise)
     {"RMBBL", 62, 1, false, false, &Interpreter::g_nothing},
     {"RMIBL", 62, 2, false, true, &Interpreter::g_nothing},

@@ -26,13 +26,21 @@ bool Interpreter::tool_words() {
     const Word* tool = word("T");
     const Word* edge = word("D");
     if (tool && !select_tool(*tool)) return false;
-    if (edge) {
+    if (edge && !changes_tool()) {
         if (edge->number() != std::floor(edge->number())) return fail_word(Alarm::PointForbidden, *edge, "D");
         fault_column_ = edge->column, fault_length_ = edge->length;
         if (!select_edge(static_cast<int>(edge->number()))) return false;
         fault_column_ = fault_length_ = 0;
     }
     return true;
+}
+
+// M6 in the block, where it changes the tool.
+bool Interpreter::changes_tool() const {
+    if (!settings_.tool_by_m6) return false;
+    for (const Word& word : block_.words)
+        if (word.address->name == "M" && word.number() == static_cast<double>(settings_.tool_change_m)) return true;
+    return false;
 }
 
 bool Interpreter::select_tool(const Word& word) {
@@ -63,7 +71,7 @@ bool Interpreter::change_tool() {
     ToolRef& ref = core_.path.tool.ref;
     ref.number = modal_.tool;
     ref.name = found == tools_.end() ? std::string_view{} : std::string_view(found->second.name);
-    if (has("D") && !settings_.tool_by_m6) return true;   // the block says it itself
+    if (const Word* edge = word("D")) return !settings_.tool_by_m6 || select_edge(static_cast<int>(edge->number()));   // the block says it itself
     if (settings_.default_edge == -2) return true;        // the old offset holds until D
     int edge = modal_.tool == 0 ? 0 : settings_.default_edge;
     if (edge > 0 && found != tools_.end() && !found->second.edges.contains(edge)) return fail(Alarm::EdgeUnknown, std::to_string(modal_.tool), edge);

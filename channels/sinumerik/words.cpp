@@ -259,7 +259,7 @@ bool Interpreter::read_value(Word& word) {
             case ScannedNumber::Status::Ok: break;
             case ScannedNumber::Status::SecondPoint: return fail_at(Alarm::SecondPoint, cursor_.at(), 1);
             case ScannedNumber::Status::TooManyDigits: return fail_at(Alarm::DigitsTooMany, from, 1);
-            case ScannedNumber::Status::Missing: return fail_at(Alarm::NumberMissing, from, 1, std::string(word.address->name));
+            case ScannedNumber::Status::Missing: return fail_at(Alarm::NumberMissing, from, 1, word.address == &kAxisAddress ? axis_name(word.axis) : std::string(word.address->name));
         }
         word.has_value = true;
         word.value = scanned.has_point ? Value::of_real(scanned.value) : Value::of_int(scanned.value);
@@ -293,7 +293,7 @@ bool Interpreter::add_word(Word word, const char* begin) {
     if (word.mode != Mode::Plain && word.value.type == Type::String && !text_allowed)
         return fail_at(Alarm::OperandTypeIllegal, begin, word.length, std::string(address.name));
     if (!word.value.is_number() && !(text_allowed && word.value.type == Type::String))
-        return fail_at(Alarm::OperandTypeIllegal, begin, word.length, std::string(address.name) + ": " + std::string(type_name(word.value.type)));
+        return fail_at(Alarm::OperandTypeIllegal, begin, word.length, (axis_word ? axis_name(word.axis) : std::string(address.name)) + ": " + std::string(type_name(word.value.type)));
     if (!address.is_signed && word.value.number < 0) return fail_at(Alarm::NegativeSign, begin, word.length, std::string(address.name));
     for (const Word& other : block_.words) {
         if (other.address != word.address) continue;
