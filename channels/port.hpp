@@ -34,6 +34,8 @@ public:
     virtual double running_ms() = 0;                // #3001
     // What a program sends to an external device (DPRNT, BPRNT): bytes; `control`: signs around a transmission.
     virtual void print(const MachineView&, std::string_view /*bytes*/, bool /*control*/) {}
+    // CP_SGOEN and CP_SGOX, Y, Z: the second geometry offset acts on this axis (0 X, 1 Y, 2 Z).
+    virtual bool second_geometry(unsigned /*axis*/) { return false; }
     // Stroke limits of a machine axis that hold now (the PLC selects sets); false: those of the parameters' set A.
     virtual bool stroke_limits(unsigned machine_axis, double& min, double& max) = 0;
     // This program cuts per revolution on a spindle that it has not started itself. Has somebody else?

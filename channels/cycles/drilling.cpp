@@ -20,6 +20,38 @@ bool turn(Core& core, SpindleTurn direction) {
     return true;
 }
 
+SpindleTurn forward_of(const Drilling& hole) { return hole.left_hand ? SpindleTurn::Ccw : SpindleTurn::Cw; }
+
+// The spindle turns back and the axis follows it to `level`.
+bool out_of_thread(Core& core, const Drilling& hole, double level, double factor) {
+    const double feed = core.path.feed;
+    if (!turn(core, hole.left_hand ? SpindleTurn::Cw : SpindleTurn::Ccw)) return false;
+    core.path.feed = feed * factor;
+    const bool good = to(core, hole, level, false);
+    core.path.feed = feed;
+    return good;
+}
+
+// Tapping in pecks: a short way back (chip break), or out of the hole and back to shortly above the last depth.
+bool tap_in_pecks(Core& core, const Drilling& hole) {
+    const double step = std::copysign(hole.peck, hole.bottom - hole.r_level), up = std::copysign(hole.clearance, hole.r_level - hole.bottom);
+    double depth = hole.r_level;
+    for (int count = 0; count < 100'000; ++count) {
+        const bool last = std::fabs(hole.bottom - depth) <= hole.peck * (1 + 1e-9);
+        depth = last ? hole.bottom : depth + step;
+        if (!to(core, hole, depth, false)) return false;
+        if (last) return true;
+        if (!out_of_thread(core, hole, hole.chip_break ? depth + up : hole.r_level, hole.out_factor) || !turn(core, forward_of(hole))) return false;
+        if (hole.chip_break) continue;
+        const double feed = core.path.feed;
+        core.path.feed = feed * hole.return_factor;
+        const bool good = to(core, hole, depth + up, false);
+        core.path.feed = feed;
+        if (!good) return false;
+    }
+    return core.fail(Alarm::OffsetValueIllegal, 'Q', {}, hole.peck);
+}
+
 // Down in pecks; the last one ends exactly on the bottom.
 bool peck(Core& core, const Drilling& hole) {
     const double step = std::copysign(hole.peck, hole.bottom - hole.r_level);
@@ -93,7 +125,8 @@ bool tap_axial(Core& core, const AxialHole& hole) {
 bool drill(Core& core, const Drilling& hole) {
     if (!to(core, hole, hole.r_level, true)) return false;
     const SpindleTurn in = core.path.spindle.turn;
-    if (hole.peck > 0 ? !peck(core, hole) : !to(core, hole, hole.bottom, false)) return false;
+    const bool taps = hole.way_out == Drilling::Way::Tap;
+    if (hole.peck > 0 ? !(taps ? tap_in_pecks(core, hole) : peck(core, hole)) : !to(core, hole, hole.bottom, false)) return false;
     if (hole.dwells && !core.dwell(hole.dwell, hole.dwell_revolutions)) return false;
     const double feed = core.path.feed;
     switch (hole.way_out) {
@@ -108,14 +141,11 @@ bool drill(Core& core, const Drilling& hole) {
             if (!turn(core, SpindleTurn::Stop)) return false;
             if (!to(core, hole, hole.to_r_level ? hole.r_level : hole.initial, true)) return false;
             return turn(core, in);
-        case Drilling::Way::Tap: {
-            const SpindleTurn forward = hole.left_hand ? SpindleTurn::Ccw : SpindleTurn::Cw;
-            const SpindleTurn back = hole.left_hand ? SpindleTurn::Cw : SpindleTurn::Ccw;
-            if (!turn(core, back) || !to(core, hole, hole.r_level, false)) return false;
-            if (hole.dwells && !core.dwell(hole.dwell, hole.dwell_revolutions)) return false;
-            if (!turn(core, forward)) return false;
+        case Drilling::Way::Tap:
+            if (!out_of_thread(core, hole, hole.r_level, hole.out_factor)) return false;
+            if (hole.dwells && hole.dwells_at_r && !core.dwell(hole.dwell, hole.dwell_revolutions)) return false;
+            if (!turn(core, forward_of(hole))) return false;
             break;
-        }
     }
     return hole.to_r_level ? true : to(core, hole, hole.initial, true);
 }

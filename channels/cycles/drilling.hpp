@@ -19,10 +19,13 @@ struct Drilling {
     bool dwells = false;
     double dwell = 0.0;             // seconds, or revolutions
     bool dwell_revolutions = false;
+    bool dwells_at_r = true;        // Tap: there too
     enum class Way : std::uint8_t { Rapid, Feed, StopRapid, Tap } way_out = Way::Rapid;
     double way_out_factor = 1.0;    // of the feed
     bool left_hand = false;         // Tap: turns anticlockwise on the way in
     bool to_r_level = false;        // ends at the R level
+    double out_factor = 1.0;        // Tap: speed out of the thread
+    double return_factor = 1.0;     // Tap in pecks that leave the thread: speed back to the cut
 };
 
 // A hole on the turning axis with depths counted from the surface (fagor G83): the approach point lies in front of it.

@@ -21,7 +21,7 @@ std::string g_name(double value) {
 // Sorts the words: G rows by group, M words, axis words.
 bool Interpreter::classify() {
     coded_groups_ = 0;
-    m_count_ = axis_word_count_ = g_count_ = 0;
+    m_count_ = axis_word_count_ = g_count_ = comma_count_ = 0;
     for (unsigned i = 0; i < block_.count; ++i) {
         const Word& word = block_.words[i];
         if (word.axis >= 0) {
@@ -30,14 +30,18 @@ bool Interpreter::classify() {
         }
         const char letter = word.address;
         if (letter >= 'a') {
-            fault_column_ = word.column;
-            fault_length_ = word.length;
-            return core_.fail(Alarm::NotBuilt, 0, std::string(",") + static_cast<char>(letter - 32));
+            if (comma_count_ == comma_words_.size() || settings_.mefi) {
+                fault_column_ = word.column;
+                fault_length_ = word.length;
+                return core_.fail(Alarm::AddressIllegal, 0, std::string(",") + static_cast<char>(letter - 32));
+            }
+            comma_words_[comma_count_++] = static_cast<std::uint8_t>(i);
+            continue;
         }
         if (letter == 'G') {
             const double tenths = word.value * 10.0, whole_tenths = std::nearbyint(tenths);
             const GCode* row = std::fabs(tenths - whole_tenths) < 1e-6 && whole_tenths >= 0 && whole_tenths < 10000
-                                   ? table_.find(static_cast<std::uint32_t>(whole_tenths)) : nullptr;
+                                   ? table_.find(drilling_name(static_cast<std::uint32_t>(whole_tenths))) : nullptr;
             if (!row) {
                 fault_column_ = word.column;
                 fault_length_ = word.length;
@@ -57,6 +61,12 @@ bool Interpreter::classify() {
     return true;
 }
 
+// A milling channel calls three drilling cycles by the numbers that a lathe needs for turning (N1503#0, N1611#0).
+std::uint32_t Interpreter::drilling_name(std::uint32_t tenths) const {
+    if (!settings_.milling_drills) return tenths;
+    return tenths == 730 ? 831 : tenths == 740 ? 841 : tenths == 760 ? 861 : tenths;
+}
+
 // Every word must have a taker: a word that nobody uses is a mistake of the program.
 bool Interpreter::check_words() {
     std::uint32_t taken = kAlways;
@@ -67,7 +77,8 @@ bool Interpreter::check_words() {
     }
     if (!(coded_groups_ & (bit_of(GGroup::OneShot) | bit_of(GGroup::Motion)))) taken |= takes_[static_cast<std::size_t>(motion_ - g_codes().data())];
     if (m_count_) taken |= letter_set("PQL");
-    if (drilling_ && !(coded_groups_ & bit_of(GGroup::OneShot))) taken |= letter_set("RQPLKE") | axis_letters_;
+    if (settings_.offsets_by_g || core_.view().config().kind == ChannelKind::Mill) taken |= letter_set("D");
+    if (drilling_ && !(coded_groups_ & bit_of(GGroup::OneShot))) taken |= letter_set("RQPLKEIJ") | axis_letters_;
     if (parameter_input_) taken |= letter_set("NPR");
     for (unsigned k = 0; k < m_count_; ++k)
         if (block_.words[m_words_[k]].value == settings_.interrupt.on) taken |= letter_set("P");
@@ -86,7 +97,23 @@ Step Interpreter::nc_block() {
     if (!settings_.g_calls.empty() || !settings_.m_calls.empty() || !settings_.letter_calls.empty() || settings_.t_calls) {
         if (!code_calls(calls)) return fault(core_.fault());
     }
+    b_.single_now = false;
+    if (block_.has('G') && !calls && !settings_.nct && !settings_.mefi)   // all words of such a block are the B axis'
+        for (std::size_t k = 0; k < block_.count; ++k)
+            if (block_.words[k].axis < 0 && block_.words[k].address == 'G' && block_.words[k].value == 110) {
+                if (!classify() || !g_b_single(*table_.find(1100))) return fault(core_.fault());
+                calls = true;
+            }
+    if (b_.registering && !calls) {   // G101 to G100: nothing acts
+        const bool ends = block_.has('G') && block_.value('G') >= 100 && block_.value('G') <= 103;
+        if (!ends && (block_.letters & ~letter_set("NO"))) {
+            if (!classify() || !b_record()) return fault(core_.fault());
+            return Step::Continue;
+        }
+    }
+    const bool single_b = b_.single_now;
     if (!calls && !(classify() && (is_macro_call() ? macro_call() : check_words() && act()))) return fault(core_.fault());
+    b_.single_before = b_.single_now;
     if (interruption_.running && (block_.letters & ~letter_set("NO"))) interruption_.shows_end = false;
     if (sub_program_ >= 0) {
         const std::int64_t program = sub_program_;
@@ -97,7 +124,7 @@ Step Interpreter::nc_block() {
     if (finishing_.active && !ended_ && !called_ && frames_.size() == finishing_.depth && core_.at.block == finishing_.last && !end_finishing()) return fault(core_.fault());
     end_one_block_shift();
     if (core_.reads_ahead()) {
-        const bool counts = !called_ && !calls && (block_.letters & ~letter_set("NO")) != 0;   // calls belong to nobody's path
+        const bool counts = !called_ && (!calls || single_b) && (block_.letters & ~letter_set("NO")) != 0;   // calls belong to nobody's path
         if (!core_.end_compensated_block(counts, wants_barrier_, ended_)) return fault(core_.fault());
     }
     if (core_.emitted()) {
@@ -133,6 +160,7 @@ bool Interpreter::macro_call() {
 
 bool Interpreter::act() {
     if (parameter_input_ && !(coded_groups_ & bit_of(GGroup::OneShot))) return g10_parameter_block();
+    words_used_ = false;
     // Settings, in the order of GGroup.
     constexpr std::uint32_t kLate = bit_of(GGroup::OneShot) | bit_of(GGroup::Motion) | bit_of(GGroup::MacroModal) | bit_of(GGroup::Surface);
     for (std::uint32_t left = coded_groups_ & ~kLate; left; left &= left - 1) {
@@ -152,6 +180,8 @@ bool Interpreter::act() {
         drilling_ = nullptr;
     }
     if (block_.has('F') && !set_feed(block_.word('F'))) return false;
+    for (unsigned k = 0; k < comma_count_; ++k)
+        if (!corner_word(block_.words[comma_words_[k]])) return false;
     if (coded_groups_ & bit_of(GGroup::Surface)) {
         const GCode* row = coded_[static_cast<std::size_t>(GGroup::Surface)];
         if (!(this->*row->act)(*row)) return false;
@@ -177,7 +207,9 @@ bool Interpreter::act() {
         if (!(this->*one_shot->act)(*one_shot)) return false;
     } else if (drilling_) {
         if ((axis_word_count_ || block_.has('R')) && !run_drilling()) return false;
-    } else if (axis_word_count_ || (coded_groups_ & bit_of(GGroup::Motion)) || block_.has('I') || block_.has('J') || block_.has('K') || block_.has('R')) {
+    } else if (words_used_) {
+        ;   // G51 X Z P names a point, and nothing moves
+    } else if (axis_word_count_ || (coded_groups_ & bit_of(GGroup::Motion)) || (block_.has('A') && motion_->tenths == 10 && !settings_.mefi && !(axis_letters_ & letter_bit('A'))) || block_.has('I') || block_.has('J') || block_.has('K') || block_.has('R')) {
         if (!motion_->act) return core_.fail(Alarm::NotBuilt, 'G', std::string(motion_->name));
         if (!(this->*motion_->act)(*motion_)) return false;
     }
@@ -223,6 +255,7 @@ bool Interpreter::read_axis_words(AxisValues& target, AxisSet* named) {
     AxisSet set = 0;
     for (unsigned k = 0; k < axis_word_count_; ++k)
         if (!axis_word(block_.words[axis_words_[k]], target, set)) return false;
+    if (polar_ && !polar_target(target, set)) return false;
     if (named) *named = set;
     return true;
 }

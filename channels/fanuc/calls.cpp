@@ -87,7 +87,7 @@ bool Interpreter::g_macro_modal_off(const GCode&) {
 // Codes that call programs instead of acting. `called` tells whether the block was used up by a call.
 bool Interpreter::code_calls(bool& called) {
     sub_program_ = -1;
-    const bool inside = std::any_of(frames_.begin() + 1, frames_.end(), [](const Frame& f) { return f.by_code; });
+    const bool inside = std::any_of(frames_.begin() + 1, frames_.end(), [](const CallLevel& f) { return f.by_code; });
     if (inside && !settings_.nested_calls) return true;
     for (std::size_t k = 0; k < block_.count; ++k) {
         const Word& word = block_.words[k];

@@ -56,6 +56,21 @@ void Interpreter::write_zero(std::int32_t row, unsigned place, double value) {
     core_.load_zeros();
 }
 
+// Range of an offset value: fanuc_lathe 1.1 (three digits before the point), wear of an nct N1415.
+bool Interpreter::offset_value_good(OffsetTable table, double shown) {
+    const params::Table& t = core_.view().table();
+    const unsigned l = core_.view().channel;
+    double limit = 9999.9999;
+    if (!settings_.nct) {
+        limit = inch_ ? 99.9999 * 25.4 : 999.999;
+        if (core_.view().axes[0].increment < 0.0005) limit = inch_ ? 99.99999 * 25.4 : 999.9999;
+    } else if (table == OffsetTable::Wear) {
+        const double most = params::get(t, params::n1415_max_amount_of_wear_comp, l);
+        limit = most > 0 ? most * (params::bit(t, params::n0104_unit_of_measure, l, 0) ? 25.4 : 1.0) : inch_ ? 0.394 * 25.4 : 1.0;
+    }
+    return std::fabs(shown) <= limit + 1e-9;
+}
+
 bool Interpreter::g_data(const GCode&) {
     if (block_.has('L')) {
         const auto kind = static_cast<int>(block_.value('L'));
@@ -109,10 +124,17 @@ bool Interpreter::g10_offset() {
             case PlaneRole::BasicZ: field = OffsetField::Z; break;
             default: return core_.fail(Alarm::AddressIllegal, word.address, std::string(1, word.address));
         }
-        write_offset(table, static_cast<std::int32_t>(number), field, incremental ? cell(field) + value : value);
+        const double shown = incremental ? cell(field) + value : value;
+        if (!offset_value_good(table, shown)) return core_.fail(Alarm::OffsetValueIllegal, word.address, {}, shown);
+        write_offset(table, static_cast<std::int32_t>(number), field, shown);
     }
     if (p == 0 && !block_.has('L')) return true;
     const auto n = static_cast<std::int32_t>(number);
+    for (const char letter : {'R', 'C'}) {
+        if (!block_.has(letter) || (letter == 'C' && settings_.nct)) continue;
+        const double value = radius_length(letter) + (letter == 'C' ? cell(OffsetField::R) : 0.0);
+        if (!offset_value_good(table, value)) return core_.fail(Alarm::OffsetValueIllegal, letter, {}, value);
+    }
     if (block_.has('R')) write_offset(table, n, OffsetField::R, radius_length('R'));
     if (block_.has('C')) write_offset(table, n, OffsetField::R, cell(OffsetField::R) + radius_length('C'));
     if (block_.has('Q')) {

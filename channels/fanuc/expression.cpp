@@ -47,6 +47,14 @@ std::uint64_t binary_to_bcd(std::uint64_t value) {
     return result;
 }
 
+// At most eight digits (leading zeros do not count), 0 or 0.0000001 to 99999999.
+bool is_short(const char* from, const char* to, double value) {
+    unsigned digits = 0;
+    for (; from != to; ++from)
+        if (*from >= '0' && *from <= '9' && (digits || *from != '0')) ++digits;
+    return digits <= 8 && (value == 0 || (std::fabs(value) >= 0.9999999e-7 && std::fabs(value) <= 99999999.0));
+}
+
 }  // namespace
 
 std::string variable_name(std::int64_t number) { return "#" + std::to_string(number); }
@@ -181,7 +189,13 @@ bool Expression::factor(double& value) {
     const char* const begin = p_;
     const ScannedNumber number = scan_number(p_, end_);
     switch (number.status) {
-        case ScannedNumber::Status::Ok: value = number.value; return true;
+        case ScannedNumber::Status::Ok:
+            value = number.value;
+            if (short_constants_ && !is_short(begin, p_, value)) {
+                p_ = begin;
+                return fail(Alarm::DigitsTooMany, "the number");
+            }
+            return true;
         case ScannedNumber::Status::Missing: p_ = begin; return fail(Alarm::VariableIllegal, "a value is missing");
         case ScannedNumber::Status::SecondPoint: return fail(Alarm::SecondPoint);
         case ScannedNumber::Status::TooManyDigits: break;

@@ -28,7 +28,8 @@ public:
     enum class Status : std::uint8_t { Ok, NeedsBarrier, Fault };
     static constexpr unsigned kDepth = 5;   // brackets within brackets
 
-    Expression(VariableSet& variables, bool angle_positive) : variables_(&variables), angle_positive_(angle_positive) {}
+    Expression(VariableSet& variables, bool angle_positive, bool short_constants = false)
+        : variables_(&variables), angle_positive_(angle_positive), short_constants_(short_constants) {}
 
     // Reads a whole expression; `at` is moved behind it.
     Status evaluate(const char*& at, const char* end, double& value);
@@ -49,6 +50,7 @@ private:
 
     VariableSet* variables_;
     bool angle_positive_;
+    bool short_constants_;        // eight digits, 0.0000001 to 99999999 (fanuc_lathe 6.4)
     const char* p_ = nullptr;
     const char* end_ = nullptr;
     unsigned depth_ = 0;

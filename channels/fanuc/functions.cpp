@@ -46,6 +46,13 @@ bool Interpreter::tool_word() {
     std::int64_t value = 0;
     if (!whole('T', value)) return false;
     const ToolCode& code = settings_.tool;
+    if (settings_.offsets_by_g) {   // T is the tool alone; offsets come by G codes
+        core_.path.tool.ref.number = last_t_ = value;
+        core_.at.tool = core_.path.tool.ref;
+        core_.aux('T', static_cast<double>(value), fmt::format("T{}", value), settings_.t_drains);
+        if (settings_.t_drains) wants_barrier_ = true;
+        return true;
+    }
     const std::int64_t modulus = power_of_ten(code.offset_digits);
     const std::int64_t tool = value / modulus;
     const auto offset = static_cast<std::int32_t>(value % modulus);
@@ -91,15 +98,25 @@ bool Interpreter::apply_tool_offsets() {
         const int place = view.axis_by_role(kRoles[k]);
         if (place < 0) continue;
         const auto i = static_cast<unsigned>(place);
-        const double g = state.geometry ? view.from_shown(i, geometry.geometry[k]) : 0.0;
+        const double g = state.geometry ? view.from_shown(i, geometry.geometry[k] + second_geometry(k, geometry)) : 0.0;
         const double w = state.wear ? view.from_shown(i, wear.wear[k]) : 0.0;
         (code.geometry_travels ? vector : shift)[i] += g;
         (code.wear_travels ? vector : shift)[i] += w;
+        if (length_.number) {
+            const OffsetCell& cell = view.store->offsets[static_cast<std::size_t>(length_.number)];
+            if (length_.turning) shift[i] += view.from_shown(i, cell.geometry[k] + cell.wear[k] + second_geometry(k, cell));
+            else if (length_.axes >> i & 1u) shift[i] += length_.sign * (cell.geometry[2] + cell.wear[2]);   // a milling tool's length
+        }
     }
     load_nose();
     core_.set_shift(shift);
     core_.set_wanted(vector);
     return true;
+}
+
+// nct N1414#4: a second table is added for the axes that the PLC selects.
+double Interpreter::second_geometry(std::size_t axis, const OffsetCell& cell) {
+    return settings_.second_geometry && core_.port().second_geometry(static_cast<unsigned>(axis)) ? cell.second[axis] : 0.0;
 }
 
 // Radius and tip of the offsets in use; a changed value counts from the next corner on.
@@ -112,6 +129,17 @@ void Interpreter::load_nose() {
     state.nose_off = !settings_.nct && state.ref.offset == 0;
     state.nose_radius = state.nose_off ? 0.0 : (state.geometry ? geometry.geometry_r : 0.0) + (state.wear ? wear.wear_r : 0.0);
     const std::int32_t tip_number = code.tip_from_wear ? state.wear : state.geometry;
+    if (length_.turning && length_.number) state.tip = static_cast<std::int32_t>(view.store->offsets[static_cast<std::size_t>(length_.number)].tip);
+    if (length_.radius || (length_.turning && length_.number)) {   // D, or the lathe offset of G43.7
+        const std::int32_t number = length_.radius ? length_.radius : length_.number;
+        const OffsetCell& cell = view.store->offsets[static_cast<std::size_t>(number)];
+        const bool diameter = view.config().kind == ChannelKind::Mill && params::bit(view.table(), params::n1402_tool_meas, view.channel, 0);
+        state.nose_radius = (cell.geometry_r + cell.wear_r) * (diameter ? 0.5 : 1.0);
+        state.nose_off = false;
+        state.geometry = number;
+        if (!length_.turning) state.tip = 0;
+        return;
+    }
     state.tip = tip_number ? static_cast<std::int32_t>(view.store->offsets[static_cast<std::size_t>(tip_number)].tip) : 0;
 }
 
@@ -163,7 +191,7 @@ bool Interpreter::function_code(const Word& word, bool late) {
     last_m_ = static_cast<std::int64_t>(code);
     if (drains) wants_barrier_ = true;
     if (settings_.part_code != 0 && code == settings_.part_code) core_.sink().part(++parts_, core_.at);
-    return true;
+    return settings_.nct || settings_.mefi || b_start(code);
 }
 
 bool Interpreter::m_after() {

@@ -12,6 +12,7 @@ bool Interpreter::cycle_words(cycles::SimpleCycle& cycle, char taper_letter) {
     AxisSet named = 0;
     for (unsigned k = 0; k < axis_word_count_; ++k)
         if (!axis_word(block_.words[axis_words_[k]], cycle.end, named)) return false;
+    if (block_.has(taper_letter) && !settings_.series15 && !settings_.nct) return core_.fail(Alarm::AddressIllegal, taper_letter, std::string(1, taper_letter));
     if (block_.has('R')) cycle_taper_ = radius_length('R');
     else if (block_.has(taper_letter)) cycle_taper_ = radius_length(taper_letter);
     cycle.taper = cycle_taper_;

@@ -41,6 +41,32 @@ int Interpreter::drilling_axis() {
     return settings_.nct ? view.axis_by_role(PlaneRole::BasicY) : -1;
 }
 
+// N1502, or I in the block: percent of the feed on the way out.
+void Interpreter::bore_out(cycles::Drilling& hole) {
+    hole.way_out_factor = settings_.nct && block_.has('I') && block_.value('I') > 0 ? block_.value('I') / 100.0 : settings_.bore_out_factor;
+}
+
+// nct G84.2, G84.3: how the thread is cut and left (nct part 1 16.1, 16.4).
+bool Interpreter::begin_rigid_tap(cycles::Drilling& hole, bool left_hand) {
+    const Settings::Tapping& tapping = settings_.tapping;
+    if (tapping.orients) {
+        if (!core_.spindle_position(0.0) || !core_.commit_spindle()) return false;
+        core_.aux('M', 19, "M19", false);
+    } else if (tapping.code > 0) {
+        core_.aux('M', tapping.code, "M" + std::to_string(static_cast<long>(tapping.code)), false);
+    }
+    hole.peck = drill_.q;
+    hole.chip_break = !tapping.leaves_hole;
+    hole.clearance = drill_.e_set ? drill_.e : tapping.leaves_hole ? tapping.clearance : tapping.chip_break;
+    hole.out_factor = tapping.out_factor;
+    hole.return_factor = tapping.return_factor;
+    if (tapping.word_i && block_.has('I') && block_.value('I') > 0) hole.out_factor = block_.value('I') / 100.0;
+    const SpindleTurn turn = left_hand ? SpindleTurn::Ccw : SpindleTurn::Cw;
+    if (!core_.spindle_turn(turn) || !core_.commit_spindle()) return false;
+    core_.aux('M', left_hand ? 4 : 3, left_hand ? "M4" : "M3", false);
+    return true;
+}
+
 // One block while a drilling cycle is active: to the hole, down and back, as often as L or K says.
 bool Interpreter::run_drilling() {
     const GCode& row = *drilling_;
@@ -102,19 +128,26 @@ bool Interpreter::run_drilling() {
             hole.chip_break = row.tenths == 831 || (!settings_.nct && !settings_.series15 && !settings_.peck_full);
             hole.clearance = drill_.e_set ? drill_.e : hole.chip_break ? settings_.chip_break_return : settings_.peck_clearance;
             break;
+        case 842:
+        case 843:
+            if (settings_.nct && !begin_rigid_tap(hole, row.tenths == 843)) return false;
+            [[fallthrough]];
         case 840:
         case 841:
         case 880:
             hole.way_out = cycles::Drilling::Way::Tap;
-            hole.left_hand = row.tenths == 841;
+            hole.left_hand = row.tenths == 841 || row.tenths == 843;
             hole.dwells = dwell_word;
             break;
-        case 850: hole.way_out = cycles::Drilling::Way::Feed; hole.dwells = dwell_word && !settings_.series15; hole.way_out_factor = settings_.bore_out_factor; break;
+        case 850: hole.way_out = cycles::Drilling::Way::Feed; bore_out(hole); hole.dwells = dwell_word && !settings_.series15; break;
+        case 861:
         case 860: hole.way_out = cycles::Drilling::Way::StopRapid; hole.dwells = dwell_word; break;
-        case 890: hole.way_out = cycles::Drilling::Way::Feed; hole.dwells = dwell_word; hole.way_out_factor = settings_.bore_out_factor; break;
+        case 890: hole.way_out = cycles::Drilling::Way::Feed; hole.dwells = dwell_word; bore_out(hole); break;
         default: return core_.fail(Alarm::NotBuilt, 'G', std::string(row.name));
     }
     hole.dwell = drill_.p;
+    hole.dwells_at_r = !settings_.nct;
+    hole.dwell_revolutions = settings_.dwell_by_feed_mode && core_.path.feed_mode == FeedMode::PerRevolution;
     const AxisValues step = target;
     const AxisValues from = core_.path.programmed;
     for (std::int64_t k = 0; k < repeats; ++k) {

@@ -7,19 +7,30 @@ namespace polyturn::channels::fanuc {
 
 bool Interpreter::g_rapid(const GCode&) {
     if (!axis_word_count_) return true;
-    return read_axis_words(target_) && core_.rapid(target_);
+    return read_axis_words(target_) && follows_corner(target_, false) && core_.rapid(target_);
 }
 
 bool Interpreter::g_linear(const GCode&) {
-    if (!axis_word_count_) return true;
-    return read_axis_words(target_) && core_.linear(target_);
+    const bool angle = block_.has('A') && !(axis_letters_ & letter_bit('A'));
+    if (angle && settings_.mefi) return core_.fail(Alarm::AddressIllegal, 'A', "A");
+    if (!axis_word_count_ && !angle) {
+        for (const char letter : {'I', 'K', 'R'})
+            if (block_.has(letter)) return core_.fail(Alarm::CornerMoveMissing, letter);
+        return true;
+    }
+    AxisSet named = 0;
+    if (!read_axis_words(target_, &named)) return false;
+    if (angle && !angle_line(named)) return false;
+    if (core_.move_reserved() && angle && !named) return true;   // its end comes with the next block
+    if (core_.move_reserved()) return core_.fail(Alarm::AngleParallel, 'G');
+    return follows_corner(target_, true) && lathe_corner(named) && core_.linear(target_);
 }
 
 bool Interpreter::g_arc(const GCode& row) {
     const bool centre_words = block_.has('I') || block_.has('J') || block_.has('K');
     if (!axis_word_count_ && !centre_words) return block_.has('R') ? core_.fail(Alarm::ArcWithoutRadius) : true;
     AxisSet named = 0;
-    if (!read_axis_words(target_, &named)) return false;
+    if (!read_axis_words(target_, &named) || !follows_corner(target_, false)) return false;
     int p = -1, q = -1;
     core_.plane_axes(p, q);
     if (p < 0 || q < 0) return core_.fail(Alarm::PlaneAxisMissing, 'G');

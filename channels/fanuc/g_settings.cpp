@@ -56,7 +56,12 @@ bool Interpreter::g_exact_once(const GCode&) {
 
 bool Interpreter::g_surface(const GCode& row) { return core_.surface_speed(row.tenths == 960); }
 
-bool Interpreter::g_comp_on(const GCode& row) { return reads_contour_ || core_.compensation(row.tenths == 410 ? CompSide::Left : CompSide::Right); }
+bool Interpreter::g_comp_on(const GCode& row) {
+    if (block_.has('D') && !radius_offset()) return false;
+    if (reads_contour_) return true;
+    if (!core_.compensating()) comp_moves_ = core_.moves();
+    return core_.compensation(row.tenths == 410 ? CompSide::Left : CompSide::Right);
+}
 
 // I, K tell how the contour would go on; in an arc they are its centre.
 bool Interpreter::g_comp_off(const GCode&) {
@@ -100,6 +105,7 @@ bool Interpreter::g_preset(const GCode&) {
         if (!block_.has('S')) return core_.fail(Alarm::CycleWordMissing, 'G', "S");
         return true;   // S was taken as the limit already
     }
+    if (block_.has('T')) core_.take_wanted();   // no motion: the offset called here belongs to the point (fanuc_lathe 1.4)
     for (unsigned k = 0; k < axis_word_count_; ++k) {
         const Word& word = block_.words[axis_words_[k]];
         const auto [place, incremental] = axis_of(word);

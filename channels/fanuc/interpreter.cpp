@@ -38,7 +38,7 @@ std::int64_t leading_number(std::string_view line, char letter, bool colon) {
 Interpreter::Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles& files, MakeSettings make_settings)
     : core_(view, sink, port), files_(&files), make_settings_(make_settings), settings_(make_settings(view.table(), view.channel)), table_(settings_.system), scanner_(*this),
       variables_(*this, *view.store, settings_.common_first, settings_.common_last),
-      expression_(variables_, settings_.angle_positive) {
+      expression_(variables_, settings_.angle_positive, !settings_.nct && !settings_.mefi) {
     absolute_axis_.fill(-1);
     incremental_axis_.fill(-1);
     for (unsigned i = 0; i < view.axis_count; ++i) {
@@ -100,7 +100,7 @@ Result<void> Interpreter::start(FileId main) {
     frames_.clear();
     loops_.clear();
     while (variables_.depth() > 1) variables_.pop_locals();
-    Frame frame;
+    CallLevel frame;
     frame.file = main;
     frames_.push_back(std::move(frame));
     source_ = &files_->source(main);
@@ -217,7 +217,7 @@ Step Interpreter::read_block() {
     fault_line_ = fault_column_ = fault_length_ = 0;
     has_pending_fault_ = false;
     core_.begin_block();
-    const Frame& frame = frames_.back();
+    const CallLevel& frame = frames_.back();
     BlockContext& at = core_.at;
     at.file = frame.file;
     at.stack_depth = static_cast<std::uint8_t>(frames_.size() - 1);
@@ -257,6 +257,9 @@ Step Interpreter::read_block() {
             return macro_statement(scanner_.stopped_at());
         }
     }
+    for (const char letter : {'N', 'O'})
+        if (block_.has(letter) && block_.word(letter).from_expression)   // fanuc_lathe 6.1
+            return fault_at(Alarm::MacroFormat, block_.word(letter).column, block_.word(letter).length, std::string(1, letter) + " takes no variable");
     if (stop == ScanStop::Skipped && block_.count == 0) return Step::Continue;
     const std::size_t next_column = scanner_.stopped_at();
     if (block_.count == 0) {
@@ -333,9 +336,9 @@ bool Interpreter::call_program(std::int64_t number, std::int64_t repeats, const 
     unsigned subs = 0, macros = 0;
     for (std::size_t i = 1; i < frames_.size(); ++i)
         if (!frames_[i].interrupt) ++(frames_[i].macro ? macros : subs);
-    if (arguments && macros >= settings_.macro_levels) return core_.fail(Alarm::MacroTooDeep, letter, {}, settings_.macro_levels);
+    if (arguments && macros >= settings_.macro_levels) return core_.fail(modal || settings_.nct ? Alarm::MacroTooDeep : Alarm::CallTooDeep, letter, {}, settings_.macro_levels);
     if (!arguments && subs >= settings_.sub_levels) return core_.fail(Alarm::CallTooDeep, letter, {}, settings_.sub_levels);
-    Frame frame;
+    CallLevel frame;
     if (const auto file = files_->find_number(number)) {
         frame.file = *file;
         if (const auto begin = find_program_in(*file, number)) frame.begin = *begin;
@@ -375,7 +378,7 @@ bool Interpreter::call_program(std::int64_t number, std::int64_t repeats, const 
 
 // M99: the next repetition, the caller, or (in the main program) the end of a part.
 bool Interpreter::return_from(bool has_target, std::int64_t target) {
-    Frame& frame = frames_.back();
+    CallLevel& frame = frames_.back();
     if (frames_.size() == 1) {
         if (has_target) return jump_to(target);
         core_.mark_emitted();
@@ -394,7 +397,7 @@ bool Interpreter::return_from(bool has_target, std::int64_t target) {
         line_left_ = false;
         return true;
     }
-    const Frame done = std::move(frame);
+    const CallLevel done = std::move(frame);
     frames_.pop_back();
     if (done.macro) variables_.pop_locals();
     if (done.modal_call) modal_calls_ = done.outer_modals;

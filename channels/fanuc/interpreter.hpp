@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "channels/cycles/contour.hpp"
+#include "channels/cycles/drilling.hpp"
 #include "channels/cycles/simple_cycles.hpp"
 #include "channels/fanuc/settings.hpp"
 #include "channels/fanuc/expression.hpp"
@@ -31,7 +32,7 @@ struct ModalCall {
 };
 
 // A program that is being run: the main program, a subprogram or a macro.
-struct Frame {
+struct CallLevel {
     FileId file = 0;
     TextPosition resume;             // where the caller goes on
     std::size_t resume_column = 0;   // byte in that line
@@ -113,6 +114,16 @@ public:
     bool g_skip(const GCode&);
     bool g_measure(const GCode&);
     bool g_drilling_off(const GCode&);
+    bool g_binary_input(const GCode&);
+    bool g_smoothing(const GCode&);
+    bool g_polar(const GCode&);
+    bool g_length(const GCode&);
+    bool g_scale(const GCode&);
+    bool g_mirror(const GCode&);
+    bool g_turret_mirror(const GCode&);
+    bool g_rotation(const GCode&);
+    bool g_b_register(const GCode&);
+    bool g_b_single(const GCode&);
 
 private:
     // reading and flow (interpreter.cpp)
@@ -146,15 +157,28 @@ private:
         bool on = false;
         std::int64_t program = 0;
     };
+    struct FrameChain { Frame mirror, scaling, rotation; };
+    struct LengthState {               // G43 G44 G43.7, D
+        std::int32_t number = 0, radius = 0;
+        int sign = 1;
+        bool turning = false;
+        AxisSet axes = 0;
+    };
+    struct CornerThen {                // behind a chamfer or corner of the lathe's own form
+        bool pending = false, along_z = false;
+        int sign = 1;
+        char letter = 0;
+    };
     // Everything that holds from block to block beside positions, calls and variables.
     auto modal() {
         return std::tie(motion_, active_, cycle_end_, cycle_set_, cycle_taper_, drilling_, drill_, finishing_, cycle_data_, absolute_, inch_, unit_, last_m_, last_t_, last_n_,
-                        parameter_input_, lead_, single_block_off_, no_finish_wait_, automatic_control_, parts_, program_number_, tape_begun_, blocks_begun_, interrupting_);
+                        parameter_input_, lead_, single_block_off_, no_finish_wait_, automatic_control_, parts_, program_number_, tape_begun_, blocks_begun_, interrupting_, frames_of_, length_, corner_then_, polar_, polar_known_, polar_radius_, polar_angle_);
     }
 
     // one block (block.cpp)
     Step nc_block();
     bool classify();
+    std::uint32_t drilling_name(std::uint32_t tenths) const;
     bool check_words();
     bool act();
     bool read_axis_words(AxisValues& target, AxisSet* named = nullptr);
@@ -187,6 +211,32 @@ private:
     bool sub_call();
     std::string_view text_of(const Word& word) const { return line_.substr(word.column - 1u, word.length); }
 
+    // frames, corners, lengths (g_frames.cpp, g_corners.cpp, g_length.cpp)
+    void apply_frames();
+    Point3 frame_point(bool present, std::array<bool, 3>* named);
+    bool polar_target(AxisValues& target, AxisSet named);
+    bool corner_allowed(char letter);
+    bool corner_word(const Word& word);
+    bool lathe_corner(AxisSet named);
+    bool follows_corner(const AxisValues& target, bool line);
+    bool angle_line(AxisSet named);
+    bool radius_offset();
+    double second_geometry(std::size_t axis, const OffsetCell& cell);
+    bool offset_value_good(OffsetTable table, double shown);
+    // B axis (b_axis.cpp)
+    struct BStep {
+        int motion = 0;                // 0 none, 1 G0, 2 G1
+        int feed_mode = 0;             // 0 none, 1 G98, 2 G99
+        int one_shot = 0, drilling = 0;   // G number times ten
+        bool absolute = false, has_b = false, has_r = false, has_p = false;
+        double b = 0, r = 0, q = 0, p = 0, feed = 0, code = 0;
+        char letter = 0;               // M S T
+    };
+    bool b_step(BStep& step, bool single);
+    bool b_record();
+    bool b_run(const std::vector<BStep>& program);
+    bool b_function(const BStep& step, bool line);
+    bool b_start(double code);
     bool cycle_words(cycles::SimpleCycle& cycle, char taper_letter);
     Step finish_skip();
     // repetitive cycles (g_repetitive.cpp)
@@ -205,6 +255,8 @@ private:
     bool series15_count(char letter, double& value);
     bool turning_cycles_available(const GCode& row);
     double fine_length(char letter) const;
+    bool begin_rigid_tap(cycles::Drilling& hole, bool left_hand);
+    void bore_out(cycles::Drilling& hole);
     bool run_drilling();
     int drilling_axis();
 
@@ -258,7 +310,7 @@ private:
 
     // the text
     std::vector<std::uint32_t> takes_;   // by row of g_codes(): letters it consumes
-    std::vector<Frame> frames_;
+    std::vector<CallLevel> frames_;
     std::vector<Loop> loops_;
     std::vector<std::pair<FileId, std::uint64_t>> checked_loops_;   // places of DO whose structure is good
     std::vector<ModalCall> modal_calls_;
@@ -315,6 +367,23 @@ private:
         double target = 0.0, range = 0.0;           // true mm
     } measuring_;
     Interrupting interrupting_;
+    FrameChain frames_of_;
+    LengthState length_;
+    CornerThen corner_then_;
+    bool polar_ = false, polar_known_ = false;
+    double polar_radius_ = 0.0, polar_angle_ = 0.0;
+    double angle_dp_ = 0.0, angle_dq_ = 0.0;   // direction of a line whose end the next block tells
+    BlockContext angle_at_;
+    std::uint64_t comp_moves_ = ~0ull;         // moves delivered when compensation was switched on
+    std::array<std::uint8_t, 2> comma_words_{};
+    unsigned comma_count_ = 0;
+    bool words_used_ = false;                  // a setting of this block has taken the axis words
+    struct BPrograms {
+        std::array<std::vector<BStep>, 3> programs;
+        std::vector<BStep> draft;
+        unsigned registering = 0;              // 1 to 3
+        bool single_before = false, single_now = false;
+    } b_;
     struct Interruption {             // an interrupt program runs
         bool running = false;
         bool shows_end = false;       // #5001 still gives the end of the interrupted block

@@ -97,7 +97,7 @@ bool Interpreter::interrupt(std::uint64_t serial, bool within) {
     interruption_.running = interruption_.shows_end = true;
     modal_calls_.clear();
 
-    Frame frame;
+    CallLevel frame;
     frame.interrupt = true;
     if (const auto file = files_->find_number(interrupting_.program)) frame.file = *file;
     else frame.file = frames_.front().file;
@@ -120,7 +120,7 @@ bool Interpreter::interrupt(std::uint64_t serial, bool within) {
 
 // M99 restores what held before; M99 P leaves what the interrupt program has set.
 bool Interpreter::return_from_interrupt(bool has_target, std::int64_t target) {
-    const Frame done = std::move(frames_.back());
+    const CallLevel done = std::move(frames_.back());
     frames_.pop_back();
     loops_.resize(done.loops);
     if (done.macro) variables_.pop_locals();

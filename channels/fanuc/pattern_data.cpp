@@ -31,6 +31,10 @@ bool Interpreter::g_pattern_data(std::int64_t kind) {
         std::int64_t codes = 0;
         if (!whole(letter, codes)) return false;
         for (const std::int64_t code : {codes / 1000, codes % 1000}) {
+            if (code == 0) {
+                text += ' ';
+                continue;
+            }
             if (code < 32 || code > 95 || code == '(' || code == ')') return core_.fail(Alarm::PatternText, letter, std::to_string(codes));
             text += static_cast<char>(code);
         }

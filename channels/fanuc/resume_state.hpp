@@ -11,7 +11,7 @@ struct Interpreter::ResumeState {
     std::uint64_t number = 0;
     PathState path;
     decltype(values_of(std::declval<Interpreter&>().modal())) modal;
-    std::vector<Frame> frames;
+    std::vector<CallLevel> frames;
     std::vector<Loop> loops;
     std::vector<ModalCall> modal_calls;
     std::vector<LocalSet> levels;

@@ -64,6 +64,14 @@ struct Settings {
         double on = 96, off = 97;        // M codes; negative: none
         bool at_block_end = false, by_level = false, own_locals = true;
     } interrupt;
+    bool offsets_by_g = false;           // nct N1414#0, milling channels: T is the tool alone
+    bool second_geometry = false;        // nct N1414#4
+    bool milling_drills = false;         // G73 G74 G76 are drilling cycles
+    struct Tapping {                     // N1503 to N1507
+        bool orients = false, leaves_hole = false;
+        double code = 0, chip_break = 0, clearance = 0, out_factor = 1, return_factor = 1;
+        bool word_i = false;             // I is the extraction override
+    } tapping;
     bool print_compact = false;          // F6001#1 PRT, N1757#0: DPRNT without plus signs and leading blanks
     bool print_parity = false;           // nct: even parity in bit 7 of what is printed
     std::string print_line_end = "\n";

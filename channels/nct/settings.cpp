@@ -55,6 +55,20 @@ fanuc::Settings nct_settings(const Table& t, unsigned l) {
     s.feed_per_revolution = get(t, n0301_default_f_g95, l);
     s.surface_speed = static_cast<double>(get(t, n0686_default_surf_speed, l)) * (bit(t, n0104_unit_of_measure, l, 0) ? 0.3048 : 1.0);
     if (const auto first = get(t, n1702_write_prt_low, l); first >= 500) s.protected_first = first, s.protected_last = get(t, n1703_write_prt_hig, l);
+    const bool mill = get(t, n0001_control_type, l) == 1;
+    s.offsets_by_g = mill || bit(t, n1414_comp_config_on_lathes, l, 0);
+    s.second_geometry = bit(t, n1414_comp_config_on_lathes, l, 4);
+    s.milling_drills = mill && !bit(t, n1503_drilling_cycles_config, l, 0) && !bit(t, n1611_turning_cyc_config, l, 0);
+    s.tapping.orients = bit(t, n1503_drilling_cycles_config, l, 1);
+    s.tapping.leaves_hole = bit(t, n1503_drilling_cycles_config, l, 3);
+    s.tapping.chip_break = get(t, n1504_return_val_in_tapping, l) * unit;
+    s.tapping.clearance = get(t, n1505_clearance_val_in_tapping, l) * unit;
+    const auto share = [](double percent) { return percent > 0 ? percent / 100.0 : 1.0; };
+    s.tapping.word_i = bit(t, n1503_drilling_cycles_config, l, 4);
+    if (s.tapping.word_i) s.tapping.out_factor = share(static_cast<double>(get(t, n1506_extraction_override_in_tapping, l)));
+    if (bit(t, n1503_drilling_cycles_config, l, 5)) s.tapping.return_factor = share(static_cast<double>(get(t, n1507_return_override_in_tapping, l)));
+    if (const auto spindle = static_cast<unsigned>(get(t, n0604_default_spindle, l)); spindle >= 1 && spindle <= kMaxSpindles)
+        s.tapping.code = static_cast<double>(get(t, n0823_m_code_for_closing_s_loop, spindle));
     if (!bit(t, n1758_intrrt_contr, l, 0)) {
         s.interrupt.on = s.interrupt.off = -1;
     } else if (bit(t, n1758_intrrt_contr, l, 4)) {

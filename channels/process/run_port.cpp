@@ -71,6 +71,12 @@ bool RunPort::stroke_limits(unsigned machine_axis, double& min, double& max) {
     return true;
 }
 
+bool RunPort::second_geometry(unsigned axis) {
+    if (!plc_->signal[PlcSignal{signals::cp_sgoen}(channel_)]) return false;
+    const PlcSignal select = axis == 0 ? signals::cp_sgox : axis == 1 ? signals::cp_sgoy : signals::cp_sgoz;
+    return plc_->signal[select(channel_)] != 0;
+}
+
 Port::Turning RunPort::started_by_others(unsigned) { return Turning::Watched; }
 
 }  // namespace polyturn::channels

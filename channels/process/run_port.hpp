@@ -27,6 +27,7 @@ public:
     CalendarTime clock() override;
     double running_ms() override;
     bool stroke_limits(unsigned machine_axis, double& min, double& max) override;
+    bool second_geometry(unsigned axis) override;
     Turning started_by_others(unsigned spindle) override;
     const MachineStatus& picture() const { return *status_; }
 

@@ -121,6 +121,11 @@ void Core::set_shift(const AxisValues& shift) {
 
 void Core::set_wanted(const AxisValues& vector) { path.wanted = vector; }
 
+void Core::take_wanted() {
+    path.vector = path.wanted;
+    rebase_all();
+}
+
 bool Core::vector_pending() const {
     for (unsigned i = 0; i < view_->axis_count; ++i)
         if (path.wanted[i] != path.vector[i]) return true;

@@ -157,6 +157,7 @@ public:
     void set_shift(const AxisValues& shift);              // tool offset as a shift
     void set_wanted(const AxisValues& vector);            // tool offset that the next move travels
     bool vector_pending() const;
+    void take_wanted();                                   // the vector holds without a move: the programmed numbers change
     // The whole chain of programmable frames as one, invertible; Frame{} for none.
     void set_frame(const Frame& frame);
     AxisValues framed(const AxisValues& programmed) const;      // frame(programmed)

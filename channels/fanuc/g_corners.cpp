@@ -1,0 +1,124 @@
+// Chamfer and corner R at the end of a line, and lines by their angle: ,C ,R, the lathe's I K C R, A.
+//
+//   G1 Z-20. I5.      Z, then a chamfer of 5 towards +X; the next block goes on in X
+//   G1 X40. Z-20. ,R2.   any two elements
+//   G1 X40. A135.     the angle from the +Z axis gives the missing coordinate
+#include <cmath>
+#include <numbers>
+
+#include "channels/fanuc/interpreter.hpp"
+
+namespace polyturn::channels::fanuc {
+
+// fanuc_lathe 3.16: not where compensation begins, ends or changes its side.
+bool Interpreter::corner_allowed(char letter) {
+    if (!core_.compensating()) return true;
+    const bool switches = (coded_groups_ >> static_cast<unsigned>(GGroup::Comp)) & 1u;
+    if (switches || core_.moves() == comp_moves_) return core_.fail(Alarm::CompCornerElement, letter);
+    return true;
+}
+
+bool Interpreter::corner_word(const Word& word) {
+    const bool chamfer = word.address == 'c';
+    const bool line = motion_->tenths <= 10;
+    fault_column_ = word.column;
+    fault_length_ = word.length;
+    if (!(chamfer || word.address == 'r') || (coded_groups_ >> static_cast<unsigned>(GGroup::OneShot) & 1u) || motion_->tenths == 0 || (!line && motion_->tenths > 30) || drilling_)
+        return core_.fail(Alarm::AddressIllegal, 0, std::string(",") + static_cast<char>(word.address - 32));
+    const double size = std::fabs(length(word, -1));
+    if (!corner_allowed(0)) return false;
+    fault_column_ = fault_length_ = 0;
+    if (size == 0) return true;
+    corners::Call call;
+    call.shape = chamfer ? corners::Shape::ChamferLeg : corners::Shape::Rounding;
+    call.size = size;
+    call.required = true;
+    return core_.corner(call);
+}
+
+// I, K, C, R of a line along one axis of the plane.
+bool Interpreter::lathe_corner(AxisSet named) {
+    const bool c_free = absolute_axis_['C' - 'A'] < 0 && incremental_axis_['C' - 'A'] < 0;
+    char letter = 0;
+    for (const char candidate : {'I', 'K', 'R', 'C'})
+        if (block_.has(candidate) && (candidate != 'C' || c_free)) {
+            if (letter) return core_.fail(Alarm::CornerWords, candidate, std::string(1, candidate));
+            letter = candidate;
+        }
+    if (!letter) return true;
+    if (settings_.nct || settings_.mefi) return core_.fail(Alarm::AddressIllegal, letter, std::string(1, letter));
+    const MachineView& view = core_.view();
+    const int z = view.axis_by_role(PlaneRole::BasicZ), x = view.axis_by_role(PlaneRole::BasicX);
+    if (z < 0 || x < 0) return core_.fail(Alarm::PlaneAxisMissing, 'G');
+    const bool along_z = named >> z & 1u, along_x = named >> x & 1u;
+    if (along_z && along_x) return core_.fail(Alarm::CornerTaper, letter);
+    if (!along_z && !along_x) return core_.fail(Alarm::CornerMoveMissing, letter);
+    if ((letter == 'I' && along_x) || (letter == 'K' && along_z)) return core_.fail(Alarm::CornerMoveMissing, letter);
+    const double size = radius_length(letter);
+    if (!corner_allowed(letter)) return false;
+    if (size == 0) return true;
+    corner_then_ = {true, along_z, size > 0 ? 1 : -1, letter};
+    corners::Call call;
+    call.shape = letter == 'R' ? corners::Shape::Rounding : corners::Shape::ChamferLeg;
+    call.size = std::fabs(size);
+    call.letter = letter;
+    call.required = true;
+    return core_.corner(call);
+}
+
+// Behind I K C R the next block must be a line at right angles, towards the side that the sign named.
+bool Interpreter::follows_corner(const AxisValues& target, bool line) {
+    const CornerThen then = corner_then_;
+    corner_then_ = {};
+    if (!then.pending) return true;
+    if (!line) return core_.fail(Alarm::CornerNotLine, 'G');
+    const MachineView& view = core_.view();
+    const auto z = static_cast<std::size_t>(view.axis_by_role(PlaneRole::BasicZ)), x = static_cast<std::size_t>(view.axis_by_role(PlaneRole::BasicX));
+    const double along = target[then.along_z ? z : x] - core_.path.programmed[then.along_z ? z : x];
+    const double across = target[then.along_z ? x : z] - core_.path.programmed[then.along_z ? x : z];
+    if (along == 0 && across == 0) return core_.fail(Alarm::CornerWithoutNext, 'G');
+    if (std::fabs(along) > std::fabs(across) * std::tan(std::numbers::pi / 180.0) || across * then.sign < 0) return core_.fail(Alarm::CornerNotLine, 'G');
+    return true;
+}
+
+// A: with one coordinate the other one; alone (the next block names both): where that block's line crosses this one.
+bool Interpreter::angle_line(AxisSet named) {
+    int p = -1, q = -1;
+    core_.plane_axes(p, q);
+    if (p < 0 || q < 0) return core_.fail(Alarm::PlaneAxisMissing, 'G');
+    const auto i = static_cast<std::size_t>(p), k = static_cast<std::size_t>(q);
+    const double degrees = block_.word('A').has_point || block_.word('A').from_expression || settings_.point_means_nothing ? block_.value('A') : block_.value('A') * 0.001;
+    const double a = degrees * std::numbers::pi / 180.0, dp = std::cos(a), dq = std::sin(a);
+    const AxisValues& from = core_.path.programmed;
+    const bool has_p = named >> i & 1u, has_q = named >> k & 1u;
+    if (core_.move_reserved() && has_p && has_q) {   // second line: through its end, in its angle
+        const double denominator = angle_dp_ * dq - angle_dq_ * dp;
+        if (std::fabs(denominator) < 1e-9) return core_.fail(Alarm::AngleParallel, 'A');
+        const double t = ((target_[i] - from[i]) * dq - (target_[k] - from[k]) * dp) / denominator;
+        if (t <= 0) return core_.fail(Alarm::AngleParallel, 'A');
+        AxisValues corner = from;
+        corner[i] = from[i] + t * angle_dp_;
+        corner[k] = from[k] + t * angle_dq_;
+        const BlockContext here = core_.at;
+        bool good = true;
+        core_.insert_reserved([&] {
+            core_.at = angle_at_;
+            good = core_.linear(corner);
+        });
+        core_.at = here;
+        return good;
+    }
+    if (!has_p && !has_q) {
+        if (core_.move_reserved()) return core_.fail(Alarm::AngleParallel, 'A');
+        angle_dp_ = dp, angle_dq_ = dq, angle_at_ = core_.at;
+        return core_.reserve_move();
+    }
+    if (has_p && has_q) return core_.fail(Alarm::CornerWords, 'A', "A");
+    const double component = has_p ? dp : dq;
+    const double way = has_p ? target_[i] - from[i] : target_[k] - from[k];
+    if (std::fabs(component) < 1e-9 || way / component < 0) return core_.fail(Alarm::AngleParallel, 'A');
+    (has_p ? target_[k] : target_[i]) = (has_p ? from[k] + way / component * dq : from[i] + way / component * dp);
+    return true;
+}
+
+}  // namespace polyturn::channels::fanuc

@@ -1,0 +1,73 @@
+// Length offsets by G codes (nct part 1 14.2 C08, 15.5 TCM, 15.6), and codes that only look at the machine: G5, G5.1.
+#include "channels/fanuc/interpreter.hpp"
+
+namespace polyturn::channels::fanuc {
+
+// G43 G44 H: the length of a milling offset; G43.7 H: all of a turning offset; G49: none.
+bool Interpreter::g_length(const GCode& row) {
+    if (row.tenths == 490) {
+        length_ = {};
+        return apply_tool_offsets();
+    }
+    std::int64_t number = 0;
+    if (!block_.has('H') || (axis_letters_ & letter_bit('H') && incremental_axis_['H' - 'A'] < 0 && absolute_axis_['H' - 'A'] >= 0)) return core_.fail(Alarm::CycleWordMissing, 'G', "H");
+    if (!whole('H', number)) return false;
+    const int limit = core_.view().config().offset_count;
+    if (number > limit) return core_.fail(Alarm::OffsetNumberIllegal, 'H', {}, static_cast<double>(number), limit);
+    const params::Table& t = core_.view().table();
+    const unsigned l = core_.view().channel;
+    const bool mill = core_.view().config().kind == ChannelKind::Mill;
+    const bool turning = row.tenths == 437;
+    // Whose table a channel may use: N1414 TCM, TOM; N1416 TOL.
+    const bool allowed = turning ? (mill ? params::bit(t, params::n1416_comp_config_on_mills, l, 2) : settings_.offsets_by_g)
+                                 : mill || (settings_.offsets_by_g && params::bit(t, params::n1414_comp_config_on_lathes, l, 6));
+    if (!allowed) return core_.fail(Alarm::GCodeUnknown, 'G', std::string(row.name));
+    length_.number = static_cast<std::int32_t>(number);
+    length_.sign = row.tenths == 440 ? -1 : 1;
+    length_.turning = turning;
+    length_.axes = 0;
+    if (!turning) {
+        const bool z_only = params::bit(t, params::n1416_comp_config_on_mills, l, 0), across = params::bit(t, params::n1416_comp_config_on_mills, l, 1);
+        const MachineView& view = core_.view();
+        int place = -1;
+        if (z_only != across) {
+            PlaneRole role = PlaneRole::BasicZ;
+            if (across && core_.path.plane == Plane::ZX) role = PlaneRole::BasicY;
+            if (across && core_.path.plane == Plane::YZ) role = PlaneRole::BasicX;
+            place = view.axis_by_role(role);
+            if (place >= 0) length_.axes = 1u << place;
+        } else {   // every axis that the block names
+            for (unsigned k = 0; k < axis_word_count_; ++k)
+                if (const Word& word = block_.words[axis_words_[k]]; word.address != 'H') length_.axes |= 1u << axis_of(word).place;
+            if (length_.axes == 0 && view.axis_by_role(PlaneRole::BasicZ) >= 0) length_.axes = 1u << view.axis_by_role(PlaneRole::BasicZ);
+        }
+    }
+    return apply_tool_offsets();
+}
+
+// D of G41, G42: whose radius counts (milling, or turning with offsets by G codes).
+bool Interpreter::radius_offset() {
+    std::int64_t number = 0;
+    if (!whole('D', number)) return false;
+    const int limit = core_.view().config().offset_count;
+    if (number > limit) return core_.fail(Alarm::OffsetNumberIllegal, 'D', {}, static_cast<double>(number), limit);
+    length_.radius = static_cast<std::int32_t>(number);
+    load_nose();
+    return true;
+}
+
+bool Interpreter::g_binary_input(const GCode&) {
+    if (core_.compensating()) return core_.fail(Alarm::BinaryInputComp, 'G');
+    return core_.fail(Alarm::NotBuilt, 'G', "G05 binary data input");
+}
+
+// G5.1 Q: 0 off, 1 look-ahead, 2 and 3 smoothing. Path blends within PT_PATH_TOL are always on, so there is nothing to switch.
+bool Interpreter::g_smoothing(const GCode&) {
+    std::int64_t kind = 0;
+    if (!block_.has('Q')) return core_.fail(Alarm::CycleWordMissing, 'G', "Q");
+    if (!whole('Q', kind)) return false;
+    if (kind > 3) return core_.fail(Alarm::CycleValueIllegal, 'Q', "Q", static_cast<double>(kind));
+    return true;
+}
+
+}  // namespace polyturn::channels::fanuc
