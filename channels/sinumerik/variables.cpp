@@ -142,7 +142,7 @@ bool Interpreter::assignment(const Reference& reference) {
     cursor_.skip();
     const char* const at = cursor_.at();
     const std::string word = upper(cursor_.name_ahead());
-    const bool list = reference.variable->dimensions.size() && (word == "SET" || cursor_.peek() == '(');
+    const bool list = reference.whole && !reference.variable->dimensions.empty() && cursor_.peek() == '(';
     if (word == "REP" || word == "SET" || list) {
         if (reference.variable->dimensions.empty() && reference.variable != r_) return syntax(at, word);
         if (!word.empty() && (word == "REP" || word == "SET")) cursor_.advance(3);

@@ -7,6 +7,7 @@
 #include "channels/check/check_port.hpp"
 #include "channels/check/event_text.hpp"
 #include "channels/language.hpp"
+#include "channels/preset.hpp"
 #include "ipc/params/param_file.hpp"
 
 namespace polyturn::channels::testing {
@@ -73,7 +74,7 @@ Played play(std::string_view program, const Play& how, Prepare&& prepare) {
     ProgramFiles files;
     for (const std::string& path : how.setup.subprograms) files.add_library(path);
     Played played;
-    const Dialect dialect = how.language == "nct" ? Dialect::Nct : Dialect::Fanuc;
+    const Dialect dialect = dialect_of(how.language);
     EventSink sink({&view, &files, dialect}, played.events, how.variables, '\n');
     CheckPort port(setup, 1, how.alone);
     const auto main = files.open_text(program, "test.nc");
@@ -86,7 +87,7 @@ Played play(std::string_view program, const Play& how, Prepare&& prepare) {
     const auto interpreter = make_language(how.language, view, sink, port, files);
     (void)interpreter->start(*main).ok();
     interpreter->core().start_at_machine(view.start);
-    for (const auto& variable : how.setup.variables) interpreter->preset_variable(variable.name, variable.value);
+    preset(*interpreter, how.setup);
     for (int steps = 0; steps < 100'000; ++steps) {
         const Step step = interpreter->step();
         if (step == Step::AtBarrier) interpreter->barrier_done();

@@ -1,0 +1,119 @@
+// Control structures, jumps, subprograms, and coming back to earlier blocks.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "../resume_rig.hpp"
+
+namespace polyturn::channels::testing {
+namespace {
+
+// Subprogram files in a folder of their own.
+class Files {
+public:
+    Files() {
+        std::string pattern = (std::filesystem::temp_directory_path() / "sinumerik_flow_XXXXXX").string();
+        folder_ = ::mkdtemp(pattern.data());
+    }
+    ~Files() { std::filesystem::remove_all(folder_); }
+    void add(const std::string& name, const std::string& text) {
+        std::ofstream(folder_ / name) << text;
+        setup.subprograms.push_back((folder_ / name).string());
+    }
+    text::ChannelSetup setup;
+
+private:
+    std::filesystem::path folder_;
+};
+
+Played run(const std::string& program, const text::ChannelSetup& setup = {}) {
+    Play how;
+    how.language = "sinumerik";
+    how.setup = setup;
+    return play(program, how);
+}
+
+std::string last_value(const Played& played, const std::string& name) {
+    std::string value = "none";
+    for (const std::string& line : played.lines()) {
+        const std::string key = "\"name\":\"" + name + "\",\"value\":";
+        if (const auto at = line.find(key); at != std::string::npos) value = line.substr(at + key.size(), line.size() - at - key.size() - 1);
+    }
+    return value;
+}
+
+TEST(SinumerikFlow, StructuresNestAndJumpsLeaveThem) {
+    const Played played = run(
+        "DEF INT II, KK\nFOR II=1 TO 3\nKK=0\nWHILE TRUE\nKK=KK+1\nIF KK>II\nGOTOF NEXT\nELSE\nR1=R1+1\nENDIF\nENDWHILE\nNEXT: R2=R2+10\nENDFOR\n"
+        "REPEAT\nR3=R3+1\nUNTIL R3==4\nLOOP\nR4=R4+1\nIF R4==5 GOTOF OUT\nENDLOOP\nOUT: CASE R4 OF 4 GOTOF BAD 5 GOTOF GOOD DEFAULT GOTOF BAD\nBAD: R5=1\nGOOD: R6=1\nGOTOC NOWHERE\nM30\n");
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_EQ(last_value(played, "R1"), "6");
+    EXPECT_EQ(last_value(played, "R2"), "30");
+    EXPECT_EQ(last_value(played, "R3"), "4");
+    EXPECT_EQ(last_value(played, "R4"), "5");
+    EXPECT_EQ(last_value(played, "R5"), "none");
+    EXPECT_EQ(last_value(played, "R6"), "1");
+}
+
+TEST(SinumerikFlow, SectionsRepeat) {
+    const Played played = run(
+        "AA: R1=R1+1\nBB: R2=R2+1\nENDLABEL:\nREPEAT AA P=2\nREPEAT AA BB\nREPEATB BB P3\nGOTOF DONE\nDONE: REPEAT CC\nGOTOF EXX\nCC: R3=R3+1\nENDLABEL:\nEXX: CALL BLOCK AA TO BB\nM30\n");
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_EQ(last_value(played, "R1"), "5");
+    EXPECT_EQ(last_value(played, "R2"), "8");
+    EXPECT_EQ(last_value(played, "R3"), "1");
+}
+
+TEST(SinumerikFlow, SubprogramsTakeValuesAndReferencesAndReturnAnywhere) {
+    Files files;
+    files.add("PARTS.SPF", "PROC PARTS(REAL LEN, VAR REAL SUM, INT COUNT=2, STRING[8] KIND) SAVE\nG91 DIAMOF\nSUM=SUM+LEN*COUNT\nIF KIND==\"BIG\" GOTOF MORE\nRET\nMORE: SUM=SUM+100\nM17\n");
+    files.add("JUMP.SPF", "RET(\"HERE\",1)\n");
+    files.add("OUTER.SPF", "INNER\nR7=99\n");
+    files.add("INNER.SPF", "RET(,,2)\n");
+    files.add("L020.SPF", "R8=R8+1\nM2\n");
+    files.add("TOUCH.SPF", "R9=R9+1\n");
+    const Played played = run(
+        "DEF REAL TOTAL=1\nG90 DIAMON\nPARTS(3,TOTAL)\nR1=TOTAL\nPARTS(3,TOTAL,,\"BIG\")\nR2=TOTAL R3=$P_GG[14] R4=$P_GG[29]\nJUMP\nR5=1\nHERE: R5=2\nR6=1\nOUTER\nL020 P3\n"
+        "MCALL TOUCH\nG0 X5\nM8\nZ5\nMCALL\nX6\nM30\n",
+        files.setup);
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_EQ(last_value(played, "R1"), "7");
+    EXPECT_EQ(last_value(played, "R2"), "113");
+    EXPECT_EQ(last_value(played, "R3"), "1");   // SAVE: G90 again
+    EXPECT_EQ(last_value(played, "R4"), "2");
+    EXPECT_EQ(last_value(played, "R5"), "none");
+    EXPECT_EQ(last_value(played, "R6"), "1");
+    EXPECT_EQ(last_value(played, "R7"), "none");
+    EXPECT_EQ(last_value(played, "R8"), "3");
+    EXPECT_EQ(last_value(played, "R9"), "2");
+}
+
+TEST(SinumerikFlow, ALiveValueStopsTheBlockBeforeItHasDoneAnything) {
+    const Played played = run("G0 X10 Z5\nR1=R1+1 R2=$AA_IM[Z]\nM30\n");
+    EXPECT_EQ(last_value(played, "R1"), "1");
+    EXPECT_EQ(last_value(played, "R2"), "5");
+}
+
+TEST(SinumerikResume, LeadsToTheSameEventsFromEveryBlock) {
+    Files files;
+    files.add("UP.SPF", "PROC UP(VAR REAL VV, REAL DD)\nVV=VV+DD\nG91 G0 X=DD\nG90\nM17\n");
+    text::ToolSetup tool;
+    tool.name = "A";
+    tool.edges[1] = {{"DP1", 500}, {"DP2", 3}, {"DP3", 10}, {"DP4", 20}};
+    tool.edges[2] = {{"DP1", 500}, {"DP2", 3}, {"DP3", 11}, {"DP4", 22}};
+    files.setup.tools[3] = tool;
+    for (const char* program : {
+             "G18 G90 G94 DIAMON F100\nG0 X10 Z5\nG1 Z-5\nX12\nG2 X20 Z-10 CR=5\nG500 G0 X50\nM30\n",
+             "DEF REAL SUM=1\nDEF INT II\nG0 X1\nFOR II=1 TO 3\nUP(SUM,II)\nENDFOR\nR1=SUM\nZ=SUM\nM30\n",
+             "T3\nG0 X10 Z0\nD2\nZ5\n$TC_DP3[3,2]=15\nD2 X11\nTOFFL=2\nX12\nD0\nX12 Z0\nM30\n",
+             "G0 X1\nAA: G91 X1\nZ1\nENDLABEL:\nREPEAT AA P=3\nG90 X50\nM30\n",
+             "S500 M3\nG95 F0.2 G1 X5\nSETMS(1)\nG96 S100 LIMS=2000\nX20\nG97 S300\nG94 F50 X30\nM5\nM30\n",
+             "DEFINE STEP AS G91 X2\nG0 X1\nSTEP\nSTEP\nMSG(\"x\"<<R1)\nR1=5\nIF R1==5\nG90 Z9\nELSE\nZ8\nENDIF\nM30\n",
+         })
+        expect_same_events_from_every_block("sinumerik", program, files.setup);
+}
+
+}  // namespace
+}  // namespace polyturn::channels::testing
