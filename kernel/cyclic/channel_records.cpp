@@ -36,6 +36,8 @@ void ChannelRunner::execute_standing(double& left) noexcept {
             continue;
         }
         if (!execute(r, left)) return;
+        const auto kind = static_cast<RecordKind>(r.kind);
+        if ((r.flags & kDrains) && (kind == RecordKind::Aux || kind == RecordKind::Barrier) && drive_is_coming()) return;
         const std::uint64_t index = cursor_++;
         planner_->skip(cursor_);
         begun_ = false;
@@ -121,6 +123,14 @@ bool ChannelRunner::dwell(const PathRecord& r, double& left) noexcept {
     }
     left = available > 0 ? std::fmax(0.0, left * (1.0 - dwell_left_ / available)) : left;
     return true;
+}
+
+// A spindle is still coming to rest before it gives its drive to a C axis of this channel: what is read at the barrier must
+// be where that axis stays.
+bool ChannelRunner::drive_is_coming() const noexcept {
+    for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
+        if (core_.config.axes[a].on_spindle && core_.config.axes[a].channel == number_ && core_.drive_is_for_axis(a) && !core_.shared_axes[a].has_drive) return true;
+    return false;
 }
 
 // M, S and T go to the PLC: a new number in the strobe register is a new code, the same number in the answer finishes it.

@@ -113,6 +113,7 @@ private:
     bool place_spindle(const PathRecord& r, double s) noexcept;
     bool waits_for_speed() const noexcept;
     bool waits_for_drive() noexcept;
+    bool drive_is_coming() const noexcept;
     void know_positions() noexcept;
     void raise_not_in_position() noexcept;
     bool axes_in_position() const noexcept;

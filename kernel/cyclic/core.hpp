@@ -56,6 +56,15 @@ struct Core {
     ChannelSet jogging = 0;                // channels of which an axis is moved by hand
     std::array<double, kMaxSpindles> spindle_rev_s{};  // measured, for feed per revolution
 
+    // The PLC's detach flags decide whether a C axis has the drive (nct_parameters_part1 7.1); with neither of them it has it
+    // while the spindle is meant to stand.
+    bool drive_is_for_axis(std::uint32_t axis) const noexcept {
+        namespace sig = polyturn::signals;
+        const std::uint32_t s = config.axes[axis].on_spindle;
+        const std::int32_t rotation = signals.plc(sig::sp_rot(s));
+        const bool stands = rotation != 3 && rotation != 4 && !signals.plc(sig::sp_par(s)) && !signals.plc(sig::sp_oreq(s));
+        return signals.plc(sig::sp_sdetchr(s)) != 0 || (stands && !signals.plc(sig::ap_detchr(axis + 1)));
+    }
     bool on() const noexcept { return state == MachineState::On; }
     std::uint32_t no_wait() const noexcept {
         std::uint32_t set = 0;

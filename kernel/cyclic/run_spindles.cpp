@@ -39,8 +39,7 @@ void Machine::open_axis(unsigned index, double at) {
     core_.shared_axes[index].has_drive = true;
 }
 
-// Who has a shared drive in this tick. The PLC's detach flags decide (nct_parameters_part1 7.1); with neither of them the
-// axis has it while the spindle is meant to stand, and both change only at standstill.
+// Who has a shared drive in this tick; it changes hands only at standstill.
 void Machine::share_drives() noexcept {
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) {
         const std::uint32_t s = core_.config.axes[a].on_spindle;
@@ -48,9 +47,7 @@ void Machine::share_drives() noexcept {
         Core::SharedAxis& shared = core_.shared_axes[a];
         AxisUnit& axis = core_.axes[a];
         const SpindleUnit& spindle = core_.spindles[s - 1];
-        const std::int32_t rotation = core_.signals.plc(signals::sp_rot(s));
-        const bool stands = rotation != 3 && rotation != 4 && !core_.signals.plc(signals::sp_par(s)) && !core_.signals.plc(signals::sp_oreq(s));
-        const bool for_axis = core_.signals.plc(signals::sp_sdetchr(s)) != 0 || (stands && !core_.signals.plc(signals::ap_detchr(a + 1)));
+        const bool for_axis = core_.drive_is_for_axis(a);
         if (for_axis && !shared.has_drive && spindle.may_lend_drive()) {
             shared.has_drive = true;
             shared.displaced = std::fabs(axis.measured() - shared.left_at) > kDisplacedDeg;

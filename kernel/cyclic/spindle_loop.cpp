@@ -36,7 +36,7 @@ SpindleLoop::Fault SpindleLoop::observe(double measured, double dt, bool moving,
     delay_at_ = (delay_at_ + 1) % kDelay;
     model_ += (command_ - model_) * share(dt, range.model_s * scale);
     if (range.error_absolute > 0 && std::fabs(error_) > range.error_absolute * scale) return Fault::Absolute;
-    const double limit = (moving ? range.error_moving : range.error_standing) * scale;
+    const double limit = moving ? range.error_moving : range.error_standing;
     if (limit > 0 && deviation > limit) return moving ? Fault::Moving : Fault::Standstill;
     return Fault::None;
 }

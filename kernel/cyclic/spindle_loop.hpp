@@ -21,7 +21,7 @@ public:
     double close(double measured, double speed, const SpindleRange& range, double gain, double feedforward) noexcept;
     // Command of the end of the tick: the speed to give out over it, rev/s.
     double output(double command, double dt, const SpindleRange& range, double gain, double feedforward) noexcept;
-    // What was measured at the tick's start. `scale` widens the limits as much as a lower gain widens the error.
+    // What was measured at the tick's start. `scale`: how much longer than with N0701 the loop lags under the gain of now.
     Fault observe(double measured, double dt, bool moving, const SpindleRange& range, double scale) noexcept;
     double error() const noexcept { return error_; }
 

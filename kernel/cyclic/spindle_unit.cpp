@@ -217,7 +217,7 @@ void SpindleUnit::step(const SpindleInput& in) noexcept {
     const double measured = config_.unsigned_speed ? std::fabs(filtered_speed_) : filtered_speed_;
     watch_.update(config_, loop_ == Loop::Closed ? 0.0 : config_.unsigned_speed ? std::fabs(command) : command, measured, in.tick_s);
     if (loop_ != Loop::Closed) return;
-    const double scale = tapping_ && range().tap_gain > 0 ? std::max(1.0, range().gain / range().tap_gain) : 1.0;
+    const double scale = tapping_ && range().tap_gain > 0 ? range().gain / range().tap_gain : 1.0;
     const double at = from_zero(static_cast<double>(counts_) / config_.encoder_counts);
     const auto verdict = loop_controller_.observe(at, in.tick_s, !positioner_.resting(), range(), scale);
     if (verdict != SpindleLoop::Fault::None && fault_ == Fault::None)

@@ -91,7 +91,7 @@ public:
     bool in_position() const noexcept { return in_position_; }
     bool at_index() const noexcept;                           // SN_SINDP
     double position() const noexcept { return positioner_.position(); }   // closed: commanded, revolutions
-    bool may_lend_drive() const noexcept { return loop_ == Loop::Turning && target_ == 0 && ramped_ == 0 && standing(); }
+    bool may_lend_drive() const noexcept { return loop_ == Loop::Turning && target_ == 0 && ramped_ == 0 && standing() && measured_speed_ < kLendRpm && measured_speed_ > -kLendRpm; }
     bool cannot_orient() const noexcept { return cannot_orient_; }
     Fault fault() const noexcept { return fault_; }
     double error() const noexcept { return loop_controller_.error(); }    // revolutions
@@ -107,6 +107,7 @@ public:
     bool override_locked = false;  // in a thread (N0607 TOE)
 
 private:
+    static constexpr double kLendRpm = 0.5;
     double wanted(const SpindleInput& in) const noexcept;
     void follow_request(const SpindleInput& in) noexcept;
     void close_loop(const SpindleInput& in, bool orient) noexcept;
