@@ -166,6 +166,7 @@ public:
     virtual void alarm(const Diagnosis&, const BlockContext&) = 0; // errors end the program
     virtual void interrupts(const Interrupts&, const BlockContext&) {}
     virtual void print(std::string_view, const BlockContext&) {}   // sent to an external device by the program
+    virtual void signal(std::string_view /*name*/, double /*value*/, const BlockContext&) {}   // a flag of the channel, in path order
     virtual void barrier(const BlockContext&) = 0;                 // everything before must be executed; the runner stands AtBarrier
     virtual void block_end(const BlockContext&) = 0;
 };

@@ -25,6 +25,7 @@ public:
     }
     void message(std::string_view text, const BlockContext& at) { calls_.push_back({Message{}, own(at), std::string(text), {}, {}}); }
     void print(std::string_view text, const BlockContext& at) { calls_.push_back({Print{}, own(at), std::string(text), {}, {}}); }
+    void signal(std::string_view name, double value, const BlockContext& at) { calls_.push_back({Signal{value}, own(at), std::string(name), {}, {}}); }
     void interrupts(const Interrupts& i, const BlockContext& at) { calls_.push_back({i, own(at), {}, {}, {}}); }
     void stop(const Stop& s, const BlockContext& at) { calls_.push_back({s, own(at), {}, {}, {}}); }
     void part(double count, const BlockContext& at) { calls_.push_back({Part{count}, own(at), {}, {}, {}}); }
@@ -50,11 +51,12 @@ public:
 private:
     struct Message {};
     struct Print {};
+    struct Signal { double value; };
     struct Part { double count; };
     struct Barrier {};
     struct BlockEnd {};
     struct Call {
-        std::variant<Move, Dwell, Aux, Spindle, Wait, Variable, OffsetWrite, Message, Print, Interrupts, Stop, Part, Barrier, BlockEnd, std::function<void()>> what;
+        std::variant<Move, Dwell, Aux, Spindle, Wait, Variable, OffsetWrite, Message, Print, Signal, Interrupts, Stop, Part, Barrier, BlockEnd, std::function<void()>> what;
         BlockContext at;
         std::string text, second, third;
     };

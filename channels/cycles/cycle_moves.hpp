@@ -8,7 +8,8 @@ namespace polyturn::channels::cycles {
 class CycleMoves {
 public:
     explicit CycleMoves(Core& core) : core_(&core) {
-        const int z = core.view().axis_by_role(PlaneRole::BasicZ), x = core.view().axis_by_role(PlaneRole::BasicX);
+        int z = core.view().axis_by_role(PlaneRole::BasicZ), x = core.view().axis_by_role(PlaneRole::BasicX);
+        if (core.path.plane_p >= 0) core.plane_axes(z, x);   // a plane of any two axes: abscissa and ordinate take their parts
         if (z < 0 || x < 0) return;
         z_ = static_cast<unsigned>(z);
         x_ = static_cast<unsigned>(x);

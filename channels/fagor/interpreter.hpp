@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "channels/cycles/contour.hpp"
 #include "channels/fagor/expression.hpp"
 #include "channels/fagor/g_codes.hpp"
 #include "channels/fagor/modal.hpp"
@@ -22,11 +23,6 @@
 #include "channels/fagor/values.hpp"
 #include "channels/language.hpp"
 #include "channels/state/inclined_axis.hpp"
-
-namespace polyturn::channels::cycles {
-struct Contour;
-class ContourRecorder;
-}
 
 namespace polyturn::channels::fagor {
 
@@ -71,7 +67,6 @@ public:
     bool g_dwell(const GCode&), g_home(const GCode&), g_zero(const GCode&), g_zero_table(const GCode&), g_preset(const GCode&), g_polar_origin(const GCode&);
     bool g_linear(const GCode&), g_arc(const GCode&), g_thread(const GCode&), g_withdrawal(const GCode&), g_hard_stop(const GCode&);
     bool g_probe(const GCode&), g_inclined(const GCode&);
-    bool g_not_built(const GCode& row) { return core_.fail(Alarm::NotBuilt, 71, std::string(row.text)); }
     bool g_section(const GCode&), g_drilling(const GCode&), g_threading(const GCode&), g_grooving(const GCode&), g_profile(const GCode&);
 
 private:
@@ -156,11 +151,18 @@ private:
     void refresh_zero();
 
     // cycles (g_cycles.cpp, g_profile.cpp)
-    struct CycleGuard;
-    bool cycle_word(char letter, double& value, bool ordinate);
-    bool cycle_place(unsigned& z, unsigned& x);
+    bool cycle_needs(std::string_view letters), cycle_not_zero(std::string_view letters), cycle_not_negative(std::string_view letters);
+    cycles::Point cycle_point(char abscissa, char ordinate);
+    cycles::Point cycle_call_point();
+    bool begin_cycle_block();
+    void drop_compensation();
     bool read_profile(cycles::Contour& part, cycles::Contour& blank, bool& has_blank);
-    void restore_after_cycle(bool cancel_compensation);
+    bool record_profile(const Interpreter& caller, FileId file, TextPosition from, std::uint32_t last_line, cycles::Point start, cycles::ContourRecorder& recorder,
+                        cycles::Contour& part, cycles::Contour& blank, bool& has_blank);
+    cycles::Point caller_point(const Interpreter& caller);
+    bool repeat_passes(const cycles::Contour& part, cycles::Point call, double l, double m, bool square, double finishing);
+    cycles::Contour close_for_tool(const cycles::Contour& part, bool facing, bool& closed);
+    void keep_feed(double feed);
 
     // probing, interrupts (g_probe.cpp)
     Step finish_probe();

@@ -217,6 +217,7 @@ public:
 
     // --- everything else
     bool dwell(double value, bool revolutions);
+    void signal(std::string_view name, double value) { emitted_ = true, sink_->signal(name, value, at); }
     void aux(char letter, double value, std::string_view text, bool drained);
     // What a block says about the spindle is gathered and told once, by commit_spindle().
     bool spindle_speed(double value);                     // S word: 1/min, or m/min with G96
