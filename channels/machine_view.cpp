@@ -19,6 +19,7 @@ MachineView make_machine_view(const params::Table& table, unsigned channel) {
     clear_store(*view.store);
     const ChannelConfig& config = view.config();
     view.axis_count = config.axis_count;
+    view.stroke = read_channel_stroke(table, channel);
     view.names = std::make_unique<std::array<std::array<char, 4>, kChannelAxes>>();
     for (unsigned place = 0; place < view.axis_count; ++place) {
         const AxisConfig& from = view.machine.axis(config.axes[place]);
@@ -37,9 +38,7 @@ MachineView make_machine_view(const params::Table& table, unsigned channel) {
         to.increment = std::pow(10.0, -static_cast<double>(config.decimals()));
         to.max_feed_mm_min = from.limits.max_feed_mm_s * 60.0;
         to.reference_mm = from.reference_mm;
-        to.limited = from.stroke.enabled && !from.hypothetical;
-        to.limit_max = from.stroke.max_a_mm;
-        to.limit_min = from.stroke.min_a_mm;
+        if (!from.hypothetical) to.stroke = read_axis_stroke(table, from.number);
     }
     return view;
 }

@@ -9,6 +9,7 @@
 #include "channels/sink.hpp"
 #include "ipc/machine/machine_config.hpp"
 #include "ipc/params/table.hpp"
+#include "ipc/path/stroke_zones.hpp"
 #include "polyturn/image_structs.hpp"
 
 namespace polyturn::channels {
@@ -23,8 +24,7 @@ struct ChannelAxis {
     double increment = 0.001;       // smallest step that can be programmed, mm (metric) or degrees
     double max_feed_mm_min = 0.0;   // N0305
     std::array<double, 4> reference_mm{};
-    bool limited = false;           // stroke range 1 is watched
-    double limit_max = 0.0, limit_min = 0.0;
+    AxisStroke stroke;              // ranges that are watched
 };
 
 struct MachineView {
@@ -35,6 +35,7 @@ struct MachineView {
     std::array<ChannelAxis, kChannelAxes> axes;
     unsigned axis_count = 0;
     std::unique_ptr<std::array<std::array<char, 4>, kChannelAxes>> names;   // stays where it is when the view is moved
+    ChannelStroke stroke;
     AxisValues start{};             // machine coordinates at cycle start; X as a radius
     bool tables_in_radius = false;  // zero offsets of diameter axes are kept as radii (fagor)
 

@@ -6,6 +6,8 @@
 #include <optional>
 #include <string_view>
 
+#include "ipc/path/stroke_zones.hpp"
+
 namespace polyturn::channels {
 
 struct MachineView;
@@ -36,8 +38,8 @@ public:
     virtual void print(const MachineView&, std::string_view /*bytes*/, bool /*control*/) {}
     // CP_SGOEN and CP_SGOX, Y, Z: the second geometry offset acts on this axis (0 X, 1 Y, 2 Z).
     virtual bool second_geometry(unsigned /*axis*/) { return false; }
-    // Stroke limits of a machine axis that hold now (the PLC selects sets); false: those of the parameters' set A.
-    virtual bool stroke_limits(unsigned machine_axis, double& min, double& max) = 0;
+    // What the PLC says now about the stroke ranges of a machine axis: the set it selects, ranges it has switched off.
+    virtual StrokeFlags stroke_flags(unsigned machine_axis) = 0;
     // This program cuts per revolution on a spindle that it has not started itself. Has somebody else?
     enum class Turning : unsigned char { No, Unknown, Watched };   // Watched: the kernel sees to it, nothing to say here
     virtual Turning started_by_others(unsigned spindle) = 0;

@@ -23,7 +23,7 @@ public:
     std::optional<double> given_variable(std::string_view name) override;
     CalendarTime clock() override;
     double running_ms() override { return 0.0; }
-    bool stroke_limits(unsigned, double&, double&) override { return false; }
+    StrokeFlags stroke_flags(unsigned) override { return {}; }
     Turning started_by_others(unsigned) override { return alone_ ? Turning::No : Turning::Unknown; }
 
 private:

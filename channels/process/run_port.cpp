@@ -60,15 +60,11 @@ double RunPort::running_ms() {
     return static_cast<double>(status_->tick) * static_cast<double>(kernel_->tick_ns.load(std::memory_order_relaxed)) * 1e-6;
 }
 
-bool RunPort::stroke_limits(unsigned machine_axis, double& min, double& max) {
-    const StrokeRange& stroke = machine_->axes[machine_axis].stroke;
-    if (!stroke.enabled) return false;
-    const bool all_b = plc_->signal[PlcSignal{signals::cp_limsel}(channel_)] != 0;
-    const bool max_b = all_b || plc_->signal[PlcSignal{signals::ap_limselp}(machine_axis + 1)] != 0;
-    const bool min_b = all_b || plc_->signal[PlcSignal{signals::ap_limseln}(machine_axis + 1)] != 0;
-    max = max_b ? stroke.max_b_mm : stroke.max_a_mm;
-    min = min_b ? stroke.min_b_mm : stroke.min_a_mm;
-    return true;
+StrokeFlags RunPort::stroke_flags(unsigned machine_axis) {
+    const auto on = [&](const PlcSignal& signal, std::size_t instance) { return plc_->signal[signal(instance)] != 0; };
+    using namespace signals;
+    return {on(cp_limsel, channel_), on(ap_limselp, machine_axis + 1), on(ap_limseln, machine_axis + 1),
+            on(cp_lim1dis, channel_), on(cp_lim2dis, channel_), on(cp_lim3dis, channel_)};
 }
 
 bool RunPort::second_geometry(unsigned axis) {

@@ -26,7 +26,7 @@ public:
     std::optional<double> given_variable(std::string_view name) override;
     CalendarTime clock() override;
     double running_ms() override;
-    bool stroke_limits(unsigned machine_axis, double& min, double& max) override;
+    StrokeFlags stroke_flags(unsigned machine_axis) override;
     bool second_geometry(unsigned axis) override;
     Turning started_by_others(unsigned spindle) override;
     const MachineStatus& picture() const { return *status_; }

@@ -7,7 +7,6 @@
 namespace polyturn::channels {
 
 Core::Core(MachineView& view, Sink& sink, Port& port) : view_(&view), sink_(&sink), out_(&sink), port_(&port) {
-    check_before_move_ = params::bit(view.table(), params::n1001_strkcont, view.channel, 2);
     path.spindle.spindle = view.config().default_spindle;
     geo_ = {view.axis_by_role(PlaneRole::BasicX), view.axis_by_role(PlaneRole::BasicY), view.axis_by_role(PlaneRole::BasicZ)};
 }
@@ -28,10 +27,10 @@ void Core::take_machine(unsigned place, double machine) {
 }
 
 void Core::refresh_limits() {
+    zones_.count = view_->axis_count;
     for (unsigned i = 0; i < view_->axis_count; ++i) {
-        ChannelAxis& axis = view_->axes[i];
-        double min = axis.limit_min, max = axis.limit_max;
-        if (axis.limited && port_->stroke_limits(axis.machine_axis, min, max)) axis.limit_min = min, axis.limit_max = max;
+        const ChannelAxis& axis = view_->axes[i];
+        zones_.axes[i] = axis.stroke.any() ? zone_of(axis.stroke, view_->stroke, port_->stroke_flags(axis.machine_axis)) : AxisZone{};
     }
 }
 

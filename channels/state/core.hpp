@@ -284,7 +284,7 @@ private:
     bool exact_once_ = false;
     std::uint64_t moves_ = 0;
     bool warned_spindle_ = false, waits_for_spindle_ = false;
-    bool check_before_move_ = true;
+    StrokeZones zones_;   // where the axes may be, as of the last barrier
     double surface_zero_told_ = 0.0;
     AxisSet skip_moved_ = 0;
     AxisValues skip_target_{};

@@ -62,13 +62,12 @@ bool Core::within_stroke(const AxisValues& machine, AxisSet moved) {
         const auto i = static_cast<unsigned>(__builtin_ctz(left));
         const ChannelAxis& axis = view_->axes[i];
         if (axis.hypothetical) return fail(Alarm::AxisHypothetical, axis.name[0], std::string(axis.name));
-        if (!axis.limited || !check_before_move_) continue;
-        if (machine[i] > axis.limit_max + kLimitSlack || machine[i] < axis.limit_min - kLimitSlack) {
-            const double limit = machine[i] > axis.limit_max ? axis.limit_max : axis.limit_min;
-            return fail(Alarm::StrokeExceeded, axis.name[0], std::string(axis.name), view_->to_shown(i, machine[i]), view_->to_shown(i, limit));
-        }
     }
-    return true;
+    if (!view_->stroke.before_move || (view_->stroke.not_before_skip && move_.kind == MoveKind::Skip)) return true;
+    StrokeFault out;
+    if (!forbidden(zones_, machine.data(), moved, out)) return true;
+    const ChannelAxis& axis = view_->axes[out.axis];
+    return fail(Alarm::StrokeExceeded, axis.name[0], std::string(axis.name), view_->to_shown(out.axis, machine[out.axis]), view_->to_shown(out.axis, out.limit));
 }
 
 // The zones hold for the tool's tip in the machine: its lengths are taken off (fagor_8037t part 1, 3.8).

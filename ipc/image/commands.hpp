@@ -16,7 +16,7 @@
 //   BlockSkip                     channel, flags: level 1..9 (0 every level), value: 1 on, 0 off
 //   SetSignal, ReleaseSignal      object: slot, flags: 0 written by the NC, 1 by the PLC; value
 //   SetInput                      object: number of the input, value: 0 or 1; flags 1: given back to sensors and PLC
-//   DriveFault                    object: axis (flags 0) or spindle (flags 1), value: 1 fault, 0 gone
+//   DriveFault                    object: axis (flags 0) or spindle (flags 1), value: 1 fault, 2 fault of its encoder, 0 gone
 //   SetParameter                  text: a parameter line
 //   Watch                         object: slot, flags as SetSignal: each change is logged as a Signal event
 //   Restart                       channel, value: block number N

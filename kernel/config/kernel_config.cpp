@@ -17,6 +17,19 @@ std::int64_t automatic_tick_ns(const KernelConfig& config) {
     return channels <= 2 ? 1'000'000 : channels <= 4 ? 2'000'000 : 5'000'000;
 }
 
+void name_axis(const p::Table& t, unsigned a, AxisConfig& axis) {
+    std::size_t n = 0;
+    for (const auto code : {p::get(t, p::n0100_axis_name1, a), p::get(t, p::n0101_axis_name2, a), p::get(t, p::n0102_axis_name3, a)}) {
+        if (code <= 0 || code > 127) break;
+        axis.name[n++] = static_cast<char>(code);
+    }
+    axis.named = n > 0;
+    if (axis.named) return;
+    axis.name[n++] = 'A';
+    if (a >= 10) axis.name[n++] = static_cast<char>('0' + a / 10);
+    axis.name[n] = static_cast<char>('0' + a % 10);
+}
+
 AxisConfig read_axis(const p::Table& t, unsigned a) {
     AxisConfig axis;
     const auto assigned = p::get(t, p::n0002_axis_assign, a);
@@ -35,21 +48,16 @@ AxisConfig read_axis(const p::Table& t, unsigned a) {
     axis.acceleration = p::get(t, p::n0400_acceleration, a) * unit;
     const double rise = p::get(t, p::n0401_acc_tc, a);
     axis.jerk = rise > 0 ? axis.acceleration / rise : kUnlimited;
-    axis.gain = p::get(t, p::n0504_position_gain, a);
-    if (p::bit(t, p::n0515_feed_forward_control, a, 0)) {
-        axis.feedforward = p::get(t, p::n0511_feedforward, a);
-        axis.feedforward_in_rapid = p::bit(t, p::n0515_feed_forward_control, a, 1);
-    }
-    axis.in_position = p::get(t, p::n0516_inpos, a) * unit;
-    axis.error_standing = p::get(t, p::n0519_serrl1, a) * unit;
-    axis.error_moving = p::get(t, p::n0520_serrl2, a) * unit;
-    axis.error_absolute = p::get(t, p::n0521_serrl3, a) * unit;
-    axis.stroke_limited = p::bit(t, p::n1000_range_enable, a, 0);
-    axis.stroke_high = p::get(t, p::n1002_range1a_positive, a) * unit;
-    axis.stroke_low = p::get(t, p::n1003_range1a_negative, a) * unit;
+    axis.servo = read_servo(t, a, unit);
+    axis.reference = read_reference(t, a, unit);
+    if (p::bit(t, p::n0106_axis_properties, a, 3)) axis.index_step = p::get(t, p::n0110_indexing_amount, a) * unit;
+    if (axis.rotary && p::bit(t, p::n0107_rollover_control, a, 0)) axis.rollover = p::get(t, p::n0108_rollamount, a);
+    axis.lubrication = p::get(t, p::n1273_lubrication_distance, a) * unit;
+    axis.hypothetical = hypothetical;
+    axis.measured_only = assigned == 99 || p::bit(t, p::n0106_axis_properties, a, 4);
+    name_axis(t, a, axis);
+    if (axis.exists) axis.stroke = read_axis_stroke(t, a);
     axis.estop_deceleration = p::get(t, p::pt_estop_dec, a) * unit;
-    axis.drive_frequency_hz = p::get(t, p::pt_drive_freq, a);
-    axis.drive_damping = p::get(t, p::pt_drive_damping, a);
     return axis;
 }
 
@@ -65,6 +73,7 @@ ChannelConfig read_channel(const p::Table& t, unsigned l) {
     channel.in_position_timeout_s = p::get(t, p::n1340_inpos_timeout, l);
     channel.feed_waits_for_spindle = p::get(t, p::pt_feed_waits, l) != 0;
     for (unsigned n = 0; n < 3; ++n) channel.aux_letters[n] = static_cast<char>(p::get(t, p::nth(p::n1333_aux_fu_addr1, n + 1), l));
+    channel.stroke = read_channel_stroke(t, l);
     channel.in_position_at_rapid_end = p::bit(t, p::n1337_execution_config, l, 0);
     if (channel.group >= 1 && channel.group <= kMaxGroups) {
         channel.wait_timeout_s = p::get(t, p::pt_wait_timeout, channel.group);
@@ -92,13 +101,23 @@ void read_config(const params::Table& t, KernelConfig& config, bool first) {
             if (config.spindles[s - 1].exists && p::get(t, p::n0603_spindle_output_address, s) == address) axis.on_spindle = s;
     }
     for (unsigned l = 1; l <= kMaxChannels; ++l) config.channels[l - 1] = read_channel(t, l);
+    for (unsigned n = 1; n <= config.switches.size(); ++n) {
+        PositionSwitch& sw = config.switches[n - 1];
+        sw.axis = static_cast<std::uint32_t>(p::get(t, p::nth(p::n1101_sw1_axis_number, n)));
+        const AxisConfig* axis = sw.axis >= 1 && sw.axis <= kMaxAxes ? &config.axes[sw.axis - 1] : nullptr;
+        const bool inch = axis && axis->channel && !axis->rotary && p::bit(t, p::n0104_unit_of_measure, axis->channel, 0);
+        sw.low = p::get(t, p::nth(p::n1133_sw1_min_pos, n)) * (inch ? kMmPerInch : 1.0);
+        sw.high = p::get(t, p::nth(p::n1165_sw1_max_pos, n)) * (inch ? kMmPerInch : 1.0);
+    }
     config.channel_timeout_s = p::get(t, p::pt_channel_timeout);
     config.supervisor_timeout_s = p::get(t, p::pt_supervisor_timeout);
     config.late_max_ticks = p::get(t, p::pt_late_max);
+    for (AxisConfig& axis : config.axes) axis.tick_s = config.tick_s;
     if (!first) return;
     const auto tick_us = p::get(t, p::n0005_nc_cycle_time);
     config.tick_ns = tick_us > 0 ? tick_us * 1000 : automatic_tick_ns(config);
     config.tick_s = static_cast<double>(config.tick_ns) * 1e-9;
+    for (AxisConfig& axis : config.axes) axis.tick_s = config.tick_s;
     config.horizon = static_cast<std::uint32_t>(p::get(t, p::pt_horizon));
     config.plc_cycle_ticks = std::max<std::int64_t>(1, p::get(t, p::pt_plc_cycle) * 1'000'000 / config.tick_ns);
     config.answer_ticks = p::get(t, p::pt_answer_ticks);

@@ -8,11 +8,15 @@
 
 #include "ipc/capacities.hpp"
 #include "ipc/params/table.hpp"
+#include "ipc/path/stroke_zones.hpp"
+#include "kernel/config/servo_config.hpp"
 #include "kernel/config/spindle_config.hpp"
 
 namespace polyturn::kernel {
 
 inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+using ShortName = std::array<char, 8>;  // zero-ended
 
 struct AxisConfig {
     bool exists = false;
@@ -24,15 +28,16 @@ struct AxisConfig {
     double manual_rapid = 0, jog_max_feed = 0;
     double acceleration = 0;              // mm/s2
     double jerk = kUnlimited;             // mm/s3; N0401 = 0 means that acceleration may step
-    double gain = 0;                      // 1/s
-    double feedforward = 0;               // 0 when N0515 FFE is off
-    bool feedforward_in_rapid = false;
-    double in_position = 0;               // mm
     double estop_deceleration = 0;        // mm/s2, without jerk limit
-    double drive_frequency_hz = 60, drive_damping = 0.9;  // of the simulated drive
-    double error_standing = 0, error_moving = 0, error_absolute = 0;  // mm; N0519..N0521, 0: not supervised
-    bool stroke_limited = false;
-    double stroke_low = 0, stroke_high = 0;
+    double tick_s = 0.001;
+    ServoConfig servo;
+    ReferenceConfig reference;
+    double rollover = 0;                  // degrees of a turn; 0: positions run on
+    double index_step = 0;                // N0110 of an indexed axis; 0: none
+    double lubrication = 0;               // N1273, mm; 0: none
+    bool measured_only = false, hypothetical = false, named = false;
+    ShortName name{};                     // as programs call it; "A3" without a name
+    AxisStroke stroke;                    // ranges that are watched once the axis is referenced
 };
 
 // What the death of a channel's process means for the others of its machine group (PT_PARTNER_DEATH).
@@ -52,6 +57,13 @@ struct ChannelConfig {
     bool in_position_at_rapid_end = false;  // N1337 PCH
     bool feed_waits_for_spindle = true;   // PT_FEED_WAITS
     std::array<char, 3> aux_letters{};    // N1333 to N1335: whose values go to CN_AUX1C to CN_AUX3C
+    ChannelStroke stroke;
+};
+
+// N1101 to N1196.
+struct PositionSwitch {
+    std::uint32_t axis = 0;               // from 1; 0: there is no such switch
+    double low = 0, high = 0;             // mm, degrees
 };
 
 struct KernelConfig {
@@ -65,6 +77,7 @@ struct KernelConfig {
     std::array<AxisConfig, kMaxAxes> axes{};
     std::array<SpindleConfig, kMaxSpindles> spindles{};
     std::array<ChannelConfig, kMaxChannels> channels{};
+    std::array<PositionSwitch, 32> switches{};
     std::uint32_t axis_count = 0;         // highest existing one
     std::uint32_t spindle_count = 0;
 };

@@ -16,6 +16,7 @@ public:
     void start(double from, double sign, const Limits& limits, std::int64_t ticks, double distance, double room, double tick_s) noexcept;
     void stop() noexcept { ticks_ = 0, aims_ = false; }   // brakes
     bool active() const noexcept { return active_; }
+    void shift(double by) noexcept { from_ += by; }       // the axis' coordinate was moved
     // The position at the end of this tick.
     double step(double tick_s) noexcept;
 

@@ -5,24 +5,43 @@
 namespace polyturn::kernel {
 namespace {
 constexpr double kIncrementsPerUnit = 1e6;  // nct_parameters_part1 3.3: 1e-6 mm or degree
-constexpr double kStandstillSupervisionS = 1.0;
+constexpr std::uint16_t kEncoderErrors = 0x7300, kEncoderErrorMask = 0xFF00;   // CiA 402: sensor
 }  // namespace
 
 bool AxisUnit::open(unsigned number, const AxisConfig& config, double tick_s, double start, const PolyturnDriveApi& api) {
     config_ = config;
     api_ = &api;
+    const ServoConfig& servo = config.servo;
+    const ReferenceConfig& reference = config.reference;
+    pulses_per_unit_ = kIncrementsPerUnit * static_cast<double>(servo.divide) / static_cast<double>(servo.multiply);
     PolyturnDriveSetup setup{};
     setup.version = POLYTURN_DRIVE_VERSION;
     setup.number = number;
     setup.tick_s = tick_s;
-    setup.increments_per_unit = kIncrementsPerUnit;
-    setup.start_position = std::llround(start * kIncrementsPerUnit);
-    setup.frequency_hz = config.drive_frequency_hz;
-    setup.damping = config.drive_damping;
+    setup.increments_per_unit = pulses_per_unit_;
+    setup.start_position = std::llround(start * pulses_per_unit_ * (servo.input_inverted ? -1.0 : 1.0));
+    setup.frequency_hz = servo.drive_hz;
+    setup.damping = servo.drive_damping;
+    setup.backlash = servo.drive_backlash;
+    setup.friction = servo.drive_friction;
+    setup.drift = servo.drive_drift;
+    setup.at_slide = servo.drive_scale;
+    setup.motor_reversed = servo.output_inverted;
+    setup.encoder_reversed = servo.input_inverted;
+    // A simulated machine is built so that referencing it finds the coordinates that it has: its marks count from there.
+    setup.mark_distance = reference.by_pulse || reference.coded ? reference.pulse_distance : 0.0;
+    setup.mark_periods = reference.coded ? reference.periods : 0.0;
+    setup.mark_origin = reference.coded ? reference.position : reference.position - reference.shift;
     drive_ = api.open(&setup);
-    command_ = target_ = measured_ = own_command_ = own_target_ = start;
-    lag_s_ = 2.0 * config.drive_damping / (2.0 * 3.14159265358979323846 * config.drive_frequency_hz);
+    command_ = target_ = own_command_ = own_target_ = start;
+    loop_.configure(servo, tick_s);
+    loop_.reset(start);
     return drive_ != nullptr;
+}
+
+void AxisUnit::configure(const AxisConfig& config) noexcept {
+    config_ = config;
+    if (drive_) loop_.configure(config.servo, config.tick_s);
 }
 
 void AxisUnit::close() {
@@ -38,43 +57,114 @@ bool AxisUnit::brake(double tick_s) noexcept {
     return v != 0.0;
 }
 
+void AxisUnit::shift(double by) noexcept {
+    origin_ += by;
+    command_ += by;
+    target_ += by;
+    own_command_ += by;
+    own_target_ += by;
+    kept_ += by;
+    shifted_ += by;
+    loop_.shift(by);
+}
+
+double AxisUnit::take_shift() noexcept {
+    const double by = shifted_;
+    shifted_ = 0;
+    return by;
+}
+
+double AxisUnit::take_way_back() noexcept {
+    const double way = way_back_;
+    way_back_ = 0;
+    return way;
+}
+
+// pulses x M / D millionths of a unit; the whole part exact in 128 bits, so that nothing drifts however far it travels (7.3).
+double AxisUnit::units(std::int64_t pulses) const noexcept {
+    __extension__ using Wide = __int128;
+    const Wide product = static_cast<Wide>(pulses) * config_.servo.multiply;
+    const auto whole = static_cast<std::int64_t>(product / config_.servo.divide);
+    const auto rest = static_cast<double>(static_cast<std::int64_t>(product % config_.servo.divide)) / static_cast<double>(config_.servo.divide);
+    const double increments = static_cast<double>(whole) + rest;
+    return (config_.servo.input_inverted ? -increments : increments) / kIncrementsPerUnit;
+}
+
+bool AxisUnit::mark_seen(double& machine) const noexcept {
+    if (!(status_.touch_probe & POLYTURN_DRIVE_MARK_SEEN)) return false;
+    machine = units(status_.probe_position) + origin_;
+    return true;
+}
+
 void AxisUnit::exchange(double tick_s, bool powered) noexcept {
-    if (powered && !powered_) command_ = target_ = measured_, own_command_ = own_target_ = measured_ - added_;  // follow-up (N0514 FUP = 0): closing the loop moves nothing
-    powered_ = powered;
+    const bool closes = powered && !requests.open && !config_.servo.open && !detached;
+    if (closes && !closed_) {
+        // Follow-up: off, closing the loop moves nothing; on, the axis goes back to where it was commanded (7.4).
+        const bool back = config_.servo.follow_up || requests.follow_up;
+        if (back) way_back_ = kept_ - loop_.position();
+        command_ = target_ = loop_.position();
+        own_command_ = own_target_ = command_ - added_;
+        loop_.reset(command_);
+        velocity_ = own_velocity_ = 0;
+    }
+    if (!closes && closed_) {
+        kept_ = command_;
+        uncounted_from_ = units(status_.position);
+    }
+    closed_ = closes;
+    if (!closes) target_ = command_, own_target_ = own_command_;
     const double v = (target_ - command_) / tick_s;
-    const double a = (v - velocity_) / tick_s;
-    // error_ and the command it was taken from are a tick old, both of the same moment.
-    double speed = config_.gain * error_;
-    if (!rapid || config_.feedforward_in_rapid) speed += config_.feedforward * (v + lag_s_ * a);
+    if (!forwarded_) output_ = closes ? loop_.speed(target_, rapid) : 0.0;
+    const bool enabled = forwarded_ ? powered && !detached : closes;
+    forwarded_ = false;
     PolyturnDriveCommand out{};
-    out.control = powered && !faulted() ? POLYTURN_DRIVE_ENABLE : POLYTURN_DRIVE_SHUTDOWN;
+    out.control = enabled && !faulted() ? POLYTURN_DRIVE_ENABLE : POLYTURN_DRIVE_SHUTDOWN;
     if (status_.status == POLYTURN_DRIVE_FAULT && !faulted()) out.control = POLYTURN_DRIVE_FAULT_RESET;
     out.mode = POLYTURN_DRIVE_MODE_VELOCITY;
-    out.brake_release = powered;
+    out.brake_release = enabled;
     out.torque_limit = 1000;
-    const double exact = speed * kIncrementsPerUnit * 1e3 + remainder_;
+    out.touch_probe = mark_armed_ ? POLYTURN_DRIVE_MARK_ARMED : 0;
+    const double exact = (config_.servo.output_inverted ? -output_ : output_) * pulses_per_unit_ * 1e3 + remainder_;
     out.target_velocity = static_cast<std::int64_t>(std::floor(exact + 0.5));
     remainder_ = exact - static_cast<double>(out.target_velocity);
     api_->exchange(drive_, &out, &status_);
-    measured_ = static_cast<double>(status_.position) / kIncrementsPerUnit;
-    error_ = powered ? command_ - measured_ : 0.0;
+    const double encoder = units(status_.position);
+    if (closes) {
+        if (has_direct_) loop_.measured_direct(encoder + origin_, direct_);
+        else loop_.measured(encoder + origin_);
+        error_ = loop_.error();
+    } else {
+        // Pulses of an open loop belong to the axis, unless its encoder serves somebody else at present (EFD).
+        if (config_.servo.no_count_open || requests.no_count) origin_ -= encoder - uncounted_from_;
+        uncounted_from_ = encoder;
+        loop_.reset(encoder + origin_);
+        // Switched off, the command waits for the machine to be switched on; an open loop never has one.
+        if (requests.open || config_.servo.open || detached) command_ = target_ = encoder + origin_, own_command_ = own_target_ = command_ - added_;
+        error_ = 0;
+    }
+    has_direct_ = false;
     moving_ = target_ != command_;
     still_ticks_ = moving_ ? 0 : still_ticks_ + 1;
-    velocity_ = v;
+    velocity_ = closes ? v : 0.0;
     command_ = target_;
     own_velocity_ = (own_target_ - own_command_) / tick_s;
     own_command_ = own_target_;
-    if (powered) supervise(tick_s);
+    if (closes) supervise();
 }
 
-void AxisUnit::supervise(double tick_s) noexcept {
-    if (status_.status == POLYTURN_DRIVE_FAULT) fault_ = Fault::Drive;
+void AxisUnit::supervise() noexcept {
+    if (status_.status == POLYTURN_DRIVE_FAULT) {
+        const bool encoder = (status_.error_code & kEncoderErrorMask) == kEncoderErrors;
+        if (!(encoder && (config_.servo.encoder_unwatched || requests.unwatched))) fault_ = Fault::Drive;
+    }
     if (faulted()) return;
-    const double size = std::fabs(error_);
-    if (config_.error_absolute > 0 && size > config_.error_absolute) fault_ = Fault::FollowingError;
-    // The lag of a stop dies out within a few 1/K; what is left long after is a drive that does not follow.
-    if (config_.error_standing > 0 && size > config_.error_standing && static_cast<double>(still_ticks_) * tick_s > kStandstillSupervisionS)
-        fault_ = Fault::StandstillError;
+    const ServoConfig& servo = config_.servo;
+    const double following = std::fabs(error_), model = std::fabs(loop_.model_error());
+    const auto fault = [&](Fault kind, double value) { fault_ = kind, fault_value_ = value; };
+    if (servo.error_absolute > 0 && following > servo.error_absolute) return fault(Fault::FollowingError, error_);
+    if (loop_.dual_differs()) return fault(Fault::DualDifference, loop_.model_error());
+    if (loop_.standing() && servo.error_standing > 0 && model > servo.error_standing) return fault(Fault::StandstillError, loop_.model_error());
+    if (!loop_.standing() && servo.error_moving > 0 && model > servo.error_moving) return fault(Fault::ModelError, loop_.model_error());
 }
 
 }  // namespace polyturn::kernel

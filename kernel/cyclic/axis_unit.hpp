@@ -1,45 +1,60 @@
 // One machine axis: commanded position, position loop, supervision, and the drive behind it.
 //
 // In tick n (from t[n] to t[n+1]) the axis knows command() = cmd(t[n]), is given the command for t[n+1], and hands the
-// drive a speed. What the drive measured at t[n] arrives with the exchange, is shown with this tick, and enters the loop in
-// the next one together with the command of the same moment: an encoder that is a tick late leaves no error behind.
+// drive a speed. What the drive measured at t[n] arrives with the exchange, is shown with this tick, and enters the loop
+// (position_loop.hpp) in the next one.
 //
-//     speed = K (cmd - act)|a tick ago  +  A (v + 2d/w a)      K N0504, A N0511
-// v and a are those of the command over this very tick, 2d/w is the lag of the drive: with A = 1 an ideal drive follows
-// without error, with A = 0 it lags by v / K.
+// Machine coordinate = encoder (after N0512 / N0513) + origin. Referencing moves the origin: command, target and measurement
+// jump together, the drive does not notice.
 #pragma once
 #include <cstdint>
 
 #include "kernel/config/kernel_config.hpp"
+#include "kernel/cyclic/position_loop.hpp"
 #include "kernel/drives/drive.h"
 
 namespace polyturn::kernel {
 
 class AxisUnit {
 public:
-    enum class Fault : std::uint8_t { None, Drive, FollowingError, StandstillError };
+    enum class Fault : std::uint8_t { None, Drive, FollowingError, StandstillError, ModelError, DualDifference };
+    // What the PLC says about the loop; it acts with the next exchange.
+    struct Requests {
+        bool open = false;          // AP_OPNR
+        bool no_count = false;      // AP_EFD
+        bool follow_up = false;     // AP_FLWU
+        bool unwatched = false;     // AP_END
+    };
 
     // Not in the cyclic thread: opens the drive.
     bool open(unsigned number, const AxisConfig& config, double tick_s, double start, const PolyturnDriveApi& api);
     void close();
-    void configure(const AxisConfig& config) noexcept { config_ = config; }
+    void configure(const AxisConfig& config) noexcept;
 
     const AxisConfig& config() const noexcept { return config_; }
     bool exists() const noexcept { return drive_ != nullptr; }
     double command() const noexcept { return command_; }   // at the start of this tick
     double target() const noexcept { return target_; }     // at its end
     double velocity() const noexcept { return velocity_; } // of the command over the last tick
-    double measured() const noexcept { return measured_; } // at the start of the last exchanged tick
+    double measured() const noexcept { return loop_.position(); } // at the start of the last exchanged tick
     double error() const noexcept { return error_; }
     bool moving() const noexcept { return moving_; }
-    bool in_position() const noexcept { return !moving_ && still_ticks_ > 1 && error_ <= config_.in_position && error_ >= -config_.in_position; }
+    bool in_position() const noexcept { return !moving_ && still_ticks_ > 1 && error_ <= config_.servo.in_position && error_ >= -config_.servo.in_position; }
     bool faulted() const noexcept { return fault_ != Fault::None; }
     Fault fault() const noexcept { return fault_; }
+    double fault_value() const noexcept { return fault_value_; }
     void clear_fault() noexcept { fault_ = Fault::None; }
+    bool closed() const noexcept { return closed_; }       // the position loop
+    double output_speed() const noexcept { return output_; }
+    // What is owed after machine on with follow-up (N0514 FUP): the way back to the kept command; 0 none. Read once.
+    double take_way_back() noexcept;
+
     bool referenced = false;
+    bool detached = false;                                 // AN_DETCHA: does not exist until it is attached again
     bool rapid = false;                                    // feedforward in rapid is a choice of its own (N0515 FFR)
     std::uint32_t owner = 0;                               // channel (from 1) that moves it now
     std::uint32_t stroke_side = 0;                         // bit 0 at the positive end, bit 1 at the negative end
+    Requests requests;
 
     // Where the axis is to be at the end of this tick. Not called: it stays.
     void move_to(double position) noexcept {
@@ -57,23 +72,37 @@ public:
     bool slave = false;                                    // synchronous: nobody but its master may move it
     // Own braking at PT_ESTOP_DEC, away from any path (emergency stop, drive fault). True while it still moves.
     bool brake(double tick_s) noexcept;
-    // The position loop and the drive; ends the tick. `powered`: the loop is closed.
+    // The machine coordinate of where it is becomes greater by this much.
+    void shift(double by) noexcept;
+    double take_shift() noexcept;                          // since the last call: couplings count from where axes were
+    // The position loop and the drive; ends the tick. `powered`: the machine lets it be closed.
     void exchange(double tick_s, bool powered) noexcept;
+    // A tandem slave: its drive gets its master's speed.
+    void forward(double speed) noexcept { forwarded_ = true, output_ = speed; }
+    // The axis that carries this one's direct measuring device, read in the same tick.
+    void use_direct(double slide) noexcept { direct_ = slide, has_direct_ = true; }
+    // Zero pulses and marks of the encoder: armed, one that passes is latched.
+    void watch_mark(bool on) noexcept { mark_armed_ = on; }
+    bool mark_seen(double& machine) const noexcept;        // in the last exchange: where
     void* drive() const noexcept { return drive_; }
 
 private:
-    void supervise(double tick_s) noexcept;
+    void supervise() noexcept;
+    [[nodiscard]] double units(std::int64_t pulses) const noexcept;
     AxisConfig config_;
     const PolyturnDriveApi* api_ = nullptr;
     void* drive_ = nullptr;
+    PositionLoop loop_;
     double command_ = 0, target_ = 0, velocity_ = 0;
-    double own_command_ = 0, own_target_ = 0, own_velocity_ = 0, added_ = 0;
-    double measured_ = 0, error_ = 0;
-    double remainder_ = 0;                                 // of the speed command, thousandths of an increment
-    double lag_s_ = 0;
+    double own_command_ = 0, own_target_ = 0, own_velocity_ = 0, added_ = 0, shifted_ = 0;
+    double error_ = 0, origin_ = 0;
+    double pulses_per_unit_ = 1e6;
+    double output_ = 0, remainder_ = 0;                    // remainder: of the speed command, thousandths of a pulse
+    double kept_ = 0, way_back_ = 0, direct_ = 0, fault_value_ = 0;
+    double uncounted_from_ = 0;                            // encoder when it stopped counting
     std::int64_t still_ticks_ = 2;
-    bool moving_ = false;
-    bool powered_ = true;                                  // nothing to follow up at the start: command and drive agree
+    bool moving_ = false, forwarded_ = false, has_direct_ = false, mark_armed_ = false, not_counting_ = false;
+    bool closed_ = true;                                   // nothing to follow up at the start: command and drive agree
     Fault fault_ = Fault::None;
     PolyturnDriveStatus status_{};
 };

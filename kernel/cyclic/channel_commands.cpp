@@ -97,6 +97,7 @@ void ChannelRunner::finish_reset() noexcept {
     step_ = {};
     step_.record = cursor_;
     flying_ = kNoRecord;
+    cut_ = {};
     phase_ = Phase::None;
     at_boundary_ = true;
     thread_moving_ = thread_committed_ = false;

@@ -19,7 +19,7 @@ void ChannelRunner::execute_standing(double& left) noexcept {
     for (int i = 0; i < kStandingPerTick; ++i) {
         if (cursor_ >= planner_->next_record()) return;
         const PathRecord& r = record(cursor_);
-        if (!stops_path(r)) return;
+        if (!stops_path(r) && !(cursor_ == cut_.record && cut_.s < kOnLimit)) return;
         if (!begun_) {
             // A new step needs a running program; one that has begun is brought to its end in a hold too.
             if (state_ != ChannelState::Running || hold_ || interrupted_ || resetting_ || dead_ || core_.all_stop) return;
@@ -30,6 +30,12 @@ void ChannelRunner::execute_standing(double& left) noexcept {
             begun_ = true;
             phase_since_ = core_.tick;
             if (!is_motion(r)) begin_record(r, (1.0 - left) * core_.config.tick_s);
+        }
+        if (cursor_ == cut_.record) {  // nothing of it may be driven, or it is a thread, which cannot stand within
+            if (interrupted_) return;
+            begin_record(r, (1.0 - left) * core_.config.tick_s);
+            stand_at_limit();
+            return;
         }
         if (is_motion(r)) {
             if (!thread(left)) return;

@@ -96,6 +96,7 @@ void ChannelRunner::supply() noexcept {
     const auto head = segment_->path.head.load(std::memory_order_acquire);
     if (!dead_ && !stopped_) limit_ = std::min(head, cursor_ + core_.config.horizon);
     visible_end_ = limit_;
+    judge_stroke_anew();
     while (planner_->wants_record() && planner_->next_record() < visible_end_) {
         const PathRecord& r = record(planner_->next_record());
         if (r.epoch != epoch_) break;  // pushed after a reset of which the path has not come to rest yet
@@ -103,8 +104,43 @@ void ChannelRunner::supply() noexcept {
         if (flying && flying_ == kNoRecord) flying_ = planner_->next_record();
         PlannedRecord planned = PlannedRecord::from(r, stops_path(r));
         if (r.flags & kTapping) limit_tapping(r, planned);
+        if (is_motion(r) && ends_at_limit(r)) {
+            planned.length = cut_.s;
+            planned.stop_after = true;
+            planned.stop_before = planned.stop_before || cut_.s < kOnLimit;
+        }
         planner_->append(planned);
     }
+}
+
+// Limits that have changed act on what is planned as soon as the path rests; until then the axes are braked where they must.
+void ChannelRunner::judge_stroke_anew() noexcept {
+    if (!cut_.places_known || cut_.version != core_.stroke.version(index_)) {
+        if (!at_rest() || !at_boundary_) return;
+        planner_->clear(cursor_);
+        flying_ = kNoRecord;
+        cut_.record = kNoRecord;
+        cut_.version = core_.stroke.version(index_);
+    } else if (planner_->next_record() != cursor_ || !at_rest()) {
+        return;
+    }
+    core_.stroke.places_now(core_, index_, cut_.places);   // nothing is planned: the axes stand where they are
+    cut_.places_known = true;
+    if (planner_->next_record() == cursor_ && cut_.record < cursor_) cut_.record = kNoRecord;
+}
+
+bool ChannelRunner::ends_at_limit(const PathRecord& r) noexcept {
+    StrokeFault fault;
+    const double s = core_.stroke.exit_of(index_, r, cut_.places, fault);
+    if (!(s < r.length) || cut_.record != kNoRecord) return false;
+    cut_.record = planner_->next_record();
+    cut_.s = s;
+    cut_.fault = fault;
+    return true;
+}
+
+void ChannelRunner::stand_at_limit() noexcept {
+    raise(Alarm::StrokeLimit, name_of('A', core_.stroke.axis_of(index_, cut_.fault.axis)).view(), cut_.fault.limit);
 }
 
 void ChannelRunner::run() noexcept {
@@ -166,6 +202,12 @@ void ChannelRunner::drive() noexcept {
     step_ = planner_->tick(input);
     report_progress();
     if (skipping_ && planner_->at_rest()) end_skipped_move();
+    if (cut_.record < step_.ended_to && cut_.record >= step_.ended_from) {  // at the limit, in the middle of the record
+        cursor_ = cut_.record;
+        moving_ = true;
+        at_boundary_ = false;
+        return;
+    }
     const bool ended = step_.ended_to > step_.record;  // it stands at the end of that record
     cursor_ = ended ? step_.record + 1 : step_.record;
     moving_ = step_.speed > 0 || step_.ended_to > step_.ended_from;
@@ -223,6 +265,12 @@ void ChannelRunner::report_progress() noexcept {
         if (i < step_.ended_from || i >= step_.ended_to) continue;
         const double offset_s = planner_->end_fraction(i) * dt;
         cursor_record_ = i;
+        if (i == cut_.record) {
+            place_axes(r, cut_.s);
+            line_ = r.line, block_ = r.block, file_ = r.file;
+            stand_at_limit();
+            continue;
+        }
         if (is_motion(r)) place_axes(r, r.length);
         else execute_instant(r, offset_s);
         finished(r, i, offset_s);

@@ -84,6 +84,9 @@ private:
     static bool is_motion(const PathRecord& r) noexcept { return r.kind >= 1 && r.kind <= static_cast<std::uint8_t>(RecordKind::Curve); }
     static bool stops_path(const PathRecord& r) noexcept;
     void drop_old_epochs() noexcept;
+    void judge_stroke_anew() noexcept;
+    bool ends_at_limit(const PathRecord& r) noexcept;
+    void stand_at_limit() noexcept;
     void execute_standing(double& left) noexcept;
     bool execute(const PathRecord& r, double& left) noexcept;    // true: done, the next one may begin
     bool execute_instant(const PathRecord& r, double offset_s) noexcept;
@@ -144,6 +147,15 @@ private:
     std::uint64_t cursor_ = 0;             // running record, or the one before which the path stands
     std::uint64_t visible_end_ = 0, limit_ = ~0ull;  // limit_: what a dead or stopped process had promised
     bool at_boundary_ = true;              // the path stands and the record at cursor_ may begin
+    // The record that leads out of the stroke, how far along it the path may go, and why; judged when it is planned.
+    struct Cut {
+        std::uint64_t record = kNoRecord;
+        double s = 0;
+        StrokeFault fault;
+        std::uint64_t version = 0;             // of the limits that it was judged by
+        StrokeGuard::Places places{};          // of the channel's axes at the end of what is planned
+        bool places_known = false;
+    } cut_;
     std::uint64_t flying_ = kNoRecord;     // nearest flying wait that still stops the path
     Phase phase_ = Phase::None;
     bool begun_ = false;                   // the standing record has reported its beginning

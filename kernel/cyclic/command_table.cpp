@@ -29,12 +29,14 @@ void Machine::run_command(const Command& c) noexcept {
     const auto key = [&](std::uint32_t bits) {
         each_channel(c, [&](ChannelRunner& r) { r.pressed_keys = on ? r.pressed_keys | bits : r.pressed_keys & ~bits; });
     };
+    const auto failure = static_cast<SimulatedDrive::Failure>(static_cast<int>(c.value));   // DriveFault
     switch (static_cast<CommandKind>(c.kind)) {
         case CommandKind::CycleStart: each_channel(c, [](ChannelRunner& r) { r.cycle_start(); }); break;
         case CommandKind::FeedHold: each_channel(c, [](ChannelRunner& r) { r.feed_hold(); }); break;
         case CommandKind::Reset:
             each_channel(c, [](ChannelRunner& r) { r.reset(); });
             for (AxisJog& jog : jogs_) jog.stop();
+            stop_homing();
             reset_machine();
             break;
         case CommandKind::EmergencyStop: emergency_stop(Alarm::EmergencyStop, 0, {}, 0); break;
@@ -78,10 +80,10 @@ void Machine::run_command(const Command& c) noexcept {
             break;
         case CommandKind::DriveFault:
             if (!c.flags && c.object >= 1 && c.object <= kMaxAxes && core_.config.axes[c.object - 1].on_spindle)
-                core_.spindles[core_.config.axes[c.object - 1].on_spindle - 1].simulated()->fail(on);
+                core_.spindles[core_.config.axes[c.object - 1].on_spindle - 1].simulated()->fail(failure);
             else if (!c.flags && c.object >= 1 && c.object <= kMaxAxes && core_.axes[c.object - 1].exists())
-                static_cast<SimulatedDrive*>(core_.axes[c.object - 1].drive())->fail(on);
-            if (c.flags && c.object >= 1 && c.object <= kMaxSpindles && core_.spindles[c.object - 1].simulated()) core_.spindles[c.object - 1].simulated()->fail(on);
+                static_cast<SimulatedDrive*>(core_.axes[c.object - 1].drive())->fail(failure);
+            if (c.flags && c.object >= 1 && c.object <= kMaxSpindles && core_.spindles[c.object - 1].simulated()) core_.spindles[c.object - 1].simulated()->fail(failure);
             break;
         case CommandKind::SetParameter: (void)core_.store.ask_parameter(text_of(c), core_.tick, core_.config.answer_ticks); break;
         case CommandKind::Watch:
@@ -95,8 +97,7 @@ void Machine::run_command(const Command& c) noexcept {
         case CommandKind::Step:
         case CommandKind::Handwheel: jog_command(c); break;
         case CommandKind::Reference:
-            for (std::uint32_t a = 0; a < kMaxAxes; ++a)
-                if ((c.object == 0 || c.object == a + 1) && core_.axes[a].exists()) core_.axes[a].referenced = true;
+            reference_command(c);
             break;
         case CommandKind::Action:
             core_.event(KernelEventKind::ActionDue, c.channel, static_cast<std::int32_t>(c.seq), c.value, c.object, text_of(c));

@@ -11,6 +11,7 @@
 #include "kernel/cyclic/signals.hpp"
 #include "kernel/cyclic/spindle_unit.hpp"
 #include "kernel/cyclic/store_link.hpp"
+#include "kernel/cyclic/stroke_guard.hpp"
 #include "kernel/cyclic/waits.hpp"
 
 namespace polyturn::kernel {
@@ -53,6 +54,7 @@ struct Core {
         double left_at = 0;                // where the axis was when it lost the drive
     };
     std::array<SharedAxis, kMaxAxes> shared_axes{};
+    StrokeGuard stroke;
     ChannelSet jogging = 0;                // channels of which an axis is moved by hand
     std::array<double, kMaxSpindles> spindle_rev_s{};  // measured, for feed per revolution
 

@@ -165,6 +165,14 @@ void Couplings::follow(Core& core, std::size_t a) noexcept {
     }
 }
 
+void Couplings::shifted(std::size_t axis, double by) noexcept {
+    for (std::size_t a = 0; a < kMaxAxes; ++a)
+        for (Follow* follow : {&links_[a].sync, &links_[a].add}) {
+            if (follow->master == axis + 1) follow->master_ref += by;
+            if (a == axis) follow->own_ref += by;
+        }
+}
+
 void Couplings::step(Core& core) noexcept {
     torn_ = 0;
     if (count_ == 0) return;

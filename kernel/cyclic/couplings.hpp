@@ -29,6 +29,9 @@ public:
     // After channels and jogs have said where their axes go, before limits and drives.
     void step(Core& core) noexcept;
 
+    // Referencing gave an axis (from 0) other numbers: its couplings count on from them.
+    void shifted(std::size_t axis, double by) noexcept;
+
     // For status and channels; axis numbers from 1, 0 none.
     std::uint32_t synchronous_master(std::size_t a) const noexcept { return links_[a].sync.on ? links_[a].sync.master : 0; }
     std::uint32_t superimposed_master(std::size_t a) const noexcept { return links_[a].add.on ? links_[a].add.master : 0; }

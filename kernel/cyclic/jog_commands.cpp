@@ -40,8 +40,7 @@ void Machine::jog_command(const Command& c) noexcept {
     const double distance = kind == CommandKind::Jog ? 0.0 : kind == CommandKind::Step ? size : size * kWheelClick;
     const double by_hand = config.manual_rapid > 0 ? std::fmin(config.manual_rapid, config.rapid) : config.rapid;
     const AxisJog::Limits limits{kind == CommandKind::Jog ? jog_feed(a) : by_hand, config.acceleration, config.jerk};
-    double room = kUnlimited;
-    if (config.stroke_limited && axis.referenced) room = sign > 0 ? config.stroke_high - axis.command() : axis.command() - config.stroke_low;
+    const double room = core_.stroke.room(core_, a, sign);
     jogs_[a].start(axis.own(), sign, limits, std::llround(size / core_.config.tick_s), distance, room, core_.config.tick_s);
     if (jogs_[a].active()) axis.owner = 0;
 }

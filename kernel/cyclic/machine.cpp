@@ -6,7 +6,6 @@
 
 namespace polyturn::kernel {
 namespace {
-constexpr double kStrokeTolerance = 1e-6;          // mm: a move to the limit itself is allowed
 constexpr double kPlcQuietS = 0.2;                 // a PLC whose signals stand for so long counts down nothing
 constexpr double kHandshakeQuietS = 20.0;          // ... unless an M, S or T is open: turrets and chucks take their time
 }  // namespace
@@ -29,6 +28,7 @@ void Machine::start() {
     core_.virtual_time = options.virtual_time != 0;
     read_config(core_.table, core_.config, true);
     couplings_.configure(core_.table, core_.config);
+    core_.stroke.configure(core_.config);
     core_.image.tick_ns.store(static_cast<std::uint64_t>(core_.config.tick_ns), std::memory_order_release);
     for (unsigned a = 0; a < kMaxAxes; ++a) {
         if (!core_.config.axes[a].exists) continue;
@@ -46,6 +46,7 @@ void Machine::start() {
     }
     show_free_parameters();
     store_version_ = store_segment_->version.load(std::memory_order_acquire);
+    core_.stroke.update(core_);
     set_state(options.ready ? MachineState::On : MachineState::Off);
     publish();
 }
@@ -94,12 +95,17 @@ void Machine::tick() noexcept {
     take_commands();
     take_answers();
     supervise();
+    core_.stroke.update(core_);
     run_channels();
+    run_homing();
     run_jogs();
     run_spindles();
+    for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
+        if (const double by = core_.axes[a].take_shift(); by != 0) couplings_.shifted(a, by);
     couplings_.step(core_);
     if (const std::uint32_t torn = couplings_.torn_gantry(); torn && core_.on()) emergency_stop(Alarm::GantryError, core_.config.axes[torn - 1].channel, name_of('A', torn - 1).view(), core_.axes[torn - 1].measured());
     run_axes();
+    position_signals();
     watch_signals();
     trace();
     ++core_.tick;
@@ -115,6 +121,7 @@ void Machine::take_answers() noexcept {
         read_config(core_.table, core_.config, false);
         couplings_.configure(core_.table, core_.config);
         show_free_parameters();
+        core_.stroke.configure(core_.config);
         for (unsigned a = 0; a < core_.config.axis_count; ++a) core_.axes[a].configure(core_.config.axes[a]);
         for (unsigned s = 0; s < core_.config.spindle_count; ++s) core_.spindles[s].configure(core_.config.spindles[s]);
         for (auto& channel : channels_) channel->store_changed();
@@ -152,20 +159,13 @@ void Machine::run_axes() noexcept {
         AxisUnit& axis = core_.axes[a];
         if (!axis.exists()) continue;
         const bool was_faulted = axis.faulted();
-        const AxisConfig& config = axis.config();
-        if (config.stroke_limited && axis.referenced) {
-            // The channel refuses targets outside; this is the last defence. At v the axis needs at least v^2/2a to stop.
-            const double v = (axis.target() - axis.command()) / core_.config.tick_s;
-            const double ends = axis.target() + (v > 0 ? v * v : -v * v) / (2.0 * config.acceleration);
-            axis.stroke_side = (axis.target() >= config.stroke_high ? 1u : 0u) | (axis.target() <= config.stroke_low ? 2u : 0u);
-            const bool out = (v > 0 && ends > config.stroke_high + kStrokeTolerance) || (v < 0 && ends < config.stroke_low - kStrokeTolerance);
-            if (out && axis.owner) channels_[axis.owner - 1]->fault(Alarm::StrokeLimit, name_of('A', a).view(), v > 0 ? config.stroke_high : config.stroke_low);
-            for (std::uint32_t by = out ? couplings_.master_of(a) : 0; by; by = couplings_.master_of(by - 1))   // whoever moves it stops too
-                if (const std::uint32_t mover = core_.axes[by - 1].owner) channels_[mover - 1]->fault(Alarm::StrokeLimit, name_of('A', a).view(), v > 0 ? config.stroke_high : config.stroke_low);
-            core_.signals.set_nc(signals::an_otp(a + 1), axis.stroke_side & 1u);
-            core_.signals.set_nc(signals::an_otn(a + 1), axis.stroke_side >> 1 & 1u);
-        }
-        const bool lent = config.on_spindle && !core_.shared_axes[a].has_drive;
+        axis.requests = {core_.signals.plc(signals::ap_opnr(a + 1)) != 0, core_.signals.plc(signals::ap_efd(a + 1)) != 0,
+                         core_.signals.plc(signals::ap_flwu(a + 1)) != 0, core_.signals.plc(signals::ap_end(a + 1)) != 0};
+        attach_and_detach(a);
+        watch_drive_reference(a);
+        guard_stroke(a);
+        lubricated_[a] += std::fabs(axis.target() - axis.command());
+        const bool lent = axis.config().on_spindle && !core_.shared_axes[a].has_drive;
         axis.exchange(core_.config.tick_s, core_.state != MachineState::Off && !lent);
         if (axis.faulted() && !was_faulted) axis_fault(a);
         core_.signals.set_nc(signals::an_inpos(a + 1), axis.in_position());
@@ -176,9 +176,8 @@ void Machine::run_axes() noexcept {
 
 void Machine::axis_fault(std::size_t a) noexcept {
     const AxisUnit& axis = core_.axes[a];
-    const Alarm reason = axis.fault() == AxisUnit::Fault::Drive ? Alarm::DriveFault
-                       : axis.fault() == AxisUnit::Fault::FollowingError ? Alarm::FollowingError : Alarm::StandstillError;
-    emergency_stop(reason, axis.config().channel, name_of('A', a).view(), axis.error());
+    static constexpr Alarm kReasons[] = {Alarm::DriveFault, Alarm::DriveFault, Alarm::FollowingError, Alarm::StandstillError, Alarm::ModelError, Alarm::DualDifference};
+    emergency_stop(kReasons[static_cast<std::size_t>(axis.fault())], axis.config().channel, name_of('A', a).view(), axis.fault_value());
 }
 
 void Machine::emergency_stop(Alarm reason, std::uint32_t channel, std::string_view detail, double value) noexcept {
@@ -205,7 +204,7 @@ bool Machine::idle() noexcept {
     for (std::uint32_t s = 0; s < core_.config.spindle_count; ++s)
         if (core_.spindles[s].exists() && !core_.spindles[s].settled()) return false;
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
-        if (core_.axes[a].exists() && (core_.axes[a].moving() || jogs_[a].active())) return false;
+        if (core_.axes[a].exists() && (core_.axes[a].moving() || jogs_[a].active() || to_reference_[a])) return false;
     const double quiet_s = static_cast<double>(plc_.quiet_ticks()) * core_.config.tick_s;
     return !plc_.present() ? !handshake || plc_.dead() : quiet_s >= (handshake ? kHandshakeQuietS : kPlcQuietS);
 }

@@ -19,6 +19,7 @@
 #include "kernel/cyclic/command_queue.hpp"
 #include "kernel/cyclic/core.hpp"
 #include "kernel/cyclic/couplings.hpp"
+#include "kernel/cyclic/homing.hpp"
 #include "kernel/cyclic/plc_link.hpp"
 #include "kernel/drives/shared_drive.hpp"
 
@@ -67,6 +68,14 @@ private:
     void open_spindle(unsigned index);
     void open_axis(unsigned index, double at);
     void share_drives() noexcept;
+    void reference_command(const Command& command) noexcept;
+    void reference_axis(std::uint32_t axis, bool alone) noexcept;
+    void run_homing() noexcept;
+    void stop_homing() noexcept;
+    void watch_drive_reference(std::uint32_t axis) noexcept;
+    void guard_stroke(std::uint32_t axis) noexcept;
+    void attach_and_detach(std::uint32_t axis) noexcept;
+    void position_signals() noexcept;
     void run_spindles() noexcept;
     void spindle_fault(std::uint32_t index) noexcept;
     void run_axes() noexcept;
@@ -94,6 +103,10 @@ private:
     std::array<AxisJog, kMaxAxes> jogs_{};
     std::array<std::unique_ptr<SharedDrive>, kMaxSpindles> shared_drives_{};
     Couplings couplings_;
+    std::array<Homing, kMaxAxes> homing_{};
+    std::array<bool, kMaxAxes> to_reference_{};        // wanted, and not begun: an axis of a lower order comes first
+    std::array<bool, kMaxAxes> drive_ready_{};         // AP_RPE at the last tick
+    std::array<double, kMaxAxes> lubricated_{};        // travel since AN_LUBR, mm
     struct Watch {
         bool plc = false, is_double = false;
         std::uint32_t slot = 0;

@@ -29,8 +29,8 @@ void Machine::open_axis(unsigned index, double at) {
     setup.number = s + 1;
     setup.tick_s = core_.config.tick_s;
     setup.start_position = std::llround(at * 1e6);
-    setup.frequency_hz = config.drive_frequency_hz;
-    setup.damping = config.drive_damping;
+    setup.frequency_hz = config.servo.drive_hz;
+    setup.damping = config.servo.drive_damping;
     shared_drives_[s] = std::make_unique<SharedDrive>(simulated_drive_api(), setup, spindle.drive_counts);
     shared_drives_[s]->hand_to_axis();
     core_.axes[index].open(index + 1, config, core_.config.tick_s, at, SharedDrive::axis_side());

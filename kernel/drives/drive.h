@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-#define POLYTURN_DRIVE_VERSION 1u
+#define POLYTURN_DRIVE_VERSION 2u
 
 /* Control word (object 6040h). */
 #define POLYTURN_DRIVE_SHUTDOWN 0x0006u
@@ -34,6 +34,10 @@ extern "C" {
 
 /* Touch probe function (60B8h) and status (60B9h): bit 0 probe 1 armed / seen. */
 #define POLYTURN_DRIVE_PROBE_ARMED 0x0001u
+/* Trigger by the encoder's zero pulse or the next mark of a distance-coded scale; seen: probe_position is the latched one,
+ * for the one exchange that follows its passing. */
+#define POLYTURN_DRIVE_MARK_ARMED 0x0004u
+#define POLYTURN_DRIVE_MARK_SEEN 0x0004u
 
 typedef struct PolyturnDriveCommand {
     uint16_t control;
@@ -61,7 +65,17 @@ typedef struct PolyturnDriveSetup {
     double tick_s;
     double increments_per_unit;   /* millimetre, degree or revolution */
     int64_t start_position;       /* simulated drives begin there */
-    double frequency_hz, damping; /* simulated drives: how their speed follows the command */
+    /* What follows concerns simulated drives only. */
+    double frequency_hz, damping; /* how their speed follows the command */
+    double backlash;              /* play between motor and slide, units */
+    double friction;              /* standing, it does not break away below this command, units/s */
+    double drift;                 /* speed without a command, units/s */
+    double mark_distance;         /* units between zero pulses, or between the fixed marks of a coded scale; 0 none */
+    double mark_periods;          /* coded scale: signal periods between two fixed marks; 0: not coded */
+    double mark_origin;           /* position of a mark, units; of the scale's zero */
+    uint8_t at_slide;             /* 1: measured behind the play */
+    uint8_t motor_reversed, encoder_reversed;  /* wired so: the kernel's signs undo it */
+    uint8_t reserved[5];
 } PolyturnDriveSetup;
 
 typedef struct PolyturnDriveApi {

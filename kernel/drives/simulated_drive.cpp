@@ -46,8 +46,19 @@ const PolyturnDriveApi& simulated_drive_api() {
 
 SimulatedDrive::SimulatedDrive(const PolyturnDriveSetup& setup)
     : increments_per_unit_(setup.increments_per_unit),
-      position_(static_cast<double>(setup.start_position) / setup.increments_per_unit),
-      rounding_(setup.increments_per_unit > 1e5 ? 0.5 : 0.0) {
+      position_(static_cast<double>(setup.start_position) / setup.increments_per_unit * (setup.encoder_reversed ? -1.0 : 1.0)),
+      slide_(position_),
+      backlash_(setup.backlash),
+      friction_(setup.friction),
+      drift_(setup.drift),
+      mark_distance_(setup.mark_distance),
+      mark_periods_(setup.mark_periods),
+      mark_origin_(setup.mark_origin),
+      last_seen_(position_),
+      sign_(setup.motor_reversed ? -1.0 : 1.0),
+      encoder_sign_(setup.encoder_reversed ? -1.0 : 1.0),
+      rounding_(setup.increments_per_unit > 1e5 ? 0.5 : 0.0),
+      at_slide_(setup.at_slide != 0) {
     const double w = 2.0 * 3.14159265358979323846 * setup.frequency_hz, t = setup.tick_s;
     // In the units (w p, v, a / w) and time w t every entry is near 1. The held input is a fourth state with derivative 0:
     // one exponential gives A and B.
@@ -70,27 +81,63 @@ void SimulatedDrive::step(double commanded) noexcept {
     position_ += a_[0][1] * v + a_[0][2] * a + b_[0] * commanded;
     speed_ = a_[1][1] * v + a_[1][2] * a + b_[1] * commanded;
     acceleration_ = a_[2][1] * v + a_[2][2] * a + b_[2] * commanded;
+    // The motor pushes the slide with one flank of the play: upwards with its lower end, downwards with its upper one.
+    if (position_ > slide_) slide_ = position_;
+    else if (position_ + backlash_ < slide_) slide_ = position_ + backlash_;
+}
+
+std::int64_t SimulatedDrive::counted(double position) const noexcept {
+    return static_cast<std::int64_t>(std::floor(encoder_sign_ * position * increments_per_unit_ + rounding_));
+}
+
+// Zero pulses lie at whole multiples of their distance. A coded scale has its fixed marks there, and behind the k-th of them
+// another one, half way and k + 1 signal periods further: the distance of two neighbours tells where they are.
+bool SimulatedDrive::mark_between(double from, double to, double& at) const noexcept {
+    if (mark_distance_ <= 0 || from == to) return false;
+    const double low = std::fmin(from, to) - mark_origin_, high = std::fmax(from, to) - mark_origin_;
+    const bool up = to > from;
+    bool found = false;
+    const auto passed = [&](double mark) {
+        if (up ? mark > low && mark <= high : mark >= low && mark < high) at = mark + mark_origin_, found = true;
+    };
+    const double k = std::floor((up ? high : low) / mark_distance_);
+    for (const double n : {k - 1.0, k, k + 1.0}) {
+        passed(n * mark_distance_);
+        if (mark_periods_ > 0) passed(n * mark_distance_ + mark_distance_ / 2 + (n + 1.0) * mark_distance_ / mark_periods_);
+        if (found) return true;
+    }
+    return false;
 }
 
 void SimulatedDrive::exchange(const PolyturnDriveCommand& command, PolyturnDriveStatus& status) noexcept {
     const bool reset = (command.control & POLYTURN_DRIVE_FAULT_RESET) && !(last_control_ & POLYTURN_DRIVE_FAULT_RESET);
     last_control_ = command.control;
-    if (failing_) state_ = POLYTURN_DRIVE_FAULT;
+    if (failure_ != Failure::None) state_ = POLYTURN_DRIVE_FAULT;
     else if (state_ == POLYTURN_DRIVE_FAULT) state_ = reset ? POLYTURN_DRIVE_SWITCH_ON_DISABLED : POLYTURN_DRIVE_FAULT;
     else if ((command.control & POLYTURN_DRIVE_ENABLE) == POLYTURN_DRIVE_ENABLE) state_ = POLYTURN_DRIVE_OPERATING;
     else if ((command.control & POLYTURN_DRIVE_SWITCH_ON) == POLYTURN_DRIVE_SWITCH_ON) state_ = POLYTURN_DRIVE_SWITCHED_ON;
     else if ((command.control & POLYTURN_DRIVE_SHUTDOWN) == POLYTURN_DRIVE_SHUTDOWN) state_ = POLYTURN_DRIVE_READY;
     else state_ = POLYTURN_DRIVE_SWITCH_ON_DISABLED;
     // Latched as this exchange begins; the kernel computes with it in the next tick: one tick late.
-    status.position = static_cast<std::int64_t>(std::floor(position_ * increments_per_unit_ + rounding_));
+    const double seen = other_ ? other_->slide_ : at_slide_ ? slide_ : position_;
+    status.position = counted(seen);
     status.status = state_;
-    status.error_code = state_ == POLYTURN_DRIVE_FAULT ? 0x8611 : 0;
+    status.error_code = state_ != POLYTURN_DRIVE_FAULT ? 0 : failure_ == Failure::Encoder ? 0x7305 : 0x8611;
     status.touch_probe = 0;
     status.brake_open = command.brake_release;
     status.reserved = 0;
-    status.probe_position = 0;
+    double mark = 0;
+    if ((command.touch_probe & POLYTURN_DRIVE_MARK_ARMED) && mark_between(last_seen_, seen, mark)) {
+        status.touch_probe = POLYTURN_DRIVE_MARK_SEEN;
+        status.probe_position = counted(mark);
+    } else {
+        status.probe_position = 0;
+    }
+    last_seen_ = seen;
     const bool turns = state_ == POLYTURN_DRIVE_OPERATING;
-    step(turns ? static_cast<double>(command.target_velocity) * 1e-3 / increments_per_unit_ : 0.0);
+    double commanded = turns ? sign_ * static_cast<double>(command.target_velocity) * 1e-3 / increments_per_unit_ + drift_ : 0.0;
+    if (friction_ > 0 && std::fabs(speed_) < 1e-3 * friction_ && std::fabs(commanded) < friction_) commanded = 0.0;
+    step(commanded);
 }
 
 }  // namespace polyturn::kernel

@@ -1,5 +1,6 @@
 // A drive that exists only as numbers: its speed follows the commanded one as a second-order system, it counts whole
 // increments, latches them at the start of the tick, and it can be told to fail. It speaks through drive.h like any other.
+// Play, sticking, drift, zero pulses and coded marks are there when the setup names them.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -16,23 +17,37 @@ const PolyturnDriveApi& simulated_drive_api();
 // and a stiff drive (w T near 1) stays stable, which an Euler step would not.
 class SimulatedDrive {
 public:
+    enum class Failure : std::uint8_t { None, Drive, Encoder };
     explicit SimulatedDrive(const PolyturnDriveSetup& setup);
     void exchange(const PolyturnDriveCommand& command, PolyturnDriveStatus& status) noexcept;
-    void fail(bool on) noexcept { failing_ = on; }
+    void fail(Failure how) noexcept { failure_ = how; }
+    void fail(bool on) noexcept { failure_ = on ? Failure::Drive : Failure::None; }
     // What no real drive could tell: the truth behind the encoder. Units and units per second, now.
     double true_position() const noexcept { return position_; }
+    double true_slide() const noexcept { return slide_; }
     double true_speed() const noexcept { return speed_; }
+    // This one only measures: the slide of another drive (the direct device of a dual loop).
+    void measure(const SimulatedDrive& other) noexcept { other_ = &other; }
 
 private:
     void step(double commanded) noexcept;
+    [[nodiscard]] std::int64_t counted(double position) const noexcept;
+    [[nodiscard]] bool mark_between(double from, double to, double& at) const noexcept;
     std::array<std::array<double, 3>, 3> a_{};
     std::array<double, 3> b_{};
     double increments_per_unit_;
     double position_, speed_ = 0, acceleration_ = 0;
+    double slide_;
+    double backlash_, friction_, drift_;
+    double mark_distance_, mark_periods_, mark_origin_;
+    double last_seen_;   // encoder at the last exchange
+    double sign_, encoder_sign_;
     double rounding_;  // fine scales are read to the nearest increment; coarse encoders count the lines passed
+    const SimulatedDrive* other_ = nullptr;
     std::uint16_t state_ = POLYTURN_DRIVE_SWITCH_ON_DISABLED;
     std::uint16_t last_control_ = 0;
-    bool failing_ = false;
+    bool at_slide_;
+    Failure failure_ = Failure::None;
 };
 
 }  // namespace polyturn::kernel

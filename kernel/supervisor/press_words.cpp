@@ -381,8 +381,10 @@ Result<Commands> drive(std::string_view whom, std::string_view value, const Mach
     command.flags = letter == 'S' ? 1 : 0;
     if (value == "fault" || value == "1")
         command.value = 1.0;
+    else if (value == "encoder" && letter == 'A')
+        command.value = 2.0;
     else if (value != "ok" && value != "0")
-        return fault(Alarm::PressArgument, "a drive is set to fault or ok");
+        return fault(Alarm::PressArgument, "a drive is set to fault or ok, that of an axis also to encoder");
     return Commands{command};
 }
 

@@ -1,0 +1,80 @@
+// Referencing as the operator asks for it: one axis, or all in the order of PT_REF_ORDER; and what a drive reports by itself.
+#include "kernel/cyclic/machine.hpp"
+
+namespace polyturn::kernel {
+namespace {
+std::string_view name_of(const AxisConfig& config) noexcept { return {config.name.data()}; }
+}  // namespace
+
+void Machine::reference_command(const Command& c) noexcept {
+    if (!core_.on() || core_.all_stop) {
+        core_.alarm(Alarm::ReferenceRefused, 0, "the machine is not on");
+        return;
+    }
+    for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
+        if (core_.axes[a].exists() && (c.object == a + 1 || (c.object == 0 && core_.config.axes[a].reference.order != 0))) reference_axis(a, c.object != 0);
+}
+
+void Machine::reference_axis(std::uint32_t a, bool alone) noexcept {
+    AxisUnit& axis = core_.axes[a];
+    const AxisConfig& config = core_.config.axes[a];
+    if (homing_[a].active()) return;
+    const auto refuse = [&](std::string_view why) {
+        ShortText text;
+        text << name_of(config) << ": " << why;
+        core_.alarm(Alarm::ReferenceRefused, config.channel, text.view());
+    };
+    if (axis.detached) return alone ? refuse("it is detached") : void();
+    if (axis.slave) return alone ? refuse("it follows another axis") : void();
+    if (axis.owner && channels_[config.channel - 1]->program_runs()) return refuse("a program moves it");
+    if (config.reference.moves() && channels_[config.channel - 1]->program_runs()) return refuse("a program runs in its channel");
+    if (axis.moving() || jogs_[a].active()) return refuse("it moves");
+    to_reference_[a] = true;
+}
+
+void Machine::run_homing() noexcept {
+    // Whose turn is it? Axes of one order go together; the next order waits for them.
+    std::uint32_t turn = ~0u;
+    for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
+        if (to_reference_[a] || homing_[a].active()) turn = std::min(turn, core_.config.axes[a].reference.order);
+    if (turn == ~0u) return;
+    for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) {
+        AxisUnit& axis = core_.axes[a];
+        const AxisConfig& config = core_.config.axes[a];
+        const bool ready = core_.signals.plc(signals::ap_rpe(a + 1)) != 0;
+        if (to_reference_[a] && config.reference.order == turn) {
+            to_reference_[a] = false;
+            axis.owner = 0;
+            homing_[a].start(axis, ready, core_.config.tick_s);
+        }
+        if (!homing_[a].active()) continue;
+        core_.jogging |= ChannelSet{1} << (config.channel - 1);
+        if (core_.state == MachineState::EmergencyStop) {
+            if (!axis.brake(core_.config.tick_s)) homing_[a] = {};
+            axis.watch_mark(false);
+            axis.referenced = axis.referenced && !config.reference.moves();
+            continue;
+        }
+        if (core_.all_stop) homing_[a].stop();
+        if (homing_[a].step(axis, core_.signals.plc(signals::ap_decsw(a + 1)) != 0, ready, core_.config.tick_s) == Homing::State::Failed) {
+            core_.alarm(homing_[a].alarm(), config.channel, name_of(config));
+            to_reference_.fill(false);   // what was to follow waits for the operator
+        }
+    }
+}
+
+void Machine::stop_homing() noexcept {
+    to_reference_.fill(false);
+    for (Homing& homing : homing_) homing.stop();
+}
+
+// ABS with FLO: the drive knows its reference point, AP_RPE says so (part 1, 10.1). A level that was never on says nothing:
+// a machine that starts referenced stays so.
+void Machine::watch_drive_reference(std::uint32_t a) noexcept {
+    const ReferenceConfig& reference = core_.config.axes[a].reference;
+    const bool ready = core_.signals.plc(signals::ap_rpe(a + 1)) != 0;
+    if (reference.absolute && reference.floating && ready != drive_ready_[a]) core_.axes[a].referenced = ready;
+    drive_ready_[a] = ready;
+}
+
+}  // namespace polyturn::kernel

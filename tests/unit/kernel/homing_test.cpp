@@ -1,0 +1,187 @@
+// Referencing, worked out from nct_parameters_part1 10.2: where the axis is called what, and what is said when it fails.
+#include "tests/unit/kernel/rig.hpp"
+
+namespace polyturn::kernel {
+namespace {
+
+using params::Table;
+
+// A1 with a rapid of 50 and a creep of 4 mm/s; the machine starts with A1 at 75.
+struct Bench {
+    explicit Bench(std::int64_t type, const std::function<void(Table&)>& more = {}) : rig([&](Table& t, RunOptions& options) {
+        params::put(t, params::n0900_reference_type, type, 1);
+        params::put(t, params::n0302_ref_rapid, 3000, 1);
+        params::put(t, params::n0303_ref_feed, 240, 1);
+        params::put(t, params::n0901_reference_distance, -200, 1);
+        params::put(t, params::n0902_switch_length, 40, 1);
+        params::put(t, params::n0904_zerodis, 10, 1);
+        params::put(t, params::n0200_reference_position1, 12, 1);
+        options.start_known[0] = 1;
+        options.start_position[0] = 75;
+        if (more) more(t);
+    }) {}
+    void press() { rig.command(CommandKind::Reference, 0, 1, 0, 1); }
+    void decsw(int on) { rig.command(CommandKind::SetSignal, 0, on, 0, signals::ap_decsw(1), 1); }
+    const AxisUnit& axis() { return rig.machine->core().axes[0]; }
+    TickRig rig;
+};
+
+TEST(Homing, BySwitchAloneTheEdgeIsTheReferencePoint) {
+    Bench b(0x01);
+    b.press();
+    b.rig.run(1500);
+    EXPECT_NEAR(b.rig.speed_of(1), -50, 1e-9);
+    EXPECT_FALSE(b.axis().referenced);
+    b.decsw(1);
+    b.rig.run(1000);
+    EXPECT_NEAR(b.rig.speed_of(1), 4, 1e-9);        // off the switch, DIR = 0
+    const double edge = b.axis().measured();
+    b.decsw(0);
+    b.rig.run_until_idle();
+    EXPECT_TRUE(b.axis().referenced);
+    // What was called `edge` is 12 now; the axis stopped a little beyond it.
+    EXPECT_GT(b.rig.position(1), 12);
+    EXPECT_LT(b.rig.position(1), 12.5);
+    EXPECT_LT(edge, 12 - 1);
+}
+
+TEST(Homing, TheSwitchThatDoesNotComeOrDoesNotGoIsSaidByName) {
+    Bench missing(0x01, [](Table& t) { params::put(t, params::n0901_reference_distance, 20, 1); });
+    missing.press();
+    missing.rig.run_until_idle();
+    EXPECT_TRUE(missing.rig.alarmed(Alarm::ReferenceNoSwitch, 1));
+    EXPECT_FALSE(missing.axis().referenced);
+    EXPECT_NEAR(missing.rig.position(1), 95, 2.0);   // N0901 = +20 from 75, and the way to brake
+    Bench stuck(0x21);
+    stuck.decsw(1);
+    stuck.press();
+    stuck.rig.run_until_idle();
+    EXPECT_TRUE(stuck.rig.alarmed(Alarm::ReferenceSwitchNotLeft, 1));
+    EXPECT_NEAR(stuck.rig.position(1), 75 - 40, 0.5);   // DIR = 1: downwards, N0902
+}
+
+TEST(Homing, ByZeroPulseAloneTheFirstPulseIsTheReferencePointAndN0906LiesBehindIt) {
+    Bench b(0x02, [](Table& t) { params::put(t, params::n0906_reference_shift, -3, 1); });
+    b.press();
+    b.rig.run_until_idle();
+    EXPECT_TRUE(b.axis().referenced);
+    EXPECT_NEAR(b.rig.position(1), 12, 1e-9);        // driven there: the pulse was called 15
+}
+
+TEST(Homing, ARepeatedReferenceFindsTheSameCoordinates) {
+    for (const std::int64_t type : {0x02, 0x22, 0x04, 0x24}) {
+        SCOPED_TRACE(type);
+        Bench b(type, [](Table& t) {
+            params::put(t, params::n0904_zerodis, 20, 1);
+            params::put(t, params::n0905_basdist, 1000, 1);
+        });
+        b.press();
+        b.rig.run_until_idle();
+        const double true_slide = static_cast<SimulatedDrive*>(b.axis().drive())->true_position();
+        if (type & 4) { EXPECT_NEAR(b.rig.position(1), true_slide, 1e-3); }   // a coded scale knows where it is
+        const double offset = b.rig.position(1) - true_slide;
+        b.press();
+        b.rig.run_until_idle();
+        const double moved = static_cast<SimulatedDrive*>(b.axis().drive())->true_position();
+        EXPECT_NEAR(std::remainder(b.rig.position(1) - moved - offset, 20.0), 0, 1e-3);
+        EXPECT_FALSE(b.rig.alarmed(Alarm::ReferenceNoPulse));
+    }
+}
+
+// The switch is left at a place that is `before` mm in front of a pulse.
+void leave_switch(Bench& b, double before) {
+    b.decsw(1);
+    b.press();
+    const double pulse = 92;   // 12 - N0906 + k * 10
+    for (int i = 0; i < 20'000 && b.axis().measured() < pulse - before; ++i) b.rig.tick();
+    b.decsw(0);
+    b.rig.run_until_idle();
+}
+
+TEST(Homing, ThePulseMustLieInTheMiddleHalfBehindTheSwitch) {
+    Bench good(0x03);
+    leave_switch(good, 5);
+    EXPECT_TRUE(good.axis().referenced);
+    EXPECT_FALSE(good.rig.alarmed(Alarm::ReferencePulseEarly));
+    Bench early(0x03);
+    leave_switch(early, 1);
+    EXPECT_TRUE(early.rig.alarmed(Alarm::ReferencePulseEarly, 1));
+    EXPECT_FALSE(early.axis().referenced);
+    Bench late(0x03);
+    leave_switch(late, 9);
+    EXPECT_TRUE(late.rig.alarmed(Alarm::ReferenceNoPulse, 1));
+    Bench moved(0x03, [](Table& t) { params::put(t, params::n0903_switch_shift, 3, 1); });   // as if it had been left 6 mm before
+    leave_switch(moved, 9);
+    EXPECT_TRUE(moved.axis().referenced);
+}
+
+TEST(Homing, WithGosThePulseIsSoughtFromTheSwitchOnAndNoWindowIsChecked) {
+    Bench b(0x83);
+    b.decsw(1);
+    b.press();
+    b.rig.run_until_idle();
+    EXPECT_TRUE(b.axis().referenced);
+    EXPECT_NEAR(b.rig.position(1), 12, 0.1);
+}
+
+TEST(Homing, AnAbsoluteAxisIsReferencedAtOnceAndThatOfADriveWhenTheDriveSaysSo) {
+    Bench absolute(0x08);
+    absolute.press();
+    absolute.rig.run(2);
+    EXPECT_TRUE(absolute.axis().referenced);
+    EXPECT_NEAR(absolute.rig.position(1), 75, 1e-9);
+    Bench drive(0x18);
+    drive.rig.command(CommandKind::SetSignal, 0, 1, 0, signals::ap_rpe(1), 1);
+    drive.rig.run(2);
+    EXPECT_TRUE(drive.axis().referenced);
+    drive.rig.command(CommandKind::SetSignal, 0, 0, 0, signals::ap_rpe(1), 1);
+    drive.rig.run(2);
+    EXPECT_FALSE(drive.axis().referenced);
+}
+
+TEST(Homing, AFloatingReferenceIsWhereItBegins) {
+    Bench b(0x10);
+    b.press();
+    b.rig.run(2);
+    EXPECT_TRUE(b.axis().referenced);
+    EXPECT_NEAR(b.rig.position(1), 12, 1e-12);
+}
+
+TEST(Homing, AllGoInTheirOrder) {
+    TickRig rig([](Table& t, RunOptions&) {
+        for (unsigned a = 1; a <= 3; ++a) {
+            params::put(t, params::n0900_reference_type, 2, a);
+            params::put(t, params::n0303_ref_feed, 240, a);
+            params::put(t, params::n0904_zerodis, 10, a);
+        }
+        params::put(t, params::pt_ref_order, 1, 1);
+        params::put(t, params::pt_ref_order, 2, 2);
+        params::put(t, params::pt_ref_order, 1, 3);
+    });
+    rig.command(CommandKind::Reference, 0, 1, 0, 0);
+    bool second_waited = true;
+    rig.on_tick = [&] {
+        const auto& axes = rig.machine->core().axes;
+        if (axes[1].moving() && !(axes[0].referenced && axes[2].referenced)) second_waited = false;
+    };
+    rig.run_until_idle();
+    EXPECT_TRUE(second_waited);
+    for (int a = 0; a < 3; ++a) EXPECT_TRUE(rig.machine->core().axes[static_cast<std::size_t>(a)].referenced);
+}
+
+TEST(Homing, DetachingLosesTheReferenceAndAProgramIsRefused) {
+    Bench b(0x02);
+    b.rig.command(CommandKind::SetSignal, 0, 1, 0, signals::ap_detchr(1), 1);
+    b.rig.run(3);
+    EXPECT_EQ(b.rig.machine->core().signals.nc(signals::an_detcha(1)), 1);
+    b.rig.command(CommandKind::SetSignal, 0, 0, 0, signals::ap_detchr(1), 1);
+    b.rig.run(3);
+    EXPECT_EQ(b.rig.machine->core().signals.nc(signals::an_detcha(1)), 0);
+    EXPECT_FALSE(b.axis().referenced);
+    b.rig.start(1);
+    b.rig.run(3);
+    EXPECT_TRUE(b.rig.alarmed(Alarm::NotReady, 1));
+}
+
+}  // namespace
+}  // namespace polyturn::kernel
