@@ -25,6 +25,8 @@ struct ChannelAxis {
     double max_feed_mm_min = 0.0;   // N0305
     std::array<double, 4> reference_mm{};
     AxisStroke stroke;              // ranges that are watched
+    bool limited = false;           // an interval holds for this axis by itself, as of the last barrier:
+    double limit_max = 0.0, limit_min = 0.0;
 };
 
 struct MachineView {

@@ -29,8 +29,11 @@ void Core::take_machine(unsigned place, double machine) {
 void Core::refresh_limits() {
     zones_.count = view_->axis_count;
     for (unsigned i = 0; i < view_->axis_count; ++i) {
-        const ChannelAxis& axis = view_->axes[i];
+        ChannelAxis& axis = view_->axes[i];
         zones_.axes[i] = axis.stroke.any() ? zone_of(axis.stroke, view_->stroke, port_->stroke_flags(axis.machine_axis)) : AxisZone{};
+        const StrokeInterval& allowed = zones_.axes[i].allowed;
+        axis.limited = std::isfinite(allowed.low) && std::isfinite(allowed.high);
+        if (axis.limited) axis.limit_max = allowed.high, axis.limit_min = allowed.low;
     }
 }
 
