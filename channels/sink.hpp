@@ -118,6 +118,8 @@ struct Wait {
     std::string_view marker;        // a marker name instead of a code; empty none
     std::uint32_t channels = 0;     // bit 0 is channel 1
     bool flying = false;
+    // A marker that is set counts as an arrival at its code until it is cleared; whoever sets it goes on (code -1: all).
+    enum class Act : std::uint8_t { Meet, SetMarker, ClearMarker } act = Act::Meet;
 };
 
 struct Variable {

@@ -75,7 +75,7 @@ public:
     void dwell(const Dwell& d, const BlockContext& at) override { next_->dwell(d, at); }
     void aux(const Aux& a, const BlockContext& at) override { next_->aux(a, at); }
     void spindle(const Spindle& s, const BlockContext& at) override { next_->spindle(s, at); }
-    void wait(const Wait& w, const BlockContext& at) override { waiting = true, next_->wait(w, at); }
+    void wait(const Wait& w, const BlockContext& at) override { waiting = waiting || w.act == Wait::Act::Meet, next_->wait(w, at); }
     void variable(const Variable& v, const BlockContext& at) override { next_->variable(v, at); }
     void offset(const OffsetWrite& o, const BlockContext& at) override { next_->offset(o, at); }
     void message(std::string_view text, const BlockContext& at) override { next_->message(text, at); }

@@ -221,6 +221,12 @@ void append_event(std::string& out, const EventScene& scene, const Spindle& spin
 }
 
 void append_event(std::string& out, const EventScene& scene, const Wait& wait, const BlockContext& at) {
+    if (wait.act != Wait::Act::Meet) {
+        Object object(out, "marker", scene, &at);
+        if (wait.code >= 0) object.integer("code", wait.code);   // absent: all
+        object.integer("value", wait.act == Wait::Act::SetMarker);
+        return;
+    }
     Object object(out, "wait", scene, &at);
     if (wait.marker.empty()) object.integer("code", wait.code);
     else object.text("code", wait.marker);

@@ -174,6 +174,13 @@ void RecordSink::spindle(const Spindle& spindle, const BlockContext& at) {
 }
 
 void RecordSink::wait(const Wait& wait, const BlockContext& at) {
+    if (wait.act != Wait::Act::Meet) {
+        PathRecord r = event(RecordKind::Marker, at, note([&](Sink& sink) { sink.wait(wait, at); }));
+        r.code = static_cast<std::int32_t>(wait.code);
+        r.value = wait.act == Wait::Act::SetMarker ? 1.0 : 0.0;
+        push(r, false, false);
+        return;
+    }
     PathRecord r = event(RecordKind::Wait, at, note([&](Sink& sink) { sink.wait(wait, at); }));
     r.code = static_cast<std::int32_t>(wait.code);
     r.mask = wait.channels;

@@ -83,6 +83,7 @@ struct Modal {
     std::int64_t tool_selected = -1;  // T that waits for M6; -1 none
     std::int64_t tool = 0;            // active tool
     int edge = 0;                     // active D
+    std::shared_ptr<const Edge> edge_data;   // its values when it was selected
     ToolLengths toff{};               // TOFFL, TOFF, TOFFR
     bool toff_by_axis = false;
     std::array<double, 3> length_mm{};          // of the active edge, L1 to L3
@@ -262,7 +263,6 @@ public:
     bool p_wait_marker(Call&);
     bool p_wait_end(Call&);
     bool p_set_marker(Call&);
-    bool p_clear_marker(Call&);
     bool p_init(Call&);
     bool p_start(Call&);
     bool p_nothing(Call&);
@@ -411,7 +411,6 @@ private:
     std::shared_ptr<Variable> r_;
     std::map<std::string, std::string, std::less<>> macros_;
     std::map<std::string, Value, std::less<>> written_system_;   // markers and other values that a program may write
-    std::uint32_t markers_ = 0;                                  // own markers that are set (SETM)
 
     // the block
     bool wants_barrier_ = false, ended_ = false, jumped_ = false, reread_ = false, fresh_ = true, needs_barrier_ = false;

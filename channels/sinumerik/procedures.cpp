@@ -98,8 +98,26 @@ bool Interpreter::p_wait_marker(Call& c) {
 }
 
 bool Interpreter::p_wait_end(Call&) { return fail(Alarm::NotBuilt, "WAITE"); }
-bool Interpreter::p_set_marker(Call&) { return fail(Alarm::NotBuilt, "SETM"); }
-bool Interpreter::p_clear_marker(Call&) { return fail(Alarm::NotBuilt, "CLEARM"); }
+// SETM, CLEARM: the own markers, in the order of the path; the channel itself goes on.
+bool Interpreter::p_set_marker(Call& c) {
+    const bool set = block_.procedures.front().first->name == "SETM";
+    const auto tell = [&](int marker) {
+        Wait told;
+        told.code = marker;
+        told.act = set ? Wait::Act::SetMarker : Wait::Act::ClearMarker;
+        told.channels = 1u << (core_.view().channel - 1);
+        core_.mark_emitted();
+        core_.sink().wait(told, core_.at);
+    };
+    for (const Argument& argument : c.arguments) {
+        int marker = 0;
+        if (!argument.given || !marker_of(argument.value, marker) || marker > 99) return argument.given && marker <= 99 ? false : fail(Alarm::MarkerIllegal, {}, marker);
+        tell(marker);
+    }
+    if (c.arguments.empty()) tell(-1);
+    return true;
+}
+
 bool Interpreter::p_init(Call&) { return fail(Alarm::NotBuilt, "INIT"); }
 bool Interpreter::p_start(Call&) { return fail(Alarm::NotBuilt, "START"); }
 

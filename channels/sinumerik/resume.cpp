@@ -9,7 +9,6 @@ struct Interpreter::ResumeState {
     Modal modal;
     std::vector<Level> levels;
     std::map<std::string, std::string, std::less<>> macros;
-    std::uint32_t markers = 0;
     double parts = 0;
 };
 
@@ -27,7 +26,6 @@ void Interpreter::note_resume_point() {
         state->modal = modal_;
         state->levels = levels_;
         state->macros = macros_;
-        state->markers = markers_;
         state->parts = parts_;
         points_.push_back({serial_, source_->next_position(), std::move(state), core_.compensating()});
         state_changed_ = false;
@@ -51,7 +49,6 @@ bool Interpreter::resume_at(std::uint64_t serial) {
     modal_ = point.state->modal;
     levels_ = point.state->levels;
     macros_ = point.state->macros;
-    markers_ = point.state->markers;
     parts_ = point.state->parts;
     while (!undo_log_.empty() && undo_log_.back().first >= serial) {
         undo_log_.back().second();

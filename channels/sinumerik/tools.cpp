@@ -90,7 +90,8 @@ bool Interpreter::select_edge(int edge) {
     }
     modal_.edge = edge;
     core_.path.tool.ref.edge = edge;
-    modal_.teeth = edge > 0 ? found->second.edges.at(edge).teeth : 0.0;
+    modal_.edge_data = edge > 0 ? std::make_shared<const Edge>(found->second.edges.at(edge)) : nullptr;   // changed values wait for the next T or D
+    modal_.teeth = modal_.edge_data ? modal_.edge_data->teeth : 0.0;
     apply_tool();
     return true;
 }
@@ -98,10 +99,8 @@ bool Interpreter::select_edge(int edge) {
 // Lengths become a shift of their axes: an axis takes it along with its next word.
 void Interpreter::apply_tool() {
     ToolState& state = core_.path.tool;
-    const Edge* edge = nullptr;
-    if (const auto found = tools_.find(modal_.tool); found != tools_.end())
-        if (const auto e = found->second.edges.find(modal_.edge); e != found->second.edges.end() && modal_.edge > 0) edge = &e->second;
-    int type = edge ? static_cast<int>(edge->dp[1]) : 0;
+    const Edge* const edge = modal_.edge_data.get();
+    const int type = edge ? static_cast<int>(edge->dp[1]) : 0;
     const int assigned = settings_.length_type ? settings_.length_type : type;
     unsigned plane = static_cast<unsigned>(core_.path.plane);
     if (settings_.length_const >= 17 && settings_.length_const <= 19) plane = static_cast<unsigned>(settings_.length_const - 17);

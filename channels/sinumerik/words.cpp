@@ -215,8 +215,7 @@ bool Interpreter::parse_named_word(const char* begin, std::string_view name, con
 bool Interpreter::add_g(const GCode* code, const char* begin) {
     const auto length = static_cast<std::size_t>(cursor_.at() - begin);
     if (const GCode* other = block_.coded[code->group]) {
-        if (other != code) return fail_at(Alarm::SameGroupTwice, begin, length, std::string(other->name) + " and " + std::string(code->name), code->group);
-        return true;
+        return fail_at(Alarm::SameGroupTwice, begin, length, std::string(other->name) + " and " + std::string(code->name), code->group);
     }
     if (!code->act) return fail_at(Alarm::NotBuilt, begin, length, std::string(code->name));
     block_.coded[code->group] = code;

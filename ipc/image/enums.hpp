@@ -26,6 +26,7 @@ enum class RecordKind : std::uint8_t {
     Stop,          // code: StopReason
     Part,          // one part is finished (M99 of the main program, M30 of a counted part); value: count
     Interrupts,    // M96, M97: code 1 on 0 off, mask InterruptBit
+    Marker,        // SETM, CLEARM: code the marker (-1: all), value 1 set 0 cleared
     Flag,          // reserved for couplings and exchanges: value written to a signal
 };
 

@@ -97,6 +97,7 @@ bool ChannelRunner::execute_instant(const PathRecord& r, double offset_s) noexce
             // An edge counts from here on; a level that is there already counts at once.
             interrupt_signal_ = core_.signals.plc((r.mask & kInterruptByMint ? signals::mint : signals::uint)(number_)) != 0;
             return true;
+        case RecordKind::Marker: core_.waits.mark(index_, r.code, r.value != 0.0); return true;
         case RecordKind::Wait:  // a flying wait that was let pass: it is an arrival like any other
             core_.waits.arrive(index_, r.code, r.mask);
             passing_ = true;

@@ -52,6 +52,7 @@ bool ChannelRunner::stops_path(const PathRecord& r) noexcept {
         case RecordKind::Message:
         case RecordKind::Part:
         case RecordKind::Interrupts:
+        case RecordKind::Marker:
         case RecordKind::Flag: return false;
         default: return true;
     }

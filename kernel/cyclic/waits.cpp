@@ -2,6 +2,15 @@
 
 namespace polyturn::kernel {
 
+void WaitBoard::mark(unsigned channel, std::int32_t code, bool on) noexcept {
+    if (code < 0) marks_[channel].fill(on);
+    else if (code < kMarkers) marks_[channel][static_cast<std::size_t>(code)] = on;
+}
+
+bool WaitBoard::marked(unsigned channel, std::int32_t code) const noexcept {
+    return code >= 0 && code < kMarkers && marks_[channel][static_cast<std::size_t>(code)];
+}
+
 ChannelSet WaitBoard::missing(unsigned channel, ChannelSet no_wait) const noexcept {
     const Arrival& mine = arrivals_[channel];
     ChannelSet out = 0;
@@ -9,7 +18,7 @@ ChannelSet WaitBoard::missing(unsigned channel, ChannelSet no_wait) const noexce
         const ChannelSet bit = ChannelSet{1} << k;
         if (k == channel || !(mine.set & bit) || (no_wait & bit)) continue;
         const Arrival& other = arrivals_[k];
-        if (!(other.here && other.code == mine.code && other.set == mine.set)) out |= bit;
+        if (!(other.here && other.code == mine.code && other.set == mine.set) && !marked(k, mine.code)) out |= bit;
     }
     return out;
 }
@@ -20,7 +29,7 @@ bool WaitBoard::open_for(unsigned channel, std::int32_t code, ChannelSet set, Ch
         const ChannelSet bit = ChannelSet{1} << k;
         if (k == channel || !(set & bit) || (no_wait & bit)) continue;
         const Arrival& other = arrivals_[k];
-        if (!(other.here && other.code == code && other.set == set)) return false;
+        if (!(other.here && other.code == code && other.set == set) && !marked(k, code)) return false;
     }
     return true;
 }
@@ -31,7 +40,10 @@ ChannelSet WaitBoard::release(ChannelSet no_wait) noexcept {
         if (arrivals_[c].here && ((no_wait >> c & 1u) || missing(c, no_wait) == 0)) out |= ChannelSet{1} << c;
     // Decided for all before anybody leaves: the partners of one meeting see each other.
     for (unsigned c = 0; c < kMaxChannels; ++c)
-        if (out >> c & 1u) arrivals_[c].here = false;
+        if (out >> c & 1u) {
+            arrivals_[c].here = false;
+            if (marked(c, arrivals_[c].code)) mark(c, arrivals_[c].code, false);
+        }
     return out;
 }
 

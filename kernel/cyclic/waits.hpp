@@ -33,6 +33,10 @@ public:
     // Channels count from 0 here.
     void arrive(unsigned channel, std::int32_t code, ChannelSet set) noexcept { arrivals_[channel] = {true, code, set}; }
     void leave(unsigned channel) noexcept { arrivals_[channel].here = false; }
+    // A marker of the channel (0 to 99): while it is set, the channel counts as arrived at that code, whatever the set. A
+    // release of the channel itself at that code clears it. code -1: all.
+    void mark(unsigned channel, std::int32_t code, bool on) noexcept;
+    bool marked(unsigned channel, std::int32_t code) const noexcept;
     const Arrival& at(unsigned channel) const noexcept { return arrivals_[channel]; }
 
     // Channels of its set that `channel` still misses.
@@ -45,7 +49,9 @@ public:
     Verdict judge(unsigned channel, ChannelSet no_wait) const noexcept;
 
 private:
+    static constexpr std::int32_t kMarkers = 100;
     std::array<Arrival, kMaxChannels> arrivals_{};
+    std::array<std::array<bool, kMarkers>, kMaxChannels> marks_{};
 };
 
 }  // namespace polyturn::kernel

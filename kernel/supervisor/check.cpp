@@ -142,6 +142,10 @@ private:
             if (!options_.quiet || passes_quiet(kind)) output_.write(line), output_.write("\n");
             tell_alarm(interpreter);
             if (kind == "alarm") note_alarm(interpreter, line);
+            if (kind == "marker") {
+                const auto event = nlohmann::json::parse(line, nullptr, false);
+                if (!event.is_discarded() && event.value("value", 0) != 0) matcher_.mark(interpreter.channel, "M" + std::to_string(event.value("code", 0L)));
+            }
             if (kind == "wait") {
                 matcher_.arrive(interpreter.channel, wait_point(interpreter.channel, line));
                 return;

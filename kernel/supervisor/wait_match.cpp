@@ -31,6 +31,8 @@ void WaitMatcher::arrive(unsigned channel, WaitPoint wait) {
     if (track.next + 1 == track.waits.size()) track.arrived = ++clock_;
 }
 
+void WaitMatcher::mark(unsigned channel, const std::string& code) { tracks_[channel].markers.insert(code); }
+
 void WaitMatcher::end(unsigned channel, bool broken) {
     tracks_[channel].ended = true;
     tracks_[channel].broken = broken;
@@ -66,15 +68,17 @@ std::vector<unsigned> WaitMatcher::meet() {
             const WaitPoint* wait = standing(channel);
             if (!wait) continue;
             const std::uint32_t set = wait->set | bit_of(channel);
-            std::uint32_t here = 0;
-            for (const auto& [other, unused] : tracks_) {
+            std::uint32_t here = 0, marked = 0;
+            for (const auto& [other, one] : tracks_) {
                 const WaitPoint* there = standing(other);
                 if (there && (set & bit_of(other)) && there->code == wait->code && (there->set | bit_of(other)) == set) here |= bit_of(other);
+                else if ((set & bit_of(other)) && one.markers.count(wait->code)) marked |= bit_of(other);
             }
-            if (here != set) continue;
+            if ((here | marked) != set) continue;
             if (set != bit_of(channel)) ++meetings_;  // a set of one channel passes at once and is no meeting
+            const std::string code = wait->code;
             for (unsigned other = 1; other <= 32; ++other)
-                if (set & bit_of(other)) advance(other), released.push_back(other);
+                if (here & bit_of(other)) tracks_[other].markers.erase(code), advance(other), released.push_back(other);
             again = true;
             break;
         }

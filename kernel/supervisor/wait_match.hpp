@@ -12,6 +12,7 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,9 @@ public:
     void add_channel(unsigned channel) { tracks_[channel]; }
     // The channel has come to its next wait. Arrivals may run ahead of meetings.
     void arrive(unsigned channel, WaitPoint wait);
+    // A marker that the channel sets counts as its arrival at that code, until it waits there itself. When it clears the
+    // marker again is not known without time: a partner is taken to have come before.
+    void mark(unsigned channel, const std::string& code);
     // The program has ended; `broken`: with an alarm, so nothing can be said about the rest of it.
     void end(unsigned channel, bool broken);
 
@@ -52,6 +56,7 @@ private:
         std::vector<WaitPoint> waits;
         std::size_t next = 0;  // waits[next] is where it stands
         bool ended = false, broken = false;
+        std::set<std::string> markers;
         std::uint64_t arrived = 0;  // order of arrival at `next`
     };
     const WaitPoint* standing(unsigned channel) const;

@@ -160,6 +160,30 @@ TEST(Waits, StayHeldAfterTheMeetingUntilStart) {
     EXPECT_NEAR(rig.position(1), 5, 1e-9);
 }
 
+TEST(Waits, AMarkerStandsForAnArrivalUntilItIsClearedOrItsChannelWaitsThere) {
+    WaitBoard board;
+    board.mark(0, 7, true);
+    EXPECT_TRUE(board.open_for(1, 7, 0b11, 0));
+    for (int twice = 0; twice < 2; ++twice) {   // it is not used up by others
+        board.arrive(1, 7, 0b11);
+        EXPECT_EQ(board.release(0), 0b10u);
+    }
+    board.arrive(0, 7, 0b11);   // its own wait clears it
+    EXPECT_EQ(board.release(0), 0u);
+    board.arrive(1, 7, 0b11);
+    EXPECT_EQ(board.release(0), 0b11u);
+    EXPECT_FALSE(board.open_for(1, 7, 0b11, 0));
+    board.mark(0, 8, true);
+    board.mark(0, 9, true);
+    board.mark(0, 8, false);
+    EXPECT_FALSE(board.marked(0, 8));
+    EXPECT_TRUE(board.marked(0, 9));
+    board.mark(0, -1, false);
+    EXPECT_FALSE(board.marked(0, 9));
+    board.mark(0, 500, true);   // M codes are no markers
+    EXPECT_FALSE(board.marked(0, 500));
+}
+
 TEST(Waits, FlyDoesNotBrakeWhenThePartnerIsThere) {
     for (const bool partner_first : {true, false}) {
         SCOPED_TRACE(partner_first);

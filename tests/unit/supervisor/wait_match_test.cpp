@@ -139,5 +139,17 @@ RC_GTEST_PROP(WaitMatch, AgreesWithTheModel, ()) {
     if (fits) RC_ASSERT(meetings == wanted);
 }
 
+TEST(WaitMatch, TakesAMarkerForAnArrival) {
+    WaitMatcher matcher;
+    matcher.add_channel(1);
+    matcher.add_channel(2);
+    matcher.mark(1, "M7");
+    matcher.arrive(2, {"M7", 3, "B", 1});
+    EXPECT_EQ(matcher.meet(), std::vector<unsigned>{2});
+    matcher.end(1, false);
+    matcher.end(2, false);
+    EXPECT_TRUE(matcher.find_faults().empty());
+}
+
 }  // namespace
 }  // namespace polyturn::supervisor
