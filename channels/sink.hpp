@@ -77,6 +77,9 @@ struct Move {
     double lead_change = 0.0;       // mm along the lead axis a revolution
     double start_angle = 0.0;       // deg
     std::int32_t starts = 0;        // 0 not told
+    // Way out of the thread when it is held, mm (radius) of the axis at that place; nobody: a hold acts behind the thread.
+    std::array<std::int8_t, 3> withdraw_axis{-1, -1, -1};
+    std::array<double, 3> withdraw{};
     // Rigid tapping: the positioned spindle turns along with the move
     double tap_turns = 0.0;         // revolutions, positive like M3; 0: it does not
     double tap_rpm = 0.0;           // the programmed speed, 1/min

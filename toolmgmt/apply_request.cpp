@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "ipc/machine/counters.hpp"
 #include "ipc/machine/shortest_text.hpp"
 #include "ipc/machine/work_zeros.hpp"
 #include "ipc/params/export.hpp"
@@ -124,7 +125,15 @@ Result<Applied> set_parameter(const StoreRequest& request, StoreValues& values) 
     const params::Row& row = *assignment->row;
     const RowValues before = values_of(values.parameters, row);
     if (const Result<void> done = params::apply(values.parameters, {&*assignment, 1}); !done) return done.diagnosis();
-    return Applied{differences(row, before, values_of(values.parameters, row)), {}};
+    Applied applied{differences(row, before, values_of(values.parameters, row)), {}};
+    // An operator set what the machine counts: counting goes on from there.
+    for (std::int32_t number = 0; number <= kPowerOnTime; ++number) {
+        const auto slot = static_cast<std::uint32_t>(counter_slot(number));
+        if (slot < row.first_slot || slot >= row.first_slot + params::instances(row.scope) * row.array) continue;
+        if (const Result<Applied> counter = set_number(values, {Kind::Counter, 0, number, 0, {}}, values.parameters.numbers[slot]); counter)
+            applied.changes.insert(applied.changes.end(), counter->changes.begin(), counter->changes.end());
+    }
+    return applied;
 }
 
 Result<Applied> query(const StoreRequest& request, const StoreValues& values) {
@@ -133,10 +142,17 @@ Result<Applied> query(const StoreRequest& request, const StoreValues& values) {
     return Applied{{}, params::value_text(values.parameters, *target)};
 }
 
+// A counter is a parameter too (N2306 ...): both show it.
+Result<Applied> set_counter(StoreValues& values, std::int32_t number, double value) {
+    Result<Applied> applied = set_number(values, {Kind::Counter, 0, number, 0, {}}, value);
+    if (const std::int64_t slot = counter_slot(number); applied && slot >= 0) values.parameters.numbers[static_cast<std::size_t>(slot)] = value;
+    return applied;
+}
+
 Result<Applied> set_plain(const StoreRequest& request, StoreValues& values) {
     if (!std::isfinite(request.value)) return refused("not a number");
     if (static_cast<StoreRequestKind>(request.kind) == StoreRequestKind::Counter)
-        return set_number(values, {Kind::Counter, 0, request.number, 0, {}}, request.value);
+        return set_counter(values, request.number, request.value);
     return set_number(values, {Kind::Position, request.number, 0, 0, {}}, request.value);
 }
 

@@ -1,10 +1,12 @@
 #include "toolmgmt/start_values.hpp"
 
 #include <bit>
+#include <cmath>
 #include <memory>
 
 #include "ipc/machine/apply_setup.hpp"
 #include "ipc/machine/config_check.hpp"
+#include "ipc/machine/counters.hpp"
 #include "ipc/machine/machine_config.hpp"
 #include "ipc/text/read_file.hpp"
 #include "ipc/text/setup.hpp"
@@ -63,6 +65,9 @@ Result<void> load_start_values(const Options& options, Database* disk, StoreValu
     values.parameters = *loaded.table;
     if (disk)
         if (Result<void> done = disk->read_into(values, diagnoses); !done) return done;
+    for (std::int32_t number = 0; number < kCounters; ++number)
+        if (const std::int64_t slot = counter_slot(number); slot >= 0 && !std::isnan(values.counters[static_cast<std::size_t>(number)]))
+            values.parameters.numbers[static_cast<std::size_t>(slot)] = values.counters[static_cast<std::size_t>(number)];
     apply_overrides(options.machine, values.parameters, diagnoses);
     if (any_error(diagnoses)) return {};
     append(diagnoses, check_machine_config(values.parameters));

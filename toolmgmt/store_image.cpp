@@ -3,6 +3,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <optional>
 
@@ -41,6 +42,8 @@ Result<StoreImage> StoreImage::create(const std::string& instance, const Segment
 void StoreImage::read_into(StoreValues& values) const {
     const StoreSegment& from = *own_;   // nobody writes it but us
     values.parameters = from.parameters.published();
+    values.counters = from.totals.published().counters;
+    values.last_position = from.totals.published().last_position;
     for (std::size_t l = 0; l < kMaxChannels; ++l) values.channels[l] = from.channels[l].published();
 }
 
@@ -48,24 +51,36 @@ void StoreImage::publish_all(const StoreValues& values) {
     StoreSegment& to = *own_;
     to.parameters.write(values.parameters);
     for (std::size_t l = 0; l < kMaxChannels; ++l) to.channels[l].write(values.channels[l]);
+    publish_totals(values);
     to.version.fetch_add(1, std::memory_order_release);
     to.header.writer_pid = getpid();   // whoever waits for this process sees only what it published
     own_.publish();
     to.bell.ring();
 }
 
+void StoreImage::publish_totals(const StoreValues& values) {
+    StoreTotals& draft = own_->totals.draft();
+    draft.counters = values.counters;
+    draft.last_position = values.last_position;
+    own_->totals.publish();
+}
+
 void StoreImage::publish(const StoreValues& values, const std::vector<Change>& changes) {
-    bool parameters = false;
+    bool parameters = false, totals = false;
     std::array<bool, kMaxChannels> channels{};
     for (const Change& change : changes) {
-        if (change.key.kind == Kind::Parameter) parameters = true;
+        if (change.key.kind == Kind::Counter || change.key.kind == Kind::Position) totals = true;
+        if (change.key.kind == Kind::Parameter || change.key.kind == Kind::Counter) parameters = true;
         else if (change.key.kind <= Kind::Variable) channels[static_cast<std::size_t>(change.key.scope - 1)] = true;
     }
     StoreSegment& to = *own_;
     if (parameters) to.parameters.write(values.parameters);
+    if (totals) publish_totals(values);
     for (std::size_t l = 0; l < kMaxChannels; ++l)
         if (channels[l]) to.channels[l].write(values.channels[l]);
-    if (!changes.empty()) to.version.fetch_add(1, std::memory_order_release);
+    // Counters and positions are the kernel's own: nobody has to look because of them.
+    const bool news = std::any_of(changes.begin(), changes.end(), [](const Change& c) { return c.key.kind != Kind::Counter && c.key.kind != Kind::Position; });
+    if (news) to.version.fetch_add(1, std::memory_order_release);
 }
 
 }  // namespace polyturn::toolmgmt

@@ -29,6 +29,7 @@ public:
     StoreSegment& segment() { return *own_; }
 
 private:
+    void publish_totals(const StoreValues& values);
     OwnSegment<StoreSegment> own_;
     std::uint64_t replay_from_ = 0;
     bool taken_over_ = false;

@@ -44,7 +44,7 @@ const params::Row* parameter_row(const Key& key, std::size_t& slot) {
 void clear(StoreValues& values) {
     params::set_defaults(values.parameters);
     for (ChannelStore& store : values.channels) clear_channel_store(store);
-    values.counters.fill(0.0);
+    values.counters.fill(std::numeric_limits<double>::quiet_NaN());
     values.last_position.fill(std::numeric_limits<double>::quiet_NaN());
 }
 

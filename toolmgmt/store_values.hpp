@@ -15,7 +15,7 @@ namespace polyturn::toolmgmt {
 struct StoreValues {
     params::Table parameters;
     std::array<ChannelStore, kMaxChannels> channels;    // [0] is L1
-    std::array<double, kCounters> counters;
+    std::array<double, kCounters> counters;             // NaN: never counted, the parameter tells
     std::array<double, kMaxAxes> last_position;         // [0] is A1; NaN: not known
 };
 

@@ -148,6 +148,7 @@ private:
         TextPosition position;
         std::size_t column;
         AxisValues programmed, machine;
+        decltype(PathState::last_way) last_way;
         std::uint64_t state;         // number of the full state that held
         bool compensated;            // a block before it may be held back: no place to go on from
     };

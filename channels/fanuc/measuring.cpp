@@ -66,7 +66,7 @@ Step Interpreter::finish_skip() {
     const AxisSet early = core_.take_skip();
     if (!done.measuring) return Step::Continue;
     const MachineView& view = core_.view();
-    const double stopped = core_.path.programmed[done.place], difference = stopped - done.target;
+    const double stopped = core_.skip_point(done.place), difference = stopped - done.target;
     const bool came = (early >> done.place & 1u) != 0;
     if (!came || std::fabs(difference) > done.range + 1e-9)
         return fault({Alarm::MeasureNoSignal, 'G', done.range, 0.0, {}, {}});

@@ -36,7 +36,7 @@ void Interpreter::note_resume_point() {
         state_changed_ = false;
     }
     points_.push_back({serial_, line_left_ ? source_->position() : source_->next_position(), line_left_ ? column_ : 0,
-                       core_.path.programmed, core_.path.machine, states_.back()->number, core_.reads_ahead()});
+                       core_.path.programmed, core_.path.machine, core_.path.last_way, states_.back()->number, core_.reads_ahead()});
 }
 
 void Interpreter::executed(std::uint64_t serial) {
@@ -56,6 +56,7 @@ bool Interpreter::resume_at(std::uint64_t serial) {
     core_.path = state.path;
     core_.path.programmed = point.programmed;
     core_.path.machine = point.machine;
+    core_.path.last_way = point.last_way;
     modal() = state.modal;
     frames_ = state.frames;
     loops_ = state.loops;

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <numbers>
 
+#include "ipc/machine/named_inputs.hpp"
+
 namespace polyturn::channels {
 namespace {
 
@@ -85,7 +87,8 @@ void RecordSink::move(const Move& move, const BlockContext& at) {
     if (move.kind == MoveKind::Reference) r.flags |= kReference;
     if (move.kind == MoveKind::Skip) {
         r.flags |= kSkipMove;
-        r.code = move.skip_input;
+        const auto input = move.skip_name.empty() ? std::optional<std::uint32_t>(move.skip_input) : input_by_name(move.skip_name, view_->channel);
+        r.code = input ? static_cast<std::int32_t>(*input) : -1;   // a signal that does not exist never comes
     }
     if (move.kind == MoveKind::Thread) {
         r.flags |= kThread | kOverrideLocked;
@@ -94,6 +97,7 @@ void RecordSink::move(const Move& move, const BlockContext& at) {
         r.lead = move.lead_path;
         r.lead_change = move.lead > 0 ? move.lead_change * move.lead_path / move.lead : 0;
         r.start_angle = move.start_angle;
+        fill_retract(move, r);
     }
     if (move.tap_turns != 0 && r.axis_count < kMaxPathAxes && move.spindle != 0) {
         r.flags |= kTapping | kOverrideLocked | kExactStop | (move.tap_out ? std::uint32_t{kTapOut} : 0u);
@@ -114,6 +118,24 @@ void RecordSink::move(const Move& move, const BlockContext& at) {
         drained_ = false;
     }
     last_ = at;
+}
+
+// An axis that the thread itself does not move gets a slot, so that the kernel can move it out.
+void RecordSink::fill_retract(const Move& move, PathRecord& r) const {
+    for (std::size_t k = 0; k < move.withdraw_axis.size(); ++k) {
+        if (move.withdraw_axis[k] < 0 || move.withdraw[k] == 0.0) continue;
+        const auto place = static_cast<std::size_t>(move.withdraw_axis[k]);
+        const std::uint8_t axis = view_->axes[place].machine_axis;
+        std::size_t slot = 0;
+        while (slot < r.axis_count && r.axis[slot] != axis) ++slot;
+        if (slot == r.axis_count) {
+            if (slot == kMaxPathAxes) continue;
+            r.axis[slot] = axis;
+            r.start[slot] = r.end[slot] = move.machine[place];
+            ++r.axis_count;
+        }
+        if (slot < r.retract.size()) r.retract[slot] = move.withdraw[k];
+    }
 }
 
 // Radii and angles from the points themselves, so that the record meets them exactly whatever was rounded on the way.

@@ -57,6 +57,7 @@ private:
     PathRecord event(RecordKind kind, const BlockContext& at, std::uint64_t note) const;
     void push(PathRecord& record, bool stands, bool drains);
     template <class Call> std::uint64_t note(Call&& call);
+    void fill_retract(const Move& move, PathRecord& record) const;
     void fill_arc(const Move& move, PathRecord& record) const;
 
     const MachineView* view_;

@@ -94,6 +94,7 @@ struct PathState {
     std::array<WorkZone, 5> zones;          // guarded before each move
     bool after_thread = false;              // the move before was a thread: a further one chains
     double thread_lead = 0.0;
+    std::array<std::int8_t, kChannelAxes> last_way{};   // sign of the last movement of each axis; 0: none yet
     double tap_pitch = 0.0;                 // rigid tapping is on: mm a revolution, positive: right-hand; 0 off
     std::uint8_t tap_axis = 0;              // place of the axis that goes into the hole
     double tap_depth_sign = 1.0;            // its direction into the hole
@@ -119,6 +120,9 @@ struct ThreadCall {
     std::int32_t starts = 0;
     bool by_axis = false;                   // lead counts along `axis`, not along the longest
     std::uint8_t axis = 0;
+    // Way out when the thread is held, as Move has it. Not told: PT_THREAD_RETRACT against the last infeed.
+    std::array<std::int8_t, 3> withdraw_axis{-1, -1, -1};
+    std::array<double, 3> withdraw{};
 };
 
 class Core {
@@ -175,6 +179,8 @@ public:
     // release: until the signal goes instead.
     bool skip(const AxisValues& target, double feed, FeedMode mode, std::string_view input, bool release = false);
     AxisSet take_skip();    // axes stand where the signal stopped them; the set of those that ended before their target
+    // Programmed coordinate at which the signal came (the axes brake behind it): for measuring.
+    double skip_point(unsigned place) const { return skip_point_[place]; }
     bool machine_rapid(const AxisValues& machine, AxisSet which);      // G53
     void suspend_for(AxisSet which) { if (compensating_) suspend_compensation(which); }   // the next move leaves compensation
     bool reference(const AxisValues& machine, AxisSet which, MoveKind kind);   // end point of G28, G30
@@ -240,6 +246,7 @@ private:
     bool feed_ready();
     void tell_feed_path();
     bool spindle_ready(Alarm otherwise);
+    void choose_withdrawal(const ThreadCall& call, unsigned along);
     bool within_stroke(const AxisValues& machine, AxisSet moved);
     bool zones_allow();                                   // move_ does not violate a guarded work zone
     void deliver();
@@ -287,7 +294,7 @@ private:
     StrokeZones zones_;   // where the axes may be, as of the last barrier
     double surface_zero_told_ = 0.0;
     AxisSet skip_moved_ = 0;
-    AxisValues skip_target_{};
+    AxisValues skip_target_{}, skip_point_{};
     bool mode_changed_ = false, speed_changed_ = false, turn_changed_ = false, limit_changed_ = false;
 };
 

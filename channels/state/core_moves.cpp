@@ -96,6 +96,11 @@ void Core::deliver() {
     exact_once_ = false;
     emitted_ = true;
     ++moves_;
+    for (AxisSet left = move_.moved; left; left &= left - 1) {
+        const auto i = static_cast<unsigned>(__builtin_ctz(left));
+        const double way = move_.machine[i] - move_.machine_start[i];
+        if (way != 0.0) path.last_way[i] = way > 0 ? 1 : -1;
+    }
     for (unsigned i = 0; i < view_->axis_count; ++i)
         if (view_->axes[i].rollover) move_.pos[i] = wrapped(move_.pos[i], view_->axes[i].rollover_deg);
     if (reads_ahead()) tell_nose();
@@ -247,11 +252,14 @@ bool Core::skip(const AxisValues& target, double feed, FeedMode mode, std::strin
 
 AxisSet Core::take_skip() {
     AxisSet early = 0;
+    skip_point_ = path.programmed;
     for (AxisSet left = skip_moved_; left; left &= left - 1) {
         const auto i = static_cast<unsigned>(__builtin_ctz(left));
         const auto stopped = port_->axis_at_skip(view_->axes[i].machine_axis);
         if (!stopped) continue;
         take_machine(i, *stopped);
+        skip_point_[i] = path.programmed[i];
+        if (const auto rests = port_->axis_command(view_->axes[i].machine_axis)) take_machine(i, *rests);
         if (std::fabs(*stopped - skip_target_[i]) > kLimitSlack) early |= 1u << i;
     }
     return early;
@@ -329,6 +337,22 @@ bool Core::arc(const AxisValues& target, const ArcCall& programmed) {
     return true;
 }
 
+// Out of a held thread: as the program says, or PT_THREAD_RETRACT across it, back against the last movement of that axis,
+// which was the infeed. An axis that has not moved yet tells nothing: then a hold acts behind the thread.
+void Core::choose_withdrawal(const ThreadCall& call, unsigned along) {
+    move_.withdraw_axis = call.withdraw_axis;
+    move_.withdraw = call.withdraw;
+    if (call.withdraw_axis[0] >= 0) return;
+    const double distance = params::get(view_->table(), params::pt_thread_retract, view_->channel);
+    if (distance <= 0.0) return;
+    int p = -1, q = -1;
+    plane_axes(p, q);
+    const int across = static_cast<int>(along) == p ? q : p;
+    if (across < 0 || path.last_way[static_cast<std::size_t>(across)] == 0) return;
+    move_.withdraw_axis = {static_cast<std::int8_t>(across), -1, -1};
+    move_.withdraw[0] = -distance * path.last_way[static_cast<std::size_t>(across)];
+}
+
 bool Core::thread(const AxisValues& target, const ThreadCall& call) {
     if (call.lead <= 0.0) return fail(Alarm::LeadMissing, 'F');
     if (!begin_move(target, MoveKind::Thread)) return false;
@@ -374,6 +398,7 @@ bool Core::thread(const AxisValues& target, const ThreadCall& call) {
     move_.lead_change = call.lead_change;
     move_.start_angle = call.start_angle;
     move_.starts = call.starts;
+    choose_withdrawal(call, along);
     deliver();
     path.after_thread = true;
     accept(target);

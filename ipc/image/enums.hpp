@@ -97,6 +97,7 @@ enum class CommandKind : std::uint32_t {
     ProcessStopped, ProcessContinued,
     Restart, Retrace, JogInHold, Return,
     EndRun,          // controlled end of the kernel
+    Sensor,          // a simulated touch or limit signal, see commands.hpp
 };
 
 enum class StoreRequestKind : std::uint32_t {

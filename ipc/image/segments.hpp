@@ -75,6 +75,7 @@ struct StoreSegment {
     alignas(64) std::atomic<std::uint64_t> version{0};   // grows with each change of what follows
     Snapshot<params::Table> parameters;
     std::array<Snapshot<ChannelStore>, kMaxChannels> channels;
+    Snapshot<StoreTotals> totals;
     RingHead<ParamChange, 8192> param_changes;           // tail: KernelSegment::param_tail
     RingTail persist_tail;                               // consumer of KernelSegment::persist; before it all is applied
     alignas(64) std::atomic<std::uint64_t> on_disk{0};   // persist requests before this index are on disk

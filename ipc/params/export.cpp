@@ -137,6 +137,12 @@ std::string export_lines(const Table& table, Content content) {
     return out;
 }
 
+std::string export_row(const Row& row, const Table& table, Content content) {
+    std::string out;
+    append_row(out, row, table, content);
+    return out;
+}
+
 std::vector<Difference> difference(const Table& before, const Table& after) {
     std::vector<Difference> out;
     for (const Row& row : rows())

@@ -16,6 +16,8 @@ enum class Content : std::uint8_t {
 
 // Lines with the group's name above and name and unit behind, as comments.
 [[nodiscard]] std::string export_lines(const Table& table, Content content);
+// The lines of one row, without its group.
+[[nodiscard]] std::string export_row(const Row& row, const Table& table, Content content);
 
 // One value as a parameter line has it: shortest digits that read back exactly, texts quoted where needed.
 [[nodiscard]] std::string value_text(const Row& row, const Table& table, unsigned instance, unsigned element = 0);

@@ -3,20 +3,23 @@
 #include <algorithm>
 
 #include "ipc/params/registry.hpp"
+#include "ipc/params/row_default.hpp"
 
 namespace polyturn::params {
 
+void set_default(Table& table, const Row& row) noexcept {
+    const unsigned count = instances(row.scope) * row.array;
+    for (unsigned i = 0; i < count; ++i) {
+        if (row.type == Type::Text)
+            put_text_at(table, row.first_slot + i, row.default_text);
+        else
+            table.numbers[row.first_slot + i] = row.default_number(i % row.array);
+    }
+}
+
 void set_defaults(Table& table) noexcept {
     std::memset(&table, 0, sizeof table);
-    for (const Row& row : rows()) {
-        const unsigned count = instances(row.scope) * row.array;
-        for (unsigned i = 0; i < count; ++i) {
-            if (row.type == Type::Text)
-                put_text_at(table, row.first_slot + i, row.default_text);
-            else
-                table.numbers[row.first_slot + i] = row.default_number(i % row.array);
-        }
-    }
+    for (const Row& row : rows()) set_default(table, row);
 }
 
 Table defaults() noexcept {

@@ -51,6 +51,7 @@ public:
 
     bool referenced = false;
     bool detached = false;                                 // AN_DETCHA: does not exist until it is attached again
+    double skip = 0;                                       // measured when the last skip signal came
     bool rapid = false;                                    // feedforward in rapid is a choice of its own (N0515 FFR)
     std::uint32_t owner = 0;                               // channel (from 1) that moves it now
     std::uint32_t stroke_side = 0;                         // bit 0 at the positive end, bit 1 at the negative end

@@ -50,6 +50,7 @@ void ChannelRunner::cycle_start() noexcept {
             hold_ = false;
             cutting_s_ = rapid_s_ = waiting_s_ = cycle_s_ = 0;
             blocks_ = 0;
+            core_.totals.part_begins(index_);
             core_.event(KernelEventKind::CycleStarted, number_);
             tell(ChannelEventKind::CycleStart, cursor_, static_cast<double>(core_.supervisor.options.parts ? core_.supervisor.options.parts : 1),
                  mode_ == ChannelMode::Mdi ? std::string_view(mdi_.data()) : std::string_view{});
@@ -101,6 +102,7 @@ void ChannelRunner::finish_reset() noexcept {
     phase_ = Phase::None;
     at_boundary_ = true;
     thread_moving_ = thread_committed_ = false;
+    retract_.clear();
     begun_ = hold_ = interrupted_ = alarm_ = continue_ = released_ = passing_ = emergency_ = skipping_ = interrupts_on_ = interrupt_due_ = false;
     state_ = ChannelState::Reset;
     stop_reason_ = StopReason::Reset;

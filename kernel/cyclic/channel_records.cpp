@@ -89,7 +89,10 @@ bool ChannelRunner::execute_instant(const PathRecord& r, double offset_s) noexce
             }
             return true;
         }
-        case RecordKind::Part: ++parts_; return true;
+        case RecordKind::Part:
+            ++parts_;
+            core_.totals.part(index_);
+            return true;
         case RecordKind::Interrupts:
             interrupt_bits_ = r.mask;
             interrupts_on_ = r.code != 0;

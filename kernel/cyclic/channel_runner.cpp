@@ -237,7 +237,12 @@ bool ChannelRunner::skip_signal() noexcept {
     if (cursor_ >= planner_->next_record()) return false;
     const PathRecord& r = record(cursor_);
     if (!(r.flags & kSkipMove) || r.code < 0 || static_cast<std::size_t>(r.code) >= kInputs) return skipping_ = false;
-    if (core_.signals.input(static_cast<std::size_t>(r.code))) skipping_ = true;
+    if (!skipping_ && core_.signals.input(static_cast<std::size_t>(r.code))) {
+        skipping_ = skipped_ = true;
+        // The drives latch their encoders the moment the signal comes: a part of a tick ago, if a sensor says so.
+        const double part = core_.sensors.risen_part(static_cast<std::size_t>(r.code), core_.tick);
+        for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) core_.axes[a].skip = core_.sensors.position(core_.axes[a], a, part);
+    }
     return skipping_;
 }
 
@@ -246,7 +251,10 @@ void ChannelRunner::end_skipped_move() noexcept {
     if (step_.ended_to > step_.record) return;  // it came to its end all the same
     const PathRecord& r = record(step_.record);
     if (!(r.flags & kSkipMove)) return;
-    if (step_.s == 0) begin_record(r, 0);  // the signal was on before: nothing is driven, but the block has been
+    if (step_.s == 0) {  // the signal was on before: nothing is driven, but the block has been
+        begin_record(r, 0);
+        skipped_ = true;
+    }
     place_axes(r, step_.s);
     finished(r, step_.record, core_.config.tick_s);
     planner_->skip(step_.record + 1);
@@ -427,6 +435,7 @@ void ChannelRunner::report(KernelEventKind kind, const PathRecord& r, double off
 void ChannelRunner::begin_record(const PathRecord& r, double offset_s) noexcept {
     for (std::uint32_t i = 0; is_motion(r) && i < r.axis_count; ++i)
         if (core_.axes[r.axis[i]].slave && r.end[i] != r.start[i]) raise(Alarm::SlaveCommanded, name_of('A', r.axis[i]).view());
+    if (r.flags & kSkipMove) skipped_ = false;
     if (!is_motion(r) || (r.flags & kBlockBegin)) report(KernelEventKind::RecordBegin, r, offset_s);
 }
 
@@ -499,6 +508,7 @@ void ChannelRunner::publish(ChannelStatus& status) noexcept {
     status.epoch = epoch_;
     status.stop_reason = static_cast<std::int32_t>(stop_reason_);
     status.keys = keys;
+    status.skipped = skipped_ ? 1 : 0;
     core_.signals.set_nc(signals::cn_state(number_), static_cast<std::int32_t>(state_));
     core_.signals.set_nc(signals::cn_run(number_), state_ == ChannelState::Running || state_ == ChannelState::Waiting);
     core_.signals.set_nc(signals::cn_hold(number_), hold_);

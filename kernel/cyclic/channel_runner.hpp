@@ -18,6 +18,7 @@
 #include "ipc/path/path_geometry.hpp"
 #include "kernel/cyclic/core.hpp"
 #include "kernel/motion/path_planner.hpp"
+#include "kernel/cyclic/thread_retract.hpp"
 #include "kernel/motion/thread_follower.hpp"
 
 namespace polyturn::kernel {
@@ -67,6 +68,8 @@ public:
     void wake() const noexcept { core_.image.channel_bell[index_].ring(); }
     bool silent_too_long() const noexcept;
     bool can_go_on() const noexcept;  // something of it moves, counts down or waits for an answer
+    bool operates() const noexcept { return mode_ == ChannelMode::Auto && (state_ == ChannelState::Running || state_ == ChannelState::Waiting); }
+    bool cuts() const noexcept { return operates() && moving_ && !moving_rapid_; }
     bool in_handshake() const noexcept { return phase_ == Phase::Handshake; }
 
     ChannelState state() const noexcept { return state_; }
@@ -95,6 +98,10 @@ private:
     bool arrive(const PathRecord& r) noexcept;
     bool thread(double& left) noexcept;
     bool commit_thread() noexcept;
+    bool withdraws(const PathRecord& first) const noexcept;
+    void begin_withdrawal(const PathRecord& r, const ThreadStep& step) noexcept;
+    bool go_back(const PathRecord& first) noexcept;
+    void withdrawn(const ThreadStep& step) noexcept;
     bool thread_may_start(const PathRecord& r) noexcept;
     void report_thread(const ThreadStep& step) noexcept;
     bool at_rest() const noexcept { return planner_->at_rest() && !thread_moving_; }
@@ -139,6 +146,7 @@ private:
     std::unique_ptr<PathPlanner> planner_;
     std::unique_ptr<ThreadFollower> thread_;
     std::uint64_t thread_end_ = 0;         // its last record
+    ThreadRetract retract_;
     bool thread_committed_ = false, thread_moving_ = false;
     ChannelState state_ = ChannelState::Absent;
     ChannelMode mode_ = ChannelMode::Auto;
@@ -160,6 +168,7 @@ private:
     Phase phase_ = Phase::None;
     bool begun_ = false;                   // the standing record has reported its beginning
     bool hold_ = false, dead_ = false, stopped_ = false, resetting_ = false, interrupted_ = false, alarm_ = false, continue_ = false;
+    bool skipped_ = false;                 // the signal of the last skip move came
     bool rest_reported_ = false, released_ = false, passing_ = false, judged_ = false, emergency_ = false, skipping_ = false;
     // M96: the signal is watched; it has come and the path is to stop; as it was at the last tick.
     bool interrupts_on_ = false, interrupt_due_ = false, interrupt_signal_ = false;

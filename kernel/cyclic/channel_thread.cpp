@@ -63,8 +63,10 @@ bool ChannelRunner::thread(double& left) noexcept {
     if (phase_ != Phase::Thread) {
         phase_ = Phase::Thread;
         thread_moving_ = thread_committed_ = false;
+        retract_.clear();
     }
     const PathRecord& first = record(cursor_);
+    if (retract_.out()) return go_back(first), false;   // held out of the thread: back to where the pass begins
     if (!thread_moving_) {
         if (hold_ || interrupted_ || resetting_ || dead_ || core_.all_stop || state_ != ChannelState::Running) return false;
         if (!thread_committed_ && !(thread_committed_ = commit_thread())) return false;
@@ -80,8 +82,8 @@ bool ChannelRunner::thread(double& left) noexcept {
     input.acceleration = seen.acceleration();
     input.speed = seen.speed() + input.acceleration * core_.config.tick_s;
     // When everything stops, the axis follows the spindle down and leaves the thread only with it.
-    input.brake = thread_moving_ && spindle.command() == 0.0 && spindle.standing();
-    if (emergency_) input.emergency_dec = emergency_deceleration();
+    input.brake = (thread_moving_ && spindle.command() == 0.0 && spindle.standing()) || retract_.clear_of_part();
+    if (emergency_) input.emergency_dec = emergency_deceleration(), retract_.stop();
     const ThreadStep step = thread_->tick(input);
     if (step.lost_line) raise(Alarm::ThreadSpindleTooFast, "the spindle has become too fast for the axes");
     if (step.phase == ThreadPhase::Waiting || step.phase == ThreadPhase::Idle) return false;
@@ -91,12 +93,18 @@ bool ChannelRunner::thread(double& left) noexcept {
     report_thread(step);
     const PathRecord& r = record(step.record);
     place_axes(r, step.s);
+    if (!retract_.active() && withdraws(r)) begin_withdrawal(r, step);
+    retract_.move_axes(core_.axes, core_.config.tick_s);
     line_ = r.line;
     block_ = r.block;
     file_ = r.file;
     step_.speed = step.speed;
     step_.s = step.s;
     if (step.phase != ThreadPhase::Done) return false;
+    if (retract_.active()) {
+        if (retract_.clear_of_part() || !retract_.moving()) withdrawn(step);
+        return false;
+    }
     const bool whole = step.ended_to == thread_end_ + 1 && step.ended_to > step.ended_from;
     spindle.override_locked = false;
     if (spindle.locked_by == number_ && spindle.mode() != SpindleUnit::Mode::SurfaceSpeed) spindle.locked_by = 0;

@@ -76,7 +76,12 @@ void Machine::run_command(const Command& c) noexcept {
             else if (!c.flags && c.object < kNcSignals) core_.signals.release_nc(c.object);
             break;
         case CommandKind::SetInput:
-            if (c.object < kInputs) core_.signals.set_input(c.object, on);
+            if (c.object >= kInputs) break;
+            if (c.flags) core_.signals.release_input(c.object);
+            else core_.signals.set_input(c.object, on);
+            break;
+        case CommandKind::Sensor:
+            if (c.object >= 1 && c.object <= kMaxAxes && c.flags < kInputs) core_.sensors.add({c.object - 1, c.flags, c.channel == 1 ? 1 : c.channel == 2 ? -1 : 0, c.value});
             break;
         case CommandKind::DriveFault:
             if (!c.flags && c.object >= 1 && c.object <= kMaxAxes && core_.config.axes[c.object - 1].on_spindle)

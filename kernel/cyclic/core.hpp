@@ -8,10 +8,12 @@
 #include "ipc/image/segments.hpp"
 #include "kernel/cyclic/axis_unit.hpp"
 #include "kernel/cyclic/event_log.hpp"
+#include "kernel/cyclic/sensors.hpp"
 #include "kernel/cyclic/signals.hpp"
 #include "kernel/cyclic/spindle_unit.hpp"
 #include "kernel/cyclic/store_link.hpp"
 #include "kernel/cyclic/stroke_guard.hpp"
+#include "kernel/cyclic/totals.hpp"
 #include "kernel/cyclic/waits.hpp"
 
 namespace polyturn::kernel {
@@ -43,7 +45,9 @@ struct Core {
 
     EventLog log;
     Signals signals;
+    Sensors sensors;
     StoreLink store;
+    Totals totals;
     std::array<AxisUnit, kMaxAxes> axes{};
     std::array<SpindleUnit, kMaxSpindles> spindles{};
     WaitBoard waits;

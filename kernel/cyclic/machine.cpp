@@ -32,7 +32,9 @@ void Machine::start() {
     core_.image.tick_ns.store(static_cast<std::uint64_t>(core_.config.tick_ns), std::memory_order_release);
     for (unsigned a = 0; a < kMaxAxes; ++a) {
         if (!core_.config.axes[a].exists) continue;
-        const double at = options.start_known[a] ? options.start_position[a] : 0.0;
+        // A simulated machine stands where it was left.
+        const double left_at = store_segment_->totals.published().last_position[a];
+        const double at = options.start_known[a] ? options.start_position[a] : std::isfinite(left_at) ? left_at : 0.0;
         open_axis(a, at);
         core_.axes[a].referenced = options.ready != 0 || params::bit(core_.table, params::n0900_reference_type, a + 1, 3);
     }
@@ -45,6 +47,7 @@ void Machine::start() {
         if (core_.config.channels[l].exists) core_.signals.set_nc(signals::cn_ssel(l + 1), static_cast<std::int32_t>(core_.config.channels[l].default_spindle));
     }
     show_free_parameters();
+    core_.totals.start(core_.table);
     store_version_ = store_segment_->version.load(std::memory_order_acquire);
     core_.stroke.update(core_);
     set_state(options.ready ? MachineState::On : MachineState::Off);
@@ -106,6 +109,8 @@ void Machine::tick() noexcept {
     if (const std::uint32_t torn = couplings_.torn_gantry(); torn && core_.on()) emergency_stop(Alarm::GantryError, core_.config.axes[torn - 1].channel, name_of('A', torn - 1).view(), core_.axes[torn - 1].measured());
     run_axes();
     position_signals();
+    core_.sensors.look(core_.axes, core_.signals, core_.config.axis_count, core_.tick);
+    count_totals();
     watch_signals();
     trace();
     ++core_.tick;
@@ -122,6 +127,7 @@ void Machine::take_answers() noexcept {
         couplings_.configure(core_.table, core_.config);
         show_free_parameters();
         core_.stroke.configure(core_.config);
+        core_.totals.adopt(core_.table);
         for (unsigned a = 0; a < core_.config.axis_count; ++a) core_.axes[a].configure(core_.config.axes[a]);
         for (unsigned s = 0; s < core_.config.spindle_count; ++s) core_.spindles[s].configure(core_.config.spindles[s]);
         for (auto& channel : channels_) channel->store_changed();

@@ -86,6 +86,7 @@ private:
     void watch_signals() noexcept;
     void set_state(MachineState state) noexcept;
     void show_free_parameters() noexcept;
+    void count_totals() noexcept;
     void emergency_stop(Alarm reason, std::uint32_t channel, std::string_view detail, double value) noexcept;
     void partner_death(unsigned index) noexcept;
     void process_died(std::uint32_t slot) noexcept;

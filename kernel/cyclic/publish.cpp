@@ -23,6 +23,7 @@ void Machine::publish() noexcept {
         out.velocity = axis.velocity();
         out.error = axis.error();
         out.owner = axis.owner;
+        out.skip = axis.skip;
         out.flags = kExists | (axis.referenced ? kReferenced : 0u) | (axis.in_position() ? kInPos : 0u) | (axis.moving() ? kMoving : 0u) |
                     (axis.faulted() ? kDriveFault : 0u) | (axis.config().rotary ? kRotary : 0u) | (axis.config().diameter ? kDiameter : 0u);
     }

@@ -33,7 +33,13 @@ public:
     void force_nc(std::uint32_t slot, std::int32_t value) noexcept { forced_nc_[slot] = true, nc_[slot] = value; }
     void release_plc(std::uint32_t slot) noexcept { forced_plc_[slot] = false, plc_[slot] = answered_[slot]; }
     void release_nc(std::uint32_t slot) noexcept { forced_nc_[slot] = false; }
-    void set_input(std::size_t number, bool on) noexcept { input_[number] = on; }
+    // Forced until it is given back; sensors write what is not forced.
+    void set_input(std::size_t number, bool on) noexcept { forced_input_[number] = true, input_[number] = on; }
+    void release_input(std::size_t number) noexcept { forced_input_[number] = false, input_[number] = sensed_[number]; }
+    void sense(std::size_t number, bool on) noexcept {
+        sensed_[number] = on;
+        if (!forced_input_[number]) input_[number] = on;
+    }
 
     void fill(PlcInputs& inputs) const noexcept {
         inputs.signal = nc_;
@@ -46,7 +52,7 @@ private:
     std::array<std::int32_t, kPlcSignals> plc_{}, answered_{};
     std::bitset<kNcSignals> forced_nc_;
     std::bitset<kPlcSignals> forced_plc_;
-    std::bitset<kInputs> input_;
+    std::bitset<kInputs> input_, sensed_, forced_input_;
 };
 
 }  // namespace polyturn::kernel

@@ -11,6 +11,7 @@
 
 #include "ipc/text/read_file.hpp"
 #include "ipc/text/setup_text.hpp"
+#include "kernel/supervisor/setup_sensors.hpp"
 #include "kernel/supervisor/like.hpp"
 
 namespace polyturn::supervisor {
@@ -166,6 +167,7 @@ private:
             plan_.setup_path = path;
         }
         for (const auto& [number, channel] : plan_.setup.channels) check_setup_axes(number, channel);
+        check_sensors(plan_.setup, *plan_.machine, failure_.diagnoses);
         const bool job_zeros = plan_.job && !plan_.job->zeros.empty();
         if (!job_zeros && options_.like.empty()) return;
         // Zeros of the job and what --like copies come to the setup's; the other processes read the whole from one file.

@@ -1,5 +1,7 @@
 #include "kernel/supervisor/press_words.hpp"
 
+#include "ipc/machine/named_inputs.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -366,6 +368,12 @@ int input_number(std::string_view words) {
             const auto number = number_of(trimmed(words.substr(prefix.size())));
             if (number && *number >= 0 && *number < static_cast<double>(kInputs) && *number == std::floor(*number)) return static_cast<int>(*number);
         }
+    // "SKIP", "XAE L2": inputs that every channel has
+    const auto blank = words.find_first_of(" \t");
+    const std::string_view name = words.substr(0, blank), scope = blank == std::string_view::npos ? std::string_view("L1") : trimmed(words.substr(blank));
+    if (std::find(kInputNames.begin(), kInputNames.end(), name) != kInputNames.end() && scope.size() > 1 && scope[0] == 'L')
+        if (const auto channel = number_of(scope.substr(1)); channel && *channel >= 1 && *channel <= static_cast<double>(kMaxChannels))
+            if (const auto input = input_by_name(name, static_cast<unsigned>(*channel))) return static_cast<int>(*input);
     return -1;
 }
 

@@ -9,6 +9,7 @@
 #include "kernel/supervisor/press_words.hpp"
 #include "kernel/supervisor/program_stops.hpp"
 #include "kernel/supervisor/run_session.hpp"
+#include "kernel/supervisor/setup_sensors.hpp"
 #include "kernel/supervisor/start_position.hpp"
 
 namespace polyturn::supervisor {
@@ -150,6 +151,7 @@ void RunSession::send_start() {
         command.flags = watched.side | (watched.is_double ? kSlotOfDouble : 0u);
         send_at(command, 0.0);
     }
+    for (const Command& sensor : sensor_commands(plan_.setup, *plan_.machine)) send_at(sensor, 0.0);
     for (const auto& [channel, setup] : plan_.setup.channels) {
         const text::KeySetup& keys = setup.keys;
         if (keys.single_block) send_at(make(CommandKind::SingleBlock, channel, 1), 0.0);

@@ -1,0 +1,44 @@
+// What the machine counts over its life (parts, hours) and where its axes came to rest: kept by the store, sent through the
+// kernel's ring. Parts at once; hours when a program stops and every ten seconds, because each is a write to the disk.
+#pragma once
+#include <array>
+#include <bitset>
+#include <cstdint>
+
+#include "ipc/machine/counters.hpp"
+#include "kernel/cyclic/axis_unit.hpp"
+#include "kernel/cyclic/store_link.hpp"
+
+namespace polyturn::kernel {
+
+class Totals {
+public:
+    // From the parameters as the store has them.
+    void start(const params::Table& table) noexcept;
+    // An operator may have set one of them (a part counter to 0).
+    void adopt(const params::Table& table) noexcept;
+    void part(unsigned channel) noexcept;          // from 0
+    void part_begins(unsigned channel) noexcept { value(Counter::PartTime, channel) = 0; }
+    struct Activity {
+        bool operates = false, cuts = false, interval = false;
+    };
+    void spend(unsigned channel, const Activity& activity, double ms) noexcept;
+    void power_on(double ms) noexcept { values_[static_cast<std::size_t>(kPowerOnTime)] += ms; }
+    void timers_due() noexcept { due_.set(); }
+    // An axis stands: where it is counts.
+    void rests(unsigned axis, double position) noexcept;
+    // What is due goes to the store as far as its ring has room; the table shows it too.
+    void send(params::Table& table, StoreLink& store) noexcept;
+    bool operated(unsigned channel) const noexcept { return operated_[channel]; }
+
+private:
+    static constexpr std::size_t kNumbers = static_cast<std::size_t>(kPowerOnTime) + 1;
+    double& value(Counter counter, unsigned channel) noexcept { return values_[static_cast<std::size_t>(counter_number(counter, channel + 1))]; }
+    std::array<double, kNumbers> values_{}, shown_{};
+    std::bitset<kNumbers> due_;
+    std::bitset<kMaxChannels> operated_;
+    std::array<double, kMaxAxes> position_{}, kept_{};
+    std::bitset<kMaxAxes> moved_, known_;
+};
+
+}  // namespace polyturn::kernel
