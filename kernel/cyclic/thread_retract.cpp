@@ -35,8 +35,6 @@ bool ThreadRetract::begin(const PathRecord& r, const std::array<AxisUnit, kMaxAx
         const double way = retract_of(r, k);
         if (way == 0.0) continue;
         const AxisConfig& axis = axes[r.axis[k]].config();
-        const double exit = axes[r.axis[k]].target() + way;
-        if (axis.stroke_limited && axes[r.axis[k]].referenced && (exit > axis.stroke_high || exit < axis.stroke_low)) return false;
         const double share = std::fabs(way) / length_;
         const double taken = r.length > 0 ? path_speed * std::fabs(r.end[k] - r.start[k]) / r.length : 0.0;
         limits.speed = std::min(limits.speed, std::max(axis.rapid - taken, kLeastShare * axis.rapid) / share);
@@ -110,6 +108,9 @@ bool ChannelRunner::withdraws(const PathRecord&) const noexcept {
 }
 
 void ChannelRunner::begin_withdrawal(const PathRecord& r, const ThreadStep& step) noexcept {
+    // A way out that is closed is none: the hold then acts behind the thread.
+    for (std::uint32_t k = 0; k < r.axis_count; ++k)
+        if (const double way = retract_of(r, k); way != 0.0 && core_.stroke.room(core_, r.axis[k], way) < std::fabs(way)) return;
     if (!(keys & kKeyMachineLock)) (void)retract_.begin(r, core_.axes, step.speed, core_.config.tick_s);
 }
 

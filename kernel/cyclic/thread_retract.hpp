@@ -27,7 +27,7 @@ public:
     bool clear_of_part() const noexcept { return phase_ >= Phase::Clear; }
     bool out() const noexcept { return phase_ >= Phase::Out; }
 
-    // Out by record.retract beside a path of speed `path_speed`. False: the way out is none, or ends beyond a stroke.
+    // Out by record.retract beside a path of speed `path_speed`. False: there is no way out.
     bool begin(const PathRecord& record, const std::array<AxisUnit, kMaxAxes>& axes, double path_speed, double tick_s) noexcept;
     // One tick of the way out, on top of what the path commands.
     void move_axes(std::array<AxisUnit, kMaxAxes>& axes, double tick_s) noexcept;
