@@ -40,6 +40,8 @@ public:
     virtual bool second_geometry(unsigned /*axis*/) { return false; }
     // What the PLC says now about the stroke ranges of a machine axis: the set it selects, ranges it has switched off.
     virtual StrokeFlags stroke_flags(unsigned machine_axis) = 0;
+    // Machine spindle that the PLC has chosen for this channel (CP_SSEL); 0: it has chosen none.
+    virtual unsigned selected_spindle() { return 0; }
     // This program cuts per revolution on a spindle that it has not started itself. Has somebody else?
     enum class Turning : unsigned char { No, Unknown, Watched };   // Watched: the kernel sees to it, nothing to say here
     virtual Turning started_by_others(unsigned spindle) = 0;

@@ -20,12 +20,18 @@ bool turn(Core& core, SpindleTurn direction) {
     return true;
 }
 
+// A rigid tap is turned by the moves themselves: the PLC hears nothing of it.
+bool turn_for(Core& core, const Drilling& hole, SpindleTurn direction) {
+    if (!hole.rigid) return turn(core, direction);
+    return core.spindle_turn(direction) && core.commit_spindle();
+}
+
 SpindleTurn forward_of(const Drilling& hole) { return hole.left_hand ? SpindleTurn::Ccw : SpindleTurn::Cw; }
 
 // The spindle turns back and the axis follows it to `level`.
 bool out_of_thread(Core& core, const Drilling& hole, double level, double factor) {
     const double feed = core.path.feed;
-    if (!turn(core, hole.left_hand ? SpindleTurn::Cw : SpindleTurn::Ccw)) return false;
+    if (!turn_for(core, hole, hole.left_hand ? SpindleTurn::Cw : SpindleTurn::Ccw)) return false;
     core.path.feed = feed * factor;
     const bool good = to(core, hole, level, false);
     core.path.feed = feed;
@@ -41,7 +47,7 @@ bool tap_in_pecks(Core& core, const Drilling& hole) {
         depth = last ? hole.bottom : depth + step;
         if (!to(core, hole, depth, false)) return false;
         if (last) return true;
-        if (!out_of_thread(core, hole, hole.chip_break ? depth + up : hole.r_level, hole.out_factor) || !turn(core, forward_of(hole))) return false;
+        if (!out_of_thread(core, hole, hole.chip_break ? depth + up : hole.r_level, hole.out_factor) || !turn_for(core, hole, forward_of(hole))) return false;
         if (hole.chip_break) continue;
         const double feed = core.path.feed;
         core.path.feed = feed * hole.return_factor;
@@ -122,7 +128,9 @@ bool tap_axial(Core& core, const AxialHole& hole) {
     return good && turn(core, rigid ? SpindleTurn::Stop : in);
 }
 
-bool drill(Core& core, const Drilling& hole) {
+namespace {
+
+bool drill_hole(Core& core, const Drilling& hole) {
     if (!to(core, hole, hole.r_level, true)) return false;
     const SpindleTurn in = core.path.spindle.turn;
     const bool taps = hole.way_out == Drilling::Way::Tap;
@@ -144,10 +152,28 @@ bool drill(Core& core, const Drilling& hole) {
         case Drilling::Way::Tap:
             if (!out_of_thread(core, hole, hole.r_level, hole.out_factor)) return false;
             if (hole.dwells && hole.dwells_at_r && !core.dwell(hole.dwell, hole.dwell_revolutions)) return false;
-            if (!turn(core, forward_of(hole))) return false;
+            if (!turn_for(core, hole, forward_of(hole))) return false;
             break;
     }
     return hole.to_r_level ? true : to(core, hole, hole.initial, true);
+}
+
+}  // namespace
+
+bool drill(Core& core, const Drilling& hole) {
+    if (!hole.rigid) return drill_hole(core, hole);
+    PathState& path = core.path;
+    const bool locked = path.override_locked;
+    path.override_locked = true;
+    path.tap_pitch = hole.left_hand ? -hole.pitch : hole.pitch;
+    path.tap_axis = static_cast<std::uint8_t>(hole.axis);
+    path.tap_depth_sign = hole.bottom < hole.r_level ? -1.0 : 1.0;
+    path.tap_feedforward = hole.feedforward;
+    path.tap_own_acceleration_out = hole.own_acceleration_out;
+    const bool good = drill_hole(core, hole);
+    core.path.tap_pitch = 0;
+    core.path.override_locked = locked;
+    return good;
 }
 
 }  // namespace polyturn::channels::cycles

@@ -25,6 +25,10 @@ struct Drilling {
     bool left_hand = false;         // Tap: turns anticlockwise on the way in
     bool to_r_level = false;        // ends at the R level
     double out_factor = 1.0;        // Tap: speed out of the thread
+    // Tap: the spindle is positioned and turns along with the axis, `pitch` mm a revolution; whoever calls closes its loop before.
+    bool rigid = false;
+    double pitch = 0.0;
+    bool feedforward = false, own_acceleration_out = false;   // N1503 RFF, EAE
     double return_factor = 1.0;     // Tap in pecks that leave the thread: speed back to the cut
 };
 

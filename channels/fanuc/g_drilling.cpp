@@ -61,9 +61,19 @@ bool Interpreter::begin_rigid_tap(cycles::Drilling& hole, bool left_hand) {
     hole.out_factor = tapping.out_factor;
     hole.return_factor = tapping.return_factor;
     if (tapping.word_i && block_.has('I') && block_.value('I') > 0) hole.out_factor = block_.value('I') / 100.0;
+    hole.rigid = tapping.orients || tapping.code > 0;   // otherwise nothing closes the spindle's loop: it turns, the axis follows
+    hole.feedforward = tapping.feedforward;
+    hole.own_acceleration_out = tapping.own_acceleration_out;
+    if (hole.rigid) {
+        const double rpm = core_.path.spindle.rpm, feed = core_.path.feed;
+        const bool per_revolution = core_.path.feed_mode == FeedMode::PerRevolution;
+        if (!(rpm > 0)) return core_.fail(Alarm::SpindleStopped, 'G');
+        hole.pitch = per_revolution ? feed : feed / rpm;
+        if (!(hole.pitch > 0)) return core_.fail(Alarm::FeedMissing, 'F');
+    }
     const SpindleTurn turn = left_hand ? SpindleTurn::Ccw : SpindleTurn::Cw;
     if (!core_.spindle_turn(turn) || !core_.commit_spindle()) return false;
-    core_.aux('M', left_hand ? 4 : 3, left_hand ? "M4" : "M3", false);
+    if (!hole.rigid) core_.aux('M', left_hand ? 4 : 3, left_hand ? "M4" : "M3", false);
     return true;
 }
 
@@ -155,6 +165,10 @@ bool Interpreter::run_drilling() {
         for (unsigned i = 0; i < core_.view().axis_count; ++i)
             if (named >> i & 1u) position[i] = absolute_ && k == 0 ? step[i] : (absolute_ ? step[i] : core_.path.programmed[i] + (step[i] - from[i]));
         if (!core_.rapid(position) || !cycles::drill(core_, hole)) return false;
+    }
+    if (hole.rigid) {   // the loop opens again
+        if (!core_.spindle_turn(SpindleTurn::Stop) || !core_.commit_spindle()) return false;
+        core_.aux('M', 5, "M5", false);
     }
     return true;
 }

@@ -68,7 +68,7 @@ struct Settings {
     bool second_geometry = false;        // nct N1414#4
     bool milling_drills = false;         // G73 G74 G76 are drilling cycles
     struct Tapping {                     // N1503 to N1507
-        bool orients = false, leaves_hole = false;
+        bool orients = false, leaves_hole = false, feedforward = false, own_acceleration_out = false;
         double code = 0, chip_break = 0, clearance = 0, out_factor = 1, return_factor = 1;
         bool word_i = false;             // I is the extraction override
     } tapping;

@@ -60,6 +60,8 @@ fanuc::Settings nct_settings(const Table& t, unsigned l) {
     s.second_geometry = bit(t, n1414_comp_config_on_lathes, l, 4);
     s.milling_drills = mill && !bit(t, n1503_drilling_cycles_config, l, 0) && !bit(t, n1611_turning_cyc_config, l, 0);
     s.tapping.orients = bit(t, n1503_drilling_cycles_config, l, 1);
+    s.tapping.feedforward = bit(t, n1503_drilling_cycles_config, l, 2);
+    s.tapping.own_acceleration_out = bit(t, n1503_drilling_cycles_config, l, 6);
     s.tapping.leaves_hole = bit(t, n1503_drilling_cycles_config, l, 3);
     s.tapping.chip_break = get(t, n1504_return_val_in_tapping, l) * unit;
     s.tapping.clearance = get(t, n1505_clearance_val_in_tapping, l) * unit;

@@ -77,6 +77,11 @@ bool RunPort::second_geometry(unsigned axis) {
     return plc_->signal[select(channel_)] != 0;
 }
 
+unsigned RunPort::selected_spindle() {
+    const std::int32_t number = plc_->signal[PlcSignal{signals::cp_ssel}(channel_)];
+    return number > 0 && number <= static_cast<std::int32_t>(kMaxSpindles) ? static_cast<unsigned>(number) : 0u;
+}
+
 Port::Turning RunPort::started_by_others(unsigned) { return Turning::Watched; }
 
 }  // namespace polyturn::channels

@@ -28,6 +28,7 @@ public:
     double running_ms() override;
     StrokeFlags stroke_flags(unsigned machine_axis) override;
     bool second_geometry(unsigned axis) override;
+    unsigned selected_spindle() override;
     Turning started_by_others(unsigned spindle) override;
     const MachineStatus& picture() const { return *status_; }
 

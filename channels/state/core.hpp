@@ -98,7 +98,7 @@ struct PathState {
     double tap_pitch = 0.0;                 // rigid tapping is on: mm a revolution, positive: right-hand; 0 off
     std::uint8_t tap_axis = 0;              // place of the axis that goes into the hole
     double tap_depth_sign = 1.0;            // its direction into the hole
-    bool tap_feedforward = false;
+    bool tap_feedforward = false, tap_own_acceleration_out = false;
     ToolState tool;
     SpindleState spindle;
 };

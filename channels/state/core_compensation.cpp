@@ -160,9 +160,16 @@ bool Core::holds_block() const { return reads_ahead() && (comp_->holds_block() |
 bool Core::halted() const { return comp_->halted(); }
 
 bool Core::barrier_passed() {
-    if (!reads_ahead()) return true;
-    comp_->resume();
-    return !(staged_ && stage_->holding()) && !comp_->holds() && !comp_->halted();
+    if (reads_ahead()) {
+        comp_->resume();
+        if ((staged_ && stage_->holding()) || comp_->holds() || comp_->halted()) return false;
+    }
+    // The PLC may have given the channel another spindle: what was said to the old one does not hold for it.
+    if (const auto chosen = static_cast<std::uint16_t>(port_->selected_spindle()); chosen != 0 && chosen != path.spindle.spindle) {
+        path.spindle = {};
+        path.spindle.spindle = chosen;
+    }
+    return true;
 }
 
 double Core::machine_now(unsigned i) const {

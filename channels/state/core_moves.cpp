@@ -192,7 +192,7 @@ void Core::turn_with_move() {
     const double way = (move_.machine[path.tap_axis] - move_.machine_start[path.tap_axis]) * path.tap_depth_sign;
     move_.tap_turns = way / path.tap_pitch;
     move_.tap_rpm = path.spindle.rpm;
-    move_.tap_out = way < 0;
+    move_.tap_out = way < 0 && path.tap_own_acceleration_out;
     move_.tap_feedforward = path.tap_feedforward;
 }
 

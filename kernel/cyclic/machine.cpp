@@ -149,6 +149,11 @@ void Machine::supervise() noexcept {
         builder_message_ = message;
         if (message) core_.alarm(Alarm::BuilderMessage, 0, {}, message);
     }
+    const std::int32_t note = core_.signals.plc(signals::plc_note());
+    if (note != builder_note_) {
+        builder_note_ = note;
+        if (note) core_.alarm(Alarm::BuilderNote, 0, {}, note);
+    }
 }
 
 void Machine::run_channels() noexcept {

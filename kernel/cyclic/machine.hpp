@@ -76,6 +76,8 @@ private:
     void guard_stroke(std::uint32_t axis) noexcept;
     void attach_and_detach(std::uint32_t axis) noexcept;
     void position_signals() noexcept;
+    void choose_spindles() noexcept;
+    std::array<std::int32_t, kMaxChannels> chosen_spindle_{};   // CP_SSEL as it was
     void run_spindles() noexcept;
     void spindle_fault(std::uint32_t index) noexcept;
     void run_axes() noexcept;
@@ -117,7 +119,7 @@ private:
     std::array<Watch, kMaxWatches> watches_{};
     std::size_t watch_count_ = 0;
     bool store_dead_ = false, plc_late_ = false;
-    std::int32_t builder_message_ = 0;
+    std::int32_t builder_message_ = 0, builder_note_ = 0;
     RingProducer<RingHead<TraceSample, 1024>> trace_ring_;
     TraceSample pending_trace_{};
     bool trace_pending_ = false;

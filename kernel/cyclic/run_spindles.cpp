@@ -60,7 +60,18 @@ void Machine::share_drives() noexcept {
     }
 }
 
+// The PLC gives a channel another spindle; the channel itself hears of it at its barrier.
+void Machine::choose_spindles() noexcept {
+    for (std::uint32_t l = 1; l <= kMaxChannels; ++l) {
+        const std::int32_t chosen = core_.signals.plc(signals::cp_ssel(l));
+        if (chosen == chosen_spindle_[l - 1]) continue;
+        chosen_spindle_[l - 1] = chosen;
+        core_.signals.set_nc(signals::cn_ssel(l), chosen > 0 ? chosen : static_cast<std::int32_t>(core_.config.channels[l - 1].default_spindle));
+    }
+}
+
 void Machine::run_spindles() noexcept {
+    choose_spindles();
     share_drives();
     SpindleInput in;
     in.tick_s = core_.config.tick_s;

@@ -98,6 +98,7 @@ private:
         LoadedMachine loaded = load_machine(plan_.source);
         plan_.table = std::move(loaded.table);
         plan_.room_file = loaded.room_file;
+        for (const Diagnosis& wrong : plan_.messages.add_file((std::filesystem::path(loaded.params_file).parent_path() / "messages.csv").string())) print_diagnosis(wrong, Dialect::Polyturn);
         if (!loaded.ok()) {
             // A contradiction (PT09xx) means that every line could be read: the machine is wrong, not the input.
             const bool unreadable = !failure_.diagnoses.empty() || std::any_of(loaded.diagnoses.begin(), loaded.diagnoses.end(), [](const Diagnosis& d) {
@@ -207,6 +208,7 @@ JobPlan::JobPlan(JobPlan&& other) noexcept
       table(std::move(other.table)),
       machine(std::move(other.machine)),
       room_file(std::move(other.room_file)),
+      messages(std::move(other.messages)),
       programs(std::move(other.programs)),
       setup(std::move(other.setup)),
       setup_path(std::move(other.setup_path)),

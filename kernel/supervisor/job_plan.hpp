@@ -9,6 +9,7 @@
 
 #include "ipc/machine/load_machine.hpp"
 #include "ipc/machine/machine_config.hpp"
+#include "ipc/text/builder_messages.hpp"
 #include "ipc/text/job.hpp"
 #include "ipc/text/setup.hpp"
 #include "kernel/supervisor/options.hpp"
@@ -27,6 +28,7 @@ struct JobPlan {
     std::unique_ptr<params::Table> table;
     std::unique_ptr<MachineConfig> machine;
     std::string room_file;
+    text::BuilderMessages messages;
     std::map<unsigned, PlannedProgram> programs;  // by channel
     text::Setup setup;                            // zeros of the job included
     std::string setup_path;                       // for the other processes; empty: none

@@ -253,6 +253,7 @@ void RunSession::take_alarm(const KernelEvent& event, double t_s) {
     diagnosis.values[0] = event.value;
     diagnosis.detail = event.text.data();
     diagnosis.place.line = event.line;
+    if (diagnosis.alarm == Alarm::BuilderMessage || diagnosis.alarm == Alarm::BuilderNote) diagnosis.detail = plan_.messages.explain(static_cast<int>(event.value));
     if (event.line) {
         // The kernel knows lines, the channel's last block knows the file: a subprogram's, perhaps.
         const auto program = plan_.programs.find(event.channel);

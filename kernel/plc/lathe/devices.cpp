@@ -58,16 +58,38 @@ bool LathePlc::helper_code(View view, std::uint32_t channel, std::uint32_t selec
             if (missing(view, set.in_bar)) return refuse(channel, kBarEnd), true;
             chuck(view, channel, selected, true);
             if (me.pending.task == Task::Chuck) me.pending.task = Task::BarOpen;
-            else if (me.pending.task == Task::Standstill) me.pending.range = 2;   // goes on as a bar feed
+            else if (me.pending.task == Task::Standstill) me.pending.range = kThenBar;
             return true;
         }
         const bool turns = selected != 0 && view.in.signal[spindle_slots_[selected - 1].stands] == 0;
-        if (h == kTailstock && !out && turns) return refuse(channel, kTailstockTurning), true;
+        if (h == kTailstock && !out && turns) {
+            if (spindles_[selected - 1].rotation != kStop) return refuse(channel, kTailstockTurning), true;
+            me.pending = {Task::Standstill, selected, 0, view.in.tick + ticks(kSpindleTimeS), kThenHelper, code};   // M5 has only just been given
+            return true;
+        }
         me.out[h] = out;
         me.pending = {Task::Helper, 0, 0, view.in.tick + ticks(set.time_s[h]), 0};
         return true;
     }
     return false;
+}
+
+// One code may couple several axes; it is done when the NC has acknowledged the last of them.
+bool LathePlc::coupling_code(View view, std::uint32_t channel, std::int32_t code) {
+    bool any = false;
+    for (const AxisCouplings& axis : couplings_)
+        for (std::size_t k = 0; k < kCouplings; ++k) {
+            const std::int32_t first = axis.code[k];
+            if (first <= 0 || (code != first && code != first + 1)) continue;
+            any = true;
+            view.out.signal[axis.request[k]] = code == first;
+            Pending& pending = at(channel).pending;
+            pending = {};
+            pending.task = Task::Coupled;
+            pending.range = code == first;
+            pending.slot = axis.answer[k];
+        }
+    return any;
 }
 
 // Chuck open, bar forwards, chuck closed. True: done.

@@ -73,7 +73,7 @@ void LathePlc::start_m(View view, std::uint32_t channel, std::int32_t code) {
     me.pending = {};
     me.m_code = code;
     // The helpers come first: their codes are chosen for this machine.
-    if (helper_code(view, channel, selected, code) || spindle_code(view, channel, selected, code)) return;
+    if (coupling_code(view, channel, code) || helper_code(view, channel, selected, code) || spindle_code(view, channel, selected, code)) return;
     if (code == 8 || code == 9) me.coolant = code == 8;
     if (code == 2 || code == 30) end_of_channel(channel);
     finish_m(view, channel);
@@ -107,6 +107,9 @@ void LathePlc::watch_pending(View view, std::uint32_t channel) {
         case Task::Helper:
             if (view.in.tick >= pending.due_tick) finish_m(view, channel);
             return;
+        case Task::Coupled:
+            if (view.in.signal[pending.slot] == pending.range) finish_m(view, channel);
+            return;
         case Task::BarOpen:
         case Task::BarFeed:
         case Task::BarClamp:
@@ -133,9 +136,13 @@ void LathePlc::watch_pending(View view, std::uint32_t channel) {
         if (view.in.tick >= pending.due_tick) refuse(channel, kSpindleTooSlow);
         return;
     }
-    if (pending.task == Task::InPosition || pending.range == 0) return finish_m(view, channel);
-    // A chuck that was to open once the spindle stands.
-    const bool bar = pending.range == 2;
+    if (pending.task == Task::InPosition || pending.range == kThenNothing) return finish_m(view, channel);
+    // What was to happen once the spindle stands.
+    if (pending.range == kThenHelper) {
+        (void)helper_code(view, channel, spindle, pending.slot);
+        return;
+    }
+    const bool bar = pending.range == kThenBar;
     chuck(view, channel, spindle, true);
     if (bar && pending.task == Task::Chuck) pending.task = Task::BarOpen;
 }

@@ -21,7 +21,8 @@
 //   helpers         each has the codes n and n+1 that its parameter gives, 0:   after the time of the helper
 //                   there is none: tailstock forwards and back (PT_M_TAILSTOCK), bar feed (PT_M_BAR: opens the chuck, feeds,
 //                   clamps), parts catcher out and in (PT_M_CATCHER), door open and closed (PT_M_DOOR), C axis and spindle
-//                   (PT_M_C_AXIS), and PT_M_SPINDLE + k makes S k+1 the spindle of the channel
+//                   (PT_M_C_AXIS), and PT_M_SPINDLE + k makes S k+1 the spindle of the channel; axes are coupled
+//                   and set free again by PT_M_SYNC (AP_SYNCR), PT_M_MIX (AP_MIXR), PT_M_SUPER (AP_SPRPNR)
 //   S, B, other M   nothing                                                     at once
 //
 // Whose spindle: who gave the last M3, M4 or M19 to it. So the end of one turret's program leaves a spindle alone that
@@ -71,14 +72,16 @@ public:
 
 private:
     enum Rotation : std::int32_t { kRight = 3, kLeft = 4, kStop = 5, kOrient = 19 };
-    enum class Task : std::uint8_t { None, InPosition, Standstill, Chuck, Gear, Helper, BarOpen, BarFeed, BarClamp, Refused };
+    enum class Task : std::uint8_t { None, Coupled, InPosition, Standstill, Chuck, Gear, Helper, BarOpen, BarFeed, BarClamp, Refused };
     enum Helper : std::uint8_t { kTailstock, kBar, kCatcher, kDoor, kHelpers };
+    static constexpr std::int32_t kThenNothing = 0, kThenChuck = 1, kThenBar = 2, kThenHelper = 3;
     struct Pending {  // the M code that a channel waits for
         Task task = Task::None;
         std::uint32_t spindle = 0;       // from 1
         std::uint64_t believe_cycle = 0; // from this cycle on the spindle's flags speak of the new command
         std::int64_t due_tick = 0;       // done; or a spindle is given up
-        std::int32_t range = 0;          // Gear: the new one
+        std::int32_t range = 0;          // Gear: the new one; Coupled: 1 on, 0 off; Standstill: what follows
+        std::int32_t slot = 0;           // Coupled: the NC's answer; kThenHelper: its code
     };
     struct Turret {
         std::int32_t station = 1, target = 1;
@@ -151,6 +154,7 @@ private:
     void start_t(View view, std::uint32_t channel, std::int32_t code);
     void move_turret(View view, std::uint32_t channel);
     bool helper_code(View view, std::uint32_t channel, std::uint32_t selected, std::int32_t code);
+    bool coupling_code(View view, std::uint32_t channel, std::int32_t code);
     bool bar_step(View view, std::uint32_t channel);
     void lubricate(View view, std::uint32_t channel);
     [[nodiscard]] bool missing(View view, std::int32_t input) const { return input > 0 && view.in.input[input - 1] == 0; }
@@ -166,6 +170,11 @@ private:
     std::array<SpindleSlots, kSpindles> spindle_slots_{};
     std::array<ChannelSettings, kChannels> channel_settings_{};
     std::array<SpindleSettings, kSpindles> spindle_settings_{};
+    enum Coupling : std::uint8_t { kSync, kExchange, kSuper, kCouplings };
+    struct AxisCouplings {
+        std::array<std::int32_t, kCouplings> code, request, answer;
+    };
+    std::array<AxisCouplings, kAxes> couplings_{};
     std::array<std::int32_t, kAxes> lube_slot_{};
     std::array<std::uint32_t, kAxes> axis_channel_{};
     std::int32_t machine_on_slot_ = 0, emergency_slot_ = 0, message_slot_ = 0, group_stride_ = 0;

@@ -82,6 +82,9 @@ const char* LathePlc::resolve(const PolyturnPlcHost& host) {
     }
     for (std::uint32_t a = 1; a <= kAxes; ++a) {
         lube_slot_[a - 1] = f.nc("AN_LUBR", a);
+        couplings_[a - 1] = {{f.whole("PT_M_SYNC", a), f.whole("PT_M_MIX", a), f.whole("PT_M_SUPER", a)},
+                             {f.plc("AP_SYNCR", a), f.plc("AP_MIXR", a), f.plc("AP_SPRPNR", a)},
+                             {f.nc("AN_SYNCA", a), f.nc("AN_MIXA", a), f.nc("AN_SPRPNA", a)}};
         axis_channel_[a - 1] = static_cast<std::uint32_t>(f.real("N0002", a));
     }
     machine_on_slot_ = f.nc("N_MACHINE_ON", 1);

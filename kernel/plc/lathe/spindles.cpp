@@ -74,7 +74,7 @@ void LathePlc::chuck(View view, std::uint32_t channel, std::uint32_t spindle, bo
     const Spindle& s = spindles_[spindle - 1];
     if (open && s.rotation != kStop) return refuse(channel, kChuckWhileTurning);
     Pending& pending = at(channel).pending;
-    pending = {Task::Standstill, spindle, view.in.cycle + kCyclesUntilAnswer, view.in.tick + ticks(kSpindleTimeS), open ? 1 : 0};
+    pending = {Task::Standstill, spindle, view.in.cycle + kCyclesUntilAnswer, view.in.tick + ticks(kSpindleTimeS), open ? kThenChuck : kThenNothing};
     if (open && view.in.signal[spindle_slots_[spindle - 1].stands] == 0) return;   // M5 has only just been given
     spindles_[spindle - 1].chuck_open = open;
     pending.task = Task::Chuck;

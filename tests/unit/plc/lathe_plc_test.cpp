@@ -169,12 +169,15 @@ TEST_F(LatheRig, HelpersTakeTheirTimeAndRefuseWhatIsDangerous) {
     run(1);
     EXPECT_TRUE(m_done());
     spindle(1, 1, 0);
+    m(3);
     m(26);
     EXPECT_EQ(plc("PLC_ALARM"), kTailstockTurning);
     ++nc("CN_RESET"), run();
-    spindle(1, 1, 1);
     m(26);
-    run(20);
+    run(50);
+    EXPECT_EQ(output(kTailstockOut), 1) << "the spindle is still coming to rest";
+    spindle(1, 1, 1);
+    run(22);
     EXPECT_TRUE(m_done());
     EXPECT_EQ(output(kTailstockOut), 0);
     m(60);

@@ -1,0 +1,43 @@
+// The machine builder's messages: the built-in PLC's in four languages, and files that add to them.
+#include "ipc/text/builder_messages.hpp"
+
+#include <gtest/gtest.h>
+
+namespace polyturn::text {
+namespace {
+
+TEST(BuilderMessages, OfTheBuiltInPlcHaveFourLanguagesCauseAndRemedy) {
+    const BuilderMessages messages;
+    for (int number = 1; number <= 10; ++number) {
+        SCOPED_TRACE(number);
+        const BuilderMessage* message = messages.find(number);
+        ASSERT_NE(message, nullptr);
+        for (const std::string& text : message->text) EXPECT_FALSE(text.empty());
+        EXPECT_FALSE(message->cause.empty());
+        EXPECT_FALSE(message->remedy.empty());
+    }
+    EXPECT_EQ(messages.find(11), nullptr);
+    EXPECT_EQ(messages.explain(11), "");
+}
+
+TEST(BuilderMessages, OfAFileReplaceAndAdd) {
+    BuilderMessages messages;
+    EXPECT_TRUE(messages.add("number,en,ru,cs,hu,cause,remedy\n3,\"no pocket, no tool\",,,,,Load it.\n# remark\n101,hot,,horko,,,\n", "m.csv").empty());
+    EXPECT_EQ(messages.explain(3), ": no pocket, no tool. Load it.");
+    EXPECT_EQ(messages.find(101)->in(MessageLanguage::Czech), "horko");
+    EXPECT_EQ(messages.find(101)->in(MessageLanguage::Hungarian), "hot") << "what is not translated is said in English";
+}
+
+TEST(BuilderMessages, WrongLinesAreToldAndTheOthersCount) {
+    BuilderMessages messages;
+    const auto faults = messages.add("x,a,,,,,\n102,b,,,,\n103,\"c,,,,,\n104,,,,,,\n0,z,,,,,\n105,good,,,,,\n", "m.csv");
+    ASSERT_EQ(faults.size(), 5u);
+    for (std::size_t i = 0; i < faults.size(); ++i) {
+        EXPECT_EQ(faults[i].alarm, Alarm::BuilderMessageLine);
+        EXPECT_EQ(faults[i].place.line, i + 1);
+    }
+    EXPECT_NE(messages.find(105), nullptr);
+}
+
+}  // namespace
+}  // namespace polyturn::text
