@@ -14,6 +14,7 @@ import generate_parameters as generator
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FOLDERS = ["ipc", "kernel", "channels", "toolmgmt", "hmi"]
+QUOTED = re.compile(r'"(PT_[A-Z0-9_]+|[NF][0-9]{4})"')   # a PLC asks for its parameters by name
 HANDLE = re.compile(r"\b(?:n[0-9]{4}_[a-z0-9_]+|pt_[a-z0-9_]+|f[0-9]{4}|md[0-9]{5}|sd[0-9]{5}|fg_[a-z0-9_]+|mefi_[0-9]+)\b")
 
 
@@ -24,6 +25,9 @@ def readers():
         for path in sorted((ROOT / folder).rglob("*.[ch]pp")):
             for name in set(HANDLE.findall(path.read_text(encoding="utf-8", errors="replace"))):
                 found.setdefault(name, []).append(str(path.relative_to(ROOT)))
+            if "plc" in path.parts:
+                for number in set(QUOTED.findall(path.read_text(encoding="utf-8", errors="replace"))):
+                    found.setdefault(number, []).append(str(path.relative_to(ROOT)))
     return found
 
 
@@ -33,6 +37,9 @@ def main(arguments):
         sys.exit("the table itself is wrong: build first")
     generator.lay_out(rows)
     found = readers()
+    for row in rows:
+        if row.number in found:
+            found.setdefault(generator.handle_name(row), found[row.number])
     for index, row in enumerate(rows):
         files = found.get(generator.handle_name(row), [])
         for member in rows[index + 1:index + row.series] if files else []:

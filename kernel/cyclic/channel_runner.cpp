@@ -286,6 +286,12 @@ void ChannelRunner::report_progress() noexcept {
     }
 }
 
+bool ChannelRunner::cuts_with(std::uint32_t spindle) const noexcept {
+    if (!segment_ || cursor_ >= visible_end_ || !is_motion(record(cursor_)) || record(cursor_).spindle != spindle) return false;
+    const auto mode = static_cast<FeedMode>(record(cursor_).feed_mode);
+    return thread_moving_ || (moving_ && !moving_rapid_ && mode == FeedMode::PerRevolution && step_.speed > 0);
+}
+
 // A cut that begins from standstill waits for the spindle's speed (PT_FEED_WAITS); the M3 before it did not.
 bool ChannelRunner::waits_for_speed() const noexcept {
     if (!core_.config.channels[index_].feed_waits_for_spindle || !planner_->at_rest() || cursor_ >= planner_->next_record()) return false;

@@ -75,6 +75,8 @@ public:
     ChannelState state() const noexcept { return state_; }
     StopReason stop_reason() const noexcept { return stop_reason_; }
     bool program_runs() const noexcept { return state_ == ChannelState::Running || state_ == ChannelState::Held || state_ == ChannelState::Waiting || state_ == ChannelState::ProgramStop; }
+    // Its axes move by the revolutions of this spindle (from 1).
+    bool cuts_with(std::uint32_t spindle) const noexcept;
     std::uint32_t line() const noexcept { return line_; }
     std::string_view program() noexcept;  // file name of the running record, without folders
 

@@ -70,6 +70,22 @@ void Machine::choose_spindles() noexcept {
     }
 }
 
+// A spindle is switched off only with the axes at rest: channels that cut with it are stopped first, and until they rest it
+// goes on turning. Not when everything stops: then the axes follow the spindle down.
+std::int32_t Machine::rotation_for(std::uint32_t s) noexcept {
+    const std::int32_t wanted = core_.signals.plc(signals::sp_rot(s + 1));
+    const bool turned = rotation_[s] == 3 || rotation_[s] == 4;
+    bool needed = false;
+    if (turned && wanted != rotation_[s] && core_.on() && !core_.all_stop)
+        for (auto& channel : channels_) {
+            if (!channel->cuts_with(s + 1)) continue;
+            channel->fault(Alarm::SpindleStands, name_of('S', s).view(), 0);
+            needed = true;
+        }
+    if (!needed) rotation_[s] = wanted;
+    return rotation_[s];
+}
+
 void Machine::run_spindles() noexcept {
     choose_spindles();
     share_drives();
@@ -83,7 +99,7 @@ void Machine::run_spindles() noexcept {
         const auto plc = [&](PlcSignal signal) { return core_.signals.plc(signal(s + 1)); };
         const auto tell = [&](NcSignal signal, std::int32_t value) { core_.signals.set_nc(signal(s + 1), value); };
         const bool detached = plc(signals::sp_sdetchr) != 0 && spindle.loop() == SpindleUnit::Loop::Turning && spindle.standing();
-        in.rotation = plc(signals::sp_rot);
+        in.rotation = rotation_for(s);
         in.range = static_cast<std::uint32_t>(plc(signals::sp_range));
         in.creep = plc(signals::sp_par) != 0;
         in.close_loop = plc(signals::sp_oreq) != 0;

@@ -10,6 +10,7 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kFrequencyHz = 15.0, kDamping = 1.0;
 constexpr std::int32_t kRight = 3, kLeft = 4, kOrient = 19;
 constexpr double kSmallestDiameterMm = 1e-3;
+constexpr double kSearchTurns = 3.0;         // beyond N0752: so many revolutions without pulse or switch
 constexpr double kApproachBand = 0.05;       // the orientation speed counts as reached within this share of it
 
 double part_of_turn(double turns) noexcept { return turns - std::floor(turns); }
@@ -23,6 +24,7 @@ void* SpindleUnit::open_drive(unsigned number, const SpindleConfig& config, doub
     setup.increments_per_unit = config.drive_counts;
     setup.frequency_hz = kFrequencyHz;
     setup.damping = kDamping;
+    setup.mark_distance = 1.0;   // the switch on the probe input: once a revolution
     return simulated_drive_api().open(&setup);
 }
 
@@ -204,7 +206,7 @@ void SpindleUnit::step(const SpindleInput& in) noexcept {
     out.mode = POLYTURN_DRIVE_MODE_VELOCITY;
     out.brake_release = 1;
     out.torque_limit = 1000;
-    out.touch_probe = loop_ == Loop::Searching && config_.orient_by == OrientBy::Probe ? POLYTURN_DRIVE_PROBE_ARMED : 0;
+    out.touch_probe = loop_ == Loop::Searching && config_.orient_by == OrientBy::Probe ? POLYTURN_DRIVE_MARK_ARMED : 0;
     const double exact = rev_s * config_.drive_counts * 1e3 + remainder_;
     out.target_velocity = static_cast<std::int64_t>(std::floor(exact + 0.5));
     remainder_ = exact - static_cast<double>(out.target_velocity);
@@ -244,6 +246,9 @@ void SpindleUnit::read_encoder(const SpindleInput& in, const PolyturnDriveStatus
     filtered_speed_ += (measured_speed_ - filtered_speed_) * (config_.speed_filter_s > 0 ? 1.0 - std::exp(-in.tick_s / config_.speed_filter_s) : 1.0);
     angle_ = part_of_turn(observer_.angle() / 360.0) * 360.0;
     if (loop_ != Loop::Searching) return;
+    waited_s_ += in.tick_s;
+    const double turn_s = range().orient_speed > 0 ? 60.0 / range().orient_speed : 0.0;
+    if (config_.in_position_timeout_s > 0 && waited_s_ > config_.in_position_timeout_s + kSearchTurns * turn_s) fault_ = Fault::NotOriented;
     bool found = false;
     switch (config_.orient_by) {
         case OrientBy::ZeroPulse: {
@@ -259,7 +264,7 @@ void SpindleUnit::read_encoder(const SpindleInput& in, const PolyturnDriveStatus
             if (found) zero_ = static_cast<double>(counts_) / config_.encoder_counts;
             break;
         case OrientBy::Probe:
-            found = (status.touch_probe & POLYTURN_DRIVE_PROBE_ARMED) != 0;
+            found = (status.touch_probe & POLYTURN_DRIVE_MARK_SEEN) != 0;
             if (found) zero_ = (static_cast<double>(counts_) + static_cast<double>(status.probe_position - status.position) * scale) / config_.encoder_counts;
             break;
     }

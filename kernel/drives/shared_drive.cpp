@@ -27,6 +27,7 @@ const PolyturnDriveApi& SharedDrive::axis_side() {
 
 SharedDrive::SharedDrive(const PolyturnDriveApi& api, PolyturnDriveSetup setup, double spindle_counts) : api_(&api), counts_(spindle_counts) {
     setup.increments_per_unit = static_cast<double>(kFinePerRev);
+    setup.mark_distance = 1.0;   // a revolution
     real_ = api.open(&setup);
 }
 

@@ -165,6 +165,27 @@ TEST(SpindleSpeed, IsWaitedForByACutThatBeginsFromStandstillAndNotByARapid) {
     EXPECT_NEAR(cut_begins, 950, 60) << "95 % of 1500 1/min at 1500 1/min a second";
 }
 
+TEST(SpindleSpeed, IsKeptUntilTheAxesThatCutWithItRest) {
+    TickRig rig;
+    int rotation = 3;
+    rig.plc_program = [&](const PlcInputs& in, PlcOutputs& out) { TickRig::lathe(in, out), out.signal[signals::sp_rot(1)] = rotation; };
+    rig.push(1, rig.spindle(1, 1200));
+    PathRecord cut = rig.line(1, {0, -100}, 0.5);
+    cut.feed_mode = static_cast<std::uint8_t>(FeedMode::PerRevolution);
+    rig.push(1, cut);
+    rig.start(1);
+    rig.run(1500);
+    EXPECT_NEAR(rig.speed_of(2), -10, 0.1);
+    rotation = 5;
+    double least = 1e9;   // of the spindle while the axis moved
+    rig.on_tick = [&] { if (std::fabs(rig.speed_of(2)) > 0.1) least = std::min(least, rig.machine->core().spindles[0].command()); };
+    rig.run(1500);
+    EXPECT_TRUE(rig.alarmed(Alarm::SpindleStands, 1));
+    EXPECT_EQ(rig.speed_of(2), 0);
+    EXPECT_EQ(least, 1200);
+    EXPECT_EQ(rig.machine->core().spindles[0].command(), 0) << "then it stops";
+}
+
 TEST(SpindleSpeed, IsNotWaitedForWhereTheParameterSaysSo) {
     TickRig rig([](params::Table& t, RunOptions&) { params::put(t, params::pt_feed_waits, 0, 1); });
     rig.push(1, rig.spindle(1, 1500));

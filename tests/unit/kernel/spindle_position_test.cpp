@@ -140,6 +140,33 @@ TEST_F(PositionedSpindle, IsOrientedByItsSwitchOnceItHasItsSpeed) {
     EXPECT_NEAR(turns - std::floor(turns), 0.52, 0.03);   // the PLC sees it up to two of its cycles late
 }
 
+TEST_F(PositionedSpindle, GivesUpWhenItsSwitchNeverComes) {
+    TickRig lost([](params::Table& t, RunOptions&) {
+        params::put(t, params::n0609_spindle_encoder_config, 16, 1);
+        params::put(t, params::n0752_s_inpos_timeout, 1, 1);
+    });
+    lost.plc_program = orienting;
+    lost.push(1, lost.spindle(1, 100));
+    lost.push(1, lost.aux(1, 'M', 19));
+    lost.start(1);
+    lost.run(6000);
+    EXPECT_TRUE(lost.alarmed(Alarm::SpindleNotOriented, 1));
+}
+
+TEST_F(PositionedSpindle, IsOrientedByItsProbeInput) {
+    TickRig probed([](params::Table& t, RunOptions&) {
+        params::put(t, params::n0609_spindle_encoder_config, 8, 1);
+        params::put(t, params::n0684_spindle_grid_shift, 2048, 1);
+    });
+    probed.plc_program = orienting;
+    probed.push(1, probed.aux(1, 'M', 19));
+    probed.push(1, probed.dwell(1, 0.2));
+    probed.start(1);
+    probed.run_until_idle();
+    const double turns = probed.machine->core().spindles[0].simulated()->true_position();
+    EXPECT_NEAR(turns - std::floor(turns), 0.5, 0.003);
+}
+
 TEST_F(PositionedSpindle, KeepsItsLoopOpenWhereTheParameterSaysSo) {
     TickRig open([](params::Table& t, RunOptions&) { params::put(t, params::n0742_spindle_servo_control, 128, 1); });
     open.plc_program = orienting;
