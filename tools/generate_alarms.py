@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Alarms: one row in ipc/diagnosis/alarms.csv gives the identifier, its numbers per control, text and remedy."""
-import csv, pathlib, sys
+import csv, pathlib, re, sys
 
 source, out = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 dialects = ["polyturn", "fanuc", "nct", "fagor", "sinumerik", "mefi"]
@@ -43,3 +43,31 @@ write(out / "alarm_rows.cpp", '// Generated from ipc/diagnosis/alarms.csv.\n#inc
           f"    {{Alarm::{row['key']}, {text(row['key'])}, Severity::{row['severity'].capitalize()}, {{"
           + ", ".join(text(row[d]) for d in dialects) + f"}}, {text(row['text'])}, {text(row['remedy'])}}},\n" for row in rows)
       + "};\nconst AlarmRow& alarm_row(Alarm id) { return kRows[static_cast<std::size_t>(id)]; }\n}\n")
+
+
+# Translations: alarms.ru.csv and so on. A row that is missing stays English; one that is wrong stops the build.
+def placeholders(value):
+    return sorted(re.findall(r"\{[01d]\}", value))
+
+
+def tongue(code):
+    path = source.with_name(f"alarms.{code}.csv")
+    known, found = {row["key"]: row for row in rows}, {}
+    for number, row in enumerate(csv.DictReader(path.open(encoding="utf-8")), 2):
+        where = f"{path}:{number}"
+        if None in row or None in row.values() or row["key"] in found:
+            sys.exit(f"{where}: wrong number of columns, or {row['key']} stands twice")
+        if row["key"] not in known:
+            continue   # the alarm was renamed or taken away: English serves until somebody has translated it anew
+        english = known[row["key"]]
+        if not row["text"] or bool(row["remedy"]) != bool(english["remedy"]) or placeholders(row["text"]) != placeholders(english["text"]):
+            sys.exit(f"{where}: {row['key']} must quote {placeholders(english['text'])}, and have a remedy if the English one has")
+        found[row["key"]] = row
+    return found
+
+
+tables = [tongue(code) for code in ("ru", "cs", "hu")]
+write(folder / "alarm_tongues.hpp", '// Generated from ipc/diagnosis/alarms.ru.csv, alarms.cs.csv and alarms.hu.csv.\n#pragma once\n#include <array>\n'
+      '#include "ipc/diagnosis/tongue.hpp"\nnamespace polyturn {\ninline constexpr std::array<std::array<TongueRow, kAlarmCount>, 3> kAlarmTongues{{\n'
+      + "".join("  {{\n" + "".join(f"    {{{text(table[r['key']]['text'])}, {text(table[r['key']]['remedy'])}}},\n" if r["key"] in table else "    {},\n" for r in rows)
+                + "  }},\n" for table in tables) + "}};\n}\n")

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "ipc/diagnosis/tongue.hpp"
+
 namespace polyturn {
 
 std::string_view alarm_number(Alarm id, Dialect dialect) {
@@ -10,30 +12,16 @@ std::string_view alarm_number(Alarm id, Dialect dialect) {
     return own.empty() ? row.number[0] : own;
 }
 
-std::string Diagnosis::text() const {
-    std::string out;
-    const std::string_view pattern = alarm_row(alarm).text;
-    for (std::size_t i = 0; i < pattern.size(); ++i) {
-        if (pattern[i] == '{' && i + 2 < pattern.size() && pattern[i + 2] == '}') {
-            const char what = pattern[i + 1];
-            if (what == 'd') out += detail;
-            else if (what == '0' || what == '1') out += fmt::format("{:.6g}", values[static_cast<std::size_t>(what - '0')]);
-            else { out += pattern[i]; continue; }
-            i += 2;
-        } else {
-            out += pattern[i];
-        }
-    }
-    return out;
-}
+std::string Diagnosis::text() const { return text_in(*this, Tongue::English); }
 
 std::string render(const Diagnosis& diagnosis, Dialect dialect, std::string_view source_line) {
     const Place& place = diagnosis.place;
     std::string out = place.file;
     if (place.line) out += fmt::format(":{}", place.line);
     if (place.column) out += fmt::format(":{}", place.column);
-    const char* what = diagnosis.severity() == Severity::Error ? "alarm" : diagnosis.severity() == Severity::Warning ? "warning" : "message";
-    out += fmt::format("{}{} {}: {}\n", out.empty() ? "" : ": ", what, alarm_number(diagnosis.alarm, dialect), diagnosis.text());
+    const Tongue tongue = tongue_of_environment();
+    const std::string_view what = severity_word(diagnosis.severity(), tongue), remedy = alarm_text(diagnosis.alarm, tongue).remedy;
+    out += fmt::format("{}{} {}: {}\n", out.empty() ? "" : ": ", what, alarm_number(diagnosis.alarm, dialect), text_in(diagnosis, tongue));
     if (!source_line.empty()) {
         out += fmt::format("{:5} | {}\n", place.line, source_line);
         if (place.column) {
@@ -43,7 +31,7 @@ std::string render(const Diagnosis& diagnosis, Dialect dialect, std::string_view
             out += fmt::format("      | {}{}\n", pad, std::string(place.length ? place.length : 1, '^'));
         }
     }
-    if (!diagnosis.remedy().empty()) out += fmt::format("   {}\n", diagnosis.remedy());
+    if (!remedy.empty()) out += fmt::format("   {}\n", remedy);
     return out;
 }
 

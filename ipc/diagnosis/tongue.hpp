@@ -1,0 +1,31 @@
+// The language in which people read diagnoses: text and remedy of an alarm in English, Russian, Czech or Hungarian. Event logs
+// and everything else that machines read stay in English (Diagnosis::text). A row that is not translated is shown in English.
+// Sources: ipc/diagnosis/alarms.csv and alarms.ru.csv, alarms.cs.csv, alarms.hu.csv (key, text, remedy), by the alarm's key.
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "ipc/diagnosis/diagnosis.hpp"
+
+namespace polyturn {
+
+enum class Tongue : std::uint8_t { English, Russian, Czech, Hungarian };
+inline constexpr Tongue kTongues[] = {Tongue::English, Tongue::Russian, Tongue::Czech, Tongue::Hungarian};
+
+// "ru", "cs_CZ.UTF-8", "hu"; nothing for a language that Polyturn does not speak.
+std::optional<Tongue> tongue_of(std::string_view locale);
+// POLYTURN_LANG, else LC_ALL, LC_MESSAGES, LANG; English when none of them names a language that is spoken.
+Tongue tongue_of_environment();
+
+struct TongueRow {
+    std::string_view text, remedy;   // empty: not translated
+};
+// As it stands in the catalogue, with {0} {1} {d}; English where there is no translation.
+TongueRow alarm_text(Alarm alarm, Tongue tongue);
+// Values and detail filled in.
+std::string text_in(const Diagnosis& diagnosis, Tongue tongue);
+// "alarm", "warning", "message".
+std::string_view severity_word(Severity severity, Tongue tongue);
+
+}  // namespace polyturn

@@ -1,0 +1,66 @@
+// Diagnoses in the reader's language: nothing that a text quotes is lost, and what is not translated is English.
+#include "ipc/diagnosis/tongue.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+
+namespace polyturn {
+namespace {
+
+std::string quoted(std::string_view text) {
+    std::string out;
+    for (std::size_t i = 0; i + 2 < text.size(); ++i)
+        if (text[i] == '{' && text[i + 2] == '}') out += text[i + 1];
+    std::sort(out.begin(), out.end());
+    return out;
+}
+
+TEST(Tongue, NoTranslationLosesAPlaceholderOrTheRemedy) {
+    for (std::uint16_t i = 0; i < kAlarmCount; ++i)
+        for (const Tongue tongue : kTongues) {
+            const AlarmRow& english = alarm_row(static_cast<Alarm>(i));
+            const TongueRow row = alarm_text(static_cast<Alarm>(i), tongue);
+            EXPECT_EQ(quoted(row.text), quoted(english.text)) << english.key;
+            EXPECT_EQ(row.remedy.empty(), english.remedy.empty()) << english.key;
+            EXPECT_FALSE(row.text.empty()) << english.key;
+        }
+}
+
+TEST(Tongue, ValuesAndDetailAreFilledInInEveryLanguage) {
+    const Diagnosis diagnosis{Alarm::StrokeExceeded, {}, {12.5, -3.0}, "X"};
+    for (const Tongue tongue : kTongues) {
+        const std::string text = text_in(diagnosis, tongue);
+        for (const char* part : {"12.5", "-3", "X"}) EXPECT_NE(text.find(part), std::string::npos) << text;
+        EXPECT_EQ(text.find('{'), std::string::npos) << text;
+    }
+    EXPECT_NE(text_in(diagnosis, Tongue::Czech), text_in(diagnosis, Tongue::English));
+    EXPECT_EQ(diagnosis.text(), text_in(diagnosis, Tongue::English));   // logs are for machines
+}
+
+TEST(Tongue, IsChosenByTheEnvironment) {
+    const std::pair<const char*, Tongue> rows[] = {{"ru", Tongue::Russian}, {"ru_RU.UTF-8", Tongue::Russian}, {"cs_CZ", Tongue::Czech}, {"hu-HU", Tongue::Hungarian},
+                                                   {"C", Tongue::English},  {"de_DE", Tongue::English}};
+    const char* before = std::getenv("POLYTURN_LANG");
+    const std::string kept = before ? before : "";
+    for (const auto& [name, tongue] : rows) {
+        setenv("POLYTURN_LANG", name, 1);
+        EXPECT_EQ(tongue_of_environment(), tongue) << name;
+    }
+    setenv("POLYTURN_LANG", "cs", 1);
+    EXPECT_NE(render({Alarm::FeedMissing, {"a.nc", 3, 0, 0}, {}, {}}, Dialect::Polyturn, {}).find("posuv"), std::string::npos);
+    if (before) setenv("POLYTURN_LANG", kept.c_str(), 1);
+    else unsetenv("POLYTURN_LANG");
+}
+
+TEST(Tongue, WhatIsNotTranslatedIsEnglish) {
+    std::size_t english = 0;
+    for (std::uint16_t i = 0; i < kAlarmCount; ++i)
+        if (alarm_text(static_cast<Alarm>(i), Tongue::Russian).text == alarm_row(static_cast<Alarm>(i)).text) ++english;
+    EXPECT_LT(english, kAlarmCount);
+}
+
+}  // namespace
+}  // namespace polyturn
