@@ -58,6 +58,7 @@ bool Interpreter::check_block() {
 bool Interpreter::act() {
     for (const Written& one : written_) report_variable(one.name, one.value);
     written_.clear();
+    tell_written_zeros();
     if (!settings_and_tools() || !functions_before()) return false;
     for (auto& [command, call] : block_.procedures)
         if (!(this->*command->act)(call)) return false;
@@ -80,10 +81,10 @@ bool Interpreter::settings_and_tools() {
         modal_.active[kMotion] = code->number;
     }
     core_.at.display_swapped = display_swapped();
+    block_feed_ = 0.0;
     if (block_.words.empty()) return true;
     if (!tool_words()) return false;
     core_.at.tool = core_.path.tool.ref;
-    block_feed_ = 0.0;
     for (const Word& word : block_.words) {
         if (word.address->name == "F" && !feed_word(word)) return false;
         if (word.address->use == Address::Use::Setting && !(this->*word.address->act)(word)) return false;

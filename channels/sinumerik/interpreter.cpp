@@ -199,6 +199,7 @@ Step Interpreter::read_block() {
     block_.clear();
     block_undo_.clear();
     written_.clear();
+    written_zeros_.clear();
     statement_ = nullptr;
     cursor_ = Cursor(line_);
     if (line_.size() > kLongestBlock) return fail(Alarm::LineTooLong), fault(core_.fault());

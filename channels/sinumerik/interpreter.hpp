@@ -272,6 +272,7 @@ public:
     bool p_wait_axis(Call&);
     bool p_wait_spindle(Call&);
     bool p_delt(Call&);
+    bool p_wrtpr(Call&);
 
 private:
     // reading and flow (interpreter.cpp)
@@ -364,6 +365,17 @@ private:
     };
     bool data_cell(const std::string& name, const std::vector<Value>& indices, const char* from, std::size_t length, DataCell& cell);
     bool write_data(const DataCell& cell, const std::string& name, double value, const char* from, std::size_t length);
+    struct ZeroCell {
+        int number = 0;               // n of $P_UIFR[n]
+        std::int32_t row = 0;
+        unsigned place = 0;
+        std::string part;             // TR FI RT SC MI
+        double* cell = nullptr;       // as the table shows it
+    };
+    bool zero_cell(const std::vector<Value>& indices, const char* from, std::size_t length, ZeroCell& at);
+    bool settable_value(const std::vector<Value>& indices, const char* from, std::size_t length, Value& value);
+    bool write_settable(const std::vector<Value>& indices, const char* from, std::size_t length, const Value& value);
+    void tell_written_zeros();
     bool channel_of(const Value& value, unsigned& channel);
     bool marker_of(const Value& value, int& marker);
 
@@ -425,6 +437,8 @@ private:
     std::vector<std::function<void()>> block_undo_;              // assignments of the block being read
     struct Written { std::string name; Value value; };
     std::vector<Written> written_;                               // told when the block acts
+    struct WrittenZero { int number; std::int32_t row; unsigned place; double value; };
+    std::vector<WrittenZero> written_zeros_;
     double block_feed_ = 0.0;                                    // FB
     double parts_ = 0;
     std::string message_;

@@ -16,6 +16,15 @@ bool Interpreter::p_msg(Call& c) {
     return true;
 }
 
+// WRTPR: a text for the operator panel's log (progProtText); it moves nothing and is shown as a message.
+bool Interpreter::p_wrtpr(Call& c) {
+    const std::string text = to_text(c.value(0));
+    if (text.size() > 128) return fail(Alarm::TextTooLong, "WRTPR", 128);
+    core_.mark_emitted();
+    core_.sink().message(text, core_.at);
+    return true;
+}
+
 // SETAL(65001, "text"): errors stop the program as any alarm does; %1 channel, %2 block, %4 the text.
 bool Interpreter::p_setal(Call& c) {
     const double number = c.number(0);

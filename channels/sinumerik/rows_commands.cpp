@@ -56,6 +56,7 @@ constexpr Command kRows[] = {
     {"DELT", false, 1, 2, "sr", &I::p_delt, true},
     // operator and channel
     {"MSG", false, 0, 2, "*r", &I::p_msg},
+    {"WRTPR", false, 1, 2, "*r", &I::p_wrtpr},
     {"SETAL", false, 1, 2, "rs", &I::p_setal},
     {"STOPRE", false, 0, 0, "", &I::p_stopre, true},
     {"DRFOF", false, 0, 0, "", &I::p_stopre, true},   // there are no handwheel offsets: what is left is its stop

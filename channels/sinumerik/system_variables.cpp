@@ -40,7 +40,7 @@ bool Interpreter::is_system_variable(std::string_view name) const {
         "$PI", "$P_GG", "$P_F", "$P_S", "$P_SDIR", "$P_TOOLNO", "$P_TOOL", "$P_TOOLR", "$P_TOOLL", "$P_TOOLND", "$P_EP", "$P_TOFF", "$P_TOFFL", "$P_TOFFR", "$P_FZ", "$P_F_TYPE",
         "$P_MSNUM", "$P_CHANNO", "$P_PROG", "$P_LINENO", "$P_STACK", "$P_REPINF", "$P_ISTEST", "$P_SEARCH", "$P_AXN1", "$P_AXN2", "$P_AXN3", "$P_AD", "$P_DRYRUN",
         "$AA_IM", "$AA_IW", "$AA_IB", "$AA_S", "$AC_MARKER", "$AC_PARAM", "$AC_TIME", "$A_YEAR", "$A_MONTH", "$A_DAY", "$A_HOUR", "$A_MINUTE", "$A_SECOND", "$A_IN", "$A_OUT",
-        "$AN_LANGUAGE_ON_HMI", "$P_ACTID", "$P_UIFRNUM", "$P_NUM_SPINDLES"};
+        "$AN_LANGUAGE_ON_HMI", "$P_ACTID", "$P_UIFR", "$P_UIFRNUM", "$P_NUM_SPINDLES"};
     for (const std::string_view known : kNames)
         if (known == name) return true;
     return name.starts_with("$TC_DP") || name == "$TC_TP2" || name == "$TC_TP_MAX_VELO";
@@ -82,6 +82,7 @@ bool Interpreter::system_value(Value& value) {
         else value = Value::of_real(state.mode == SpindleModeCode::SurfaceSpeed ? state.surface_m_min : state.rpm);
         return true;
     }
+    if (name == "$P_UIFR") return settable_value(indices, from, length, value);
     if (name == "$P_TOOLNO") return value = Value::of_int(static_cast<double>(modal_.tool)), true;
     if (name == "$P_TOOL") return value = Value::of_int(modal_.edge), true;
     if (name == "$P_TOOLR") return value = Value::of_real(path.tool.nose_radius), true;
@@ -203,6 +204,7 @@ bool Interpreter::parse_system_assignment() {
     const char* const at = cursor_.at();
     Value value;
     if (!expression(value)) return false;
+    if (name == "$P_UIFR") return write_settable(indices, from, length, value);
     const auto key = [&] { return name + "[" + to_text(Value::of_int(std::nearbyint(indices[0].number))) + "]"; };
     if (name == "$TC_TP2" || name == "$TC_TP_MAX_VELO") {
         if (indices.size() != 1 || !indices[0].is_number()) return fail_at(Alarm::ArrayIndexMissing, from, length, name);

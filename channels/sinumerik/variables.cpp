@@ -78,7 +78,14 @@ bool Interpreter::index_list(std::vector<Value>& indices) {
     if (!cursor_.eat('[')) return syntax(cursor_.at(), "[");
     for (;;) {
         Value value;
-        if (!expression(value)) return false;
+        // $P_PFRAME[X,TR]: a component of a frame by its name
+        const std::string part = upper(cursor_.name_ahead());
+        if (!indices.empty() && (part == "TR" || part == "FI" || part == "RT" || part == "SC" || part == "MI") && !find_variable(part)) {
+            cursor_.advance(part.size());
+            value = Value::of_text(part);
+        } else if (!expression(value)) {
+            return false;
+        }
         indices.push_back(std::move(value));
         if (cursor_.eat(']')) return true;
         if (!cursor_.eat(',') || indices.size() == 4) return syntax(cursor_.at(), "]");
