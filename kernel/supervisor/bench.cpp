@@ -9,6 +9,7 @@
 #include "ipc/text/machine_path.hpp"
 #include "kernel/supervisor/child.hpp"
 #include "kernel/supervisor/job_plan.hpp"
+#include "kernel/supervisor/latency.hpp"
 
 namespace polyturn::supervisor {
 
@@ -18,10 +19,12 @@ int run_benchmarks(const std::vector<std::string>& arguments) {
     if (std::find(arguments.begin(), arguments.end(), "--help") != arguments.end()) {
         std::fputs(
             "polyturn bench [NAME ...] [options of Google Benchmark]\n  Runs the benchmark programs that lie beside polyturn, or those whose name holds "
-            "NAME.\n",
+            "NAME.\n"
+            "polyturn bench latency [SECONDS]\n  How late this computer wakes a cyclic thread of 1 ms, and whether real time is permitted.\n",
             stdout);
         return 0;
     }
+    if (!arguments.empty() && arguments.front() == "latency") return run_latency({arguments.begin() + 1, arguments.end()});
     std::vector<std::string> names, options;
     for (const std::string& word : arguments) (word.rfind("--", 0) == 0 ? options : names).push_back(word);
     std::vector<std::string> programs;
