@@ -1,6 +1,7 @@
 // What every NC language is to the rest of the channel: something that goes on block by block. A language translates into
 // calls of Core, cycles and calls of subprograms; it owns no rule of motion.
 #pragma once
+#include <any>
 #include <memory>
 #include <string_view>
 
@@ -38,6 +39,9 @@ public:
     // Interpretation goes on with this block as if neither it nor anything behind it had been read: modal state, calls,
     // variables, offsets and zeros are those that held before it. False: no state is kept for it.
     virtual bool resume_at(std::uint64_t serial) = 0;
+    // What the program leaves to the one that is started next in this channel; taken behind start().
+    virtual std::any carry() const { return {}; }
+    virtual void take_carry(const std::any& /*before*/, bool /*after_reset*/) {}
     // The machine was interrupted by a signal that the program has enabled, and stands. `serial`: the first block of which
     // not everything is executed, 0 when there is none; `within`: it has begun. The interrupt program comes next.
     // False: this language, or this block, cannot be interrupted.

@@ -43,6 +43,8 @@ MachineView make_machine_view(const params::Table& table, unsigned channel) {
         to.limit_max = to.stroke.a.high;
         to.limit_min = to.stroke.a.low;
     }
+    view.shared = std::make_unique<std::array<double, 900>>();
+    view.shared->fill(std::numeric_limits<double>::quiet_NaN());
     return view;
 }
 

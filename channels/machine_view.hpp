@@ -38,6 +38,8 @@ struct MachineView {
     unsigned axis_count = 0;
     std::unique_ptr<std::array<std::array<char, 4>, kChannelAxes>> names;   // stays where it is when the view is moved
     ChannelStroke stroke;
+    // Variables that all channels share, as of the last barrier: #100.. and #500.. by number less 100. NaN is empty.
+    std::unique_ptr<std::array<double, 900>> shared;
     AxisValues start{};             // machine coordinates at cycle start; X as a radius
     bool tables_in_radius = false;  // zero offsets of diameter axes are kept as radii (fagor)
 

@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
     app.add_option("--param-file", options.machine.param_files, "a file of parameter lines; repeatable")->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     app.add_option("--setup", options.setup, "what an operator would have entered before");
     app.add_flag("--variables", options.variables, "also report every variable that the program writes");
+    app.add_option("--shared", options.shared, "file of the variables that all programs of the check share");
     app.add_flag("--alone", options.alone, "no other channel's program takes part in the check");
     app.add_option("program", options.program, "program file");
     try {

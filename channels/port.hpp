@@ -36,6 +36,8 @@ public:
     virtual double running_ms() = 0;                // #3001
     // What a program sends to an external device (DPRNT, BPRNT): bytes; `control`: signs around a transmission.
     virtual void print(const MachineView&, std::string_view /*bytes*/, bool /*control*/) {}
+    // Where check mode keeps the variables that all channels share (MachineView::shared); nullptr: in the view.
+    virtual double* shared_variables() { return nullptr; }
     // CP_SGOEN and CP_SGOX, Y, Z: the second geometry offset acts on this axis (0 X, 1 Y, 2 Z).
     virtual bool second_geometry(unsigned /*axis*/) { return false; }
     // What the PLC says now about the stroke ranges of a machine axis: the set it selects, ranges it has switched off.

@@ -129,6 +129,7 @@ struct Variable {
     std::string_view name;
     double value = 0.0;             // NaN: empty
     std::int32_t persistent = -1;   // index into ChannelStore::variables; -1 it is not kept
+    std::uint32_t channel = 0;      // of that store; 0: the own one
 };
 
 struct OffsetWrite {

@@ -1,5 +1,9 @@
 #include "channels/check/check_mode.hpp"
 
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
 #include <cstdio>
 #include <filesystem>
 
@@ -93,6 +97,27 @@ private:
     const MachineView* view_;
 };
 
+// Cells that the interpreters of one check have in common, mapped from a file that the caller has made.
+class SharedCells {
+public:
+    explicit SharedCells(const std::string& path) {
+        if (path.empty()) return;
+        const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+        if (file < 0) return;
+        void* const at = ::mmap(nullptr, kBytes, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+        if (at != MAP_FAILED) cells_ = static_cast<double*>(at);
+        ::close(file);
+    }
+    ~SharedCells() { if (cells_) ::munmap(cells_, kBytes); }
+    SharedCells(const SharedCells&) = delete;
+    SharedCells& operator=(const SharedCells&) = delete;
+    double* cells() const { return cells_; }
+
+private:
+    static constexpr std::size_t kBytes = 900 * sizeof(double);
+    double* cells_ = nullptr;
+};
+
 bool ask_to_go_on() {
     char line[64];
     return std::fgets(line, sizeof line, stdin) != nullptr;
@@ -137,12 +162,16 @@ int run_check(const CheckOptions& options, std::FILE* out) {
 
     EventSink events(scene, printer.text, options.variables, '\n');
     CheckPort port(setup, options.channel, options.alone);
+    const SharedCells shared(options.shared);
+    port.share(shared.cells());
     WaitWatch sink(events, port, view);
     const std::unique_ptr<Language> interpreter = make_language(language, view, sink, port, files);
     if (!interpreter) return refuse({Alarm::NotBuilt, {options.program, 0, 0, 0}, {}, "the language " + language}, scene, printer);
     if (const auto started = interpreter->start(*main); !started) return refuse(started.diagnosis(), scene, printer);
     place_axes(interpreter->core(), own);
     preset(*interpreter, own);
+
+    if (shared.cells() && !ask_to_go_on()) return 0;   // the programs take turns
 
     // A loop of the program that causes nothing would keep the check for ever.
     constexpr std::uint64_t kMostSilentSteps = 20'000'000;

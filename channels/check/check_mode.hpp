@@ -14,6 +14,7 @@ struct CheckOptions {
     std::string setup;        // file; empty: none
     std::string program;
     bool variables = false;
+    std::string shared;       // file that holds the variables which all channels of this check share; empty: alone
     bool alone = false;       // no other program takes part
 };
 

@@ -24,12 +24,15 @@ public:
     CalendarTime clock() override;
     double running_ms() override { return 0.0; }
     StrokeFlags stroke_flags(unsigned) override { return {}; }
+    double* shared_variables() override { return shared_; }
+    void share(double* cells) { shared_ = cells; }
     Turning started_by_others(unsigned) override { return alone_ ? Turning::No : Turning::Unknown; }
 
 private:
     const text::Setup* setup_;
     const text::ChannelSetup* own_;
     bool alone_;
+    double* shared_ = nullptr;
     std::array<std::optional<double>, kMaxAxes> skipped_{};
 };
 

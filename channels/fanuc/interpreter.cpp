@@ -60,6 +60,7 @@ Interpreter::Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles
         takes_.push_back(mask);
     }
     frames_.reserve(32);
+    variables_.share(settings_.shared_100, settings_.shared_500);
     clear_modal();
 }
 
@@ -443,5 +444,34 @@ void Interpreter::reload_settings() {
 }
 
 bool Interpreter::barrier_fresh() { return fresh_; }
+
+// A variable of all channels is a live value: another program may have written it.
+VariableStatus Interpreter::shared_variable(std::int64_t number, bool write, double& value) {
+    double* const outside = core_.port().shared_variables();
+    if (!write && !fresh_) return VariableStatus::NeedsBarrier;
+    double& cell = outside ? outside[number - 100] : (*core_.view().shared)[static_cast<std::size_t>(number - 100)];
+    if (write) {
+        variables_.note_cell(cell);
+        cell = value;
+    } else {
+        value = cell;
+    }
+    return VariableStatus::Ok;
+}
+
+// What a program leaves to the next one: #100 and on, #1 to #33 of the main program (F6001#6, #7 also over a reset).
+struct Carried {
+    std::vector<double> common;
+    LocalSet locals;
+};
+
+std::any Interpreter::carry() const { return Carried{variables_.common(), variables_.levels().front()}; }
+
+void Interpreter::take_carry(const std::any& before, bool after_reset) {
+    const Carried* carried = std::any_cast<Carried>(&before);
+    if (!carried) return;
+    if (!after_reset || settings_.keeps_common) variables_.take_common(carried->common);
+    if (!after_reset || settings_.keeps_locals) variables_.locals() = carried->locals;
+}
 
 }  // namespace polyturn::channels::fanuc

@@ -69,6 +69,8 @@ public:
     void executed(std::uint64_t serial) override;
     bool resume_at(std::uint64_t serial) override;
     bool interrupt(std::uint64_t serial, bool within) override;
+    std::any carry() const override;
+    void take_carry(const std::any& before, bool after_reset) override;
     const Settings& settings() const { return settings_; }
 
     // --- handlers of g_codes.cpp
@@ -298,6 +300,7 @@ private:
     VariableStatus read_system(std::int64_t number, double& value) override;
     VariableStatus write_system(std::int64_t number, double value) override;
     bool barrier_fresh() override;
+    VariableStatus shared_variable(std::int64_t number, bool write, double& value) override;
 
     Core core_;
     ProgramFiles* files_;

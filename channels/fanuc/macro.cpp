@@ -346,6 +346,10 @@ bool Interpreter::written(std::int64_t number, double value, std::string_view co
     variable.name = {text, static_cast<std::size_t>(last - text)};
     variable.value = value;
     if (number >= 500 && number < 1000) variable.persistent = static_cast<std::int32_t>(number - 500);
+    if (number < 1000 && variables_.is_shared(number)) {   // kept in the first channel's store, #100 and on behind the others
+        variable.persistent = static_cast<std::int32_t>(number >= 500 ? number - 500 : 400 + number);
+        variable.channel = 1;
+    }
     core_.mark_emitted();
     core_.sink().variable(variable, core_.at);
     return true;

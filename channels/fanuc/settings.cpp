@@ -74,6 +74,10 @@ Settings fanuc_settings(const Table& t, unsigned l) {
         if (const auto on = static_cast<double>(get(t, f6033, l)); on > 0) s.interrupt.on = on;
         if (const auto off = static_cast<double>(get(t, f6034, l)); off > 0) s.interrupt.off = off;
     }
+    s.keeps_common = bit(t, f6001, l, 6);
+    s.keeps_locals = bit(t, f6001, l, 7);
+    s.shared_100 = get(t, f6036, l);
+    s.shared_500 = get(t, f6037, l);
     s.print_compact = bit(t, f6001, l, 1);
     if (const auto device = get(t, f0020, l); device <= 2) s.print_line_end = bit(t, device == 0 ? f0103 : device == 1 ? f0113 : f0123, l, 3) ? "\n\r" : "\n";
     s.t_calls = bit(t, f6001, l, 5);

@@ -72,6 +72,8 @@ struct Settings {
         double code = 0, chip_break = 0, clearance = 0, out_factor = 1, return_factor = 1;
         bool word_i = false;             // I is the extraction override
     } tapping;
+    bool keeps_common = false, keeps_locals = false;   // F6001#6, #7: over a reset
+    std::int64_t shared_100 = 0, shared_500 = 0;       // F6036, F6037; N1700, N1701
     bool print_compact = false;          // F6001#1 PRT, N1757#0: DPRNT without plus signs and leading blanks
     bool print_parity = false;           // nct: even parity in bit 7 of what is printed
     std::string print_line_end = "\n";

@@ -13,6 +13,7 @@ VariableStatus VariableSet::read(std::int64_t number, double& value) {
         value = levels_.back()[static_cast<std::size_t>(number)];
         return VariableStatus::Ok;
     }
+    if (number < 1000 && is_shared(number)) return host_->shared_variable(number, false, value);
     const std::int64_t common = number - common_first_;
     if (common >= 0 && common < static_cast<std::int64_t>(common_.size())) {
         value = common_[static_cast<std::size_t>(common)];
@@ -31,6 +32,7 @@ VariableStatus VariableSet::write(std::int64_t number, double value) {
         levels_.back()[static_cast<std::size_t>(number)] = value;
         return VariableStatus::Ok;
     }
+    if (number < 1000 && is_shared(number)) return host_->shared_variable(number, true, value);
     const std::int64_t common = number - common_first_;
     if (common >= 0 && common < static_cast<std::int64_t>(common_.size())) {
         note_cell(common_[static_cast<std::size_t>(common)]);

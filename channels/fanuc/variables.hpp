@@ -33,6 +33,7 @@ public:
     virtual VariableStatus read_system(std::int64_t number, double& value) = 0;
     virtual VariableStatus write_system(std::int64_t number, double value) = 0;
     virtual bool barrier_fresh() = 0;
+    virtual VariableStatus shared_variable(std::int64_t number, bool write, double& value) = 0;   // of all channels
 };
 
 class VariableSet {
@@ -42,6 +43,11 @@ public:
 
     VariableStatus read(std::int64_t number, double& value);
     VariableStatus write(std::int64_t number, double value);
+    // How many from #100 and from #500 on belong to all channels.
+    void share(std::int64_t from_100, std::int64_t from_500) { shared_100_ = from_100, shared_500_ = from_500; }
+    bool is_shared(std::int64_t number) const { return (number >= 100 && number < 100 + shared_100_) || (number >= 500 && number < 500 + shared_500_); }
+    const std::vector<double>& common() const { return common_; }
+    void take_common(const std::vector<double>& values) { if (values.size() == common_.size()) common_ = values; }
     LocalSet& locals() { return levels_.back(); }
     void push_locals(const LocalSet& set) { levels_.push_back(set); }
     void pop_locals() { if (levels_.size() > 1) levels_.pop_back(); }
@@ -61,6 +67,7 @@ private:
     unsigned common_first_;
     std::vector<double> common_;
     std::vector<LocalSet> levels_;
+    std::int64_t shared_100_ = 0, shared_500_ = 0;
     UndoLog undo_;
     std::uint64_t serial_ = 0;
 };

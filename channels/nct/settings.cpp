@@ -80,6 +80,8 @@ fanuc::Settings nct_settings(const Table& t, unsigned l) {
     s.interrupt.own_locals = !bit(t, n1758_intrrt_contr, l, 1);
     s.interrupt.at_block_end = bit(t, n1758_intrrt_contr, l, 2);
     s.interrupt.by_level = !bit(t, n1758_intrrt_contr, l, 3);
+    s.shared_100 = get(t, n1700_no_of_common_100);
+    s.shared_500 = get(t, n1701_no_of_common_500);
     s.print_compact = bit(t, n1757_print_contr, l, 0);
     s.print_parity = true;
     s.sub_levels = 16;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstring>
 
 namespace polyturn::channels {
@@ -116,13 +117,23 @@ bool ChannelProcess::take_store() {
         if (store_->persist_tail.tail.load(std::memory_order_acquire) < asked) bell.wait(rings, 5'000);
     }
     while (!store_->channels[channel_ - 1].read(*view_->store)) {}
+    take_shared();
     store_changed_ = false;
     return true;
+}
+
+// Variables of all channels lie in the first one's store. What is empty there keeps what the setup has given here.
+void ChannelProcess::take_shared() {
+    if (!first_store_) first_store_ = std::make_unique<ChannelStore>();
+    while (!store_->channels[0].read(*first_store_)) {}
+    for (std::size_t k = 0; k < view_->shared->size(); ++k)
+        if (const double value = first_store_->variables[k < 400 ? 500 + k : k - 400]; !std::isnan(value)) (*view_->shared)[k] = value;
 }
 
 void ChannelProcess::begin_program() {
     auto table = std::make_unique<params::Table>();
     while (!store_->parameters.read(*table)) {}
+    if (run_) carried_ = run_->carry();
     run_.reset();
     if (sink_) last_note_ = sink_->next_note() - 1;
     sink_.reset();
@@ -147,6 +158,8 @@ void ChannelProcess::begin_program() {
         fail(started.diagnosis());
         return;
     }
+    if (carried_.has_value()) run_->take_carry(carried_, after_reset_);
+    after_reset_ = false;
     state_ = State::Reading;
 }
 
@@ -157,7 +170,9 @@ void ChannelProcess::go_on() {
         begin_program();
         return;
     }
-    if (store_changed_ && !take_store()) return;
+    const bool shares = params::get(view_->table(), params::f6036, channel_) > 0 || params::get(view_->table(), params::f6037, channel_) > 0 ||
+                        params::get(view_->table(), params::n1700_no_of_common_100) > 0 || params::get(view_->table(), params::n1701_no_of_common_500) > 0;
+    if ((store_changed_ || shares) && !take_store()) return;
     run_->barrier_done();
     state_ = State::Reading;
 }
@@ -201,7 +216,9 @@ void ChannelProcess::fail(const Diagnosis& diagnosis) {
 void ChannelProcess::reset(const ChannelEvent& event) {
     maker_->discard();
     ring_->resume();
+    if (run_) carried_ = run_->carry();
     run_.reset();
+    after_reset_ = true;
     state_ = State::Idle;
     next_part_ = false;
     own_->epoch.store(event.epoch, std::memory_order_release);

@@ -11,6 +11,7 @@
 //   I2  What a program reads of the outside belongs to its cycle start or to the barrier at which it stands (architecture 5.5).
 //   I3  The heartbeat grows at least every 50 ms while the process lives, whatever it waits for.
 #pragma once
+#include <any>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -37,6 +38,8 @@ public:
     virtual void barrier_done() = 0;
     virtual bool interrupt(std::uint64_t /*serial*/, bool /*within*/) { return false; }   // see Language
     virtual void executed(std::uint64_t /*serial*/) {}
+    virtual std::any carry() const { return {}; }
+    virtual void take_carry(const std::any& /*before*/, bool /*after_reset*/) {}
     virtual std::size_t file_count() const = 0;
     virtual std::string file_name(std::size_t index) const = 0;
 };
@@ -70,6 +73,7 @@ private:
     void reset(const ChannelEvent& event);
     void interrupt(const ChannelEvent& event);
     void forget_executed();
+    void take_shared();
     void say_quiet();
     bool take_store();
     void fail(const Diagnosis& diagnosis);
@@ -100,6 +104,9 @@ private:
     double parts_left_ = 1;
     bool next_part_ = false;       // standing between two parts
     bool store_changed_ = false;
+    std::unique_ptr<ChannelStore> first_store_;
+    std::any carried_;             // of the program before
+    bool after_reset_ = false;
     bool quit_ = false;
     std::size_t names_published_ = 0;
 };

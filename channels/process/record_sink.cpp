@@ -216,6 +216,7 @@ void RecordSink::variable(const Variable& variable, const BlockContext& at) {
     if (variable.persistent < 0 && number == 0) return;   // nobody outside this process would notice
     PathRecord r = event(RecordKind::Variable, at, number);
     r.code = variable.persistent;
+    r.mask = variable.channel;
     r.value = variable.value;
     copy_text(variable.name, r.text);
     push(r, false, false);

@@ -64,7 +64,7 @@ inline StoreRequest parameter_request(std::string_view line, bool more_follows =
 // What a record of kind Offset or Variable asks of the store; for the kernel, which forwards it in path order.
 inline StoreRequest request_of_record(std::uint32_t channel, const PathRecord& record) noexcept {
     if (static_cast<RecordKind>(record.kind) == RecordKind::Variable) {
-        StoreRequest request = variable_request(channel, std::string_view(record.text.data(), ::strnlen(record.text.data(), record.text.size())), record.value);
+        StoreRequest request = variable_request(record.mask ? record.mask : channel, std::string_view(record.text.data(), ::strnlen(record.text.data(), record.text.size())), record.value);
         request.number = record.code;   // -1: not kept
         return request;
     }

@@ -1,10 +1,12 @@
 #include "kernel/supervisor/check.hpp"
 
 #include <fmt/format.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -53,10 +55,16 @@ struct Interpreter {
         start = scanned = buffer.size();
         return true;
     }
-    void go() const {
+    // With variables in common the order counts: it goes on when it is read next, the others stand meanwhile.
+    void go() {
+        if (in_turn) due = true;
+        else send();
+    }
+    void send() const {
         if (write(child.input_fd(), "go\n", 3) < 0) {}  // it has ended: the next read says so
     }
 
+    bool in_turn = false, due = false;
     std::size_t start = 0, scanned = 0;  // buffer: the next line begins at start; no end of line in [start, scanned)
 };
 
@@ -66,6 +74,7 @@ public:
         : options_(options), plan_(std::move(plan)), not_waited_for_(std::move(not_waited_for)) {}
 
     int run() {
+        if (plan_.programs.size() > 1 && shares_variables()) make_shared_cells();
         for (const auto& [channel, program] : plan_.programs) {
             auto started = start(channel, program);
             if (!started) {
@@ -74,6 +83,7 @@ public:
             }
             interpreters_[channel].channel = channel;
             interpreters_[channel].child = std::move(*started);
+            interpreters_[channel].in_turn = interpreters_[channel].due = !shared_path_.empty();
             matcher_.add_channel(channel);
         }
         interleave();
@@ -87,11 +97,26 @@ public:
     }
 
 private:
+    bool shares_variables() const {
+        bool any = params::get(*plan_.table, params::n1700_no_of_common_100) > 0 || params::get(*plan_.table, params::n1701_no_of_common_500) > 0;
+        for (const auto& [channel, program] : plan_.programs)
+            any = any || params::get(*plan_.table, params::f6036, channel) > 0 || params::get(*plan_.table, params::f6037, channel) > 0;
+        return any;
+    }
+    // Empty variables (NaN) in a file without a name, which the interpreters map.
+    void make_shared_cells() {
+        const int file = memfd_create("polyturn-variables", MFD_CLOEXEC);
+        if (file < 0) return;
+        const std::vector<double> cells(900, std::numeric_limits<double>::quiet_NaN());
+        if (write(file, cells.data(), cells.size() * sizeof(double)) != static_cast<ssize_t>(cells.size() * sizeof(double))) return;
+        shared_path_ = fmt::format("/proc/{}/fd/{}", getpid(), file);
+    }
+
     Result<Child> start(unsigned channel, const PlannedProgram& program) {
         std::vector<std::string> arguments = {"--check", "--channel", std::to_string(channel), "--language", program.language};
         for (auto& argument : plan_.machine_arguments()) arguments.push_back(std::move(argument));
         if (options_.variables) arguments.push_back("--variables");
-        if (plan_.programs.size() == 1) arguments.push_back("--alone");
+        if (!shared_path_.empty()) arguments.insert(arguments.end(), {"--shared", shared_path_});
         if (plan_.programs.size() == 1) arguments.push_back("--alone");  // nobody else can have started its spindle
         arguments.push_back(program.file);
         return Child::start("polyturn-channel", arguments, {true, true});
@@ -135,6 +160,7 @@ private:
     }
 
     void to_next_wait(Interpreter& interpreter) {
+        if (interpreter.due) interpreter.send(), interpreter.due = false;
         std::string line;
         while (interpreter.read_line(line)) {
             if (line.empty()) continue;
@@ -232,6 +258,7 @@ private:
     std::map<unsigned, Interpreter> interpreters_;
     WaitMatcher matcher_;
     Output output_;
+    std::string shared_path_;
     std::size_t alarms_ = 0;
     bool unreadable_ = false;
 };
