@@ -10,6 +10,20 @@ void clear_store(ChannelStore& store) {
     for (double& value : store.variables) value = std::numeric_limits<double>::quiet_NaN();
 }
 
+CommonOffsets common_offsets(const MachineView& view) {
+    const ChannelKind kind = view.config().kind;
+    const auto count = static_cast<unsigned>(kind == ChannelKind::Mill ? params::get(view.table(), params::n1401_no_of_common_tool_offsets_m)
+                                                                       : params::get(view.table(), params::n1412_no_of_common_tool_offsets_t));
+    if (count == 0) return {};
+    for (unsigned channel = 1; channel < view.channel; ++channel)
+        if (view.machine.channel(channel).exists() && view.machine.channel(channel).kind == kind) return {count, channel};
+    return {};   // the first one of its kind owns them
+}
+
+void take_common_offsets(ChannelStore& store, const ChannelStore& from, const CommonOffsets& common) {
+    for (std::size_t n = 1; n <= common.count && n < store.offsets.size(); ++n) store.offsets[n] = from.offsets[n];
+}
+
 MachineView make_machine_view(const params::Table& table, unsigned channel) {
     MachineView view;
     view.channel = channel;

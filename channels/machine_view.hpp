@@ -53,6 +53,13 @@ struct MachineView {
     double to_shown(unsigned place, double value) const { return axes[place].diameter ? value * 2.0 : value; }
 };
 
+// N1401, N1412: how many offsets, from number 1 on, all channels of this one's kind have in common, and in whose table.
+struct CommonOffsets {
+    unsigned count = 0, channel = 0;
+};
+CommonOffsets common_offsets(const MachineView& view);
+void take_common_offsets(ChannelStore& store, const ChannelStore& from, const CommonOffsets& common);
+
 // `channel` must exist in the machine (config().exists()); the store begins empty: zeros, variables null.
 MachineView make_machine_view(const params::Table& table, unsigned channel);
 void clear_store(ChannelStore& store);

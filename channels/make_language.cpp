@@ -1,4 +1,5 @@
 #include "channels/fagor/interpreter.hpp"
+#include "channels/fanuc/angular_axis.hpp"
 #include "channels/fanuc/interpreter.hpp"
 #include "channels/language.hpp"
 #include "channels/mefi/settings.hpp"
@@ -16,8 +17,34 @@ Dialect dialect_of(std::string_view language) {
 }
 
 
+namespace {
+
+// The interpreter behind a machine whose X slide is inclined.
+struct AngularWorld {
+    AngularWorld(MachineView& view, Sink& sink, Port& port, const fanuc::AngularAxes& axes) : sink_of(sink, port, view, axes), port_of(port, view, axes) {}
+    fanuc::AngularSink sink_of;
+    fanuc::AngularPort port_of;
+};
+class AngularInterpreter final : private AngularWorld, public fanuc::Interpreter {
+public:
+    AngularInterpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles& files, const fanuc::AngularAxes& axes, bool usable)
+        : AngularWorld(view, sink, port, axes), fanuc::Interpreter(view, sink_of, port_of, files, &fanuc::fanuc_settings), usable_(usable) {}
+    Result<void> start(FileId main) override {
+        if (!usable_) return Diagnosis{Alarm::AngularAngle, {}, {}, {}};
+        return fanuc::Interpreter::start(main);
+    }
+
+private:
+    bool usable_;
+};
+
+}  // namespace
+
 std::unique_ptr<Language> make_fanuc(MachineView& view, Sink& sink, Port& port, ProgramFiles& files) {
     fanuc::fanuc_axes(view);
+    bool usable = true;
+    const fanuc::AngularAxes angular = fanuc::angular_axes(view, usable);
+    if (angular.on || !usable) return std::make_unique<AngularInterpreter>(view, sink, port, files, angular, usable);
     return std::make_unique<fanuc::Interpreter>(view, sink, port, files, &fanuc::fanuc_settings);
 }
 

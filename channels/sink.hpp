@@ -137,6 +137,7 @@ struct OffsetWrite {
     std::string_view axis;          // X, Z, R, T ...
     std::string_view zero_name;     // work: G54
     std::int32_t number = 0;
+    std::uint32_t channel = 0;      // whose table; 0: the own one (N1401, N1412: offsets in common)
     OffsetTable store_table = OffsetTable::Geometry;
     OffsetField field = OffsetField::X;
     bool work = false;              // a zero offset: row and place of ChannelStore::zeros

@@ -148,6 +148,12 @@ int run_check(const CheckOptions& options, std::FILE* out) {
         setup = std::move(*loaded);
         std::vector<Diagnosis> diagnoses;
         apply_setup(setup, view.machine, options.channel, *view.store, diagnoses);
+        if (const CommonOffsets common = common_offsets(view); common.count) {
+            const auto other = std::make_unique<ChannelStore>();
+            clear_store(*other);
+            apply_setup(setup, view.machine, common.channel, *other, diagnoses);
+            take_common_offsets(*view.store, *other, common);
+        }
         for (const Diagnosis& diagnosis : diagnoses)
             if (diagnosis.severity() == Severity::Error) return refuse(diagnosis, scene, printer);
     }

@@ -30,6 +30,7 @@ void Interpreter::write_offset(OffsetTable table, std::int32_t number, OffsetFie
     write.table = table == OffsetTable::Geometry ? "geometry" : "wear";
     write.axis = kFieldNames[static_cast<std::size_t>(field)];
     write.number = number;
+    if (const CommonOffsets common = common_offsets(core_.view()); static_cast<unsigned>(number) <= common.count) write.channel = common.channel;
     write.store_table = table;
     write.field = field;
     write.value = value;

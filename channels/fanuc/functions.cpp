@@ -22,7 +22,7 @@ bool in_ranges(const std::vector<std::pair<double, double>>& ranges, double code
 
 // M codes that act behind the block's motion: what ends something must not end it before the cut.
 bool acts_late(double code, const MachineConfig& machine) {
-    return code == 0 || code == 1 || code == 2 || code == 5 || code == 9 || code == 30 || code == 98 || code == 99 || machine.is_wait_code(code);
+    return code == 0 || code == 1 || code == 2 || code == 5 || code == 9 || code == 30 || code == 98 || code == 99 || code == 198 || machine.is_wait_code(code);
 }
 
 }  // namespace
@@ -228,7 +228,8 @@ bool Interpreter::m_after() {
             if (settings_.part_code == 0) core_.sink().part(++parts_, core_.at);
             finish(code == 2 ? StopReason::M02 : StopReason::M30);
             return true;
-        case 98: return sub_call();
+        case 98:
+        case 198: return sub_call();
         default: break;
     }
     // M99
@@ -241,7 +242,6 @@ bool Interpreter::m_after() {
 
 bool Interpreter::sub_call() {
     if (!block_.has('P')) return core_.fail(Alarm::SubprogramWordMissing, 'M');
-    if (block_.has('Q')) return core_.fail(Alarm::NotBuilt, 'Q', "M98 Q");
     std::int64_t number = 0, repeats = 1;
     if (!whole('P', number)) return false;
     if (!settings_.nct) {
@@ -254,7 +254,9 @@ bool Interpreter::sub_call() {
     }
     if (block_.has('L') && !whole('L', repeats)) return false;
     called_ = true;
-    return call_program(number, repeats, nullptr, false, false, 'P');
+    if (!call_program(number, repeats, nullptr, false, false, 'P')) return false;
+    std::int64_t from = 0;   // Q: the block with which the subprogram begins
+    return !block_.has('Q') || (whole('Q', from) && jump_to(from));
 }
 
 // A waiting code: digits of P name channels 1 to 9, P=1.12.16 any.

@@ -117,6 +117,28 @@ bool Interpreter::g_preset(const GCode&) {
     return true;
 }
 
+// G10.9 X0: X words are radii from here on; X1: diameters.
+bool Interpreter::g_diameter(const GCode&) {
+    if (axis_word_count_ == 0) return core_.fail(Alarm::CoordinateAxisNone, 'G', "G10.9");
+    for (unsigned k = 0; k < axis_word_count_; ++k) {
+        const Word& word = block_.words[axis_words_[k]];
+        const int place = axis_of(word).place;
+        if (word.value != 0 && word.value != 1) return core_.fail(Alarm::CycleValueIllegal, word.address, std::string(1, word.address), word.value);
+        core_.view().axes[static_cast<std::size_t>(place)].diameter = word.value == 1;
+    }
+    return true;
+}
+
+// G50.3, G92.1: the named axes count from their work zero again, as if G50 and G52 had not been.
+bool Interpreter::g_preset_off(const GCode&) {
+    for (unsigned k = 0; k < axis_word_count_; ++k) {
+        const auto place = static_cast<unsigned>(axis_of(block_.words[axis_words_[k]]).place);
+        core_.preset_by(place, core_.path.preset[place]);
+        core_.local_zero(place, 0.0);
+    }
+    return axis_word_count_ ? true : core_.fail(Alarm::CoordinateAxisNone, 'G', "G50.3");
+}
+
 bool Interpreter::g_local_zero(const GCode&) {
     AxisSet named = 0;
     for (unsigned k = 0; k < axis_word_count_; ++k) {

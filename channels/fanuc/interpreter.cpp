@@ -146,6 +146,12 @@ Step Interpreter::fault_at(Alarm alarm, std::uint32_t column, std::uint32_t leng
 }
 
 Step Interpreter::fault(Fault fault) {
+    // An inner chamfer or corner R that is smaller than the nose (fanuc_lathe 3.16).
+    if ((fault.alarm == Alarm::CompInterference || fault.alarm == Alarm::CompNoIntersection) && corner_count_) {
+        const std::uint32_t line = fault.block ? fault.block->line : core_.at.line;
+        for (const std::uint32_t corner : corner_lines_)
+            if (corner == line) fault.alarm = Alarm::CompCornerElement;
+    }
     if (fault.block) {   // an earlier block of the program
         const BlockContext& at = *fault.block;
         core_.sink().alarm({fault.alarm, {files_->path(at.file), at.line, fault.column, fault.length}, {fault.value0, fault.value1}, std::move(fault.detail)}, at);

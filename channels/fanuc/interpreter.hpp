@@ -54,7 +54,7 @@ struct Loop {
     TextPosition at;
 };
 
-class Interpreter final : public Language, private ScanHook, private VariableHost {
+class Interpreter : public Language, private ScanHook, private VariableHost {
 public:
     using MakeSettings = Settings (*)(const params::Table&, unsigned channel);
     Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles& files, MakeSettings make_settings);
@@ -116,6 +116,8 @@ public:
     bool g_skip(const GCode&);
     bool g_measure(const GCode&);
     bool g_drilling_off(const GCode&);
+    bool g_diameter(const GCode&);
+    bool g_preset_off(const GCode&);
     bool g_binary_input(const GCode&);
     bool g_smoothing(const GCode&);
     bool g_polar(const GCode&);
@@ -378,6 +380,8 @@ private:
     double polar_radius_ = 0.0, polar_angle_ = 0.0;
     double angle_dp_ = 0.0, angle_dq_ = 0.0;   // direction of a line whose end the next block tells
     BlockContext angle_at_;
+    std::array<std::uint32_t, 8> corner_lines_{};  // of the newest blocks with a chamfer or corner R
+    unsigned corner_count_ = 0;
     std::uint64_t comp_moves_ = ~0ull;         // moves delivered when compensation was switched on
     std::array<std::uint8_t, 2> comma_words_{};
     unsigned comma_count_ = 0;

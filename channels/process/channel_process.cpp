@@ -118,6 +118,10 @@ bool ChannelProcess::take_store() {
     }
     while (!store_->channels[channel_ - 1].read(*view_->store)) {}
     take_shared();
+    if (const CommonOffsets common = common_offsets(*view_); common.count) {
+        while (!store_->channels[common.channel - 1].read(*first_store_)) {}
+        take_common_offsets(*view_->store, *first_store_, common);
+    }
     store_changed_ = false;
     return true;
 }
@@ -172,7 +176,7 @@ void ChannelProcess::go_on() {
     }
     const bool shares = params::get(view_->table(), params::f6036, channel_) > 0 || params::get(view_->table(), params::f6037, channel_) > 0 ||
                         params::get(view_->table(), params::n1700_no_of_common_100) > 0 || params::get(view_->table(), params::n1701_no_of_common_500) > 0;
-    if ((store_changed_ || shares) && !take_store()) return;
+    if ((store_changed_ || shares || common_offsets(*view_).count) && !take_store()) return;
     run_->barrier_done();
     state_ = State::Reading;
 }

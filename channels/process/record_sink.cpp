@@ -227,6 +227,7 @@ void RecordSink::offset(const OffsetWrite& offset, const BlockContext& at) {
     r.code = static_cast<std::int32_t>(offset.work ? OffsetTable::Work : offset.store_table);
     r.mask = static_cast<std::uint32_t>(offset.work ? offset.row : offset.number);
     r.plane[0] = static_cast<std::uint8_t>(offset.work ? offset.place : static_cast<std::int32_t>(offset.field));
+    r.plane[1] = static_cast<std::uint8_t>(offset.channel);
     r.value = offset.value;
     push(r, false, false);
 }

@@ -71,7 +71,7 @@ inline StoreRequest request_of_record(std::uint32_t channel, const PathRecord& r
     const auto table = static_cast<OffsetTable>(record.code);
     const auto number = static_cast<std::int32_t>(record.mask);
     if (table == OffsetTable::Work) return work_zero_request(channel, number, record.plane[0], record.value);
-    return offset_request(channel, number, table, static_cast<OffsetField>(record.plane[0]), record.value);
+    return offset_request(record.plane[1] ? record.plane[1] : channel, number, table, static_cast<OffsetField>(record.plane[0]), record.value);
 }
 
 // Index in ChannelStore::variables of a variable by its name: #500 to #999. Others are not kept.

@@ -1,0 +1,95 @@
+// Angular axis control (fanuc_lathe 10.5): the X slide is inclined, programs are written at right angles.
+//
+//        X slide  /|        real X = X / cos(a)         X a radius
+//                / |        real Z = Z - X * tan(a)
+//               /a | X
+//   ------------+--+----> Z
+//
+// Interpreter, cycles and compensation work at right angles; this sink and this port stand between them and the machine.
+// Lines stay lines. An arc becomes an ellipse: where a machine drives it is cut into chords of a thousandth of a millimetre.
+#pragma once
+#include "channels/machine_view.hpp"
+#include "channels/port.hpp"
+
+namespace polyturn::channels::fanuc {
+
+struct AngularAxes {
+    bool on = false;
+    unsigned angular = 0, square = 1;   // places in the channel
+    double cosine = 1.0, tangent = 0.0;
+
+    void to_machine(AxisValues& values) const {
+        const double x = values[angular];
+        values[square] -= x * tangent;
+        values[angular] = x / cosine;
+    }
+    double x_of(double real) const { return real * cosine; }
+    double z_of(double real_x, double real_z) const { return real_z + real_x * cosine * tangent; }
+};
+
+// F8200 and on; `usable` is false for an angle that no slide can have.
+AngularAxes angular_axes(const MachineView& view, bool& usable);
+
+class AngularSink final : public Sink {
+public:
+    AngularSink(Sink& next, Port& port, const MachineView& view, const AngularAxes& axes) : next_(&next), port_(&port), view_(&view), axes_(axes) {}
+    void move(const Move& m, const BlockContext& at) override;
+    void dwell(const Dwell& d, const BlockContext& at) override { next_->dwell(d, at); }
+    void aux(const Aux& a, const BlockContext& at) override { next_->aux(a, at); }
+    void spindle(const Spindle& s, const BlockContext& at) override { next_->spindle(s, at); }
+    void wait(const Wait& w, const BlockContext& at) override { next_->wait(w, at); }
+    void variable(const Variable& v, const BlockContext& at) override { next_->variable(v, at); }
+    void offset(const OffsetWrite& o, const BlockContext& at) override { next_->offset(o, at); }
+    void message(std::string_view text, const BlockContext& at) override { next_->message(text, at); }
+    void print(std::string_view text, const BlockContext& at) override { next_->print(text, at); }
+    void interrupts(const Interrupts& i, const BlockContext& at) override { next_->interrupts(i, at); }
+    void stop(const Stop& s, const BlockContext& at) override { next_->stop(s, at); }
+    void part(double count, const BlockContext& at) override { next_->part(count, at); }
+    void alarm(const Diagnosis& d, const BlockContext& at) override { next_->alarm(d, at); }
+    void barrier(const BlockContext& at) override { next_->barrier(at); }
+    void block_end(const BlockContext& at) override { next_->block_end(at); }
+
+private:
+    void chords(const Move& m, const BlockContext& at);
+    Sink* next_;
+    Port* port_;
+    const MachineView* view_;
+    AngularAxes axes_;
+    bool begun_ = false;
+};
+
+// Positions of the machine as the program means them.
+class AngularPort final : public Port {
+public:
+    AngularPort(Port& next, const MachineView& view, const AngularAxes& axes) : next_(&next), view_(&view), axes_(axes) {}
+    std::optional<double> axis_command(unsigned a) override { return turned(a, [this](unsigned k) { return next_->axis_command(k); }); }
+    std::optional<double> axis_measured(unsigned a) override { return turned(a, [this](unsigned k) { return next_->axis_measured(k); }); }
+    std::optional<double> axis_at_skip(unsigned a) override { return turned(a, [this](unsigned k) { return next_->axis_at_skip(k); }); }
+    bool block_skip(unsigned number) override { return next_->block_skip(number); }
+    bool optional_stop() override { return next_->optional_stop(); }
+    bool single_block() override { return next_->single_block(); }
+    double interface_value(std::int32_t variable) override { return next_->interface_value(variable); }
+    std::optional<double> given_variable(std::string_view name) override { return next_->given_variable(name); }
+    CalendarTime clock() override { return next_->clock(); }
+    double running_ms() override { return next_->running_ms(); }
+    void print(const MachineView& view, std::string_view bytes, bool control) override { next_->print(view, bytes, control); }
+    double* shared_variables() override { return next_->shared_variables(); }
+    bool second_geometry(unsigned axis) override { return next_->second_geometry(axis); }
+    bool stroke_limits(unsigned, double&, double&) override { return false; }
+    Turning started_by_others(unsigned spindle) override { return next_->started_by_others(spindle); }
+
+private:
+    template <class Read> std::optional<double> turned(unsigned machine_axis, Read&& read) {
+        const unsigned x = view_->axes[axes_.angular].machine_axis, z = view_->axes[axes_.square].machine_axis;
+        const auto own = read(machine_axis);
+        if (!own || (machine_axis != x && machine_axis != z)) return own;
+        if (machine_axis == x) return axes_.x_of(*own);
+        const auto other = read(x);
+        return other ? std::optional<double>(axes_.z_of(*other, *own)) : std::nullopt;
+    }
+    Port* next_;
+    const MachineView* view_;
+    AngularAxes axes_;
+};
+
+}  // namespace polyturn::channels::fanuc
