@@ -14,7 +14,7 @@ constexpr auto kRows = std::to_array<GCode>({
     {"G2", 20, kShared, G::Motion, &I::g_arc, "xIJKR", false, "Arc, clockwise"},
     {"G3", 30, kShared, G::Motion, &I::g_arc, "xIJKR", false, "Arc, anticlockwise"},
     {"G4", 40, kShared, G::OneShot, &I::g_dwell, "PXU", false, "Dwell"},
-    {"G5", 50, kAll, G::OneShot, &I::g_binary_input, "", false, "High-speed binary data"},
+    {"G5", 50, kAll, G::OneShot, &I::g_binary_input, "", false, "High-speed binary data: refused; alarm 178 with compensation"},
     {"G5.1", 51, kAll, G::OneShot, &I::g_smoothing, "QR", false, "High speed, high precision"},
     {"G7.1", 71, kAll, G::OneShot, nullptr, "", false, "Cylindrical interpolation"},
     {"G9", 90, kShared, G::ExactStop, &I::g_exact_once, "", false, "Exact stop at the end of this block"},
