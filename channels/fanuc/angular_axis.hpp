@@ -75,7 +75,7 @@ public:
     void print(const MachineView& view, std::string_view bytes, bool control) override { next_->print(view, bytes, control); }
     double* shared_variables() override { return next_->shared_variables(); }
     bool second_geometry(unsigned axis) override { return next_->second_geometry(axis); }
-    bool stroke_limits(unsigned, double&, double&) override { return false; }
+    StrokeFlags stroke_flags(unsigned machine_axis) override { return next_->stroke_flags(machine_axis); }
     Turning started_by_others(unsigned spindle) override { return next_->started_by_others(spindle); }
 
 private:
