@@ -53,6 +53,7 @@ MachineView make_machine_view(const params::Table& table, unsigned channel) {
         to.max_feed_mm_min = from.limits.max_feed_mm_s * 60.0;
         to.reference_mm = from.reference_mm;
         if (!from.hypothetical) to.stroke = read_axis_stroke(table, from.number);
+        to.by_plc = !from.rotary && !params::bit(table, params::n0106_axis_properties, from.number, 5);
         to.limited = to.stroke.range1;
         to.limit_max = to.stroke.a.high;
         to.limit_min = to.stroke.a.low;

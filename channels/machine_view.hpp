@@ -24,6 +24,8 @@ struct ChannelAxis {
     double increment = 0.001;       // smallest step that can be programmed, mm (metric) or degrees
     double max_feed_mm_min = 0.0;   // N0305
     std::array<double, 4> reference_mm{};
+    bool by_plc = true;             // the PLC may switch between radius and diameter (N0106 MGD = 0)
+    bool inverted = false;          // AP_DIARAD as of the last barrier
     AxisStroke stroke;              // ranges that are watched
     bool limited = false;           // an interval holds for this axis by itself, as of the last barrier:
     double limit_max = 0.0, limit_min = 0.0;

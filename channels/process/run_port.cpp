@@ -64,6 +64,8 @@ double RunPort::running_ms() {
     return static_cast<double>(status_->tick) * static_cast<double>(kernel_->tick_ns.load(std::memory_order_relaxed)) * 1e-6;
 }
 
+bool RunPort::diameter_inverted(unsigned machine_axis) { return plc_->signal[signals::ap_diarad(machine_axis + 1)] != 0; }
+
 StrokeFlags RunPort::stroke_flags(unsigned machine_axis) {
     const auto on = [&](const PlcSignal& signal, std::size_t instance) { return plc_->signal[signal(instance)] != 0; };
     using namespace signals;

@@ -27,6 +27,7 @@ public:
     CalendarTime clock() override;
     double running_ms() override;
     StrokeFlags stroke_flags(unsigned machine_axis) override;
+    bool diameter_inverted(unsigned machine_axis) override;
     bool second_geometry(unsigned axis) override;
     unsigned selected_spindle() override;
     Turning started_by_others(unsigned spindle) override;

@@ -31,6 +31,7 @@ void Core::refresh_limits() {
     for (unsigned i = 0; i < view_->axis_count; ++i) {
         ChannelAxis& axis = view_->axes[i];
         zones_.axes[i] = axis.stroke.any() ? zone_of(axis.stroke, view_->stroke, port_->stroke_flags(axis.machine_axis)) : AxisZone{};
+        if (axis.by_plc && port_->diameter_inverted(axis.machine_axis) != axis.inverted) axis.inverted = !axis.inverted, axis.diameter = !axis.diameter;
         const StrokeInterval& allowed = zones_.axes[i].allowed;
         axis.limited = std::isfinite(allowed.low) && std::isfinite(allowed.high);
         if (axis.limited) axis.limit_max = allowed.high, axis.limit_min = allowed.low;

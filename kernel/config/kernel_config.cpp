@@ -52,6 +52,7 @@ AxisConfig read_axis(const p::Table& t, unsigned a) {
     axis.reference = read_reference(t, a, unit);
     if (p::bit(t, p::n0106_axis_properties, a, 3)) axis.index_step = p::get(t, p::n0110_indexing_amount, a) * unit;
     if (axis.rotary && p::bit(t, p::n0107_rollover_control, a, 0)) axis.rollover = p::get(t, p::n0108_rollamount, a);
+    for (unsigned n = 0; n < 8; ++n) axis.handle |= p::bit(t, p::n2400_handle_direction, a, n) ? 1u << n : 0u;
     axis.lubrication = p::get(t, p::n1273_lubrication_distance, a) * unit;
     axis.hypothetical = hypothetical;
     axis.measured_only = assigned == 99 || p::bit(t, p::n0106_axis_properties, a, 4);
@@ -73,6 +74,12 @@ ChannelConfig read_channel(const p::Table& t, unsigned l) {
     channel.in_position_timeout_s = p::get(t, p::n1340_inpos_timeout, l);
     channel.feed_waits_for_spindle = p::get(t, p::pt_feed_waits, l) != 0;
     for (unsigned n = 0; n < 3; ++n) channel.aux_letters[n] = static_cast<char>(p::get(t, p::nth(p::n1333_aux_fu_addr1, n + 1), l));
+    channel.inch = p::bit(t, p::n0104_unit_of_measure, l, 0);
+    const double unit = channel.inch ? kMmPerInch : 1.0;
+    channel.jog_feed_rev = p::get(t, p::n0318_jog_f_g95, l) * unit;
+    channel.default_feed = p::get(t, p::n0300_default_f_g94, l) * unit / 60.0;
+    channel.default_feed_rev = p::get(t, p::n0301_default_f_g95, l) * unit;
+    channel.per_revolution = p::bit(t, p::n1301_defaultg2, l, 0);
     channel.stroke = read_channel_stroke(t, l);
     channel.in_position_at_rapid_end = p::bit(t, p::n1337_execution_config, l, 0);
     if (channel.group >= 1 && channel.group <= kMaxGroups) {

@@ -34,6 +34,7 @@ struct AxisConfig {
     ReferenceConfig reference;
     double rollover = 0;                  // degrees of a turn; 0: positions run on
     double index_step = 0;                // N0110 of an indexed axis; 0: none
+    std::uint32_t handle = 0;             // N2400
     double lubrication = 0;               // N1273, mm; 0: none
     bool measured_only = false, hypothetical = false, named = false;
     ShortName name{};                     // as programs call it; "A3" without a name
@@ -49,6 +50,9 @@ struct ChannelConfig {
     std::uint32_t default_spindle = 0;
     std::int64_t jog_feed_source = 1;     // N0316
     double jog_feed = 0;                  // N0317, mm/s
+    double jog_feed_rev = 0;              // N0318, mm a revolution
+    double default_feed = 0, default_feed_rev = 0;   // N0300, N0301
+    bool inch = false, per_revolution = false;       // N0104 IND; N1301 G95
     std::uint32_t surface_speed_axis = 0; // from 1
     double surface_speed_min_rpm = 0;
     double in_position_timeout_s = 0;

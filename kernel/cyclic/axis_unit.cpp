@@ -44,9 +44,24 @@ void AxisUnit::configure(const AxisConfig& config) noexcept {
     if (drive_) loop_.configure(config.servo, config.tick_s);
 }
 
+bool AxisUnit::open_direct(unsigned number, const AxisConfig& device, double tick_s) {
+    PolyturnDriveSetup setup{};
+    setup.version = POLYTURN_DRIVE_VERSION;
+    setup.number = number;
+    setup.tick_s = tick_s;
+    setup.increments_per_unit = kIncrementsPerUnit * static_cast<double>(device.servo.divide) / static_cast<double>(device.servo.multiply);
+    setup.start_position = std::llround(command_ * setup.increments_per_unit);
+    setup.frequency_hz = device.servo.drive_hz;
+    setup.damping = device.servo.drive_damping;
+    direct_drive_ = api_->open(&setup);
+    direct_units_ = (device.servo.input_inverted ? -1.0 : 1.0) / setup.increments_per_unit;
+    return direct_drive_ != nullptr;
+}
+
 void AxisUnit::close() {
     if (drive_) api_->close(drive_);
-    drive_ = nullptr;
+    if (direct_drive_) api_->close(direct_drive_);
+    drive_ = direct_drive_ = nullptr;
 }
 
 bool AxisUnit::brake(double tick_s) noexcept {
@@ -127,10 +142,15 @@ void AxisUnit::exchange(double tick_s, bool powered) noexcept {
     const double exact = (config_.servo.output_inverted ? -output_ : output_) * pulses_per_unit_ * 1e3 + remainder_;
     out.target_velocity = static_cast<std::int64_t>(std::floor(exact + 0.5));
     remainder_ = exact - static_cast<double>(out.target_velocity);
+    if (direct_drive_) {
+        PolyturnDriveCommand nothing{};
+        nothing.control = POLYTURN_DRIVE_SHUTDOWN;
+        api_->exchange(direct_drive_, &nothing, &direct_status_);
+    }
     api_->exchange(drive_, &out, &status_);
     const double encoder = units(status_.position);
     if (closes) {
-        if (has_direct_) loop_.measured_direct(encoder + origin_, direct_);
+        if (direct_drive_) loop_.measured_direct(encoder + origin_, static_cast<double>(direct_status_.position) * direct_units_ + origin_);
         else loop_.measured(encoder + origin_);
         error_ = loop_.error();
     } else {
@@ -142,7 +162,6 @@ void AxisUnit::exchange(double tick_s, bool powered) noexcept {
         if (requests.open || config_.servo.open || detached) command_ = target_ = encoder + origin_, own_command_ = own_target_ = command_ - added_;
         error_ = 0;
     }
-    has_direct_ = false;
     moving_ = target_ != command_;
     still_ticks_ = moving_ ? 0 : still_ticks_ + 1;
     velocity_ = closes ? v : 0.0;

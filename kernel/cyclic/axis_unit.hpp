@@ -80,8 +80,9 @@ public:
     void exchange(double tick_s, bool powered) noexcept;
     // A tandem slave: its drive gets its master's speed.
     void forward(double speed) noexcept { forwarded_ = true, output_ = speed; }
-    // The axis that carries this one's direct measuring device, read in the same tick.
-    void use_direct(double slide) noexcept { direct_ = slide, has_direct_ = true; }
+    // The direct measuring device of a dual loop (N0534): the input of another axis number. Not in the cyclic thread.
+    bool open_direct(unsigned number, const AxisConfig& device, double tick_s);
+    void* direct_drive() const noexcept { return direct_drive_; }
     // Zero pulses and marks of the encoder: armed, one that passes is latched.
     void watch_mark(bool on) noexcept { mark_armed_ = on; }
     bool mark_seen(double& machine) const noexcept;        // in the last exchange: where
@@ -99,10 +100,13 @@ private:
     double error_ = 0, origin_ = 0;
     double pulses_per_unit_ = 1e6;
     double output_ = 0, remainder_ = 0;                    // remainder: of the speed command, thousandths of a pulse
-    double kept_ = 0, way_back_ = 0, direct_ = 0, fault_value_ = 0;
+    double kept_ = 0, way_back_ = 0, fault_value_ = 0;
+    void* direct_drive_ = nullptr;
+    double direct_units_ = 0;                              // of a pulse of the direct device
+    PolyturnDriveStatus direct_status_{};
     double uncounted_from_ = 0;                            // encoder when it stopped counting
     std::int64_t still_ticks_ = 2;
-    bool moving_ = false, forwarded_ = false, has_direct_ = false, mark_armed_ = false, not_counting_ = false;
+    bool moving_ = false, forwarded_ = false, mark_armed_ = false, not_counting_ = false;
     bool closed_ = true;                                   // nothing to follow up at the start: command and drive agree
     Fault fault_ = Fault::None;
     PolyturnDriveStatus status_{};

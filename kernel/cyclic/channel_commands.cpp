@@ -1,6 +1,10 @@
 // What operator, machine and supervision ask of a channel; acts at a tick's start.
 #include "kernel/cyclic/channel_runner.hpp"
 
+#include <utility>
+
+#include "kernel/cyclic/start_conditions.hpp"
+
 namespace polyturn::kernel {
 
 void ChannelRunner::stand(ChannelState state, StopReason reason) noexcept {
@@ -23,27 +27,17 @@ void ChannelRunner::interrupt() noexcept {
 }
 
 void ChannelRunner::cycle_start() noexcept {
-    if (!segment_ || dead_ || stopped_) {
-        core_.alarm(Alarm::NotReady, number_, "no program can run in this channel: its process is not there");
+    if (state_ == ChannelState::Running || state_ == ChannelState::Waiting) {  // pressed hold and start before it came to rest
+        hold_ = false;
         return;
     }
-    if (!core_.on()) {
-        core_.alarm(Alarm::NotReady, number_, "the machine is not switched on");
+    if (const ShortText missing = missing_for_start(core_, {number_, segment_ && !dead_ && !stopped_, !resetting_, jog_in_hold_}); !missing.view().empty()) {
+        core_.alarm(Alarm::NotReady, number_, missing.view());
         return;
     }
     switch (state_) {
         case ChannelState::Reset:
         case ChannelState::Ended:
-            for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
-                if (core_.config.axes[a].exists && core_.config.axes[a].channel == number_ && !core_.axes[a].referenced) {
-                    core_.alarm(Alarm::NotReady, number_, name_of('A', a).view());
-                    return;
-                }
-            if (resetting_) return;  // still coming to rest: the start is not remembered
-            if (core_.jogging >> index_ & 1u) {
-                core_.alarm(Alarm::NotReady, number_, "an axis is being moved by hand");
-                return;
-            }
             know_positions();
             state_ = ChannelState::Running;
             stop_reason_ = StopReason::None;
@@ -67,10 +61,13 @@ void ChannelRunner::cycle_start() noexcept {
             state_ = ChannelState::Running;
             stop_reason_ = StopReason::None;
             return;
-        case ChannelState::Running:
-        case ChannelState::Waiting: hold_ = false; return;  // pressed hold and start before it came to rest
         default: return;
     }
+}
+
+bool ChannelRunner::allow_jog_in_hold() noexcept {
+    if (state_ != ChannelState::Held || !at_rest()) return false;
+    return jog_in_hold_ = true;
 }
 
 void ChannelRunner::feed_hold() noexcept {
@@ -103,15 +100,17 @@ void ChannelRunner::finish_reset() noexcept {
     at_boundary_ = true;
     thread_moving_ = thread_committed_ = false;
     retract_.clear();
-    begun_ = hold_ = interrupted_ = alarm_ = continue_ = released_ = passing_ = emergency_ = skipping_ = interrupts_on_ = interrupt_due_ = false;
-    state_ = ChannelState::Reset;
-    stop_reason_ = StopReason::Reset;
+    jog_in_hold_ = begun_ = hold_ = interrupted_ = alarm_ = continue_ = released_ = passing_ = emergency_ = skipping_ = interrupts_on_ = interrupt_due_ = false;
+    // «Stop after this part»: what was to follow is void, but the program has come to its end.
+    const StopReason why = std::exchange(ends_with_part_, false) ? StopReason::End : StopReason::Reset;
+    state_ = why == StopReason::End ? ChannelState::Ended : ChannelState::Reset;
+    stop_reason_ = why;
     for (SpindleUnit& spindle : core_.spindles)
         if (spindle.locked_by == number_) spindle.locked_by = 0, spindle.override_locked = false;
     for (AxisUnit& axis : core_.axes)
         if (axis.owner == number_) axis.owner = 0;
-    core_.event(KernelEventKind::Stopped, number_, static_cast<std::int32_t>(StopReason::Reset), 0, line_);
-    if (ran) core_.event(KernelEventKind::CycleEnded, number_, static_cast<std::int32_t>(StopReason::Reset), cycle_s_, line_);
+    core_.event(KernelEventKind::Stopped, number_, static_cast<std::int32_t>(why), 0, line_);
+    if (ran) core_.event(KernelEventKind::CycleEnded, number_, static_cast<std::int32_t>(why), cycle_s_, line_);
     line_ = 0;
     tell(ChannelEventKind::Reset, cursor_);
 }

@@ -92,6 +92,7 @@ bool ChannelRunner::execute_instant(const PathRecord& r, double offset_s) noexce
         case RecordKind::Part:
             ++parts_;
             core_.totals.part(index_);
+            ends_with_part_ = std::exchange(stop_after_part_, false);   // if more is to follow: finished()
             return true;
         case RecordKind::Interrupts:
             interrupt_bits_ = r.mask;
@@ -185,6 +186,7 @@ bool ChannelRunner::arrive(const PathRecord& r) noexcept {
 }
 
 bool ChannelRunner::stop(const PathRecord& r) noexcept {
+    ends_with_part_ = false;   // the program stops by itself
     const auto reason = static_cast<StopReason>(r.code);
     if (reason == StopReason::M01 && !(keys & kKeyOptionalStop)) return true;
     if (phase_ == Phase::Stopped) return std::exchange(continue_, false);

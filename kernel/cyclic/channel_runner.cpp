@@ -151,7 +151,7 @@ void ChannelRunner::run() noexcept {
     watch_interrupt();
     if (at_boundary_) execute_standing(left);
     // What took a part of the tick ends within it: motion begins with the next one.
-    const bool frozen = (interrupted_ || dead_) && at_rest();
+    const bool frozen = (interrupted_ || dead_ || jog_in_hold_) && at_rest();
     if (phase_ == Phase::None && left == 1.0 && !frozen) {
         drive();
         if (at_boundary_) {
@@ -193,7 +193,7 @@ void ChannelRunner::drive() noexcept {
     input.spindle_rev_s = core_.spindle_rev_s.data();
     const bool breaks_off = interrupt_due_ && !(interrupt_bits_ & kInterruptAtBlockEnd);
     const bool ends_block = interrupt_due_ && !breaks_off;
-    input.hold = skip_signal() || breaks_off || hold_ || resetting_ || dead_ || interrupted_ || core_.all_stop || !core_.on() || !program_runs();
+    input.hold = skip_signal() || core_.signals.plc(signals::cp_stop(number_)) || breaks_off || hold_ || resetting_ || dead_ || interrupted_ || core_.all_stop || !core_.on() || !program_runs();
     input.single_block = (keys & kKeySingleBlock) != 0 || ends_block;
     input.in_position = axes_in_position();
     if (waits_for_drive()) input.hold = true;
@@ -422,7 +422,7 @@ void ChannelRunner::place_axes(const PathRecord& r, double s) noexcept {
         AxisUnit& axis = core_.axes[r.axis[i]];
         axis.owner = number_;
         axis.rapid = (r.flags & kRapid) != 0;
-        if (!(keys & kKeyMachineLock) && !axis.slave) axis.move_to(position[i]);
+        if (!(keys & kKeyMachineLock) && !axis.slave && !axis.detached) axis.move_to(position[i]);
         last_axes_[i] = r.axis[i];
     }
     last_axis_count_ = r.axis_count;
@@ -440,7 +440,11 @@ void ChannelRunner::report(KernelEventKind kind, const PathRecord& r, double off
 
 void ChannelRunner::begin_record(const PathRecord& r, double offset_s) noexcept {
     for (std::uint32_t i = 0; is_motion(r) && i < r.axis_count; ++i)
-        if (core_.axes[r.axis[i]].slave && r.end[i] != r.start[i]) raise(Alarm::SlaveCommanded, name_of('A', r.axis[i]).view());
+        if (r.end[i] != r.start[i]) {
+            const AxisUnit& axis = core_.axes[r.axis[i]];
+            if (axis.slave) raise(Alarm::SlaveCommanded, name_of('A', r.axis[i]).view());
+            if (axis.detached && !axis.config().on_spindle) raise(Alarm::AxisDetached, name_of('A', r.axis[i]).view());
+        }
     if (r.flags & kSkipMove) skipped_ = false;
     if (!is_motion(r) || (r.flags & kBlockBegin)) report(KernelEventKind::RecordBegin, r, offset_s);
 }
@@ -448,6 +452,7 @@ void ChannelRunner::begin_record(const PathRecord& r, double offset_s) noexcept 
 void ChannelRunner::finished(const PathRecord& r, std::uint64_t index, double offset_s) noexcept {
     if (!is_motion(r) || (r.flags & kBlockEnd)) report(KernelEventKind::RecordEnd, r, offset_s);
     if (r.flags & kBlockEnd) ++blocks_;
+    if (ends_with_part_ && (r.flags & kDrains)) resetting_ = true;
     last_serial_ = r.serial;
     if (r.flags & kDrains) {
         know_positions();

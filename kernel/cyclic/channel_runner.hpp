@@ -49,6 +49,12 @@ public:
     void select(std::string_view file) noexcept;
     void mdi(std::string_view text) noexcept;
     void set_mode(ChannelMode mode) noexcept;
+    ChannelMode mode() const noexcept { return mode_; }
+    void stop_after_part(bool on) noexcept { stop_after_part_ = on; }
+    // Axes are moved by hand in a hold; the machine keeps their way back and says when they are there.
+    bool allow_jog_in_hold() noexcept;
+    bool jogs_in_hold() const noexcept { return jog_in_hold_; }
+    void on_path_again() noexcept { jog_in_hold_ = false; }
     void quit() noexcept;
     void store_changed() noexcept { store_changed_ = true; }
     void process_died(Alarm reason) noexcept;
@@ -169,6 +175,7 @@ private:
     std::uint64_t flying_ = kNoRecord;     // nearest flying wait that still stops the path
     Phase phase_ = Phase::None;
     bool begun_ = false;                   // the standing record has reported its beginning
+    bool jog_in_hold_ = false, stop_after_part_ = false, ends_with_part_ = false;
     bool hold_ = false, dead_ = false, stopped_ = false, resetting_ = false, interrupted_ = false, alarm_ = false, continue_ = false;
     bool skipped_ = false;                 // the signal of the last skip move came
     bool rest_reported_ = false, released_ = false, passing_ = false, judged_ = false, emergency_ = false, skipping_ = false;

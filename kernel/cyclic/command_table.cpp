@@ -36,6 +36,7 @@ void Machine::run_command(const Command& c) noexcept {
         case CommandKind::Reset:
             each_channel(c, [](ChannelRunner& r) { r.reset(); });
             for (AxisJog& jog : jogs_) jog.stop();
+            wheel_left_.fill(0.0);
             stop_homing();
             reset_machine();
             break;
@@ -104,6 +105,15 @@ void Machine::run_command(const Command& c) noexcept {
         case CommandKind::Reference:
             reference_command(c);
             break;
+        case CommandKind::JogInHold:
+            each_channel(c, [&](ChannelRunner& r) {
+                if (!r.allow_jog_in_hold()) core_.alarm(Alarm::NotReady, c.channel, "axes are moved in a hold when the path has come to rest in it");
+            });
+            break;
+        case CommandKind::Return:
+            if (c.channel >= 1 && c.channel <= kMaxChannels && channels_[c.channel - 1]->jogs_in_hold()) way_back_[c.channel - 1].going = true;
+            break;
+        case CommandKind::StopAfterPart: each_channel(c, [&](ChannelRunner& r) { r.stop_after_part(on); }); break;
         case CommandKind::Action:
             core_.event(KernelEventKind::ActionDue, c.channel, static_cast<std::int32_t>(c.seq), c.value, c.object, text_of(c));
             // What it brings about (the death of a process) belongs to this very tick.
@@ -144,8 +154,8 @@ void Machine::process_died(std::uint32_t slot) noexcept {
     } else if (slot == kProcessPlc && !plc_.dead()) {
         plc_.died();
         stop_all(Alarm::PlcDied);
-    } else if (slot == kProcessStore && !store_dead_) {
-        store_dead_ = true;
+    } else if (slot == kProcessStore && !core_.store_dead) {
+        core_.store_dead = true;
         core_.alarm(Alarm::StoreDied, 0);
     }
 }
@@ -153,7 +163,7 @@ void Machine::process_died(std::uint32_t slot) noexcept {
 void Machine::process_stopped(std::uint32_t slot, bool stopped) noexcept {
     if (slot >= kProcessChannel && slot < kProcesses) channels_[slot - kProcessChannel]->process_stopped(stopped);
     else if (slot == kProcessPlc) plc_.stopped(stopped);
-    else if (slot == kProcessStore) store_dead_ = stopped;
+    else if (slot == kProcessStore) core_.store_dead = stopped;
 }
 
 }  // namespace polyturn::kernel

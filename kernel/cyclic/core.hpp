@@ -40,6 +40,7 @@ struct Core {
     std::int64_t tick = 0;                 // the running one: from tick * tick_s on
     MachineState state = MachineState::Off;
     bool all_stop = false;                 // PLC dead, ticks late, supervisor silent: everything rests until reset
+    bool store_dead = false;
     bool end_run = false;
     std::uint32_t alarm_count = 0;
 

@@ -1,62 +1,170 @@
-// Axes moved by hand: jog for a time, step a distance, turn the handwheel.
+// Axes moved by hand: jog for a time, step a distance, turn a handwheel; in a hold, with a way back that is remembered.
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "kernel/cyclic/machine.hpp"
 
 namespace polyturn::kernel {
 namespace {
 constexpr double kWheelClick = 0.001;  // mm or degrees
-constexpr std::int64_t kByRegister = 1;
+constexpr double kMmPerInch = 25.4;
+constexpr std::int64_t kByRegister = 1, kByParameter = 2;   // N0316; 3: the feed of the program
 
-// CP_JOGFD: five steps a decade from 2 mm/min on (nct_parameters_part1 5.5); degrees are a fifth of it.
-double feed_of_register(std::int32_t step) { return step <= 0 ? 0.0 : 2.0 * std::pow(10.0, (step - 1) / 5.0) / 60.0; }
+// CP_JOGFD (nct_parameters_part1 5.5): five steps a decade, rounded as the table has them; beyond it the rule goes on.
+constexpr double kFeedMm[] = {0, 2, 3.2, 5, 7.9, 12.6, 20, 32, 50, 79, 126, 200, 320, 500, 790, 1260};
+constexpr double kFeedInch[] = {0, 0.08, 0.12, 0.2, 0.3, 0.5, 0.8, 1.2, 2, 3, 5, 8, 12, 20, 30, 50};
+
+double feed_of_register(std::int32_t step, bool inch, bool rotary) {
+    if (step <= 0) return 0.0;
+    const bool listed = step < 16;
+    const double mm_min = listed ? kFeedMm[step] : 2.0 * std::pow(10.0, (step - 1) / 5.0);
+    if (rotary) return mm_min / 5.0 / 60.0;
+    if (inch) return (listed ? kFeedInch[step] * kMmPerInch : mm_min) / 60.0;
+    return mm_min / 60.0;
+}
 }  // namespace
 
 double Machine::jog_feed(std::uint32_t a) const noexcept {
     const AxisConfig& axis = core_.config.axes[a];
     const ChannelConfig& channel = core_.config.channels[axis.channel - 1];
     const double most = axis.jog_max_feed > 0 ? std::fmin(axis.jog_max_feed, axis.rapid) : axis.rapid;
-    double feed = channel.jog_feed;
-    if (channel.jog_feed_source == kByRegister) feed = feed_of_register(core_.signals.plc(signals::cp_jogfd(axis.channel))) / (axis.rotary ? 5.0 : 1.0);
-    return feed > 0 ? std::fmin(feed, most) : most;  // nobody chose a feed: the fastest that is allowed by hand
+    const std::uint32_t s = channel.default_spindle;
+    const double rev_s = s ? std::fabs(core_.spindle_rev_s[s - 1]) : 0.0;
+    if (channel.jog_feed_source == kByRegister) {
+        const double feed = feed_of_register(core_.signals.plc(signals::cp_jogfd(axis.channel)), channel.inch, axis.rotary);
+        return feed > 0 ? std::fmin(feed, most) : most;  // a panel that sets no step: the fastest that is allowed by hand
+    }
+    // By N0317 and N0318, or the feed that holds from power-on; per revolution the spindle must turn.
+    const bool own = channel.jog_feed_source == kByParameter;
+    const double feed = channel.per_revolution ? (own ? channel.jog_feed_rev : channel.default_feed_rev) * rev_s : own ? channel.jog_feed : channel.default_feed;
+    return std::fmin(feed, most);
+}
+
+// Steps and handwheel: N0314.
+double Machine::by_hand(std::uint32_t a) const noexcept {
+    const AxisConfig& config = core_.config.axes[a];
+    return config.manual_rapid > 0 ? std::fmin(config.manual_rapid, config.rapid) : config.rapid;
+}
+
+bool Machine::may_be_moved(std::uint32_t a) noexcept {
+    const AxisUnit& axis = core_.axes[a];
+    const std::uint32_t l = core_.config.axes[a].channel;
+    const auto refuse = [&](std::string_view why) {
+        core_.alarm(Alarm::NotReady, l, why);
+        return false;
+    };
+    if (!core_.on() || core_.all_stop) return refuse("axes are moved by hand only while the machine is on");
+    if (l == 0) return refuse("the axis belongs to no channel");
+    if (channels_[l - 1]->program_runs() && !channels_[l - 1]->jogs_in_hold())
+        return refuse("axes are moved by hand only while no program of the channel runs, or in a hold after jog_in_hold");
+    if (axis.slave) {
+        core_.alarm(Alarm::SlaveCommanded, l, name_of('A', a).view());
+        return false;
+    }
+    if (axis.detached) {
+        core_.alarm(Alarm::AxisDetached, l, name_of('A', a).view());
+        return false;
+    }
+    if (way_back_[l - 1].going) return refuse("the axes are on their way back");
+    if (channels_[l - 1]->jogs_in_hold() && way_back_[l - 1].count == WayBack::kMost) return refuse("the way back has become too long; press return");
+    return true;
+}
+
+void Machine::start_jog(std::uint32_t a, double sign, double speed, double distance, double seconds) noexcept {
+    AxisUnit& axis = core_.axes[a];
+    const AxisConfig& config = core_.config.axes[a];
+    // Before it is referenced, no axis is faster than N0302 (5).
+    if (!axis.referenced && config.reference.rapid > 0) speed = std::fmin(speed, config.reference.rapid);
+    const double from = axis.own();
+    jogs_[a].start(from, sign, {speed, config.acceleration, config.jerk}, std::llround(seconds / core_.config.tick_s), distance, core_.stroke.room(core_, a, sign),
+                   core_.config.tick_s);
+    if (jogs_[a].active()) axis.owner = 0;
 }
 
 void Machine::jog_command(const Command& c) noexcept {
     if (c.object == 0 || c.object > kMaxAxes || !core_.axes[c.object - 1].exists()) return;
     const std::uint32_t a = c.object - 1;
     AxisUnit& axis = core_.axes[a];
-    const AxisConfig& config = axis.config();
-    if (!core_.on() || core_.all_stop || channels_[config.channel - 1]->program_runs()) {
-        core_.alarm(Alarm::NotReady, config.channel, "axes are moved by hand only while the machine is on and no program of the channel runs");
-        return;
-    }
-    if (axis.slave) {
-        core_.alarm(Alarm::SlaveCommanded, config.channel, name_of('A', a).view());
-        return;
-    }
-    if (axis.moving() || jogs_[a].active()) return;
+    const AxisConfig& config = core_.config.axes[a];
     const auto kind = static_cast<CommandKind>(c.kind);
-    const double sign = c.value < 0 ? -1.0 : 1.0, size = std::fabs(c.value);
-    const double distance = kind == CommandKind::Jog ? 0.0 : kind == CommandKind::Step ? size : size * kWheelClick;
-    const double by_hand = config.manual_rapid > 0 ? std::fmin(config.manual_rapid, config.rapid) : config.rapid;
-    const AxisJog::Limits limits{kind == CommandKind::Jog ? jog_feed(a) : by_hand, config.acceleration, config.jerk};
-    const double room = core_.stroke.room(core_, a, sign);
-    jogs_[a].start(axis.own(), sign, limits, std::llround(size / core_.config.tick_s), distance, room, core_.config.tick_s);
-    if (jogs_[a].active()) axis.owner = 0;
+    double size = std::fabs(c.value), sign = c.value < 0 ? -1.0 : 1.0;
+    if (kind == CommandKind::Jog && size == 0.0) return jogs_[a].stop();   // the key is let go
+    // In reference mode the jog key of an axis references it (10.4).
+    if (kind == CommandKind::Jog && config.channel && channels_[config.channel - 1]->mode() == ChannelMode::Reference) {
+        Command reference = c;
+        reference.object = a + 1;
+        return reference_command(reference);
+    }
+    if (!may_be_moved(a)) return;
+    if (homing_[a].active() || to_reference_[a]) return;
+    const std::uint32_t wheel = std::clamp<std::uint32_t>(c.flags, 1, 4) - 1;
+    if (kind == CommandKind::Handwheel && (config.handle >> wheel & 1u)) sign = -sign;
+    if (axis.moving() || jogs_[a].active()) {
+        // Pulses that come while it moves: collected, or lost with the wheel's N2400 HnM (part 2, 25).
+        if (kind == CommandKind::Handwheel && !(config.handle >> (4 + wheel) & 1u)) wheel_left_[a] += sign * size * kWheelClick;
+        return;
+    }
+    const std::uint32_t l = config.channel;
+    if (channels_[l - 1]->jogs_in_hold()) {
+        WayBack& way = way_back_[l - 1];
+        way.axis[way.count] = static_cast<std::uint8_t>(a);
+        way.from[way.count++] = axis.own();
+    }
+    if (kind == CommandKind::Jog) start_jog(a, sign, jog_feed(a), 0.0, size);
+    else start_jog(a, sign, by_hand(a), kind == CommandKind::Step ? size : size * kWheelClick, 0.0);
+}
+
+// What the operator moved in the hold goes back the same way, the last move first.
+void Machine::go_back() noexcept {
+    for (unsigned l = 0; l < kMaxChannels; ++l) {
+        WayBack& way = way_back_[l];
+        if (!channels_[l]->jogs_in_hold()) {
+            way.count = 0;
+            way.going = false;
+            continue;
+        }
+        if (!way.going || (core_.jogging >> l & 1u) || core_.all_stop) continue;
+        if (way.count == 0) {
+            way.going = false;
+            channels_[l]->on_path_again();
+            continue;
+        }
+        --way.count;
+        const std::uint32_t a = way.axis[way.count];
+        const double left = way.from[way.count] - core_.axes[a].own();
+        if (left != 0) start_jog(a, left > 0 ? 1.0 : -1.0, by_hand(a), std::fabs(left), 0.0);
+    }
 }
 
 void Machine::run_jogs() noexcept {
-    core_.jogging = 0;
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) {
+        AxisUnit& axis = core_.axes[a];
+        if (!axis.exists()) continue;
+        if (const double owed = axis.take_way_back(); owed != 0 && core_.on()) start_jog(a, owed > 0 ? 1.0 : -1.0, by_hand(a), std::fabs(owed), 0.0);   // follow-up (7.4)
+        if (!jogs_[a].active() && wheel_left_[a] != 0) {
+            const double left = std::exchange(wheel_left_[a], 0.0);
+            if (core_.on() && !core_.all_stop) start_jog(a, left > 0 ? 1.0 : -1.0, by_hand(a), std::fabs(left), 0.0);
+        }
         if (!jogs_[a].active()) continue;
         core_.jogging |= ChannelSet{1} << (core_.config.axes[a].channel - 1);
-        AxisUnit& axis = core_.axes[a];
         if (core_.state == MachineState::EmergencyStop) {
             if (!axis.brake(core_.config.tick_s)) jogs_[a] = {};
+            wheel_left_[a] = 0;
             continue;
         }
         if (core_.all_stop) jogs_[a].stop();
         axis.move_to(jogs_[a].step(core_.config.tick_s));
+    }
+    go_back();
+}
+
+// A door that opens holds the programs of its channel; it does not start them again.
+void Machine::watch_door() noexcept {
+    for (unsigned l = 0; l < kMaxChannels; ++l) {
+        const bool open = core_.signals.plc(signals::cp_dooropen(l + 1)) != 0;
+        if (open && !door_open_[l]) channels_[l]->feed_hold();
+        door_open_[l] = open;
     }
 }
 

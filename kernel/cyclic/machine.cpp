@@ -36,6 +36,7 @@ void Machine::start() {
         const double left_at = store_segment_->totals.published().last_position[a];
         const double at = options.start_known[a] ? options.start_position[a] : std::isfinite(left_at) ? left_at : 0.0;
         open_axis(a, at);
+        open_direct_device(a);
         core_.axes[a].referenced = options.ready != 0 || params::bit(core_.table, params::n0900_reference_type, a + 1, 3);
     }
     for (unsigned s = 0; s < kMaxSpindles; ++s)
@@ -83,7 +84,7 @@ void Machine::take_successors() noexcept {
         if (const StoreSegment* segment = core_.next_store.exchange(nullptr, std::memory_order_acquire)) {
             store_segment_ = segment;
             core_.store.rebind(core_.image, *segment);
-            store_dead_ = false;
+            core_.store_dead = false;
         }
     // What operators change in the store (offsets, zeros) the channels take over at their next barrier.
     const std::uint64_t version = store_segment_->version.load(std::memory_order_acquire);
@@ -139,6 +140,7 @@ void Machine::take_answers() noexcept {
 }
 
 void Machine::supervise() noexcept {
+    watch_door();
     for (unsigned l = 0; l < kMaxChannels; ++l)
         if (channels_[l]->silent_too_long()) {
             channels_[l]->process_died(Alarm::ChannelSilent);
@@ -175,6 +177,8 @@ void Machine::run_axes() noexcept {
         attach_and_detach(a);
         watch_drive_reference(a);
         guard_stroke(a);
+        if (const std::uint32_t master = axis.config().servo.tandem_master; master >= 1 && master <= kMaxAxes && axis.config().servo.open)
+            axis.forward(core_.axes[master - 1].output_speed());   // its own loop stays open (7.9)
         lubricated_[a] += std::fabs(axis.target() - axis.command());
         const bool lent = axis.config().on_spindle && !core_.shared_axes[a].has_drive;
         axis.exchange(core_.config.tick_s, core_.state != MachineState::Off && !lent);

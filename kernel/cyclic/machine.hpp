@@ -64,6 +64,12 @@ private:
     void run_channels() noexcept;
     void jog_command(const Command& command) noexcept;
     double jog_feed(std::uint32_t axis) const noexcept;
+    bool may_be_moved(std::uint32_t axis) noexcept;
+    double by_hand(std::uint32_t axis) const noexcept;
+    void start_jog(std::uint32_t axis, double sign, double speed, double distance, double seconds) noexcept;
+    void go_back() noexcept;
+    void watch_door() noexcept;
+    void open_direct_device(unsigned axis);
     void run_jogs() noexcept;
     void open_spindle(unsigned index);
     void open_axis(unsigned index, double at);
@@ -109,7 +115,18 @@ private:
     std::array<std::unique_ptr<SharedDrive>, kMaxSpindles> shared_drives_{};
     Couplings couplings_;
     std::array<Homing, kMaxAxes> homing_{};
+    // Jog in hold: where the axes of a channel came from, last first on the way back.
+    struct WayBack {
+        static constexpr std::size_t kMost = 64;
+        std::array<std::uint8_t, kMost> axis{};
+        std::array<double, kMost> from{};
+        std::size_t count = 0;
+        bool going = false;
+    };
+    std::array<WayBack, kMaxChannels> way_back_{};
+    std::array<double, kMaxAxes> wheel_left_{};        // collected pulses that wait for the axis, mm
     std::array<bool, kMaxAxes> to_reference_{};        // wanted, and not begun: an axis of a lower order comes first
+    std::array<bool, kMaxChannels> door_open_{};
     std::array<bool, kMaxAxes> drive_ready_{};         // AP_RPE at the last tick
     std::array<double, kMaxAxes> lubricated_{};        // travel since AN_LUBR, mm
     struct Watch {
@@ -120,7 +137,7 @@ private:
     double watched_value(const Watch& watch) const noexcept;
     std::array<Watch, kMaxWatches> watches_{};
     std::size_t watch_count_ = 0;
-    bool store_dead_ = false, plc_late_ = false;
+    bool plc_late_ = false;
     std::int32_t builder_message_ = 0, builder_note_ = 0;
     RingProducer<RingHead<TraceSample, 1024>> trace_ring_;
     TraceSample pending_trace_{};

@@ -1,5 +1,6 @@
 // Referencing as the operator asks for it: one axis, or all in the order of PT_REF_ORDER; and what a drive reports by itself.
 #include "kernel/cyclic/machine.hpp"
+#include "kernel/drives/simulated_drive.hpp"
 
 namespace polyturn::kernel {
 namespace {
@@ -33,6 +34,7 @@ void Machine::reference_axis(std::uint32_t a, bool alone) noexcept {
 }
 
 void Machine::run_homing() noexcept {
+    core_.jogging = 0;   // whoever moves an axis beside the path says so in this tick, here and in run_jogs
     // Whose turn is it? Axes of one order go together; the next order waits for them.
     std::uint32_t turn = ~0u;
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
@@ -66,6 +68,15 @@ void Machine::run_homing() noexcept {
 void Machine::stop_homing() noexcept {
     to_reference_.fill(false);
     for (Homing& homing : homing_) homing.stop();
+}
+
+// Dual position loop (7.9): in simulation the device sits on the slide that the axis' own drive moves.
+void Machine::open_direct_device(unsigned a) {
+    const std::uint32_t number = core_.config.axes[a].servo.dual_axis;
+    AxisUnit& axis = core_.axes[a];
+    if (number < 1 || number > kMaxAxes || !axis.exists() || core_.config.axes[a].on_spindle) return;
+    if (axis.open_direct(number, core_.config.axes[number - 1], core_.config.tick_s))
+        static_cast<SimulatedDrive*>(axis.direct_drive())->measure(*static_cast<SimulatedDrive*>(axis.drive()));
 }
 
 // ABS with FLO: the drive knows its reference point, AP_RPE says so (part 1, 10.1). A level that was never on says nothing:

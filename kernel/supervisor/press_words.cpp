@@ -410,9 +410,6 @@ Result<void> check_built(const Commands& commands) {
         switch (static_cast<CommandKind>(command.kind)) {
             case CommandKind::Restart:
             case CommandKind::Retrace:
-            case CommandKind::JogInHold:
-            case CommandKind::Return:
-            case CommandKind::StopAfterPart:
                 break;
             default:
                 continue;

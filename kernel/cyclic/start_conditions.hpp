@@ -1,0 +1,34 @@
+// What must hold before a program may start in a channel: one table. A refused start names everything that is missing, each
+// with what to do about it, so that the operator need not try again and again.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "kernel/cyclic/core.hpp"
+
+namespace polyturn::kernel {
+
+// What only the channel's runner knows.
+struct StartView {
+    std::uint32_t channel = 0;     // from 1
+    bool process_there = true;     // its process lives and answers
+    bool resting = true;           // a reset has come to its end
+    bool away = false;             // axes were moved in a hold and have not come back
+};
+
+struct StartCondition {
+    enum class Scope : std::uint8_t { Machine, Channel, Axis, Spindle };
+    std::string_view name;         // for tests and documents
+    Scope scope;
+    std::string_view text;         // what is missing; behind it stands which axis or spindle
+    std::string_view remedy;
+    // Machine and Channel: not 0 when it is missing. Axis and Spindle: the next one that misses it, from 1, behind `after`; 0 none.
+    std::uint32_t (*missing)(const Core& core, const StartView& view, std::uint32_t after);
+};
+
+[[nodiscard]] std::span<const StartCondition> start_conditions() noexcept;
+// All that is missing, as one text; empty: the program may start.
+[[nodiscard]] ShortText missing_for_start(const Core& core, const StartView& view) noexcept;
+
+}  // namespace polyturn::kernel

@@ -1,0 +1,156 @@
+// One test for each row of the table of start conditions: its fault alone refuses the start, and the text names it.
+#include "kernel/cyclic/start_conditions.hpp"
+
+#include <map>
+
+#include "tests/unit/kernel/rig.hpp"
+
+namespace polyturn::kernel {
+namespace {
+
+struct Fault {
+    std::function<void(TickRig&, StartView&)> make;
+    std::string_view says;
+};
+
+const std::map<std::string_view, Fault>& faults() {
+    const auto signal = [](std::uint32_t slot) { return [slot](TickRig& rig, StartView&) { rig.machine->core().signals.force_plc(slot, 1); }; };
+    static const std::map<std::string_view, Fault> kFaults{
+        {"process", {[](TickRig&, StartView& v) { v.process_there = false; }, "process"}},
+        {"emergency_stop", {[](TickRig& rig, StartView&) { rig.machine->core().state = MachineState::EmergencyStop; }, "emergency stop"}},
+        {"machine_on", {[](TickRig& rig, StartView&) { rig.machine->core().state = MachineState::Off; }, "not switched on"}},
+        {"no_stop", {[](TickRig& rig, StartView&) { rig.machine->core().all_stop = true; }, "stopped by an alarm"}},
+        {"store", {[](TickRig& rig, StartView&) { rig.machine->core().store_dead = true; }, "store"}},
+        {"reset_over", {[](TickRig&, StartView& v) { v.resting = false; }, "reset"}},
+        {"by_hand", {[](TickRig& rig, StartView&) { rig.machine->core().jogging = 1; }, "by hand"}},
+        {"back_on_path", {[](TickRig&, StartView& v) { v.away = true; }, "press return"}},
+        {"door", {signal(signals::cp_dooropen(1)), "door"}},
+        {"lubrication", {signal(signals::cp_nolube(1)), "lubrication"}},
+        {"chuck", {signal(signals::sp_unclamped(1)), "S1 the chuck"}},
+        {"attached", {[](TickRig& rig, StartView&) {
+             rig.machine->core().axes[1].detached = true;
+             rig.machine->core().config.axes[1].named = true;
+         }, "A2 detached"}},
+        {"referenced", {[](TickRig& rig, StartView&) { rig.machine->core().axes[0].referenced = false; }, "A1 not referenced"}},
+    };
+    return kFaults;
+}
+
+TEST(StartConditions, AMachineThatHasEverythingMayStart) {
+    TickRig rig;
+    EXPECT_EQ(missing_for_start(rig.machine->core(), {1}).view(), "");
+}
+
+TEST(StartConditions, EachRowAloneRefusesTheStartAndIsNamedWithItsRemedy) {
+    for (const StartCondition& row : start_conditions()) {
+        SCOPED_TRACE(row.name);
+        const auto fault = faults().find(row.name);
+        ASSERT_NE(fault, faults().end()) << "a row without a test";
+        TickRig rig;
+        StartView view{1};
+        fault->second.make(rig, view);
+        const std::string text(missing_for_start(rig.machine->core(), view).view());
+        EXPECT_NE(text.find(fault->second.says), std::string::npos) << text;
+        EXPECT_NE(text.find(row.remedy), std::string::npos) << text;
+    }
+}
+
+TEST(StartConditions, ARefusedStartListsEverythingThatIsMissing) {
+    TickRig rig;
+    rig.machine->core().axes[0].referenced = false;
+    rig.command(CommandKind::SetSignal, 0, 1, 0, signals::cp_dooropen(1), 1);
+    rig.start(1);
+    rig.run(2);
+    const KernelEvent* alarm = rig.find(KernelEventKind::Alarm, 1);
+    ASSERT_NE(alarm, nullptr);
+    const std::string text = alarm->text.data();
+    EXPECT_NE(text.find("door"), std::string::npos) << text;
+    EXPECT_NE(text.find("A1 not referenced"), std::string::npos) << text;
+    EXPECT_EQ(rig.state(1), ChannelState::Reset);
+    EXPECT_FALSE(rig.alarmed(Alarm::NotReady, 2));
+}
+
+TEST(StartConditions, ADoorThatOpensHoldsTheProgram) {
+    TickRig rig;
+    rig.push(1, rig.line(1, {50, 0}, 50));
+    rig.start(1);
+    rig.run(100);
+    rig.command(CommandKind::SetSignal, 0, 1, 0, signals::cp_dooropen(1), 1);
+    rig.run_until_idle();
+    EXPECT_EQ(rig.state(1), ChannelState::Held);
+    rig.start(1);
+    rig.run(20);
+    EXPECT_EQ(rig.state(1), ChannelState::Held);
+    rig.command(CommandKind::ReleaseSignal, 0, 0, 0, signals::cp_dooropen(1), 1);
+    rig.run(2);
+    rig.start(1);
+    rig.run_until_idle();
+    EXPECT_NEAR(rig.position(1), 50, 1e-9);
+}
+
+TEST(JogInHold, GoesBackTheSameWayAndTheProgramEndsWhereItWould) {
+    TickRig rig;
+    rig.push(1, rig.line(1, {50, 0}, 50));
+    rig.start(1);
+    rig.run(300);
+    rig.command(CommandKind::FeedHold, 1);
+    rig.run(100);
+    const double held = rig.position(1);
+    rig.command(CommandKind::Step, 0, 5, 0, 1);
+    rig.run(500);
+    EXPECT_EQ(rig.position(1), held);                    // not without jog_in_hold
+    rig.command(CommandKind::JogInHold, 1);
+    rig.command(CommandKind::Step, 0, 5, 0, 1);
+    rig.run(500);
+    EXPECT_NEAR(rig.position(1), held + 5, 1e-9);
+    rig.command(CommandKind::Step, 0, 7, 0, 2);
+    rig.run(500);
+    rig.start(1);
+    rig.run(5);
+    EXPECT_EQ(rig.state(1), ChannelState::Held);         // first back
+    std::vector<std::pair<double, double>> way;
+    rig.command(CommandKind::Return, 1);
+    rig.on_tick = [&] { way.push_back({rig.position(1), rig.position(2)}); };
+    rig.run(1000);
+    for (const auto& [x, z] : way) EXPECT_TRUE(z < 1e-9 || x > held + 5 - 1e-9);   // Z first, as it came last
+    EXPECT_NEAR(rig.position(1), held, 1e-9);
+    EXPECT_NEAR(rig.position(2), 0, 1e-9);
+    rig.start(1);
+    rig.run_until_idle();
+    EXPECT_NEAR(rig.position(1), 50, 1e-9);
+}
+
+TEST(Handwheel, IsReversedAndCollectsOrLosesPulsesAsN2400Says) {
+    TickRig rig([](params::Table& t, RunOptions&) {
+        params::put(t, params::n2400_handle_direction, 0x02, 1);   // wheel 2 reversed
+        params::put(t, params::n2400_handle_direction, 0x10, 2);   // wheel 1 loses pulses while the axis moves
+    });
+    rig.command(CommandKind::Handwheel, 0, 1000, 0, 1, 2);
+    rig.command(CommandKind::Handwheel, 0, 1000, 0, 1, 2);
+    rig.command(CommandKind::Handwheel, 0, 1000, 0, 2, 1);
+    rig.command(CommandKind::Handwheel, 0, 1000, 0, 2, 1);
+    rig.run(3);
+    rig.run_until_idle();
+    EXPECT_NEAR(rig.position(1), -2, 1e-9);
+    EXPECT_NEAR(rig.position(2), 1, 1e-9);
+}
+
+TEST(Jog, IsNoFasterThanN0302BeforeTheAxisIsReferencedAndReferencesInItsMode) {
+    TickRig rig([](params::Table& t, RunOptions& options) {
+        params::put(t, params::n0302_ref_rapid, 600, 1);
+        params::put(t, params::n0900_reference_type, 0x10, 1);
+        options.ready = 0;
+    });
+    rig.command(CommandKind::MachineOn);
+    rig.command(CommandKind::Step, 0, 30, 0, 1);
+    rig.run(1000);
+    EXPECT_NEAR(rig.speed_of(1), 10, 1e-9);
+    rig.run_until_idle();
+    rig.command(CommandKind::Mode, 1, static_cast<double>(ChannelMode::Reference));
+    rig.command(CommandKind::Jog, 0, 1, 0, 1);
+    rig.run_until_idle();
+    EXPECT_TRUE(rig.machine->core().axes[0].referenced);
+}
+
+}  // namespace
+}  // namespace polyturn::kernel
