@@ -14,9 +14,9 @@ class Machines(Case):
         self.assertEqual(done.alarms, [], done.said())
         return done
 
-    def refused(self, job, line, *numbers):
+    def refused(self, job, line, *numbers, status=1):
         done = self.polyturn("run", "--virtual", JOBS / job / f"{job}.job.toml", "--set", line)
-        self.assertEqual(done.status, 1, done.said())
+        self.assertEqual(done.status, status, done.said())
         said = [str(alarm["number"]) for alarm in done.alarms]
         for number in numbers:
             self.assertIn(number, said, done.said())
@@ -38,7 +38,7 @@ class Machines(Case):
         self.assertEqual(len(mills), 4)
         self.assertEqual([event["pos"]["C"] for event in mills], [0, 90, 180, 270])
         self.refused("flats", "PT_DRIVEN_SPINDLE L1=0", "PT0539")
-        self.refused("flats", "N0002 A7=0")
+        self.refused("flats", "N0002 A7=0", "PT0302", status=2)
 
     def test_swiss_type(self):
         self.made("swiss-pin")

@@ -1,0 +1,66 @@
+#!/usr/bin/env python3
+"""Spindles of a running machine: rigid tapping, the C axis on the spindle's motor, gear ranges, orientation."""
+import unittest
+
+from polyturn_runner import Case, read_trace
+
+
+def unwound(angles):
+    """Revolutions over all turns from angles of 0 to 360 degrees."""
+    turns, out = 0.0, []
+    for i, angle in enumerate(angles):
+        if i:
+            step = angle - angles[i - 1]
+            turns += (step + 540.0) % 360.0 - 180.0
+        out.append((angles[0] + turns) / 360.0)
+    return out
+
+
+class Spindles(Case):
+    def run_program(self, text, *options):
+        program = self.write("O1.nc", text)
+        done = self.polyturn("run", "--virtual", "--language", "nct", f"1={program}", "--trace", "trace.csv", *options)
+        self.assertEqual(done.status, 0, done.said())
+        return done, read_trace(self.folder / "trace.csv")
+
+    def test_a_rigid_tap_turns_with_its_axis_in_and_out(self):
+        done, trace = self.run_program("G18 G90 G94\nG0 X0 Z5.\nS300\nG17 G84.2 Z-10. R2. F300.\nG80\nM30\n", "--set", "N1503 L1=2",
+                                       "--set", "N1508 S1=20", "--set", "N1532 S1=40")
+        feeds = [e for e in done.of("move", ch=1, kind="linear")]
+        self.assertEqual([e["pos"]["Z"] for e in feeds], [-10, 2], done.said())
+        codes = [e["code"] for e in done.of("aux")]
+        self.assertIn("M19", codes)
+        self.assertNotIn("M3", codes, "the PLC hears nothing of a rigid tap's turning")
+        turns = unwound(trace["S1.angle"])
+        inside = [i for i, t in enumerate(trace["t"]) if feeds[0]["t"] + 0.05 <= t <= feeds[1]["end"]]
+        offset = turns[inside[0]] + trace["A2.act"][inside[0]]
+        worst = max(abs(turns[i] + trace["A2.act"][i] - offset) for i in inside)
+        self.assertLess(worst, 0.15, "one revolution a millimetre")
+        self.assertAlmostEqual(turns[inside[-1]] - min(turns[i] for i in inside[:3]), 0.0, delta=0.2, msg="and back again")
+        self.assertGreater(max(turns[i] for i in inside) - turns[inside[0]], 11.0)
+
+    def test_the_c_axis_is_the_spindle(self):
+        done, trace = self.run_program("G18 G90 G94\nG0 C90.\nS400 M3\nG4 P1.\nM5\nG0 C270.\nG4 P0.2\nM30\n")
+        self.assertEqual(done.alarms, [])
+        moves = [e for e in done.of("move") if "C" in e["pos"]]
+        at = {e["line"]: next(i for i, t in enumerate(trace["t"]) if t >= e["end"] + 0.005) for e in moves if e["line"] in (2, 6)}
+        for line, angle in ((2, 90.0), (6, 270.0)):
+            self.assertAlmostEqual(trace["S1.angle"][at[line]], angle, delta=0.3, msg=f"line {line}")
+
+    def test_gear_ranges_are_engaged_at_creep_speed(self):
+        sets = ("PT_GEAR_RANGES S1=2", "PT_GEAR_TIME S1=0.5", "N0651 S1=900", "N0635 S1=1000", "N0658 S1=15", "N0659 S1=15", "N0667 S1=1500")
+        done, trace = self.run_program("S2000 M3\nG4 P2.\nM42\nG4 P2.\nM5\nM30\n", *(word for line in sets for word in ("--set", line)),
+                                       "--watch", "SN_RANGE S1", "--watch", "SP_PAR S1")
+        flags = [(e["name"], e["value"]) for e in done.of("flag")]
+        self.assertLess(flags.index(("SP_PAR S1", 1)), flags.index(("SN_RANGE S1", 2)), flags)
+        change = next(e["t"] for e in done.of("flag") if e["name"] == "SN_RANGE S1" and e["value"] == 2)
+        self.assertLess(abs(trace["S1.speed"][int(change * 1000)]), 20, "creeping while the gear changes")
+        self.assertAlmostEqual(trace["S1.speed"][int((change + 1.5) * 1000)], 900, delta=5)
+
+    def test_m19_goes_to_the_grid_shift(self):
+        _, trace = self.run_program("S500 M3\nG4 P1.\nM19\nG4 P0.2\nM30\n", "--set", "N0684 S1=512")
+        self.assertAlmostEqual(trace["S1.angle"][-30], 45.0, delta=0.5)
+
+
+if __name__ == "__main__":
+    unittest.main()
