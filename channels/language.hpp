@@ -45,7 +45,8 @@ public:
     // The machine was interrupted by a signal that the program has enabled, and stands. `serial`: the first block of which
     // not everything is executed, 0 when there is none; `within`: it has begun. The interrupt program comes next.
     // False: this language, or this block, cannot be interrupted.
-    virtual bool interrupt(std::uint64_t /*serial*/, bool /*within*/) { return false; }
+    // `input`: the number of the interrupt input that came, where there are several.
+    virtual bool interrupt(std::uint64_t /*serial*/, bool /*within*/, unsigned /*input*/) { return false; }
 };
 
 // Whose alarm numbers a language speaks, by the name that --language takes.

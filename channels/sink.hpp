@@ -151,6 +151,7 @@ struct Interrupts {
     bool at_block_end = false;      // otherwise within the running block
     bool by_level = false;          // again and again while the signal is on; otherwise at its edge
     bool mint = false;              // the signal is MINT, not UINT
+    std::uint32_t inputs = 0;       // bit n: INT<n+1>; then no other signal counts
 };
 
 struct Stop {

@@ -112,13 +112,33 @@ bool drill_axial(Core& core, const AxialHole& hole) {
     return level(core, hole, approach, true);
 }
 
+// The spindle stands oriented and is led by the axis, into the hole and out of it.
+static bool tap_led(Core& core, const AxialHole& hole, SpindleTurn in) {
+    PathState& path = core.path;
+    const double rpm = path.spindle.rpm;
+    const double pitch = path.feed_mode == FeedMode::PerRevolution ? path.feed : rpm > 0 ? path.feed / rpm : 0.0;
+    if (!(pitch > 0)) return core.fail(Alarm::LeadMissing, 'F');
+    if (!turn(core, SpindleTurn::Stop) || !core.spindle_position(0.0)) return false;
+    path.spindle.turn = in;   // the moves know its speed, though it stands
+    const bool locked = path.override_locked;
+    path.override_locked = true;
+    path.tap_pitch = in == SpindleTurn::Cw ? pitch : -pitch;
+    path.tap_axis = static_cast<std::uint8_t>(hole.axis);
+    path.tap_depth_sign = hole.bottom < hole.approach[hole.axis] ? -1.0 : 1.0;
+    const bool good = level(core, hole, hole.bottom, false) && (hole.dwell <= 0 || core.dwell(hole.dwell, false)) && level(core, hole, hole.approach[hole.axis], false);
+    path.tap_pitch = 0.0;
+    path.override_locked = locked;
+    path.spindle.turn = SpindleTurn::Stop;
+    return good && turn(core, SpindleTurn::Stop);
+}
+
 bool tap_axial(Core& core, const AxialHole& hole) {
     if (!core.rapid(hole.approach)) return false;
     const SpindleTurn in = core.path.spindle.turn;
     if (in == SpindleTurn::Stop) return core.fail(Alarm::ThreadSpindleStopped);
     const SpindleTurn back = in == SpindleTurn::Cw ? SpindleTurn::Ccw : SpindleTurn::Cw;
     const bool rigid = hole.tap != AxialHole::Tap::Floating;
-    if (hole.tap == AxialHole::Tap::Oriented && !(turn(core, SpindleTurn::Stop) && core.spindle_position(0.0) && turn(core, in))) return false;
+    if (hole.tap == AxialHole::Tap::Oriented) return tap_led(core, hole, in);
     const bool locked = core.path.override_locked;
     core.path.override_locked = true;
     const bool good = level(core, hole, hole.bottom, false) &&

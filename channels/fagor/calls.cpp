@@ -37,22 +37,21 @@ bool Interpreter::attribute_of(FileId file, char attribute) {
 }
 
 // The subroutines that the main program defines; what is wrong with a definition is told before anything moves.
-Result<void> Interpreter::index_subroutines(FileId file) {
+void Interpreter::index_subroutines(FileId file) {
     LineSource& source = files_->source(file);
     source.seek({0, 1});
     std::string_view line;
     const bool maker = attribute_of(file, 'O');
-    Result<void> result;
-    while (result.ok() && source.next_position().line < kIndexedLines && source.next(line) == LineSource::Status::Line) {
+    definition_fault_.reset();
+    while (!definition_fault_ && source.next_position().line < kIndexedLines && source.next(line) == LineSource::Status::Line) {
         const std::int64_t number = subroutine_number(statement_of(line));
         if (number < 0) continue;
         const std::uint32_t at = source.position().line;
-        if (number >= kMakerFirst && !maker) result = Diagnosis{Alarm::FagorMakerSubroutine, {files_->path(file), at, 0, 0}, {}, std::to_string(number)};
+        if (number >= kMakerFirst && !maker) definition_fault_ = Diagnosis{Alarm::FagorMakerSubroutine, {files_->path(file), at, 0, 0}, {}, std::to_string(number)};
         else if (!subroutines_.emplace(number, std::pair{file, source.next_position()}).second)
-            result = Diagnosis{Alarm::FagorSubroutineTwice, {files_->path(file), at, 0, 0}, {}, std::to_string(number)};
+            definition_fault_ = Diagnosis{Alarm::FagorSubroutineTwice, {files_->path(file), at, 0, 0}, {}, std::to_string(number)};
     }
     source.seek({0, 1});
-    return result;
 }
 
 std::optional<TextPosition> Interpreter::find_label(FileId file, std::int64_t label) {
@@ -183,6 +182,7 @@ void Interpreter::pop_frame() {
 bool Interpreter::return_from_frame() {
     state_changed_ = true;
     CallFrame& frame = frames_.back();
+    if (frame.interrupt) return return_from_interrupt();
     if (frame.runs_left > 0) {   // the same parameters as they are now (12.5)
         --frame.runs_left;
         source_->seek(frame.begin);

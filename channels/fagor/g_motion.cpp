@@ -230,6 +230,7 @@ bool Interpreter::g_thread(const GCode& row) {
     if (lead == 0.0) return core_.fail(Alarm::LeadMissing, 'L');
     const double square = lead * lead + 2 * change * along;   // pitch after the way s: v^2 = L^2 + 2 K s
     if (square <= 0) return core_.fail(Alarm::FagorCyclePitch, 'K');
+    if (!joined) core_.path.after_thread = false;   // only G05 joins threads
     ThreadCall call;
     call.lead = lead;
     call.lead_change = change;

@@ -79,7 +79,9 @@ Result<void> Interpreter::start(FileId main) {
     core_.refresh_limits();
     core_.load_zeros();
     show_diameter();
-    return index_subroutines(main);
+    index_subroutines(main);
+    arm_interrupts();
+    return {};
 }
 
 void Interpreter::barrier_done() {
@@ -172,6 +174,12 @@ Step Interpreter::step() {
 void Interpreter::live_value_barrier() { core_.sink().barrier(core_.at); }
 
 Step Interpreter::read_block() {
+    if (definition_fault_) {   // told before anything moves
+        core_.at.line = definition_fault_->place.line;
+        core_.sink().alarm(*definition_fault_, core_.at);
+        ended_ = true;
+        return Step::Failed;
+    }
     CallFrame& frame = frames_.back();
     if (frame.kind == CallFrame::Kind::Repeat && !reread_ && source_->next_position().line > frame.last_line) {
         core_.begin_block();

@@ -58,6 +58,7 @@ public:
     void keep_resume_states(bool on) override;
     void executed(std::uint64_t serial) override;
     bool resume_at(std::uint64_t serial) override;
+    bool interrupt(std::uint64_t serial, bool within, unsigned input) override;
 
     // --- handlers of g_codes.cpp
     bool g_units(const GCode&), g_x_format(const GCode&), g_plane(const GCode&), g_plane_of_axes(const GCode&), g_distance(const GCode&);
@@ -78,7 +79,7 @@ private:
     Step blank_line();
     void take_machine();
     bool inside_modal_call() const;
-    Result<void> index_subroutines(FileId file);
+    void index_subroutines(FileId file);
     Step fault(Fault fault);
     Step fault_at(Alarm alarm, std::uint32_t column, std::uint32_t length, std::string detail = {}, double v0 = 0, double v1 = 0);
     void live_value_barrier();
@@ -218,6 +219,10 @@ private:
     bool block_skip(unsigned number) override { return core_.port().block_skip(number); }
     bool parameter_value(std::int64_t number, double& value) override;
 
+    // interrupt inputs (interrupts.cpp)
+    void arm_interrupts();
+    bool return_from_interrupt();
+
     // resume states (resume.cpp)
     struct ResumeState;
     struct ResumePoint {
@@ -266,6 +271,10 @@ private:
     bool probing_ = false;                        // a probe move stands before its barrier
     std::uint16_t probe_code_ = 75;
     int inclined_place_ = -1, orthogonal_place_ = -1;
+    std::optional<Diagnosis> definition_fault_;   // of a SUB of the main program
+    bool interrupt_again_ = false;                // the block in which the program was left is read again
+    AxisValues interrupt_begin_{};                // its start
+    std::shared_ptr<ResumeState> interrupted_;    // what held there
     bool reads_profile_ = false;                  // this interpreter only looks at a profile
     std::uint32_t fault_column_ = 0, fault_length_ = 0, fault_line_ = 0;
     std::string message_;

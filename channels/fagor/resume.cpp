@@ -1,17 +1,9 @@
 // Resume states of fagor: see Language::resume_at. A point is noted for each block; the full state beside it only when the
 // block before was more than a plain move, so that a long contour costs a few words a block. Parameters, tables and zeros are
 // put back from the undo log.
-#include "channels/fagor/interpreter.hpp"
+#include "channels/fagor/resume_state.hpp"
 
 namespace polyturn::channels::fagor {
-
-struct Interpreter::ResumeState {
-    std::uint64_t number = 0;
-    PathState path;
-    Modal modal;
-    std::vector<CallFrame> frames;
-    std::vector<LocalSet> levels;
-};
 
 Interpreter::~Interpreter() = default;
 

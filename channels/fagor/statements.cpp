@@ -33,6 +33,23 @@ const char* else_in(const char* at, const char* end) {
     return end;
 }
 
+// Does a value of the machine stand in the text? Then the machine must have come here before anything of it is done.
+bool mentions_live_value(const char* at, const char* end) {
+    bool quoted = false;
+    for (const char* p = at; p < end;) {
+        if (*p == '"') quoted = !quoted;
+        if (quoted || !is_letter(*p)) {
+            ++p;
+            continue;
+        }
+        const std::string_view name = letters_at(p, end);
+        char axis = 0;
+        if (const VariableRow* row = find_variable(name, axis); row && row->live) return true;
+        p += name.size();
+    }
+    return false;
+}
+
 constexpr std::string_view kCustomizing[] = {"PAGE", "SYMBOL", "IB", "ODW", "DW", "DWH", "DWB", "SK", "WKEY", "WBUF", "SYSTEM"};
 
 }  // namespace
@@ -62,7 +79,7 @@ Step Interpreter::statement_block() {
     const std::uint64_t moves_before = core_.moves();
     const char* at = line_.data() + block_.statement;
     const char* const end = line_.data() + block_.statement_end;
-    Flow flow = run_statement(at, end, false);
+    Flow flow = !fresh_ && mentions_live_value(at, end) ? Flow::NeedsBarrier : run_statement(at, end, false);
     if (flow == Flow::Done) {
         blanks(at, end);
         if (at != end && !called_ && !jumped_) flow = flow_fault(Alarm::FagorStatement, at, static_cast<std::size_t>(end - at), std::string(at, end));

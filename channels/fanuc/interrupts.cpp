@@ -63,7 +63,7 @@ bool Interpreter::interrupt_has_nc_statements(std::int64_t program) {
     return found;
 }
 
-bool Interpreter::interrupt(std::uint64_t serial, bool within) {
+bool Interpreter::interrupt(std::uint64_t serial, bool within, unsigned) {
     // What held in that block, and not what was read since then.
     Interrupting watch = interrupting_;
     for (const ResumePoint& point : points_)

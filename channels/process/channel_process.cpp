@@ -236,7 +236,7 @@ void ChannelProcess::interrupt(const ChannelEvent& event) {
     if (!run_) return;
     port_.look();
     sink_->forget();
-    if (!run_->interrupt(static_cast<std::uint64_t>(event.value), event.record != 0)) {
+    if (!run_->interrupt(static_cast<std::uint64_t>(event.value), (event.record & 1) != 0, static_cast<unsigned>(event.record >> 1))) {
         fail({Alarm::InterruptPlace, {}, {}, {}});
         return;
     }

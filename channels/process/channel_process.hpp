@@ -36,7 +36,7 @@ public:
     virtual Result<void> start() = 0;
     virtual Step step() = 0;
     virtual void barrier_done() = 0;
-    virtual bool interrupt(std::uint64_t /*serial*/, bool /*within*/) { return false; }   // see Language
+    virtual bool interrupt(std::uint64_t /*serial*/, bool /*within*/, unsigned /*input*/) { return false; }   // see Language
     virtual void executed(std::uint64_t /*serial*/) {}
     virtual std::any carry() const { return {}; }
     virtual void take_carry(const std::any& /*before*/, bool /*after_reset*/) {}

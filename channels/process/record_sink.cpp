@@ -1,5 +1,7 @@
 #include "channels/process/record_sink.hpp"
 
+#include "ipc/image/interrupt_inputs.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -241,7 +243,15 @@ void RecordSink::message(std::string_view text, const BlockContext& at) {
 void RecordSink::interrupts(const Interrupts& interrupts, const BlockContext& at) {
     PathRecord r = event(RecordKind::Interrupts, at, 0);
     r.code = interrupts.on;
-    r.mask = (interrupts.at_block_end ? kInterruptAtBlockEnd : 0u) | (interrupts.by_level ? kInterruptByLevel : 0u) | (interrupts.mint ? kInterruptByMint : 0u);
+    r.mask = (interrupts.at_block_end ? kInterruptAtBlockEnd : 0u) | (interrupts.by_level ? kInterruptByLevel : 0u) | (interrupts.mint ? kInterruptByMint : 0u) | (interrupts.inputs << kInterruptInput);
+    push(r, false, false);
+}
+
+void RecordSink::signal(std::string_view name, double value, const BlockContext& at) {
+    if (name != "TAPPING") return;
+    PathRecord r = event(RecordKind::Flag, at, 0);
+    r.code = kFlagTapping;
+    r.value = value;
     push(r, false, false);
 }
 

@@ -36,7 +36,7 @@ public:
     }
     Step step() override { return language_->step(); }
     void barrier_done() override { language_->barrier_done(); }
-    bool interrupt(std::uint64_t serial, bool within) override { return language_->interrupt(serial, within); }
+    bool interrupt(std::uint64_t serial, bool within, unsigned input) override { return language_->interrupt(serial, within, input); }
     std::any carry() const override { return language_ ? language_->carry() : std::any{}; }
     void take_carry(const std::any& before, bool after_reset) override { if (language_) language_->take_carry(before, after_reset); }
     void executed(std::uint64_t serial) override { language_->executed(serial); }

@@ -57,6 +57,7 @@ void write(Table& table, const Assignment& assignment) {
     const bool every = assignment.instance == Target::kEveryInstance;
     const unsigned first = every ? 1 : assignment.instance, last = every ? instances(row.scope) : assignment.instance;
     for (unsigned instance = first; instance <= last; ++instance) {
+        if (assignment.axis && get(table, n0100_axis_name1, instance) != assignment.axis) continue;
         for (unsigned element = 0; element < row.array; ++element) {
             if (assignment.element != Target::kEveryElement && static_cast<int>(element) != assignment.element) continue;
             const std::size_t slot = row.first_slot + static_cast<std::size_t>(instance - 1) * row.array + element;
@@ -105,10 +106,10 @@ namespace {
 
 // Warns where a line sets again exactly what a line before it set: usually a copy that was not finished.
 void warn_of_repetitions(ParsedFile& file) {
-    using Key = std::tuple<const Row*, unsigned, int, int>;
+    using Key = std::tuple<const Row*, unsigned, int, int, char>;
     std::map<Key, std::uint32_t> seen;
     for (const Assignment& one : file.assignments) {
-        const auto [found, first] = seen.try_emplace(Key{one.row, one.instance, one.bit, one.element}, one.place.line);
+        const auto [found, first] = seen.try_emplace(Key{one.row, one.instance, one.bit, one.element, one.axis}, one.place.line);
         if (first) continue;
         Diagnosis out;
         out.alarm = Alarm::ParamTwice;

@@ -33,6 +33,7 @@ struct Target {
     unsigned instance = kEveryInstance;  // from 1
     int bit = kWhole;                    // 0..7
     int element = kEveryElement;         // from 0
+    char axis = 0;                       // FG.DFORMAT X: the axes of that name instead of an instance
 };
 
 struct Assignment : Target {

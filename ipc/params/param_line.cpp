@@ -123,6 +123,11 @@ private:
         const std::string_view text = line_.substr(begin, at_ - begin);
         if (text.empty() || gap == begin) return wrong(Alarm::ParamSyntax, begin, word_length(), fmt::format("'{}' behind {}", word_from(begin), row.number));
         if (letter == '\0') return wrong(Alarm::ParamScope, begin, text.size(), fmt::format("{} exists once, {} cannot be chosen", row.title(), shown(text)));
+        // Fagor names the axis itself: FG.DFORMAT X=4.
+        if (row.scope == Scope::Axis && row.number.starts_with("FG.") && text.size() == 1 && std::string_view("XYZUVWABC").find(upper(text[0])) != std::string_view::npos) {
+            out.axis = upper(text[0]);
+            return std::nullopt;
+        }
         const auto index = whole(text.substr(1));
         if (upper(text[0]) != letter || !index)
             return wrong(Alarm::ParamScope, begin, text.size(),

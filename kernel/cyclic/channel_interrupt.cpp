@@ -1,15 +1,33 @@
 // The interrupt macro's signal: it is watched between M96 and M97, in path order, and stops the path at once or at the end of
 // the running block. What was pushed beyond is void; the channel goes on from there with the interrupt program.
+#include "ipc/image/interrupt_inputs.hpp"
 #include "kernel/cyclic/channel_runner.hpp"
 
 namespace polyturn::kernel {
 
+// The watched signals that are on: bit 0 the only one, or bit n INT<n+1>.
+std::uint32_t ChannelRunner::interrupt_signals() noexcept {
+    if (!(interrupt_bits_ & kInterruptInputMask)) return core_.signals.plc((interrupt_bits_ & kInterruptByMint ? signals::mint : signals::uint)(number_)) != 0;
+    std::uint32_t on = 0;
+    const auto look = [&](unsigned n, PlcSignal signal) {
+        if ((interrupt_bits_ >> (kInterruptInput + n) & 1u) && core_.signals.plc(signal(number_))) on |= 1u << n;
+    };
+    look(0, signals::int1);
+    look(1, signals::int2);
+    look(2, signals::int3);
+    look(3, signals::int4);
+    return on;
+}
+
 void ChannelRunner::watch_interrupt() noexcept {
     if (!interrupts_on_) return;
-    const bool now = core_.signals.plc((interrupt_bits_ & kInterruptByMint ? signals::mint : signals::uint)(number_)) != 0;
+    const std::uint32_t signals_now = interrupt_signals();
+    const bool now = signals_now != 0;
     const bool came = interrupt_bits_ & kInterruptByLevel ? now : now && !interrupt_signal_;
     interrupt_signal_ = now;
-    if (came && state_ == ChannelState::Running) interrupt_due_ = true;
+    if (!came || state_ != ChannelState::Running) return;
+    if (!interrupt_due_) interrupt_input_ = interrupt_bits_ & kInterruptInputMask ? static_cast<unsigned>(__builtin_ctz(signals_now)) + 1u : 0u;
+    interrupt_due_ = true;
 }
 
 // The path rests: is this a place where the program may break off?
@@ -49,7 +67,7 @@ void ChannelRunner::break_off() noexcept {
     thread_moving_ = thread_committed_ = false;
     begun_ = released_ = passing_ = skipping_ = false;
     interrupts_on_ = interrupt_due_ = false;   // none is accepted until the interrupt program is over
-    tell(ChannelEventKind::Interrupt, within ? 1 : 0, static_cast<double>(serial));
+    tell(ChannelEventKind::Interrupt, (within ? 1u : 0u) | interrupt_input_ << 1, static_cast<double>(serial));
 }
 
 }  // namespace polyturn::kernel

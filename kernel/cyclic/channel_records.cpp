@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ipc/machine/store_requests.hpp"
+#include "ipc/image/interrupt_inputs.hpp"
 #include "kernel/cyclic/channel_runner.hpp"
 
 namespace polyturn::kernel {
@@ -99,7 +100,10 @@ bool ChannelRunner::execute_instant(const PathRecord& r, double offset_s) noexce
             interrupts_on_ = r.code != 0;
             interrupt_due_ = false;
             // An edge counts from here on; a level that is there already counts at once.
-            interrupt_signal_ = core_.signals.plc((r.mask & kInterruptByMint ? signals::mint : signals::uint)(number_)) != 0;
+            interrupt_signal_ = interrupt_signals() != 0;
+            return true;
+        case RecordKind::Flag:
+            if (r.code == kFlagTapping) core_.signals.set_nc(signals::tapping(number_), r.value != 0);
             return true;
         case RecordKind::Marker: core_.waits.mark(index_, r.code, r.value != 0.0); return true;
         case RecordKind::Wait:  // a flying wait that was let pass: it is an arrival like any other

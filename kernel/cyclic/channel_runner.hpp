@@ -124,6 +124,7 @@ private:
     bool skip_signal() noexcept;
     void end_skipped_move() noexcept;
     void watch_interrupt() noexcept;
+    std::uint32_t interrupt_signals() noexcept;
     bool stands_for_interrupt() noexcept;
     void break_off() noexcept;
     void watch_standstill(const PathRecord& r) noexcept;
@@ -182,6 +183,7 @@ private:
     // M96: the signal is watched; it has come and the path is to stop; as it was at the last tick.
     bool interrupts_on_ = false, interrupt_due_ = false, interrupt_signal_ = false;
     std::uint32_t interrupt_bits_ = 0;
+    std::uint32_t interrupt_input_ = 0;   // number of the input that came; 0: there is but one
     std::uint64_t last_serial_ = 0;        // block of the record that ended last
     std::array<char, 160> mdi_{};
     bool store_changed_ = false, moving_rapid_ = false, moving_ = false;

@@ -1,0 +1,15 @@
+// What a resume state of fagor keeps beside positions; for resume.cpp and interrupts.cpp.
+#pragma once
+#include "channels/fagor/interpreter.hpp"
+
+namespace polyturn::channels::fagor {
+
+struct Interpreter::ResumeState {
+    std::uint64_t number = 0;
+    PathState path;
+    Modal modal;
+    std::vector<CallFrame> frames;
+    std::vector<LocalSet> levels;
+};
+
+}  // namespace polyturn::channels::fagor

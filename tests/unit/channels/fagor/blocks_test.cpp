@@ -1,0 +1,137 @@
+// The language fagor: where blocks of words lead. Every row follows from spec fagor_8037t part 1, section in brackets.
+#include <gtest/gtest.h>
+
+#include "../play.hpp"
+#include "ipc/machine/work_zeros.hpp"
+
+namespace polyturn::channels::testing {
+namespace {
+
+Play fagor(std::vector<std::string> sets = {}) {
+    Play how;
+    how.language = "fagor";
+    how.sets = std::move(sets);
+    return how;
+}
+
+// Programmed points "X,Z" of all moves.
+std::string points(const Played& played) {
+    std::string all;
+    for (const std::string& line : played.lines()) {
+        const std::size_t x = line.find("\"pos\":{\"X\":");
+        if (line.find("\"ev\":\"move\"") == std::string::npos || x == std::string::npos) continue;
+        const std::size_t from = x + 11, comma = line.find(',', from), z = line.find("\"Z\":", comma) + 4;
+        if (!all.empty()) all += ' ';
+        all += line.substr(from, comma - from) + "," + line.substr(z, line.find_first_of(",}", z) - z);
+    }
+    return all;
+}
+
+struct Row {
+    std::string_view program, points;
+};
+
+TEST(FagorBlock, MovesWhereItsWordsSay) {
+    const Row rows[] = {
+        {"G152\nG X 1.5 Z -.5\nG01 X Z F100", "1.5,-0.5 0,0"},                            // [2] blanks, missing numbers
+        {"G152\n(P101=7)\nG00 XP101 Z-P101", "7,-7"},                                      // [2] parameters as numbers
+        {"G151\nG00 X20 Z0\nG91 X-10", "20,0 10,0"},                                       // [3.4] increments of X are diameters
+        {"G152\nG70 G00 X1 Z-2\nG71 X1", "25.4,-50.8 1,-50.8"},                            // [3.3]
+        {"G152\nG00 R10 Q90\nQ0\nG91 R5\nQ90", "10,0 0,10 0,15 15,0"},                     // [3.6.2] what is missing stays
+        {"G152\nG93 I10 J20\nG00 R5 Q-270", "25,10"},                                      // [3.6.2] modulo a turn, [4.5]
+        {"G152\nG00 X10 Z10\nQ45 Z20\nQ270 X5\nQ180 Z0", "10,10 20,20 5,20 5,0"},          // [3.6.3]
+        {"G152\nG13\nG00 X1 Z2\nG10\nZ3\nG72 S2\nX5 Z5", "1,-2 1,3 10,10"},                // [7.5, 7.6]
+        {"G152\nG11 G13\nG00 X1 Z2\nG10\nG14 Z\nZ9", "-1,-2 -1,-9"},
+        {"G152\nG00 X0 Z10\nG01 G36 R2 X10 F100\nZ0", "0,10 8,10 10,8 10,0"},              // [6.9]
+        {"G152\nG00 X0 Z10\nG01 G39 R2 X10 F100\nZ0", "0,10 8,10 10,8 10,0"},              // [6.10]
+        {"G152\nG00 X20 Z30\nG01 G37 R5 X0 Z10 F100\nZ0", "20,30 1.464466,13.535534 0,10 0,0"},   // [6.7] tangent of 45 degrees
+    };
+    for (const Row& row : rows) EXPECT_EQ(points(play(row.program, fagor())), row.points) << row.program;
+}
+
+TEST(FagorBlock, ArcsGoTheWayTheirFormSays) {
+    const auto arc = [](std::string_view program) {
+        const Played played = play(program, fagor());
+        return played.find({"centre"});
+    };
+    EXPECT_NE(arc("G152\nG00 X10 Z0\nG02 X10 Z0 K5 I0 F100").find("\"kind\":\"cw\""), std::string::npos);      // [6.3] a full circle
+    EXPECT_NE(arc("G152\nG00 X10 Z0\nG03 X0 Z10 R-10 F100").find("\"centre\":{\"Z\":10,\"X\":10}"), std::string::npos);
+    EXPECT_NE(arc("G152\nG00 X10 Z0\nG01 Z-5 F100\nG08 X20 Z-15").find("\"radius\":10"), std::string::npos);    // [6.5]
+    EXPECT_NE(arc("G152\nG00 X0 Z10\nG09 X0 Z-10 I10 K0 F100").find("\"kind\":\"ccw\""), std::string::npos);    // [6.6]
+    EXPECT_NE(arc("G152\nG00 X10 Z0\nG06 G02 X0 Z10 I0 K0 F100").find("\"centre\":{\"Z\":0,\"X\":0}"), std::string::npos);   // [6.4]
+}
+
+TEST(FagorBlock, ZerosReplaceOrAddToEachOther) {
+    const auto machine = [](std::string_view program) {
+        const Played played = play(program, fagor(), [](MachineView& view) {
+            for (int row = 1; row <= 6; ++row) view.store->zeros[static_cast<std::size_t>(row) * kChannelAxes + 1] = 10.0 * row;
+            view.store->zeros[*settable_zero_row(7) * kChannelAxes + 1] = 70.0;
+        });
+        std::string all;
+        for (const std::string& line : played.lines()) {
+            const std::size_t x = line.find("\"machine\":{");
+            if (x == std::string::npos) continue;
+            const std::size_t z = line.find("\"Z\":", x) + 4;
+            all += line.substr(z, line.find_first_of(",}", z) - z) + " ";
+        }
+        return all;
+    };
+    EXPECT_EQ(machine("G152\nG00 Z1\nG55\nZ0\nG59\nZ0\nG58\nZ0\nG56\nZ0\nG53\nZ0"), "1 20 80 70 30 0 ");   // [4.4.2]
+    EXPECT_EQ(machine("G152\nG159 N5\nG00 Z0\nG159 N7\nZ0"), "50 70 ");
+    EXPECT_EQ(machine("G152\nG54\nG00 Z5\nG92 Z0\nZ1\nG57\nZ0"), "15 16 40 ");                              // [4.4.1]
+    EXPECT_EQ(machine("G152\nG54\nG00 Z5\nG53 Z3\nZ5"), "15 3 15 ");                                        // [4.3]
+}
+
+struct Refusal {
+    std::string_view program;
+    Alarm alarm;
+    std::string_view place;   // part of the event
+};
+
+TEST(FagorBlock, RefusesByName) {
+    const Refusal rows[] = {
+        {"G60 X1", Alarm::GCodeUnknown, "\"column\":1"},
+        {"G152\n\nG00 X1", Alarm::FagorBlockEmpty, "\"line\":2"},
+        {"G54 X1", Alarm::FagorAlone, "\"line\":1"},
+        {"G00 G01 X1", Alarm::FagorIncompatible, "\"number\":7"},
+        {"G152\nG00 X5\nG02 X5 R4 F10", Alarm::FagorFullCircle, "\"line\":3"},
+        {"G152\nG00 X10 Z0\nG02 X0 Z20 K3 F10", Alarm::ArcRadiusDiffers, "\"line\":3"},
+        {"G152\nG00 X10 Z0\nG91 R-20", Alarm::FagorPolarRadius, "\"line\":3"},
+        {"G152\nG00 X0 Z0\nQ90 Z5", Alarm::FagorAngle, "\"line\":3"},
+        {"G96 S100 M3", Alarm::FagorGear, "\"line\":1"},
+        {"G51 E0.1\nG95", Alarm::FagorIncompatible, "\"number\":7"},
+        {"G51 E0.1\nG33 Z-5 L1", Alarm::FagorIncompatible, "\"number\":7"},
+        {"G152\nG01 G37 X5 F10", Alarm::FagorElementRadius, "\"line\":2"},
+        {"G152\nG00 X10 Z0\nG02 G37 R2 X0 Z10 R10 F10", Alarm::FagorTangential, "\"line\":3"},
+        {"G152\nG02 G41 X1", Alarm::CompArcStartEnd, "\"line\":2"},
+        {"X1 N3", Alarm::FagorRepeat, "\"line\":1"},
+        {"G33 Z-5 L1 Q90", Alarm::FagorThreadAngle, "\"line\":1"},
+        {"G83 X0 Z0 I0 B5", Alarm::FagorCycleZero, "\"line\":1"},
+        {"G81 X30 Z0 Q54 R-24 C0", Alarm::FagorCycleZero, "\"line\":1"},
+        {"G86 X30 Z0 Q30 R-20 I1 B0.2 C1 M0.1 K-10", Alarm::FagorCyclePair, "\"line\":1"},
+        {"G88 X30 Z0 Q30 R-20 C2", Alarm::FagorGrooveDepth, "\"line\":1"},
+        {"G152\nG20 K1 X0 Z0\nG21 K1 X5 Z5\nG22 K1 S1\nG00 X10 Z10\nX1 Z1", Alarm::FagorZoneEntered, "\"line\":6"},
+    };
+    for (const Refusal& row : rows) {
+        const Played played = play(row.program, fagor());
+        const std::string number(alarm_number(row.alarm, Dialect::Fagor));
+        EXPECT_TRUE(played.has({"\"ev\":\"alarm\"", number, row.place})) << row.program << "\n" << played.events;
+    }
+}
+
+// The tip, not the centre of the nose, is what a program sees (8.2); a rapid move leaves the cut the radius before its end.
+TEST(FagorCompensation, BeginsAndEndsWhereItStands) {
+    Play how = fagor({"FG.COMPMODE=1"});
+    const auto with_nose = [&](std::string_view program, double tip) {
+        return points(play(program, how, [tip](MachineView& view) {
+            view.store->offsets[1].geometry_r = 2;
+            view.store->offsets[1].tip = tip;
+        }));
+    };
+    EXPECT_EQ(with_nose("G152\nT1 D1\nG00 X10 Z20\nG41 G01 X10 Z20 F100\nZ0\nG40 Z0\nX20", 0), "10,20 8,20 8,0 10,0 20,0");
+    EXPECT_EQ(with_nose("G152\nT1 D1\nG00 X10 Z20\nG42 G01 X10 Z20 F100\nZ0\nG40 G00 X30", 0), "10,20 12,20 12,2 30,0");
+    EXPECT_EQ(with_nose("G152\nT1 D1\nG00 X10 Z20\nG42 G01 X10 Z20 F100\nZ0\nG40 G00 X30", 3), "10,20 10,20 10,0 30,0");
+}
+
+}  // namespace
+}  // namespace polyturn::channels::testing

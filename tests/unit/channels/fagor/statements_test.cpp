@@ -1,0 +1,77 @@
+// The language fagor: statements in round brackets. Every row follows from spec fagor_8037t part 2, section in brackets.
+#include <gtest/gtest.h>
+
+#include "../play.hpp"
+#include "channels/fagor/g_codes.hpp"
+#include "channels/fagor/variable_names.hpp"
+
+namespace polyturn::channels::testing {
+namespace {
+
+Played run(std::string_view program) {
+    Play how;
+    how.language = "fagor";
+    return play(program, how);
+}
+
+// The value that P100 was given last, as the event shows it.
+std::string value_of(std::string_view expression) {
+    const Played played = run("(P100=" + std::string(expression) + ")\nM30\n");
+    const std::string line = played.find({"\"name\":\"P100\""});
+    const std::size_t at = line.find("\"value\":");
+    return at == std::string::npos ? played.events : line.substr(at + 8, line.find('}', at) - at - 8);
+}
+
+TEST(FagorExpression, HasTheValueOfItsOperators) {
+    const std::pair<std::string_view, std::string_view> rows[] = {
+        {"2+3*4 EXP 2", "50"}, {"2 EXP 3 EXP 2", "64"}, {"100 MOD 30/5", "2"}, {"-2 EXP 2", "4"}, {"12-2-3", "7"},     // [11.5]
+        {"SIN 30+COS 60", "1"}, {"ARG(-3,3)", "135"}, {"ARG(-1,-1)", "225"}, {"ATAN(-1)", "-45"}, {"SIN 180", "0"},    // [11.4]
+        {"FIX 7.9", "7"}, {"FUP 7.1", "8"}, {"FUP 7", "7"}, {"ROUND 7.5", "8"}, {"BCD 234", "564"}, {"BIN $234", "234"}, {"BIN $AB", "171"},
+        {"$1F AND $F0", "16"}, {"$F XOR $3C", "51"}, {"$10 OR 3", "19"}, {"NOT $FFFFFFF0", "15"}, {"(1 LT 2) AND (2 LT 1)", "0"}, {"NOT (1 EQ 2)", "1"},
+        {"P(100+5)+0", "0"}, {"ABS(-3.5)+SQRT 9", "6.5"}, {"LOG 1000", "3"},
+    };
+    for (const auto& [expression, value] : rows) EXPECT_EQ(value_of(expression), value) << expression;
+}
+
+TEST(FagorStatement, RunsWhatItNames) {
+    EXPECT_TRUE(run("(A=4)\n(CALL 1)\n(P100=A)\nM30\n(SUB 1)\n(A=A+1)\n(RET)\n").has({"P100", ":5"}));              // [12.5]
+    EXPECT_TRUE(run("(A=4)\n(PCALL 1, A7)\n(P100=A)\nM30\n(SUB 1)\n(A=A+1)\n(RET)\n").has({"P100", ":4"}));
+    EXPECT_TRUE(run("(PCALL 1, B2, D1)\nM30\n(SUB 1)\n(P100=CALLP)\n(RET)\n").has({"P100", ":10"}));                // [11.2.12]
+    EXPECT_TRUE(run("(P101=1)\nN5 (P101=P101*2)\n(IF (P101 LT 30) GOTO N5)\n(P100=P101)\nM30\n").has({"P100", ":32"}));   // [12.4]
+    EXPECT_TRUE(run("N1 (P101=P101+1)\nN2 (P102=P102+2)\n(RPT N1, N2) N3\n(P100=P101*10+P102)\nM30\n").has({"P100", ":48"}));
+    EXPECT_TRUE(run("(P101=2.5)\n(OPEN P7)\n(WRITE (P100=?P101))\n(EXEC P7)\nM30\n").has({"P100", ":2.5"}));        // [12.7]
+    EXPECT_TRUE(run("(P101=2)\n(MSG \"N ?P101 OK\")\nM30\n").has({"message", "N 2 OK"}));                            // [12.2]
+    EXPECT_TRUE(run("(ERROR 77, \"NO BAR\")\nM30\n").has({"alarm", ":77", "NO BAR"}));
+    EXPECT_TRUE(run("(P101=1, P102=POSX)\n(P101=P101+1, P102=POSX)\n(P100=P101)\nM30\n").has({"P100", ":2"}));      // once, though it waits
+}
+
+TEST(FagorStatement, RefusesByName) {
+    const std::pair<std::string_view, Alarm> rows[] = {
+        {"(FOO=1)", Alarm::FagorStatement}, {"(TOOL=1)", Alarm::VariableReadOnly}, {"(P30=1)", Alarm::VariableUnknown}, {"(P2000=1)", Alarm::FagorMakerParameter},
+        {"(P100=1/0)", Alarm::DivisionByZero}, {"(P100=(1)", Alarm::FagorBracket}, {"(GOTO N9)", Alarm::SequenceNumberMissing}, {"(CALL 9)", Alarm::SubprogramMissing},
+        {"(RET)", Alarm::FagorReturn}, {"(WRITE G0)", Alarm::FagorWriteClosed}, {"(REPOS X)", Alarm::FagorRepos}, {"(PAGE 1)", Alarm::FagorUserChannel},
+        {"(SUB 10001)\n(RET)", Alarm::FagorMakerSubroutine}, {"(SUB 1)\n(RET)\n(SUB 1)\n(RET)", Alarm::FagorSubroutineTwice},
+        {"(OPEN P5)\n(OPEN P5)", Alarm::FagorProgramExists}, {"(CALL 1)\nM30\n(SUB 1)\n(CALL 1)\n(RET)", Alarm::CallTooDeep},
+        {"(PCALL 1)\nM30\n(SUB 1)\n(PCALL 1)\n(RET)", Alarm::FagorLevels}, {"(P100=GPOSX N5 P9)", Alarm::FagorBlockUnknown},
+    };
+    for (const auto& [program, alarm] : rows) {
+        const Played played = run(program);
+        EXPECT_TRUE(played.has({"\"ev\":\"alarm\"", std::string(alarm_number(alarm, Dialect::Fagor))})) << program << "\n" << played.events;
+    }
+}
+
+TEST(FagorTables, NameEachCodeAndVariableOnce) {
+    for (std::size_t i = 0; i < fagor::variable_count(); ++i)
+        for (std::size_t k = 0; k < i; ++k) {
+            const auto& a = fagor::variable_row(i);
+            const auto& b = fagor::variable_row(k);
+            EXPECT_FALSE(a.name == b.name && a.shape == b.shape) << a.name;
+        }
+    for (const fagor::GCode& row : fagor::g_codes()) {
+        EXPECT_EQ(fagor::find_g_code(row.number), &row);
+        EXPECT_FALSE(row.text.empty());
+    }
+}
+
+}  // namespace
+}  // namespace polyturn::channels::testing
