@@ -136,9 +136,9 @@ bool Interpreter::act() {
     if (coded(GGroup::Motion)) modal_.motion = coded_[at(GGroup::Motion)]->number;
     if (!own_words && has('F') && !feed_word()) return false;
     if (!run(GGroup::Spindle)) return false;
-    if (!own_words && !(spindle_word() && tool_words())) return false;
+    if (!own_words && modal_.m_done < 0 && !(spindle_word() && tool_words())) return false;
     if (m_count_ && !m_before()) return false;
-    if (called_) return true;   // a subroutine of an M function does the rest
+    if (called_) return true;   // the subroutine of an M function comes first
     if (!core_.commit_spindle()) return false;
     for (const GGroup group : {GGroup::Corner, GGroup::Mirror, GGroup::Comp})
         if (!run(group)) return false;

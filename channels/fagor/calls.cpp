@@ -190,7 +190,9 @@ bool Interpreter::return_from_frame() {
         return true;
     }
     const std::int32_t code = frame.m_itself ? frame.m_code : -1;
+    const std::int32_t done = frame.reads_again ? frame.m_code : -1;
     pop_frame();
+    if (done >= 0) modal_.m_done = done;
     if (code >= 0) {
         char text[16];
         const int length = std::snprintf(text, sizeof text, "M%d", code);

@@ -155,6 +155,7 @@ bool Interpreter::m_before() {
 
 bool Interpreter::m_function(const Word& word, bool behind) {
     const auto code = static_cast<std::int32_t>(word.value);
+    if (code == modal_.m_done) return true;
     const MEntry* entry = m_entry(code);
     if (code >= 41 && code <= 44) {
         const double speed = core_.path.spindle.rpm, most = settings_.gear_max[static_cast<std::size_t>(code - 41)];
@@ -170,7 +171,12 @@ bool Interpreter::m_function(const Word& word, bool behind) {
             frame.m_code = code;
             frame.m_itself = !entry->only_subroutine;
             if (code == 6 && settings_.change_by_m06 && modal_.next_tool >= 0 && !change_tool(modal_.next_tool, modal_.next_offset)) return false;
-            return call_subroutine(entry->subroutine, frame, nullptr);
+            if (!call_subroutine(entry->subroutine, frame, nullptr)) return false;
+            if (!behind && block_.count > 1) {   // the rest of the block comes behind the subroutine
+                frames_.back().resume = line_at_;
+                frames_.back().reads_again = true;
+            }
+            return true;
         }
     }
     if (behind && code == 5 && !(core_.spindle_turn(SpindleTurn::Stop) && core_.commit_spindle())) return false;

@@ -8,6 +8,19 @@
 #include <utility>
 
 namespace polyturn::channels::fagor {
+namespace {
+
+// 000611.PIT is program 611; -1: the name is no number.
+std::int64_t number_of_file(const std::string& path) {
+    std::int64_t number = -1;
+    for (std::size_t i = path.find_last_of('/') + 1; i < path.size() && path[i] != '.'; ++i) {
+        if (path[i] < '0' || path[i] > '9' || number > 999'999) return -1;
+        number = (number < 0 ? 0 : number * 10) + (path[i] - '0');
+    }
+    return number;
+}
+
+}  // namespace
 
 Interpreter::Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles& files)
     : inclined_(sink, view), core_(view, inclined_, port), files_(&files), settings_(read_settings(view.table(), view.channel)), reader_(*this), expression_(*this) {
@@ -66,6 +79,7 @@ Result<void> Interpreter::start(FileId main) {
     CallFrame frame;
     frame.file = main;
     frame.maker = attribute_of(main, 'O');
+    frame.program = number_of_file(files_->path(main));
     frames_.push_back(frame);
     source_ = &files_->source(main);
     source_->seek({0, 1});
@@ -199,7 +213,8 @@ Step Interpreter::read_block() {
         line_storage_.assign(line);
         line_ = line_storage_;
         core_.at.line = source_->position().line;
-        title_allowed_ = source_->position().line == 1;
+        line_at_ = source_->position();
+        title_allowed_ = line_at_.line == 1;
     }
     reread_ = false;
     fault_line_ = fault_column_ = fault_length_ = 0;
@@ -249,6 +264,7 @@ Step Interpreter::iso_block() {
         const double limit = inclined_.failed_at() > axis.limit_max ? axis.limit_max : axis.limit_min;
         return fault({Alarm::StrokeExceeded, axis.name[0], inclined_.failed_at(), limit, axis.name, {}});
     }
+    if (!called_) modal_.m_done = -1;
     return end_block(block_.count != 0, moves_before);
 }
 

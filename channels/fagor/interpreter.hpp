@@ -38,6 +38,7 @@ struct CallFrame {
     bool maker = false;              // attribute O of its file
     std::int32_t m_code = -1;        // subroutine of this M function
     bool m_itself = false;           // the function itself follows
+    bool reads_again = false;        // the calling block goes on behind it
     std::uint32_t given = 0;         // CALLP
     std::int64_t runs_left = 0;      // of a modal call with N, of RPT
     TextPosition begin;              // Repeat, and subroutines that run again
@@ -265,6 +266,7 @@ private:
     AxisValues target_{};                         // of the part
     bool in_machine_ = false;                     // G53 with motion
 
+    TextPosition line_at_;                        // of the block
     bool title_allowed_ = false;                  // the line is the first of its text
     bool wants_barrier_ = false, ended_ = false, jumped_ = false, called_ = false;
     bool reread_ = false, fresh_ = false;

@@ -61,7 +61,7 @@ struct Modal {
     bool stop_disabled = false, hold_disabled = false, one_block = false;   // DSTOP, DFHOLD, ESBLK
     std::int64_t last_label = -1;
     std::uint64_t m_states = 0;       // M00..M44 seen last, for MSn
-    bool cycle_m_states = false;
+    std::int32_t m_done = -1;         // its subroutine has run: the block that called it is read again without it
     double parts = 0.0;               // PARTC
     ModalCall modal_call;
     std::vector<WrittenProgram> written;

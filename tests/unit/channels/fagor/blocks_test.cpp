@@ -115,7 +115,7 @@ TEST(FagorBlock, RefusesByName) {
     for (const Refusal& row : rows) {
         const Played played = play(row.program, fagor());
         const std::string number(alarm_number(row.alarm, Dialect::Fagor));
-        EXPECT_TRUE(played.has({"\"ev\":\"alarm\"", number, row.place})) << row.program << "\n" << played.events;
+        EXPECT_TRUE(played.has({"\"ev\":\"alarm\"", number, std::string(row.place)})) << row.program << "\n" << played.events;
     }
 }
 
