@@ -71,7 +71,7 @@ struct Move {
     double radius = 0.0, radius_end = 0.0;        // they differ by the tolerance at the most
     double sweep = 0.0;             // rad, positive from p to q; more than 2 pi with several turns
     std::int32_t turns = 0;         // full turns beyond the first
-    // Threads
+    // Threads; one on an arc has the arc's members too and a sweep that is not 0
     double lead = 0.0;              // mm along the programmed lead axis, for the event
     double lead_path = 0.0;         // mm along the path
     double lead_change = 0.0;       // mm along the lead axis a revolution

@@ -163,7 +163,7 @@ void append_event(std::string& out, const EventScene& scene, const Move& move, c
     object.text("kind", kind_name(move.kind));
     axes(object, "pos", view, move.pos, true, at.display_swapped);
     axes(object, "machine", view, move.machine, false, 0);
-    if (move.kind == MoveKind::ArcCw || move.kind == MoveKind::ArcCcw) {
+    if (move.kind == MoveKind::ArcCw || move.kind == MoveKind::ArcCcw || (move.kind == MoveKind::Thread && move.sweep != 0)) {
         object.key("centre");
         object.raw("{");
         object.append_text(view.axes[move.plane_p].name);

@@ -119,6 +119,15 @@ void Compensator::move(const Move& m, const BlockContext& at) {
         if (!failed_) hold(m, at, Role::Begin);
         return;
     }
+    if (options_.constant && state_ == State::On && !cancels) {   // CUTCONON: the vector of the last normal point stays
+        if (held_) settle();
+        if (failed_) return;
+        Move shifted = m;
+        shift(shifted);
+        deliver(shifted, at);
+        constant_ = true;
+        return;
+    }
     switch (state_) {
         case State::Off: deliver(m, at); return;
         case State::Armed:
@@ -168,7 +177,7 @@ void Compensator::contour_block(const Move& m, const BlockContext& at) {
         const Element next = element_of(m);
         CornerResult corner;
         if (repeated_) corner.vectors = Vectors::one(block_.element.nose * block_.element.normal_at_end());
-        else if (block_.role == Role::Begin) corner = start_corner(block_.element, next, options_);
+        else if (block_.role == Role::Begin) corner = start_corner(from_nose(block_.element), next, options_);
         else corner = offset_corner(block_.element, next, options_);
         if (corner.fault != CornerFault::None) {
             fail(Alarm::CompNoIntersection, false, block_.at);
@@ -176,7 +185,21 @@ void Compensator::contour_block(const Move& m, const BlockContext& at) {
         }
         constexpr double kHalfTurn = 3.14159;
         drop_small(corner.vectors, options_.small_vector, next.arc && std::fabs(next.sweep) >= kHalfTurn);
+        if (too_short(next, corner)) {
+            before_ = {block_, corner.vectors, {}};
+            before_->trailing.append(trailing_);
+            hold(m, at, Role::Contour);
+            return;
+        }
         if (!finish(corner.vectors)) return;
+    }
+    if (constant_) {
+        constant_ = false;
+        start_ = Vectors::one(displacement_ - tip_);
+        hold(m, at, Role::Contour);
+        start_.add(block_.element.nose * block_.element.normal_at_start());
+        drop_small(start_, 0.0, false);
+        return;
     }
     const bool apart = !held_ && settled_ && options_.straight_after_halt;
     hold(m, at, Role::Contour);
@@ -191,6 +214,12 @@ void Compensator::cancel_block(const Move& m, const BlockContext& at) {
         if (!failed_) fail(Alarm::CompArcStartEnd, true, at);
         return;
     }
+    if (held_ && before_ && options_.short_last != ShortLast::None) {
+        if (!leave_short_last(m, at)) return;
+        wish_set_ = repeated_ = false;
+        state_ = State::Off;
+        return;
+    }
     if (held_) {
         CornerResult corner;
         if (options_.rapid_suspends && m.kind == MoveKind::Rapid) {
@@ -202,13 +231,24 @@ void Compensator::cancel_block(const Move& m, const BlockContext& at) {
             return;
         }
         if (wish_set_) corner = retract_corner(block_.element, wish_);
-        else corner = cancel_corner(block_.element, element_of(m), options_);
+        else corner = cancel_corner(block_.element, to_nose(element_of(m)), options_);
         drop_small(corner.vectors, options_.small_vector, false);
         if (!finish(corner.vectors)) return;
     }
     wish_set_ = repeated_ = false;
     straight_to_programmed(m, at);
     state_ = State::Off;
+    constant_ = false;
+}
+
+// Outside compensation the axes carry the tip: where the nose centre is at the free end of the way in and of the way out.
+Element Compensator::from_nose(Element e) const {
+    if (options_.entry == Entry::Tangent) e.start = e.start - block_.tip;
+    return e;
+}
+Element Compensator::to_nose(Element e) const {
+    if (options_.entry == Entry::Tangent) e.end = e.end - block_.tip;
+    return e;
 }
 
 // The nose stops its radius before the end of the element: what stands there is not cut into (fagor 8.2.7).
@@ -279,6 +319,7 @@ bool Compensator::fail(Alarm alarm, bool this_block, const BlockContext& at) {
     fault_ = {alarm, this_block, at};
     failed_ = true;
     held_ = false;
+    before_.reset();
     trailing_.clear();
     return false;
 }

@@ -15,6 +15,8 @@
 //       meanwhile only as far as the held one needs.
 //   I4  closed(): nothing is held and no vector is left, the compensator may be taken out of the way.
 #pragma once
+#include <optional>
+
 #include "channels/compensation/corner.hpp"
 #include "channels/compensation/held_calls.hpp"
 #include "channels/compensation/options.hpp"
@@ -33,6 +35,7 @@ public:
     void open(Sink& out, unsigned p, unsigned q, const Options& options);
     bool closed() const;
     void configure(unsigned p, unsigned q, const Options& options) { p_ = p, q_ = q, options_ = options; }   // while off
+    void set_options(const Options& options) { options_ = options; }
     bool off() const { return state_ == State::Off && !held_; }
 
     // --- what the block says, before its move
@@ -99,10 +102,19 @@ private:
         Role role = Role::Contour;
     };
 
+    // The element before a held one that is too short: it is not known yet where it ends.
+    struct Before {
+        Held held;
+        Vectors end;
+        HeldCalls trailing;
+    };
+
     HeldCalls& queue() { return held_ ? trailing_ : ready_; }
     void pump();
     bool in_plane(const Move& m) const;
     Element element_of(const Move& m) const;
+    Element from_nose(Element e) const;
+    Element to_nose(Element e) const;
     void hold(const Move& m, const BlockContext& at, Role role);
     void contour_block(const Move& m, const BlockContext& at);
     void cancel_block(const Move& m, const BlockContext& at);
@@ -112,6 +124,9 @@ private:
     void finish_at_programmed();
     bool held_rapid() const { return held_ && block_.role == Role::Begin && block_.move.kind == MoveKind::Rapid; }
     Vectors before_rapid() const;
+    bool release_before();
+    bool too_short(const Element& next, const CornerResult& corner) const;
+    bool leave_short_last(const Move& m, const BlockContext& at);
     void leave_in_place();
     bool fail(Alarm alarm, bool this_block, const BlockContext& at);
     // one move in the plane from here_ to `to`
@@ -126,6 +141,8 @@ private:
     State state_ = State::Off;
     bool held_ = false, halted_ = false, failed_ = false;
     Held block_;                // when held_
+    std::optional<Before> before_;
+    bool constant_ = false;     // the last moves were only shifted
     Vectors start_ = Vectors::one({});   // where the next (or the held) block begins; at[0] has been reached
     HeldCalls trailing_, ready_;
     Vec here_;                  // machine, while a block is made

@@ -73,6 +73,37 @@ Turn classify(const Element& a, const Element& b) {
     return Turn::Acute;
 }
 
+namespace {
+
+// Way in or out of a contour at its corner P, for a tool at `outside` behind the contour's tangent: the tangent u from there
+// to the circle about P, and along the circle to (from) the normal of the contour; Corner::Intersection: the two tangents.
+//   V = side * r * left(u),   u turned from the line to P by asin(r / distance)
+void add_tangent(Vectors& list, const Element& contour, Vec corner, Vec normal, Vec along, Vec outside, bool entering, const Options& options) {
+    const double r = contour.nose, side = contour.side;
+    const Vec way = entering ? corner - outside : outside - corner;
+    const double distance = length(way);
+    const bool in_front = dot(outside - corner, normal) >= 0;
+    if (in_front || distance <= r || r <= 0) {
+        list.add(normal);
+        return;
+    }
+    const double turn = (entering ? side : -side) * std::asin(r / distance), c = std::cos(turn), s = std::sin(turn);
+    const Vec d = unit(way), u{c * d.p - s * d.q, s * d.p + c * d.q};
+    const Vec touch = side * r * left_of(u);
+    const double between = std::fabs(std::atan2(cross(touch, normal), dot(touch, normal))) / kOneDegree;
+    if (options.corner == Corner::Intersection && 180.0 - between >= options.intersection_from_deg) {
+        const double sine = cross(u, along);
+        const Vec meeting = std::fabs(sine) < kTangent ? normal : touch + (cross(normal - touch, along) / sine) * u;
+        if (entering) list.add(meeting), list.add(normal);
+        else list.add(normal), list.add(meeting);
+        return;
+    }
+    if (entering) list.add(touch), list.add(normal, true);
+    else list.add(normal), list.add(touch, true);
+}
+
+}  // namespace
+
 CornerResult start_corner(const Element& a, const Element& b, const Options& options) {
     Element entry = a;   // the beginning is judged as if it were compensated like the contour
     entry.side = b.side;
@@ -80,6 +111,11 @@ CornerResult start_corner(const Element& a, const Element& b, const Options& opt
     const Turn turn = classify(entry, b);
     CornerResult result;
     Vectors& list = result.vectors;
+    if (options.entry == Entry::Tangent) {
+        add_tangent(list, b, b.start, second_normal(b), b.start_dir, a.start, true, options);
+        list.of_first = list.count;
+        return result;
+    }
     if (turn == Turn::Inner || turn == Turn::Reversal || options.entry == Entry::Direct) {
         list.add(second_normal(b));
         return result;
@@ -129,6 +165,11 @@ CornerResult cancel_corner(const Element& a, const Element& b, const Options& op
     const Turn turn = classify(a, leave);
     CornerResult result;
     Vectors& list = result.vectors;
+    if (options.entry == Entry::Tangent) {
+        add_tangent(list, a, a.end, first_normal(a), a.end_dir, b.end, false, options);
+        list.of_first = list.count;
+        return result;
+    }
     if (turn == Turn::Inner || turn == Turn::Reversal || options.entry == Entry::Direct) {
         list.add(first_normal(a));
         return result;

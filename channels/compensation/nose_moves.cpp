@@ -31,6 +31,7 @@ void Compensator::shift(Move& m) const {
 
 // The held block from its first remaining start vector to its first end vector; further end vectors stay for the next one.
 bool Compensator::finish(Vectors end) {
+    if (before_ && !release_before()) return false;
     Held& b = block_;
     Verdict verdict = Verdict::Clean;
     if (b.role == Role::Contour) verdict = check_element(b.element, start_, end, options_.check);
@@ -51,8 +52,54 @@ bool Compensator::finish(Vectors end) {
     return true;
 }
 
+bool Compensator::release_before() {
+    const Held next = block_;
+    HeldCalls later;
+    later.append(trailing_);
+    block_ = before_->held;
+    trailing_.append(before_->trailing);
+    const Vectors end = before_->end;
+    before_.reset();
+    if (!finish(end)) return false;
+    block_ = next;
+    held_ = true;
+    trailing_.append(later);
+    return true;
+}
+
+// Begun at the corner and ended at its own normal, the next element would be driven backwards: it is shorter than the nose
+// needs there. Whether that matters the block behind it tells.
+bool Compensator::too_short(const Element& next, const CornerResult& corner) const {
+    if (!options_.looks_back || before_ || next.arc || block_.element.arc || block_.role != Role::Contour || corner.vectors.count != 1) return false;
+    return interferes(next, corner.vectors.at[0], next.nose * next.normal_at_end());
+}
+
+// The last element is left out: the one before it ends where it meets the last one's lengthened equidistant, or the circle
+// about the last programmed point, and from there it goes straight out.
+bool Compensator::leave_short_last(const Move& m, const BlockContext& at) {
+    const Element& a = before_->held.element;
+    if (options_.short_last == ShortLast::Circle) {
+        const Vec on = a.start + a.nose * a.normal_at_start(), centre = block_.element.end;
+        const Vec foot = on + dot(centre - on, a.end_dir) * a.end_dir;
+        const double h = length(centre - foot), r = block_.element.nose;
+        if (h > r) return fail(Alarm::CompNoOffsetMeeting, false, block_.at);
+        const Vec point = foot - std::sqrt((r - h) * (r + h)) * a.end_dir;   // the first one on the way
+        if (dot(point - on, a.end_dir) < 0) return fail(Alarm::CompNoOffsetMeeting, false, block_.at);
+        before_->end = Vectors::one(point - a.end);
+    }
+    if (!release_before()) return false;
+    displacement_ = here_ - block_.element.end;
+    start_ = Vectors::one(displacement_ - block_.tip);
+    held_ = false;
+    ready_.append(trailing_);
+    pump();
+    straight_to_programmed(m, at);
+    return true;
+}
+
 // The held block ends without a vector, straight, whatever it was.
 void Compensator::finish_at_programmed() {
+    if (before_ && !release_before()) return;
     Held& b = block_;
     here_ = b.element.start + displacement_;
     if (b.role == Role::Contour) go_corner(b, start_, 1, start_.count, b.element.start, b.tip);

@@ -10,7 +10,8 @@ namespace polyturn::channels::compensation {
 // How compensation begins and ends at an outer corner. At an inner one it is always Direct.
 enum class Entry : std::uint8_t {
     Direct,   // straight to (from) the normal at the contour's end: fanuc type A, sinumerik NORM, fagor direct
-    Around,   // round the corner first: fanuc type B, sinumerik KONT, fagor indirect
+    Around,   // round the corner first: fanuc type B, fagor indirect
+    Tangent,  // where the tool stands behind the contour: along the tangent of the circle about the corner: sinumerik KONT
 };
 
 // How the nose goes round an outer corner. Angles are those between the two elements on the workpiece's side.
@@ -32,11 +33,21 @@ inline constexpr TipTable kTips = {{{0, 0}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}, 
 // fagor_8037t part 1, 8.2.1: odd codes touch two sides, even ones one side.
 inline constexpr TipTable kTipsAround = {{{0, 0}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {0, 0}}};
 
+// The block before the one that ends compensation is shorter than the nose needs in an inner corner.
+enum class ShortLast : std::uint8_t {
+    None,     // judged as any other element
+    Circle,   // the element before ends where it meets the circle about the last programmed point: sinumerik G461
+    Line,     // or where it meets the last element, lengthened: sinumerik G462
+};
+
 struct Options {
     Entry entry = Entry::Around;
     Corner corner = Corner::Extended;
     Check check = Check::Correct;
     double intersection_from_deg = 80.0;    // Corner::Intersection
+    ShortLast short_last = ShortLast::None;
+    bool looks_back = false;                // an element too short for an inner corner waits for what ShortLast makes of it
+    bool constant = false;                  // the vector stays as it is: sinumerik CUTCONON
     double small_vector = 0.0;              // mm: corner vectors that close on both axes count as one
     bool resume_at_intersection = false;    // after G53, G28: straight to the next vector instead of a new beginning (CCN)
     const TipTable* tips = &kTips;

@@ -35,6 +35,7 @@ public:
     void plane(unsigned p, unsigned q, AxisSet geometry) { p_ = p, q_ = q, geometry_ = geometry; }
     void want(const Call& call) { want_ = call, wanted_ = true; }    // at the end of the move that comes next
     void forget_want() { wanted_ = false; }
+    void next_feed(double feed) { next_feed_ = feed; }               // of an element that takes its technology from the move that comes next
     bool wants() const { return wanted_; }
     bool holding() const { return holding_; }
     void later(std::function<void()> told) { waiting_.control(std::move(told)); }   // while holding()
@@ -94,6 +95,7 @@ private:
     AxisSet geometry_ = 0;         // axes of the workpiece system: one outside the plane that moves makes no corner
     bool holding_ = false, reserved_ = false, wanted_ = false, failed_ = false, moved_ = false;
     unsigned idle_ = 0;
+    double next_feed_ = 0.0;
     Call want_;
     Held held_;                    // when holding_ and not reserved_
     compensation::HeldCalls waiting_;

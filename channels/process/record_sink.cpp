@@ -59,8 +59,41 @@ void RecordSink::push(PathRecord& r, bool stands, bool drains) {
 }
 
 void RecordSink::move(const Move& move, const BlockContext& at) {
+    if (move.kind == MoveKind::Thread && move.sweep != 0) thread_arc(move, at);
+    else add(move, at, true);
+}
+
+// The lead counts along one axis of the plane, so along an arc the way a revolution changes: short arcs, each with its mean.
+void RecordSink::thread_arc(const Move& move, const BlockContext& at) {
+    constexpr double kPiece = 0.02;   // rad
+    const unsigned p = move.plane_p, q = move.plane_q;
+    const auto pieces = static_cast<int>(std::ceil(std::fabs(move.sweep) / kPiece));
+    const double along = move.lead * std::fabs(move.sweep) * move.radius / move.lead_path;   // way of the lead's axis
+    const double way_p = std::fabs(move.machine[p] - move.machine_start[p]), way_q = std::fabs(move.machine[q] - move.machine_start[q]);
+    const unsigned axis = std::fabs(way_p - along) <= std::fabs(way_q - along) ? p : q;
+    const double first = std::atan2(move.machine_start[q] - move.centre_q, move.machine_start[p] - move.centre_p);
+    Move piece = move;
+    piece.sweep = move.sweep / pieces;
+    for (int k = 0; k < pieces; ++k) {
+        const double share = static_cast<double>(k + 1) / pieces, angle = first + move.sweep * share;
+        if (k > 0) piece.machine_start = piece.machine, piece.thread_chained = true;
+        for (unsigned i = 0; i < view_->axis_count; ++i) piece.machine[i] = move.machine_start[i] + (move.machine[i] - move.machine_start[i]) * share;
+        piece.machine[p] = k + 1 == pieces ? move.machine[p] : move.centre_p + move.radius * std::cos(angle);
+        piece.machine[q] = k + 1 == pieces ? move.machine[q] : move.centre_q + move.radius * std::sin(angle);
+        const double step = std::fabs(piece.machine[axis] - piece.machine_start[axis]);
+        if (step > 0) piece.lead_path = move.lead * std::fabs(piece.sweep) * move.radius / step;
+        if (k == 0) {   // told whole
+            const std::uint64_t number = note([&](Sink& sink) { sink.move(move, at); });
+            add(piece, at, false, number);
+        } else {
+            add(piece, at, false);
+        }
+    }
+}
+
+void RecordSink::add(const Move& move, const BlockContext& at, bool told, std::uint64_t number) {
     PathRecord& r = maker_->next_move();
-    const bool arc = move.kind == MoveKind::ArcCw || move.kind == MoveKind::ArcCcw;
+    const bool arc = move.kind == MoveKind::ArcCw || move.kind == MoveKind::ArcCcw || (move.kind == MoveKind::Thread && move.sweep != 0);
     r.kind = code_of(arc ? RecordKind::Arc : RecordKind::Line);
     AxisSet moved = move.moved;
     if (arc) moved |= 1u << move.plane_p | 1u << move.plane_q;
@@ -115,7 +148,7 @@ void RecordSink::move(const Move& move, const BlockContext& at) {
     if (move.in_position) r.flags |= kExactStop | kInPosition;
     if (move.override_locked) r.flags |= kOverrideLocked;
     if (maker_->length_of_next() > 0) {
-        r.note = note([&](Sink& sink) { sink.move(move, at); });
+        r.note = told ? note([&](Sink& sink) { sink.move(move, at); }) : number;
         maker_->add_move();
         drained_ = false;
     }

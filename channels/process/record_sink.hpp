@@ -25,6 +25,8 @@ public:
         : view_(&view), maker_(&maker), ring_(&ring), describe_(describe), text_(text), put_note_(std::move(put_note)) {}
 
     void move(const Move&, const BlockContext&) override;
+    void add(const Move&, const BlockContext&, bool told, std::uint64_t number = 0);
+    void thread_arc(const Move&, const BlockContext&);
     void dwell(const Dwell&, const BlockContext&) override;
     void aux(const Aux&, const BlockContext&) override;
     void spindle(const Spindle&, const BlockContext&) override;

@@ -1,49 +1,296 @@
-// Handlers of the moves.
+// Straight lines: end points in Cartesian and polar words, contour lines by their angle, and what every contour move of
+// the language has in common (sinumerik_part1 10, part 2 10.9 and 10.12).
 #include <cmath>
+#include <numbers>
 
 #include "channels/sinumerik/interpreter.hpp"
 
 namespace polyturn::channels::sinumerik {
+namespace {
 
-bool Interpreter::geo_motion(const GCode& code) {
-    AxisValues target{};
-    AxisSet named = 0;
-    if (!read_axis_words(target, named)) return false;
-    const bool arc = code.number > 2;
-    if (!arc) return named == 0 || (code.number == 1 ? core_.rapid(target) : core_.linear(target));
-    if (!named && !has("I") && !has("J") && !has("K")) return true;
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kSame = 1e-9;
+
+}  // namespace
+
+std::array<std::size_t, 2> Interpreter::plane_places() {
     int p = -1, q = -1;
     core_.plane_axes(p, q);
-    if (p < 0 || q < 0) return fail(Alarm::PlaneAxisMissing);
-    static constexpr std::string_view kCentre[3][2] = {{"I", "J"}, {"K", "I"}, {"J", "K"}};
-    const auto plane = static_cast<std::size_t>(core_.path.plane);
-    ArcCall call;
-    call.clockwise = code.number == 3;
-    if (const Word* radius = word("CR")) {
-        call.has_radius = true;
-        call.radius = radius->number() * unit();
-        return core_.arc(target, call);
+    return {static_cast<std::size_t>(std::max(p, 0)), static_cast<std::size_t>(std::max(q, 0))};
+}
+
+bool Interpreter::needs_plane() {
+    int p = -1, q = -1;
+    core_.plane_axes(p, q);
+    return (p >= 0 && q >= 0) || fail(Alarm::PlaneAxisMissing);
+}
+
+// Group 9 puts frames and zeros away for one block: G53 the programmable and the settable one, G153 and SUPA also the
+// basic one.
+bool Interpreter::driven(const std::function<bool()>& drive) {
+    const GCode* code = block_.coded[9];
+    if (!code) return drive();
+    const Zeros kept = core_.zeros();
+    Zeros none;
+    if (code->name == "G53") none.external = kept.external;
+    core_.set_zeros(none);
+    const bool done = drive();
+    core_.set_zeros(kept);
+    return done;
+}
+
+// --- every move of a contour
+
+// CHF, CHR, RND, else RNDM: the element at the end of this block. The feed of an element that takes its technology from
+// the next block is told with that one.
+bool Interpreter::corner_words(bool contour) {
+    const GeoModal& geo = modal_.geo;
+    const Word* said = nullptr;
+    corners::Call call;
+    for (const std::string_view name : {"CHF", "CHR", "RND"})
+        if (const Word* w = word(name)) {
+            if (said) return fail_word(Alarm::CodesContradict, *w, std::string(name) + ", " + std::string(said->address->name));
+            if (w->number() < 0) return fail_word(Alarm::NegativeSign, *w, std::string(name));
+            said = w;
+            call.shape = name == "CHF" ? corners::Shape::ChamferLength : name == "CHR" ? corners::Shape::ChamferLeg : corners::Shape::Rounding;
+            call.size = w->number() * unit();
+        }
+    const Word* own = word("FRC");
+    if (own && own->number() <= 0) return fail_word(Alarm::ValueOutOfRange, *own, "FRC", own->number());
+    const double feed = own ? own->number() * feed_unit() : geo.corner_feed;
+    if (core_.reads_ahead()) core_.corner_feed(feed);
+    if (!contour) return true;
+    if (!said) call.size = geo.rounding;
+    if (call.size <= 0) return true;
+    call.from_next = !settings_.corner_from_this;
+    call.feed = call.from_next ? 0.0 : feed;
+    call.reduce = !settings_.corner_alarm;
+    call.idle_blocks = static_cast<unsigned>(settings_.corner_idle_blocks);
+    return core_.corner(call);
+}
+
+bool Interpreter::go_line(const AxisValues& target, bool rapid) {
+    if (!within_areas(target)) return false;
+    if (bool taken = false; modal_.geo.approach) {
+        if (!finish_approach(target, nullptr, taken)) return false;
+        if (taken) return true;
     }
-    const auto centre = [&](std::string_view name, int place) {
-        const Word* w = word(name);
-        const double here = core_.path.programmed[static_cast<std::size_t>(place)];
-        if (!w) return here;
-        if (w->mode == Mode::AC) return length_mm(*w, place, false);
-        return here + w->number() * unit();
-    };
-    call.centre_p = centre(kCentre[plane][0], p);
-    call.centre_q = centre(kCentre[plane][1], q);
-    const double radius = std::hypot(core_.path.programmed[static_cast<std::size_t>(p)] - call.centre_p, core_.path.programmed[static_cast<std::size_t>(q)] - call.centre_q);
-    call.tolerance = std::fmax(settings_.circle_error_mm, settings_.circle_error_factor * radius);
-    return core_.arc(target, call);
+    const AxisValues from = core_.path.programmed;
+    if (!corner_words(true)) return false;
+    if (!(rapid ? core_.rapid(target) : core_.linear(target))) return false;
+    note_tangent(from, target);
+    if (!rapid) modal_.geo.last_feed = core_.path.feed;
+    return true;
 }
 
-bool Interpreter::geo_dwell(const GCode&) {
-    if (const Word* seconds = word("F")) return core_.dwell(seconds->number(), false);
-    if (const Word* turns = word("S")) return core_.dwell(turns->number(), true);
-    return fail(Alarm::ReturnValueMissing, "F, S");
+void Interpreter::note_tangent(const AxisValues& from, const AxisValues& to) {
+    const MachineView& view = core_.view();
+    Point3 way{};
+    static constexpr PlaneRole kRoles[] = {PlaneRole::BasicX, PlaneRole::BasicY, PlaneRole::BasicZ};
+    double length = 0.0;
+    for (std::size_t k = 0; k < 3; ++k)
+        if (const int place = view.axis_by_role(kRoles[k]); place >= 0) {
+            way[k] = to[static_cast<std::size_t>(place)] - from[static_cast<std::size_t>(place)];
+            length += way[k] * way[k];
+        }
+    if (length > kSame * kSame) modal_.geo.tangent = way;
 }
 
-bool Interpreter::chain_frames(Value&, const Value&) { return fail(Alarm::NotBuilt, ":"); }
+// --- polar words
+
+bool Interpreter::polar_ahead() const { return has("AP") || has("RP"); }
+
+// u = pole + RP cos AP, v = pole + RP sin AP. The rest of the target is what the axis words say.
+bool Interpreter::polar_target(AxisValues& target) {
+    if (!needs_plane()) return false;
+    GeoModal& geo = modal_.geo;
+    const auto [p, q] = plane_places();
+    for (const Word& w : block_.words)
+        if (w.address->name == "axis" && (static_cast<std::size_t>(w.axis) == p || static_cast<std::size_t>(w.axis) == q))
+            return fail_word(Alarm::CodesContradict, w, axis_name(w.axis) + ", AP RP");
+    for (const std::string_view name : {"I", "J", "K"})
+        if (const Word* w = word(name)) return fail_word(Alarm::CodesContradict, *w, std::string(name) + ", AP RP");
+    const double now_p = core_.path.programmed[p] - geo.pole[0], now_q = core_.path.programmed[q] - geo.pole[1];
+    const Word* angle = word("AP");
+    const Word* radius = word("RP");
+    if (angle) {
+        if (std::fabs(angle->number()) > 360) return fail_word(Alarm::ValueOutOfRange, *angle, "AP", angle->number());
+        geo.polar_angle_deg = is_incremental(*angle) ? geo.polar_angle_deg + angle->number() : angle->number();
+    }
+    if (radius && radius->number() != 0) {
+        if (radius->number() < 0) return fail_word(Alarm::NegativeSign, *radius, "RP");
+        geo.polar_radius = (radius->mode == Mode::IC ? geo.polar_radius : 0.0) + radius->number() * unit();
+    } else {   // the distance of the point where the tool stands
+        const double distance = std::hypot(now_p, now_q);
+        if (distance < 1e-7 && radius) return fail_word(Alarm::PolarRadiusNone, *radius);
+        geo.polar_radius = distance;
+        if (distance < 1e-7) geo.polar_radius = 0.0;
+    }
+    target[p] = geo.pole[0] + geo.polar_radius * std::cos(geo.polar_angle_deg * kDegree);
+    target[q] = geo.pole[1] + geo.polar_radius * std::sin(geo.polar_angle_deg * kDegree);
+    return true;
+}
+
+// G110 from the last point, G111 from the zero, G112 from the last pole; G90 and G91 do not matter.
+bool Interpreter::geo_pole(const GCode& code) {
+    if (!needs_plane()) return false;
+    GeoModal& geo = modal_.geo;
+    const auto [p, q] = plane_places();
+    std::array<double, 2> from{};
+    if (code.name == "G110") from = {core_.path.programmed[p], core_.path.programmed[q]};
+    else if (code.name == "G112") from = geo.pole;
+    if (polar_ahead()) {
+        const Word* angle = word("AP");
+        const Word* radius = word("RP");
+        if (!angle || !radius) return fail(Alarm::ReturnValueMissing, angle ? "RP" : "AP");
+        if (radius->number() < 0) return fail_word(Alarm::NegativeSign, *radius, "RP");
+        from[0] += radius->number() * unit() * std::cos(angle->number() * kDegree);
+        from[1] += radius->number() * unit() * std::sin(angle->number() * kDegree);
+    }
+    for (const Word& w : block_.words) {
+        if (w.address->name != "axis") continue;
+        const auto i = static_cast<std::size_t>(w.axis);
+        if (i != p && i != q) continue;   // the pole lies in the plane
+        if (polar_ahead()) return fail_word(Alarm::CodesContradict, w, axis_name(w.axis) + ", AP RP");
+        from[i == p ? 0 : 1] += length_mm(w, w.axis, false);
+    }
+    geo.pole = from;
+    geo.polar_angle_deg = geo.polar_radius = 0.0;
+    return true;
+}
+
+// --- G0, G1
+
+bool Interpreter::geo_motion(const GCode& code) {
+    return driven([&] {
+        AxisValues target{};
+        AxisSet named = 0;
+        if (!read_axis_words(target, named)) return false;
+        if (polar_ahead()) {
+            if (!polar_target(target)) return false;
+            named |= 1u;
+        }
+        if (has("ANG")) return angle_line(target, named, code.number == 1);
+        if (modal_.geo.open_line && named) return fail(Alarm::ContourLineOpen);
+        if (!named) return corner_words(false);
+        if (block_.coded[7]) complete_plane(target);
+        return go_line(target, code.number == 1);
+    });
+}
+
+// A block that switches compensation moves both axes of the plane; the one without a word stays where it was programmed.
+void Interpreter::complete_plane(AxisValues& target) {
+    const auto [p, q] = plane_places();
+    for (const std::size_t i : {p, q})
+        if (!(axis_words() >> i & 1u)) target[i] = core_.path.programmed[i];
+}
+
+// --- straight lines by their angle
+
+// 10.9.5: no axis of the plane: first of two lines; one: the other follows; two: second of two lines.
+bool Interpreter::angle_line(AxisValues target, AxisSet named, bool rapid) {
+    if (!needs_plane()) return false;
+    const auto [p, q] = plane_places();
+    GeoModal& geo = modal_.geo;
+    const Word& angle = *word("ANG");
+    const bool with_p = named >> p & 1u, with_q = named >> q & 1u;
+    if (geo.open_line) return second_line(target, angle);
+    if (with_p && with_q) return fail_word(Alarm::ContourAngleIllegal, angle);
+    if (!with_p && !with_q) return open_line(angle, rapid);
+    const double c = std::cos(angle.number() * kDegree), s = std::sin(angle.number() * kDegree);
+    const auto [known, wanted] = with_p ? std::pair{p, q} : std::pair{q, p};
+    const double share = with_p ? c : s, other = with_p ? s : c, way = target[known] - core_.path.programmed[known];
+    if (std::fabs(share) < 1e-12) return fail_word(Alarm::ContourAngleIllegal, angle);   // the line never gets there
+    target[wanted] = core_.path.programmed[wanted] + way / share * other;
+    return go_line(target, rapid);
+}
+
+// What the block says holds for its line; the line itself waits for the next one.
+bool Interpreter::open_line(const Word& angle, bool rapid) {
+    OpenLine line;
+    line.angle_deg = angle.number();
+    line.at = core_.at;
+    line.feed = core_.path.feed;
+    line.rapid = rapid;
+    for (const std::string_view name : {"RND", "CHR", "CHF"})
+        if (const Word* w = word(name)) {
+            if (w->number() < 0) return fail_word(Alarm::NegativeSign, *w, std::string(name));
+            line.corner_size = w->number() * unit();
+            line.corner_shape = static_cast<std::uint8_t>(name == "RND" ? corners::Shape::Rounding : name == "CHR" ? corners::Shape::ChamferLeg : corners::Shape::ChamferLength);
+        }
+    if (line.corner_size == 0) line.corner_size = modal_.geo.rounding;
+    if (const Word* own = word("FRC")) line.corner_feed = own->number() * feed_unit();
+    else line.corner_feed = modal_.geo.corner_feed;
+    modal_.geo.open_line = line;
+    return core_.reserve_move();
+}
+
+//   start + t (cos a1, sin a1) = end - s (cos a2, sin a2),  t > 0
+bool Interpreter::second_line(const AxisValues& target, const Word& angle) {
+    const auto [p, q] = plane_places();
+    const OpenLine line = *modal_.geo.open_line;
+    modal_.geo.open_line.reset();
+    const AxisValues from = core_.path.programmed;
+    const double c1 = std::cos(line.angle_deg * kDegree), s1 = std::sin(line.angle_deg * kDegree);
+    const double c2 = std::cos(angle.number() * kDegree), s2 = std::sin(angle.number() * kDegree);
+    const double sine = c1 * s2 - s1 * c2, dp = target[p] - from[p], dq = target[q] - from[q];
+    if (std::fabs(sine) < 1e-9) return fail_word(Alarm::ContourLinesParallel, angle);
+    const double t = (dp * s2 - dq * c2) / sine;
+    if (t <= kSame) return fail_word(Alarm::ContourLinesParallel, angle);
+    AxisValues corner = from;
+    corner[p] += t * c1;
+    corner[q] += t * s1;
+    if (!within_areas(corner)) return false;
+    bool made = true;
+    core_.insert_reserved([&] {
+        const BlockContext here = core_.at;
+        const double feed = core_.path.feed;
+        core_.at = line.at;
+        core_.path.feed = line.feed;
+        corners::Call call;
+        call.shape = static_cast<corners::Shape>(line.corner_shape);
+        call.size = line.corner_size;
+        call.from_next = !settings_.corner_from_this;
+        call.feed = call.from_next ? 0.0 : line.corner_feed;
+        call.reduce = !settings_.corner_alarm;
+        call.idle_blocks = static_cast<unsigned>(settings_.corner_idle_blocks);
+        made = (call.size <= 0 || core_.corner(call)) && (line.rapid ? core_.rapid(corner) : core_.linear(corner));
+        core_.at = here;
+        core_.path.feed = feed;
+    });
+    return made && go_line(target, modal_.active[1] == 1);
+}
+
+// --- addresses that hold from block to block
+
+bool Interpreter::a_geometry(const Word& word) {
+    GeoModal& geo = modal_.geo;
+    const std::string_view name = word.address->name;
+    if (name == "RNDM") {
+        if (word.number() < 0) return fail_word(Alarm::NegativeSign, word, "RNDM");
+        geo.rounding = word.number() * unit();
+    } else if (name == "FRCM") {
+        if (word.number() < 0) return fail_word(Alarm::NegativeSign, word, "FRCM");
+        geo.corner_feed = word.number() * feed_unit();
+    } else if (name == "OFFN") {
+        geo.allowance = word.number() * unit();
+        apply_tool();
+    } else if (name == "DISC") {
+        if (word.number() < 0 || word.number() > 100) return fail_word(Alarm::ValueOutOfRange, word, "DISC", word.number());
+        geo.disc = word.number();
+        return update_compensation();
+    } else if (name == "SF") {
+        if (word.number() < 0 || word.number() >= 360) return fail_word(Alarm::ValueOutOfRange, word, "SF", word.number());
+        geo.thread_angle = word.number();
+    }
+    state_changed_ = true;
+    return true;
+}
+
+bool Interpreter::a_without_effect(const Word& word) {
+    core_.mark_emitted();
+    core_.sink().alarm({Alarm::WordWithoutEffect, {files_->path(levels_.back().file), core_.at.line, word.column, word.length}, {}, std::string(word.address->name)}, core_.at);
+    return true;
+}
 
 }  // namespace polyturn::channels::sinumerik

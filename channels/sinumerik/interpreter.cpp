@@ -114,7 +114,7 @@ void Interpreter::finish(StopReason reason) {
 }
 
 Step Interpreter::step() {
-    if (core_.compensating()) {
+    if (core_.reads_ahead()) {
         if (core_.halted()) return Step::AtBarrier;
         if (!ended_ && !core_.compensation_failed()) return fault(core_.fault());
     }
@@ -150,9 +150,9 @@ Step Interpreter::end_of_text() {
         return Step::Continue;
     }
     finish(StopReason::End);
-    if (core_.compensating() && !core_.compensation_failed()) return fault(core_.fault());
+    if (core_.reads_ahead() && !core_.compensation_failed()) return fault(core_.fault());
     core_.end_block();
-    if (core_.compensating() && core_.halted()) return Step::AtBarrier;
+    if (core_.reads_ahead() && core_.halted()) return Step::AtBarrier;
     return Step::Ended;
 }
 
@@ -211,7 +211,7 @@ Step Interpreter::read_block() {
     bool skipped = false;
     if (!parse_head(skipped)) return after_block(false);
     if (skipped || cursor_.at_end()) {
-        if (core_.compensating() && !skipped && !core_.end_compensated_block(false, false, false)) return fault(core_.fault());
+        if (core_.reads_ahead() && !skipped && !core_.end_compensated_block(false, false, false)) return fault(core_.fault());
         return Step::Continue;
     }
     state_changed_ = true;
@@ -265,7 +265,7 @@ Step Interpreter::after_block(bool ok) {
         return Step::AtBarrier;
     }
     block_undo_.clear();
-    if (core_.compensating()) {
+    if (core_.reads_ahead()) {
         const bool counts = !called_ && !(block_.words.empty() && block_.codes.empty());
         if (!core_.end_compensated_block(counts, wants_barrier_, ended_)) return fault(core_.fault());
     }
@@ -277,7 +277,7 @@ Step Interpreter::after_block(bool ok) {
         const ModalCall call = *modal_.call;
         if (!call_program(call.name, call.arguments, 1, true)) return fault(core_.fault());
     }
-    if (core_.compensating()) return core_.halted() ? Step::AtBarrier : ended_ ? Step::Ended : Step::Continue;
+    if (core_.reads_ahead()) return core_.halted() ? Step::AtBarrier : ended_ ? Step::Ended : Step::Continue;
     if (ended_) return Step::Ended;
     return wants_barrier_ ? Step::AtBarrier : Step::Continue;
 }

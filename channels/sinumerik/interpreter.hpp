@@ -169,7 +169,34 @@ public:
 
     // --- geometry (geo_*.cpp)
     bool geo_motion(const GCode&);
+    bool geo_arc(const GCode&);
+    bool geo_cip(const GCode&);
+    bool geo_ct(const GCode&);
+    bool geo_thread(const GCode&);
+    bool geo_barrel(const GCode&);
+    bool geo_tap(const GCode&);
+    bool geo_tap_chuck(const GCode&);
     bool geo_dwell(const GCode&);
+    bool geo_reference(const GCode&);
+    bool geo_fixed_point(const GCode&);
+    bool geo_frame(const GCode&);
+    bool geo_partial_shift(const GCode&);
+    bool geo_limits(const GCode&);
+    bool geo_pole(const GCode&);
+    bool geo_compensation(const GCode&);
+    bool geo_comp_option(const GCode&);
+    bool geo_comp_kind(const GCode&);
+    bool geo_approach(const GCode&);
+    bool geo_retract(const GCode&);
+    bool a_geometry(const Word&);
+    bool a_without_effect(const Word&);
+    bool f_ctrans(Call&);
+    bool f_cfine(Call&);
+    bool f_cscale(Call&);
+    bool f_crot(Call&);
+    bool f_cmirror(Call&);
+    bool f_crpl(Call&);
+    bool f_invframe(Call&);
 
     // --- addresses (settings_words.cpp, tools.cpp, spindles.cpp)
     bool a_feed(const Word&);
@@ -330,6 +357,49 @@ private:
     void apply_tool();
     bool spindle_words();
     bool with_spindle(std::uint16_t spindle, const std::function<bool()>& act);
+
+    // geometry (geo_*.cpp)
+    std::array<std::size_t, 2> plane_places();
+    bool needs_plane();
+    bool driven(const std::function<bool()>& drive);
+    bool corner_words(bool contour);
+    bool go_line(const AxisValues& target, bool rapid);
+    bool go_arc(const AxisValues& target, const ArcCall& call);
+    void note_tangent(const AxisValues& from, const AxisValues& to);
+    bool polar_ahead() const;
+    bool polar_target(AxisValues& target);
+    void complete_plane(AxisValues& target);
+    bool angle_line(AxisValues target, AxisSet named, bool rapid);
+    bool open_line(const Word& angle, bool rapid);
+    bool second_line(const AxisValues& target, const Word& angle);
+    bool full_turns(ArcCall& call);
+    bool centre_words(ArcCall& call, bool& any);
+    bool fit_centre(const AxisValues& target, ArcCall& call);
+    bool centre_by_radius(const AxisValues& target, double radius, ArcCall& call);
+    Plane arc_plane() const;
+    bool arc_by_words(bool clockwise, AxisValues target, AxisSet named);
+    bool arc_through(const Point3& a, const Point3& b, const Point3& c, const AxisValues& target);
+    bool pitch_word(double& pitch, unsigned& axis, const Word*& said);
+    double thread_start() const;
+    bool barrel_arc(AxisValues& target, ArcCall& arc);
+    bool within_areas(const AxisValues& target);
+    bool limit_speed(const Word& word, bool high);
+    Frame frame_of(const FrameValue& value) const;
+    FrameValue components_of(const Frame& frame, const FrameValue& like) const;
+    void use_frame();
+    bool set_programmable_frame(const FrameValue& value);
+    bool frame_words(const GCode& code, FrameValue& value, std::optional<Frame>& about);
+    bool solid_angles(Frame& frame);
+    bool f_frame(Call& call, std::string_view name);
+    bool geometry_value(const std::string& name, const std::vector<Value>& indices, Value& value, bool& known);
+    bool write_geometry(const std::string& name, const std::vector<Value>& indices, const Value& value, bool& known);
+    static double& frame_part(FrameValue& frame, std::size_t place, const std::string& part, bool& known);
+    bool update_compensation();
+    bool approach_words(const GCode& code, SoftApproach& soft);
+    int approach_side(const SoftApproach& soft, double tp, double tq, double op, double oq) const;
+    bool approach_line(const AxisValues& to, bool rapid, double feed, std::uint8_t mode);
+    bool approach_curve(const SoftApproach& soft, const AxisValues& to, int side, const std::array<double, 2>& centre, double feed, std::uint8_t mode);
+    bool finish_approach(const AxisValues& target, const ArcCall* arc, bool& taken);
 
     // expressions (expression.cpp)
     bool expression(Value& value);

@@ -27,11 +27,11 @@ void Interpreter::note_resume_point() {
         state->levels = levels_;
         state->macros = macros_;
         state->parts = parts_;
-        points_.push_back({serial_, source_->next_position(), std::move(state), core_.compensating()});
+        points_.push_back({serial_, source_->next_position(), std::move(state), core_.reads_ahead()});
         state_changed_ = false;
         return;
     }
-    points_.push_back({serial_, source_->next_position(), points_.back().state, core_.compensating()});
+    points_.push_back({serial_, source_->next_position(), points_.back().state, core_.reads_ahead()});
 }
 
 void Interpreter::executed(std::uint64_t serial) {

@@ -26,6 +26,18 @@ Settings read_settings(const params::Table& table, const MachineView& view) {
     s.tool_travels = get(table, sd42442, l) != 0;
     s.circle_error_mm = get(table, md21000, l);
     s.circle_error_factor = get(table, md21010, l);
+    s.mirror_toggle = get(table, md10612) != 0;
+    s.corner_alarm = (get(table, md11411) & 16) != 0;
+    s.corner_idle_blocks = static_cast<int>(get(table, md20200, l));
+    s.corner_from_this = (get(table, md20201, l) & 1) != 0;
+    s.corner_limit_deg = get(table, md20210, l);
+    s.comp_idle_blocks = static_cast<int>(get(table, md20250, l));
+    s.fine_translation = get(table, md24000, l) != 0;
+    for (unsigned i = 0; i < view.axis_count; ++i) {
+        const unsigned a = view.axes[i].machine_axis;
+        s.area_plus[a] = get(table, sd43400, a + 1) != 0, s.area_minus[a] = get(table, sd43410, a + 1) != 0;
+        s.area_high[a] = get(table, sd43420, a + 1), s.area_low[a] = get(table, sd43430, a + 1);
+    }
     s.thread_start_deg = get(table, sd42000, l);
     return s;
 }

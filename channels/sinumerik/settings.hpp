@@ -25,6 +25,15 @@ struct Settings {
     double m19_position_deg = 0.0;               // SD43240
     int m19_mode = 0;                            // SD43250
     double thread_start_deg = 0.0;               // SD42000
+    bool mirror_toggle = false;                  // MD10612
+    bool corner_alarm = false;                   // MD11411 bit 4
+    int corner_idle_blocks = 3;                  // MD20200
+    bool corner_from_this = false;               // MD20201 bit 0
+    double corner_limit_deg = 100.0;             // MD20210
+    int comp_idle_blocks = 3;                    // MD20250
+    bool fine_translation = true;                // MD24000
+    std::array<bool, kMaxAxes> area_plus{}, area_minus{};       // SD43400, SD43410: by machine axis
+    std::array<double, kMaxAxes> area_high{}, area_low{};       // SD43420, SD43430
     bool mode_828d = false;
 };
 

@@ -138,6 +138,8 @@ bool Interpreter::system_value(Value& value) {
         if (name != "$AC_PARAM") value = name == "$AC_MARKER" ? Value::of_int(value.number) : Value::of_bool(value.number != 0);
         return true;
     }
+    if (bool known = false; !geometry_value(name, indices, value, known)) return fault_column_ = cursor_.column(from), fault_length_ = length, false;
+    else if (known) return true;
     DataCell data;
     if (!data_cell(name, indices, from, length, data)) return false;
     if (data.row) {
@@ -242,6 +244,8 @@ bool Interpreter::parse_system_assignment() {
         written_.push_back({slot, value});
         return true;
     }
+    if (bool known = false; !write_geometry(name, indices, value, known)) return fault_column_ = cursor_.column(from), fault_length_ = length, false;
+    else if (known) return true;
     DataCell data;
     if (!data_cell(name, indices, from, length, data)) return false;
     if (data.row) {

@@ -121,7 +121,9 @@ void Interpreter::apply_tool() {
     if (edge && modal_.toff_by_axis)
         for (int g = 0; g < 3; ++g) add(g, modal_.toff.length_mm[static_cast<std::size_t>(g)]);
     const bool tipped = type >= 400 && type < 600;   // turning and grinding: the edge has a position
-    state.nose_radius = edge ? edge->dp[6] + edge->dp[15] + modal_.toff.radius_mm : 0.0;
+    const bool wear_only = active(22) == 9 || active(22) == 10;   // CUT2DD CUT2DFD
+    state.nose_radius = edge ? (wear_only ? 0.0 : edge->dp[6]) + edge->dp[15] + modal_.toff.radius_mm + modal_.geo.allowance : 0.0;
+    state.geometry = edge ? 1 : 0;
     state.tip = edge && tipped ? static_cast<std::int32_t>(edge->dp[2]) : edge ? 9 : 0;
     state.nose_off = edge == nullptr;
     const AxisValues before = core_.path.programmed;

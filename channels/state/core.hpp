@@ -112,6 +112,12 @@ struct ArcCall {
     double tolerance = 0.02;
 };
 
+// What lies between the programmed point and the machine beside the tool: to put it away for a block (G53) and back.
+struct Zeros {
+    AxisValues external{}, work{}, preset{}, local{};
+    Frame frame;
+};
+
 struct ThreadCall {
     double lead = 0.0;                      // mm along the axis that travels most
     double lead_change = 0.0;               // mm a revolution
@@ -123,6 +129,7 @@ struct ThreadCall {
     // Way out when the thread is held, as Move has it. Not told: PT_THREAD_RETRACT against the last infeed.
     std::array<std::int8_t, 3> withdraw_axis{-1, -1, -1};
     std::array<double, 3> withdraw{};
+    const ArcCall* arc = nullptr;           // on an arc, by its centre
 };
 
 class Core {
@@ -164,6 +171,8 @@ public:
     void take_wanted();                                   // the vector holds without a move: the programmed numbers change
     // The whole chain of programmable frames as one, invertible; Frame{} for none.
     void set_frame(const Frame& frame);
+    Zeros zeros() const { return {path.external, path.work, path.preset, path.local, path.framed ? path.frame : Frame{}}; }
+    void set_zeros(const Zeros& zeros);
     AxisValues framed(const AxisValues& programmed) const;      // frame(programmed)
     AxisValues unframed(const AxisValues& point) const;         // programmed
     AxisValues framed_now() const;                              // where the tool stands, in the system around the frame
@@ -193,6 +202,7 @@ public:
     // --- nose-radius compensation (channels/compensation). While it is on, blocks are read ahead of what has been delivered:
     // the language tells the end of each block and stops at barriers when halted() says so.
     void compensation_options(const compensation::Options& options);
+    void update_compensation(const compensation::Options& options);   // likewise, and from the next move on while it is on
     bool compensation(CompSide side);                     // G41, G42
     bool compensation_off(double wish_p, double wish_q);  // G40; direction in which the contour would go on, 0 0 none
     void compensation_reset();                            // reset, cycle start: nothing is delivered any more
@@ -216,6 +226,7 @@ public:
 
     // --- chamfers, roundings (channels/corners)
     bool corner(const corners::Call& call);               // at the end of the next move
+    void corner_feed(double feed) { if (staged_) stage_->next_feed(feed); }   // own feed of an element that belongs to the next block; 0 its
     // The next block tells where this one ends (a line by its angle): what comes meanwhile waits for it.
     bool reserve_move();
     bool move_reserved() const { return staged_ && stage_->reserved(); }
@@ -243,6 +254,7 @@ private:
     bool spindle_to(double degrees, SpindleApproach approach, double way_deg);
     void turn_with_move();
     bool begin_move(const AxisValues& target, MoveKind kind);
+    bool shape_arc(ArcCall call, unsigned p, unsigned q, bool& moves);
     bool feed_ready();
     void tell_feed_path();
     bool spindle_ready(Alarm otherwise);

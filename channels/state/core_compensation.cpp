@@ -20,6 +20,17 @@ Core::~Core() = default;
 
 void Core::compensation_options(const compensation::Options& options) { comp_options_ = options; }
 
+// What compensation is told waits behind a move that is held for its corner.
+template <class Told> void Core::tell_comp(Told&& told) {
+    if (staged_ && stage_->holding()) stage_->later([this, told] { tell_comp(told); });
+    else told(*comp_);
+}
+
+void Core::update_compensation(const compensation::Options& options) {
+    comp_options_ = options;
+    if (reads_ahead()) tell_comp([options](compensation::Compensator& comp) { comp.set_options(options); });
+}
+
 bool Core::compensation(CompSide side) {
     if (side == CompSide::Off) return compensation_off(0.0, 0.0);
     int p = -1, q = -1;
@@ -50,12 +61,6 @@ void Core::chain() {
     if (!comp_) comp_ = std::make_unique<compensation::Compensator>();
     comp_->open(*out_, 0, 1, comp_options_);
     sink_ = comp_.get();
-}
-
-// What compensation is told waits behind a move that is held for its corner.
-template <class Told> void Core::tell_comp(Told&& told) {
-    if (staged_ && stage_->holding()) stage_->later([this, told] { tell_comp(told); });
-    else told(*comp_);
 }
 
 bool Core::stage_corners() {

@@ -84,6 +84,13 @@ void Core::set_frame(const Frame& frame) {
     if (compensating_ && comp_side_ != CompSide::Off && mirrored != frame_mirrors_plane()) select_side();
 }
 
+void Core::set_zeros(const Zeros& zeros) {
+    path.external = zeros.external, path.work = zeros.work, path.preset = zeros.preset, path.local = zeros.local;
+    for (unsigned i = 0; i < view_->axis_count; ++i) path.zero[i] = path.external[i] + path.work[i] + path.preset[i] + path.local[i];
+    set_frame(zeros.frame);
+    refresh_surface_zero();
+}
+
 bool Core::frame_mirrors_plane() const {
     if (!path.framed) return false;
     static constexpr std::size_t kPlane[3][2] = {{0, 1}, {2, 0}, {1, 2}};   // XY ZX YZ

@@ -272,7 +272,22 @@ bool Core::arc(const AxisValues& target, const ArcCall& programmed) {
     auto p = static_cast<unsigned>(pi), q = static_cast<unsigned>(qi);
     ArcCall call = programmed;
     if (path.framed && !frame_arc(call, target, p, q)) return false;
-    if (!begin_move(target, call.clockwise ? MoveKind::ArcCw : MoveKind::ArcCcw)) return false;
+    bool moves = false;
+    if (!begin_move(target, call.clockwise ? MoveKind::ArcCw : MoveKind::ArcCcw) || !shape_arc(call, p, q, moves)) return false;
+    if (!moves) {
+        accept(target);
+        return true;
+    }
+    if (!zones_allow() || !feed_ready()) return false;
+    deliver();
+    path.after_thread = false;
+    accept(target);
+    return true;
+}
+
+// Fills what is an arc's own in move_, whose ends stand; the call is the one outside the frame.
+bool Core::shape_arc(ArcCall call, unsigned p, unsigned q, bool& moves) {
+    moves = false;
     const double to_machine_p = path.zero[p] + path.shift[p] + path.wanted[p];
     const double to_machine_q = path.zero[q] + path.shift[q] + path.wanted[q];
     const double sp = move_.machine_start[p], sq = move_.machine_start[q], ep = move_.machine[p], eq = move_.machine[q];
@@ -280,10 +295,7 @@ bool Core::arc(const AxisValues& target, const ArcCall& programmed) {
     double cp = 0.0, cq = 0.0;
     if (call.has_radius) {
         if (call.radius == 0.0) return fail(Alarm::ArcRadiusIllegal, 'R');
-        if (chord < kSamePoint) {   // an arc by its radius that goes nowhere has no angle
-            accept(target);
-            return true;
-        }
+        if (chord < kSamePoint) return true;   // an arc by its radius that goes nowhere has no angle
         const double radius = std::fabs(call.radius), half = chord / 2;
         if (half - radius > call.tolerance + kSame) return fail(Alarm::RadiusTooSmall, 'R', {}, half - radius);
         const double height = radius > half ? std::sqrt((radius - half) * (radius + half)) : 0.0;
@@ -314,10 +326,7 @@ bool Core::arc(const AxisValues& target, const ArcCall& programmed) {
     move_.radius_end = re;
     move_.sweep = call.clockwise ? -sweep : sweep;
     move_.turns = call.turns;
-    if (sweep == 0.0) {
-        accept(target);
-        return true;
-    }
+    if (sweep == 0.0) return true;
     // Where the arc bulges beyond both ends: at whole quarter turns inside the sweep.
     const double first = call.clockwise ? a1 : a0;   // lower end of the angle range
     AxisValues extreme = move_.machine;
@@ -330,10 +339,7 @@ bool Core::arc(const AxisValues& target, const ArcCall& programmed) {
         }
     }
     move_.moved |= (1u << p) | (1u << q);
-    if (!zones_allow() || !feed_ready()) return false;
-    deliver();
-    path.after_thread = false;
-    accept(target);
+    moves = true;
     return true;
 }
 
@@ -356,6 +362,17 @@ void Core::choose_withdrawal(const ThreadCall& call, unsigned along) {
 bool Core::thread(const AxisValues& target, const ThreadCall& call) {
     if (call.lead <= 0.0) return fail(Alarm::LeadMissing, 'F');
     if (!begin_move(target, MoveKind::Thread)) return false;
+    move_.sweep = 0.0;
+    if (call.arc) {
+        int pi = -1, qi = -1;
+        plane_axes(pi, qi);
+        if (pi < 0 || qi < 0) return fail(Alarm::PlaneAxisMissing);
+        auto p = static_cast<unsigned>(pi), q = static_cast<unsigned>(qi);
+        ArcCall arc = *call.arc;
+        bool moves = false;
+        if (path.framed && !frame_arc(arc, target, p, q)) return false;
+        if (!shape_arc(arc, p, q, moves)) return false;
+    }
     if (!move_.moved) {
         accept(target);
         return true;
@@ -378,7 +395,7 @@ bool Core::thread(const AxisValues& target, const ThreadCall& call) {
     if (!any) return fail(Alarm::LeadIllegal, 'F', {}, call.lead);
     if (call.by_axis) along = call.axis, longest = std::fabs(move_.machine[along] - move_.machine_start[along]);
     if (longest <= kSame) return fail(Alarm::LeadIllegal, 'F', {}, call.lead);
-    const double length = std::sqrt(length2), lead_path = call.lead * length / longest;
+    const double length = call.arc ? std::fabs(move_.sweep) * move_.radius : std::sqrt(length2), lead_path = call.lead * length / longest;
     if (const double rpm = spindle_rpm_at(nearest_x); rpm > 0) {
         double most = rpm;
         int slow = -1;

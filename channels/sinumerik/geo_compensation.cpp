@@ -1,0 +1,44 @@
+// Tool radius compensation: G40 G41 G42 and what shapes it - NORM KONT, G450 G451, G460 to G462, OFFN (sinumerik_part2 11).
+#include "channels/sinumerik/interpreter.hpp"
+
+namespace polyturn::channels::sinumerik {
+
+bool Interpreter::update_compensation() {
+    using namespace compensation;
+    Options options;
+    options.entry = active(17) == 1 ? Entry::Direct : Entry::Tangent;
+    options.corner = active(18) == 2 || modal_.geo.disc >= 100 ? Corner::Intersection : Corner::Arc;
+    options.intersection_from_deg = 180.0 - settings_.corner_limit_deg;
+    options.short_last = active(48) == 2 ? ShortLast::Circle : active(48) == 3 ? ShortLast::Line : ShortLast::None;
+    options.looks_back = true;
+    options.constant = active(40) == 2;
+    options.idle_blocks = static_cast<unsigned>(settings_.comp_idle_blocks);
+    options.idle_is_fault = true;
+    core_.update_compensation(options);
+    return true;
+}
+
+// Groups 17 18 23 40 48: they act with the moves of their block.
+bool Interpreter::geo_comp_option(const GCode& code) {
+    activate(code.group, code.number);
+    return update_compensation();
+}
+
+bool Interpreter::geo_comp_kind(const GCode& code) {   // group 22: CUT2DD CUT2DFD count the radius wear only
+    activate(code.group, code.number);
+    apply_tool();
+    return true;
+}
+
+bool Interpreter::geo_compensation(const GCode& code) {
+    modal_.geo.side_before = static_cast<std::uint8_t>(active(7));
+    if (const GCode* soft = block_.coded[2]; code.number == 1 && soft && soft->number >= 14 && soft->number <= 16) return true;   // the retract ends it itself
+    if (code.number == 1) return core_.compensation_off(0.0, 0.0);
+    const GCode* motion = motion_code();
+    const bool arc = motion && motion->group == 1 && motion->number > 2;
+    if (arc && !core_.compensating()) return fail(Alarm::CompArcStartEnd);
+    if (!update_compensation()) return false;
+    return core_.compensation(code.number == 2 ? CompSide::Left : CompSide::Right);
+}
+
+}  // namespace polyturn::channels::sinumerik

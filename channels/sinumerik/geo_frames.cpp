@@ -1,0 +1,280 @@
+// Programmable frames: TRANS ROT SCALE MIRROR and their additive forms, G58 G59, frame functions (sinumerik_part2 13).
+#include <cmath>
+#include <numbers>
+
+#include "channels/sinumerik/interpreter.hpp"
+
+namespace polyturn::channels::sinumerik {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+// Places of X, Y, Z in the channel; -1 missing.
+std::array<int, 3> geometry(const MachineView& view) {
+    return {view.axis_by_role(PlaneRole::BasicX), view.axis_by_role(PlaneRole::BasicY), view.axis_by_role(PlaneRole::BasicZ)};
+}
+
+// X''Y'Z: about Z, then the new Y, then the new X.
+Frame turned(const Point3& degrees) {
+    return Frame::rotation(GeoAxis::Z, degrees[2]) * Frame::rotation(GeoAxis::Y, degrees[1]) * Frame::rotation(GeoAxis::X, degrees[0]);
+}
+
+// The angles of turned() of a pure rotation.
+Point3 angles_of(const std::array<Point3, 3>& m) {
+    const double y = std::asin(std::fmax(-1.0, std::fmin(1.0, -m[2][0])));
+    if (std::fabs(m[2][0]) > 1 - 1e-12) return {std::atan2(-m[1][2], m[1][1]) / kDegree, y / kDegree, 0.0};
+    return {std::atan2(m[2][1], m[2][2]) / kDegree, y / kDegree, std::atan2(m[1][0], m[0][0]) / kDegree};
+}
+
+}  // namespace
+
+// Component order inside one frame: translation, rotation, scale, mirror (13.2).
+Frame Interpreter::frame_of(const FrameValue& value) const {
+    const MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    const auto geo = geometry(view);
+    Point3 shift{}, degrees{}, factor{1, 1, 1};
+    Frame f;
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (geo[k] < 0) continue;
+        const auto i = static_cast<std::size_t>(geo[k]);
+        shift[k] = value.coarse_mm[i] + value.fine_mm[i];
+        degrees[k] = value.rotation_deg[i];
+        factor[k] = (value.scale[i] == 0 ? 1.0 : value.scale[i]) * (value.mirrored >> i & 1u ? -1.0 : 1.0);
+    }
+    f = Frame::translation(shift) * turned(degrees) * Frame::scaling(factor);
+    for (unsigned i = 0; i < view.axis_count; ++i) {
+        if (static_cast<int>(i) == geo[0] || static_cast<int>(i) == geo[1] || static_cast<int>(i) == geo[2]) continue;
+        f.offset[i] = value.coarse_mm[i] + value.fine_mm[i];
+        f.scale[i] = (value.scale[i] == 0 ? 1.0 : value.scale[i]) * (value.mirrored >> i & 1u ? -1.0 : 1.0);
+    }
+    return f;
+}
+
+// The components of a rule that is one of `like` and further translations, rotations, scales and mirrors: what has changed
+// of the translation counts as fine.
+FrameValue Interpreter::components_of(const Frame& frame, const FrameValue& like) const {
+    const MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    const auto geo = geometry(view);
+    FrameValue value = like;
+    auto m = frame.linear;
+    for (std::size_t k = 0; k < 3; ++k) {
+        double length = std::sqrt(m[0][k] * m[0][k] + m[1][k] * m[1][k] + m[2][k] * m[2][k]);
+        const bool mirrored = geo[k] >= 0 && (like.mirrored >> geo[k] & 1u);
+        for (auto& row : m) row[k] /= mirrored ? -length : length;
+        if (geo[k] < 0) continue;
+        const auto i = static_cast<std::size_t>(geo[k]);
+        value.scale[i] = length;
+        value.fine_mm[i] = frame.shift[k] - like.coarse_mm[i];
+    }
+    const Point3 degrees = angles_of(m);
+    for (std::size_t k = 0; k < 3; ++k)
+        if (geo[k] >= 0) value.rotation_deg[static_cast<std::size_t>(geo[k])] = degrees[k];
+    for (unsigned i = 0; i < view.axis_count; ++i) {
+        if (static_cast<int>(i) == geo[0] || static_cast<int>(i) == geo[1] || static_cast<int>(i) == geo[2]) continue;
+        value.fine_mm[i] = frame.offset[i] - like.coarse_mm[i];
+        value.scale[i] = std::fabs(frame.scale[i]);
+    }
+    return value;
+}
+
+void Interpreter::use_frame() {
+    state_changed_ = true;
+    zeros_change([this] { core_.set_frame(modal_.geo.exact); });
+}
+
+// $P_PFRAME = ..., or one component of it.
+bool Interpreter::set_programmable_frame(const FrameValue& value) {
+    const Frame frame = frame_of(value);
+    if (!frame.invertible()) return fail(Alarm::FrameFactorIllegal, {}, 0.0);
+    modal_.geo.frame = value;
+    modal_.geo.exact = frame;
+    use_frame();
+    return true;
+}
+
+// What one frame command says, as components. Values of X are radii whatever DIAMON says (MD20360, delivery state).
+bool Interpreter::frame_words(const GCode& code, FrameValue& value, std::optional<Frame>& about) {
+    const MachineView& view = core_.view();
+    const auto geo = geometry(view);
+    const std::string_view kind = code.name[0] == 'A' ? code.name.substr(1) : code.name;
+    const Word* rpl = word("RPL");
+    if (rpl && kind != "ROT") return fail_word(Alarm::AddressIllegal, *rpl, "RPL");
+    if (rpl) {
+        static constexpr std::size_t kApplicate[] = {2, 1, 0};
+        if (axis_words()) return fail_word(Alarm::CodesContradict, *rpl, "RPL, X Y Z");
+        const std::size_t upright = kApplicate[static_cast<std::size_t>(core_.path.plane)];
+        if (std::fabs(rpl->number()) > 360) return fail_word(Alarm::ValueOutOfRange, *rpl, "RPL", rpl->number());
+        if (geo[upright] >= 0) value.rotation_deg[static_cast<std::size_t>(geo[upright])] = rpl->number();
+        about = Frame::rotation(static_cast<GeoAxis>(upright), rpl->number());   // a lathe has no Y, and turns about it
+    }
+    for (const Word& w : block_.words) {
+        if (w.axis < 0 || w.address->name != "axis") continue;
+        const auto i = static_cast<std::size_t>(w.axis);
+        if (kind == "TRANS") {
+            value.coarse_mm[i] = view.axes[i].rotary ? w.number() : w.number() * unit();
+        } else if (kind == "ROT" || kind == "ROTS") {
+            if (w.axis != geo[0] && w.axis != geo[1] && w.axis != geo[2]) return fail_word(Alarm::AxisKindWrong, w, view.axes[i].name);
+            if (std::fabs(w.number()) > 360) return fail_word(Alarm::ValueOutOfRange, w, view.axes[i].name, w.number());
+            value.rotation_deg[i] = w.number();
+        } else if (kind == "SCALE") {
+            if (w.number() == 0) return fail_word(Alarm::FrameFactorIllegal, w, {}, 0.0);
+            value.scale[i] = std::fabs(w.number());
+            if (w.number() < 0) value.mirrored |= 1u << i;
+        } else {
+            value.mirrored |= 1u << i;
+        }
+    }
+    return true;
+}
+
+// ROTS: the first angle turns about one axis, the second about the turned other one (13.6).
+bool Interpreter::solid_angles(Frame& frame) {
+    const auto geo = geometry(core_.view());
+    struct Order { std::size_t first, second; GeoAxis about_first, about_second; };
+    static constexpr Order kOrders[] = {{0, 1, GeoAxis::Y, GeoAxis::X}, {2, 0, GeoAxis::X, GeoAxis::Z}, {1, 2, GeoAxis::Z, GeoAxis::Y}};
+    std::array<const Word*, 3> of{};
+    unsigned count = 0;
+    for (const Word& w : block_.words)
+        for (std::size_t k = 0; k < 3; ++k)
+            if (w.address->name == "axis" && w.axis == geo[k] && w.axis >= 0) of[k] = &w, ++count;
+    if (count > 2) return fail(Alarm::FrameAnglesTooMany);
+    if (count == 1) {
+        for (std::size_t k = 0; k < 3; ++k)
+            if (of[k]) frame = Frame::rotation(static_cast<GeoAxis>(k), of[k]->number());
+        return true;
+    }
+    for (const Order& order : kOrders)
+        if (of[order.first] && of[order.second])
+            frame = Frame::rotation(order.about_first, of[order.first]->number()) * Frame::rotation(order.about_second, of[order.second]->number());
+    return true;
+}
+
+bool Interpreter::geo_frame(const GCode& code) {
+    const bool additive = code.name[0] == 'A';
+    const std::string_view kind = additive ? code.name.substr(1) : code.name;
+    GeoModal& geo = modal_.geo;
+    FrameValue said;
+    std::optional<Frame> about;
+    if (!frame_words(code, said, about)) return false;
+    if (kind == "MIRROR" && settings_.mirror_toggle) {   // MD10612: the value says whether
+        for (const Word& w : block_.words) {
+            if (w.axis < 0 || w.address->name != "axis") continue;
+            const AxisSet bit = 1u << w.axis;
+            const bool wanted = w.number() != 0, is = additive && (geo.frame.mirrored & bit);
+            if (wanted == is) said.mirrored &= ~bit;
+        }
+    }
+    Frame step = about ? *about : frame_of(said);
+    if (kind == "ROTS" && !solid_angles(step)) return false;
+    if (!additive) {
+        geo.exact = step;
+        geo.frame = said;
+        if (kind == "ROTS") geo.frame = components_of(step, said);
+    } else {
+        geo.frame.mirrored ^= said.mirrored;
+        geo.exact = geo.exact * step;
+        geo.frame = components_of(geo.exact, geo.frame);
+    }
+    use_frame();
+    return true;
+}
+
+// G58, G59: coarse and fine translation of the named axes (13.4); on the 828D they are settable offsets.
+bool Interpreter::geo_partial_shift(const GCode& code) {
+    if (!settings_.fine_translation) return fail(Alarm::FineTranslationOff, std::string(code.name));
+    GeoModal& geo = modal_.geo;
+    const auto places = geometry(core_.view());
+    for (const Word& w : block_.words) {
+        if (w.axis < 0 || w.address->name != "axis") continue;
+        const auto i = static_cast<std::size_t>(w.axis);
+        double& part = code.name == "G58" ? geo.frame.coarse_mm[i] : geo.frame.fine_mm[i];
+        const double value = core_.view().axes[i].rotary ? w.number() : w.number() * unit(), by = value - part;
+        part = value;
+        bool done = false;
+        for (std::size_t k = 0; k < 3; ++k)
+            if (places[k] == w.axis) geo.exact.shift[k] += by, done = true;
+        if (!done) geo.exact.offset[i] += by;
+    }
+    use_frame();
+    return true;
+}
+
+// --- frames as values: CTRANS(X,10):CROT(Z,90)
+
+bool Interpreter::chain_frames(Value& left, const Value& right) {
+    static const FrameValue kNone;
+    const FrameValue& a = left.frame ? *left.frame : kNone;
+    const FrameValue& b = right.frame ? *right.frame : kNone;
+    FrameValue like = a;
+    like.mirrored ^= b.mirrored;
+    FrameValue sum = components_of(frame_of(a) * frame_of(b), like);
+    bool plain = true;   // coarse and fine stay apart where nothing turns or scales them
+    for (unsigned i = 0; i < core_.view().axis_count; ++i)
+        plain = plain && a.rotation_deg[i] == 0 && (a.scale[i] == 0 || a.scale[i] == 1) && !(a.mirrored >> i & 1u);
+    for (std::size_t i = 0; i < sum.fine_mm.size(); ++i) {
+        if (plain) {
+            sum.coarse_mm[i] = a.coarse_mm[i] + b.coarse_mm[i];
+            sum.fine_mm[i] = a.fine_mm[i] + b.fine_mm[i];
+        } else {
+            sum.coarse_mm[i] += sum.fine_mm[i] - a.fine_mm[i];
+            sum.fine_mm[i] = a.fine_mm[i];
+        }
+    }
+    left = Value::of_frame(sum);
+    return true;
+}
+
+bool Interpreter::f_frame(Call& call, std::string_view name) {
+    FrameValue value;
+    for (std::size_t k = 0; k < call.arguments.size(); ++k) {
+        if (!call.has(k)) return fail(Alarm::ArgumentCountIllegal, std::string(name), static_cast<double>(k));
+        const int place = call.value(k).place();
+        if (place < 0 || static_cast<unsigned>(place) >= core_.view().axis_count) return fail(Alarm::AxisKindWrong, call.value(k).text);
+        const auto i = static_cast<std::size_t>(place);
+        if (name == "CMIRROR") {
+            value.mirrored |= 1u << i;
+            continue;
+        }
+        if (!call.has(k + 1)) return fail(Alarm::ArgumentCountIllegal, std::string(name), static_cast<double>(k));
+        const double number = call.number(++k), mm = core_.view().axes[i].rotary ? number : number * unit();
+        if (name == "CTRANS") value.coarse_mm[i] = mm;
+        else if (name == "CFINE") value.fine_mm[i] = mm;
+        else if (name == "CROT") value.rotation_deg[i] = number;
+        else if (number == 0) return fail(Alarm::FrameFactorIllegal, {}, 0.0);
+        else value.scale[i] = number;
+    }
+    call.result = Value::of_frame(value);
+    return true;
+}
+bool Interpreter::f_ctrans(Call& call) { return f_frame(call, "CTRANS"); }
+bool Interpreter::f_cfine(Call& call) { return f_frame(call, "CFINE"); }
+bool Interpreter::f_cscale(Call& call) { return f_frame(call, "CSCALE"); }
+bool Interpreter::f_crot(Call& call) { return f_frame(call, "CROT"); }
+bool Interpreter::f_cmirror(Call& call) { return f_frame(call, "CMIRROR"); }
+
+bool Interpreter::f_crpl(Call& call) {   // CRPL(0|1|2|3, angle): the active plane, XY, ZX, YZ
+    static constexpr int kApplicate[] = {2, 1, 0};
+    const int which = static_cast<int>(call.number(0));
+    if (which < 0 || which > 3) return fail(Alarm::ValueOutOfRange, "CRPL", which);
+    const int upright = kApplicate[which == 0 ? static_cast<std::size_t>(core_.path.plane) : static_cast<std::size_t>(which - 1)];
+    const int place = geometry(core_.view())[static_cast<std::size_t>(upright)];
+    if (place < 0) return fail(Alarm::FrameAxisMissing, std::string(1, "XYZ"[upright]));
+    FrameValue value;
+    value.rotation_deg[static_cast<std::size_t>(place)] = call.number(1);
+    call.result = Value::of_frame(value);
+    return true;
+}
+
+bool Interpreter::f_invframe(Call& call) {
+    static const FrameValue kNone;
+    const FrameValue& value = call.value(0).frame ? *call.value(0).frame : kNone;
+    const Frame inverse = frame_of(value).inverse();
+    FrameValue like;
+    like.mirrored = value.mirrored;
+    FrameValue result = components_of(inverse, like);
+    std::swap(result.coarse_mm, result.fine_mm);
+    call.result = Value::of_frame(result);
+    return true;
+}
+
+}  // namespace polyturn::channels::sinumerik

@@ -1,0 +1,114 @@
+// Positions of the machine and limits of the working area: G4, G74, G75, G25, G26, WALCS (sinumerik_part2 15).
+#include <cmath>
+
+#include "channels/sinumerik/interpreter.hpp"
+#include "ipc/params/table.hpp"
+
+namespace polyturn::channels::sinumerik {
+namespace {
+
+constexpr double kOnLimit = 1e-6;   // mm: exactly on the limit is inside
+
+}  // namespace
+
+// G4 F seconds, G4 S revolutions of the master spindle, G4 S2= of another one.
+bool Interpreter::geo_dwell(const GCode&) {
+    const Word* seconds = word("F");
+    const Word* turns = word("S");
+    if (seconds && turns) return fail_word(Alarm::CodesContradict, *turns, "F, S");
+    if (seconds) return core_.dwell(seconds->number(), false);
+    if (!turns) return fail(Alarm::ReturnValueMissing, "F, S");
+    return with_spindle(turns->index > 0 ? static_cast<std::uint16_t>(turns->index) : 0, [&] { return core_.dwell(turns->number(), true); });
+}
+
+bool Interpreter::geo_reference(const GCode&) {
+    const AxisSet which = axis_words();
+    if (!which) return true;
+    if (core_.compensating()) return fail(Alarm::CompReference);
+    AxisValues machine = core_.path.machine;
+    for (unsigned i = 0; i < core_.view().axis_count; ++i)
+        if (which >> i & 1u) machine[i] = core_.view().axes[i].reference_mm[0];
+    if (!core_.reference(machine, which, MoveKind::Reference)) return false;
+    stop_reading();
+    return true;
+}
+
+// FP=1..4: MD30600, machine coordinates; frames, zeros and tool count for nothing in this block.
+bool Interpreter::geo_fixed_point(const GCode&) {
+    const AxisSet which = axis_words();
+    const Word* fp = word("FP");
+    int n = 1;
+    if (fp && fp->number() != 0) {
+        if (fp->number() != std::floor(fp->number()) || fp->number() < 1) return fail_word(Alarm::ValueOutOfRange, *fp, "FP", fp->number());
+        n = static_cast<int>(std::fmin(fp->number(), 100.0));
+    }
+    if (!which) return true;
+    if (core_.compensating()) return fail(Alarm::CompReference);
+    AxisValues machine = core_.path.machine;
+    for (unsigned i = 0; i < core_.view().axis_count; ++i) {
+        if (!(which >> i & 1u)) continue;
+        const unsigned number = core_.view().axes[i].machine_axis + 1u;
+        if (n > static_cast<int>(params::get(core_.view().table(), params::md30610, number))) return fail(Alarm::FixedPointMissing, core_.view().axes[i].name, n);
+        machine[i] = params::get(core_.view().table(), params::md30600, number, static_cast<unsigned>(n - 1));
+    }
+    core_.force_exact_stop();
+    if (!core_.machine_rapid(machine, which)) return false;
+    stop_reading();
+    return true;
+}
+
+// G25 lower, G26 upper limits in the basic system; S: limits of spindle speeds.
+bool Interpreter::geo_limits(const GCode& code) {
+    const bool high = code.name == "G26";
+    GeoModal& geo = modal_.geo;
+    unsigned count = 0;
+    for (const Word& w : block_.words) {
+        if (w.address->name == "S") {
+            if (++count > 3) return fail_word(Alarm::FunctionsTooMany, w, "S");
+            if (w.number() < 0.1 || w.number() > 9'999'999.9) return fail_word(Alarm::ValueOutOfRange, w, "S", w.number());
+            if (!limit_speed(w, high)) return false;
+        }
+        if (w.axis < 0 || w.address->name != "axis") continue;
+        const auto i = static_cast<std::size_t>(w.axis);
+        (high ? geo.high : geo.low)[i] = length_mm(w, w.axis, false);
+        (high ? geo.area_high : geo.area_low) |= 1u << i;
+    }
+    state_changed_ = true;
+    return true;
+}
+
+// G26 S: the highest speed of the spindle. A lower limit binds the machine, not the program: it is only kept.
+bool Interpreter::limit_speed(const Word& word, bool high) {
+    if (!high) return true;
+    return with_spindle(word.index > 0 ? static_cast<std::uint16_t>(word.index) : 0, [&] { return core_.spindle_limit(word.number()) && core_.commit_spindle(); });
+}
+
+// The point lies inside all limits that act: WALIMON those of G25, G26 in the basic system, WALCS its group's.
+bool Interpreter::within_areas(const AxisValues& target) {
+    const GeoModal& geo = modal_.geo;
+    const bool basic = active(28) == 1, group = active(60) > 1;
+    if (!basic && !group) return true;
+    const MachineView& view = core_.view();
+    const AxisValues settable = core_.framed(target);
+    const auto outside = [&](std::size_t i, double value, double limit) {
+        return fail(Alarm::WorkingAreaLeft, view.axes[i].name, view.to_shown(static_cast<unsigned>(i), value), view.to_shown(static_cast<unsigned>(i), limit));
+    };
+    for (unsigned i = 0; i < view.axis_count; ++i) {
+        if (basic) {
+            const double value = settable[i] + core_.path.zero[i];
+            const bool plus = settings_.area_plus[view.axes[i].machine_axis], minus = settings_.area_minus[view.axes[i].machine_axis];
+            const double high = geo.area_high >> i & 1u ? geo.high[i] : settings_.area_high[view.axes[i].machine_axis];
+            const double low = geo.area_low >> i & 1u ? geo.low[i] : settings_.area_low[view.axes[i].machine_axis];
+            if (plus && value > high + kOnLimit) return outside(i, value, high);
+            if (minus && value < low - kOnLimit) return outside(i, value, low);
+        }
+        if (!group) continue;
+        const AreaGroup& area = geo.areas[active(60) - 2];
+        const double value = area.workpiece ? target[i] : settable[i];
+        if (area.plus >> i & 1u && value > area.high[i] + kOnLimit) return outside(i, value, area.high[i]);
+        if (area.minus >> i & 1u && value < area.low[i] - kOnLimit) return outside(i, value, area.low[i]);
+    }
+    return true;
+}
+
+}  // namespace polyturn::channels::sinumerik

@@ -1,0 +1,118 @@
+// System variables of the geometry: $P_PFRAME and its components, $P_WORKAREA_CS_..., poles and radii that are read by name.
+#include <cmath>
+
+#include "channels/sinumerik/interpreter.hpp"
+
+namespace polyturn::channels::sinumerik {
+namespace {
+
+constexpr std::string_view kArea = "$P_WORKAREA_CS_";
+
+}  // namespace
+
+// TR coarse, FI fine translation, RT rotation, SC scale.
+double& Interpreter::frame_part(FrameValue& frame, std::size_t place, const std::string& part, bool& known) {
+    static double nothing = 0.0;
+    known = true;
+    if (part == "TR") return frame.coarse_mm[place];
+    if (part == "FI") return frame.fine_mm[place];
+    if (part == "RT") return frame.rotation_deg[place];
+    if (part == "SC") return frame.scale[place];
+    known = false;
+    return nothing;
+}
+
+bool Interpreter::geometry_value(const std::string& name, const std::vector<Value>& indices, Value& value, bool& known) {
+    known = true;
+    GeoModal& geo = modal_.geo;
+    if (name == "$P_PFRAME" || name == "$P_ACTFRAME") {
+        if (indices.empty()) return value = Value::of_frame(geo.frame), true;
+        const int place = indices[0].type == Type::Axis ? indices[0].place() : -1;
+        if (place < 0 || place >= static_cast<int>(core_.view().axis_count) || indices.size() != 2) return fail(Alarm::ArrayIndexIllegal, name);
+        const auto i = static_cast<std::size_t>(place);
+        const std::string part = upper(indices[1].text);
+        if (part == "MI") return value = Value::of_bool(geo.frame.mirrored >> i & 1u), true;
+        bool good = false;
+        double number = frame_part(geo.frame, i, part, good);
+        if (!good) return fail(Alarm::ArrayIndexIllegal, part);
+        if (part == "SC" && number == 0) number = 1.0;
+        if ((part == "TR" || part == "FI") && !core_.view().axes[i].rotary) number /= unit();
+        return value = Value::of_real(number), true;
+    }
+    if (name.starts_with(kArea)) {
+        const std::string part = name.substr(kArea.size());
+        const double g = indices.empty() ? -1 : indices[0].number;
+        if (!(g >= 0 && g <= 9)) return fail(Alarm::ArrayIndexIllegal, name, g);
+        const AreaGroup& area = geo.areas[static_cast<std::size_t>(g)];
+        if (part == "COORD_SYSTEM") return value = Value::of_int(area.workpiece ? 1 : 3), true;
+        const int place = indices.size() == 2 && indices[1].type == Type::Axis ? indices[1].place() : -1;
+        if (place < 0 || place >= static_cast<int>(core_.view().axis_count)) return fail(Alarm::AxisArgumentMissing, name);
+        const auto i = static_cast<std::size_t>(place);
+        if (part == "PLUS_ENABLE") return value = Value::of_bool(area.plus >> i & 1u), true;
+        if (part == "MINUS_ENABLE") return value = Value::of_bool(area.minus >> i & 1u), true;
+        if (part == "LIMIT_PLUS") return value = Value::of_real(area.high[i]), true;
+        if (part == "LIMIT_MINUS") return value = Value::of_real(area.low[i]), true;
+    }
+    known = false;
+    return true;
+}
+
+// Acts at once, in the order of the text; a block that has to wait for a barrier puts it back.
+bool Interpreter::write_geometry(const std::string& name, const std::vector<Value>& indices, const Value& value, bool& known) {
+    known = true;
+    GeoModal& geo = modal_.geo;
+    if (name == "$P_PFRAME") {
+        FrameValue frame = geo.frame;
+        if (indices.empty()) {
+            if (value.type != Type::Frame) return fail(Alarm::ConversionImpossible, name);
+            frame = value.frame ? *value.frame : FrameValue{};
+        } else {
+            const int place = indices[0].type == Type::Axis ? indices[0].place() : -1;
+            if (place < 0 || place >= static_cast<int>(core_.view().axis_count) || indices.size() != 2) return fail(Alarm::ArrayIndexIllegal, name);
+            const auto i = static_cast<std::size_t>(place);
+            const std::string part = upper(indices[1].text);
+            if (part == "MI") {
+                frame.mirrored = value.is_true() ? frame.mirrored | 1u << i : frame.mirrored & ~(1u << i);
+            } else {
+                bool good = false;
+                double& cell = frame_part(frame, i, part, good);
+                if (!good) return fail(Alarm::ArrayIndexIllegal, part);
+                const bool length = (part == "TR" || part == "FI") && !core_.view().axes[i].rotary;
+                cell = value.number * (length ? unit() : 1.0);
+            }
+        }
+        const GeoModal before = geo;
+        const AxisValues pending = modal_.pending_zero;
+        if (!set_programmable_frame(frame)) return false;
+        undo([this, before, pending] {
+            modal_.geo.frame = before.frame, modal_.geo.exact = before.exact;
+            core_.set_frame(before.exact);
+            modal_.pending_zero = pending;
+        });
+        return true;
+    }
+    if (name.starts_with(kArea)) {
+        const std::string part = name.substr(kArea.size());
+        const double g = indices.empty() ? -1 : indices[0].number;
+        if (!(g >= 0 && g <= 9)) return fail(Alarm::ArrayIndexIllegal, name, g);
+        AreaGroup& area = geo.areas[static_cast<std::size_t>(g)];
+        undo([this, g, before = area] { modal_.geo.areas[static_cast<std::size_t>(g)] = before; });
+        if (part == "COORD_SYSTEM") {
+            if (value.number != 1 && value.number != 3) return fail(Alarm::ValueOutOfRange, name, value.number);
+            area.workpiece = value.number == 1;
+            return true;
+        }
+        const int place = indices.size() == 2 && indices[1].type == Type::Axis ? indices[1].place() : -1;
+        if (place < 0 || place >= static_cast<int>(core_.view().axis_count)) return fail(Alarm::AxisArgumentMissing, name);
+        const auto i = static_cast<std::size_t>(place);
+        const AxisSet bit = 1u << i;
+        if (part == "PLUS_ENABLE") return area.plus = value.is_true() ? area.plus | bit : area.plus & ~bit, true;
+        if (part == "MINUS_ENABLE") return area.minus = value.is_true() ? area.minus | bit : area.minus & ~bit, true;
+        if (part == "LIMIT_PLUS") return area.high[i] = value.number, true;
+        if (part == "LIMIT_MINUS") return area.low[i] = value.number, true;
+    }
+    known = false;
+    return true;
+}
+
+}  // namespace polyturn::channels::sinumerik
