@@ -44,7 +44,7 @@ TEST(FagorBlock, MovesWhereItsWordsSay) {
         {"G152\nG11 G13\nG00 X1 Z2\nG10\nG14 Z\nZ9", "-1,-2 -1,-9"},
         {"G152\nG00 X0 Z10\nG01 G36 R2 X10 F100\nZ0", "0,10 8,10 10,8 10,0"},              // [6.9]
         {"G152\nG00 X0 Z10\nG01 G39 R2 X10 F100\nZ0", "0,10 8,10 10,8 10,0"},              // [6.10]
-        {"G152\nG00 X20 Z30\nG01 G37 R5 X0 Z10 F100\nZ0", "20,30 1.464466,13.535534 0,10 0,0"},   // [6.7] tangent of 45 degrees
+        {"G152\nG00 X20 Z30\nG01 G37 R5 X0 Z10 F100\nZ0", "20,30 1.680816,13.739388 0,10 0,0"},   // [6.7] on the circle about X5 Z10
     };
     for (const Row& row : rows) EXPECT_EQ(points(play(row.program, fagor())), row.points) << row.program;
 }
@@ -55,7 +55,7 @@ TEST(FagorBlock, ArcsGoTheWayTheirFormSays) {
         return played.find({"centre"});
     };
     EXPECT_NE(arc("G152\nG00 X10 Z0\nG02 X10 Z0 K5 I0 F100").find("\"kind\":\"cw\""), std::string::npos);      // [6.3] a full circle
-    EXPECT_NE(arc("G152\nG00 X10 Z0\nG03 X0 Z10 R-10 F100").find("\"centre\":{\"Z\":10,\"X\":10}"), std::string::npos);
+    EXPECT_NE(arc("G152\nG00 X10 Z0\nG03 X0 Z10 R-10 F100").find("\"centre\":{\"Z\":0,\"X\":0}"), std::string::npos);
     EXPECT_NE(arc("G152\nG00 X10 Z0\nG01 Z-5 F100\nG08 X20 Z-15").find("\"radius\":10"), std::string::npos);    // [6.5]
     EXPECT_NE(arc("G152\nG00 X0 Z10\nG09 X0 Z-10 I10 K0 F100").find("\"kind\":\"ccw\""), std::string::npos);    // [6.6]
     EXPECT_NE(arc("G152\nG00 X10 Z0\nG06 G02 X0 Z10 I0 K0 F100").find("\"centre\":{\"Z\":0,\"X\":0}"), std::string::npos);   // [6.4]
@@ -92,7 +92,7 @@ TEST(FagorBlock, RefusesByName) {
     const Refusal rows[] = {
         {"G60 X1", Alarm::GCodeUnknown, "\"column\":1"},
         {"G152\n\nG00 X1", Alarm::FagorBlockEmpty, "\"line\":2"},
-        {"G54 X1", Alarm::FagorAlone, "\"line\":1"},
+        {"G54 M8", Alarm::FagorAlone, "\"line\":1"},
         {"G00 G01 X1", Alarm::FagorIncompatible, "\"number\":7"},
         {"G152\nG00 X5\nG02 X5 R4 F10", Alarm::FagorFullCircle, "\"line\":3"},
         {"G152\nG00 X10 Z0\nG02 X0 Z20 K3 F10", Alarm::ArcRadiusDiffers, "\"line\":3"},
@@ -110,7 +110,7 @@ TEST(FagorBlock, RefusesByName) {
         {"G81 X30 Z0 Q54 R-24 C0", Alarm::FagorCycleZero, "\"line\":1"},
         {"G86 X30 Z0 Q30 R-20 I1 B0.2 C1 M0.1 K-10", Alarm::FagorCyclePair, "\"line\":1"},
         {"G88 X30 Z0 Q30 R-20 C2", Alarm::FagorGrooveDepth, "\"line\":1"},
-        {"G152\nG20 K1 X0 Z0\nG21 K1 X5 Z5\nG22 K1 S1\nG00 X10 Z10\nX1 Z1", Alarm::FagorZoneEntered, "\"line\":6"},
+        {"G152\nG00 X10 Z10\nG20 K1 X0 Z0\nG21 K1 X5 Z5\nG22 K1 S1\nX1 Z1", Alarm::FagorZoneEntered, "\"line\":6"},
     };
     for (const Refusal& row : rows) {
         const Played played = play(row.program, fagor());
@@ -130,7 +130,7 @@ TEST(FagorCompensation, BeginsAndEndsWhereItStands) {
     };
     EXPECT_EQ(with_nose("G152\nT1 D1\nG00 X10 Z20\nG41 G01 X10 Z20 F100\nZ0\nG40 Z0\nX20", 0), "10,20 8,20 8,0 10,0 20,0");
     EXPECT_EQ(with_nose("G152\nT1 D1\nG00 X10 Z20\nG42 G01 X10 Z20 F100\nZ0\nG40 G00 X30", 0), "10,20 12,20 12,2 30,0");
-    EXPECT_EQ(with_nose("G152\nT1 D1\nG00 X10 Z20\nG42 G01 X10 Z20 F100\nZ0\nG40 G00 X30", 3), "10,20 10,20 10,0 30,0");
+    EXPECT_EQ(with_nose("G152\nT1 D1\nG00 X10 Z20\nG42 G01 X10 Z20 F100\nZ0\nG40 G00 X30", 3), "10,20 10,18 10,0 30,0");
 }
 
 }  // namespace
