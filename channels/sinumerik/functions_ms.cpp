@@ -125,6 +125,8 @@ bool Interpreter::functions_after() {
         unsigned programs = 0;
         for (const Level& level : levels_) programs += !level.section;
         if (programs > 1) return return_from_level();   // M2 and M30 of a subprogram are its end
+        if (modal_.geo.open_line) return fail(Alarm::ContourLineOpen);
+        if (modal_.geo.approach) return fail(Alarm::ApproachNoEnd);
         core_.mark_emitted();
         core_.sink().part(++parts_, core_.at);
         finish(m == 2 ? StopReason::M02 : StopReason::M30);   // M17 of a main program acts as M30
