@@ -24,6 +24,38 @@ void take_common_offsets(ChannelStore& store, const ChannelStore& from, const Co
     for (std::size_t n = 1; n <= common.count && n < store.offsets.size(); ++n) store.offsets[n] = from.offsets[n];
 }
 
+namespace {
+
+// What belongs to the drive, whatever address it has.
+void take_drive(ChannelAxis& to, const AxisConfig& from, const params::Table& table) {
+    to.machine_axis = static_cast<std::uint8_t>(from.number - 1);
+    to.hypothetical = from.hypothetical;
+    to.max_feed_mm_min = from.limits.max_feed_mm_s * 60.0;
+    to.reference_mm = from.reference_mm;
+    to.stroke = from.hypothetical ? AxisStroke{} : read_axis_stroke(table, from.number);
+    to.by_plc = !from.rotary && !params::bit(table, params::n0106_axis_properties, from.number, 5);
+    to.limited = to.stroke.range1;
+    to.limit_max = to.stroke.a.high;
+    to.limit_min = to.stroke.a.low;
+}
+
+}  // namespace
+
+bool take_routes(MachineView& view, std::span<const std::uint8_t> route) {
+    bool changed = false;
+    for (unsigned place = 0; place < view.axis_count; ++place) {
+        ChannelAxis& axis = view.axes[place];
+        const unsigned now = route[axis.home_axis] ? route[axis.home_axis] - 1u : axis.home_axis;
+        if (now == axis.machine_axis) continue;
+        take_drive(axis, view.machine.axis(now + 1u), view.table());
+        const bool away = now != axis.home_axis;
+        axis.negated = away && params::bit(view.table(), params::n2105_composit_config, axis.home_axis + 1u, 0);
+        axis.mirrored = away && params::bit(view.table(), params::n2105_composit_config, axis.home_axis + 1u, 2);
+        changed = true;
+    }
+    return changed;
+}
+
 MachineView make_machine_view(const params::Table& table, unsigned channel) {
     MachineView view;
     view.channel = channel;
@@ -39,24 +71,17 @@ MachineView make_machine_view(const params::Table& table, unsigned channel) {
         const AxisConfig& from = view.machine.axis(config.axes[place]);
         ChannelAxis& to = view.axes[place];
         to.name = std::string(from.name_text());
-        to.machine_axis = static_cast<std::uint8_t>(from.number - 1);
+        to.machine_axis = to.home_axis = static_cast<std::uint8_t>(from.number - 1);
         to.role = from.role;
         to.diameter = from.diameter;
         to.rotary = from.rotary;
-        to.hypothetical = from.hypothetical;
         to.rollover = from.rollover;
         to.rollover_shortest = from.rollover_shortest;
         to.rollover_sign_is_direction = from.rollover_sign_is_direction;
         to.rollover_reduces_increments = from.rollover_reduces_increments;
         to.rollover_deg = from.rollover_deg > 0 ? from.rollover_deg : 360.0;
         to.increment = std::pow(10.0, -static_cast<double>(config.decimals()));
-        to.max_feed_mm_min = from.limits.max_feed_mm_s * 60.0;
-        to.reference_mm = from.reference_mm;
-        if (!from.hypothetical) to.stroke = read_axis_stroke(table, from.number);
-        to.by_plc = !from.rotary && !params::bit(table, params::n0106_axis_properties, from.number, 5);
-        to.limited = to.stroke.range1;
-        to.limit_max = to.stroke.a.high;
-        to.limit_min = to.stroke.a.low;
+        take_drive(to, from, table);
     }
     view.shared = std::make_unique<std::array<double, 900>>();
     view.shared->fill(std::numeric_limits<double>::quiet_NaN());

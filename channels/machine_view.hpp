@@ -3,6 +3,7 @@
 // that it sees its own values at once (architecture 5.4).
 #pragma once
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -16,7 +17,21 @@ namespace polyturn::channels {
 
 struct ChannelAxis {
     std::string name;               // its own copy: a view can be moved
-    std::uint8_t machine_axis = 0;  // from 0
+    std::uint8_t machine_axis = 0;  // from 0: whose drive the address has now
+    std::uint8_t home_axis = 0;     // from 0: its own one
+    bool negated = false;           // exchanged, and the two move opposite ways (N2105 MMI)
+    bool mirrored = false;          // exchanged, and programmed for the virtual side (N2105 MCO)
+    double mirror_at = 0.0;         // address coordinate of the workpiece zero, kept by Core
+    bool turned_round() const { return negated || mirrored; }
+    bool reversed() const { return negated != mirrored; }
+    double to_drive(double address) const {
+        const double side = mirrored ? 2.0 * mirror_at - address : address;
+        return negated ? -side : side;
+    }
+    double from_drive(double drive) const {
+        const double side = negated ? -drive : drive;
+        return mirrored ? 2.0 * mirror_at - side : side;
+    }
     PlaneRole role = PlaneRole::None;
     bool diameter = false, rotary = false, hypothetical = false;
     bool rollover = false, rollover_shortest = false, rollover_sign_is_direction = false, rollover_reduces_increments = false;
@@ -63,6 +78,9 @@ CommonOffsets common_offsets(const MachineView& view);
 void take_common_offsets(ChannelStore& store, const ChannelStore& from, const CommonOffsets& common);
 
 // `channel` must exist in the machine (config().exists()); the store begins empty: zeros, variables null.
+// Which drives are behind the addresses: `route` by machine axis (from 0), 0 its own, else that axis (from 1) in its place.
+// True: something has changed.
+bool take_routes(MachineView& view, std::span<const std::uint8_t> route);
 MachineView make_machine_view(const params::Table& table, unsigned channel);
 void clear_store(ChannelStore& store);
 

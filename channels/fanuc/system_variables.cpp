@@ -99,15 +99,18 @@ VariableStatus Interpreter::read_system(std::int64_t number, double& value) {
     if (machine_now || work_now) {
         if (!fresh_) return VariableStatus::NeedsBarrier;
         const unsigned i = place_of(machine_now ? 5021 : 5041);
-        const double machine = port.axis_measured(view.axes[i].machine_axis).value_or(core_.path.machine[i]);
-        value = machine_now ? shown(i, machine)
+        const ChannelAxis& axis = view.axes[i];
+        const auto measured = port.axis_measured(axis.machine_axis);
+        const double machine = measured ? axis.from_drive(*measured) : core_.path.machine[i];
+        value = machine_now ? shown(i, axis.to_drive(machine) + port.axis_added(axis.machine_axis))
                             : shown(i, machine - core_.path.zero[i] - core_.path.shift[i] - core_.path.turns_deg[i]);
         return VariableStatus::Ok;
     }
     if (number >= 5061 && number < 5061 + static_cast<std::int64_t>(view.axis_count)) {
         if (!fresh_) return VariableStatus::NeedsBarrier;
         const unsigned i = place_of(5061);
-        const double machine = port.axis_at_skip(view.axes[i].machine_axis).value_or(core_.path.machine[i]);
+        const auto skipped = port.axis_at_skip(view.axes[i].machine_axis);
+        const double machine = skipped ? view.axes[i].from_drive(*skipped) : core_.path.machine[i];
         value = shown(i, machine - core_.path.zero[i] - core_.path.shift[i] - core_.path.turns_deg[i]);
         return VariableStatus::Ok;
     }

@@ -146,8 +146,9 @@ void ChannelProcess::begin_program() {
     if (!take_store()) return;
     port_.configure(view_->machine, services_.setup);
     port_.look();
+    take_routes(*view_, port_.picture().route);
     for (unsigned i = 0; i < view_->axis_count; ++i) view_->start[i] = *port_.axis_command(view_->axes[i].machine_axis);
-    limits_ = path_limits(view_->machine, view_->table(), channel_);
+    take_limits();
     maker_->discard();
     ring_->resume();
     if (supervisor_->options.notes && services_.make_describer) describer_ = services_.make_describer(*view_, note_text_);
@@ -167,6 +168,13 @@ void ChannelProcess::begin_program() {
     state_ = State::Reading;
 }
 
+// Limits of this channel's axes, lowered where others hang on them.
+void ChannelProcess::take_limits() {
+    limits_ = path_limits(view_->machine, view_->table(), channel_);
+    couplings_ = couplings_of(port_.picture());
+    lower_for_couplings(limits_, couplings_);
+}
+
 // The barrier has been executed: take what has changed outside, then read on.
 void ChannelProcess::go_on() {
     port_.look();
@@ -177,6 +185,8 @@ void ChannelProcess::go_on() {
     const bool shares = params::get(view_->table(), params::f6036, channel_) > 0 || params::get(view_->table(), params::f6037, channel_) > 0 ||
                         params::get(view_->table(), params::n1700_no_of_common_100) > 0 || params::get(view_->table(), params::n1701_no_of_common_500) > 0;
     if ((store_changed_ || shares || common_offsets(*view_).count) && !take_store()) return;
+    take_routes(*view_, port_.picture().route);
+    if (couplings_of(port_.picture()) != couplings_) take_limits();
     run_->barrier_done();
     state_ = State::Reading;
 }

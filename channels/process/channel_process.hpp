@@ -18,6 +18,7 @@
 #include <string>
 
 #include "channels/language.hpp"
+#include "channels/process/coupled_limits.hpp"
 #include "channels/process/record_sink.hpp"
 #include "channels/process/run_port.hpp"
 #include "ipc/memory/segment.hpp"
@@ -67,6 +68,7 @@ private:
                    OwnSegment<ChannelSegment> own, unsigned channel, ProcessServices services);
     void act(const ChannelEvent& event);
     void begin_program();
+    void take_limits();
     void go_on();
     void read_program();
     void end_program(StopReason reason);
@@ -91,6 +93,7 @@ private:
     NoteWriter notes_;
     RunPort port_;
     PathLimits limits_;
+    Couplings couplings_;          // those that limits_ were made for
     std::unique_ptr<PathMaker> maker_;
     std::unique_ptr<MachineView> view_;
     std::string note_text_;

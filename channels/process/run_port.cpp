@@ -14,11 +14,12 @@ void RunPort::look() {
 }
 
 std::optional<double> RunPort::axis_command(unsigned machine_axis) { return status_->axes[machine_axis].own; }
-std::optional<double> RunPort::axis_measured(unsigned machine_axis) { return status_->axes[machine_axis].act; }
+std::optional<double> RunPort::axis_measured(unsigned machine_axis) { return status_->axes[machine_axis].act - axis_added(machine_axis); }
+double RunPort::axis_added(unsigned machine_axis) { return status_->axes[machine_axis].cmd - status_->axes[machine_axis].own; }
 // Where the axis was when the signal came; it has braked since.
 std::optional<double> RunPort::axis_at_skip(unsigned machine_axis) {
     if (!own().skipped) return std::nullopt;
-    return status_->axes[machine_axis].skip;
+    return status_->axes[machine_axis].skip - axis_added(machine_axis);
 }
 
 bool RunPort::block_skip(unsigned number) { return number >= 1 && number <= 9 && (own().keys & (kKeyBlockSkip1 << (number - 1))) != 0; }

@@ -4,9 +4,11 @@
 
 #include <cmath>
 
+#include "channels/state/route_sink.hpp"   // likewise
+
 namespace polyturn::channels {
 
-Core::Core(MachineView& view, Sink& sink, Port& port) : view_(&view), sink_(&sink), out_(&sink), port_(&port) {
+Core::Core(MachineView& view, Sink& sink, Port& port) : view_(&view), sink_(&sink), out_(&sink), outermost_(&sink), port_(&port) {
     path.spindle.spindle = view.config().default_spindle;
     geo_ = {view.axis_by_role(PlaneRole::BasicX), view.axis_by_role(PlaneRole::BasicY), view.axis_by_role(PlaneRole::BasicZ)};
 }
@@ -17,16 +19,32 @@ bool Core::fail(Alarm alarm, char letter, std::string detail, double v0, double 
 }
 
 void Core::start_at_machine(const AxisValues& machine) {
-    path.machine = machine;
+    for (unsigned i = 0; i < view_->axis_count; ++i) path.machine[i] = view_->axes[i].from_drive(machine[i]);
     rebase_all();
 }
 
-void Core::take_machine(unsigned place, double machine) {
+void Core::take_machine(unsigned place, double drive) {
+    const double machine = view_->axes[place].from_drive(drive);
     path.machine[place] = compensating_ ? machine - (machine_now(place) - path.machine[place]) : machine;
     rebase(place);
 }
 
+// An exchange of axes moves nothing: positions are read anew at the same barrier.
+void Core::refresh_routes() {
+    bool any = false;
+    for (unsigned i = 0; i < view_->axis_count; ++i) {
+        view_->axes[i].mirror_at = path.zero[i];
+        any = any || view_->axes[i].turned_round();
+    }
+    if (any && !routes_) routes_ = std::make_unique<RouteSink>(*outermost_, *view_);
+    Sink* const out = any ? routes_.get() : outermost_;
+    if (out == out_) return;
+    if (sink_ == out_) sink_ = out;   // compensation keeps what it has opened; switching codes stand outside of it
+    out_ = out;
+}
+
 void Core::refresh_limits() {
+    refresh_routes();
     zones_.count = view_->axis_count;
     for (unsigned i = 0; i < view_->axis_count; ++i) {
         ChannelAxis& axis = view_->axes[i];
@@ -52,7 +70,14 @@ void Core::rebase(unsigned i) {
 }
 
 void Core::sum_zeros() {
-    for (unsigned i = 0; i < view_->axis_count; ++i) path.zero[i] = path.external[i] + path.work[i] + path.preset[i] + path.local[i];
+    for (unsigned i = 0; i < view_->axis_count; ++i) {
+        const double before = path.zero[i];
+        path.zero[i] = path.external[i] + path.work[i] + path.preset[i] + path.local[i];
+        ChannelAxis& axis = view_->axes[i];
+        if (!axis.mirrored) continue;
+        path.machine[i] += 2.0 * (path.zero[i] - before);   // the drive stays, its picture on the virtual side does not
+        axis.mirror_at = path.zero[i];
+    }
     rebase_all();
 }
 

@@ -34,6 +34,7 @@ namespace polyturn::channels {
 enum class Plane : std::uint8_t { XY, ZX, YZ };   // G17 G18 G19: first axis, second axis
 
 namespace compensation { class Compensator; }
+class RouteSink;
 
 // Why something cannot be done. `letter` names the word to point at; 0: the block.
 struct Fault {
@@ -153,8 +154,8 @@ public:
 
     // --- positions
     void start_at_machine(const AxisValues& machine);
-    void take_machine(unsigned place, double machine);    // after a barrier: where the axis really is
-    void refresh_limits();                                // stroke limits that hold now
+    void take_machine(unsigned place, double drive);      // after a barrier: where the axis really is
+    void refresh_limits();                                // at barriers: stroke limits and routes that hold now
     AxisSet plane_axes(int& p, int& q) const;             // places of the plane's axes; -1 missing
 
     // --- zeros and offsets: nothing moves
@@ -272,6 +273,7 @@ private:
     void drop_compensation_vector();
     void accept(const AxisValues& target);
     void sum_zeros();
+    void refresh_routes();
     void rebase(unsigned place);
     void rebase_all();
     void settle_turns();                                  // framed roll-over axes
@@ -288,6 +290,8 @@ private:
     std::array<int, 3> geo_{-1, -1, -1};   // places of X, Y, Z
     Sink* sink_;    // out_, or the compensator in front of it
     Sink* out_;
+    Sink* outermost_;                       // behind RouteSink
+    std::unique_ptr<RouteSink> routes_;     // while an address has another axis' drive
     Port* port_;
     Move move_;
     AxisValues framed_{};   // target of the move that is begun, outside the frame

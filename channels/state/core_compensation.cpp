@@ -1,6 +1,7 @@
 // Nose-radius compensation as the channel's state sees it: when it stands between Core and the sink, and which nose cuts.
 #include "channels/compensation/compensator.hpp"
 #include "channels/state/core.hpp"
+#include "channels/state/route_sink.hpp"
 
 namespace polyturn::channels {
 namespace {

@@ -65,9 +65,12 @@ bool Core::within_stroke(const AxisValues& machine, AxisSet moved) {
     }
     if (!view_->stroke.before_move || (view_->stroke.not_before_skip && move_.kind == MoveKind::Skip)) return true;
     StrokeFault out;
-    if (!forbidden(zones_, machine.data(), moved, out)) return true;
+    AxisValues drives = machine;
+    if (out_ != outermost_)
+        for (unsigned i = 0; i < view_->axis_count; ++i) drives[i] = view_->axes[i].to_drive(machine[i]);
+    if (!forbidden(zones_, drives.data(), moved, out)) return true;
     const ChannelAxis& axis = view_->axes[out.axis];
-    return fail(Alarm::StrokeExceeded, axis.name[0], std::string(axis.name), view_->to_shown(out.axis, machine[out.axis]), view_->to_shown(out.axis, out.limit));
+    return fail(Alarm::StrokeExceeded, axis.name[0], std::string(axis.name), view_->to_shown(out.axis, drives[out.axis]), view_->to_shown(out.axis, out.limit));
 }
 
 // The zones hold for the tool's tip in the machine: its lengths are taken off (fagor_8037t part 1, 3.8).
@@ -260,7 +263,7 @@ AxisSet Core::take_skip() {
         take_machine(i, *stopped);
         skip_point_[i] = path.programmed[i];
         if (const auto rests = port_->axis_command(view_->axes[i].machine_axis)) take_machine(i, *rests);
-        if (std::fabs(*stopped - skip_target_[i]) > kLimitSlack) early |= 1u << i;
+        if (std::fabs(view_->axes[i].from_drive(*stopped) - skip_target_[i]) > kLimitSlack) early |= 1u << i;
     }
     return early;
 }

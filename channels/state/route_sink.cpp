@@ -1,0 +1,29 @@
+#include "channels/state/route_sink.hpp"
+
+namespace polyturn::channels {
+
+void RouteSink::move(const Move& m, const BlockContext& at) {
+    routed_ = m;
+    for (unsigned i = 0; i < view_->axis_count; ++i) {
+        const ChannelAxis& axis = view_->axes[i];
+        if (!axis.turned_round()) continue;
+        routed_.machine_start[i] = axis.to_drive(m.machine_start[i]);
+        routed_.machine[i] = axis.to_drive(m.machine[i]);
+    }
+    if (m.kind == MoveKind::ArcCw || m.kind == MoveKind::ArcCcw) {
+        const ChannelAxis &p = view_->axes[m.plane_p], &q = view_->axes[m.plane_q];
+        if (p.turned_round()) routed_.centre_p = p.to_drive(m.centre_p);
+        if (q.turned_round()) routed_.centre_q = q.to_drive(m.centre_q);
+        if (p.reversed() != q.reversed()) routed_.sweep = -m.sweep;
+    }
+    next_->move(routed_, at);
+}
+
+void RouteSink::spindle(const Spindle& s, const BlockContext& at) {
+    if (s.css_axis < 0 || !view_->axes[static_cast<std::size_t>(s.css_axis)].turned_round()) return next_->spindle(s, at);
+    Spindle routed = s;
+    routed.css_zero = view_->axes[static_cast<std::size_t>(s.css_axis)].to_drive(s.css_zero);
+    next_->spindle(routed, at);
+}
+
+}  // namespace polyturn::channels

@@ -1,0 +1,96 @@
+// Exchanged axes (nct part 2 22.4): where the borrowed drive goes, by the formulas of the specification.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core_rig.hpp"
+
+namespace polyturn::channels::testing {
+namespace {
+
+// X of L1 works with the drive of A3 (X of L2).
+struct BorrowedX : CoreRig {
+    explicit BorrowedX(int config, double drive_at, double zero = 0) {
+        params::put(*view.parameters, params::n2105_composit_config, config, 1);
+        view.store->zeros[static_cast<std::size_t>(kZeroG54Row) * kChannelAxes + x] = 2 * zero;   // shown as a diameter
+        core->load_zeros();
+        std::array<std::uint8_t, kMaxAxes> route{};
+        route[0] = 3, route[2] = 1;
+        EXPECT_TRUE(take_routes(view, route));
+        core->refresh_limits();
+        core->take_machine(x, drive_at);
+    }
+};
+
+TEST(Routes, TrueSideKeepsTheNumbers) {
+    BorrowedX rig(0, -40);
+    EXPECT_DOUBLE_EQ(rig.core->path.programmed[rig.x], -40);
+    ASSERT_TRUE(rig.line(-15, 5));
+    EXPECT_DOUBLE_EQ(rig.sink.moves().back().move.machine[rig.x], -15);
+    EXPECT_EQ(rig.view.axes[rig.x].machine_axis, 2);
+}
+
+TEST(Routes, VirtualSideIsMirroredAboutTheWorkpieceZero) {
+    BorrowedX rig(4, -40, 7);                                    // zero at machine 7: x_true = -x_prog
+    EXPECT_DOUBLE_EQ(rig.core->path.programmed[rig.x], 47);
+    ASSERT_TRUE(rig.line(15, 0));
+    EXPECT_DOUBLE_EQ(rig.sink.moves().back().move.machine_start[rig.x], -40);
+    EXPECT_DOUBLE_EQ(rig.sink.moves().back().move.machine[rig.x], 7 - 15);
+    EXPECT_DOUBLE_EQ(rig.sink.moves().back().move.pos[rig.x], 15);
+}
+
+TEST(Routes, OppositeDirectionsAreNegated) {
+    BorrowedX rig(1, -40);
+    EXPECT_DOUBLE_EQ(rig.core->path.programmed[rig.x], 40);
+    ASSERT_TRUE(rig.line(15, 0));
+    EXPECT_DOUBLE_EQ(rig.sink.moves().back().move.machine[rig.x], -15);
+    BorrowedX both(5, -40);                                      // mirrored and opposite: as if nothing were
+    EXPECT_DOUBLE_EQ(both.core->path.programmed[both.x], -40);
+}
+
+TEST(Routes, AnArcTurnsRoundOnTheOtherSide) {
+    BorrowedX rig(4, -12);
+    ASSERT_TRUE(rig.line(12, -3));
+    ASSERT_TRUE(rig.arc(20, -11, 12, -11, false));
+    const Move arc = rig.sink.moves().back().move;
+    EXPECT_EQ(arc.kind, MoveKind::ArcCcw);                       // as programmed
+    EXPECT_DOUBLE_EQ(arc.centre_q, -12);
+    EXPECT_DOUBLE_EQ(arc.centre_p, -11);
+    EXPECT_DOUBLE_EQ(arc.machine[rig.x], -20);
+    // From the start, turned about the centre by the sweep, one comes to the end: p is Z, q is X.
+    const double p = arc.machine_start[rig.z] - arc.centre_p, q = arc.machine_start[rig.x] - arc.centre_q;
+    EXPECT_NEAR(arc.centre_p + p * std::cos(arc.sweep) - q * std::sin(arc.sweep), arc.machine[rig.z], 1e-9);
+    EXPECT_NEAR(arc.centre_q + p * std::sin(arc.sweep) + q * std::cos(arc.sweep), arc.machine[rig.x], 1e-9);
+}
+
+TEST(Routes, AnotherZeroMovesNothing) {
+    BorrowedX rig(4, -40);
+    rig.core->local_zero(rig.x, 10);
+    EXPECT_DOUBLE_EQ(rig.core->path.programmed[rig.x], 50);      // true side: -40 is 50 behind the zero at 10
+    ASSERT_TRUE(rig.line(50, 1));
+    EXPECT_DOUBLE_EQ(rig.sink.moves().back().move.machine[rig.x], -40);
+}
+
+TEST(Routes, LimitsAreThoseOfTheBorrowedDrive) {
+    BorrowedX rig(4, -40);
+    ChannelAxis& axis = rig.view.axes[rig.x];
+    axis.limited = true, axis.limit_min = -60, axis.limit_max = 0;
+    EXPECT_TRUE(rig.line(59, 0));
+    EXPECT_FALSE(rig.line(61, 0));
+    EXPECT_EQ(rig.core->fault().alarm, Alarm::StrokeExceeded);
+}
+
+TEST(Routes, GoingHomeEndsAllOfIt) {
+    BorrowedX rig(4, -40);
+    std::array<std::uint8_t, kMaxAxes> home{};
+    EXPECT_TRUE(take_routes(rig.view, home));
+    rig.core->refresh_limits();
+    rig.core->take_machine(rig.x, 30);
+    EXPECT_DOUBLE_EQ(rig.core->path.programmed[rig.x], 30);
+    ASSERT_TRUE(rig.line(31, 0));
+    EXPECT_DOUBLE_EQ(rig.sink.moves().back().move.machine[rig.x], 31);
+    EXPECT_FALSE(take_routes(rig.view, home));
+}
+
+}  // namespace
+}  // namespace polyturn::channels::testing
