@@ -74,7 +74,9 @@ TEST(Routes, AnotherZeroMovesNothing) {
 TEST(Routes, LimitsAreThoseOfTheBorrowedDrive) {
     BorrowedX rig(4, -40);
     ChannelAxis& axis = rig.view.axes[rig.x];
-    axis.limited = true, axis.limit_min = -60, axis.limit_max = 0;
+    axis.stroke.range1 = true, axis.stroke.a = {-60, 0};
+    rig.view.stroke.before_move = true;
+    rig.core->refresh_limits();
     EXPECT_TRUE(rig.line(59, 0));
     EXPECT_FALSE(rig.line(61, 0));
     EXPECT_EQ(rig.core->fault().alarm, Alarm::StrokeExceeded);
