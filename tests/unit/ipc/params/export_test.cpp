@@ -76,7 +76,9 @@ RC_GTEST_PROP(ParameterDifference, AppliedAsLinesGivesTheOtherTable, ()) {
     std::string lines;
     for (const Difference& one : difference(*before, *after)) {
         RC_ASSERT(one.before != one.after);
-        lines += target_text(Target{one.row, one.instance}) + "=" + one.after + "\n";
+        Target target{one.row, one.instance};
+        if (one.row->array > 1) target.element = static_cast<int>(one.element);
+        lines += target_text(target) + "=" + one.after + "\n";
     }
     RC_ASSERT(apply(*before, parse_param_file(lines, "difference")).ok());
     RC_ASSERT(same(*before, *after));
