@@ -116,7 +116,8 @@ bool Interpreter::approach_curve(const SoftApproach& soft, const AxisValues& to,
 bool Interpreter::finish_approach(const AxisValues& target, const ArcCall* arc, bool& taken) {
     taken = false;
     SoftApproach soft = *modal_.geo.approach;
-    const auto [p, q] = plane_places();
+    const auto places = plane_places();
+    const std::size_t p = places[0], q = places[1];   // no structured binding: a lambda below takes them
     const int w = applicate(core_.view(), core_.path.plane);
     if (!soft.complete) {
         for (unsigned i = 0; i < core_.view().axis_count; ++i)

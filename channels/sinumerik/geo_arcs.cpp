@@ -8,7 +8,6 @@ namespace polyturn::channels::sinumerik {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kSame = 1e-9;
 constexpr std::string_view kCentre[3][2] = {{"I", "J"}, {"K", "I"}, {"J", "K"}};   // by plane: XY ZX YZ
 
