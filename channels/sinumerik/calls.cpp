@@ -199,6 +199,12 @@ bool Interpreter::restore_modal(const Modal& saved) {
     }
     modal_.feed = saved.feed;
     modal_.feed_per_tooth = saved.feed_per_tooth;
+    const Frame &now = modal_.geo.exact, &before = saved.geo.exact;
+    if (now.linear != before.linear || now.shift != before.shift || now.scale != before.scale || now.offset != before.offset) {
+        modal_.geo.frame = saved.geo.frame;
+        modal_.geo.exact = saved.geo.exact;
+        use_frame();
+    }
     return true;
 }
 

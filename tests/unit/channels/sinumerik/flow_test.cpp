@@ -66,6 +66,18 @@ TEST(SinumerikFlow, SectionsRepeat) {
     EXPECT_EQ(last_value(played, "R3"), "1");
 }
 
+// part 3, SAVE: modal G commands and the programmable frame are the caller's again; without SAVE the frame stays.
+TEST(SinumerikFlow, SaveGivesTheCallersFrameBack) {
+    for (const bool saved : {false, true}) {
+        Files files;
+        files.add("MOVED.SPF", std::string("PROC MOVED()") + (saved ? " SAVE" : "") + "\nATRANS Z10\nG0 Z1\nRET\n");
+        const Played played = run("G90\nTRANS Z100\nMOVED\nG0 Z2\nM30\n", files.setup);
+        EXPECT_EQ(played.errors, 0u) << played.events;
+        EXPECT_TRUE(played.has({R"("machine":{"X":0,"Z":111)"})) << played.events;
+        EXPECT_TRUE(played.has({saved ? R"("Z":102)" : R"("Z":112)"})) << played.events;
+    }
+}
+
 TEST(SinumerikFlow, SubprogramsTakeValuesAndReferencesAndReturnAnywhere) {
     Files files;
     files.add("PARTS.SPF", "PROC PARTS(REAL LEN, VAR REAL SUM, INT COUNT=2, STRING[8] KIND) SAVE\nG91 DIAMOF\nSUM=SUM+LEN*COUNT\nIF KIND==\"BIG\" GOTOF MORE\nRET\nMORE: SUM=SUM+100\nM17\n");
