@@ -49,6 +49,11 @@ enum RecordFlag : std::uint32_t {
     kFixedStop = 1u << 18,   // ends where the axis stops moving though its drive gives the torque of `value` (thousandths)
 };
 
+// Transformations (ipc/kinematics). Roles: Polar linear, rotary; Cylinder rotary; Inclined inclined, square; FiveAxis X Y Z, first, second rotary.
+enum class KinematicsKind : std::uint32_t { None = 0, Polar, Cylinder, Inclined, FiveAxis };
+// Through: a line through the pole; the rotary axis stays at `turn`, the linear one goes from one side to the other.
+enum class SideOfPole : std::uint8_t { None = 0, Positive, Negative, Through };
+
 enum InterruptBit : std::uint32_t { kInterruptAtBlockEnd = 1u << 0, kInterruptByLevel = 1u << 1, kInterruptByMint = 1u << 2 };
 
 enum class FeedMode : std::uint8_t { Rapid = 0, PerMinute, PerRevolution, InverseTime, Thread, Seconds, Revolutions };

@@ -32,6 +32,7 @@ struct ChannelSegment {
     static constexpr SegmentKind kKind = SegmentKind::Channel;
     SegmentHeader header;
     RingHead<PathRecord, kPathRing> path;                // tail: KernelSegment::path_tail
+    std::array<Kinematics, kKinematics> kinematics;      // PathRecord::transform; an entry is written before the push of what names it
     alignas(64) std::atomic<std::uint64_t> quiet{0};     // «I have seen event n and have nothing more to say»; stored after all pushes
     std::atomic<std::uint64_t> heartbeat{0};             // grows while the process lives and works
     std::atomic<std::uint32_t> epoch{0};                 // of the records it pushes now
