@@ -144,7 +144,7 @@ bool Interpreter::code_calls(bool& called) {
         } else {
             for (const Settings::LetterCall& call : settings_.letter_calls)
                 if (call.letter == word.address) {
-                    if (variables_.write(call.variable, word.value) != VariableStatus::Ok) return core_.fail(Alarm::VariableUnknown, word.address, variable_name(call.variable));
+                    if (!written(call.variable, word.value, {})) return false;
                     return later(call.program, 1);
                 }
         }

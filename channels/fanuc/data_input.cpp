@@ -169,6 +169,7 @@ bool Interpreter::g10_zero() {
 bool Interpreter::g10_parameter_block() {
     if (m_count_ || axis_word_count_ || coded_groups_) return core_.fail(Alarm::TextInParameterInput, 'G');
     if (!block_.has('N') || !block_.has('R')) return core_.fail(Alarm::ParameterInputIllegal, 'N', "N and R are needed");
+    if (const Word& r = block_.word('R'); r.has_point && !r.from_expression && !settings_.nct) return core_.fail(Alarm::PointForbidden, 'R', "R");
     const auto number = static_cast<std::int64_t>(block_.value('N'));
     core_.at.block = -1;
     const std::string name = fmt::format("{}{:04}", settings_.nct ? 'N' : 'F', number);

@@ -98,8 +98,8 @@ bool Interpreter::apply_tool_offsets() {
         const int place = view.axis_by_role(kRoles[k]);
         if (place < 0) continue;
         const auto i = static_cast<unsigned>(place);
-        const double g = state.geometry ? view.from_shown(i, geometry.geometry[k] + second_geometry(k, geometry)) : 0.0;
-        const double w = state.wear ? view.from_shown(i, wear.wear[k]) : 0.0;
+        const double g = state.geometry && !settings_.offsets_by_g ? view.from_shown(i, geometry.geometry[k] + second_geometry(k, geometry)) : 0.0;
+        const double w = state.wear && !settings_.offsets_by_g ? view.from_shown(i, wear.wear[k]) : 0.0;
         (code.geometry_travels ? vector : shift)[i] += g;
         (code.wear_travels ? vector : shift)[i] += w;
         if (length_.number) {

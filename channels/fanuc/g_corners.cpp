@@ -52,11 +52,11 @@ bool Interpreter::lathe_corner(AxisSet named) {
     const int z = view.axis_by_role(PlaneRole::BasicZ), x = view.axis_by_role(PlaneRole::BasicX);
     if (z < 0 || x < 0) return core_.fail(Alarm::PlaneAxisMissing, 'G');
     const bool along_z = named >> z & 1u, along_x = named >> x & 1u;
+    if (!corner_allowed(letter)) return false;
     if (along_z && along_x) return core_.fail(Alarm::CornerTaper, letter);
     if (!along_z && !along_x) return core_.fail(Alarm::CornerMoveMissing, letter);
     if ((letter == 'I' && along_x) || (letter == 'K' && along_z)) return core_.fail(Alarm::CornerMoveMissing, letter);
     const double size = radius_length(letter);
-    if (!corner_allowed(letter)) return false;
     if (size == 0) return true;
     corner_then_ = {true, along_z, size > 0 ? 1 : -1, letter};
     corners::Call call;

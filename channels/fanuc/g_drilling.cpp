@@ -101,7 +101,7 @@ bool Interpreter::run_drilling() {
     if (block_.has('E')) drill_.e = std::fabs(length(block_.word('E'), -1)), drill_.e_set = true;
     // Axis words: the drilling axis gives the bottom, all others the hole's place.
     AxisValues target = core_.path.programmed;
-    AxisSet named = 0;
+    AxisSet named = 0, steps = 0;   // steps: named by an increment, which each repetition travels again
     for (unsigned k = 0; k < axis_word_count_; ++k) {
         const Word& word = block_.words[axis_words_[k]];
         const int incremental = word.axis >= 0 ? -1 : incremental_axis_[static_cast<std::size_t>(word.address - 'A')];
@@ -111,8 +111,9 @@ bool Interpreter::run_drilling() {
             const bool from_r = absolute < 0 || !absolute_;
             drill_.bottom = from_r ? drill_.r_level + value : value;
             drill_.bottom_set = true;
-        } else if (!axis_word(word, target, named)) {
-            return false;
+        } else {
+            if (!axis_word(word, target, named)) return false;
+            if (absolute < 0 || !absolute_) steps |= 1u << axis_of(word).place;
         }
     }
     if (!drill_.bottom_set) return core_.fail(Alarm::CycleWordMissing, 'G', std::string(core_.view().axes[axis].name));
@@ -163,7 +164,7 @@ bool Interpreter::run_drilling() {
     for (std::int64_t k = 0; k < repeats; ++k) {
         AxisValues position = core_.path.programmed;
         for (unsigned i = 0; i < core_.view().axis_count; ++i)
-            if (named >> i & 1u) position[i] = absolute_ && k == 0 ? step[i] : (absolute_ ? step[i] : core_.path.programmed[i] + (step[i] - from[i]));
+            if (named >> i & 1u) position[i] = steps >> i & 1u && k > 0 ? core_.path.programmed[i] + (step[i] - from[i]) : step[i];
         if (!core_.rapid(position) || !cycles::drill(core_, hole)) return false;
     }
     if (hole.rigid) {   // the loop opens again

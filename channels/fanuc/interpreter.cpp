@@ -318,10 +318,14 @@ std::optional<TextPosition> Interpreter::find_block(std::int64_t number) {
 bool Interpreter::jump_to(std::int64_t number) {
     const auto found = find_block(number);
     if (!found) return core_.fail(Alarm::SequenceNumberMissing, 0, std::to_string(number));
-    source_->seek(*found);
+    go_to(*found);
+    return true;
+}
+
+void Interpreter::go_to(TextPosition position) {
+    source_->seek(position);
     jumped_ = true;
     line_left_ = false;
-    return true;
 }
 
 std::optional<TextPosition> Interpreter::find_program_in(FileId file, std::int64_t number) {

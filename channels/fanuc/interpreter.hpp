@@ -142,6 +142,7 @@ private:
     std::optional<TextPosition> find_program_in(FileId file, std::int64_t number);
     bool read_line(LineSource::Status& status);
     bool jump_to(std::int64_t number);
+    void go_to(TextPosition position);
     bool call_program(std::int64_t number, std::int64_t repeats, const LocalSet* arguments, bool by_code, bool modal, char letter);
     bool return_from(bool has_target, std::int64_t target);
 

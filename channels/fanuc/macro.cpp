@@ -293,7 +293,13 @@ Interpreter::Flow Interpreter::jump(const char*& at, const char* end) {
     if (is_null(value) || number < 1 || number > static_cast<double>(settings_.goto_max)) return flow_fault(Alarm::GotoNumberIllegal, begin, {}, is_null(value) ? 0.0 : value);
     fault_column_ = static_cast<std::uint32_t>(begin - line_.data()) + 1;
     fault_length_ = 1;
-    return jump_to(static_cast<std::int64_t>(number)) ? Flow::Done : Flow::Fault;
+    const auto found = find_block(static_cast<std::int64_t>(number));
+    if (!found) {   // 128 also when it cannot be found
+        core_.fail(Alarm::GotoNumberIllegal, 0, {}, value);
+        return Flow::Fault;
+    }
+    go_to(*found);
+    return Flow::Done;
 }
 
 Interpreter::Flow Interpreter::assignment(const char*& at, const char* end) {
@@ -303,6 +309,7 @@ Interpreter::Flow Interpreter::assignment(const char*& at, const char* end) {
     blanks(at, end);
     if (at == end || *at != '=') return flow_fault(Alarm::MacroFormat, at == end ? begin : at, "= is missing");
     ++at;
+    if ((number == 3001 || number == 3002) && !fresh_) return Flow::NeedsBarrier;   // a clock is set when the machine has come here
     double value = 0.0;
     if (const Flow flow = evaluate(at, end, value); flow != Flow::Done) return flow;
     const std::string_view comment = comment_text(at, end);

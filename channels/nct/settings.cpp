@@ -1,5 +1,6 @@
 #include "channels/nct/settings.hpp"
 
+#include <cmath>
 #include <cstdlib>
 
 namespace polyturn::channels::nct {
@@ -9,9 +10,9 @@ using namespace params;
 namespace {
 
 // A run of codes that call a run of programs; a negative start makes the calls modal.
-void add_run(std::vector<fanuc::CodeCall>& calls, std::int64_t start, std::int64_t program, std::int64_t count, std::int32_t scale, std::int32_t step, bool macro, std::uint8_t modal) {
+void add_run(std::vector<fanuc::CodeCall>& calls, double start, std::int64_t program, std::int64_t count, std::int32_t scale, std::int32_t step, bool macro, std::uint8_t modal) {
     for (std::int64_t k = 0; k < count && k < 1000; ++k)
-        calls.push_back({static_cast<std::int32_t>(std::llabs(start) * scale + k * step), static_cast<std::int32_t>(program + k), macro,
+        calls.push_back({static_cast<std::int32_t>(std::llround(std::fabs(start) * scale) + k * step), static_cast<std::int32_t>(program + k), macro,
                          start < 0 ? modal : std::uint8_t{0}});
 }
 
@@ -97,10 +98,10 @@ fanuc::Settings nct_settings(const Table& t, unsigned l) {
         const auto macro = get(t, nth(n1733_m_9020, n + 1), l);
         if (macro > 0) s.m_calls.push_back({static_cast<std::int32_t>(macro), static_cast<std::int32_t>(9020 + n), true, 0});
     }
-    add_run(s.g_calls, get(t, n1714_start_g_macro, l), get(t, n1715_start_prg_no, l), get(t, n1716_no_of_g_codes, l), 10, 10, true, modal);
-    add_run(s.g_calls, get(t, n1717_start_dec_g_macro, l), get(t, n1718_start_prg_no_dec_g, l), get(t, n1719_no_of_dec_g_codes, l), 10, 1, true, modal);
-    add_run(s.m_calls, get(t, n1730_start_m_subp, l), get(t, n1731_start_prg_no_m_subp, l), get(t, n1732_no_of_m_codes, l), 1, 1, false, 0);
-    add_run(s.m_calls, get(t, n1743_start_m_macro, l), get(t, n1744_start_prg_no_m_macro, l), get(t, n1745_no_of_m_macro_codes, l), 1, 1, true, 0);
+    add_run(s.g_calls, static_cast<double>(get(t, n1714_start_g_macro, l)), get(t, n1715_start_prg_no, l), get(t, n1716_no_of_g_codes, l), 10, 10, true, modal);
+    add_run(s.g_calls, static_cast<double>(get(t, n1717_start_dec_g_macro, l)), get(t, n1718_start_prg_no_dec_g, l), get(t, n1719_no_of_dec_g_codes, l), 10, 1, true, modal);
+    add_run(s.m_calls, static_cast<double>(get(t, n1730_start_m_subp, l)), get(t, n1731_start_prg_no_m_subp, l), get(t, n1732_no_of_m_codes, l), 1, 1, false, 0);
+    add_run(s.m_calls, static_cast<double>(get(t, n1743_start_m_macro, l)), get(t, n1744_start_prg_no_m_macro, l), get(t, n1745_no_of_m_macro_codes, l), 1, 1, true, 0);
     static constexpr char kLetters[] = {'A', 'B', 'C', 'S', 'T'};
     for (unsigned n = 0; n < 5; ++n)
         if (bit(t, n1746_abcst, l, n)) s.letter_calls.push_back({kLetters[n], static_cast<std::int32_t>(9030 + n), static_cast<std::int32_t>(195 + n)});

@@ -124,6 +124,7 @@ ScanStop WordScanner::scan(std::string_view text, std::size_t from, Block& block
                     return ScanStop::Fault;
                 }
                 case ScanHook::Read::Null:
+                    if (word.address == 'N' || word.address == 'O') return fail(Alarm::MacroFormat, line, begin, 1, word.address);
                     only_number = false;
                     continue;   // a word whose variable is empty does not exist
                 case ScanHook::Read::Value: break;

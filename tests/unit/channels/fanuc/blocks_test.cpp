@@ -50,8 +50,42 @@ TEST(FanucBlock, MovesTheAxesWhereItsWordsSay) {
         {"/G0 X5.\nG0 X6.", R"("X":6)"},
         {"G0 X1. (X9.) Z2.", R"("pos":{"X":1,"Z":2,)"},
         {"G0 X1.; Z2.", R"("pos":{"X":1,"Z":2,)"},               // two blocks in a line
+        {"G98 G83 U5. Z-4. R-1. F100 K3\nG80", R"("pos":{"X":15,"Z":0,)"},   // an increment is travelled by each repetition
+        {"G98 G83 X5. Z-4. R-1. F100 K3\nG80", R"("pos":{"X":5,"Z":0,)"},
     };
     for (const MoveRow& row : rows) expect_last_move(row);
+}
+
+// nct: T is the tool alone with N1414 TCM; the offset of G43.7 comes and goes as a whole.
+TEST(NctBlock, AnOffsetByGCodeIsTakenBackByG49) {
+    Play how;
+    how.language = "nct";
+    how.sets = {"N1414 L1=1"};
+    const auto last_machine = [&](std::string_view program) {
+        const Played played = play(program, how, [](MachineView& view) { view.store->offsets[2].geometry = {10, 0, 4}; });
+        std::string last;
+        for (const std::string& line : played.lines())
+            if (line.find("\"ev\":\"move\"") != std::string::npos) last = line;
+        return last;
+    };
+    EXPECT_NE(last_machine("G43.7 H2\nG0 X20. Z1.\nT5\nG0 X20. Z2.").find(R"("machine":{"X":15,"Z":6,"C":0})"), std::string::npos);
+    EXPECT_NE(last_machine("G43.7 H2\nG0 X20. Z1.\nG49\nG0 X20. Z1.").find(R"("machine":{"X":10,"Z":1,)"), std::string::npos);
+}
+
+// N1717 has one decimal.
+TEST(NctBlock, CodesWithADecimalCallARunOfPrograms) {
+    Play how;
+    how.language = "nct";
+    how.sets = {"N1717 L1=12.9", "N1718 L1=3000", "N1719 L1=2"};
+    const Played played = play("O1\nG13.0 A2.\nM30\nO3001\n#130=#1\nM99\n", how);
+    EXPECT_TRUE(played.has({R"("name":"#130","value":2)"})) << played.events;
+}
+
+TEST(FanucBlock, TheVariableOfACodeThatCallsIsToldLikeAnyOther) {
+    Play how;
+    how.sets = {"F6001#5=1"};
+    const Played played = play("O1\nT0303\nM30\nO9000\nM99\n", how);
+    EXPECT_TRUE(played.has({R"("name":"#149","value":303)"})) << played.events;
 }
 
 TEST(FanucBlock, ASkipSignThatIsOnLeavesTheBlockOut) {
@@ -110,7 +144,7 @@ TEST(FanucBlock, IsDiagnosedAtItsLineAndColumn) {
         {"G98 F9 G17 G2 X1. R5.", "28", 1, 12},           // no Y axis: no plane X Y
         {"M98 P77", "78", 1, 5},
         {"M98", "76", 1, 1},
-        {"GOTO 5", "60", 1, 6},
+        {"GOTO 5", "128", 1, 6},
         {"GOTO 0", "128", 1, 6},
         {"T0140", "30", 1, 1},
         {"G28", R"("PT1041")", 1, 1},
