@@ -85,6 +85,17 @@ bool Interpreter::g_zero_extended(const GCode&) {
     return true;
 }
 
+// G22, G23: both sides must mean the same, so the path comes to rest; limits stay those of the parameters.
+bool Interpreter::g_stroke_area(const GCode& row) {
+    const bool off = row.tenths == 230;
+    if (block_.letters & axis_letters_ || block_.has('I') || block_.has('J') || block_.has('K')) return core_.fail(Alarm::NotBuilt, 'G', "G22 with limits (N1006, N1007 are used)");
+    if (off == core_.path.stroke2_off) return true;
+    core_.path.stroke2_off = off;
+    core_.signal("STROKE2", off ? 0.0 : 1.0);
+    wants_barrier_ = true;
+    return true;
+}
+
 // G25, G26: supervision of the spindle's speed. Q R are percents; P is a time, seconds in nct and milliseconds elsewhere; the
 // absolute limit is D in nct and I elsewhere. What is not programmed is the parameter's.
 bool Interpreter::g_spindle_watch(const GCode& code) {

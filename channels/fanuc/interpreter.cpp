@@ -88,7 +88,9 @@ void Interpreter::clear_modal() {
     else choose(per_revolution ? 950 : 940);
     core_.path.feed_mode = per_revolution ? FeedMode::PerRevolution : FeedMode::PerMinute;
     core_.path.feed = per_revolution ? settings_.feed_per_revolution : settings_.feed_per_minute;
-    core_.path.exact_stop_mode = core_.path.override_locked = false;
+    core_.path.exact_stop_mode = core_.path.override_locked = core_.path.exact_stop_off = core_.path.stroke2_off = false;
+    single_block_off_ = no_finish_wait_ = false;
+    automatic_control_ = 0;
     if (core_.path.spindle.surface_m_min == 0) core_.path.spindle.surface_m_min = settings_.surface_speed;
     parameter_input_ = false;
     modal_calls_.clear();
@@ -467,21 +469,6 @@ VariableStatus Interpreter::shared_variable(std::int64_t number, bool write, dou
         value = cell;
     }
     return VariableStatus::Ok;
-}
-
-// What a program leaves to the next one: #100 and on, #1 to #33 of the main program (F6001#6, #7 also over a reset).
-struct Carried {
-    std::vector<double> common;
-    LocalSet locals;
-};
-
-std::any Interpreter::carry() const { return Carried{variables_.common(), variables_.levels().front()}; }
-
-void Interpreter::take_carry(const std::any& before, bool after_reset) {
-    const Carried* carried = std::any_cast<Carried>(&before);
-    if (!carried) return;
-    if (!after_reset || settings_.keeps_common) variables_.take_common(carried->common);
-    if (!after_reset || settings_.keeps_locals) variables_.locals() = carried->locals;
 }
 
 }  // namespace polyturn::channels::fanuc

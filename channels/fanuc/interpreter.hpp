@@ -81,6 +81,7 @@ public:
     bool g_exact_stop(const GCode&);
     bool g_exact_once(const GCode&);
     bool g_spindle_watch(const GCode&);
+    bool g_stroke_area(const GCode&);
     bool g_surface(const GCode&);
     bool g_comp_on(const GCode&);
     bool g_comp_off(const GCode&);
@@ -148,6 +149,8 @@ private:
 
     // resume states (resume.cpp)
     struct ResumeState;
+    struct Inherited;                 // inherited.cpp
+    void keep_groups(const Inherited& was);
     struct ResumePoint {
         std::uint64_t serial;
         TextPosition position;
@@ -285,6 +288,7 @@ private:
     bool modal_variable(std::int64_t number, double& value);
     VariableStatus value_fault(std::int64_t number, double value);
     double mirrored_axes() const;     // #3007
+    void tell_control();              // #3003, #3004
     Flow jump(const char*& at, const char* end);
     bool written(std::int64_t number, double value, std::string_view comment);
     bool gather_arguments(LocalSet& arguments, std::size_t from_word);

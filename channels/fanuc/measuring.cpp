@@ -12,9 +12,15 @@ namespace polyturn::channels::fanuc {
 
 bool Interpreter::g_skip(const GCode&) {
     if (!axis_word_count_) return core_.fail(Alarm::CoordinateAxisNone, 'G', "G31");
+    // Four signals, told apart by P; a torque (P98, P99; nct Q98) is not built.
+    static constexpr std::string_view kSignals[] = {"SKIP", "SKIP2", "SKIP3", "SKIP4"};
+    std::int64_t which = 1;
+    if (block_.has('P') && !whole('P', which)) return false;
+    if (which > 90) return core_.fail(Alarm::NotBuilt, 'P', "G31 until a torque");
+    if (which < 1 || which > 4) return core_.fail(Alarm::CycleValueIllegal, 'P', "P", static_cast<double>(which));
     if (!read_axis_words(target_)) return false;
     const std::uint64_t before = core_.moves();
-    if (!core_.skip(target_, settings_.skip_feed, FeedMode::PerMinute, "SKIP")) return false;
+    if (!core_.skip(target_, settings_.skip_feed, FeedMode::PerMinute, kSignals[which - 1])) return false;
     if (core_.moves() != before) {
         measuring_.skipping = wants_barrier_ = true;
         measuring_.measuring = false;

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "channels/fanuc/interpreter.hpp"
+#include "ipc/image/interrupt_inputs.hpp"
 
 namespace polyturn::channels::fanuc {
 namespace {
@@ -198,6 +199,11 @@ double Interpreter::mirrored_axes() const {
     return bits;
 }
 
+// #3003, #3004: single block, waiting for functions and feed hold are the kernel's, in path order.
+void Interpreter::tell_control() {
+    core_.signal("CONTROL", (single_block_off_ ? kControlNoSingleBlock : 0u) + (no_finish_wait_ ? kControlNoFinish : 0u) + ((automatic_control_ & 1) ? kControlNoHold : 0u));
+}
+
 VariableStatus Interpreter::value_fault(std::int64_t number, double value) {
     core_.fail(Alarm::VariableValue, 0, variable_name(number), value);
     return VariableStatus::Fault;
@@ -222,16 +228,19 @@ VariableStatus Interpreter::write_system(std::int64_t number, double value) {
     if (number >= 1100 && number <= (settings_.nct ? 1131 : 1115)) {
         const std::uint32_t bit = 1u << (number - 1100);
         outputs_ = plain != 0.0 ? outputs_ | bit : outputs_ & ~bit;
-        return VariableStatus::Ok;   // a record, see written()
+        core_.signal("CN_UOUT", outputs_);
+        return VariableStatus::Ok;
     }
     if (number == 1132) {
         if (plain < 0 || plain > 65535) return value_fault(number, plain);
         outputs_ = (outputs_ & ~0xFFFFu) | static_cast<std::uint32_t>(std::llround(plain));
+        core_.signal("CN_UOUT", outputs_);
         return VariableStatus::Ok;
     }
     if (number >= 1133 && number <= (settings_.nct ? 1135 : 1133)) {
         if (std::fabs(plain) > 99999999) return value_fault(number, plain);
         outputs_wide_ = plain;
+        core_.signal("CN_UOUTW", std::nearbyint(plain));
         return VariableStatus::Ok;
     }
     switch (number) {
@@ -241,12 +250,14 @@ VariableStatus Interpreter::write_system(std::int64_t number, double value) {
             if (plain < 0 || plain > 3) return value_fault(number, plain);
             single_block_off_ = (static_cast<int>(plain) & 1) != 0;
             no_finish_wait_ = (static_cast<int>(plain) & 2) != 0;
+            tell_control();
             return VariableStatus::Ok;
         case 3004:
             if (plain < 0 || plain > 7) return value_fault(number, plain);
             automatic_control_ = static_cast<int>(plain);
             core_.path.override_locked = (automatic_control_ & 2) != 0 || (active_[static_cast<std::size_t>(GGroup::ExactStop)] && active_[static_cast<std::size_t>(GGroup::ExactStop)]->tenths == 630);
             core_.path.exact_stop_off = (automatic_control_ & 4) != 0;
+            tell_control();
             return VariableStatus::Ok;
         case 3005: {
             const auto bits = static_cast<unsigned>(std::llround(plain < 0 ? 0 : plain));

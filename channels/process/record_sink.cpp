@@ -281,11 +281,15 @@ void RecordSink::interrupts(const Interrupts& interrupts, const BlockContext& at
 }
 
 void RecordSink::signal(std::string_view name, double value, const BlockContext& at) {
-    if (name != "TAPPING") return;
-    PathRecord r = event(RecordKind::Flag, at, 0);
-    r.code = kFlagTapping;
-    r.value = value;
-    push(r, false, false);
+    static constexpr std::pair<std::string_view, std::int32_t> kCodes[] = {
+        {"TAPPING", kFlagTapping}, {"CONTROL", kFlagControl}, {"STROKE2", kFlagStroke2}, {"CN_UOUT", kFlagOutputs}, {"CN_UOUTW", kFlagOutputsWide}};
+    for (const auto& [known, code] : kCodes) {
+        if (name != known) continue;
+        PathRecord r = event(RecordKind::Flag, at, 0);
+        r.code = code;
+        r.value = value;
+        push(r, false, false);
+    }
 }
 
 // Only an event: a variable that nobody keeps.

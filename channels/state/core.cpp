@@ -48,7 +48,9 @@ void Core::refresh_limits() {
     zones_.count = view_->axis_count;
     for (unsigned i = 0; i < view_->axis_count; ++i) {
         ChannelAxis& axis = view_->axes[i];
-        zones_.axes[i] = axis.stroke.any() ? zone_of(axis.stroke, view_->stroke, port_->stroke_flags(axis.machine_axis)) : AxisZone{};
+        StrokeFlags flags = port_->stroke_flags(axis.machine_axis);
+        flags.second_off = flags.second_off || path.stroke2_off;
+        zones_.axes[i] = axis.stroke.any() ? zone_of(axis.stroke, view_->stroke, flags) : AxisZone{};
         if (axis.by_plc && port_->diameter_inverted(axis.machine_axis) != axis.inverted) axis.inverted = !axis.inverted, axis.diameter = !axis.diameter;
         const StrokeInterval& allowed = zones_.axes[i].allowed;
         axis.limited = std::isfinite(allowed.low) && std::isfinite(allowed.high);

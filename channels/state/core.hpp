@@ -92,6 +92,7 @@ struct PathState {
     std::int8_t plane_p = -1, plane_q = -1;  // places of a plane of any two axes (fagor G16); -1: by `plane`
     bool exact_stop_mode = false, override_locked = false;
     bool exact_stop_off = false;            // no exact stop whatever is programmed (#3004)
+    bool stroke2_off = false;               // G23: stroke range 2 does not count
     std::array<WorkZone, 5> zones;          // guarded before each move
     bool after_thread = false;              // the move before was a thread: a further one chains
     double thread_lead = 0.0;

@@ -10,7 +10,14 @@ inline constexpr unsigned kInterruptInputs = 4;
 inline constexpr unsigned kInterruptInput = 8;
 inline constexpr std::uint32_t kInterruptInputMask = ((1u << kInterruptInputs) - 1u) << kInterruptInput;
 
-// code of a Flag record: the channel's signal that takes its value.
-inline constexpr std::int32_t kFlagTapping = 1;
+// code of a Flag record: what in the channel takes its value.
+inline constexpr std::int32_t kFlagTapping = 1;      // signal TAPPING
+inline constexpr std::int32_t kFlagControl = 2;      // #3003, #3004: bits of ProgramControl
+inline constexpr std::int32_t kFlagStroke2 = 3;      // G22 (1), G23 (0): stroke range 2 counts in this channel
+inline constexpr std::int32_t kFlagOutputs = 4;      // register CN_UOUT: #1100 to #1131, bit by bit
+inline constexpr std::int32_t kFlagOutputsWide = 5;  // register CN_UOUTW: #1133 as a whole number
+
+// What a program has taken out of the operator's hands (fanuc_lathe 6.3.4).
+enum ProgramControl : std::uint32_t { kControlNoSingleBlock = 1, kControlNoFinish = 2, kControlNoHold = 4 };
 
 }  // namespace polyturn

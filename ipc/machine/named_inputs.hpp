@@ -1,5 +1,5 @@
-// Inputs that languages and setups call by name: SKIP, XAE, YAE, ZAE, each once for every channel, behind the machine's
-// own numbers.
+// Inputs that languages and setups call by name, each once for every channel, behind the machine's own numbers: SKIP and
+// SKIP2 to SKIP4 (G31 P2 to P4), XAE, YAE, ZAE.
 #pragma once
 #include <array>
 #include <charconv>
@@ -11,7 +11,7 @@
 
 namespace polyturn {
 
-inline constexpr std::array<std::string_view, 4> kInputNames{"SKIP", "XAE", "YAE", "ZAE"};
+inline constexpr std::array<std::string_view, 7> kInputNames{"SKIP", "XAE", "YAE", "ZAE", "SKIP2", "SKIP3", "SKIP4"};
 inline constexpr std::size_t kFirstNamedInput = kInputs - kInputNames.size() * kMaxChannels;
 
 // The number of an input that is given by name or number; channel from 1.

@@ -1,4 +1,5 @@
 // What operator, machine and supervision ask of a channel; acts at a tick's start.
+#include "ipc/image/interrupt_inputs.hpp"
 #include "kernel/cyclic/channel_runner.hpp"
 
 #include <utility>
@@ -41,7 +42,9 @@ void ChannelRunner::cycle_start() noexcept {
             know_positions();
             state_ = ChannelState::Running;
             stop_reason_ = StopReason::None;
-            hold_ = false;
+            hold_ = hold_later_ = false;
+            control_ = 0;   // what a program has put off holds to its end
+            core_.stroke2_off &= ~(ChannelSet{1} << index_);
             cutting_s_ = rapid_s_ = waiting_s_ = cycle_s_ = 0;
             blocks_ = 0;
             core_.totals.part_begins(index_);
@@ -71,6 +74,11 @@ bool ChannelRunner::allow_jog_in_hold() noexcept {
 }
 
 void ChannelRunner::feed_hold() noexcept {
+    if (control_ & kControlNoHold) hold_later_ = program_runs();
+    else safe_hold();
+}
+
+void ChannelRunner::safe_hold() noexcept {
     if (state_ == ChannelState::Running || state_ == ChannelState::Waiting) hold_ = true;
 }
 
@@ -100,7 +108,9 @@ void ChannelRunner::finish_reset() noexcept {
     at_boundary_ = true;
     thread_moving_ = thread_committed_ = false;
     retract_.clear();
-    jog_in_hold_ = begun_ = hold_ = interrupted_ = alarm_ = continue_ = released_ = passing_ = emergency_ = skipping_ = interrupts_on_ = interrupt_due_ = false;
+    jog_in_hold_ = begun_ = hold_ = interrupted_ = alarm_ = continue_ = released_ = passing_ = emergency_ = skipping_ = interrupts_on_ = interrupt_due_ = hold_later_ = unfinished_ = false;
+    control_ = 0;
+    core_.stroke2_off &= ~(ChannelSet{1} << index_);
     // «Stop after this part»: what was to follow is void, but the program has come to its end.
     const StopReason why = std::exchange(ends_with_part_, false) ? StopReason::End : StopReason::Reset;
     state_ = why == StopReason::End ? ChannelState::Ended : ChannelState::Reset;

@@ -103,7 +103,7 @@ bool ChannelRunner::execute_instant(const PathRecord& r, double offset_s) noexce
             interrupt_signal_ = interrupt_signals() != 0;
             return true;
         case RecordKind::Flag:
-            if (r.code == kFlagTapping) core_.signals.set_nc(signals::tapping(number_), r.value != 0);
+            flag(r);
             return true;
         case RecordKind::Marker: core_.waits.mark(index_, r.code, r.value != 0.0); return true;
         case RecordKind::Wait:  // a flying wait that was let pass: it is an arrival like any other
@@ -111,6 +111,24 @@ bool ChannelRunner::execute_instant(const PathRecord& r, double offset_s) noexce
             passing_ = true;
             return true;
         default: return true;
+    }
+}
+
+// What the program says beside its path.
+void ChannelRunner::flag(const PathRecord& r) noexcept {
+    switch (r.code) {
+        case kFlagTapping: core_.signals.set_nc(signals::tapping(number_), r.value != 0); break;
+        case kFlagControl:
+            control_ = static_cast<std::uint32_t>(r.value);
+            if (!(control_ & kControlNoHold) && std::exchange(hold_later_, false)) hold_ = true;   // pressed while it did not count
+            break;
+        case kFlagStroke2:
+            if (r.value != 0) core_.stroke2_off &= ~(ChannelSet{1} << index_);
+            else core_.stroke2_off |= ChannelSet{1} << index_;
+            break;
+        case kFlagOutputs: core_.signals.set_nc(signals::cn_uout(number_), static_cast<std::int32_t>(static_cast<std::uint32_t>(r.value))); break;
+        case kFlagOutputsWide: core_.signals.set_nc(signals::cn_uoutw(number_), static_cast<std::int32_t>(r.value)); break;
+        default: break;
     }
 }
 
@@ -161,13 +179,15 @@ bool ChannelRunner::handshake(const PathRecord& r) noexcept {
                       : r.code == 'M' ? Lines{signals::cn_mstr, signals::cn_mcode, signals::cp_mfin}
                                       : Lines{signals::cn_bstr, second, signals::cp_bfin};
     if (phase_ != Phase::Handshake) {
+        if (unfinished_ && core_.signals.plc(lines.finished(number_)) != core_.signals.nc(lines.strobe(number_))) return false;   // the code before is still to be seen
+        unfinished_ = (control_ & kControlNoFinish) != 0;
         phase_ = Phase::Handshake;
         strobe_ = core_.signals.nc(lines.strobe(number_)) + 1;
         core_.signals.set_nc(lines.code(number_), static_cast<std::int32_t>(std::lround(r.value)));
         core_.signals.set_nc(lines.strobe(number_), strobe_);
         return false;
     }
-    if (core_.signals.plc(lines.finished(number_)) != strobe_) return false;
+    if (!unfinished_ && core_.signals.plc(lines.finished(number_)) != strobe_) return false;
     if (r.code == 'T') core_.signals.set_nc(signals::cn_potno(number_), static_cast<std::int32_t>(std::lround(r.value)));
     return true;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ipc/image/interrupt_inputs.hpp"
+
 namespace polyturn::kernel {
 namespace {
 // A channel sleeps when its ring is full; it is woken when this much has become free, not for every record.
@@ -86,6 +88,7 @@ void ChannelRunner::take_keys() noexcept {
     mark(signals::blkskip3, kKeyBlockSkip1 << 2);
     mark(signals::m01stop, kKeyOptionalStop);
     mark(signals::m5008, kKeySingleBlock);
+    if (control_ & kControlNoSingleBlock) keys &= ~static_cast<std::uint32_t>(kKeySingleBlock);
 }
 
 void ChannelRunner::supply() noexcept {

@@ -44,7 +44,8 @@ public:
 
     // --- commands, at a tick's start ---
     void cycle_start() noexcept;
-    void feed_hold() noexcept;
+    void feed_hold() noexcept;      // the operator: a program may put it off (#3004)
+    void safe_hold() noexcept;      // a door, a dead partner: nobody puts it off
     void reset() noexcept;
     void select(std::string_view file) noexcept;
     void mdi(std::string_view text) noexcept;
@@ -102,6 +103,7 @@ private:
     bool execute(const PathRecord& r, double& left) noexcept;    // true: done, the next one may begin
     bool execute_instant(const PathRecord& r, double offset_s) noexcept;
     bool handshake(const PathRecord& r) noexcept;
+    void flag(const PathRecord& r) noexcept;
     bool dwell(const PathRecord& r, double& left) noexcept;
     bool arrive(const PathRecord& r) noexcept;
     bool thread(double& left) noexcept;
@@ -183,6 +185,8 @@ private:
     // M96: the signal is watched; it has come and the path is to stop; as it was at the last tick.
     bool interrupts_on_ = false, interrupt_due_ = false, interrupt_signal_ = false;
     std::uint32_t interrupt_bits_ = 0;
+    std::uint32_t control_ = 0;            // ProgramControl
+    bool hold_later_ = false, unfinished_ = false;   // feed hold that did not count yet; the code before goes on beside the program
     std::uint32_t interrupt_input_ = 0;   // number of the input that came; 0: there is but one
     std::uint64_t last_serial_ = 0;        // block of the record that ended last
     std::array<char, 160> mdi_{};

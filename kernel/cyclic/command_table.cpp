@@ -140,7 +140,7 @@ void Machine::partner_death(unsigned index) noexcept {
     const ChannelConfig& dead = core_.config.channels[index];
     for (unsigned l = 0; l < kMaxChannels; ++l) {
         if (l == index || core_.config.channels[l].group != dead.group) continue;
-        if (dead.partner_death == PartnerDeath::Hold) channels_[l]->feed_hold();
+        if (dead.partner_death == PartnerDeath::Hold) channels_[l]->safe_hold();
         if (dead.partner_death == PartnerDeath::Reset) channels_[l]->reset();
     }
 }

@@ -60,6 +60,7 @@ struct Core {
     };
     std::array<SharedAxis, kMaxAxes> shared_axes{};
     StrokeGuard stroke;
+    ChannelSet stroke2_off = 0;            // G23: range 2 does not count in these channels
     ChannelSet jogging = 0;                // channels of which an axis is moved by hand
     std::array<double, kMaxSpindles> spindle_rev_s{};  // measured, for feed per revolution
 

@@ -163,7 +163,7 @@ void Machine::run_jogs() noexcept {
 void Machine::watch_door() noexcept {
     for (unsigned l = 0; l < kMaxChannels; ++l) {
         const bool open = core_.signals.plc(signals::cp_dooropen(l + 1)) != 0;
-        if (open && !door_open_[l]) channels_[l]->feed_hold();
+        if (open && !door_open_[l]) channels_[l]->safe_hold();
         door_open_[l] = open;
     }
 }

@@ -40,7 +40,8 @@ void StrokeGuard::update(const Core& core) noexcept {
             if (stroke.any() && axis.referenced && !axis.detached) {
                 const auto on = [&](std::uint32_t slot) { return core.signals.plc(slot) != 0; };
                 zone = zone_of(stroke, core.config.channels[l].stroke,
-                               {on(s::cp_limsel(l + 1)), on(s::ap_limselp(a + 1)), on(s::ap_limseln(a + 1)), on(s::cp_lim1dis(l + 1)), on(s::cp_lim2dis(l + 1)),
+                               {on(s::cp_limsel(l + 1)), on(s::ap_limselp(a + 1)), on(s::ap_limseln(a + 1)), on(s::cp_lim1dis(l + 1)),
+                                on(s::cp_lim2dis(l + 1)) || (core.stroke2_off >> l & 1u),
                                 on(s::cp_lim3dis(l + 1))});
                 limited = true;
             }

@@ -29,7 +29,7 @@ void check_sensors(const text::Setup& setup, const MachineConfig& machine, std::
         for (const text::SensorSetup& sensor : channel.sensors) {
             const auto wrong = [&](std::string what) { diagnoses.push_back({Alarm::SetupEntry, {setup.file, 0, 0, 0}, {}, fmt::format("channel {}: sensor {}: {}", number, sensor.input, what)}); };
             if (!find_axis(machine, number, sensor.axis)) wrong("there is no axis " + sensor.axis);
-            if (!input_by_name(sensor.input, number)) wrong(fmt::format("inputs are 0 to {}, SKIP, XAE, YAE, ZAE", kFirstNamedInput - 1));
+            if (!input_by_name(sensor.input, number)) wrong(fmt::format("inputs are 0 to {}, SKIP, SKIP2 to SKIP4, XAE, YAE, ZAE", kFirstNamedInput - 1));
         }
 }
 

@@ -1,4 +1,5 @@
 // What the operator asks for: hold, reset, overrides, single block, programmed stops, emergency stop.
+#include "ipc/image/interrupt_inputs.hpp"
 #include "tests/unit/kernel/rig.hpp"
 
 namespace polyturn::kernel {
@@ -22,6 +23,55 @@ TEST(Operator, HoldsAlongThePathAndGoesOn) {
     rig.run_until_idle();
     EXPECT_EQ(rig.state(1), ChannelState::Ended);
     EXPECT_NEAR(rig.position(1), 30, 1e-9);
+}
+
+// #3004: the button is remembered and acts where the program allows it again; a door or a dead partner holds at once.
+TEST(Operator, AProgramMayPutFeedHoldOff) {
+    TickRig rig;
+    const auto flag = [&](double value) {
+        PathRecord r = rig.blank(1, RecordKind::Flag);
+        r.code = kFlagControl;
+        r.value = value;
+        return r;
+    };
+    rig.push(1, flag(kControlNoHold));
+    rig.push(1, rig.line(1, {10, 0}, 50));
+    rig.push(1, flag(0));
+    rig.push(1, rig.line(1, {10, 0}, 50));
+    rig.push(1, rig.stop(1, StopReason::M30));
+    rig.start(1);
+    rig.run(50);
+    rig.command(CommandKind::FeedHold, 1);
+    rig.run_until_idle();
+    EXPECT_EQ(rig.state(1), ChannelState::Held);
+    EXPECT_GE(rig.position(1), 10 - 1e-9);
+    EXPECT_LT(rig.position(1), 19);
+    rig.start(1);
+    rig.run_until_idle();
+    EXPECT_EQ(rig.state(1), ChannelState::Ended);
+}
+
+// #3003: single block does not stop behind these blocks.
+TEST(Operator, AProgramMayPutSingleBlockOff) {
+    TickRig rig;
+    const auto flag = [&](double value) {
+        PathRecord r = rig.blank(1, RecordKind::Flag);
+        r.code = kFlagControl;
+        r.value = value;
+        return r;
+    };
+    rig.command(CommandKind::SingleBlock, 1, 1);
+    rig.push(1, flag(kControlNoSingleBlock));
+    rig.push(1, rig.line(1, {5, 0}, 50));
+    rig.push(1, rig.line(1, {5, 0}, 50));
+    rig.push(1, flag(0));
+    rig.push(1, rig.line(1, {5, 0}, 50));
+    rig.push(1, rig.line(1, {5, 0}, 50));
+    rig.push(1, rig.stop(1, StopReason::M30));
+    rig.start(1);
+    rig.run_until_idle();
+    EXPECT_NEAR(rig.position(1), 15, 1e-9);
+    EXPECT_EQ(rig.state(1), ChannelState::ProgramStop);
 }
 
 TEST(Operator, ResetsToAnEmptyPathAndANewEpoch) {

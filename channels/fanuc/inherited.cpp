@@ -1,0 +1,86 @@
+// What a program leaves to the next one in its channel: #100 and on, #1 to #33 of the main program (F6001#6, #7 also over a
+// reset), and with N1301 CLR the G groups that N1302 to N1306 keep (nct part 1 14.2).
+//
+// A program's end counts as a reset here: without CLR all groups begin as the machine was switched on.
+#include "channels/fanuc/resume_state.hpp"
+
+namespace polyturn::channels::fanuc {
+namespace {
+
+// Group gg of an nct control stands in bit gg % 8 of table gg / 8.
+bool keeps(const params::Table& t, unsigned channel, unsigned group) {
+    return params::bit(t, params::nth(params::n1302_clr_g_table1, group / 8 + 1), channel, group % 8);
+}
+
+}  // namespace
+
+struct Interpreter::Inherited {
+    std::vector<double> common;
+    LocalSet locals;
+    decltype(values_of(std::declval<Interpreter&>().modal())) modal;
+    std::vector<ModalCall> modal_calls;
+    PathState path;
+    CompSide side = CompSide::Off;
+};
+
+std::any Interpreter::carry() const {
+    auto& self = const_cast<Interpreter&>(*this);   // modal() ties references; they are only read here
+    return std::make_shared<Inherited>(Inherited{variables_.common(), variables_.levels().front(), values_of(self.modal()), modal_calls_, core_.path, core_.at.comp});
+}
+
+void Interpreter::take_carry(const std::any& before, bool after_reset) {
+    const auto* held = std::any_cast<std::shared_ptr<Inherited>>(&before);
+    if (!held || !*held) return;
+    const Inherited& last = **held;
+    if (!after_reset || settings_.keeps_common) variables_.take_common(last.common);
+    if (!after_reset || settings_.keeps_locals) variables_.locals() = last.locals;
+    if (settings_.nct && params::bit(core_.view().table(), params::n1301_defaultg2, core_.view().channel, 7)) keep_groups(last);
+}
+
+void Interpreter::keep_groups(const Inherited& was) {
+    // The other program's values, to take what belongs to the groups that stay.
+    const auto now = values_of(modal());
+    modal() = was.modal;
+    const auto was_active = active_;
+    const GCode* const motion = motion_;
+    const GCode* const drilling = drilling_;
+    const DrillWords drill = drill_;
+    const bool absolute = absolute_, inch = inch_, polar = polar_;
+    const double unit = unit_;
+    const FrameChain frames = frames_of_;
+    const LengthState length = length_;
+    modal() = now;
+    const params::Table& t = core_.view().table();
+    const unsigned l = core_.view().channel;
+    const auto stays = [&](unsigned group, GGroup of) {
+        if (!keeps(t, l, group)) return false;
+        active_[static_cast<std::size_t>(of)] = was_active[static_cast<std::size_t>(of)];
+        return true;
+    };
+    PathState& path = core_.path;
+    if (stays(1, GGroup::Motion)) motion_ = motion;
+    if (stays(2, GGroup::Plane)) path.plane = was.path.plane;
+    if (stays(3, GGroup::Distance)) absolute_ = absolute;
+    if (stays(4, GGroup::StrokeArea) && was.path.stroke2_off) path.stroke2_off = true, core_.signal("STROKE2", 0.0);
+    if (stays(5, GGroup::FeedMode)) path.feed_mode = was.path.feed_mode, path.feed = was.path.feed;
+    if (stays(6, GGroup::Units)) inch_ = inch, unit_ = unit;
+    if (stays(9, GGroup::Drilling)) drilling_ = drilling, drill_ = drill;
+    (void)stays(10, GGroup::ReturnLevel);
+    if (stays(13, GGroup::Surface)) path.spindle.mode = was.path.spindle.mode, path.spindle.surface_m_min = was.path.spindle.surface_m_min;
+    if (stays(14, GGroup::Zero)) core_.select_zero(was.path.zero_row);
+    if (stays(15, GGroup::ExactStop)) path.exact_stop_mode = was.path.exact_stop_mode, path.override_locked = was.path.override_locked;
+    if (stays(17, GGroup::Polar)) polar_ = polar;
+    if (stays(11, GGroup::Scale)) frames_of_.scaling = frames.scaling;
+    if (stays(22, GGroup::Mirror)) frames_of_.mirror = frames.mirror;
+    if (stays(16, GGroup::Rotation)) frames_of_.rotation = frames.rotation;
+    apply_frames();
+    if (stays(8, GGroup::Length)) {
+        length_ = length;
+        (void)apply_tool_offsets();
+    }
+    if (stays(12, GGroup::MacroModal)) modal_calls_ = was.modal_calls;
+    // Compensation begins anew with the next move.
+    if (stays(7, GGroup::Comp) && was.side != CompSide::Off) (void)core_.compensation(was.side);
+}
+
+}  // namespace polyturn::channels::fanuc
