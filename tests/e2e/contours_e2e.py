@@ -1,0 +1,33 @@
+#!/usr/bin/env python3
+"""The production jobs of examples/jobs make what their drawings show: the part is turned in a model from the trace of the axes."""
+import unittest
+
+import part_model
+from polyturn_runner import SOURCE, Case, read_trace
+
+JOBS = SOURCE / "examples/jobs"
+AXES = {1: ("A1.cmd", "A2.cmd"), 2: ("A3.cmd", "A4.cmd")}   # of the twin-turret machine
+
+
+class Contours(Case):
+    def made(self, name, blocks=200):
+        folder = JOBS / name
+        drawing = part_model.read_toml(folder / "drawing.toml")
+        trace = self.folder / "trace.csv"
+        done = self.polyturn("run", "--virtual", folder / f"{name}.job.toml", "--trace", trace)
+        self.assertEqual((done.status, done.alarms), (0, []), done.said())
+        driven = sum(channel["blocks"] for channel in done.of("summary")[0]["channels"])
+        self.assertGreaterEqual(driven, blocks)
+        part = part_model.machined(drawing, part_model.read_toml(folder / f"{name}.setup.toml"), done.events, read_trace(trace), AXES)
+        for kind in ("outside", "bore"):
+            if kind in drawing:
+                found = part_model.deviations(part, drawing[kind], kind == "bore", drawing.get("skip", []))
+                worst = [f"{d:.3f} mm at X{x:.2f} Z{z:.2f}" for d, x, z in found[:5]]
+                self.assertLess(found[0][0], drawing.get("tolerance", 0.02), f"{kind}: {worst}")
+
+    def test_stud(self):
+        self.made("stud")
+
+
+if __name__ == "__main__":
+    unittest.main()
