@@ -28,6 +28,9 @@ class Contours(Case):
     def test_stud(self):
         self.made("stud")
 
+    def test_bush(self):
+        self.made("bush")
+
 
 if __name__ == "__main__":
     unittest.main()
