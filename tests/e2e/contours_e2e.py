@@ -31,6 +31,12 @@ class Contours(Case):
     def test_bush(self):
         self.made("bush")
 
+    def test_pulley(self):
+        self.made("pulley")
+
+    def test_knob(self):
+        self.made("knob")
+
 
 if __name__ == "__main__":
     unittest.main()
