@@ -37,6 +37,9 @@ class Contours(Case):
     def test_knob(self):
         self.made("knob")
 
+    def test_arbor(self):
+        self.made("arbor")
+
 
 if __name__ == "__main__":
     unittest.main()
