@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "channels/sinumerik/tables.hpp"
+#include "channels/sinumerik/interpreter.hpp"
 
 namespace polyturn::channels::sinumerik {
 namespace {
@@ -18,12 +18,12 @@ constexpr std::string_view kHead =
 
 std::string_view built(bool yes) { return yes ? "built" : "refused"; }
 
-// One row a group: what is built and what is refused, in the order of the group's numbers.
+// One row a group: what acts, what is only kept as a mode, and what is refused, in the order of the group's numbers.
 std::string g_table() {
-    std::map<unsigned, std::array<std::string, 2>> groups;
+    std::map<unsigned, std::array<std::string, 3>> groups;
     const auto collect = [&](std::span<const GCode> rows) {
         for (const GCode& row : rows) {
-            std::string& text = groups[row.group][row.act ? 0 : 1];
+            std::string& text = groups[row.group][!row.act ? 2 : row.act == &Interpreter::g_nothing ? 1 : 0];
             if (!text.empty()) text += ' ';
             text += row.modal ? std::string(row.name) : fmt::format("*{}*", row.name);
             if (row.preset) text += "\\*";
@@ -31,8 +31,8 @@ std::string g_table() {
     };
     collect(program_g_codes());
     collect(geometry_g_codes());
-    std::string page = "\n## G commands\n| group | built | refused |\n| --- | --- | --- |\n";
-    for (const auto& [group, text] : groups) page += fmt::format("| {} | {} | {} |\n", group, text[0], text[1]);
+    std::string page = "\n## G commands\n| group | acts | kept as a mode, changes nothing | refused |\n| --- | --- | --- | --- |\n";
+    for (const auto& [group, text] : groups) page += fmt::format("| {} | {} | {} | {} |\n", group, text[0], text[1], text[2]);
     return page;
 }
 

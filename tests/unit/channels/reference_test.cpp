@@ -34,7 +34,7 @@ TEST_P(LanguageReference, IsCurrent) {
 
 INSTANTIATE_TEST_SUITE_P(All, LanguageReference, ::testing::Values(Page{"fanuc", fanuc::reference_page}, Page{"fagor", fagor::reference_page},
                                                                    Page{"sinumerik", sinumerik::reference_page}),
-                         [](const auto& info) { return std::string(info.param.language); });
+                         [](const auto& test) { return std::string(test.param.language); });
 
 TEST(FanucReference, NamesEveryCodeByItsNumber) {
     for (const fanuc::GCode& row : fanuc::g_codes()) {
