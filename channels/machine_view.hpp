@@ -34,6 +34,9 @@ struct ChannelAxis {
     }
     PlaneRole role = PlaneRole::None;
     bool diameter = false, rotary = false, hypothetical = false;
+    bool turns = false;             // it is a rotary axis, though a transformation may have it count millimetres (rotary is false then)
+    bool rolls_over = false;        // likewise
+    bool named_y = false;           // and is programmed as Y
     bool rollover = false, rollover_shortest = false, rollover_sign_is_direction = false, rollover_reduces_increments = false;
     double rollover_deg = 360.0;
     double increment = 0.001;       // smallest step that can be programmed, mm (metric) or degrees

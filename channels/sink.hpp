@@ -18,6 +18,10 @@
 #include "ipc/diagnosis/diagnosis.hpp"
 #include "ipc/image/enums.hpp"
 
+namespace polyturn {
+struct Kinematics;
+}
+
 namespace polyturn::channels {
 
 using AxisValues = std::array<double, kChannelAxes>;  // by the axis' place in the channel
@@ -85,6 +89,10 @@ struct Move {
     double tap_rpm = 0.0;           // the programmed speed, 1/min
     bool tap_out = false;           // the way out of the hole
     bool tap_feedforward = false;   // N1503 RFF
+    // A transformation is on: the path runs from path_start to path in its coordinates (arcs: centre, radius, sweep as well),
+    // machine_start and machine are the axes. Its roles name places in the channel.
+    const Kinematics* kinematics = nullptr;
+    AxisValues path_start{}, path{};
 };
 
 struct Dwell {

@@ -94,16 +94,18 @@ private:
     std::string& out_;
 };
 
+std::string_view shown_name(const ChannelAxis& axis) { return axis.named_y ? std::string_view("Y") : std::string_view(axis.name); }
+
 void axes(Object& object, std::string_view name, const MachineView& view, const AxisValues& values, bool shown, AxisSet swapped) {
     object.key(name);
     object.raw("{");
     for (unsigned i = 0; i < view.axis_count; ++i) {
         const ChannelAxis& axis = view.axes[i];
         if (i) object.raw(",");
-        object.append_text(axis.name);
+        object.append_text(shown ? shown_name(axis) : std::string_view(axis.name));
         object.raw(":");
         double value = shown && view.axes[i].diameter != ((swapped >> i & 1u) != 0) ? values[i] * 2.0 : values[i];
-        if (axis.rollover) {
+        if (shown ? axis.rollover : axis.rollover || axis.rolls_over) {
             value -= std::floor(value / axis.rollover_deg) * axis.rollover_deg;
             if (axis.rollover_deg - value < kHalfUlp) value = 0.0;
         }
@@ -166,11 +168,11 @@ void append_event(std::string& out, const EventScene& scene, const Move& move, c
     if (move.kind == MoveKind::ArcCw || move.kind == MoveKind::ArcCcw || (move.kind == MoveKind::Thread && move.sweep != 0)) {
         object.key("centre");
         object.raw("{");
-        object.append_text(view.axes[move.plane_p].name);
+        object.append_text(shown_name(view.axes[move.plane_p]));
         object.raw(":");
         object.append_number(move.pos_centre_p);
         object.raw(",");
-        object.append_text(view.axes[move.plane_q].name);
+        object.append_text(shown_name(view.axes[move.plane_q]));
         object.raw(":");
         object.append_number(move.pos_centre_q);
         object.raw("}");

@@ -1,5 +1,6 @@
 // G75, G76: moves that the probe ends; G52 likewise with a hard stop; G46: the inclined axis; G36 to G39 at the end of a block.
 #include <cmath>
+#include <numbers>
 
 #include "channels/fagor/interpreter.hpp"
 
@@ -58,21 +59,19 @@ bool Interpreter::g_inclined(const GCode&) {
 
 // The real axes stand still when the transformation changes: the cartesian point becomes another number.
 void Interpreter::set_inclined(int state) {
-    if ((state != 0) == inclined_.active()) {
-        modal_.inclined = state;
-        return;
-    }
-    AxisValues machine = core_.path.machine;
-    if (state == 0) {
-        inclined_.to_real(machine);
-        inclined_.activate(false);
-    } else {
-        inclined_.configure(static_cast<unsigned>(inclined_place_), static_cast<unsigned>(orthogonal_place_), settings_.inclined_deg, settings_.inclined_origin);
-        inclined_.to_cartesian(machine);
-        inclined_.activate(true);
+    if ((state != 0) != core_.transformed()) {
+        core_.transform_off();
+        if (state != 0) {
+            Transformation wanted;
+            wanted.kinematics.kind = static_cast<std::uint32_t>(KinematicsKind::Inclined);
+            wanted.kinematics.axis[0] = static_cast<std::uint8_t>(inclined_place_);
+            wanted.kinematics.axis[1] = static_cast<std::uint8_t>(orthogonal_place_);
+            wanted.kinematics.centre[0] = settings_.inclined_origin;
+            wanted.kinematics.value[0] = settings_.inclined_deg * std::numbers::pi / 180.0;
+            (void)core_.transform(wanted);   // g_inclined has seen to it that it can
+        }
     }
     modal_.inclined = state;
-    core_.start_at_machine(machine);
 }
 
 // While frozen only the inclined axis moves: the point slides along it (13.2).
@@ -80,7 +79,7 @@ void Interpreter::slide(AxisValues& target, AxisSet named) const {
     if (modal_.inclined != 2 || !(named >> inclined_place_ & 1u) || (named >> orthogonal_place_ & 1u)) return;
     const auto x = static_cast<std::size_t>(inclined_place_), z = static_cast<std::size_t>(orthogonal_place_);
     AxisValues from = core_.framed(core_.path.programmed), to = core_.framed(target);
-    to[z] = from[z] + (to[x] - from[x]) * inclined_.tangent();
+    to[z] = from[z] + (to[x] - from[x]) * std::tan(core_.path.transformation.kinematics.value[0]);
     target = core_.unframed(to);
 }
 

@@ -23,7 +23,7 @@ std::int64_t number_of_file(const std::string& path) {
 }  // namespace
 
 Interpreter::Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles& files)
-    : inclined_(sink, view), core_(view, inclined_, port), files_(&files), settings_(read_settings(view.table(), view.channel)), reader_(*this), expression_(*this) {
+    : core_(view, sink, port), files_(&files), settings_(read_settings(view.table(), view.channel)), reader_(*this), expression_(*this) {
     place_.fill(-1);
     for (unsigned i = 0; i < view.axis_count; ++i) {
         const std::string& name = view.axes[i].name;
@@ -105,7 +105,6 @@ void Interpreter::barrier_done() {
     take_machine();
 }
 
-// The axes as the machine has them; a transformation lies between them and the part.
 void Interpreter::take_machine() {
     const MachineView& view = core_.view();
     AxisValues machine{};
@@ -114,7 +113,6 @@ void Interpreter::take_machine() {
         if (!now) return;   // nobody drives: they stand where they were commanded
         machine[i] = *now;
     }
-    if (inclined_.active()) inclined_.to_cartesian(machine);
     for (unsigned i = 0; i < view.axis_count; ++i) core_.take_machine(i, machine[i]);
 }
 
@@ -258,12 +256,15 @@ Step Interpreter::blank_line() {
 Step Interpreter::iso_block() {
     jumped_ = called_ = wants_barrier_ = false;
     const std::uint64_t moves_before = core_.moves();
-    if (!(classify() && check_words() && act())) return fault(core_.fault());
-    if (inclined_.failed()) {
-        const ChannelAxis& axis = core_.view().axes[inclined_.failed_axis()];
-        const double limit = inclined_.failed_at() > axis.limit_max ? axis.limit_max : axis.limit_min;
-        return fault({Alarm::StrokeExceeded, axis.name[0], inclined_.failed_at(), limit, axis.name, {}});
+    if (!classify()) return fault(core_.fault());
+    const GCode* one_shot = coded_[static_cast<std::size_t>(GGroup::OneShot)];
+    if (one_shot && one_shot->number == 46 && !fresh_ && !core_.reads_ahead()) {   // the axes rest first (architecture 5.8)
+        reread_ = true;
+        core_.sink().barrier(core_.at);
+        return Step::AtBarrier;
     }
+    if (!(check_words() && act())) return fault(core_.fault());
+    if (core_.transformation_failed()) return fault(core_.fault());
     if (!called_) modal_.m_done = -1;
     return end_block(block_.count != 0, moves_before);
 }

@@ -22,7 +22,6 @@
 #include "channels/fagor/settings.hpp"
 #include "channels/fagor/values.hpp"
 #include "channels/language.hpp"
-#include "channels/state/inclined_axis.hpp"
 
 namespace polyturn::channels::fagor {
 
@@ -236,7 +235,6 @@ private:
     void note_resume_point();
     bool is_plain_move() const;
 
-    InclinedAxis inclined_;          // behind Core: cartesian machine coordinates to those of the axes
     Core core_;
     ProgramFiles* files_;
     Settings settings_;

@@ -66,7 +66,6 @@ bool Interpreter::resume_at(std::uint64_t serial) {
     fresh_ = true;
     state_changed_ = true;
     core_.at.tool = core_.path.tool.ref;
-    inclined_.activate(modal_.inclined != 0);
     show_diameter();
     return true;
 }

@@ -119,8 +119,18 @@ Step Interpreter::nc_block() {
         }
     }
     const bool single_b = b_.single_now;
-    if (!calls && !(classify() && (is_macro_call() ? macro_call() : check_words() && act()))) return fault(core_.fault());
+    if (!calls && !fresh_ && block_.has('G')) {
+        if (!classify()) return fault(core_.fault());
+        if (switches_transformation() && !core_.reads_ahead()) {   // the axes rest first (architecture 5.8); the block is read again behind it
+            reread_ = true;
+            line_left_ = false;
+            live_value_barrier();
+            return Step::AtBarrier;
+        }
+    }
+    if (!calls && !(classify() && transformation_allows() && (is_macro_call() ? macro_call() : check_words() && act()))) return fault(core_.fault());
     b_.single_before = b_.single_now;
+    if (core_.transformation_failed()) return fault(core_.fault());
     if (interruption_.running && (block_.letters & ~letter_set("NO"))) interruption_.shows_end = false;
     if (sub_program_ >= 0) {
         const std::int64_t program = sub_program_;
@@ -133,6 +143,7 @@ Step Interpreter::nc_block() {
     if (core_.reads_ahead()) {
         const bool counts = !called_ && (!calls || single_b) && (block_.letters & ~letter_set("NO")) != 0;   // calls belong to nobody's path
         if (!core_.end_compensated_block(counts, wants_barrier_, ended_)) return fault(core_.fault());
+        if (core_.transformation_failed()) return fault(core_.fault());
     }
     if (core_.emitted()) {
         fresh_ = false;
@@ -248,7 +259,9 @@ bool Interpreter::axis_word(const Word& word, AxisValues& target, AxisSet& named
     const auto [place, incremental] = axis_of(word);
     const auto i = static_cast<std::size_t>(place);
     const ChannelAxis& axis = core_.view().axes[i];
-    const double value = length(word, place) * (axis.diameter ? 0.5 : 1.0);
+    double value = length(word, place) * (axis.diameter ? 0.5 : 1.0);
+    const Transformation& transformation = core_.path.transformation;
+    if (transformation.degrees && transformation.rotary_place() == place) value /= unit_ * transformation.degrees_per_mm();   // an angle
     named |= 1u << i;
     if (axis.rollover) target[i] = core_.rollover_target(static_cast<unsigned>(place), value, !incremental);
     else target[i] = incremental ? core_.path.programmed[i] + value : value;

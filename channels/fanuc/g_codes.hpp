@@ -30,6 +30,7 @@ enum class GGroup : std::uint8_t {
     Zero,         // work zero of this block's targets
     Drilling,     // canned cycles: G80 ends them before the block moves
     MacroModal,   // G66 G67
+    Transform,    // G12.1 G13.1: alone in their block
     OneShot,      // acts in its block only, takes the axis words
     Motion,       // last: everything above holds for it
     Count,

@@ -127,6 +127,8 @@ public:
     bool g_mirror(const GCode&);
     bool g_turret_mirror(const GCode&);
     bool g_rotation(const GCode&);
+    bool g_polar_plane(const GCode&);
+    bool g_cylinder(const GCode&);
     bool g_b_register(const GCode&);
     bool g_b_single(const GCode&);
 
@@ -181,8 +183,14 @@ private:
     // Everything that holds from block to block beside positions, calls and variables.
     auto modal() {
         return std::tie(motion_, active_, cycle_end_, cycle_set_, cycle_taper_, drilling_, drill_, finishing_, cycle_data_, absolute_, inch_, unit_, last_m_, last_t_, last_n_,
-                        parameter_input_, lead_, single_block_off_, no_finish_wait_, automatic_control_, parts_, program_number_, tape_begun_, blocks_begun_, interrupting_, frames_of_, length_, corner_then_, polar_, polar_known_, polar_radius_, polar_angle_);
+                        parameter_input_, lead_, single_block_off_, no_finish_wait_, automatic_control_, parts_, program_number_, tape_begun_, blocks_begun_, interrupting_, frames_of_, length_, corner_then_, polar_, polar_known_, polar_radius_, polar_angle_, plane_before_);
     }
+
+    // transformations (g_transform.cpp)
+    bool switches_transformation() const;
+    bool transformation_allows();
+    bool transformation_alone(Alarm alarm);
+    int transformation_axis(std::int64_t number, bool rotary) const;
 
     // one block (block.cpp)
     Step nc_block();
@@ -380,6 +388,7 @@ private:
     Interrupting interrupting_;
     FrameChain frames_of_;
     LengthState length_;
+    Plane plane_before_ = Plane::ZX;           // what G13.1 goes back to
     CornerThen corner_then_;
     bool polar_ = false, polar_known_ = false;
     double polar_radius_ = 0.0, polar_angle_ = 0.0;

@@ -25,6 +25,7 @@ std::string_view group_name(GGroup group) {
         case GGroup::Zero: return "work zero";
         case GGroup::Drilling: return "drilling";
         case GGroup::MacroModal: return "modal macro";
+        case GGroup::Transform: return "polar plane";
         case GGroup::OneShot: return "in its block";
         case GGroup::Motion: return "motion";
         case GGroup::Count: break;

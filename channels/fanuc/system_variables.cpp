@@ -47,11 +47,11 @@ constexpr GGroup kNone = GGroup::Count;
 constexpr GGroup kModalGroups[] = {
     GGroup::Motion, GGroup::Surface, GGroup::Distance, GGroup::Rotation, GGroup::FeedMode, GGroup::Units, GGroup::Comp, GGroup::SpindleWatch,
     GGroup::StrokeArea, GGroup::Drilling, GGroup::ReturnLevel, GGroup::MacroModal, kNone, GGroup::Zero, GGroup::ExactStop, GGroup::Plane,
-    kNone, kNone, kNone, kNone, kNone, kNone};
+    kNone, kNone, kNone, kNone, GGroup::Transform, kNone};
 constexpr GGroup kModalGroupsNct[] = {
     GGroup::Motion, GGroup::Plane, GGroup::Distance, GGroup::StrokeArea, GGroup::FeedMode, GGroup::Units, GGroup::Comp, GGroup::Length,
     GGroup::Drilling, GGroup::ReturnLevel, GGroup::Scale, GGroup::MacroModal, GGroup::Surface, GGroup::Zero, GGroup::ExactStop, GGroup::Rotation,
-    GGroup::Polar, kNone, kNone, kNone, kNone, GGroup::Mirror};
+    GGroup::Polar, kNone, kNone, kNone, GGroup::Transform, GGroup::Mirror};
 
 }  // namespace
 

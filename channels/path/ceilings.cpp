@@ -104,6 +104,15 @@ Ceilings ceilings_of(const PathRecord& r, const PathLimits& limits) {
     return of_samples(r, limits, rapid, samples);
 }
 
+bool ceilings_behind(const PathRecord& r, const Kinematics& kinematics, const PathLimits& drives, Ceilings& c) {
+    constexpr std::size_t kSteps = 12;
+    Samples samples;
+    for (std::size_t n = 0; n <= kSteps; ++n)
+        if (!drive_derivatives_at(r, &kinematics, r.length * static_cast<double>(n) / kSteps, samples.at[samples.count++])) return false;
+    c = of_samples(r, drives, (r.flags & kRapid) != 0, samples);
+    return c.v > 0 && c.a > 0 && c.j > 0;
+}
+
 void store(const Ceilings& c, PathRecord& r) { r.v_max = c.v, r.a_max = c.a, r.j_max = c.j; }
 
 void apply_junction_rules(const JunctionSides& sides, double angle, const PathLimits& limits, Ceilings& c) {

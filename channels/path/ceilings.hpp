@@ -16,7 +16,7 @@
 // Curves are sampled; arcs also at each point where an axis turns back. kSampling covers what lies between samples.
 #pragma once
 #include "channels/path/path_limits.hpp"
-#include "ipc/path/path_geometry.hpp"
+#include "ipc/kinematics/kinematics.hpp"
 
 namespace polyturn::channels {
 
@@ -29,6 +29,9 @@ struct Ceilings {
 
 // For the record as it stands: Line, Arc (whole, or part of one) or Curve. kRapid in its flags chooses N0304.
 Ceilings ceilings_of(const PathRecord& record, const PathLimits& limits);
+// Of a record that lies in path coordinates; `drives` are the limits of the axes behind the transformation. The piece must be short
+// against reach() (transformed_out.hpp). False: an axis cannot follow at any speed.
+bool ceilings_behind(const PathRecord& record, const Kinematics& kinematics, const PathLimits& drives, Ceilings& ceilings);
 void store(const Ceilings& ceilings, PathRecord& record);
 
 // What N0307 to N0309, N0403, N0404 allow where `before` (end tangent, by slot of the axis list) and `after` meet.

@@ -37,7 +37,13 @@ void cut(const PathRecord& whole, double from, double to, PathRecord& part) {
     for (std::size_t i = 0; i < whole.axis_count; ++i) part.start[i] = p[i];
     position_at(whole, to, p);
     for (std::size_t i = 0; i < whole.axis_count; ++i) part.end[i] = p[i];
-    if (static_cast<RecordKind>(whole.kind) != RecordKind::Arc) return;
+    if (static_cast<RecordKind>(whole.kind) == RecordKind::Line) return;
+    if (static_cast<RecordKind>(whole.kind) == RecordKind::Curve) {   // the same curve, its parameter counted from here
+        const double* u = &whole.shape[curve_shape::kParameter];
+        const Quintic shifted = part_of(Quintic{u[0], u[1], u[2], u[3], u[4], u[5]}, from, 1.0);
+        for (std::size_t k = 0; k < 6; ++k) part.shape[curve_shape::kParameter + k] = shifted[k];
+        return;
+    }
 
     const double* c = &whole.shape[curve_shape::kParameter];
     Quintic fraction{c[0], c[1], c[2], c[3], c[4], c[5]};

@@ -30,6 +30,9 @@ class PathMaker {
 public:
     PathMaker(RecordOut& out, const PathLimits& limits) : out_(&out), limits_(&limits) {}
 
+    // Other limits from here on; nothing is kept back (after flush or discard).
+    void use_limits(const PathLimits& limits) { limits_ = &limits; }
+
     // The next move: fill the cleared record (kind Line or Arc, slots, start, end, shape of an arc, feed, flags except the
     // block's begin and end, block, note), then add it. length and ceilings are computed here. kExactStop: stop at its end.
     PathRecord& next_move();
@@ -83,7 +86,7 @@ private:
 
 // Length of a programmed move in its metric: millimetres over the linear axes, degrees when none of them moves.
 double path_length(const PathRecord& move, const PathLimits& limits);
-// The part [from, to] of a Line or Arc.
+// The part [from, to] of a Line, Arc or Curve.
 void cut(const PathRecord& whole, double from, double to, PathRecord& part);
 
 }  // namespace polyturn::channels

@@ -49,7 +49,8 @@ ChannelProcess::ChannelProcess(PeerSegment<SupervisorSegment> supervisor, PeerSe
     while (!store_->parameters.read(*table)) {}
     const auto horizon = static_cast<std::uint64_t>(params::get(*table, params::pt_horizon));
     ring_ = std::make_unique<RingOut>(*own_, *kernel_, channel - 1, horizon, inbox_);
-    maker_ = std::make_unique<PathMaker>(*ring_, limits_);
+    transformed_ = std::make_unique<TransformedOut>(*ring_, limits_);
+    maker_ = std::make_unique<PathMaker>(*transformed_, limits_);
     own_->bell.ring();
 }
 
@@ -150,10 +151,12 @@ void ChannelProcess::begin_program() {
     for (unsigned i = 0; i < view_->axis_count; ++i) view_->start[i] = *port_.axis_command(view_->axes[i].machine_axis);
     take_limits();
     maker_->discard();
+    maker_->use_limits(limits_);
     ring_->resume();
     if (supervisor_->options.notes && services_.make_describer) describer_ = services_.make_describer(*view_, note_text_);
     sink_ = std::make_unique<RecordSink>(*view_, *maker_, *ring_, describer_.get(), &note_text_,
                                          [this](std::uint64_t number, std::string_view text) { put_note(number, text); });
+    sink_->transforms(*transformed_, limits_);
     sink_->continue_notes(last_note_);
     sink_->more_parts(parts_left_ > 1);
     run_ = services_.make_run(*view_, *sink_, port_, running_);
@@ -186,7 +189,10 @@ void ChannelProcess::go_on() {
                         params::get(view_->table(), params::n1700_no_of_common_100) > 0 || params::get(view_->table(), params::n1701_no_of_common_500) > 0;
     if ((store_changed_ || shares || common_offsets(*view_).count) && !take_store()) return;
     take_routes(*view_, port_.picture().route);
-    if (couplings_of(port_.picture()) != couplings_) take_limits();
+    if (couplings_of(port_.picture()) != couplings_) {
+        take_limits();
+        sink_->limits_changed();
+    }
     run_->barrier_done();
     state_ = State::Reading;
 }

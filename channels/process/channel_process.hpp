@@ -94,6 +94,7 @@ private:
     RunPort port_;
     PathLimits limits_;
     Couplings couplings_;          // those that limits_ were made for
+    std::unique_ptr<TransformedOut> transformed_;
     std::unique_ptr<PathMaker> maker_;
     std::unique_ptr<MachineView> view_;
     std::string note_text_;

@@ -91,8 +91,46 @@ void RecordSink::thread_arc(const Move& move, const BlockContext& at) {
     }
 }
 
+// The transformation as the drives see it. It changes where the path stands: the channel is at a barrier, or the rotary axis turns
+// in the pole between two moves that end with a stop.
+void RecordSink::use_transformation(const Move& move) {
+    if (!transformed_) return;
+    if (!move.kinematics) {
+        if (entry_ == 0 && !limits_forgotten_) return;
+        limits_forgotten_ = false;
+        maker_->flush();
+        maker_->use_limits(*drives_);
+        entry_ = 0;
+        return;
+    }
+    Kinematics k = *move.kinematics;
+    const std::size_t roles = role_count(kind_of(k));
+    const Kinematics places = k;
+    k.axis.fill(0xff);
+    for (std::size_t r = 0; r < roles; ++r) {
+        const ChannelAxis& axis = view_->axes[places.axis[r]];
+        k.axis[r] = axis.machine_axis;
+        k.shift[r] = axis.to_drive(0.0);
+        k.sign[r] = axis.to_drive(1.0) - k.shift[r] < 0 ? -1.0 : 1.0;
+    }
+    const std::uint16_t entry = ring_->enter(k);
+    if (entry == entry_) return;
+    limits_forgotten_ = false;
+    maker_->flush();
+    const bool polar = kind_of(k) == KinematicsKind::Polar;
+    // machine_start is the drive's already.
+    const double turn = polar ? unrouted(k, 1, move.machine_start[places.axis[1]]) : 0.0;
+    const bool negative = polar && unrouted(k, 0, move.machine_start[places.axis[0]]) < k.centre[0];
+    transformed_->begin(k, turn, negative ? SideOfPole::Negative : SideOfPole::Positive);
+    maker_->use_limits(transformed_->limits());
+    entry_ = entry;
+}
+
 void RecordSink::add(const Move& move, const BlockContext& at, bool told, std::uint64_t number) {
+    use_transformation(move);
     PathRecord& r = maker_->next_move();
+    r.transform = entry_;
+    const AxisValues &from = move.kinematics ? move.path_start : move.machine_start, &to = move.kinematics ? move.path : move.machine;
     const bool arc = move.kind == MoveKind::ArcCw || move.kind == MoveKind::ArcCcw || (move.kind == MoveKind::Thread && move.sweep != 0);
     r.kind = code_of(arc ? RecordKind::Arc : RecordKind::Line);
     AxisSet moved = move.moved;
@@ -102,8 +140,8 @@ void RecordSink::add(const Move& move, const BlockContext& at, bool told, std::u
         if (arc && i == move.plane_p) r.plane[0] = r.axis_count;
         if (arc && i == move.plane_q) r.plane[1] = r.axis_count;
         r.axis[r.axis_count] = view_->axes[i].machine_axis;
-        r.start[r.axis_count] = move.machine_start[i];
-        r.end[r.axis_count++] = move.machine[i];
+        r.start[r.axis_count] = from[i];
+        r.end[r.axis_count++] = to[i];
     }
     if (arc) fill_arc(move, r);
     place(at, r);

@@ -10,7 +10,7 @@
 #include <functional>
 
 #include "channels/machine_view.hpp"
-#include "channels/path/path_maker.hpp"
+#include "channels/path/transformed_out.hpp"
 #include "channels/process/ring_out.hpp"
 #include "channels/sink.hpp"
 
@@ -23,6 +23,10 @@ public:
     using PutNote = std::function<void(std::uint64_t, std::string_view)>;
     RecordSink(const MachineView& view, PathMaker& maker, RingOut& ring, Sink* describe, std::string* text, PutNote put_note)
         : view_(&view), maker_(&maker), ring_(&ring), describe_(describe), text_(text), put_note_(std::move(put_note)) {}
+
+    // Where moves in path coordinates go through; `drives` are the limits without a transformation.
+    void transforms(TransformedOut& out, const PathLimits& drives) { transformed_ = &out, drives_ = &drives; }
+    void limits_changed() { entry_ = 0, limits_forgotten_ = true; }   // taken over with the next move
 
     void move(const Move&, const BlockContext&) override;
     void add(const Move&, const BlockContext&, bool told, std::uint64_t number = 0);
@@ -46,7 +50,7 @@ public:
     // The program has come to a barrier, or to its end: everything is out afterwards. `stop`: what ends it unless the
     // program itself has; a barrier without a record of its own gets one.
     void reach_barrier();
-    void forget() { drained_ = stopped_ = failed_ = false; }   // what was pushed is void: the program goes back
+    void forget() { drained_ = stopped_ = failed_ = false, limits_changed(); }   // what was pushed is void: the program goes back
     void finish(StopReason reason);
     void end_of_part();   // the program has ended, another part follows: a barrier instead of the stop
     void more_parts(bool more) { more_parts_ = more; }
@@ -60,6 +64,7 @@ private:
     PathRecord event(RecordKind kind, const BlockContext& at, std::uint64_t note) const;
     void push(PathRecord& record, bool stands, bool drains);
     template <class Call> std::uint64_t note(Call&& call);
+    void use_transformation(const Move& move);
     void fill_retract(const Move& move, PathRecord& record) const;
     void fill_arc(const Move& move, PathRecord& record) const;
 
@@ -71,6 +76,10 @@ private:
     PutNote put_note_;
     std::uint64_t note_ = 0;
     std::uint64_t drain_index_ = 0;
+    TransformedOut* transformed_ = nullptr;
+    const PathLimits* drives_ = nullptr;
+    std::uint16_t entry_ = 0;   // transformation of the newest move
+    bool limits_forgotten_ = false;
     bool drained_ = false;      // the newest record drains
     bool stopped_ = false;      // the program has ended itself
     bool failed_ = false;       // an error was delivered

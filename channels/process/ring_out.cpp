@@ -1,5 +1,7 @@
 #include "channels/process/ring_out.hpp"
 
+#include "ipc/kinematics/kinematics.hpp"
+
 namespace polyturn::channels {
 
 RingOut::RingOut(ChannelSegment& own, const KernelSegment& kernel, unsigned index, std::uint64_t horizon, EventInbox& inbox)
@@ -11,6 +13,13 @@ bool RingOut::may_wait() {
     if (inbox_->interrupts()) aborted_ = true;
     else own_->bell.ring();
     return !aborted_;
+}
+
+std::uint16_t RingOut::enter(const Kinematics& kinematics) {
+    if (entry_ != 0 && same(own_->kinematics[entry_ - 1u], kinematics)) return entry_;
+    entry_ = static_cast<std::uint16_t>(entry_ % kKinematics + 1u);
+    own_->kinematics[entry_ - 1u] = kinematics;   // visible with the push of the first record that names it (P1)
+    return entry_;
 }
 
 bool RingOut::wait_for_kernel() {

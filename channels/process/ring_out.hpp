@@ -18,6 +18,8 @@ public:
 
     void resume() { aborted_ = false; }
     bool aborted() const { return aborted_; }
+    // Entry (from 1) of the segment's transformations that holds it. The ring is drained when a new one comes: a barrier.
+    std::uint16_t enter(const Kinematics& kinematics);
     std::uint64_t last_index() const { return producer_.head() - 1; }   // of the newest record
     std::uint64_t pushed() const { return producer_.head(); }
     // Before a wait for somebody else: rings, shows life; false when an interrupt has come, then nothing goes out any more.
@@ -34,6 +36,7 @@ private:
     PathRecord scratch_;
     PathRecord* claimed_ = nullptr;
     bool aborted_ = false;
+    std::uint16_t entry_ = 0;              // newest; 0 none yet
 };
 
 }  // namespace polyturn::channels

@@ -214,6 +214,11 @@ void Interpreter::zeros_change(const std::function<void()>& change) {
 
 int Interpreter::find_axis(std::string_view name) const {
     const MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    const Transformation& transformation = core_.path.transformation;
+    if (transformation.named_y) {   // Y is the transformation's; its rotary axis has no name of its own meanwhile
+        if (name == "Y") return transformation.virtual_y;
+        if (view.axis_by_name(name) == transformation.rotary_place()) return -1;
+    }
     if (const int place = view.axis_by_name(name); place >= 0) return place;
     const auto number_behind = [&](std::size_t from) -> int {
         int number = 0;

@@ -25,6 +25,7 @@ bool Interpreter::geo_reference(const GCode&) {
     const AxisSet which = axis_words();
     if (!which) return true;
     if (core_.compensating()) return fail(Alarm::CompReference);
+    if (core_.transformed()) return fail(Alarm::TransformCode, "G74, G75");   // sinumerik_part2 15.4, 15.5
     AxisValues machine = core_.path.machine;
     for (unsigned i = 0; i < core_.view().axis_count; ++i)
         if (which >> i & 1u) machine[i] = core_.view().axes[i].reference_mm[0];
@@ -44,6 +45,7 @@ bool Interpreter::geo_fixed_point(const GCode&) {
     }
     if (!which) return true;
     if (core_.compensating()) return fail(Alarm::CompReference);
+    if (core_.transformed()) return fail(Alarm::TransformCode, "G74, G75");   // sinumerik_part2 15.4, 15.5
     AxisValues machine = core_.path.machine;
     for (unsigned i = 0; i < core_.view().axis_count; ++i) {
         if (!(which >> i & 1u)) continue;

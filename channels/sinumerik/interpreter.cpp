@@ -265,9 +265,11 @@ Step Interpreter::after_block(bool ok) {
         return Step::AtBarrier;
     }
     block_undo_.clear();
+    if (core_.transformation_failed()) return fault(core_.fault());
     if (core_.reads_ahead()) {
         const bool counts = !called_ && !(block_.words.empty() && block_.codes.empty());
         if (!core_.end_compensated_block(counts, wants_barrier_, ended_)) return fault(core_.fault());
+        if (core_.transformation_failed()) return fault(core_.fault());
     }
     if (core_.emitted()) {
         fresh_ = false;

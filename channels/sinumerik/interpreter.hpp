@@ -66,6 +66,7 @@ struct ModalCall {
 
 // Everything that holds from block to block beside positions, calls and variables: part of a resume state.
 struct Modal {
+    std::optional<double> inclined_deg;       // TRAANG: the angle programmed last
     std::array<std::uint8_t, kGroups> active{};   // number of the active G command of each group
     std::uint8_t motion_before = 0;
     double feed = 0.0;                // F as it holds, mm/min, mm/rev or 1/min
@@ -296,6 +297,9 @@ public:
     bool p_fgroup(Call&);
     bool p_diamchan(Call&);
     bool p_spindle_control(Call&);
+    bool p_transmit(Call&), p_tracyl(Call&), p_traang(Call&), p_tracon(Call&), p_traori(Call&), p_trafoof(Call&);   // geo_transform.cpp
+    bool transformation_data(std::int64_t kind, const Call& c, std::size_t number_at, std::array<int, 3>& axes);
+    bool switch_transformation(const Transformation& wanted);
     bool p_wait_axis(Call&);
     bool p_wait_spindle(Call&);
     bool p_delt(Call&);

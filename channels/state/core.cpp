@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "channels/state/route_sink.hpp"   // likewise
+#include "channels/state/transform_sink.hpp"
 
 namespace polyturn::channels {
 
@@ -24,7 +25,18 @@ void Core::start_at_machine(const AxisValues& machine) {
 }
 
 void Core::take_machine(unsigned place, double drive) {
-    const double machine = view_->axes[place].from_drive(drive);
+    double machine = view_->axes[place].from_drive(drive);
+    if (transforms_) transforms_->axes()[place] = machine;
+    if (transformed() && path.transformation.uses(place)) {   // all its roles follow
+        AxisValues axes = transforms_->axes();
+        places_to_path(path.transformation, axes);
+        for (std::size_t r = 0; r < role_count(kind_of(path.transformation.kinematics)); ++r) {
+            const unsigned i = path.transformation.kinematics.axis[r];
+            path.machine[i] = compensating_ ? axes[i] - (machine_now(i) - path.machine[i]) : axes[i];
+            rebase(i);
+        }
+        return;
+    }
     path.machine[place] = compensating_ ? machine - (machine_now(place) - path.machine[place]) : machine;
     rebase(place);
 }
@@ -37,7 +49,8 @@ void Core::refresh_routes() {
         any = any || view_->axes[i].turned_round();
     }
     if (any && !routes_) routes_ = std::make_unique<RouteSink>(*outermost_, *view_);
-    Sink* const out = any ? routes_.get() : outermost_;
+    Sink* out = any ? static_cast<Sink*>(routes_.get()) : outermost_;
+    if (transforms_) transforms_->next(*out), out = transforms_.get();
     if (out == out_) return;
     if (sink_ == out_) sink_ = out;   // compensation keeps what it has opened; switching codes stand outside of it
     out_ = out;
@@ -166,8 +179,12 @@ AxisSet Core::plane_axes(int& p, int& q) const {
     static constexpr PlaneRole kRoles[3][2] = {
         {PlaneRole::BasicX, PlaneRole::BasicY}, {PlaneRole::BasicZ, PlaneRole::BasicX}, {PlaneRole::BasicY, PlaneRole::BasicZ}};
     const auto& roles = kRoles[static_cast<std::size_t>(path.plane)];
-    p = path.plane_p >= 0 ? path.plane_p : view_->axis_by_role(roles[0]);
-    q = path.plane_q >= 0 ? path.plane_q : view_->axis_by_role(roles[1]);
+    const auto of_role = [this](PlaneRole role) {
+        const int virtual_y = path.transformation.virtual_y;
+        return role == PlaneRole::BasicY && virtual_y >= 0 ? virtual_y : view_->axis_by_role(role);
+    };
+    p = path.plane_p >= 0 ? path.plane_p : of_role(roles[0]);
+    q = path.plane_q >= 0 ? path.plane_q : of_role(roles[1]);
     AxisSet set = 0;
     if (p >= 0) set |= 1u << p;
     if (q >= 0) set |= 1u << q;

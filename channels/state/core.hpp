@@ -26,6 +26,7 @@
 #include "channels/port.hpp"
 #include "channels/sink.hpp"
 #include "channels/state/frame.hpp"
+#include "channels/state/transformation.hpp"
 #include "channels/state/work_zone.hpp"
 #include "channels/state/zero_rows.hpp"
 
@@ -35,6 +36,7 @@ enum class Plane : std::uint8_t { XY, ZX, YZ };   // G17 G18 G19: first axis, se
 
 namespace compensation { class Compensator; }
 class RouteSink;
+class TransformSink;
 
 // Why something cannot be done. `letter` names the word to point at; 0: the block.
 struct Fault {
@@ -84,6 +86,7 @@ struct PathState {
     std::int32_t zero_row = kZeroG54Row;    // row of ChannelStore::zeros
     bool framed = false;                    // `frame` is more than nothing; inverse belongs to it
     Frame frame, inverse;
+    Transformation transformation;          // machine and programmed are coordinates of its path while it is on
     FeedMode feed_mode = FeedMode::PerMinute;
     double feed = 0.0;                      // mm/min, mm/rev
     FeedPath feed_path;
@@ -158,6 +161,13 @@ public:
     void take_machine(unsigned place, double drive);      // after a barrier: where the axis really is
     void refresh_limits();                                // at barriers: stroke limits and routes that hold now
     AxisSet plane_axes(int& p, int& q) const;             // places of the plane's axes; -1 missing
+
+    // --- transformations: switched while the axes rest and the runner stands at a barrier; nothing moves
+    bool transform(const Transformation& transformation);   // centres are filled in here: where the programmed coordinates are 0
+    void transform_off();
+    bool transformed() const { return path.transformation.active(); }
+    void transformation_restored();                       // path was put back: the view follows
+    bool transformation_failed();                         // a move could not be made; fault() says why
 
     // --- zeros and offsets: nothing moves
     void load_zeros();                                    // from the store: external and the active row
@@ -249,7 +259,7 @@ public:
     bool frees_axis() const;                              // stopping the channel's spindle gives its drive to an axis of the channel
     bool spindle_watch(bool on, const std::array<double, 4>& values = {});   // fluctuation; values as in Spindle::watch
     bool commit_spindle();
-    void forget_pending() { mode_changed_ = speed_changed_ = turn_changed_ = limit_changed_ = false; }   // after PathState was put back
+    void forget_pending() { mode_changed_ = speed_changed_ = turn_changed_ = limit_changed_ = false, transformation_restored(); }   // after PathState was put back
     void refresh_surface_zero();                          // G96: the zero of X may have changed
 
 private:
@@ -275,6 +285,9 @@ private:
     void accept(const AxisValues& target);
     void sum_zeros();
     void refresh_routes();
+    void show_transformation();
+    std::array<double, 2> centre_offsets() const;
+    bool on_machine(AxisValues& values) const;            // path coordinates -> axes, for limits
     void rebase(unsigned place);
     void rebase_all();
     void settle_turns();                                  // framed roll-over axes
@@ -293,6 +306,8 @@ private:
     Sink* out_;
     Sink* outermost_;                       // behind RouteSink
     std::unique_ptr<RouteSink> routes_;     // while an address has another axis' drive
+    std::array<double, 2> transformation_offsets_{};   // centre_offsets() when it was switched on
+    std::unique_ptr<TransformSink> transforms_;   // in front of it once a transformation has been on
     Port* port_;
     Move move_;
     AxisValues framed_{};   // target of the move that is begun, outside the frame

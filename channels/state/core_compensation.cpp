@@ -2,6 +2,7 @@
 #include "channels/compensation/compensator.hpp"
 #include "channels/state/core.hpp"
 #include "channels/state/route_sink.hpp"
+#include "channels/state/transform_sink.hpp"
 
 namespace polyturn::channels {
 namespace {

@@ -66,7 +66,8 @@ bool Core::within_stroke(const AxisValues& machine, AxisSet moved) {
     if (!view_->stroke.before_move || (view_->stroke.not_before_skip && move_.kind == MoveKind::Skip)) return true;
     StrokeFault out;
     AxisValues drives = machine;
-    if (out_ != outermost_)
+    if (!on_machine(drives)) return true;   // TransformSink says what is wrong with it
+    if (routes_)
         for (unsigned i = 0; i < view_->axis_count; ++i) drives[i] = view_->axes[i].to_drive(machine[i]);
     if (!forbidden(zones_, drives.data(), moved, out)) return true;
     const ChannelAxis& axis = view_->axes[out.axis];

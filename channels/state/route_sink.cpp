@@ -1,6 +1,16 @@
 #include "channels/state/route_sink.hpp"
 
+#include "ipc/kinematics/kinematics.hpp"
+
 namespace polyturn::channels {
+
+namespace {
+bool has_role(const Kinematics& k, unsigned place) {
+    for (std::size_t r = 0; r < role_count(kind_of(k)); ++r)
+        if (k.axis[r] == place) return true;
+    return false;
+}
+}  // namespace
 
 void RouteSink::move(const Move& m, const BlockContext& at) {
     routed_ = m;
@@ -9,12 +19,16 @@ void RouteSink::move(const Move& m, const BlockContext& at) {
         if (!axis.turned_round()) continue;
         routed_.machine_start[i] = axis.to_drive(m.machine_start[i]);
         routed_.machine[i] = axis.to_drive(m.machine[i]);
+        if (!m.kinematics || has_role(*m.kinematics, i)) continue;   // a role's route is in the transformation
+        routed_.path_start[i] = axis.to_drive(m.path_start[i]);
+        routed_.path[i] = axis.to_drive(m.path[i]);
     }
     if (m.kind == MoveKind::ArcCw || m.kind == MoveKind::ArcCcw) {
         const ChannelAxis &p = view_->axes[m.plane_p], &q = view_->axes[m.plane_q];
-        if (p.turned_round()) routed_.centre_p = p.to_drive(m.centre_p);
-        if (q.turned_round()) routed_.centre_q = q.to_drive(m.centre_q);
-        if (p.reversed() != q.reversed()) routed_.sweep = -m.sweep;
+        const bool p_here = !m.kinematics || !has_role(*m.kinematics, m.plane_p), q_here = !m.kinematics || !has_role(*m.kinematics, m.plane_q);
+        if (p.turned_round() && p_here) routed_.centre_p = p.to_drive(m.centre_p);
+        if (q.turned_round() && q_here) routed_.centre_q = q.to_drive(m.centre_q);
+        if ((p.reversed() && p_here) != (q.reversed() && q_here)) routed_.sweep = -m.sweep;
     }
     next_->move(routed_, at);
 }

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "ipc/kinematics/five_axis.hpp"
+#include "ipc/kinematics/polar.hpp"
 
 namespace polyturn {
 namespace {
@@ -21,14 +22,19 @@ T near_turn(T degrees, double turn) noexcept {   // by whole turns
     return degrees + T(std::round((turn - value_of(degrees)) / 360.0) * 360.0);
 }
 
+void turn_of(const Branch& b, double& turn) noexcept { turn = b.turn; }
+void turn_of(const Branch& b, Jet& turn) noexcept { turn = Jet(b.turn, b.rate, 0, 0); }
+
 template <class T>
 bool polar(const Kinematics& k, const Branch& branch, const std::array<T, kMaxRoles>& path, std::array<T, kMaxRoles>& axes) noexcept {
     const T u = path[0] - T(k.centre[0]), v = path[1] - T(k.centre[1]);
     const double d = k.value[0];
     if (branch.side == SideOfPole::Through) {
-        const double angle = (branch.turn - k.centre[1]) * sense_of(k) / kDeg;
-        axes[0] = T(k.centre[0]) + u * T(std::cos(angle)) + v * T(std::sin(angle));
-        axes[1] = T(branch.turn);
+        T turn, sine, cosine;
+        turn_of(branch, turn);
+        sincos((turn - T(k.centre[1])) * T(sense_of(k) / kDeg), sine, cosine);
+        axes[0] = T(k.centre[0]) + u * cosine + v * sine;
+        axes[1] = turn;
         return true;
     }
     const T square = u * u + v * v - T(d * d);
@@ -66,7 +72,16 @@ bool map(const Kinematics& k, const Branch& branch, const std::array<T, kMaxRole
     return true;
 }
 
-Branch branch_of(const PathRecord& r) noexcept { return {r.turn, static_cast<SideOfPole>(r.side)}; }
+// At s. The rotary axis of a line through the pole ends in the direction of its end, or opposite.
+Branch branch_of(const PathRecord& r, const Kinematics& k, double s) noexcept {
+    Branch branch{r.turn, static_cast<SideOfPole>(r.side)};
+    if (branch.side != SideOfPole::Through || !(r.length > 0)) return branch;
+    SlotVector end{};
+    std::copy(r.end.begin(), r.end.end(), end.begin());
+    branch.rate = (turn_through_pole(k, r.turn, role_values(r, k, end)) - r.turn) / r.length;
+    branch.turn += branch.rate * std::clamp(s, 0.0, r.length);
+    return branch;
+}
 
 }  // namespace
 
@@ -138,10 +153,11 @@ RoleValues role_values(const PathRecord& r, const Kinematics& k, const SlotVecto
 
 bool drives_at(const PathRecord& r, const Kinematics* k, double s, SlotVector& drives) noexcept {
     position_at(r, s, drives);
-    if (r.transform == 0 || !k) return true;
+    if (r.transform == 0) return true;
+    if (!k) return false;
     const auto slots = slots_of(r, *k);
     RoleValues axes{};
-    if (!to_axes(*k, branch_of(r), role_values(r, *k, drives), axes)) return false;
+    if (!to_axes(*k, branch_of(r, *k, s), role_values(r, *k, drives), axes)) return false;
     for (std::size_t i = 0; i < kMaxRoles; ++i) {
         if (slots[i] == kMaxPathAxes) continue;
         const double drive = routed(*k, i, axes[i]);
@@ -153,7 +169,8 @@ bool drives_at(const PathRecord& r, const Kinematics* k, double s, SlotVector& d
 
 bool drive_derivatives_at(const PathRecord& r, const Kinematics* k, double s, PathDerivatives& out) noexcept {
     derivatives_at(r, s, out);
-    if (r.transform == 0 || !k) return true;
+    if (r.transform == 0) return true;
+    if (!k) return false;
     SlotVector position;
     position_at(r, s, position);
     const auto slots = slots_of(r, *k);
@@ -161,7 +178,7 @@ bool drive_derivatives_at(const PathRecord& r, const Kinematics* k, double s, Pa
     RoleJets path, axes;
     for (std::size_t i = 0; i < kMaxRoles; ++i)
         path[i] = slots[i] == kMaxPathAxes ? Jet(here[i]) : Jet(here[i], out.first[slots[i]], out.second[slots[i]], out.third[slots[i]]);
-    if (!to_axes(*k, branch_of(r), path, axes)) return false;
+    if (!to_axes(*k, branch_of(r, *k, s), path, axes)) return false;
     for (std::size_t i = 0; i < kMaxRoles; ++i) {
         if (slots[i] == kMaxPathAxes) continue;
         out.first[slots[i]] = k->sign[i] * axes[i].first();

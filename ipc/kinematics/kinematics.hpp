@@ -11,7 +11,8 @@
 //                  X = +-sqrt(u^2 + v^2 - d^2)      C = sense (atan2(v, u) - atan2(d, X))                               (1)
 //              sense = value[1]: 1 or -1.
 //              The sign is the record's side; whole turns of C by its `turn`. A line through the pole (Through) has C = turn
-//              and X = u cos C + v sin C.
+//              and X = u cos C + v sin C; where it passes the pole by less than kThroughPole (polar.hpp), C goes the little way
+//              from one direction to the opposite one evenly along it.
 //   Cylinder   role: rotary axis. C = v / r, r = value[0] (mm; negative: the other sense): v is the way along the surface.                             (2)
 //   Inclined   roles: inclined axis X, square axis Z, angle a = value[0] (rad) between X and the perpendicular of Z
 //              (fagor part 2 13, fanuc 10.5)
@@ -35,6 +36,7 @@ bool same(const Kinematics& a, const Kinematics& b) noexcept;
 struct Branch {
     double turn = 0;
     SideOfPole side = SideOfPole::Positive;
+    double rate = 0;       // Through: of the rotary axis, degrees a millimetre of the path
 };
 
 // Before the route. False: no position of the axes belongs to it (polar: nearer to the centre than value[0]); out is untouched.
@@ -47,7 +49,7 @@ inline double unrouted(const Kinematics& k, std::size_t role, double drive) noex
 // Over which distance the map changes its character, mm: a piece of the path that is much shorter is harmless to sample.
 double reach(const Kinematics& k, const RoleValues& path) noexcept;
 
-// A record and what it does to its drives, by slot. A record without a transformation, or k == nullptr: its slots are drives.
+// A record and what it does to its drives, by slot. Without a transformation its slots are drives; with one, k must be there.
 bool drives_at(const PathRecord& record, const Kinematics* k, double s, SlotVector& drives) noexcept;
 bool drive_derivatives_at(const PathRecord& record, const Kinematics* k, double s, PathDerivatives& out) noexcept;
 // Slot of each role; kMaxPathAxes: the record does not have it.

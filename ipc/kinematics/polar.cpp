@@ -7,6 +7,13 @@ namespace polyturn {
 
 PlanePoint plane_point(const Kinematics& k, double linear, double rotary) noexcept { return {linear - k.centre[0], rotary - k.centre[1]}; }
 
+double turn_through_pole(const Kinematics& k, double turn, const RoleValues& end) noexcept {
+    const PlanePoint p = plane_point(k, end[0], end[1]);
+    if (std::hypot(p.u, p.v) < kThroughPole) return turn;
+    const double towards = k.centre[1] + (k.value[1] < 0 ? -1.0 : 1.0) * std::atan2(p.v, p.u) * 180.0 / std::numbers::pi;
+    return turn + std::remainder(towards - turn, 180.0);
+}
+
 NearestToPole nearest_to_pole(PlanePoint a, PlanePoint b) noexcept {
     const double du = b.u - a.u, dv = b.v - a.v, square = du * du + dv * dv;
     const double share = square > 0 ? std::clamp(-(a.u * du + a.v * dv) / square, 0.0, 1.0) : 0.0;

@@ -12,6 +12,10 @@ struct PlanePoint {
 };
 PlanePoint plane_point(const Kinematics& k, double linear, double rotary) noexcept;
 
+// Where the rotary axis ends that drove a line through the pole from `turn` on: the direction of the end, or opposite to it,
+// whichever is nearer. An end in the pole leaves it where it is.
+double turn_through_pole(const Kinematics& k, double turn, const RoleValues& end) noexcept;
+
 struct NearestToPole {
     double distance = 0;
     double share = 0;      // of the way from a to b, 0 to 1

@@ -133,7 +133,7 @@ void ChannelRunner::judge_stroke_anew() noexcept {
 
 bool ChannelRunner::ends_at_limit(const PathRecord& r) noexcept {
     StrokeFault fault;
-    const double s = core_.stroke.exit_of(index_, r, cut_.places, fault);
+    const double s = core_.stroke.exit_of(index_, r, kinematics_of(r), cut_.places, fault);
     if (!(s < r.length) || cut_.record != kNoRecord) return false;
     cut_.record = planner_->next_record();
     cut_.s = s;
@@ -319,7 +319,10 @@ bool ChannelRunner::place_spindle(const PathRecord& r, double s) noexcept {
 void ChannelRunner::place_axes(const PathRecord& r, double s) noexcept {
     if ((r.flags & kTapping) && !place_spindle(r, s)) return;
     SlotVector position;
-    position_at(r, s, position);
+    if (!drives_at(r, kinematics_of(r), s, position)) {
+        if (!interrupted_) raise(Alarm::RecordInvalid, "transformation");
+        return;
+    }
     for (std::uint32_t i = 0; i < r.axis_count; ++i) {
         if (core_.config.axes[r.axis[i]].on_spindle && position[i] != core_.axes[r.axis[i]].command() && !core_.shared_axes[r.axis[i]].has_drive) {
             raise(Alarm::AxisIsSpindle, name_of('A', r.axis[i]).view());

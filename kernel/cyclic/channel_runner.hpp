@@ -15,7 +15,7 @@
 #include <span>
 #include <string_view>
 
-#include "ipc/path/path_geometry.hpp"
+#include "ipc/kinematics/kinematics.hpp"
 #include "kernel/cyclic/core.hpp"
 #include "kernel/motion/path_planner.hpp"
 #include "kernel/cyclic/thread_retract.hpp"
@@ -93,6 +93,10 @@ private:
     static constexpr std::uint64_t kNoRecord = ~0ull;
 
     const PathRecord& record(std::uint64_t index) const noexcept { return segment_->path.slot(index); }
+    // The transformation that leads from the record's coordinates to its axes; none: they are its axes.
+    const Kinematics* kinematics_of(const PathRecord& r) const noexcept {
+        return r.transform >= 1 && r.transform <= kKinematics ? &segment_->kinematics[r.transform - 1u] : nullptr;
+    }
     static bool is_motion(const PathRecord& r) noexcept { return r.kind >= 1 && r.kind <= static_cast<std::uint8_t>(RecordKind::Curve); }
     static bool stops_path(const PathRecord& r) noexcept;
     void drop_old_epochs() noexcept;

@@ -33,7 +33,7 @@ bool ChannelRunner::waits_for_drive() noexcept {
     if (!planner_->at_rest() || cursor_ >= planner_->next_record() || !is_motion(record(cursor_))) return false;
     const PathRecord& r = record(cursor_);
     for (std::uint32_t i = 0; i < r.axis_count; ++i) {
-        if (r.axis[i] >= kMaxAxes || r.start[i] == r.end[i]) continue;
+        if (r.axis[i] >= kMaxAxes || (r.start[i] == r.end[i] && r.transform == 0)) continue;
         const std::uint32_t s = core_.config.axes[r.axis[i]].on_spindle;
         if (!s || (core_.shared_axes[r.axis[i]].has_drive && !core_.shared_axes[r.axis[i]].displaced)) continue;
         const std::int32_t rotation = core_.signals.plc(signals::sp_rot(s));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "ipc/kinematics/kinematics.hpp"
 #include "kernel/cyclic/core.hpp"
 
 namespace polyturn::kernel {
@@ -62,24 +63,27 @@ void StrokeGuard::places_now(const Core& core, unsigned l, Places& places) const
     for (unsigned i = 0; i < channel.zones.count; ++i) places[i] = core.axes[channel.axis[i]].target();
 }
 
-double StrokeGuard::exit_of(unsigned l, const PathRecord& r, Places& places, StrokeFault& fault) const noexcept {
+double StrokeGuard::exit_of(unsigned l, const PathRecord& r, const Kinematics* kinematics, Places& places, StrokeFault& fault) const noexcept {
     const Channel& channel = channels_[l];
     Places from = places;
     std::array<int, kMaxPathAxes> slot{};
+    SlotVector begin{}, end{};
+    (void)drives_at(r, kinematics, 0, begin);
+    (void)drives_at(r, kinematics, r.length, end);
     for (unsigned k = 0; k < r.axis_count; ++k) {
         const std::uint32_t a = r.axis[k];
         const bool own = a < kMaxAxes && place_[a] >= 0 && channel.axis[static_cast<unsigned>(place_[a])] == a && static_cast<unsigned>(place_[a]) < channel.zones.count;
         slot[k] = own ? place_[a] : -1;
-        if (own) from[static_cast<unsigned>(slot[k])] = r.start[k], places[static_cast<unsigned>(slot[k])] = r.end[k];
+        if (own) from[static_cast<unsigned>(slot[k])] = begin[k], places[static_cast<unsigned>(slot[k])] = end[k];
     }
     if (!channel.limited) return kInfinity;
-    if (static_cast<RecordKind>(r.kind) == RecordKind::Line) {
+    if (static_cast<RecordKind>(r.kind) == RecordKind::Line && r.transform == 0) {
         const double part = free_part(channel.zones, from.data(), places.data(), fault);
         return part < 1.0 ? part * r.length : kInfinity;
     }
     const auto at = [&](double s, Places& out) {
         SlotVector position;
-        position_at(r, s, position);
+        (void)drives_at(r, kinematics, s, position);
         out = from;
         for (unsigned k = 0; k < r.axis_count; ++k)
             if (slot[k] >= 0) out[static_cast<unsigned>(slot[k])] = position[k];

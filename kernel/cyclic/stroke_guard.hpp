@@ -26,7 +26,7 @@ public:
     using Places = std::array<double, kChannelAxes>;
     void places_now(const Core& core, unsigned channel, Places& places) const noexcept;
     // Where along the record the path must stand; infinity: it may be driven to its end. `places` goes to that end.
-    double exit_of(unsigned channel, const PathRecord& record, Places& places, StrokeFault& fault) const noexcept;
+    double exit_of(unsigned channel, const PathRecord& record, const Kinematics* kinematics, Places& places, StrokeFault& fault) const noexcept;
     std::uint32_t axis_of(unsigned channel, unsigned place) const noexcept { return channels_[channel].axis[place]; }  // from 0
 
     // Free travel of an axis (from 0) in a direction from its present command.

@@ -1,0 +1,101 @@
+// Transformations of the channel: what changes in Core when one is switched.
+#include <cmath>
+
+#include "channels/state/core.hpp"
+#include "channels/state/transform_sink.hpp"
+
+namespace polyturn::channels {
+
+bool Core::transform(const Transformation& wanted) {
+    if (reads_ahead()) return fail(Alarm::TransformPlace, 'G', "G41 G42");
+    if (vector_pending()) take_wanted();   // the tool's offset is in the centre
+    if (!transforms_) {
+        transforms_ = std::make_unique<TransformSink>(*view_, path.transformation);
+        for (unsigned i = 0; i < view_->axis_count; ++i) transforms_->axes()[i] = path.machine[i];
+        refresh_routes();
+    }
+    if (transformed()) transform_off();
+    transforms_->forget_failure();
+    AxisValues& axes = transforms_->axes();
+    for (unsigned i = 0; i < view_->axis_count; ++i) axes[i] = path.machine[i];
+    path.transformation = wanted;
+    Kinematics& k = path.transformation.kinematics;
+    k.sign.fill(1.0);
+    k.shift.fill(0.0);
+    const std::array<double, 2> offsets = centre_offsets();
+    k.centre[0] += transformation_offsets_[0] = offsets[0];
+    k.centre[1] += transformation_offsets_[1] = offsets[1];
+    show_transformation();
+    AxisValues coordinates = axes;
+    places_to_path(path.transformation, coordinates);
+    for (unsigned i = 0; i < view_->axis_count; ++i) path.machine[i] = coordinates[i];
+    path.turns_deg = {};
+    rebase_all();
+    return true;
+}
+
+// How far zeros and tool move the centre of the roles: a linear axis is at its centre where its programmed coordinate is 0 (or the
+// machine's), a rotary one counts from the zero of its angle.
+std::array<double, 2> Core::centre_offsets() const {
+    const Transformation& t = path.transformation;
+    const Kinematics& k = t.kinematics;
+    std::array<double, 2> offsets{};
+    if (kind_of(k) != KinematicsKind::Polar && kind_of(k) != KinematicsKind::Cylinder) return offsets;
+    for (std::size_t r = 0; r < role_count(kind_of(k)); ++r) {
+        const unsigned i = k.axis[r];
+        const bool of_machine = t.about_machine_zero && static_cast<int>(i) != t.rotary_place();
+        offsets[r] = (of_machine ? 0.0 : path.zero[i]) + path.shift[i] + path.wanted[i];
+    }
+    return offsets;
+}
+
+void Core::transform_off() {
+    if (!transformed()) return;
+    path.transformation = {};
+    show_transformation();
+    for (unsigned i = 0; i < view_->axis_count; ++i) path.machine[i] = transforms_->axes()[i];
+    rebase_all();
+}
+
+void Core::transformation_restored() {
+    if (transforms_) transforms_->forget_failure();
+    show_transformation();
+}
+
+// A rotary axis that takes part counts millimetres, and stands for Y where the transformation says so.
+void Core::show_transformation() {
+    const int rotary = path.transformation.rotary_place();
+    for (unsigned i = 0; i < view_->axis_count; ++i) {
+        ChannelAxis& axis = view_->axes[i];
+        if (axis.turns && static_cast<int>(i) != rotary) {
+            axis.rotary = true, axis.rollover = axis.rolls_over;
+            axis.turns = axis.rolls_over = axis.named_y = false;
+        } else if (!axis.turns && static_cast<int>(i) == rotary) {
+            axis.named_y = path.transformation.named_y;
+            axis.turns = true, axis.rolls_over = axis.rollover;
+            axis.rotary = axis.rollover = false;
+        }
+    }
+    geo_[1] = path.transformation.virtual_y >= 0 ? path.transformation.virtual_y : view_->axis_by_role(PlaneRole::BasicY);
+}
+
+bool Core::on_machine(AxisValues& values) const {
+    if (!transformed()) return true;
+    const Kinematics& k = path.transformation.kinematics;
+    const bool negative = kind_of(k) == KinematicsKind::Polar && transforms_->axes()[k.axis[0]] < k.centre[0];
+    const Branch branch{kind_of(k) == KinematicsKind::Polar ? transforms_->axes()[k.axis[1]] : 0.0, negative ? SideOfPole::Negative : SideOfPole::Positive};
+    return places_to_axes(path.transformation, branch, values);
+}
+
+bool Core::transformation_failed() {
+    if (!transforms_) return false;
+    if (transformed() && centre_offsets() != transformation_offsets_) {
+        fail(Alarm::TransformPlace, 0, "T, zero offset");   // the centre would not be where it was
+        return true;
+    }
+    if (!transforms_->failed()) return false;
+    fail(Alarm::TransformPole, 0, {}, transforms_->failed_at());
+    return true;
+}
+
+}  // namespace polyturn::channels
