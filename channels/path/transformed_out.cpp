@@ -17,7 +17,9 @@ void scale(PathAxis& axis, double factor) {
     for (double* value : {&axis.rapid, &axis.feed, &axis.accel, &axis.normal, &axis.jerk, &axis.speed_step, &axis.accel_step, &axis.accel_step_arc}) *value *= factor;
 }
 
+// Of both what allows less.
 void lower(const Ceilings& c, PathRecord& r) {
+    static_assert(sizeof(Ceilings) == 3 * sizeof(double), "whatever else limits a record must be taken over here as well");
     r.v_max = std::min(r.v_max, c.v), r.a_max = std::min(r.a_max, c.a), r.j_max = std::min(r.j_max, c.j);
 }
 

@@ -1,5 +1,6 @@
 // Transformations of the channel: what changes in Core when one is switched.
 #include <cmath>
+#include <limits>
 
 #include "channels/state/core.hpp"
 #include "channels/state/transform_sink.hpp"
@@ -31,6 +32,8 @@ bool Core::transform(const Transformation& wanted) {
     for (unsigned i = 0; i < view_->axis_count; ++i) path.machine[i] = coordinates[i];
     path.turns_deg = {};
     rebase_all();
+    surface_zero_told_ = std::numeric_limits<double>::quiet_NaN();   // constant surface speed looks at an axis that may mean something else now
+    refresh_surface_zero();
     return true;
 }
 
@@ -55,6 +58,8 @@ void Core::transform_off() {
     show_transformation();
     for (unsigned i = 0; i < view_->axis_count; ++i) path.machine[i] = transforms_->axes()[i];
     rebase_all();
+    surface_zero_told_ = std::numeric_limits<double>::quiet_NaN();
+    refresh_surface_zero();
 }
 
 void Core::transformation_restored() {

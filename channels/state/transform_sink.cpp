@@ -60,6 +60,19 @@ void TransformSink::move(const Move& m, const BlockContext& at) {
     deliver(at);
 }
 
+// Constant surface speed looks at the turning axis' drive. One that is inclined reads 1 / cos a times the radius: its record has so
+// much more speed, which the event does not show.
+void TransformSink::spindle(const Spindle& s, const BlockContext& at) {
+    next_->spindle(s, at);
+    const Kinematics& k = transformation_->kinematics;
+    if (kind_of(k) != KinematicsKind::Inclined || s.mode != SpindleModeCode::SurfaceSpeed || s.css_axis != k.axis[0]) return;
+    Spindle inclined = s;
+    inclined.silent = true;
+    inclined.value = s.value / std::cos(k.value[0]);
+    inclined.css_zero = k.centre[0] + (s.css_zero - k.centre[0]) / std::cos(k.value[0]);
+    next_->spindle(inclined, at);
+}
+
 // On a cylinder that is programmed by the angle, events show the angle too.
 void TransformSink::show_degrees() {
     const Transformation& t = *transformation_;

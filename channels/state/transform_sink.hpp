@@ -26,7 +26,7 @@ public:
     void move(const Move& m, const BlockContext& at) override;
     void dwell(const Dwell& d, const BlockContext& at) override { next_->dwell(d, at); }
     void aux(const Aux& a, const BlockContext& at) override { next_->aux(a, at); }
-    void spindle(const Spindle& s, const BlockContext& at) override { next_->spindle(s, at); }
+    void spindle(const Spindle& s, const BlockContext& at) override;
     void wait(const Wait& w, const BlockContext& at) override { next_->wait(w, at); }
     void variable(const Variable& v, const BlockContext& at) override { next_->variable(v, at); }
     void offset(const OffsetWrite& o, const BlockContext& at) override { next_->offset(o, at); }

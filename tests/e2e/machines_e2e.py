@@ -40,6 +40,21 @@ class Machines(Case):
         self.refused("flats", "PT_DRIVEN_SPINDLE L1=0", "PT0539")
         self.refused("flats", "N0002 A7=0", "PT0302", status=2)
 
+    def test_face_milling_with_x_and_c(self):
+        done = self.made("hexagon")
+        sides = [event["pos"] for event in done.of("move", ch=1, kind="linear") if event.get("comp") == "left"]
+        self.assertGreaterEqual(len(sides), 8, done.said())
+        groove = [event["machine"]["X"] for event in done.of("move", ch=1, kind="linear") if event["line"] == 19]
+        self.assertLess(groove[0], 0)   # through the centre: X goes on to the other side
+        self.refused("hexagon", "F5461 L1=1", "145")
+        self.refused("hexagon", "N0217 A5=3", "PT1616")
+
+    def test_vertical_lathe_with_inclined_ram(self):
+        done = self.made("disk")
+        self.assertEqual(len(done.of("move", ch=1, kind="ccw")), 1)
+        self.refused("disk", "MD24100 L1=0", "14401")
+        self.refused("disk", "MD24700 L1=0", "14404")
+
     def test_swiss_type(self):
         self.made("swiss-pin")
         self.refused("swiss-pin", "PT_M_SUPER A6=0", "3003")
