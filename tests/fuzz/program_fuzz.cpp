@@ -1,62 +1,19 @@
 // libs: polyturn_channels
-// Any text as a fanuc or nct program (the first byte chooses): it ends, fails with an alarm, or is stopped after as many
-// blocks as a loop may take; every event it causes can be written.
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-
-#include "channels/check/check_port.hpp"
-#include "channels/check/event_text.hpp"
-#include "channels/language.hpp"
-
-namespace {
+// Any text as a fanuc, nct or mefi program; the first byte chooses language, live values and steps back.
+#include "tests/fuzz/play_text.hpp"
 
 using namespace polyturn;
 using namespace polyturn::channels;
 
-const params::Table& lathe() {
-    static const auto table = [] {
-        auto t = std::make_unique<params::Table>(params::defaults());
-        params::put(*t, params::n0000_machine_group, 1, 1);
-        for (const unsigned axis : {1u, 2u, 3u}) params::put(*t, params::n0002_axis_assign, 1, axis);
-        params::put(*t, params::n0100_axis_name1, 'X', 1);
-        params::put(*t, params::n0103_axis_to_plane, 1, 1);
-        params::put(*t, params::n0106_axis_properties, 1, 1);
-        params::put(*t, params::n0100_axis_name1, 'Z', 2);
-        params::put(*t, params::n0103_axis_to_plane, 3, 2);
-        params::put(*t, params::n0100_axis_name1, 'C', 3);
-        params::put(*t, params::n0106_axis_properties, 2, 3);
-        params::put(*t, params::n0107_rollover_control, 3, 3);
-        params::put(*t, params::n0108_rollamount, 360, 3);
-        params::put(*t, params::n0607_spindle_config, 7, 1);
-        params::put(*t, params::n0604_default_spindle, 1, 1);
-        params::put(*t, params::n2201_waiting_m_codes_min, 500);
-        params::put(*t, params::n2202_waiting_m_codes_max, 599);
-        return t;
-    }();
-    return *table;
-}
-
-}  // namespace
-
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const auto table = fuzz::lathe([](params::Table& t) {
+        params::put(t, params::n2201_waiting_m_codes_min, 500);
+        params::put(t, params::n2202_waiting_m_codes_max, 599);
+    });
     if (size == 0) return 0;
-    MachineView view = make_machine_view(lathe(), 1);
-    const std::string_view text(reinterpret_cast<const char*>(data) + 1, size - 1);
-    ProgramFiles files;
-    std::string events;
-    EventSink sink({&view, &files, Dialect::Fanuc}, events, true, '\n');
-    const text::Setup setup;
-    CheckPort port(setup, 1, data[0] & 2);
-    const auto main = files.open_text(text, "fuzz");
-    if (!main) return 0;
-    const auto interpreter = data[0] & 1 ? make_nct(view, sink, port, files) : make_fanuc(view, sink, port, files);
-    (void)interpreter->start(*main).ok();
-    for (int steps = 0; steps < 2000; ++steps) {
-        const Step step = interpreter->step();
-        if (step == Step::AtBarrier) interpreter->barrier_done();
-        else if (step != Step::Continue) break;
-        if (events.size() > 1u << 20) events.clear();
-    }
+    const unsigned choice = data[0] % 3;
+    const char* const name = choice == 0 ? "fanuc" : choice == 1 ? "nct" : "mefi";
+    fuzz::play(fuzz::behind_first(data, size), *table, {dialect_of(name), (data[0] & 64) != 0, data[0] & 128 ? 7u : 0u},
+               [&](auto& view, auto& sink, auto& port, auto& files) { return make_language(name, view, sink, port, files); }, [](Language&) {});
     return 0;
 }
