@@ -37,7 +37,8 @@ public:
     virtual CalendarTime clock() = 0;
     virtual double running_ms() = 0;                // #3001
     // What a program sends to an external device (DPRNT, BPRNT): bytes; `control`: signs around a transmission.
-    virtual void print(const MachineView&, std::string_view /*bytes*/, bool /*control*/) {}
+    // False: they cannot be kept.
+    virtual bool print(const MachineView&, std::string_view /*bytes*/, bool /*control*/) { return true; }
     // Where check mode keeps the variables that all channels share (MachineView::shared); nullptr: in the view.
     virtual double* shared_variables() { return nullptr; }
     // CP_SGOEN and CP_SGOX, Y, Z: the second geometry offset acts on this axis (0 X, 1 Y, 2 Z).

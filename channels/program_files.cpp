@@ -74,6 +74,13 @@ std::optional<FileId> ProgramFiles::open_if(const std::string& path) {
 }
 
 std::optional<FileId> ProgramFiles::find_number(std::int64_t number) {
+    if (const auto known = by_number_.find(number); known != by_number_.end()) return known->second;
+    const auto found = search_number(number);
+    if (found) by_number_.emplace(number, *found);   // it stays open; what is missing may still come
+    return found;
+}
+
+std::optional<FileId> ProgramFiles::search_number(std::int64_t number) {
     for (const std::string& path : library_)
         if (number_of_name(path) == number) return open_if(path);
     for (const std::string& path : library_)

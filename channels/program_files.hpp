@@ -1,6 +1,7 @@
 // The program files that a channel can reach, under their names and numbers. A file is opened when it is first needed and
 // stays open; its number goes into records and events.
 #pragma once
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,10 +42,12 @@ private:
         LineSource source;
     };
     std::optional<FileId> open_if(const std::string& path);
+    std::optional<FileId> search_number(std::int64_t number);
     const std::vector<std::string>& memory(std::string_view extension);
 
     std::vector<std::unique_ptr<File>> files_;
     std::vector<std::string> library_, folders_;
+    std::map<std::int64_t, FileId> by_number_;   // what find_number() has found
     std::vector<std::string> memory_;     // what memory() has found, for the extension memory_of_
     std::string memory_of_;
 };

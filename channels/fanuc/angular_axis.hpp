@@ -72,7 +72,7 @@ public:
     std::optional<double> given_variable(std::string_view name) override { return next_->given_variable(name); }
     CalendarTime clock() override { return next_->clock(); }
     double running_ms() override { return next_->running_ms(); }
-    void print(const MachineView& view, std::string_view bytes, bool control) override { next_->print(view, bytes, control); }
+    bool print(const MachineView& view, std::string_view bytes, bool control) override { return next_->print(view, bytes, control); }
     double* shared_variables() override { return next_->shared_variables(); }
     bool second_geometry(unsigned axis) override { return next_->second_geometry(axis); }
     StrokeFlags stroke_flags(unsigned machine_axis) override { return next_->stroke_flags(machine_axis); }

@@ -51,6 +51,7 @@ bool Interpreter::classify() {
             coded_[static_cast<std::size_t>(row->group)] = row;
             coded_groups_ |= bit_of(row->group);
         } else if (letter == 'M') {
+            if (word.from_expression) block_.words[i].value = std::nearbyint(word.value);   // fanuc_lathe 6.1
             if (m_count_ == m_words_.size()) return core_.fail(Alarm::WordsTooMany, 'M');
             m_words_[m_count_++] = static_cast<std::uint8_t>(i);
         } else if (axis_letters_ >> (letter - 'A') & 1u) {
@@ -70,6 +71,7 @@ bool Interpreter::classify() {
 
 // A milling channel calls three drilling cycles by the numbers that a lathe needs for turning (N1503#0, N1611#0).
 std::uint32_t Interpreter::drilling_name(std::uint32_t tenths) const {
+    if (settings_.nct && (tenths == 1830 || tenths == 1840 || tenths == 1860)) return (tenths - 1000) + 1;   // G183 is G83.1 (nct part 2 17.4)
     if (!settings_.milling_drills) return tenths;
     return tenths == 730 ? 831 : tenths == 740 ? 841 : tenths == 760 ? 861 : tenths;
 }

@@ -58,6 +58,8 @@ bool Interpreter::tool_word() {
     const auto offset = static_cast<std::int32_t>(value % modulus);
     ToolState& state = core_.path.tool;
     const int limit = core_.view().config().offset_count;
+    if (settings_.managed_offset_code != 0 && offset == settings_.managed_offset_code)
+        return core_.fail(Alarm::NotBuilt, 'T', "N2923: the offset of the managed tool in the spindle");
     std::int64_t geometry = code.geometry_by_tool ? tool : offset;
     if (code.offset_digits == 0) geometry = code.geometry_by_tool ? tool : state.geometry;
     if (offset == 0 && code.offset_digits != 0) {

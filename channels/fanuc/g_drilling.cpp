@@ -5,6 +5,14 @@
 #include "channels/fanuc/interpreter.hpp"
 
 namespace polyturn::channels::fanuc {
+namespace {
+
+// F5102#3 F16 switches the series 15 drilling cycles off; L gives the repeats all the same (fanuc_lathe 8.5).
+bool series15_drills(const Settings& settings, MachineView& view) {
+    return settings.series15 && !params::bit(view.table(), params::f5102, view.channel, 3);
+}
+
+}  // namespace
 
 bool Interpreter::g_drilling_off(const GCode&) {
     drilling_ = nullptr;
@@ -14,7 +22,7 @@ bool Interpreter::g_drilling_off(const GCode&) {
 bool Interpreter::g_drilling(const GCode& row) {
     const bool series15_only = row.tenths == 810 || row.tenths == 820 || row.tenths == 831 || row.tenths == 842;
     const bool native_only = row.tenths == 870 || row.tenths == 880;
-    if (!settings_.nct && (settings_.series15 ? native_only : series15_only)) return core_.fail(Alarm::GCodeUnknown, 'G', std::string(row.name));
+    if (!settings_.nct && (series15_drills(settings_, core_.view()) ? native_only : series15_only)) return core_.fail(Alarm::GCodeUnknown, 'G', std::string(row.name));
     if (!drilling_) {
         drill_.initial_known = false;
         drill_.r_set = false;
@@ -28,7 +36,7 @@ bool Interpreter::g_drilling(const GCode& row) {
 // Place of the drilling axis: by the plane, or Z where 5101#0 fixes it; G87 to G89 of a fanuc lathe drill along X.
 int Interpreter::drilling_axis() {
     const MachineView& view = core_.view();
-    if (!settings_.nct && !settings_.series15) {
+    if (!settings_.nct && !series15_drills(settings_, core_.view())) {
         const bool along_x = drilling_->tenths >= 870;
         return view.axis_by_role(along_x ? PlaneRole::BasicX : PlaneRole::BasicZ);
     }
@@ -136,7 +144,7 @@ bool Interpreter::run_drilling() {
         case 831:
             hole.peck = drill_.q;
             hole.dwells = dwell_word;
-            hole.chip_break = row.tenths == 831 || (!settings_.nct && !settings_.series15 && !settings_.peck_full);
+            hole.chip_break = row.tenths == 831 || (!settings_.nct && !series15_drills(settings_, core_.view()) && !settings_.peck_full);
             hole.clearance = drill_.e_set ? drill_.e : hole.chip_break ? settings_.chip_break_return : settings_.peck_clearance;
             break;
         case 842:
@@ -150,11 +158,19 @@ bool Interpreter::run_drilling() {
             hole.left_hand = row.tenths == 841 || row.tenths == 843;
             hole.dwells = dwell_word;
             break;
-        case 850: hole.way_out = cycles::Drilling::Way::Feed; bore_out(hole); hole.dwells = dwell_word && !settings_.series15; break;
+        case 850: hole.way_out = cycles::Drilling::Way::Feed; bore_out(hole); hole.dwells = dwell_word && !series15_drills(settings_, core_.view()); break;
         case 861:
         case 860: hole.way_out = cycles::Drilling::Way::StopRapid; hole.dwells = dwell_word; break;
         case 890: hole.way_out = cycles::Drilling::Way::Feed; hole.dwells = dwell_word; bore_out(hole); break;
         default: return core_.fail(Alarm::NotBuilt, 'G', std::string(row.name));
+    }
+    // Rigid tapping of fanuc (G84.2, M29 before G84, 5200#0): the cycle turns a spindle that stands, and stops it again.
+    const bool rigid_form = row.tenths == 842 || ((row.tenths == 840 || row.tenths == 880) && (last_m_ == 29 || params::bit(core_.view().table(), params::f5200, core_.view().channel, 0)));
+    const bool turns_spindle = !settings_.nct && rigid_form && core_.path.spindle.turn == SpindleTurn::Stop;
+    if (turns_spindle) {
+        if (row.tenths == 842) core_.aux('M', 29, "M29", false);
+        if (!core_.spindle_turn(SpindleTurn::Cw) || !core_.commit_spindle()) return false;
+        core_.aux('M', 3, "M3", false);
     }
     hole.dwell = drill_.p;
     hole.dwells_at_r = !settings_.nct;
@@ -167,7 +183,7 @@ bool Interpreter::run_drilling() {
             if (named >> i & 1u) position[i] = steps >> i & 1u && k > 0 ? core_.path.programmed[i] + (step[i] - from[i]) : step[i];
         if (!core_.rapid(position) || !cycles::drill(core_, hole)) return false;
     }
-    if (hole.rigid) {   // the loop opens again
+    if (hole.rigid || turns_spindle) {   // the loop opens again
         if (!core_.spindle_turn(SpindleTurn::Stop) || !core_.commit_spindle()) return false;
         core_.aux('M', 5, "M5", false);
     }

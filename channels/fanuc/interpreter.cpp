@@ -295,6 +295,8 @@ Step Interpreter::read_block() {
 std::optional<TextPosition> Interpreter::find_block(std::int64_t number) {
     const TextPosition here = source_->next_position();
     const TextPosition begin = frames_.back().begin;
+    const JumpMemory::Place place{frames_.back().file, here.offset, begin.offset, number};
+    if (const TextPosition* known = jumps_.find(place)) return *known;
     const std::uint32_t from_line = source_->position().line;
     kept_line_ = line_;   // searching moves the window
     line_ = kept_line_;
@@ -313,6 +315,7 @@ std::optional<TextPosition> Interpreter::find_block(std::int64_t number) {
     auto found = search(here, ~std::uint64_t{0});
     if (!found) found = search(begin, here.offset);
     if (!found) fault_line_ = from_line;
+    else jumps_.remember(place, *found);
     source_->seek(here);
     return found;
 }
@@ -331,6 +334,8 @@ void Interpreter::go_to(TextPosition position) {
 }
 
 std::optional<TextPosition> Interpreter::find_program_in(FileId file, std::int64_t number) {
+    const JumpMemory::Place place{file, ~std::uint64_t{0}, 0, number};
+    if (const TextPosition* known = jumps_.find(place)) return *known;
     LineSource& source = files_->source(file);
     const TextPosition back = source.next_position();
     const std::uint32_t from_line = source.position().line;
@@ -340,6 +345,7 @@ std::optional<TextPosition> Interpreter::find_program_in(FileId file, std::int64
     while (!found && source.next(line) == LineSource::Status::Line)
         if (leading_number(line, 'O', true) == number) found = source.position();
     source.seek(back);
+    if (found) jumps_.remember(place, *found);
     if (!found && &source == source_) fault_line_ = from_line;  // the search has left the line of the call
     return found;
 }

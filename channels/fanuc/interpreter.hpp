@@ -16,6 +16,7 @@
 #include "channels/cycles/simple_cycles.hpp"
 #include "channels/fanuc/settings.hpp"
 #include "channels/fanuc/expression.hpp"
+#include "channels/fanuc/jump_memory.hpp"
 #include "channels/fanuc/variables.hpp"
 #include "channels/language.hpp"
 #include "channels/text/word_scanner.hpp"
@@ -332,6 +333,7 @@ private:
     std::vector<CallLevel> frames_;
     std::vector<Loop> loops_;
     std::vector<std::pair<FileId, std::uint64_t>> checked_loops_;   // places of DO whose structure is good
+    JumpMemory jumps_;
     std::vector<ModalCall> modal_calls_;
     LineSource* source_ = nullptr;
     std::string_view line_;

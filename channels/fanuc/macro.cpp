@@ -256,6 +256,11 @@ Interpreter::Flow Interpreter::skip_loop(std::uint8_t number, const char* from) 
     const TextPosition back = source_->next_position();
     const std::size_t column = static_cast<std::size_t>(from - line_.data());
     const std::uint32_t at_line = source_->position().line;
+    const JumpMemory::Place place{frames_.back().file, back.offset, 0, -static_cast<std::int64_t>(number)};
+    if (const TextPosition* known = jumps_.find(place)) {
+        go_to(*known);
+        return Flow::Done;
+    }
     kept_line_ = line_;   // searching moves the window
     std::string_view line;
     while (source_->next(line) == LineSource::Status::Line) {
@@ -269,6 +274,7 @@ Interpreter::Flow Interpreter::skip_loop(std::uint8_t number, const char* from) 
         if (!take(at, end, "END")) continue;
         blanks(at, end);
         if (at != end && *at == '0' + number) {
+            jumps_.remember(place, source_->next_position());
             jumped_ = true;
             line_left_ = false;
             return Flow::Done;

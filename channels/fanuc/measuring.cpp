@@ -16,7 +16,7 @@ bool Interpreter::g_skip(const GCode&) {
     static constexpr std::string_view kSignals[] = {"SKIP", "SKIP2", "SKIP3", "SKIP4"};
     std::int64_t which = 1;
     if (block_.has('P') && !whole('P', which)) return false;
-    if (which > 90) return core_.fail(Alarm::NotBuilt, 'P', "G31 until a torque");
+    if (which > 90 || block_.has('Q')) return core_.fail(Alarm::NotBuilt, which > 90 ? 'P' : 'Q', "G31 until a torque");
     if (which < 1 || which > 4) return core_.fail(Alarm::CycleValueIllegal, 'P', "P", static_cast<double>(which));
     if (!read_axis_words(target_)) return false;
     const std::uint64_t before = core_.moves();
@@ -82,7 +82,12 @@ Step Interpreter::finish_skip() {
     const OffsetField field = role == PlaneRole::BasicX ? OffsetField::X : role == PlaneRole::BasicY ? OffsetField::Y : OffsetField::Z;
     const OffsetCell& cell = view.store->offsets[static_cast<std::size_t>(number)];
     const double before = (settings_.measure_to_wear ? cell.wear : cell.geometry)[static_cast<std::size_t>(field)];
-    const double shown = view.to_shown(done.place, difference);
+    // Fanuc: where the offset is that of the nose's centre, the nose touches one radius ahead of it (fanuc_lathe 5.2). The way
+    // went from before the target towards it.
+    const ToolState& tool = core_.path.tool;
+    const bool centre = !settings_.nct && (tool.tip == 0 || tool.tip == 9);
+    const double ahead = centre ? std::copysign(tool.nose_radius, static_cast<double>(core_.path.last_way[done.place])) : 0.0;
+    const double shown = view.to_shown(done.place, difference + ahead);
     write_offset(table, number, field, settings_.measure_added ? before + shown : before - shown);
     core_.end_block();
     fresh_ = false;

@@ -70,13 +70,13 @@ Interpreter::Flow Interpreter::print_statement(std::string_view name, const char
     const char* const begin = at;
     at += name.size();
     if (name == "POPEN") {
-        if (!printing_ && !reads_contour_) core_.port().print(core_.view(), "\x12", true);   // DC2
+        if (!printing_ && !reads_contour_ && !core_.port().print(core_.view(), "\x12", true)) return flow_fault(Alarm::OutputFile, begin, "POPEN");   // DC2
         printing_ = true;
         return Flow::Done;
     }
     if (!printing_) return flow_fault(Alarm::PrintClosed, begin, std::string(name));
     if (name == "PCLOS") {
-        if (!reads_contour_) core_.port().print(core_.view(), "\x14", true);   // DC4
+        if (!reads_contour_ && !core_.port().print(core_.view(), "\x14", true)) return flow_fault(Alarm::OutputFile, begin, "PCLOS");   // DC4
         printing_ = false;
         return Flow::Done;
     }
@@ -108,7 +108,7 @@ Interpreter::Flow Interpreter::print_statement(std::string_view name, const char
     text += settings_.print_line_end;
     if (settings_.print_parity)   // even parity in the highest bit
         for (char& c : text) c = static_cast<char>(static_cast<unsigned char>(c) | (__builtin_popcount(static_cast<unsigned char>(c) & 0x7Fu) & 1 ? 0x80u : 0u));
-    if (!reads_contour_) core_.port().print(core_.view(), text, false);
+    if (!reads_contour_ && !core_.port().print(core_.view(), text, false)) return flow_fault(Alarm::OutputFile, begin, std::string(name));
     return Flow::Done;
 }
 

@@ -54,8 +54,8 @@ Settings fanuc_settings(const Table& t, unsigned l) {
     s.tool.tip_from_wear = bit(t, f5002, l, 7);
     s.drill_axis_by_plane = bit(t, f5101, l, 0);
     s.peck_full = bit(t, f5101, l, 2);
-    s.r_absolute = s.series15 && bit(t, f5102, l, 6);
-    s.r_in_diameter = s.series15 && bit(t, f5102, l, 7);
+    s.r_absolute = s.series15 && bit(t, f5102, l, 6) && !bit(t, f5102, l, 3);
+    s.r_in_diameter = s.series15 && bit(t, f5102, l, 7) && !bit(t, f5102, l, 3);
     s.chip_break_return = s.peck_clearance = static_cast<double>(get(t, f5114, l));
     s.compensation.entry = bit(t, f5003, l, 0) ? compensation::Entry::Around : compensation::Entry::Direct;
     s.compensation.resume_at_intersection = bit(t, f5003, l, 2);

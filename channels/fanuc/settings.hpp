@@ -64,6 +64,7 @@ struct Settings {
         double on = 96, off = 97;        // M codes; negative: none
         bool at_block_end = false, by_level = false, own_locals = true;
     } interrupt;
+    std::int64_t managed_offset_code = 0;   // N2923; 0 none
     bool offsets_by_g = false;           // nct N1414#0, milling channels: T is the tool alone
     bool second_geometry = false;        // nct N1414#4
     bool milling_drills = false;         // G73 G74 G76 are drilling cycles

@@ -85,6 +85,7 @@ fanuc::Settings nct_settings(const Table& t, unsigned l) {
     s.shared_500 = get(t, n1701_no_of_common_500);
     s.print_compact = bit(t, n1757_print_contr, l, 0);
     s.print_parity = true;
+    s.managed_offset_code = get(t, n2923_no_of_offset_code, l);
     s.sub_levels = 16;
     s.common_last = 499;
     s.angle_positive = false;

@@ -146,6 +146,7 @@ void ChannelProcess::begin_program() {
     view_.reset(new MachineView(make_machine_view(*table, channel_)));   // made in place: its names point into itself
     if (!take_store()) return;
     port_.configure(view_->machine, services_.setup);
+    port_.print_beside(running_.path);
     port_.look();
     take_routes(*view_, port_.picture().route);
     for (unsigned i = 0; i < view_->axis_count; ++i) view_->start[i] = *port_.axis_command(view_->axes[i].machine_axis);

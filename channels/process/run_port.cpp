@@ -80,6 +80,26 @@ bool RunPort::second_geometry(unsigned axis) {
     return plc_->signal[select(channel_)] != 0;
 }
 
+void RunPort::print_beside(const std::string& program) {
+    print_.close();   // a reset during output ends it
+    print_path_ = program.empty() ? std::string() : program + ".L" + std::to_string(channel_) + ".print";
+}
+
+// The signs around a transmission open and close the file; it grows from program to program.
+bool RunPort::print(const MachineView&, std::string_view bytes, bool control) {
+    if (print_path_.empty()) return false;
+    if (control && bytes == "\x12") {
+        print_.clear();
+        print_.open(print_path_, std::ios::binary | std::ios::app);
+    } else if (control) {
+        print_.close();
+    } else {
+        print_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        print_.flush();
+    }
+    return !print_.fail();
+}
+
 unsigned RunPort::selected_spindle() {
     const std::int32_t number = plc_->signal[PlcSignal{signals::cp_ssel}(channel_)];
     return number > 0 && number <= static_cast<std::int32_t>(kMaxSpindles) ? static_cast<unsigned>(number) : 0u;

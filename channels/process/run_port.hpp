@@ -1,7 +1,9 @@
 // The port of a running channel: answers from the machine's picture as of the tick at which the barrier was reached.
 #pragma once
+#include <fstream>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "channels/port.hpp"
 #include "ipc/image/segments.hpp"
@@ -31,6 +33,9 @@ public:
     bool diameter_inverted(unsigned machine_axis) override;
     bool second_geometry(unsigned axis) override;
     unsigned selected_spindle() override;
+    // What the program prints goes into a file beside it: <program>.L<channel>.print; without a program (MDI) nowhere.
+    void print_beside(const std::string& program);
+    bool print(const MachineView& view, std::string_view bytes, bool control) override;
     Turning started_by_others(unsigned spindle) override;
     const MachineStatus& picture() const { return *status_; }
 
@@ -42,6 +47,8 @@ private:
     const text::Setup* setup_ = nullptr;
     std::unique_ptr<MachineStatus> status_;
     std::unique_ptr<PlcOutputs> plc_;
+    std::string print_path_;
+    std::ofstream print_;
 };
 
 }  // namespace polyturn::channels

@@ -7,6 +7,13 @@ namespace p = params;
 namespace {
 constexpr std::int64_t kFollowUpTicks = 3;      // after the loops are closed: commands are taken from the drives
 constexpr double kGantryPullOfRapid = 0.1;      // a large difference after power-on is driven out slowly
+// F8311: the master counts within its channel (fanuc_lathe 10.3). 0: none.
+std::uint32_t axis_of_channel(const KernelConfig& config, std::uint32_t channel, std::int64_t place) noexcept {
+    for (std::uint32_t a = 0; a < config.axis_count && place > 0; ++a)
+        if (config.axes[a].exists && config.axes[a].channel == channel && --place == 0) return a + 1;
+    return 0;
+}
+
 }  // namespace
 
 void Couplings::configure(const p::Table& t, const KernelConfig& config) noexcept {
@@ -17,7 +24,10 @@ void Couplings::configure(const p::Table& t, const KernelConfig& config) noexcep
     for (unsigned n = 1; n <= kMaxAxes; ++n) {
         Link& link = links_[n - 1];
         const bool exists = config.axes[n - 1].exists;
-        if (!link.sync.on) link.sync.master = exists ? axis(p::get(t, p::n2101_synchronous_master, n)) : 0;
+        if (!link.sync.on) {
+            link.sync.master = exists ? axis(p::get(t, p::n2101_synchronous_master, n)) : 0;
+            if (exists && link.sync.master == 0) link.sync.master = axis_of_channel(config, config.axes[n - 1].channel, p::get(t, p::f8311, n));
+        }
         if (!link.add.on) link.add.master = exists ? axis(p::get(t, p::n2107_superimposed_master, n)) : 0;
         link.sync.sign = p::bit(t, p::n2102_synchron_config, n, 0) ? -1.0 : 1.0;
         link.add.sign = p::bit(t, p::n2108_superimposed_config, n, 0) ? -1.0 : 1.0;
