@@ -1,4 +1,5 @@
-"""The production jobs in examples/jobs: what `check` prints cuts a bar, and the bar must become the drawing.
+"""Production jobs of 200 and more written blocks: what `check` prints cuts a bar, and the bar must become the drawing.
+(contours_e2e.py judges other jobs behind the whole machine, by the trace of its axes.)
 
 The bar is a height (radius) on a raster along Z. A tool is a nose circle, a flat edge or a drill; everything it passes over at
 feed is gone. The finished part must nowhere be lower than the drawing, and nowhere higher than a nose can leave it in a
