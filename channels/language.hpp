@@ -39,6 +39,11 @@ public:
     // Interpretation goes on with this block as if neither it nor anything behind it had been read: modal state, calls,
     // variables, offsets and zeros are those that held before it. False: no state is kept for it.
     virtual bool resume_at(std::uint64_t serial) = 0;
+    virtual bool may_resume_at(std::uint64_t serial) const = 0;   // would it be true? Changes nothing
+    // The operator has changed offsets or zeros (MachineView::store has them): they act from here on. The programmed point
+    // stays the same number and becomes another point of the machine.
+    // False: not here (blocks are read ahead: compensation); try again later.
+    virtual bool offsets_changed() = 0;
     // What the program leaves to the one that is started next in this channel; taken behind start().
     virtual std::any carry() const { return {}; }
     virtual void take_carry(const std::any& /*before*/, bool /*after_reset*/) {}

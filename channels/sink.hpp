@@ -45,6 +45,7 @@ struct BlockContext {
     std::uint32_t line = 0;        // from 1
     std::int64_t block = -1;       // block number N; -1 none
     std::uint64_t serial = 0;      // counts the blocks read since cycle start, from 1 (Language::resume_at)
+    std::uint32_t part = 0;        // counts what the block causes (ResumeSink)
     ToolRef tool;
     CompSide comp = CompSide::Off;
     AxisSet display_swapped = 0;   // axes that the program counts the other way than the machine shows them: radius, not diameter

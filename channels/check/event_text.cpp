@@ -269,6 +269,7 @@ void append_event(std::string& out, const EventScene& scene, const Stop& stop, c
         case StopReason::M30: reason = "M30"; break;
         case StopReason::Held: reason = "held"; break;
         case StopReason::Waiting: reason = "waiting"; break;
+        case StopReason::Restart: reason = "restart"; break;
         default: break;
     }
     object.text("reason", reason);

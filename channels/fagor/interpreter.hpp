@@ -58,6 +58,8 @@ public:
     void keep_resume_states(bool on) override;
     void executed(std::uint64_t serial) override;
     bool resume_at(std::uint64_t serial) override;
+    bool may_resume_at(std::uint64_t serial) const override;
+    bool offsets_changed() override;
     bool interrupt(std::uint64_t serial, bool within, unsigned input) override;
 
     // --- handlers of g_codes.cpp

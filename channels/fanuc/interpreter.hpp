@@ -69,6 +69,8 @@ public:
     void keep_resume_states(bool on) override;
     void executed(std::uint64_t serial) override;
     bool resume_at(std::uint64_t serial) override;
+    bool may_resume_at(std::uint64_t serial) const override;
+    bool offsets_changed() override;
     bool interrupt(std::uint64_t serial, bool within, unsigned input) override;
     std::any carry() const override;
     void take_carry(const std::any& before, bool after_reset) override;

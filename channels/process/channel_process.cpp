@@ -51,6 +51,7 @@ ChannelProcess::ChannelProcess(PeerSegment<SupervisorSegment> supervisor, PeerSe
     ring_ = std::make_unique<RingOut>(*own_, *kernel_, channel - 1, horizon, inbox_);
     transformed_ = std::make_unique<TransformedOut>(*ring_, limits_);
     maker_ = std::make_unique<PathMaker>(*transformed_, limits_);
+    inbox_.on_question = [this](const ChannelEvent& event) { ask_resume(event); };
     own_->bell.ring();
 }
 
@@ -102,6 +103,10 @@ void ChannelProcess::act(const ChannelEvent& event) {
         case ChannelEventKind::SelectProgram: choice_.path = std::string(text_of(event)); break;
         case ChannelEventKind::Quit: quit_ = true; break;
         case ChannelEventKind::Interrupt: interrupt(event); break;
+        case ChannelEventKind::Restart: restart(event); break;
+        case ChannelEventKind::AskResume: break;   // answered when it came
+        case ChannelEventKind::Resume: resume(event); break;
+        case ChannelEventKind::HeldMdi: held_mdi(event); break;
         case ChannelEventKind::None: break;
     }
 }
@@ -118,6 +123,7 @@ bool ChannelProcess::take_store() {
         if (store_->persist_tail.tail.load(std::memory_order_acquire) < asked) bell.wait(rings, 5'000);
     }
     while (!store_->channels[channel_ - 1].read(*view_->store)) {}
+    if (run_ && changes_.look(*view_->store)) operator_changed_ = true;
     take_shared();
     if (const CommonOffsets common = common_offsets(*view_); common.count) {
         while (!store_->channels[common.channel - 1].read(*first_store_)) {}
@@ -140,6 +146,7 @@ void ChannelProcess::begin_program() {
     while (!store_->parameters.read(*table)) {}
     if (run_) carried_ = run_->carry();
     run_.reset();
+    held_run_.reset();
     if (sink_) last_note_ = sink_->next_note() - 1;
     sink_.reset();
     describer_.reset();
@@ -147,6 +154,7 @@ void ChannelProcess::begin_program() {
     if (!take_store()) return;
     port_.configure(view_->machine, services_.setup);
     port_.print_beside(running_.path);
+    port_.pretend({});
     port_.look();
     take_routes(*view_, port_.picture().route);
     for (unsigned i = 0; i < view_->axis_count; ++i) view_->start[i] = *port_.axis_command(view_->axes[i].machine_axis);
@@ -160,13 +168,26 @@ void ChannelProcess::begin_program() {
     sink_->transforms(*transformed_, limits_);
     sink_->continue_notes(last_note_);
     sink_->more_parts(parts_left_ > 1);
-    run_ = services_.make_run(*view_, *sink_, port_, running_);
+    sink_->tell_writes(&changes_);
+    if (!looked_at_) looked_at_ = std::make_unique<ChannelStore>();
+    while (!store_->channels[channel_ - 1].read(*looked_at_)) {}
+    changes_.begin(*looked_at_);
+    operator_changed_ = false;
+    resume_sink_ = std::make_unique<ResumeSink>(*view_, *sink_);
+    restart_sink_ = std::make_unique<RestartSink>(*view_, *resume_sink_);
+    if (restart_to_) {
+        restart_sink_->search(*restart_to_, restart_set_);
+        port_.pretend([this](unsigned axis) { return restart_sink_->position(axis); });
+        restart_to_.reset();
+    }
+    run_ = services_.make_run(*view_, *restart_sink_, port_, running_);
     names_published_ = 0;
     next_part_ = false;
     if (const auto started = run_->start(); !started) {
         fail(started.diagnosis());
         return;
     }
+    run_->keep_resume_states(true);
     if (carried_.has_value()) run_->take_carry(carried_, after_reset_);
     after_reset_ = false;
     state_ = State::Reading;
@@ -194,6 +215,7 @@ void ChannelProcess::go_on() {
         take_limits();
         sink_->limits_changed();
     }
+    take_changes();
     run_->barrier_done();
     state_ = State::Reading;
 }
@@ -204,6 +226,11 @@ void ChannelProcess::read_program() {
         const Step step = run_->step();
         if (run_->file_count() != names_published_) publish_names();
         if (ring_->aborted()) return;   // the interrupt that caused it is in the inbox
+        if (restart_sink_->searching()) {
+            restart_sink_->block_read(run_->block(), run_->in_main_program());
+            if (step == Step::Ended) return fail({Alarm::RestartNoBlock, {running_.path, 0, 0, 0}, {}, "N" + std::to_string(restart_sink_->wanted())});
+        }
+        if (!restart_sink_->searching()) port_.pretend({});
         switch (step) {
             case Step::Continue: break;
             case Step::AtBarrier:
@@ -217,7 +244,7 @@ void ChannelProcess::read_program() {
 }
 
 void ChannelProcess::end_program(StopReason reason) {
-    if (reason != StopReason::Alarm && !sink_->failed() && parts_left_ > 1) {
+    if (reason != StopReason::Alarm && !sink_->failed() && parts_left_ > 1 && !held_run_) {
         parts_left_ -= 1;
         sink_->end_of_part();
         next_part_ = true;
@@ -237,6 +264,7 @@ void ChannelProcess::fail(const Diagnosis& diagnosis) {
 void ChannelProcess::reset(const ChannelEvent& event) {
     maker_->discard();
     ring_->resume();
+    if (held_run_) run_ = std::move(held_run_);
     if (run_) carried_ = run_->carry();
     run_.reset();
     after_reset_ = true;
@@ -263,7 +291,7 @@ void ChannelProcess::interrupt(const ChannelEvent& event) {
 // States from before the record that the path is at are needed no more.
 void ChannelProcess::forget_executed() {
     const std::uint64_t tail = kernel_->path_tail[channel_ - 1].tail.load(std::memory_order_acquire);
-    if (tail < ring_->pushed()) run_->executed(own_->path.slot(tail).serial);
+    if (tail < ring_->pushed() && own_->path.slot(tail).epoch == own_->epoch.load(std::memory_order_relaxed)) run_->executed(own_->path.slot(tail).serial);
 }
 
 void ChannelProcess::publish_names() {

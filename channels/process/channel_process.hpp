@@ -5,6 +5,9 @@
 //     ^                       |                     |
 //     '-- Reset, end, alarm --'---------------------'
 //
+// While its path is held, a program can be taken back to the block in which it is held, to go on with other offsets; a block
+// can be executed by hand meanwhile (held_program.cpp).
+//
 // Invariants
 //   I1  `quiet` becomes n only when event n and all before it have been acted on, everything that follows from them is in the
 //       ring, and nothing more comes without another event: Idle or Standing.
@@ -19,7 +22,10 @@
 
 #include "channels/language.hpp"
 #include "channels/process/coupled_limits.hpp"
+#include "channels/process/operator_changes.hpp"
 #include "channels/process/record_sink.hpp"
+#include "channels/process/restart_sink.hpp"
+#include "channels/process/resume_sink.hpp"
 #include "channels/process/run_port.hpp"
 #include "ipc/memory/segment.hpp"
 
@@ -39,6 +45,13 @@ public:
     virtual void barrier_done() = 0;
     virtual bool interrupt(std::uint64_t /*serial*/, bool /*within*/, unsigned /*input*/) { return false; }   // see Language
     virtual void executed(std::uint64_t /*serial*/) {}
+    virtual void keep_resume_states(bool) {}
+    virtual bool may_resume_at(std::uint64_t /*serial*/) const { return false; }
+    virtual bool resume_at(std::uint64_t /*serial*/) { return false; }
+    virtual bool offsets_changed() { return true; }
+    virtual std::int64_t block() const { return -1; }              // number of the block that was interpreted last
+    virtual bool in_main_program() const { return true; }
+    virtual void shown() {}                                        // it is the one whose blocks are described from now on
     virtual std::any carry() const { return {}; }
     virtual void take_carry(const std::any& /*before*/, bool /*after_reset*/) {}
     virtual std::size_t file_count() const = 0;
@@ -74,6 +87,15 @@ private:
     void end_program(StopReason reason);
     void reset(const ChannelEvent& event);
     void interrupt(const ChannelEvent& event);
+    // held_program.cpp: what happens to a program while its path is held
+    void restart(const ChannelEvent& event);
+    void ask_resume(const ChannelEvent& event);
+    void resume(const ChannelEvent& event);
+    void held_mdi(const ChannelEvent& event);
+    void void_pushed(const ChannelEvent& event);
+    void look_for_changes();
+    void take_changes();
+    AxisValues axes_now();
     void forget_executed();
     void take_shared();
     void say_quiet();
@@ -100,7 +122,15 @@ private:
     std::string note_text_;
     std::unique_ptr<Sink> describer_;
     std::unique_ptr<RecordSink> sink_;
-    std::unique_ptr<ProgramRun> run_;
+    std::unique_ptr<ResumeSink> resume_sink_;     // in front of sink_
+    std::unique_ptr<RestartSink> restart_sink_;   // in front of both: what the program speaks to
+    OperatorChanges changes_;
+    std::unique_ptr<ChannelStore> looked_at_;
+    bool operator_changed_ = false;               // offsets or zeros; they act as soon as they can
+    std::optional<std::int64_t> restart_to_;      // block; the next program is only interpreted until there
+    std::uint32_t restart_set_ = 0;
+    std::unique_ptr<ProgramRun> run_, held_run_;  // held_run_: the program, while a block that was entered in its hold runs
+    AxisValues left_at_{};                        // where the axes were when the program was left for that
     ProgramChoice choice_, running_;
     State state_ = State::Idle;
     std::uint64_t seen_event_ = 0;

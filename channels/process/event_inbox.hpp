@@ -2,6 +2,7 @@
 // at, so that a reset is found behind other events.
 #pragma once
 #include <deque>
+#include <functional>
 
 #include "ipc/image/segments.hpp"
 
@@ -16,9 +17,12 @@ public:
             const auto kind = static_cast<ChannelEventKind>(event->kind);
             if (cuts(kind)) ++interrupts_;
             events_.push_back(*event);
+            if (kind == ChannelEventKind::AskResume && on_question) on_question(*event);
             ring_.pop();
         }
     }
+    // A question is answered as soon as it is seen, also while interpretation waits for room in the ring.
+    std::function<void(const ChannelEvent&)> on_question;
     // Interpretation must not go on: a reset or the end is among what has come.
     bool interrupts() const { return interrupts_ > 0; }
     bool empty() const { return events_.empty(); }
@@ -31,7 +35,10 @@ public:
     }
 
 private:
-    static bool cuts(ChannelEventKind kind) { return kind == ChannelEventKind::Reset || kind == ChannelEventKind::Quit || kind == ChannelEventKind::Interrupt; }
+    static bool cuts(ChannelEventKind kind) {
+        return kind == ChannelEventKind::Reset || kind == ChannelEventKind::Quit || kind == ChannelEventKind::Interrupt ||
+               kind == ChannelEventKind::Resume || kind == ChannelEventKind::HeldMdi;
+    }
     RingConsumer<RingHead<ChannelEvent, 64>> ring_;
     std::deque<ChannelEvent> events_;
     int interrupts_ = 0;

@@ -23,6 +23,7 @@ void place(const BlockContext& at, PathRecord& r) {
     r.line = at.line;
     r.block = at.block;
     r.serial = at.serial;
+    r.part = at.part;
 }
 
 std::uint8_t code_of(RecordKind kind) { return static_cast<std::uint8_t>(kind); }
@@ -296,6 +297,7 @@ void RecordSink::variable(const Variable& variable, const BlockContext& at) {
 }
 
 void RecordSink::offset(const OffsetWrite& offset, const BlockContext& at) {
+    if (changes_) changes_->wrote(offset);
     PathRecord r = event(RecordKind::Offset, at, note([&](Sink& sink) { sink.offset(offset, at); }));
     r.code = static_cast<std::int32_t>(offset.work ? OffsetTable::Work : offset.store_table);
     r.mask = static_cast<std::uint32_t>(offset.work ? offset.row : offset.number);
@@ -343,6 +345,7 @@ void RecordSink::stop(const Stop& stop, const BlockContext& at) {
     PathRecord r = event(RecordKind::Stop, at, note([&](Sink& sink) { sink.stop(stop, at); }));
     r.code = static_cast<std::int32_t>(stop.reason);
     const bool goes_on = stop.reason == StopReason::M00 || stop.reason == StopReason::M01;
+    if (stop.reason == StopReason::Restart) return push(r, true, false);   // the interpreter reads on behind it
     if (!goes_on && more_parts_) r.kind = code_of(RecordKind::Barrier);   // reported, but the machine goes on with the next part
     push(r, true, goes_on || more_parts_);
     if (!goes_on) stopped_ = true;

@@ -11,6 +11,7 @@
 
 #include "channels/machine_view.hpp"
 #include "channels/path/transformed_out.hpp"
+#include "channels/process/operator_changes.hpp"
 #include "channels/process/ring_out.hpp"
 #include "channels/sink.hpp"
 
@@ -53,6 +54,7 @@ public:
     void forget() { drained_ = stopped_ = failed_ = false, limits_changed(); }   // what was pushed is void: the program goes back
     void finish(StopReason reason);
     void end_of_part();   // the program has ended, another part follows: a barrier instead of the stop
+    void tell_writes(OperatorChanges* changes) { changes_ = changes; }
     void more_parts(bool more) { more_parts_ = more; }
 
     std::uint64_t drain_index() const { return drain_index_; }
@@ -84,6 +86,7 @@ private:
     bool stopped_ = false;      // the program has ended itself
     bool failed_ = false;       // an error was delivered
     bool more_parts_ = false;
+    OperatorChanges* changes_ = nullptr;
     BlockContext last_{};       // place of the newest record, without texts
 };
 

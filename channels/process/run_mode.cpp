@@ -18,8 +18,8 @@ std::string language_of(const RunModeOptions& options, const MachineView& view) 
 // A program in one of the languages, with the files that it can reach.
 class LanguageRun : public ProgramRun {
 public:
-    LanguageRun(MachineView& view, Sink& sink, Port& port, const ProgramChoice& choice, const text::Setup& setup, const std::string& language)
-        : view_(&view), choice_(choice), setup_(&setup), name_(language) {
+    LanguageRun(MachineView& view, Sink& sink, Port& port, const ProgramChoice& choice, const text::Setup& setup, const std::string& language, EventSink*& events)
+        : view_(&view), choice_(choice), setup_(&setup), events_(&events), name_(language) {
         for (const std::string& path : setup.channel(view.channel).subprograms) files_.add_library(path);
         if (!choice.path.empty()) files_.add_folder(std::filesystem::path(choice.path).parent_path().string());
         language_ = make_language(language, view, sink, port, files_);
@@ -40,14 +40,21 @@ public:
     std::any carry() const override { return language_ ? language_->carry() : std::any{}; }
     void take_carry(const std::any& before, bool after_reset) override { if (language_) language_->take_carry(before, after_reset); }
     void executed(std::uint64_t serial) override { language_->executed(serial); }
+    void keep_resume_states(bool on) override { language_->keep_resume_states(on); }
+    bool may_resume_at(std::uint64_t serial) const override { return language_->may_resume_at(serial); }
+    bool resume_at(std::uint64_t serial) override { return language_->resume_at(serial); }
+    bool offsets_changed() override { return language_->offsets_changed(); }
+    std::int64_t block() const override { return language_->core().at.block; }
+    bool in_main_program() const override { return language_->core().at.stack_depth == 0; }
     std::size_t file_count() const override { return files_.count(); }
     std::string file_name(std::size_t index) const override { return files_.path(static_cast<FileId>(index)); }
-    const ProgramFiles& files() const { return files_; }
+    void shown() override { if (*events_) (*events_)->set_files(&files_); }
 
 private:
     MachineView* view_;
     ProgramChoice choice_;
     const text::Setup* setup_;
+    EventSink** events_;   // the describing sink of the running program
     ProgramFiles files_;
     std::string name_;
     std::unique_ptr<Language> language_;
@@ -66,8 +73,8 @@ Result<void> run_mode(const RunModeOptions& options) {
     services.setup = &setup;
     EventSink* events = nullptr;   // the describing sink of the running program
     services.make_run = [&](MachineView& view, Sink& sink, Port& port, const ProgramChoice& choice) -> std::unique_ptr<ProgramRun> {
-        auto run = std::make_unique<LanguageRun>(view, sink, port, choice, setup, language_of(options, view));
-        if (events) events->set_files(&run->files());
+        auto run = std::make_unique<LanguageRun>(view, sink, port, choice, setup, language_of(options, view), events);
+        run->shown();
         return run;
     };
     services.make_describer = [&](const MachineView& view, std::string& text) -> std::unique_ptr<Sink> {

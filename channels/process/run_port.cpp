@@ -13,12 +13,15 @@ void RunPort::look() {
     while (!kernel_->plc_seen.read(*plc_)) {}
 }
 
-std::optional<double> RunPort::axis_command(unsigned machine_axis) { return status_->axes[machine_axis].own; }
-std::optional<double> RunPort::axis_measured(unsigned machine_axis) { return status_->axes[machine_axis].act - axis_added(machine_axis); }
+std::optional<double> RunPort::axis_command(unsigned machine_axis) { return pretended_ ? pretended_(machine_axis) : status_->axes[machine_axis].own; }
+std::optional<double> RunPort::axis_measured(unsigned machine_axis) {
+    if (pretended_) return pretended_(machine_axis);
+    return status_->axes[machine_axis].act - axis_added(machine_axis);
+}
 double RunPort::axis_added(unsigned machine_axis) { return status_->axes[machine_axis].cmd - status_->axes[machine_axis].own; }
 // Where the axis was when the signal came; it has braked since.
 std::optional<double> RunPort::axis_at_skip(unsigned machine_axis) {
-    if (!own().skipped) return std::nullopt;
+    if (!own().skipped || pretended_) return std::nullopt;
     return status_->axes[machine_axis].skip - axis_added(machine_axis);
 }
 

@@ -1,6 +1,7 @@
 // The port of a running channel: answers from the machine's picture as of the tick at which the barrier was reached.
 #pragma once
 #include <fstream>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,6 +18,8 @@ public:
     RunPort(const KernelSegment& kernel, unsigned channel);
     void configure(const MachineConfig& machine, const text::Setup* setup) { machine_ = &machine, setup_ = setup; }
     void look();   // takes the picture: at cycle start and when a barrier has been reached
+    // While a program is only interpreted (restart at a block) its axes are where it has sent them, not where they stand.
+    void pretend(std::function<double(unsigned machine_axis)> position) { pretended_ = std::move(position); }
 
     std::optional<double> axis_command(unsigned machine_axis) override;
     std::optional<double> axis_measured(unsigned machine_axis) override;
@@ -49,6 +52,7 @@ private:
     std::unique_ptr<PlcOutputs> plc_;
     std::string print_path_;
     std::ofstream print_;
+    std::function<double(unsigned)> pretended_;
 };
 
 }  // namespace polyturn::channels

@@ -127,6 +127,8 @@ public:
     void keep_resume_states(bool on) override;
     void executed(std::uint64_t serial) override;
     bool resume_at(std::uint64_t serial) override;
+    bool may_resume_at(std::uint64_t serial) const override;
+    bool offsets_changed() override;
 
     // --- what handlers need
     const Block& block() const { return block_; }

@@ -66,4 +66,18 @@ bool Interpreter::resume_at(std::uint64_t serial) {
     return true;
 }
 
+bool Interpreter::may_resume_at(std::uint64_t serial) const {
+    for (auto point = points_.rbegin(); point != points_.rend() && point->serial >= serial; ++point)
+        if (point->serial == serial) return !point->compensated;
+    return false;
+}
+
+// Tools and their lengths are the program's own data here; zeros are the operator's.
+bool Interpreter::offsets_changed() {
+    if (core_.reads_ahead()) return false;
+    core_.change_offsets([] {});
+    state_changed_ = true;
+    return true;
+}
+
 }  // namespace polyturn::channels::sinumerik

@@ -84,6 +84,20 @@ void Core::rebase(unsigned i) {
     path.programmed[i] = programmed;
 }
 
+AxisValues Core::chain_offset() const {
+    AxisValues out{};
+    for (unsigned i = 0; i < view_->axis_count; ++i) out[i] = path.zero[i] + path.shift[i] + path.vector[i];
+    return out;
+}
+
+void Core::follow_offsets(const AxisValues& programmed, const AxisValues& before) {
+    const AxisValues now = chain_offset();
+    for (unsigned i = 0; i < view_->axis_count; ++i) path.machine[i] += now[i] - before[i];
+    rebase_all();
+    path.programmed = programmed;
+    refresh_surface_zero();
+}
+
 void Core::sum_zeros() {
     for (unsigned i = 0; i < view_->axis_count; ++i) {
         const double before = path.zero[i];

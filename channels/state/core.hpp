@@ -159,6 +159,17 @@ public:
     // --- positions
     void start_at_machine(const AxisValues& machine);
     void take_machine(unsigned place, double drive);      // after a barrier: where the axis really is
+    // Offsets or zeros have other values now. `load` brings the tool's into shift and wanted; the programmed point stays what
+    // it is, so the machine coordinate of the point becomes another one. Where the axes are is not looked at.
+    template <class Load>
+    void change_offsets(Load&& load) {
+        const AxisValues programmed = path.programmed, before = chain_offset();
+        const bool pending = vector_pending();
+        load_zeros();
+        load();
+        if (!pending) take_wanted();
+        follow_offsets(programmed, before);
+    }
     void refresh_limits();                                // at barriers: stroke limits and routes that hold now
     AxisSet plane_axes(int& p, int& q) const;             // places of the plane's axes; -1 missing
 
@@ -283,6 +294,8 @@ private:
     void suspend_compensation(AxisSet which);
     void drop_compensation_vector();
     void accept(const AxisValues& target);
+    AxisValues chain_offset() const;                      // what is added to frame(programmed)
+    void follow_offsets(const AxisValues& programmed, const AxisValues& before);
     void sum_zeros();
     void refresh_routes();
     void show_transformation();

@@ -25,6 +25,9 @@ public:
     void stop(const Stop& s, const BlockContext& at) override { next_->stop(s, at); }
     void part(double count, const BlockContext& at) override { next_->part(count, at); }
     void alarm(const Diagnosis& d, const BlockContext& at) override { next_->alarm(d, at); }
+    void interrupts(const Interrupts& i, const BlockContext& at) override { next_->interrupts(i, at); }
+    void print(std::string_view text, const BlockContext& at) override { next_->print(text, at); }
+    void signal(std::string_view name, double value, const BlockContext& at) override { next_->signal(name, value, at); }
     void barrier(const BlockContext& at) override { next_->barrier(at); }
     void block_end(const BlockContext& at) override { next_->block_end(at); }
 

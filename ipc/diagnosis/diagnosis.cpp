@@ -19,7 +19,7 @@ std::string render(const Diagnosis& diagnosis, Dialect dialect, std::string_view
     std::string out = place.file;
     if (place.line) out += fmt::format(":{}", place.line);
     if (place.column) out += fmt::format(":{}", place.column);
-    const Tongue tongue = tongue_of_environment();
+    const Tongue tongue = tongue_now();
     const std::string_view what = severity_word(diagnosis.severity(), tongue), remedy = alarm_text(diagnosis.alarm, tongue).remedy;
     out += fmt::format("{}{} {}: {}\n", out.empty() ? "" : ": ", what, alarm_number(diagnosis.alarm, dialect), text_in(diagnosis, tongue));
     if (!source_line.empty()) {

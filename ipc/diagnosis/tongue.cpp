@@ -25,6 +25,56 @@ Tongue tongue_of_environment() {
     return Tongue::English;
 }
 
+namespace {
+std::optional<Tongue> chosen;
+
+// The parts of `text` that stand for {0} {1} {d} in `pattern`; false: it does not read so. Placeholders match as little as they can.
+bool read_parts(std::string_view pattern, std::string_view text, std::string (&parts)[3]) {
+    const std::size_t open = pattern.find('{');
+    if (open == std::string_view::npos || open + 2 >= pattern.size() || pattern[open + 2] != '}') return pattern == text;
+    if (text.substr(0, open) != pattern.substr(0, open)) return false;
+    const char what = pattern[open + 1];
+    std::string& part = parts[what == '0' ? 0 : what == '1' ? 1 : 2];
+    const std::string_view rest = pattern.substr(open + 3);
+    for (std::size_t end = open; end <= text.size(); ++end)
+        if (read_parts(rest, text.substr(end), parts)) {
+            part = std::string(text.substr(open, end - open));
+            return true;
+        }
+    return false;
+}
+}  // namespace
+
+Tongue tongue_now() { return chosen.value_or(tongue_of_environment()); }
+
+void choose_tongue(std::string_view code) {
+    const char* own = std::getenv("POLYTURN_LANG");
+    if (own && *own) return;
+    if (const auto tongue = tongue_of(code)) chosen = tongue;
+}
+
+std::optional<Retold> retell(std::string_view number, Dialect dialect, std::string_view english, Tongue tongue) {
+    for (int id = 0; id < kAlarmCount; ++id) {
+        const auto alarm = static_cast<Alarm>(id);
+        if (alarm_number(alarm, dialect) != number) continue;
+        std::string parts[3];
+        if (!read_parts(alarm_row(alarm).text, english, parts)) continue;
+        const TongueRow row = alarm_text(alarm, tongue);
+        Retold out{{}, row.remedy};
+        for (std::size_t i = 0; i < row.text.size(); ++i) {
+            const bool quotes = row.text[i] == '{' && i + 2 < row.text.size() && row.text[i + 2] == '}';
+            if (!quotes) {
+                out.text += row.text[i];
+                continue;
+            }
+            out.text += parts[row.text[i + 1] == '0' ? 0 : row.text[i + 1] == '1' ? 1 : 2];
+            i += 2;
+        }
+        return out;
+    }
+    return std::nullopt;
+}
+
 TongueRow alarm_text(Alarm alarm, Tongue tongue) {
     const AlarmRow& english = alarm_row(alarm);
     TongueRow row{english.text, english.remedy};

@@ -15,6 +15,10 @@ inline constexpr Tongue kTongues[] = {Tongue::English, Tongue::Russian, Tongue::
 
 // "ru", "cs_CZ.UTF-8", "hu"; nothing for a language that Polyturn does not speak.
 std::optional<Tongue> tongue_of(std::string_view locale);
+// The one in which this process speaks: as chosen, else POLYTURN_LANG, LC_ALL, LC_MESSAGES, LANG.
+Tongue tongue_now();
+// PT_DISPLAY_LANGUAGE of the machine, where the person has not said otherwise (POLYTURN_LANG); "auto" and what is not spoken change nothing.
+void choose_tongue(std::string_view code);
 // POLYTURN_LANG, else LC_ALL, LC_MESSAGES, LANG; English when none of them names a language that is spoken.
 Tongue tongue_of_environment();
 
@@ -25,6 +29,13 @@ struct TongueRow {
 TongueRow alarm_text(Alarm alarm, Tongue tongue);
 // Values and detail filled in.
 std::string text_in(const Diagnosis& diagnosis, Tongue tongue);
+// An English text with its number, as event logs have them, told in another language: text and remedy. Nothing when no alarm
+// of that number reads so.
+struct Retold {
+    std::string text;
+    std::string_view remedy;
+};
+std::optional<Retold> retell(std::string_view number, Dialect dialect, std::string_view english, Tongue tongue);
 // "alarm", "warning", "message".
 std::string_view severity_word(Severity severity, Tongue tongue);
 

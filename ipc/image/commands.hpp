@@ -8,7 +8,7 @@
 //   Mdi                           channel, text: the block
 //   Jog                           object: axis, value: seconds with the sign of the direction; 0 stops it
 //   Step                          object: axis, value: true mm or degrees, signed
-//   Handwheel                     object: axis, flags: number of the wheel, value: clicks, signed
+//   Handwheel                     object: axis (0: the time of the program of `channel`), flags: number of the wheel, value: clicks, signed
 //   Reference                     object: axis, 0 all
 //   FeedOverride, RapidOverride   channel, value: 1 is 100 %
 //   SpindleOverride               object: spindle (0 all), value: 1 is 100 %
@@ -21,7 +21,10 @@
 //                                 of travel, value: true machine mm or degrees from which on the input is on
 //   SetParameter                  text: a parameter line
 //   Watch                         object: slot, flags as SetSignal: each change is logged as a Signal event
-//   Restart                       channel, value: block number N
+//   Restart                       channel, value: block number N, flags: set of channels that restart together (0: this one alone)
+//   FirstPart, ProgramWheel       channel, value: 1 on, 0 off; ProgramWheel: for the whole machine group of the channel
+//   StoreValue                    channel, object: StoreRequestKind, flags: StoreRequest::number << 16 | StoreRequest::field, value,
+//                                 text: StoreRequest::name
 //   JogInHold, Return             channel
 //   StopAfterPart                 channel, value: 1 on, 0 off
 //   Action                        nothing but an ActionDue event with code = seq

@@ -54,15 +54,22 @@ enum class KinematicsKind : std::uint32_t { None = 0, Polar, Cylinder, Inclined,
 // Through: a line through the pole; the rotary axis stays at `turn`, the linear one goes from one side to the other.
 enum class SideOfPole : std::uint8_t { None = 0, Positive, Negative, Through };
 
+// Answers of a channel to AskResume.
+enum class ResumeAnswer : std::uint32_t { Nothing = 0, GoesBack, Cannot };   // Nothing: no value that it uses has changed
+
 enum InterruptBit : std::uint32_t { kInterruptAtBlockEnd = 1u << 0, kInterruptByLevel = 1u << 1, kInterruptByMint = 1u << 2 };
 
 enum class FeedMode : std::uint8_t { Rapid = 0, PerMinute, PerRevolution, InverseTime, Thread, Seconds, Revolutions };
 enum class SpindleModeCode : std::int32_t { Rpm = 0, SurfaceSpeed, Position, Off, Limit, Watch, WatchOff };
 // How a positioned spindle comes to an angle.
 enum class SpindleApproach : std::uint8_t { Shortest = 0, Positive, Negative, Incremental };
-enum class StopReason : std::int32_t { None = 0, M00, M01, M02, M30, End, Held, Waiting, SingleBlock, Alarm, Reset, Death };
+enum class StopReason : std::int32_t { None = 0, M00, M01, M02, M30, End, Held, Waiting, SingleBlock, Alarm, Reset, Death,
+                                       Restart,     // before the approach of a restart
+                                       FirstPart,   // before a tool, in first-part mode
+                                       Retrace };   // no further back, or at the place where the way back began
 enum class ChannelState : std::uint32_t { Absent = 0, Reset, Running, Held, Waiting, ProgramStop, Ended, Interrupted, Dead };
 enum class ChannelMode : std::uint32_t { Auto = 0, Mdi, Jog, Handwheel, Reference };
+enum class RestartState : std::uint32_t { None = 0, Searching, AtBlock };   // AtBlock: what comes next is the approach
 enum class ProcessState : std::uint32_t { Absent = 0, Starting, Running, Stopped, Dead };
 
 enum class ChannelEventKind : std::uint32_t {
@@ -75,6 +82,12 @@ enum class ChannelEventKind : std::uint32_t {
     Quit,            // end the process
     Interrupt,       // the interrupt signal came and the path rests: epoch raised; value: serial of the first block of which not
                      // everything is executed (0 none), record: 1 when it has begun
+    Restart,         // as CycleStart, but what stands before a block is interpreted without moving: text `N<block>`, record: the set
+                     // of channels that restart together
+    AskResume,       // the path is held: would the channel go back? value and record as Resume. Answered in ChannelSegment::answer
+    Resume,          // the path is held; epoch raised: interpretation goes back to the place and reads on with the values that hold
+                     // now; value: serial of the block (0: none, all is executed), record: part of it, bit 32: that has begun
+    HeldMdi,         // text: a block that is executed in the hold, epoch raised; the program goes on by Resume
 };
 
 enum class KernelEventKind : std::uint32_t {
@@ -102,6 +115,9 @@ enum class CommandKind : std::uint32_t {
     ProcessStopped, ProcessContinued,
     Restart, Retrace, JogInHold, Return,
     EndRun,          // controlled end of the kernel
+    FirstPart,
+    ProgramWheel,    // a handwheel becomes the time of the programs of a machine group
+    StoreValue,      // an offset or a zero that the operator changes
     Sensor,          // a simulated touch or limit signal, see commands.hpp
 };
 
@@ -112,7 +128,7 @@ enum class OffsetTable : std::int32_t { Geometry = 0, Wear, SecondGeometry, Work
 enum class OffsetField : std::int32_t { X = 0, Y, Z, R, T };
 
 // Operator's switches of a channel; block skip 1 to 9 are bits 8 to 16.
-enum ChannelKey : std::uint32_t { kKeySingleBlock = 1u << 0, kKeyOptionalStop = 1u << 1, kKeyDryRun = 1u << 2, kKeyMachineLock = 1u << 3, kKeyBlockSkip1 = 1u << 8 };
+enum ChannelKey : std::uint32_t { kKeySingleBlock = 1u << 0, kKeyOptionalStop = 1u << 1, kKeyDryRun = 1u << 2, kKeyMachineLock = 1u << 3, kKeyFirstPart = 1u << 4, kKeyBlockSkip1 = 1u << 8 };
 
 enum AxisFlag : std::uint32_t { kReferenced = 1u << 0, kInPos = 1u << 1, kMoving = 1u << 2, kExists = 1u << 3, kDriveFault = 1u << 4, kRotary = 1u << 5, kDiameter = 1u << 6 };
 

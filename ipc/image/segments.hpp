@@ -36,6 +36,8 @@ struct ChannelSegment {
     alignas(64) std::atomic<std::uint64_t> quiet{0};     // «I have seen event n and have nothing more to say»; stored after all pushes
     std::atomic<std::uint64_t> heartbeat{0};             // grows while the process lives and works
     std::atomic<std::uint32_t> epoch{0};                 // of the records it pushes now
+    std::atomic<std::uint32_t> answer{0};                // ResumeAnswer to the event `answered`; stored before it
+    std::atomic<std::uint64_t> answered{0};
     RingTail event_tail;                                 // consumer of KernelSegment::events
     NoteHead notes;                                      // tail: SupervisorSegment::note_tail
     Snapshot<ProgramNames> programs;

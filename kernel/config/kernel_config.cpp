@@ -72,6 +72,7 @@ ChannelConfig read_channel(const p::Table& t, unsigned l) {
     channel.surface_speed_axis = static_cast<std::uint32_t>(p::get(t, p::n0687_default_g96_axis, l));
     channel.surface_speed_min_rpm = static_cast<double>(p::get(t, p::n0688_min_spindle_speed_g96, l));
     channel.in_position_timeout_s = p::get(t, p::n1340_inpos_timeout, l);
+    channel.wheel_time_s = p::get(t, p::pt_wheel_time, l);
     channel.feed_waits_for_spindle = p::get(t, p::pt_feed_waits, l) != 0;
     for (unsigned n = 0; n < 3; ++n) channel.aux_letters[n] = static_cast<char>(p::get(t, p::nth(p::n1333_aux_fu_addr1, n + 1), l));
     channel.inch = p::bit(t, p::n0104_unit_of_measure, l, 0);
@@ -125,6 +126,7 @@ void read_config(const params::Table& t, KernelConfig& config, bool first) {
     config.tick_ns = tick_us > 0 ? tick_us * 1000 : automatic_tick_ns(config);
     config.tick_s = static_cast<double>(config.tick_ns) * 1e-9;
     for (AxisConfig& axis : config.axes) axis.tick_s = config.tick_s;
+    config.history = static_cast<std::uint32_t>(p::get(t, p::pt_history));
     config.horizon = static_cast<std::uint32_t>(p::get(t, p::pt_horizon));
     config.plc_cycle_ticks = std::max<std::int64_t>(1, p::get(t, p::pt_plc_cycle) * 1'000'000 / config.tick_ns);
     config.answer_ticks = p::get(t, p::pt_answer_ticks);

@@ -60,6 +60,7 @@ struct ChannelConfig {
     PartnerDeath partner_death = PartnerDeath::GoOn;
     bool in_position_at_rapid_end = false;  // N1337 PCH
     bool feed_waits_for_spindle = true;   // PT_FEED_WAITS
+    double wheel_time_s = 0.02;           // PT_WHEEL_TIME: of the program, a click
     std::array<char, 3> aux_letters{};    // N1333 to N1335: whose values go to CN_AUX1C to CN_AUX3C
     ChannelStroke stroke;
 };
@@ -74,6 +75,7 @@ struct KernelConfig {
     std::int64_t tick_ns = 1'000'000;
     double tick_s = 0.001;
     std::uint32_t horizon = 1024;         // records
+    std::uint32_t history = 2000;         // PT_HISTORY, records
     std::int64_t plc_cycle_ticks = 10;
     std::int64_t answer_ticks = 10;
     double channel_timeout_s = 1.0, supervisor_timeout_s = 5.0;

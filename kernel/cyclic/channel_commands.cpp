@@ -39,25 +39,20 @@ void ChannelRunner::cycle_start() noexcept {
     switch (state_) {
         case ChannelState::Reset:
         case ChannelState::Ended:
-            know_positions();
-            state_ = ChannelState::Running;
-            stop_reason_ = StopReason::None;
-            hold_ = hold_later_ = false;
-            control_ = 0;   // what a program has put off holds to its end
-            core_.stroke2_off &= ~(ChannelSet{1} << index_);
-            cutting_s_ = rapid_s_ = waiting_s_ = cycle_s_ = 0;
-            blocks_ = 0;
-            core_.totals.part_begins(index_);
-            core_.event(KernelEventKind::CycleStarted, number_);
-            tell(ChannelEventKind::CycleStart, cursor_, static_cast<double>(core_.supervisor.options.parts ? core_.supervisor.options.parts : 1),
-                 mode_ == ChannelMode::Mdi ? std::string_view(mdi_.data()) : std::string_view{});
+            begin_program(ChannelEventKind::CycleStart, static_cast<double>(core_.supervisor.options.parts ? core_.supervisor.options.parts : 1), cursor_,
+                          mode_ == ChannelMode::Mdi ? std::string_view(mdi_.data()) : std::string_view{});
             return;
         case ChannelState::Held:
+            if (trail_.active() || retrace_ < 0) (void)start_retrace();
+            else if (!ready_to_go_on()) return;
             hold_ = false;
             state_ = phase_ == Phase::Waiting && !released_ ? ChannelState::Waiting : ChannelState::Running;
             stop_reason_ = StopReason::None;
             return;
         case ChannelState::ProgramStop:
+            if (trail_.active() || retrace_ < 0) (void)start_retrace();
+            else if (!ready_to_go_on()) return;
+            restart_ = RestartState::None;
             hold_ = false;
             continue_ = phase_ == Phase::Stopped;
             if (stop_reason_ == StopReason::SingleBlock) planner_->step_block();
@@ -68,12 +63,42 @@ void ChannelRunner::cycle_start() noexcept {
     }
 }
 
+void ChannelRunner::begin_program(ChannelEventKind how, double value, std::uint64_t record, std::string_view text) noexcept {
+    know_positions();
+    state_ = ChannelState::Running;
+    stop_reason_ = StopReason::None;
+    hold_ = hold_later_ = change_due_ = false;
+    control_ = 0;   // what a program has put off holds to its end
+    core_.stroke2_off &= ~(ChannelSet{1} << index_);
+    cutting_s_ = rapid_s_ = waiting_s_ = cycle_s_ = 0;
+    blocks_ = 0;
+    trail_.clear();
+    core_.totals.part_begins(index_);
+    core_.event(KernelEventKind::CycleStarted, number_);
+    tell(how, record, value, text);
+}
+
+void ChannelRunner::restart(double block, ChannelSet together) noexcept {
+    if (state_ != ChannelState::Reset && state_ != ChannelState::Ended) {
+        core_.alarm(Alarm::NotReady, number_, "a program is restarted at a block only in reset or after the end");
+        return;
+    }
+    if (const ShortText missing = missing_for_start(core_, {number_, segment_ && !dead_ && !stopped_, !resetting_, jog_in_hold_}); !missing.view().empty()) {
+        core_.alarm(Alarm::NotReady, number_, missing.view());
+        return;
+    }
+    mode_ = ChannelMode::Auto;
+    restart_ = RestartState::Searching;
+    begin_program(ChannelEventKind::Restart, block, together | ChannelSet{1} << index_, {});
+}
+
 bool ChannelRunner::allow_jog_in_hold() noexcept {
     if (state_ != ChannelState::Held || !at_rest()) return false;
     return jog_in_hold_ = true;
 }
 
 void ChannelRunner::feed_hold() noexcept {
+    start_wanted_ = false;
     if (control_ & kControlNoHold) hold_later_ = program_runs();
     else safe_hold();
 }
@@ -111,6 +136,13 @@ void ChannelRunner::finish_reset() noexcept {
     jog_in_hold_ = begun_ = hold_ = interrupted_ = alarm_ = continue_ = released_ = passing_ = emergency_ = skipping_ = interrupts_on_ = interrupt_due_ = hold_later_ = unfinished_ = false;
     control_ = 0;
     core_.stroke2_off &= ~(ChannelSet{1} << index_);
+    change_due_ = asked_by_hand_ = start_wanted_ = held_mdi_ = program_left_ = false;
+    question_ = 0;
+    restart_ = RestartState::None;
+    trail_.clear();
+    retrace_ = 0;
+    on_trail_ = came_back_ = false;
+    meeting_ = 0;
     // «Stop after this part»: what was to follow is void, but the program has come to its end.
     const StopReason why = std::exchange(ends_with_part_, false) ? StopReason::End : StopReason::Reset;
     state_ = why == StopReason::End ? ChannelState::Ended : ChannelState::Reset;
@@ -139,6 +171,10 @@ void ChannelRunner::set_mode(ChannelMode mode) noexcept {
 }
 
 void ChannelRunner::mdi(std::string_view text) noexcept {
+    if (state_ == ChannelState::Held && !question_ && (program_left_ || stands_in_hold())) {   // a block in the hold; the program goes on behind it
+        copy_text(mdi_, text);
+        return program_left_ ? enter_by_hand() : ask_to_go_back(true);
+    }
     if (program_runs()) {
         core_.alarm(Alarm::NotReady, number_, "a block is entered only in reset or after the end");
         return;
@@ -182,8 +218,10 @@ void ChannelRunner::emergency() noexcept {
 }
 
 void ChannelRunner::release_wait() noexcept {
+    if (passing_) trail_.met(core_.meetings);
     passing_ = false;
     if (phase_ != Phase::Waiting) return;
+    meeting_ = core_.meetings;
     released_ = true;
     if (state_ == ChannelState::Waiting) state_ = ChannelState::Running;
 }
@@ -212,6 +250,13 @@ void ChannelRunner::after_waits(std::span<ChannelRunner* const> all) noexcept {
     for (unsigned k = 0; k < kMaxChannels; ++k) {
         const ChannelSet bit = ChannelSet{1} << k;
         if (!(missing & bit)) continue;
+        if (restart_ == RestartState::Searching && all[k]->at_restart_block()) {
+            ShortText text;
+            describe_wait(text);
+            text << ", and L" << k + 1 << " restarts in front of it";
+            raise(Alarm::RestartMismatch, text.view());
+            return;
+        }
         if (all[k]->program_runs()) {
             warned_ &= ~bit;
             continue;

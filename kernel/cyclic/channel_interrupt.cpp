@@ -56,16 +56,7 @@ void ChannelRunner::break_off() noexcept {
         within = begun_ || (!ended && step_.s > 0 && step_.record == cursor_) || serial == last_serial_;
         if (begun_ || (!ended && step_.s > 0 && is_motion(r))) report(KernelEventKind::RecordEnd, r, 0);
     }
-    ++epoch_;
-    cursor_ = segment_->path.head.load(std::memory_order_acquire);
-    planner_->clear(cursor_);
-    step_ = {};
-    step_.record = cursor_;
-    flying_ = kNoRecord;
-    phase_ = Phase::None;
-    at_boundary_ = true;
-    thread_moving_ = thread_committed_ = false;
-    begun_ = released_ = passing_ = skipping_ = false;
+    discard();
     interrupts_on_ = interrupt_due_ = false;   // none is accepted until the interrupt program is over
     tell(ChannelEventKind::Interrupt, (within ? 1u : 0u) | interrupt_input_ << 1, static_cast<double>(serial));
 }

@@ -1,5 +1,6 @@
 // What a record that is no motion does when its turn comes: the standing ones (they hold the path until they are done) and
 // the instant ones (they happen between two moves and cost no time).
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -24,6 +25,7 @@ void ChannelRunner::execute_standing(double& left) noexcept {
         if (!begun_) {
             // A new step needs a running program; one that has begun is brought to its end in a hold too.
             if (state_ != ChannelState::Running || hold_ || interrupted_ || resetting_ || dead_ || core_.all_stop) return;
+            if ((wheel_ && wheel_rate_ <= 0) || stops_for_tool(r)) return;
             if (interrupt_due_ && (!(interrupt_bits_ & kInterruptAtBlockEnd) || r.serial != last_serial_)) return;
             line_ = r.line;
             block_ = r.block;
@@ -85,6 +87,7 @@ bool ChannelRunner::execute_instant(const PathRecord& r, double offset_s) noexce
             if (KernelEvent* event = core_.log.claim(KernelEventKind::Message, number_, core_.tick, offset_s)) {
                 event->note = r.note;
                 event->line = r.line;
+                event->code = -1;   // the program's own words, no row of the catalogue
                 copy_text(event->text, text_of(r));
                 core_.log.put();
             }
@@ -132,6 +135,15 @@ void ChannelRunner::flag(const PathRecord& r) noexcept {
     }
 }
 
+// First-part mode: the operator looks at each tool before it comes.
+bool ChannelRunner::stops_for_tool(const PathRecord& r) noexcept {
+    if (!(keys & kKeyFirstPart) || static_cast<RecordKind>(r.kind) != RecordKind::Aux || r.code != 'T' || tool_shown_ == cursor_) return false;
+    tool_shown_ = cursor_;
+    line_ = r.line;
+    stand(ChannelState::ProgramStop, StopReason::FirstPart);
+    return true;
+}
+
 bool ChannelRunner::dwell(const PathRecord& r, double& left) noexcept {
     if (phase_ != Phase::Dwell) {
         phase_ = Phase::Dwell;
@@ -147,6 +159,7 @@ bool ChannelRunner::dwell(const PathRecord& r, double& left) noexcept {
             return false;
         }
     }
+    if (wheel_) rate *= std::max(wheel_rate_, 0.0);
     const double available = rate * left * core_.config.tick_s;
     // A dwell of whole ticks ends with the last of them, whatever the rounding of the sum.
     if (dwell_left_ > available + 1e-9 * rate) {
@@ -221,6 +234,12 @@ bool ChannelRunner::stop(const PathRecord& r) noexcept {
             continue_ = false;
             stand(ChannelState::ProgramStop, reason);
             return false;
+        case StopReason::Restart:
+            restart_ = RestartState::AtBlock;
+            phase_ = Phase::Stopped;
+            continue_ = false;
+            stand(ChannelState::ProgramStop, reason);
+            return false;
         case StopReason::Alarm:  // the program cannot be read on; the channel has said why
             alarm_ = true;
             ++core_.alarm_count;
@@ -229,6 +248,12 @@ bool ChannelRunner::stop(const PathRecord& r) noexcept {
             core_.event(KernelEventKind::CycleEnded, number_, r.code, cycle_s_, r.line);
             return true;
         default:
+            if (held_mdi_) {   // the block by hand is over, the program is still held
+                held_mdi_ = false;
+                program_left_ = true;
+                stand(ChannelState::Held, StopReason::Held);
+                return true;
+            }
             stand(ChannelState::Ended, reason);
             core_.event(KernelEventKind::CycleEnded, number_, r.code, cycle_s_, r.line);
             return true;

@@ -16,6 +16,7 @@ void ChannelRunner::prepare() {
     if (planner_) return;
     planner_ = std::make_unique<PathPlanner>();
     thread_ = std::make_unique<ThreadFollower>();
+    trail_.prepare(core_.config.history);
 }
 
 void ChannelRunner::attach(const ChannelSegment& segment) {
@@ -23,6 +24,9 @@ void ChannelRunner::attach(const ChannelSegment& segment) {
     thread_->configure(core_.config.tick_s);
     thread_moving_ = thread_committed_ = false;
     planner_->configure(core_.config.tick_s, std::min<std::uint32_t>(core_.config.horizon, kPlannerWindow - 2));
+    trail_.configure(core_.config.tick_s, std::min<std::uint32_t>(core_.config.horizon, kPlannerWindow - 2));
+    retrace_ = 0;
+    question_ = 0;
     epoch_ = segment.epoch.load(std::memory_order_acquire);
     cursor_ = 0;
     core_.image.path_tail[index_].tail.store(0, std::memory_order_release);
@@ -72,6 +76,7 @@ void ChannelRunner::drop_old_epochs() noexcept {
 bool ChannelRunner::supplied() noexcept {
     if (!listens()) return true;
     // Quiet first: what it pushed before it became quiet is then visible in the head that supply() reads (P1).
+    if (question_ && segment_->answered.load(std::memory_order_acquire) < question_) return false;
     const bool quiet = segment_->quiet.load(std::memory_order_acquire) >= events_sent_;
     drop_old_epochs();
     return quiet || segment_->path.head.load(std::memory_order_acquire) - cursor_ >= core_.config.horizon;
@@ -150,10 +155,15 @@ void ChannelRunner::run() noexcept {
     if (!segment_) return;
     double left = 1.0;  // part of the tick that is still to be used
     watch_interrupt();
-    if (at_boundary_) execute_standing(left);
+    const bool back = trail_.active() || (wheel_ && wheel_drives_trail());
+    if (back) {
+        if (!((interrupted_ || dead_ || jog_in_hold_ || !program_runs()) && at_rest())) drive_trail();
+        left = 0.0;
+    }
+    if (at_boundary_ && !back) execute_standing(left);
     // What took a part of the tick ends within it: motion begins with the next one.
     const bool frozen = (interrupted_ || dead_ || jog_in_hold_) && at_rest();
-    if (phase_ == Phase::None && left == 1.0 && !frozen) {
+    if (phase_ == Phase::None && left == 1.0 && !frozen && !back) {
         drive();
         if (at_boundary_) {
             if (step_.ended_to > step_.ended_from) left = 1.0 - planner_->end_fraction(step_.ended_to - 1);
@@ -173,6 +183,7 @@ void ChannelRunner::settle() noexcept {
     if (!at_rest()) return;
     if (resetting_) finish_reset();
     if (interrupt_due_ && stands_for_interrupt()) break_off();
+    settle_hold();
     if (dead_ && !rest_reported_) {
         rest_reported_ = true;
         core_.waits.leave(index_);
@@ -183,22 +194,34 @@ void ChannelRunner::settle() noexcept {
     if (state_ == ChannelState::Running && step_.stands == Stands::BlockEnd && (keys & kKeySingleBlock)) stand(ChannelState::ProgramStop, StopReason::SingleBlock);
 }
 
+// What holds and slows every path of this channel.
+PathInput ChannelRunner::path_input() noexcept {
+    PathInput input;
+    input.feed_override = feed_override;
+    input.rapid_override = rapid_override;
+    input.spindle_rev_s = core_.spindle_rev_s.data();
+    input.hold = core_.signals.plc(signals::cp_stop(number_)) || hold_ || resetting_ || dead_ || interrupted_ || core_.all_stop || !core_.on() || !program_runs();
+    if (emergency_) input.emergency_dec = emergency_deceleration();
+    return input;
+}
+
 void ChannelRunner::drive() noexcept {
     if (flying_ != kNoRecord && planner_->next_record() > flying_) {
         const PathRecord& r = record(flying_);
         if (core_.waits.open_for(index_, r.code, r.mask, core_.no_wait())) planner_->let_pass(flying_), flying_ = kNoRecord;
     }
-    PathInput input;
-    input.feed_override = feed_override;
-    input.rapid_override = rapid_override;
-    input.spindle_rev_s = core_.spindle_rev_s.data();
+    PathInput input = path_input();
     const bool breaks_off = interrupt_due_ && !(interrupt_bits_ & kInterruptAtBlockEnd);
     const bool ends_block = interrupt_due_ && !breaks_off;
-    input.hold = skip_signal() || core_.signals.plc(signals::cp_stop(number_)) || breaks_off || hold_ || resetting_ || dead_ || interrupted_ || core_.all_stop || !core_.on() || !program_runs();
+    if (skip_signal() || breaks_off) input.hold = true;
     input.single_block = (keys & kKeySingleBlock) != 0 || ends_block;
     input.in_position = axes_in_position();
     if (waits_for_drive()) input.hold = true;
-    if (emergency_) input.emergency_dec = emergency_deceleration();
+    if (wheel_) {
+        input.hold = input.hold || wheel_rate_ <= 0;
+        input.feed_override *= std::max(wheel_rate_, 0.0);
+        input.rapid_override *= std::max(wheel_rate_, 0.0);
+    }
     if (keys & kKeyDryRun) input.dry_run_feed = dry_run_feed();
     else if (waits_for_speed()) input.feed_override = 0;
     step_ = planner_->tick(input);
@@ -363,6 +386,9 @@ void ChannelRunner::finished(const PathRecord& r, std::uint64_t index, double of
     if (r.flags & kBlockEnd) ++blocks_;
     if (ends_with_part_ && (r.flags & kDrains)) resetting_ = true;
     last_serial_ = r.serial;
+    last_part_ = r.part;
+    trail_.add(r, r.length, meeting_);
+    meeting_ = 0;
     if (r.flags & kDrains) {
         know_positions();
         tell(ChannelEventKind::BarrierReached, index, r.value);
@@ -429,6 +455,9 @@ void ChannelRunner::publish(ChannelStatus& status) noexcept {
     status.stop_reason = static_cast<std::int32_t>(stop_reason_);
     status.keys = keys;
     status.skipped = skipped_ ? 1 : 0;
+    status.retrace = trail_.active() ? (trail_.direction() < 0 ? -1 : 1) : 0;
+    status.wheel = wheel_ ? 1 : 0;
+    status.restart = static_cast<std::uint32_t>(restart_);
     core_.signals.set_nc(signals::cn_state(number_), static_cast<std::int32_t>(state_));
     core_.signals.set_nc(signals::cn_run(number_), state_ == ChannelState::Running || state_ == ChannelState::Waiting);
     core_.signals.set_nc(signals::cn_hold(number_), hold_);
@@ -441,8 +470,10 @@ void ChannelRunner::publish(ChannelStatus& status) noexcept {
 bool ChannelRunner::can_go_on() const noexcept {
     if (!segment_) return false;
     if (planner_ && !at_rest()) return true;
-    if (resetting_ || outbox_count_ > 0) return true;
+    if (resetting_ || outbox_count_ > 0 || question_) return true;
     if (stopped_ && !dead_) return true;  // the timeout counts
+    if (wheel_ && wheel_rate_ == 0) return phase_ == Phase::Handshake;
+    if (trail_.active()) return state_ == ChannelState::Running || wheel_;
     if (state_ == ChannelState::Waiting) return core_.config.channels[index_].wait_timeout_s > 0 && !interrupted_;
     if (state_ != ChannelState::Running) return phase_ == Phase::Handshake;
     if (phase_ != Phase::None) return true;

@@ -19,6 +19,7 @@
 #include "kernel/cyclic/core.hpp"
 #include "kernel/motion/path_planner.hpp"
 #include "kernel/cyclic/thread_retract.hpp"
+#include "kernel/cyclic/trail.hpp"
 #include "kernel/motion/thread_follower.hpp"
 
 namespace polyturn::kernel {
@@ -46,6 +47,10 @@ public:
     void cycle_start() noexcept;
     void feed_hold() noexcept;      // the operator: a program may put it off (#3004)
     void safe_hold() noexcept;      // a door, a dead partner: nobody puts it off
+    // From a block of the program on; `together`: channels that restart too, bit 0 is channel 1.
+    void restart(double block, ChannelSet together) noexcept;
+    bool at_restart_block() const noexcept { return restart_ == RestartState::AtBlock; }
+    void feed_hold() noexcept;
     void reset() noexcept;
     void select(std::string_view file) noexcept;
     void mdi(std::string_view text) noexcept;
@@ -57,7 +62,7 @@ public:
     bool jogs_in_hold() const noexcept { return jog_in_hold_; }
     void on_path_again() noexcept { jog_in_hold_ = false; }
     void quit() noexcept;
-    void store_changed() noexcept { store_changed_ = true; }
+    void store_changed() noexcept { store_changed_ = change_due_ = true; }
     void process_died(Alarm reason) noexcept;
     void process_stopped(bool stopped) noexcept;
     // The machine stops for a reason that is not the channel's: along the path, until reset.
@@ -67,6 +72,13 @@ public:
     double feed_override = 1, rapid_override = 1;
     std::uint32_t pressed_keys = 0; // ChannelKey, by the operator
     std::uint32_t keys = 0;         // ChannelKey as they act: the operator's and those that the PLC's marks hold
+
+    // --- the path driven back and forth (channel_trail.cpp) ---
+    void retrace(bool on) noexcept;
+    void set_wheel(bool on, double rate) noexcept;
+    bool by_wheel() const noexcept { return wheel_; }
+    bool wheel_blocked() const noexcept { return wheel_blocked_; }   // it cannot go further back
+    void pass_waits(std::span<ChannelRunner* const> all) noexcept;
 
     // --- for the clock ---
     // Virtual time may go on: enough records for the horizon, or the process has nothing more to say.
@@ -118,7 +130,7 @@ private:
     void withdrawn(const ThreadStep& step) noexcept;
     bool thread_may_start(const PathRecord& r) noexcept;
     void report_thread(const ThreadStep& step) noexcept;
-    bool at_rest() const noexcept { return planner_->at_rest() && !thread_moving_; }
+    bool at_rest() const noexcept { return planner_->at_rest() && !thread_moving_ && trail_.at_rest(); }
     void describe_wait(ShortText& text) noexcept;
     bool stop(const PathRecord& r) noexcept;
     void finished(const PathRecord& r, std::uint64_t index, double offset_s) noexcept;
@@ -133,6 +145,32 @@ private:
     std::uint32_t interrupt_signals() noexcept;
     bool stands_for_interrupt() noexcept;
     void break_off() noexcept;
+    // channel_hold.cpp: changes that act in a hold, blocks entered in one
+    struct Place {                         // in the program, of a path that rests
+        std::uint64_t serial = 0;          // block; 0: behind everything that was pushed
+        std::uint32_t part = 0;
+        bool begun = false;
+    };
+    Place place_now() const noexcept;
+    bool stands_in_hold() const noexcept;
+    void settle_hold() noexcept;
+    void ask_to_go_back(bool by_hand) noexcept;
+    void take_answer() noexcept;
+    void go_back_to(const Place& place) noexcept;
+    void enter_by_hand() noexcept;
+    void discard() noexcept;
+    PathInput path_input() noexcept;
+    bool may_leave_path() const noexcept;
+    bool leave_path() noexcept;
+    bool axes_are_on(const PathRecord& r, double s) const noexcept;
+    bool start_retrace() noexcept;
+    bool wheel_drives_trail() noexcept;
+    bool partners_let_through(std::span<ChannelRunner* const> all) const noexcept;
+    void drive_trail() noexcept;
+    void tell_obstacle() noexcept;
+    bool stops_for_tool(const PathRecord& r) noexcept;
+    bool ready_to_go_on() noexcept;
+    void begin_program(ChannelEventKind how, double value, std::uint64_t record, std::string_view text) noexcept;
     void watch_standstill(const PathRecord& r) noexcept;
     void limit_tapping(const PathRecord& r, PlannedRecord& planned) const noexcept;
     bool place_spindle(const PathRecord& r, double s) noexcept;
@@ -193,6 +231,20 @@ private:
     bool hold_later_ = false, unfinished_ = false;   // feed hold that did not count yet; the code before goes on beside the program
     std::uint32_t interrupt_input_ = 0;   // number of the input that came; 0: there is but one
     std::uint64_t last_serial_ = 0;        // block of the record that ended last
+    std::uint32_t last_part_ = 0;
+    std::uint64_t question_ = 0;           // AskResume that is not answered yet; 0 none
+    Place asked_, left_;                   // where it would go back to; where the program was left for a block by hand
+    bool change_due_ = false, asked_by_hand_ = false, start_wanted_ = false;
+    bool held_mdi_ = false, program_left_ = false;   // a block by hand runs in the hold; one has run
+    RestartState restart_ = RestartState::None;
+    Trail trail_;
+    int retrace_ = 0;                      // chosen by the operator: -1 cycle start drives backwards, 1 forwards again
+    bool on_trail_ = false;                // it moves there
+    bool wheel_ = false, wheel_blocked_ = false, wheel_told_ = false;
+    double wheel_rate_ = 0;
+    bool came_back_ = false;               // from a wait at which it stood: it arrives there once more
+    std::uint64_t meeting_ = 0;            // that released the wait which ends now
+    std::uint64_t tool_shown_ = kNoRecord; // first-part mode has stood before it
     std::array<char, 160> mdi_{};
     bool store_changed_ = false, moving_rapid_ = false, moving_ = false;
     std::int64_t stopped_since_ = 0, phase_since_ = 0, wait_since_ = 0, stands_since_ = 0;

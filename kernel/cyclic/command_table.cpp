@@ -105,6 +105,16 @@ void Machine::run_command(const Command& c) noexcept {
         case CommandKind::Reference:
             reference_command(c);
             break;
+        case CommandKind::Restart:
+            each_channel(c, [&](ChannelRunner& r) { r.restart(c.value, c.flags); });
+            break;
+        case CommandKind::Retrace: each_channel(c, [&](ChannelRunner& r) { r.retrace(on); }); break;
+        case CommandKind::FirstPart: key(kKeyFirstPart); break;
+        case CommandKind::ProgramWheel: program_wheel(c.channel, on); break;
+        case CommandKind::StoreValue:
+            (void)core_.store.ask_value(static_cast<StoreRequestKind>(c.object), c.channel, static_cast<std::int32_t>(c.flags >> 16), static_cast<std::int32_t>(c.flags & 0xFFFFu), c.value, text_of(c),
+                                        core_.tick, core_.config.answer_ticks);
+            break;
         case CommandKind::JogInHold:
             each_channel(c, [&](ChannelRunner& r) {
                 if (!r.allow_jog_in_hold()) core_.alarm(Alarm::NotReady, c.channel, "axes are moved in a hold when the path has come to rest in it");

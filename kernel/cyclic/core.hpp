@@ -52,6 +52,7 @@ struct Core {
     std::array<AxisUnit, kMaxAxes> axes{};
     std::array<SpindleUnit, kMaxSpindles> spindles{};
     WaitBoard waits;
+    std::uint64_t meetings = 0;            // releases of waits so far
     // Axes that share a drive with a spindle (C axes).
     struct SharedAxis {
         bool has_drive = false;            // it, not the spindle

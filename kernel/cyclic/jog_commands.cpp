@@ -83,6 +83,7 @@ void Machine::start_jog(std::uint32_t a, double sign, double speed, double dista
 }
 
 void Machine::jog_command(const Command& c) noexcept {
+    if (static_cast<CommandKind>(c.kind) == CommandKind::Handwheel && c.object == 0) return turn_program(c.channel, c.value);
     if (c.object == 0 || c.object > kMaxAxes || !core_.axes[c.object - 1].exists()) return;
     const std::uint32_t a = c.object - 1;
     AxisUnit& axis = core_.axes[a];
@@ -157,6 +158,42 @@ void Machine::run_jogs() noexcept {
         axis.move_to(jogs_[a].step(core_.config.tick_s));
     }
     go_back();
+}
+
+// A handwheel is the time of the programs of a machine group: they go as far as it is turned, forwards or back.
+void Machine::program_wheel(std::uint32_t channel, bool on) noexcept {
+    for (std::uint32_t l = 1; l <= kMaxChannels; ++l)
+        if (core_.config.channels[l - 1].exists && (channel == 0 || channel == l)) {
+            const std::uint32_t group = core_.config.channels[l - 1].group;
+            program_wheel_[group] = on;
+            program_time_[group] = 0;
+        }
+}
+
+void Machine::turn_program(std::uint32_t channel, double clicks) noexcept {
+    if (channel == 0 || channel > kMaxChannels) return;
+    const ChannelConfig& config = core_.config.channels[channel - 1];
+    if (!program_wheel_[config.group]) {
+        core_.alarm(Alarm::NotReady, channel, "the handwheel drives a program only after program_wheel");
+        return;
+    }
+    program_time_[config.group] += clicks * config.wheel_time_s;
+}
+
+void Machine::turn_wheels() noexcept {
+    constexpr double kFollowS = 0.2;      // what is owed is driven within about this time
+    constexpr double kNothingS = 1e-3;
+    for (std::uint32_t group = 1; group < program_wheel_.size(); ++group) {
+        if (!program_wheel_[group] && !program_wheel_shown_[group]) continue;
+        program_wheel_shown_[group] = program_wheel_[group];
+        double& owed = program_time_[group];
+        for (std::uint32_t l = 0; l < kMaxChannels; ++l)   // who cannot go further back keeps the others with it
+            if (core_.config.channels[l].exists && core_.config.channels[l].group == group && channels_[l]->wheel_blocked() && owed < 0) owed = 0;
+        const double rate = std::fabs(owed) < kNothingS ? 0.0 : std::clamp(owed / kFollowS, -1.0, 1.0);
+        owed = rate == 0.0 ? 0.0 : owed - rate * core_.config.tick_s;
+        for (std::uint32_t l = 0; l < kMaxChannels; ++l)
+            if (core_.config.channels[l].exists && core_.config.channels[l].group == group) channels_[l]->set_wheel(program_wheel_[group], rate);
+    }
 }
 
 // A door that opens holds the programs of its channel; it does not start them again.

@@ -133,6 +133,8 @@ void Machine::take_answers() noexcept {
         for (unsigned s = 0; s < core_.config.spindle_count; ++s) core_.spindles[s].configure(core_.config.spindles[s]);
         for (auto& channel : channels_) channel->store_changed();
     }
+    if (core_.store.value_taken())
+        for (auto& channel : channels_) channel->store_changed();
     // Said once; the machine stays stopped until a reset finds the PLC answering again.
     const PlcLink::Take plc = plc_.take_outputs();
     if (plc == PlcLink::Take::Late && !plc_late_) stop_all(Alarm::PlcLate);
@@ -159,12 +161,15 @@ void Machine::supervise() noexcept {
 }
 
 void Machine::run_channels() noexcept {
+    turn_wheels();
     for (auto& channel : channels_) channel->supply();
     for (auto& channel : channels_) channel->run();
     const ChannelSet released = core_.waits.release(core_.no_wait());
+    if (released) ++core_.meetings;
     for (unsigned l = 0; released >> l; ++l)
         if (released >> l & 1u) channels_[l]->release_wait();
     for (auto& channel : channels_) channel->after_waits(runners_);
+    for (auto& channel : channels_) channel->pass_waits(runners_);
 }
 
 void Machine::run_axes() noexcept {

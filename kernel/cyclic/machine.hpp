@@ -68,6 +68,9 @@ private:
     double by_hand(std::uint32_t axis) const noexcept;
     void start_jog(std::uint32_t axis, double sign, double speed, double distance, double seconds) noexcept;
     void go_back() noexcept;
+    void turn_wheels() noexcept;
+    void program_wheel(std::uint32_t channel, bool on) noexcept;
+    void turn_program(std::uint32_t channel, double clicks) noexcept;
     void watch_door() noexcept;
     void open_direct_device(unsigned axis);
     void run_jogs() noexcept;
@@ -124,6 +127,9 @@ private:
         bool going = false;
     };
     std::array<WayBack, kMaxChannels> way_back_{};
+    // By machine group: a handwheel is the time of its programs; what it has been turned and is not driven yet, s.
+    std::array<bool, kMaxChannels + 1> program_wheel_{}, program_wheel_shown_{};
+    std::array<double, kMaxChannels + 1> program_time_{};
     std::array<double, kMaxAxes> wheel_left_{};        // collected pulses that wait for the axis, mm
     std::array<bool, kMaxAxes> to_reference_{};        // wanted, and not begun: an axis of a lower order comes first
     std::array<bool, kMaxChannels> door_open_{};

@@ -22,8 +22,22 @@ bool StoreLink::write(StoreRequestKind kind, std::uint32_t channel, std::int32_t
 bool StoreLink::ask_parameter(std::string_view line, std::int64_t tick, std::int64_t answer_ticks) noexcept {
     if (due_count_ == due_.size()) return false;
     if (!write(StoreRequestKind::Parameter, 0, 0, 0, 0.0, line)) return false;
-    due_[due_count_++] = {tick + answer_ticks, persist_.head()};
+    due_[due_count_++] = {tick + answer_ticks, persist_.head(), false};
     return true;
+}
+
+bool StoreLink::ask_value(StoreRequestKind kind, std::uint32_t channel, std::int32_t number, std::int32_t field, double value, std::string_view name, std::int64_t tick,
+                          std::int64_t answer_ticks) noexcept {
+    if (due_count_ == due_.size()) return false;
+    if (!write(kind, channel, number, field, value, name)) return false;
+    due_[due_count_++] = {tick + answer_ticks, persist_.head(), true};
+    return true;
+}
+
+void StoreLink::drop_due() noexcept {
+    value_taken_ = value_taken_ || due_[0].value;
+    for (std::size_t i = 1; i < due_count_; ++i) due_[i - 1] = due_[i];
+    --due_count_;
 }
 
 bool StoreLink::take_changes(params::Table& table, std::int64_t tick, bool virtual_time) noexcept {
@@ -31,13 +45,11 @@ bool StoreLink::take_changes(params::Table& table, std::int64_t tick, bool virtu
     if (virtual_time) {
         if (!answer_due(tick)) return false;
         while (due_count_ > 0 && due_[0].tick <= tick) {
-            for (std::size_t i = 1; i < due_count_; ++i) due_[i - 1] = due_[i];
-            --due_count_;
+            drop_due();
         }
     } else {
         while (due_count_ > 0 && answered()) {
-            for (std::size_t i = 1; i < due_count_; ++i) due_[i - 1] = due_[i];
-            --due_count_;
+            drop_due();
         }
     }
     // Whole imports only: look ahead for the end before the first value is taken.

@@ -33,6 +33,12 @@ public:
     // A parameter line; its answer is due `answer_ticks` later.
     [[nodiscard]] bool ask_parameter(std::string_view line, std::int64_t tick, std::int64_t answer_ticks) noexcept;
 
+    // Likewise an offset or a zero.
+    [[nodiscard]] bool ask_value(StoreRequestKind kind, std::uint32_t channel, std::int32_t number, std::int32_t field, double value, std::string_view name, std::int64_t tick,
+                                 std::int64_t answer_ticks) noexcept;
+    // An offset or zero that was asked for acts from this tick on; read once, behind take_changes().
+    bool value_taken() noexcept { return std::exchange(value_taken_, false); }
+
     // Virtual time: must the store have answered before this tick, and has it?
     bool answer_due(std::int64_t tick) const noexcept { return due_count_ > 0 && due_[0].tick <= tick; }
     bool answered() const noexcept { return due_count_ == 0 || store_->persist_tail.tail.load(std::memory_order_acquire) >= due_[0].request; }
@@ -48,13 +54,15 @@ private:
     struct Due {
         std::int64_t tick;
         std::uint64_t request;
+        bool value = false;
     };
     RingProducer<RingHead<StoreRequest, 8192>> persist_;
     RingConsumer<RingHead<ParamChange, 8192>> changes_;
     const StoreSegment* store_;
     std::array<Due, 64> due_{};
     std::size_t due_count_ = 0;
-    bool written_ = false;
+    bool written_ = false, value_taken_ = false;
+    void drop_due() noexcept;
 };
 
 }  // namespace polyturn::kernel

@@ -6,9 +6,11 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "ipc/diagnosis/tongue.hpp"
 #include "ipc/memory/segment.hpp"
 #include "kernel/supervisor/job_plan.hpp"
 #include "kernel/supervisor/machine_status.hpp"
+#include "kernel/supervisor/phrases.hpp"
 #include "kernel/supervisor/request_socket.hpp"
 
 namespace polyturn::supervisor {
@@ -17,6 +19,16 @@ using Json = nlohmann::json;
 
 namespace {
 void print(std::string_view words) { std::fwrite(words.data(), 1, words.size(), stdout); }
+
+// The text of an alarm in the language of this process; the list does not say whose numbers it speaks.
+std::string told(const std::string& number, std::string english) {
+    if (tongue_now() == Tongue::English) return english;
+    const std::string padded = number.size() < 3 ? std::string(3 - number.size(), '0') + number : number;
+    for (const Dialect dialect : {Dialect::Polyturn, Dialect::Fanuc, Dialect::Nct, Dialect::Fagor, Dialect::Sinumerik, Dialect::Mefi})
+        for (const std::string& written : {number, padded})
+            if (auto found = retell(written, dialect, english, tongue_now())) return found->text;
+    return english;
+}
 }  // namespace
 
 bool ask(const std::string& instance, const std::string& request, std::string* answer) {
@@ -30,8 +42,13 @@ bool ask(const std::string& instance, const std::string& request, std::string* a
         if (answer) *answer = *got;
         return true;
     }
-    std::string words =
-        reply.is_discarded() ? *got : fmt::format("alarm {}: {}\n   {}\n", reply.value("number", ""), reply.value("text", ""), reply.value("remedy", ""));
+    const auto shown = [](const Json& one) { return fmt::format("alarm {}: {}\n   {}\n", one.value("number", ""), one.value("text", ""), one.value("remedy", "")); };
+    std::string words;
+    if (reply.is_discarded()) words = *got;
+    else if (const auto faults = reply.find("faults"); faults != reply.end() && faults->is_array())
+        for (const Json& one : *faults) words += shown(one);
+    else
+        words = shown(reply);
     std::fwrite(words.data(), 1, words.size(), stderr);
     return false;
 }
@@ -51,7 +68,7 @@ int show_status(const CommandLine& line) {
     else
         instances.push_back(line.instance);
     if (instances.empty()) {
-        print(line.json ? "[]\n" : "No controller runs here.\n");
+        print(line.json ? "[]\n" : say("No controller runs here.\n"));
         return 0;
     }
     std::string out;
@@ -79,20 +96,20 @@ int show_alarms(const CommandLine& line) {
         return 0;
     }
     for (const auto& alarm : reply["alarms"]) {
-        const std::string number = !alarm.contains("number")     ? std::string("message")
+        const std::string number = !alarm.contains("number")     ? std::string(say("message"))
                                    : alarm["number"].is_string() ? alarm["number"].get<std::string>()
                                                                  : alarm["number"].dump();
         print(fmt::format("{:>10.3f} s  {:<4} {:<8} {}\n", alarm.value("t", 0.0),
-                          alarm.contains("ch") ? fmt::format("L{}", alarm.value("ch", 0)) : std::string(), number, alarm.value("text", "")));
+                          alarm.contains("ch") ? fmt::format("L{}", alarm.value("ch", 0)) : std::string(), number, told(number, alarm.value("text", ""))));
     }
-    if (reply["alarms"].empty()) print("No alarms.\n");
+    if (reply["alarms"].empty()) print(say("No alarms.\n"));
     return 0;
 }
 
 int clean_up() {
     const auto removed = remove_dead_instances();
-    for (const auto& name : removed) print(fmt::format("removed {}\n", name));
-    if (removed.empty()) print("Nothing to remove.\n");
+    for (const auto& name : removed) print(fmt::format(fmt::runtime(say("removed {}\n")), name));
+    if (removed.empty()) print(say("Nothing to remove.\n"));
     return 0;
 }
 

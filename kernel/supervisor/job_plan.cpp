@@ -8,11 +8,14 @@
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 
+#include "ipc/diagnosis/tongue.hpp"
 #include "ipc/text/read_file.hpp"
 #include "ipc/text/setup_text.hpp"
 #include "kernel/supervisor/setup_sensors.hpp"
 #include "kernel/supervisor/like.hpp"
+#include "kernel/supervisor/phrases.hpp"
 
 namespace polyturn::supervisor {
 
@@ -109,6 +112,7 @@ private:
             return false;
         }
         for (const auto& diagnosis : loaded.diagnoses) print_diagnosis(diagnosis, Dialect::Polyturn);  // warnings
+        choose_tongue(params::get_text(*plan_.table, params::pt_display_language));
         plan_.machine = std::make_unique<MachineConfig>(derive_machine_config(*plan_.table));
         return true;
     }
@@ -169,6 +173,7 @@ private:
         }
         for (const auto& [number, channel] : plan_.setup.channels) check_setup_axes(number, channel);
         check_sensors(plan_.setup, *plan_.machine, failure_.diagnoses);
+        compare_tools();
         const bool job_zeros = plan_.job && !plan_.job->zeros.empty();
         if (!job_zeros && options_.like.empty()) return;
         // Zeros of the job and what --like copies come to the setup's; the other processes read the whole from one file.
@@ -178,6 +183,28 @@ private:
                     for (const auto& [axis, value] : axes) plan_.setup.channels[number].work[system].try_emplace(axis, value);
         fill_up(plan_.setup, like_);
         plan_.setup_path = in_memory("setup.toml", text::setup_text(plan_.setup));
+    }
+
+    // What the job needs against what is mounted (the setup's tools). Warnings: the operator may know better.
+    void compare_tools() {
+        if (!plan_.job) return;
+        std::set<unsigned> unknown;
+        for (const text::JobTool& wanted : plan_.job->tools) {
+            const auto channel = plan_.setup.channels.find(wanted.channel);
+            if (channel == plan_.setup.channels.end() || channel->second.tools.empty()) {
+                unknown.insert(wanted.channel);
+                continue;
+            }
+            const auto mounted = channel->second.tools.find(wanted.station);
+            const std::string there = mounted == channel->second.tools.end() ? std::string() : mounted->second.name;
+            if (there == wanted.name) continue;
+            tell_tool(Alarm::JobTool, fmt::format("L{} T{}: \"{}\"{}", wanted.channel, wanted.station, wanted.name, there.empty() ? std::string() : fmt::format(" / \"{}\"", there)));
+        }
+        for (const unsigned channel : unknown) tell_tool(Alarm::JobToolsUnknown, fmt::format("L{}", channel));
+    }
+    void tell_tool(Alarm alarm, std::string detail) {
+        const Diagnosis wrong{alarm, {plan_.job->file, 0, 0, 0}, {}, std::move(detail)};
+        if (!options_.quiet || wrong.severity() != Severity::Message) print_diagnosis(wrong, Dialect::Polyturn);
     }
 
     void check_setup_axes(unsigned number, const text::ChannelSetup& channel) {
@@ -263,19 +290,23 @@ void print_alarm_event(std::string_view event_text, Dialect dialect) {
     if (const auto found = event.find("number"); found != event.end())
         number = found->is_string() ? found->get<std::string>() : std::to_string(found->get<long>());
     if (dialect == Dialect::Fanuc && number.size() < 3 && number.find_first_not_of("0123456789") == std::string::npos) number.insert(0, 3 - number.size(), '0');
-    const std::string remedy = event.value("remedy", "");
     const std::string file = event.value("file", "");
     const auto line = event.value("line", 0u), column = event.value("column", 0u);
     std::string out = file;
     if (line) out += fmt::format(":{}", line);
     if (column) out += fmt::format(":{}", column);
-    if (out.empty() && event.contains("ch")) out = fmt::format("channel {}", event.value("ch", 0u));
-    out += fmt::format("{}{} {}: {}\n", out.empty() ? "" : ": ", event.value("severity", "error") == "warning" ? "warning" : "alarm", number, words);
+    if (out.empty() && event.contains("ch")) out = fmt::format(fmt::runtime(say("channel {}")), event.value("ch", 0u));
+    const std::string severity = event.value("severity", "error");
+    const Tongue tongue = tongue_now();
+    const std::string_view what = severity_word(event.value("ev", "") == "message" || severity == "message" ? Severity::Message : severity == "warning" ? Severity::Warning : Severity::Error, tongue);
+    const auto told = retell(number, dialect, words, tongue);
+    out += fmt::format("{}{}{}{}: {}\n", out.empty() ? "" : ": ", what, number.empty() ? "" : " ", number, told ? told->text : words);
     if (line)
         if (const auto content = text::read_text_file(file)) {
             out += fmt::format("{:5} | {}\n", line, text::line_of(*content, line));
             if (column) out += fmt::format("      | {}^\n", std::string(column - 1, ' '));
         }
+    const std::string remedy = told && tongue != Tongue::English ? std::string(told->remedy) : event.value("remedy", "");
     if (!remedy.empty()) out += fmt::format("   {}\n", remedy);
     std::fwrite(out.data(), 1, out.size(), stderr);
 }

@@ -6,9 +6,11 @@
 #include <filesystem>
 #include <memory>
 
+#include "ipc/diagnosis/tongue.hpp"
 #include "ipc/machine/machine_config.hpp"
 #include "ipc/memory/segment.hpp"
 #include "kernel/supervisor/event_text.hpp"
+#include "kernel/supervisor/phrases.hpp"
 #include "kernel/supervisor/scenario_player.hpp"
 
 namespace polyturn::supervisor {
@@ -47,6 +49,7 @@ Result<std::unique_ptr<Picture>> take_picture(const std::string& instance) {
     auto picture = std::make_unique<Picture>();
     auto table = std::make_unique<params::Table>();
     if (!(*kernel)->status.read(picture->status) || !(*store)->parameters.read(*table)) return Diagnosis{Alarm::SegmentNotReady, {}, {}, instance};
+    choose_tongue(params::get_text(*table, params::pt_display_language));
     picture->machine = derive_machine_config(*table);
     picture->tick_s = static_cast<double>((*kernel)->tick_ns.load(std::memory_order_acquire)) * 1e-9;
     for (std::size_t slot = 0; slot < kProcesses; ++slot) {
@@ -141,15 +144,15 @@ Result<std::string> status_page(const std::string& instance) {
     const auto taken = take_picture(instance);
     if (!taken) return taken.diagnosis();
     const Picture& p = **taken;
-    std::string out = fmt::format("{}: machine {}, {:.1f} s, {} alarms\n", instance, machine_text(p.status.machine_state),
+    std::string out = fmt::format(fmt::runtime(say("{}: machine {}, {:.1f} s, {} alarms\n")), instance, say(machine_text(p.status.machine_state)),
                                   static_cast<double>(p.status.tick) * p.tick_s, p.status.alarm_count);
     for (std::size_t i = 0; i < p.machine.last_channel; ++i) {
         if (!p.machine.channels[i].exists()) continue;
         const ChannelStatus& channel = p.status.channels[i];
-        out += fmt::format("  L{:<2} {:<12} {:<10} {}{}{}\n", i + 1, state_text(channel.state), mode_text(channel.mode),
-                           p.program[i].empty() ? std::string("no program") : std::filesystem::path(p.program[i]).filename().string(),
+        out += fmt::format("  L{:<2} {:<12} {:<10} {}{}{}\n", i + 1, say(channel.state == static_cast<std::uint32_t>(ChannelState::Waiting) ? "waits" : state_text(channel.state)), mode_text(channel.mode),
+                           p.program[i].empty() ? std::string(say("no program")) : std::filesystem::path(p.program[i]).filename().string(),
                            channel.line ? fmt::format(":{}", channel.line) : std::string(),
-                           channel.wait_code ? fmt::format("   waits at {}", channel.wait_code) : std::string());
+                           channel.wait_code ? fmt::format(fmt::runtime(say("   waits at {}")), channel.wait_code) : std::string());
     }
     for (std::size_t i = 0; i < p.machine.last_axis; ++i) {
         const AxisConfig& config = p.machine.axes[i];
@@ -157,11 +160,11 @@ Result<std::string> status_page(const std::string& instance) {
         const AxisStatus& axis = p.status.axes[i];
         out +=
             fmt::format("  A{:<2} {:<3} L{:<2} {:>12.4f} {}{}{}\n", i + 1, config.name_text(), config.channel, config.diameter ? 2 * axis.act : axis.act,
-                        axis.flags & kReferenced ? "" : "not referenced ", axis.flags & kMoving ? "moves " : "", axis.flags & kDriveFault ? "drive fault" : "");
+                        axis.flags & kReferenced ? "" : say("not referenced "), axis.flags & kMoving ? say("moves ") : "", axis.flags & kDriveFault ? say("drive fault") : "");
     }
     for (std::size_t i = 0; i < p.machine.last_spindle; ++i)
         if (p.machine.spindles[i].exists()) out += fmt::format("  S{:<2} {:>10.1f} 1/min\n", i + 1, p.status.spindles[i].speed);
-    out += "  processes:";
+    out += say("  processes:");
     for (const auto& [name, pid] : p.processes) out += fmt::format(" {} ({})", name, pid);
     return out + "\n";
 }

@@ -17,6 +17,7 @@
 #include "ipc/text/read_file.hpp"
 #include "kernel/supervisor/ask_verbs.hpp"
 #include "kernel/supervisor/job_plan.hpp"
+#include "kernel/supervisor/phrases.hpp"
 
 namespace polyturn::supervisor {
 
@@ -76,9 +77,9 @@ int list(const ParamsOptions& options) {
         ++shown;
         print(fmt::format("  {:<14} {:<9} {:<12} {}{}{}\n", row.number, params::to_string(row.scope), row.unit, row.name, row.meaning.empty() ? "" : ": ",
                           row.meaning));
-        if (!acts) print(fmt::format("  {:<14} no effect: {}\n", "", row.acts));
+        if (!acts) print(fmt::format("  {:<14} {}: {}\n", "", say("no effect"), row.acts));
     }
-    print(fmt::format("{}{} parameters{}\n", shown ? "\n" : "", shown, options.unused ? " without effect" : ""));
+    print(fmt::format(fmt::runtime(say("{}{} parameters{}\n")), shown ? "\n" : "", shown, options.unused ? say(" without effect") : ""));
     return 0;
 }
 
@@ -95,9 +96,10 @@ int get(const ParamsOptions& options) {
 }
 
 // Sends lines to a running controller; returns when they are on disk.
-int send_lines(const std::string& instance, const std::vector<std::string>& lines) {
+int send_lines(const std::string& instance, const std::vector<std::string>& lines, bool import) {
     nlohmann::json request;
     request["do"] = "parameters";
+    request["import"] = import;
     request["lines"] = lines;
     return ask(instance, request.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)) ? 0 : 2;
 }
@@ -133,9 +135,9 @@ int set(const ParamsOptions& options) {
             assignment.diagnosis().place.file = "'" + line + "'";
             return refuse(assignment.diagnosis());
         }
-    if (!options.instance.empty()) return send_lines(options.instance, options.arguments);
+    if (!options.instance.empty()) return send_lines(options.instance, options.arguments, false);
     if (options.machine.empty()) {
-        std::fputs("polyturn: say --instance NAME (a running controller) or --machine FILE (a machine's file)\n", stderr);
+        std::fputs(say("polyturn: say --instance NAME (a running controller) or --machine FILE (a machine's file)\n").data(), stderr);
         return 2;
     }
     return append_lines(options.machine, options.arguments);
@@ -168,10 +170,10 @@ int import_file(const ParamsOptions& options) {
         for (std::string& line : lines)
             if (line.find('"') == std::string::npos)
                 if (const auto comment = line.find(';'); comment != std::string::npos) line.resize(line.find_last_not_of(" \t", comment ? comment - 1 : 0) + 1);
-        return send_lines(options.instance, lines);
+        return send_lines(options.instance, lines, true);
     }
     if (options.machine.empty()) {
-        std::fputs("polyturn: say --instance NAME (a running controller) or --machine FILE (a machine's file)\n", stderr);
+        std::fputs(say("polyturn: say --instance NAME (a running controller) or --machine FILE (a machine's file)\n").data(), stderr);
         return 2;
     }
     return append_lines(options.machine, lines);
@@ -184,7 +186,7 @@ int diff(const ParamsOptions& options) {
     if (!before || !after) return 2;
     const auto differences = params::difference(*before, *after);
     for (const auto& one : differences) print(params::to_string(one) + "\n");
-    if (differences.empty()) print("no difference\n");
+    if (differences.empty()) print(say("no difference\n"));
     return differences.empty() ? 0 : 1;
 }
 
@@ -198,7 +200,7 @@ int check(const ParamsOptions& options) {
     if (!table) return 2;
     const auto contradictions = check_machine_config(*table);
     if (tell(contradictions)) return 1;
-    print("consistent\n");
+    print(say("consistent\n"));
     return 0;
 }
 

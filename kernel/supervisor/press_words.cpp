@@ -15,6 +15,7 @@
 #include "ipc/params/param_file.hpp"
 #include "ipc/text/job.hpp"
 #include "kernel/supervisor/signal_words.hpp"
+#include "kernel/supervisor/store_words.hpp"
 
 namespace polyturn::supervisor {
 
@@ -58,7 +59,7 @@ constexpr PressWord kWords[] = {
     {"mdi", CommandKind::Mdi, Form::Mdi, "mdi L1 G0 X50."},
     {"jog", CommandKind::Jog, Form::Jog, "jog A3+ 0.5s"},
     {"step", CommandKind::Step, Form::Step, "step A3- 0.01"},
-    {"handwheel", CommandKind::Handwheel, Form::Wheel, "handwheel 1 A3 +120"},
+    {"handwheel", CommandKind::Handwheel, Form::Wheel, "handwheel 1 A3 +120 or handwheel 1 L1 +120 (time of its program)"},
     {"reference", CommandKind::Reference, Form::Reference, "reference A3 or reference all"},
     {"home", CommandKind::Reference, Form::Reference, "home A3 or home all"},
     {"feed_override", CommandKind::FeedOverride, Form::ChannelPercent, "feed_override L1=50"},
@@ -72,6 +73,8 @@ constexpr PressWord kWords[] = {
     {"machine_lock", CommandKind::MachineLock, Form::ChannelOnOff, "machine_lock L1=on"},
     {"restart", CommandKind::Restart, Form::Restart, "restart L1=N120 L2=N340"},
     {"retrace", CommandKind::Retrace, Form::ChannelOnOff, "retrace L1=on"},
+    {"first_part", CommandKind::FirstPart, Form::ChannelOnOff, "first_part L1=on"},
+    {"program_wheel", CommandKind::ProgramWheel, Form::ChannelOnOff, "program_wheel L1=on"},
     {"jog_in_hold", CommandKind::JogInHold, Form::Channel, "jog_in_hold L1"},
     {"return", CommandKind::Return, Form::Channel, "return L1"},
     {"ignore_waits", CommandKind::IgnoreWaits, Form::ChannelOnOff, "ignore_waits L2=on"},
@@ -137,7 +140,7 @@ public:
             case Form::SkipLevel:
                 return each_assignment('L', [&](Command& c, std::string_view value) { return level(c, value); });
             case Form::Restart:
-                return each_assignment('L', [&](Command& c, std::string_view value) { return block(c, value); });
+                return restart();
             case Form::Select:
                 return select();
             case Form::Mdi:
@@ -252,6 +255,16 @@ private:
         return true;
     }
 
+    // All that are named restart together: their waits are replayed.
+    Result<Commands> restart() {
+        auto out = each_assignment('L', [&](Command& c, std::string_view value) { return c.channel != 0 && block(c, value); });
+        if (!out) return out;
+        std::uint32_t set = 0;
+        for (const Command& command : *out) set |= 1u << (command.channel - 1);
+        for (Command& command : *out) command.flags = set;
+        return out;
+    }
+
     Result<Commands> select() {
         if (rest_.empty()) return shape();
         if (text::is_job_file(rest_)) {
@@ -329,6 +342,10 @@ private:
         const auto number = number_of(parts_[0]), clicks = number_of(parts_[2]);
         if (!number || !clicks || *number < 1 || *number > 4 || *number != std::floor(*number)) return shape();
         command.flags = static_cast<std::uint32_t>(*number);
+        if (parts_[1][0] == 'L') {   // the time of its program
+            command.channel = instance(parts_[1], 'L');
+            return command.channel ? one(command, *clicks) : why();
+        }
         command.object = instance(parts_[1], 'A');
         if (!command.object) return why();
         return one(command, *clicks);
@@ -405,22 +422,6 @@ bool put_text(Command& command, std::string_view words) {
     return true;
 }
 
-Result<void> check_built(const Commands& commands) {
-    for (const Command& command : commands) {
-        switch (static_cast<CommandKind>(command.kind)) {
-            case CommandKind::Restart:
-            case CommandKind::Retrace:
-                break;
-            default:
-                continue;
-        }
-        const auto word =
-            std::find_if(std::begin(kWords), std::end(kWords), [&](const PressWord& one) { return static_cast<std::uint32_t>(one.kind) == command.kind; });
-        return fault(Alarm::NotBuilt, std::string(word->name));
-    }
-    return {};
-}
-
 std::vector<std::string_view> press_names() {
     std::vector<std::string_view> out;
     for (const PressWord& word : kWords) out.push_back(word.name);
@@ -440,6 +441,10 @@ Result<Commands> parse_set(std::string_view words, const MachineConfig& machine)
     const auto equals = words.rfind('=');
     if (equals == std::string_view::npos) return fault(Alarm::PressArgument, fmt::format("'{}' is not of the form: NAME [SCOPE]=VALUE", words));
     const std::string_view name = trimmed(words.substr(0, equals)), value = trimmed(words.substr(equals + 1));
+    if (name.substr(0, 7) == "offset " || name.substr(0, 5) == "zero ") {
+        const auto command = parse_store_value(name, value, machine);
+        return command ? Result<Commands>(Commands{*command}) : Result<Commands>(command.diagnosis());
+    }
     if (name.substr(0, 6) == "drive ") return drive(trimmed(name.substr(6)), value, machine);
     // Overrides and keys are set as well as pressed.
     if (const PressWord* word = find_word(name.substr(0, name.find_first_of(" \t"))); word && name.find_first_of(" \t") != std::string_view::npos)

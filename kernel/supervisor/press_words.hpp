@@ -13,13 +13,10 @@ namespace polyturn::supervisor {
 
 // "feed_hold L2", "mode L1=mdi", "jog A3+ 0.5s" ... Programs are named relative to `folder`.
 Result<std::vector<Command>> parse_press(std::string_view words, const MachineConfig& machine, const std::string& folder = {});
-// "AP_SYNCR A3=1", "drive A3=fault", "input 5=1", a parameter line.
+// "AP_SYNCR A3=1", "drive A3=fault", "input 5=1", "offset L1 3 wear X=0.05", "zero L1 G54 Z=-150", a parameter line.
 Result<std::vector<Command>> parse_set(std::string_view words, const MachineConfig& machine);
 // "AP_SYNCR A3", "input 5".
 Result<std::vector<Command>> parse_release(std::string_view words, const MachineConfig& machine);
-
-// The first command of them that the kernel does not carry out yet, as a diagnosis; asking for it must never be silence.
-Result<void> check_built(const std::vector<Command>& commands);
 
 // The first words of everything that can be pressed, for tests and help.
 std::vector<std::string_view> press_names();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "kernel/supervisor/phrases.hpp"
 #include "kernel/supervisor/timeline.hpp"
 
 namespace polyturn::supervisor {
@@ -14,17 +15,17 @@ namespace {
 std::string base_name(const std::string& file) { return std::filesystem::path(file).filename().string(); }
 
 std::string lines_of(const Pass& pass) {
-    return pass.first_line == pass.last_line ? fmt::format("line {}", pass.first_line) : fmt::format("lines {} to {}", pass.first_line, pass.last_line);
+    return pass.first_line == pass.last_line ? fmt::format(fmt::runtime(say("line {}")), pass.first_line) : fmt::format(fmt::runtime(say("lines {} to {}")), pass.first_line, pass.last_line);
 }
 
 }  // namespace
 
 std::string report_text(const RunRecord& record, const JobPlan& plan) {
     std::string out = "\n";
-    const std::string name = plan.job && !plan.job->name.empty() ? plan.job->name : "the run";
+    const std::string name = plan.job && !plan.job->name.empty() ? plan.job->name : std::string(say("the run"));
     out += fmt::format("{}: {:.1f} s\n\n", name, record.seconds);
 
-    out += fmt::format("  {:<22}{:>10}{:>10}{:>10}{:>10}{:>10}\n", "channel", "cycle", "cutting", "rapid", "waiting", "other");
+    out += fmt::format("  {:<22}{:>10}{:>10}{:>10}{:>10}{:>10}\n", say("channel"), say("cycle"), say("cutting"), say("rapid"), say("waiting"), say("other"));
     double one_after_the_other = 0.0;
     for (const auto& [channel, times] : record.channels) {
         const auto program = plan.programs.find(channel);
@@ -36,13 +37,13 @@ std::string report_text(const RunRecord& record, const JobPlan& plan) {
     }
     if (record.channels.size() > 1 && record.seconds > 0) {
         const double saved = one_after_the_other - record.seconds;
-        out += fmt::format("\n  One turret after the other would take {:.1f} s; working at once they save {:.1f} s ({:.0f} %).\n", one_after_the_other, saved,
-                           one_after_the_other > 0 ? 100.0 * saved / one_after_the_other : 0.0);
+        out += "\n  " + fmt::format(fmt::runtime(say("One turret after the other would take {:.1f} s; working at once they save {:.1f} s ({:.0f} %).")), one_after_the_other,
+                                  saved, one_after_the_other > 0 ? 100.0 * saved / one_after_the_other : 0.0) + "\n";
     }
 
     auto waits = wait_spans(record);
     std::stable_sort(waits.begin(), waits.end(), [](const WaitSpan& a, const WaitSpan& b) { return a.seconds() > b.seconds(); });
-    if (!waits.empty()) out += "\n  Who waited\n";
+    if (!waits.empty()) out += fmt::format("\n  {}\n", say("Who waited"));
     std::size_t shown = 0;
     double rest = 0.0;
     for (const WaitSpan& wait : waits) {
@@ -50,17 +51,17 @@ std::string report_text(const RunRecord& record, const JobPlan& plan) {
             rest += wait.seconds();
             continue;
         }
-        out += fmt::format("    L{:<2} {:>7.2f} s  at {:<6} {}:{}{}\n", wait.channel, wait.seconds(), wait.code, base_name(wait.file), wait.line,
-                           wait.last ? fmt::format("  for L{}", wait.last) : std::string("  (nobody came)"));
+        out += fmt::format("    L{:<2} {:>7.2f} s  {} {:<6} {}:{}{}\n", wait.channel, wait.seconds(), say("at"), wait.code, base_name(wait.file), wait.line,
+                           wait.last ? "  " + fmt::format(fmt::runtime(say("for L{}")), wait.last) : fmt::format("  {}", say("(nobody came)")));
     }
-    if (shown > 12) out += fmt::format("    and {} shorter ones, {:.2f} s together\n", shown - 12, rest);
+    if (shown > 12) out += "    " + fmt::format(fmt::runtime(say("and {} shorter ones, {:.2f} s together")), shown - 12, rest) + "\n";
 
     const auto moves = advice(record, 3);
-    if (!moves.empty()) out += "\n  Which cut to move\n";
+    if (!moves.empty()) out += fmt::format("\n  {}\n", say("Which cut to move"));
     for (const Advice& one : moves)
-        out += fmt::format("    {} {} of L{} ({:.1f} s{}): L{} waits {:.1f} s for it at {}. Given to L{} it saves up to {:.1f} s.\n", base_name(one.pass.file),
+        out += "    " + fmt::format(fmt::runtime(say("{} {} of L{} ({:.1f} s{}): L{} waits {:.1f} s for it at {}. Given to L{} it saves up to {:.1f} s.")), base_name(one.pass.file),
                            lines_of(one.pass), one.pass.channel, one.pass.seconds(), one.pass.tool.empty() ? std::string() : ", " + one.pass.tool,
-                           one.wait.channel, one.wait.seconds(), one.wait.code, one.wait.channel, one.gain_s);
+                           one.wait.channel, one.wait.seconds(), one.wait.code, one.wait.channel, one.gain_s) + "\n";
     return out;
 }
 

@@ -61,12 +61,12 @@ bool read_wishes(const JobOptions& options, const JobPlan& plan, RunWishes& wish
         auto [channel, block] = split_channel(words);
         if (!block.empty() && (block[0] == 'N' || block[0] == 'n')) block.remove_prefix(1);
         const auto number = number_of(block);
-        if (channel < 1 || channel > kMaxChannels || !number || *number < 0)
+        if (channel < 1 || channel > kMaxChannels || !number || *number < 0 || *number != std::floor(*number))
             fault(Alarm::PressArgument, fmt::format("--from {} is not of the form L=N120", words));
         else if (!plan.programs.count(channel))
             fault(Alarm::PressArgument, fmt::format("--from {}: channel {} has no program", words, channel));
         else
-            fault(Alarm::NotBuilt, "--from (program restart at a block)");
+            wishes.restart_at[channel] = *number;
     }
     if (!options.scenario.empty()) {
         const auto content = text::read_text_file(options.scenario);

@@ -37,6 +37,12 @@ std::string_view reason_text(StopReason reason) {
             return "reset";
         case StopReason::Death:
             return "death";
+        case StopReason::Restart:
+            return "restart";
+        case StopReason::FirstPart:
+            return "first_part";
+        case StopReason::Retrace:
+            return "retrace";
         default:
             return "end";
     }
@@ -183,6 +189,9 @@ void RunSession::take(const KernelEvent& event) {
             break;
         }
         case KernelEventKind::Message:
+            if (event.code < 0) break;   // the program's own words: its note has told them
+            take_alarm(event, t_s);
+            break;
         case KernelEventKind::Alarm:
             take_alarm(event, t_s);
             break;
@@ -224,7 +233,8 @@ void RunSession::react(std::string_view event_text, double t_s) {
 void RunSession::take_stopped(const KernelEvent& event, double t_s) {
     const auto track = tracks_.find(event.channel);
     const auto reason = static_cast<StopReason>(event.code);
-    if ((reason == StopReason::M00 || reason == StopReason::M01) && !(wishes_.scenario && wishes_.scenario->presses_cycle_start())) {
+    const bool answered = reason == StopReason::M00 || reason == StopReason::M01 || reason == StopReason::Restart || reason == StopReason::FirstPart;
+    if (answered && !(wishes_.scenario && wishes_.scenario->presses_cycle_start())) {
         Command start{};
         start.kind = static_cast<std::uint32_t>(CommandKind::CycleStart);
         start.channel = event.channel;

@@ -42,7 +42,7 @@ Result<void> RunSession::start() {
     }
     set_start_positions(plan_, plan.options);
     const bool reacts = wishes_.scenario && (wishes_.scenario->has_when() || wishes_.scenario->has_actions());
-    follow_log_ = options_.virtual_time && (reacts || programs_may_stop());
+    follow_log_ = options_.virtual_time && (reacts || programs_may_stop() || !wishes_.restart_at.empty());
     plan.options.follow_log = follow_log_ ? 1 : 0;
     plan.machine_arguments = plan_.machine_arguments();
     if (const auto path = text::resolve_machine(plan_.source.machine)) plan.plc_library = path->plc;
@@ -185,9 +185,16 @@ void RunSession::send_start() {
     };
     for (const Planned& planned : timed)
         if (is_key(planned)) send_planned(planned);
+    std::uint32_t together = 0;   // channels that restart: their waits are replayed
+    for (const auto& [channel, block] : wishes_.restart_at) together |= 1u << (channel - 1);
+    const auto restart_command = [&](unsigned channel, double block) {
+        Command command = make(CommandKind::Restart, channel, block);
+        command.flags = together;
+        return command;
+    };
     for (const auto& [channel, program] : plan_.programs) {
         const auto restart = wishes_.restart_at.find(channel);
-        send_at(restart == wishes_.restart_at.end() ? make(CommandKind::CycleStart, channel, 1) : make(CommandKind::Restart, channel, restart->second), 0.0);
+        send_at(restart == wishes_.restart_at.end() ? make(CommandKind::CycleStart, channel, 1) : restart_command(channel, restart->second), 0.0);
     }
     for (const Planned& planned : timed)
         if (!is_key(planned)) send_planned(planned);

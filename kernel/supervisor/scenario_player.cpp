@@ -121,8 +121,6 @@ std::optional<ScenarioPlayer> ScenarioPlayer::make(const text::Scenario& scenari
                 break;
             }
         }
-        if (commands)
-            if (auto built = check_built(*commands); !built) commands = built.diagnosis();
         if (!commands) {
             Diagnosis diagnosis = commands.diagnosis();
             diagnosis.place = stimulus.place;

@@ -8,12 +8,16 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "ipc/diagnosis/tongue.hpp"
+#include "ipc/machine/config_check.hpp"
 #include "ipc/machine/store_requests.hpp"
 #include "ipc/params/param_file.hpp"
 #include "ipc/text/machine_path.hpp"
 #include "kernel/supervisor/event_text.hpp"
 #include "kernel/supervisor/job_plan.hpp"
+#include "kernel/supervisor/phrases.hpp"
 #include "kernel/supervisor/press_words.hpp"
+#include "kernel/supervisor/store_words.hpp"
 
 namespace polyturn::supervisor {
 
@@ -32,19 +36,32 @@ std::string default_store(const std::string& instance) {
     return std::string(home && *home ? home : "/var/lib") + "/.local/state/polyturn/" + instance;
 }
 
+void tell(const std::string& words) { std::fwrite(words.data(), 1, words.size(), stderr); }
+
 std::string refusal(const Diagnosis& diagnosis) {
     Json out;
     out["ok"] = false;
     out["number"] = std::string(alarm_number(diagnosis.alarm, Dialect::Polyturn));
-    out["text"] = diagnosis.text();
-    out["remedy"] = std::string(diagnosis.remedy());
+    out["text"] = text_in(diagnosis, tongue_now());
+    out["remedy"] = std::string(alarm_text(diagnosis.alarm, tongue_now()).remedy);
+    return out.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+// Of several, each is named.
+std::string refusal(const std::vector<Diagnosis>& diagnoses) {
+    if (diagnoses.size() == 1) return refusal(diagnoses.front());
+    Json out = Json::parse(refusal(diagnoses.front()));
+    out["faults"] = Json::array();
+    for (const Diagnosis& diagnosis : diagnoses) out["faults"].push_back(Json::parse(refusal(diagnosis)));
     return out.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace
 
 StartSession::StartSession(const StartOptions& options, LoadedMachine machine, RequestServer server)
-    : options_(options), loaded_(std::move(machine)), machine_(derive_machine_config(*loaded_.table)), server_(std::move(server)) {}
+    : options_(options), loaded_(std::move(machine)), machine_(derive_machine_config(*loaded_.table)), server_(std::move(server)) {
+    choose_tongue(params::get_text(*loaded_.table, params::pt_display_language));
+}
 
 Dialect StartSession::dialect(unsigned channel) const {
     return channel >= 1 && channel <= kMaxChannels ? dialect_of(language_of(*loaded_.table, channel)) : Dialect::Polyturn;
@@ -85,12 +102,11 @@ int StartSession::run() {
         print_diagnosis(launched.diagnosis(), Dialect::Polyturn);
         return 1;
     }
-    std::fprintf(stderr, "polyturn: the controller \"%s\" runs with %u channels, %u axes, %u spindles. End it with Ctrl-C or SIGTERM.\n",
-                 options_.instance.c_str(), static_cast<unsigned>(machine_.channel_count), static_cast<unsigned>(machine_.axis_count),
-                 static_cast<unsigned>(machine_.spindle_count));
+    tell(fmt::format(fmt::runtime(say("polyturn: the controller \"{}\" runs with {} channels, {} axes, {} spindles. End it with Ctrl-C or SIGTERM.\n")), options_.instance,
+                     machine_.channel_count, machine_.axis_count, machine_.spindle_count));
     loop();
     controller_->stop(5'000);
-    std::fprintf(stderr, "polyturn: the controller \"%s\" has ended.\n", options_.instance.c_str());
+    tell(fmt::format(fmt::runtime(say("polyturn: the controller \"{}\" has ended.\n")), options_.instance));
     return 0;
 }
 
@@ -147,6 +163,7 @@ void StartSession::take(const KernelEvent& event) {
             break;
         case KernelEventKind::Message:
         case KernelEventKind::Alarm: {
+            if (event.code < 0) break;   // the program's own words: its note has told them
             Diagnosis diagnosis;
             diagnosis.alarm = event.code >= 0 && event.code < kAlarmCount ? static_cast<Alarm>(event.code) : Alarm::NoProgress;
             diagnosis.values[0] = event.value;
@@ -180,8 +197,7 @@ void StartSession::process_died(std::size_t slot, int status) {
     while (!times.empty() && now - times.front() > kDeathWindow) times.pop_front();
     times.push_back(now);
     if (times.size() > kMostDeaths) {
-        std::fprintf(stderr, "polyturn: %s has died %zu times in %lld s and stays dead.\n", process_name(slot).c_str(), times.size(),
-                     static_cast<long long>(kDeathWindow.count()));
+        tell(fmt::format(fmt::runtime(say("polyturn: {} has died {} times in {} s and stays dead.\n")), process_name(slot), times.size(), kDeathWindow.count()));
         if (slot == kProcessKernel) ask_to_end_ = true;
         return;
     }
@@ -219,7 +235,9 @@ void StartSession::handle(RequestServer::Client client, const std::string& line)
         const auto commands = parse_set(text_at("words"), machine_);
         // A parameter is set when it is on disk, not when the kernel has heard of it.
         if (commands && commands->size() == 1 && commands->front().kind == static_cast<std::uint32_t>(CommandKind::SetParameter))
-            return serve_parameters(client, {text_at("words")});
+            return serve_parameters(client, {text_at("words")}, false);
+        if (commands && commands->size() == 1 && commands->front().kind == static_cast<std::uint32_t>(CommandKind::StoreValue))
+            return serve_value(client, store_request_of(commands->front()));
         return serve_commands(client, commands);
     }
     if (what == "parameters") {
@@ -227,7 +245,7 @@ void StartSession::handle(RequestServer::Client client, const std::string& line)
         if (request.contains("lines") && request["lines"].is_array())
             for (const auto& one : request["lines"])
                 if (one.is_string()) lines.push_back(one.get<std::string>());
-        return serve_parameters(client, lines);
+        return serve_parameters(client, lines, request.value("import", false));
     }
     if (what == "alarms") {
         std::string out = "{\"ok\":true,\"alarms\":[";
@@ -243,17 +261,46 @@ void StartSession::handle(RequestServer::Client client, const std::string& line)
 
 void StartSession::serve_commands(RequestServer::Client client, const Result<std::vector<Command>>& commands) {
     if (!commands) return server_.answer(client, refusal(commands.diagnosis()));
-    if (const auto built = check_built(*commands); !built) return server_.answer(client, refusal(built.diagnosis()));
     for (const Command& command : *commands) controller_->send(command);
     server_.answer(client, "{\"ok\":true}");
 }
 
-void StartSession::serve_parameters(RequestServer::Client client, const std::vector<std::string>& lines) {
-    for (const std::string& words : lines)  // all or none
-        if (const auto assignment = params::parse_assignment(words); !assignment)
-            return server_.answer(client, refusal(assignment.diagnosis()));
-        else if (words.size() >= sizeof(StoreRequest{}.name))
-            return server_.answer(client, refusal({Alarm::PressArgument, {}, {}, "the line is too long: " + words}));
+// An offset or a zero: set when it is on disk.
+void StartSession::serve_value(RequestServer::Client client, const StoreRequest& request) {
+    if (!controller_->running(kProcessStore)) return server_.answer(client, refusal({Alarm::NotServed, {}, {}, "the store does not run"}));
+    if (!controller_->ask_store(request)) return server_.answer(client, refusal({Alarm::NotServed, {}, {}, "the store does not answer"}));
+    waiting_.push_back({client, ++asked_, {}});
+}
+
+// Everything that is wrong with the lines; of an import also what they would make contradict itself.
+std::vector<Diagnosis> StartSession::faults_of(const std::vector<std::string>& lines, bool import) const {
+    std::vector<Diagnosis> out;
+    std::vector<params::Assignment> assignments;
+    for (const std::string& words : lines) {
+        auto assignment = params::parse_assignment(words);
+        if (!assignment) {
+            out.push_back(assignment.diagnosis());
+            out.back().detail += " (" + words + ")";
+        } else if (words.size() >= sizeof(StoreRequest{}.name)) {
+            out.push_back({Alarm::PressArgument, {}, {}, "the line is too long: " + words});
+        } else {
+            assignments.push_back(std::move(*assignment));
+        }
+    }
+    if (!out.empty() || !import) return out;
+    auto table = std::make_unique<params::Table>();
+    if (!controller_->store().parameters.read(*table)) return out;
+    const auto before = check_machine_config(*table);
+    for (const params::Assignment& one : assignments)
+        if (const auto done = params::apply(*table, {&one, 1}); !done) out.push_back(done.diagnosis());
+    for (Diagnosis& wrong : check_machine_config(*table))
+        if (wrong.severity() == Severity::Error && std::none_of(before.begin(), before.end(), [&](const Diagnosis& d) { return d.alarm == wrong.alarm && d.text() == wrong.text(); }))
+            out.push_back(std::move(wrong));
+    return out;
+}
+
+void StartSession::serve_parameters(RequestServer::Client client, const std::vector<std::string>& lines, bool import) {
+    if (const auto faults = faults_of(lines, import); !faults.empty()) return server_.answer(client, refusal(faults));   // all or none
     if (!controller_->running(kProcessStore)) return server_.answer(client, refusal({Alarm::NotServed, {}, {}, "the store does not run"}));
     for (const std::string& words : lines) {
         const auto until = Clock::now() + std::chrono::seconds(5);

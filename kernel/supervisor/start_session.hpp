@@ -31,7 +31,9 @@ private:
     void revive();
     void handle(RequestServer::Client client, const std::string& line);
     void serve_commands(RequestServer::Client client, const Result<std::vector<Command>>& commands);
-    void serve_parameters(RequestServer::Client client, const std::vector<std::string>& lines);
+    void serve_parameters(RequestServer::Client client, const std::vector<std::string>& lines, bool import);
+    void serve_value(RequestServer::Client client, const StoreRequest& request);
+    std::vector<Diagnosis> faults_of(const std::vector<std::string>& lines, bool import) const;
     void take_answers();
     Dialect dialect(unsigned channel) const;
 

@@ -64,3 +64,27 @@ TEST(Tongue, WhatIsNotTranslatedIsEnglish) {
 
 }  // namespace
 }  // namespace polyturn
+
+namespace polyturn {
+namespace {
+
+TEST(Tongue, TellsAnEnglishEventInAnotherLanguage) {
+    const Diagnosis wrong{Alarm::FileUnreadable, {}, {}, "O0001.nc"};
+    const auto told = retell(alarm_number(Alarm::FileUnreadable, Dialect::Polyturn), Dialect::Polyturn, wrong.text(), Tongue::Russian);
+    ASSERT_TRUE(told);
+    EXPECT_EQ(told->text, text_in(wrong, Tongue::Russian));
+    EXPECT_EQ(told->remedy, alarm_text(Alarm::FileUnreadable, Tongue::Russian).remedy);
+    EXPECT_FALSE(retell("PT0001", Dialect::Polyturn, "something else", Tongue::Russian));
+}
+
+TEST(Tongue, ReadsEveryTextOfTheCatalogueBack) {
+    for (int id = 0; id < kAlarmCount; ++id) {
+        Diagnosis diagnosis{static_cast<Alarm>(id), {}, {1.5, 2}, "some detail"};
+        const auto told = retell(alarm_number(diagnosis.alarm, Dialect::Polyturn), Dialect::Polyturn, diagnosis.text(), Tongue::English);
+        ASSERT_TRUE(told) << alarm_row(diagnosis.alarm).key;
+        EXPECT_EQ(told->text, diagnosis.text());
+    }
+}
+
+}  // namespace
+}  // namespace polyturn

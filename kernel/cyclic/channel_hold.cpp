@@ -1,0 +1,114 @@
+// What a hold is good for: offsets that change in it act when the program goes on, because the channel takes back what it has
+// pushed (architecture 5.6); a block can be entered and executed by hand. The channel is asked before anything is discarded:
+// not every block can be read again.
+#include "kernel/cyclic/channel_runner.hpp"
+
+namespace polyturn::kernel {
+
+ChannelRunner::Place ChannelRunner::place_now() const noexcept {
+    if (cursor_ >= segment_->path.head.load(std::memory_order_acquire) || record(cursor_).epoch != epoch_) return {};
+    const PathRecord& r = record(cursor_);
+    const bool ended = step_.ended_to > step_.record;
+    const bool within = begun_ || (!ended && step_.s > 0 && step_.record == cursor_);
+    return {r.serial, r.part, within || (last_serial_ == r.serial && last_part_ == r.part)};
+}
+
+// At a place where what was pushed may be taken back: no function, wait or thread is under way.
+bool ChannelRunner::stands_in_hold() const noexcept {
+    if (!segment_ || dead_ || stopped_ || resetting_ || interrupted_ || held_mdi_ || jog_in_hold_ || !at_rest() || retract_.active() || trail_.active()) return false;
+    const bool held = state_ == ChannelState::Held || (state_ == ChannelState::ProgramStop && stop_reason_ == StopReason::SingleBlock);
+    return held && (phase_ == Phase::None || phase_ == Phase::Dwell) && (program_left_ || place_now().serial != 0);
+}
+
+void ChannelRunner::settle_hold() noexcept {
+    if (question_) {
+        if (dead_ || !segment_) question_ = 0;
+        else if (segment_->answered.load(std::memory_order_acquire) >= question_) take_answer();
+    } else if (change_due_ && !program_left_ && stands_in_hold()) {
+        ask_to_go_back(false);
+    }
+}
+
+void ChannelRunner::ask_to_go_back(bool by_hand) noexcept {
+    constexpr std::uint64_t kBegun = 1ull << 32, kByHand = 1ull << 33;
+    if (outbox_count_ == outbox_.size()) return;
+    if (!by_hand) change_due_ = false;
+    asked_ = place_now();
+    asked_by_hand_ = by_hand;
+    tell(ChannelEventKind::AskResume, asked_.part | (asked_.begun ? kBegun : 0) | (by_hand ? kByHand : 0), static_cast<double>(asked_.serial));
+    question_ = events_sent_ + outbox_count_;
+}
+
+void ChannelRunner::take_answer() noexcept {
+    question_ = 0;
+    const auto answer = static_cast<ResumeAnswer>(segment_->answer.load(std::memory_order_relaxed));
+    const bool goes_back = answer == ResumeAnswer::GoesBack;
+    if (asked_by_hand_) {
+        if (goes_back) {
+            left_ = asked_;
+            enter_by_hand();
+        } else {
+            core_.alarm(Alarm::NotReady, number_, "the program cannot be left in this block");
+        }
+    } else if (goes_back) {
+        go_back_to(asked_);
+    } else if (answer == ResumeAnswer::Cannot) {
+        core_.alarm(Alarm::ChangeActsLater, number_, "the block in which the program is held cannot be read again", 0, line_);
+    }
+    if (start_wanted_) {
+        start_wanted_ = false;
+        cycle_start();
+    }
+}
+
+// What was pushed and is not executed is void.
+void ChannelRunner::discard() noexcept {
+    if (cursor_ < visible_end_ && is_motion(record(cursor_)) && !(step_.ended_to > step_.record) && step_.s > 0 && step_.record == cursor_)
+        trail_.add(record(cursor_), step_.s, 0);
+    ++epoch_;
+    cursor_ = segment_->path.head.load(std::memory_order_acquire);
+    planner_->clear(cursor_);
+    step_ = {};
+    step_.record = cursor_;
+    flying_ = kNoRecord;
+    phase_ = Phase::None;
+    at_boundary_ = true;
+    thread_moving_ = thread_committed_ = false;
+    begun_ = released_ = passing_ = skipping_ = false;
+}
+
+void ChannelRunner::go_back_to(const Place& place) noexcept {
+    if (place.begun && cursor_ < visible_end_) report(KernelEventKind::RecordEnd, record(cursor_), 0);
+    discard();
+    know_positions();
+    tell(ChannelEventKind::Resume, place.part | (place.begun ? 1ull << 32 : 0), static_cast<double>(place.serial));
+}
+
+void ChannelRunner::enter_by_hand() noexcept {
+    if (asked_by_hand_ && left_.begun && cursor_ < visible_end_) report(KernelEventKind::RecordEnd, record(cursor_), 0);
+    asked_by_hand_ = false;
+    discard();
+    know_positions();
+    tell(ChannelEventKind::HeldMdi, cursor_, 0, std::string_view(mdi_.data()));
+    held_mdi_ = true;
+    hold_ = false;
+    state_ = ChannelState::Running;
+    stop_reason_ = StopReason::None;
+}
+
+// Cycle start in a hold. False: an answer must come first, or the program is being taken back.
+bool ChannelRunner::ready_to_go_on() noexcept {
+    if (question_) return start_wanted_ = true, false;
+    if (program_left_) {
+        program_left_ = false;
+        go_back_to(left_);
+        return true;
+    }
+    if (change_due_ && stands_in_hold()) {
+        ask_to_go_back(false);
+        return start_wanted_ = question_ != 0, false;
+    }
+    return true;
+}
+
+}  // namespace polyturn::kernel

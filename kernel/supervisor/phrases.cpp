@@ -1,0 +1,97 @@
+#include "kernel/supervisor/phrases.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "ipc/diagnosis/tongue.hpp"
+
+namespace polyturn::supervisor {
+
+namespace {
+
+struct Phrase {
+    std::string_view english, russian, czech, hungarian;
+};
+
+constexpr auto kPhrases = std::to_array<Phrase>({
+    // report of a run
+    {"the run", "прогон", "běh", "a futás"},
+    {"channel", "канал", "kanál", "csatorna"},
+    {"channel {}", "канал {}", "kanál {}", "{}. csatorna"},
+    {"cycle", "цикл", "cyklus", "ciklus"},
+    {"cutting", "резание", "řezání", "forgácsolás"},
+    {"rapid", "ускор.", "rychlop.", "gyorsmenet"},
+    {"waiting", "ожидание", "čekání", "várakozás"},
+    {"other", "прочее", "ostatní", "egyéb"},
+    {"line {}", "строка {}", "řádek {}", "{}. sor"},
+    {"lines {} to {}", "строки {}–{}", "řádky {} až {}", "{}–{}. sor"},
+    {"One turret after the other would take {:.1f} s; working at once they save {:.1f} s ({:.0f} %).",
+     "Револьверные головки по очереди заняли бы {:.1f} с; одновременная работа экономит {:.1f} с ({:.0f} %).",
+     "Hlavy po sobě by potřebovaly {:.1f} s; současnou prací se ušetří {:.1f} s ({:.0f} %).",
+     "Egymás után a revolverfejek {:.1f} s-ig dolgoznának; egyszerre dolgozva {:.1f} s-ot takarítanak meg ({:.0f} %)."},
+    {"Who waited", "Кто ждал", "Kdo čekal", "Ki várt"},
+    {"at", "на", "na", "itt:"},
+    {"for L{}", "ждал L{}", "na L{}", "L{}-re"},
+    {"(nobody came)", "(никто не пришёл)", "(nikdo nepřišel)", "(senki sem jött)"},
+    {"and {} shorter ones, {:.2f} s together", "и ещё {} более коротких, вместе {:.2f} с", "a {} kratších, dohromady {:.2f} s", "és {} rövidebb, együtt {:.2f} s"},
+    {"Which cut to move", "Какой проход перенести", "Který řez přesunout", "Melyik fogást érdemes áttenni"},
+    {"{} {} of L{} ({:.1f} s{}): L{} waits {:.1f} s for it at {}. Given to L{} it saves up to {:.1f} s.",
+     "{} {}, L{} ({:.1f} с{}): L{} ждёт этого {:.1f} с на {}. Переданный в L{}, он экономит до {:.1f} с.",
+     "{} {}, L{} ({:.1f} s{}): L{} na to čeká {:.1f} s u {}. Předáno kanálu L{} ušetří až {:.1f} s.",
+     "{} {}, L{} ({:.1f} s{}): L{} {:.1f} s-ot vár rá itt: {}. L{} csatornára téve akár {:.1f} s-ot takarít meg."},
+    // status
+    {"{}: machine {}, {:.1f} s, {} alarms\n", "{}: станок {}, {:.1f} с, аварий {}\n", "{}: stroj {}, {:.1f} s, poruch {}\n", "{}: gép {}, {:.1f} s, {} hiba\n"},
+    {"no program", "нет программы", "bez programu", "nincs program"},
+    {"   waits at {}", "   ждёт на {}", "   čeká na {}", "   vár itt: {}"},
+    {"not referenced ", "без референта ", "bez reference ", "nem referált "},
+    {"moves ", "движется ", "v pohybu ", "mozog "},
+    {"drive fault", "отказ привода", "porucha pohonu", "hajtáshiba"},
+    {"  processes:", "  процессы:", "  procesy:", "  folyamatok:"},
+    {"absent", "нет", "není", "nincs"},
+    {"reset", "сброс", "reset", "alaphelyzet"},
+    {"running", "работает", "běží", "fut"},
+    {"held", "пауза", "pozastaven", "felfüggesztve"},
+    {"waits", "ждёт", "čeká", "vár"},
+    {"program_stop", "стоп прогр.", "stop progr.", "programstop"},
+    {"ended", "окончен", "ukončen", "vége"},
+    {"interrupted", "прерван", "přerušen", "megszakítva"},
+    {"dead", "не отвечает", "neodpovídá", "leállt"},
+    {"on", "включён", "zapnut", "bekapcsolva"},
+    {"off", "выключен", "vypnut", "kikapcsolva"},
+    {"emergency_stop", "аварийный останов", "nouzové zastavení", "vészleállítás"},
+    {"No controller runs here.\n", "Здесь не работает ни одна система ЧПУ.\n", "Neběží zde žádný řídicí systém.\n", "Itt nem fut vezérlés.\n"},
+    {"No alarms.\n", "Аварий нет.\n", "Žádné poruchy.\n", "Nincs hiba.\n"},
+    {"message", "сообщение", "hlášení", "üzenet"},
+    {"removed {}\n", "удалено: {}\n", "odstraněno: {}\n", "törölve: {}\n"},
+    {"Nothing to remove.\n", "Удалять нечего.\n", "Není co odstranit.\n", "Nincs mit törölni.\n"},
+    // start
+    {"polyturn: the controller \"{}\" runs with {} channels, {} axes, {} spindles. End it with Ctrl-C or SIGTERM.\n",
+     "polyturn: система «{}» работает: каналов {}, осей {}, шпинделей {}. Завершение: Ctrl-C или SIGTERM.\n",
+     "polyturn: systém „{}“ běží: kanálů {}, os {}, vřeten {}. Ukončení: Ctrl-C nebo SIGTERM.\n",
+     "polyturn: a(z) „{}” vezérlés fut: {} csatorna, {} tengely, {} főorsó. Leállítás: Ctrl-C vagy SIGTERM.\n"},
+    {"polyturn: the controller \"{}\" has ended.\n", "polyturn: система «{}» завершена.\n", "polyturn: systém „{}“ skončil.\n", "polyturn: a(z) „{}” vezérlés leállt.\n"},
+    {"polyturn: {} has died {} times in {} s and stays dead.\n", "polyturn: {}: завершался аварийно {} раз за {} с и больше не запускается.\n",
+     "polyturn: {} spadl {}krát za {} s a zůstává vypnut.\n", "polyturn: {} {} alkalommal állt le {} s alatt, és nem indul újra.\n"},
+    // parameters
+    {"polyturn: say --instance NAME (a running controller) or --machine FILE (a machine's file)\n",
+     "polyturn: укажите --instance ИМЯ (работающая система) или --machine ФАЙЛ (файл станка)\n",
+     "polyturn: zadejte --instance JMÉNO (běžící systém) nebo --machine SOUBOR (soubor stroje)\n",
+     "polyturn: adja meg: --instance NÉV (futó vezérlés) vagy --machine FÁJL (a gép fájlja)\n"},
+    {"consistent\n", "противоречий нет\n", "bez rozporů\n", "ellentmondásmentes\n"},
+    {"no difference\n", "различий нет\n", "bez rozdílů\n", "nincs különbség\n"},
+    {"{}{} parameters{}\n", "{}параметров: {}{}\n", "{}parametrů: {}{}\n", "{}{} paraméter{}\n"},
+    {" without effect", " (не действуют)", " (bez účinku)", " (hatástalan)"},
+    {"no effect", "не действует", "bez účinku", "hatástalan"},
+});
+
+}  // namespace
+
+std::string_view say(std::string_view english) {
+    const Tongue tongue = tongue_now();
+    if (tongue == Tongue::English) return english;
+    const auto found = std::find_if(kPhrases.begin(), kPhrases.end(), [&](const Phrase& p) { return p.english == english; });
+    if (found == kPhrases.end()) return english;
+    return tongue == Tongue::Russian ? found->russian : tongue == Tongue::Czech ? found->czech : found->hungarian;
+}
+
+}  // namespace polyturn::supervisor
