@@ -50,7 +50,6 @@ public:
     // From a block of the program on; `together`: channels that restart too, bit 0 is channel 1.
     void restart(double block, ChannelSet together) noexcept;
     bool at_restart_block() const noexcept { return restart_ == RestartState::AtBlock; }
-    void feed_hold() noexcept;
     void reset() noexcept;
     void select(std::string_view file) noexcept;
     void mdi(std::string_view text) noexcept;

@@ -51,13 +51,17 @@ TEST(Hold, AsksWithThePlaceAndGoesBackWhenTheChannelCan) {
     ASSERT_TRUE(rig.resumed());
     EXPECT_EQ(rig.resumed()->epoch, 1u);
     rig.channel[0]->epoch.store(1);
-    rig.push(1, rig.numbered(rig.line(1, {0, 0.5}, 50), 2, 1));
+    const double here = rig.position(1);
+    PathRecord rest = rig.numbered(rig.line(1, {0, 0.5}, 50), 2, 1);
+    rest.start[0] = rest.end[0] = here;
+    rig.push(1, rest);
     rig.push(1, rig.stop(1, StopReason::M30));
     EXPECT_EQ(rig.state(1), ChannelState::Held) << "it goes back, but it does not start";
     rig.start(1);
     rig.run_until_idle();
     EXPECT_EQ(rig.state(1), ChannelState::Ended);
-    EXPECT_LT(rig.position(1), 30.0 + 1e-9);
+    EXPECT_EQ(rig.position(1), here) << "what was pushed before is void";
+    EXPECT_NEAR(rig.position(2), 0.5, 1e-9);
 }
 
 TEST(Hold, StartsAfterTheAnswerWhenItWasPressedBefore) {

@@ -152,7 +152,7 @@ TEST(ProgramWheel, DrivesAGroupForwardsAndBackThroughItsWaits) {
     rig.start(2);
     rig.run(300);
     EXPECT_EQ(rig.position(1), 0) << "nothing moves before the wheel does";
-    rig.command(CommandKind::Handwheel, 1, 90, 0, 0, 1);   // 1.8 s of the programs
+    rig.command(CommandKind::Handwheel, 1, 60, 0, 0, 1);   // 1.2 s of the programs
     rig.run_until_idle();
     const double there1 = rig.position(1), there2 = rig.position(3);
     EXPECT_GT(there1, 20);

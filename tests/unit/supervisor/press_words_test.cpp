@@ -69,8 +69,11 @@ constexpr Row kPress[] = {
     {"block_skip L1=on", CommandKind::BlockSkip, 1, 0, 1, 1, ""},
     {"dry_run L1=1", CommandKind::DryRun, 1, 0, 1, 0, ""},
     {"machine_lock L2=on", CommandKind::MachineLock, 2, 0, 1, 0, ""},
-    {"restart L1=N120", CommandKind::Restart, 1, 0, 120, 0, ""},
+    {"restart L1=N120", CommandKind::Restart, 1, 0, 120, 1, ""},
     {"retrace L1=on", CommandKind::Retrace, 1, 0, 1, 0, ""},
+    {"first_part L2=on", CommandKind::FirstPart, 2, 0, 1, 0, ""},
+    {"program_wheel L1=on", CommandKind::ProgramWheel, 1, 0, 1, 0, ""},
+    {"handwheel 1 L2 -50", CommandKind::Handwheel, 2, 0, -50, 1, ""},
     {"jog_in_hold L1", CommandKind::JogInHold, 1, 0, 0, 0, ""},
     {"return L1", CommandKind::Return, 1, 0, 0, 0, ""},
     {"ignore_waits L2=on", CommandKind::IgnoreWaits, 2, 0, 1, 0, ""},
@@ -108,6 +111,7 @@ TEST(Press, SeveralChannelsInOneSentence) {
     ASSERT_EQ(commands->size(), 2u);
     EXPECT_EQ((*commands)[1].channel, 2u);
     EXPECT_EQ((*commands)[1].value, 340.0);
+    for (const Command& command : *commands) EXPECT_EQ(command.flags, 3u) << "both restart, so their waits are replayed";
 }
 
 TEST(Press, NonsenseIsRefusedWithTheForm) {
@@ -136,6 +140,8 @@ TEST(Press, NonsenseIsRefusedWithTheForm) {
                               "block_skip L1=10",
                               "block_skip L1=1.5",
                               "restart L1=X",
+                              "restart all=N10",
+                              "handwheel 1 L7 5",
                               "emergency_stop now",
                               "return",
                               "return L1 L2"}) {
@@ -201,6 +207,21 @@ TEST(Release, GivesASignalBack) {
     EXPECT_EQ(commands->front().kind, static_cast<std::uint32_t>(CommandKind::ReleaseSignal));
     EXPECT_EQ(commands->front().object, signals::ap_syncr(3));
     EXPECT_FALSE(parse_release("NOTHING", machine()));
+}
+
+TEST(Set, OffsetsAndZerosAsTheTablesShowThem) {
+    auto commands = parse_set("offset L1 3 wear X=0.05", machine());
+    ASSERT_TRUE(commands) << commands.diagnosis().text();
+    EXPECT_EQ(commands->front().kind, static_cast<std::uint32_t>(CommandKind::StoreValue));
+    EXPECT_EQ(commands->front().object, static_cast<std::uint32_t>(StoreRequestKind::OffsetValue));
+    EXPECT_EQ(commands->front().flags, 3u << 16 | 256u);
+    EXPECT_EQ(commands->front().value, 0.05);
+    commands = parse_set("zero L2 G54 Z=-150", machine());
+    ASSERT_TRUE(commands) << commands.diagnosis().text();
+    EXPECT_EQ(commands->front().channel, 2u);
+    EXPECT_STREQ(commands->front().text.data(), "G54 Z");
+    for (const char* words : {"offset L1 0 wear X=1", "offset L1 3 wear Q=1", "offset L9 3 wear X=1", "offset L1 3 wear T=12", "zero L1 G99 X=1", "zero L1 G54 W=1", "offset L1 3 X=1"})
+        EXPECT_FALSE(parse_set(words, machine())) << words;
 }
 
 }  // namespace
