@@ -72,12 +72,12 @@ bool Interpreter::resume_at(std::uint64_t serial) {
 
 bool Interpreter::may_resume_at(std::uint64_t serial) const {
     for (auto point = points_.rbegin(); point != points_.rend() && point->serial >= serial; ++point)
-        if (point->serial == serial) return !point->compensated;
+        if (point->serial == serial) return !point->compensated && !core_.transformed();
     return false;
 }
 
 bool Interpreter::offsets_changed() {
-    if (core_.reads_ahead()) return false;
+    if (core_.reads_ahead() || core_.transformed()) return false;
     core_.change_offsets([this] { load_tool(); });
     state_changed_ = true;
     return true;

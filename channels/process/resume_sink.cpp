@@ -95,6 +95,7 @@ void ResumeSink::step_to(const AxisValues& point, const Move& of) {
     step.sweep = step.lead = step.tap_turns = 0.0;
     step.turns = 0;
     step.thread_chained = false;
+    step.kinematics = nullptr;   // the axes as they are
     step.machine_start = here_;
     step.machine = point;
     step.moved = 0;
@@ -109,11 +110,15 @@ void ResumeSink::step_to(const AxisValues& point, const Move& of) {
 void ResumeSink::enter(const Move& m) {
     Move rest = m;
     const bool skip = m.kind == MoveKind::Rapid || m.kind == MoveKind::Reference || m.kind == MoveKind::Skip;
-    if (skip) {   // no path to keep: straight to its end
+    if (skip && !m.kinematics) {   // no path to keep: straight to its end
         rest.machine_start = here_;
         for (unsigned i = 0; i < view_->axis_count; ++i)
             if (std::fabs(here_[i] - m.machine[i]) > kSamePlace) rest.moved |= 1u << i;
         return next_->move(rest, at_);
+    }
+    if (m.kinematics) {   // its path is not that of the axes: whole, from its beginning
+        step_to(m.machine_start, m);
+        return next_->move(m, at_);
     }
     double share = 0.0;
     if (begun_ && is_cut(m)) share = share_of_line(*view_, m, here_);

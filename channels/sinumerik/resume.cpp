@@ -68,13 +68,13 @@ bool Interpreter::resume_at(std::uint64_t serial) {
 
 bool Interpreter::may_resume_at(std::uint64_t serial) const {
     for (auto point = points_.rbegin(); point != points_.rend() && point->serial >= serial; ++point)
-        if (point->serial == serial) return !point->compensated;
+        if (point->serial == serial) return !point->compensated && !core_.transformed();
     return false;
 }
 
 // Tools and their lengths are the program's own data here; zeros are the operator's.
 bool Interpreter::offsets_changed() {
-    if (core_.reads_ahead()) return false;
+    if (core_.reads_ahead() || core_.transformed()) return false;
     core_.change_offsets([] {});
     state_changed_ = true;
     return true;

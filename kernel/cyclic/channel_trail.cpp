@@ -39,6 +39,7 @@ bool ChannelRunner::leave_path() noexcept {
 }
 
 bool ChannelRunner::axes_are_on(const PathRecord& r, double s) const noexcept {
+    if (r.transform) return true;   // its slots are no axes
     SlotVector there;
     position_at(r, s, there);
     for (std::uint32_t i = 0; i < r.axis_count; ++i)

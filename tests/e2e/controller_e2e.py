@@ -79,6 +79,36 @@ class Controller(Case):
         self.assertEqual(refused.status, 2, refused.said())
         self.assertEqual(self.stop(), 0)
 
+    def test_an_import_is_refused_as_a_whole_with_every_fault_named(self):
+        self.start()
+        bad = self.write("bad.params", "N1600 L1=2.5\nN0002 A3=99\nN9999=1\n")
+        done = self.polyturn("params", "import", bad, "--instance", self.name)
+        self.assertEqual(done.status, 2, done.said())
+        self.assertIn("N0002", done.err)
+        self.assertIn("N9999", done.err)
+        # Each line is right, together they contradict: a ring of masters, and an axis of a channel that does not exist.
+        bad = self.write("contradiction.params", "N1600 L1=2.5\nN2101 A1=3\nN2101 A3=1\nN0002 A5=7\n")
+        done = self.polyturn("params", "import", bad, "--instance", self.name)
+        self.assertEqual(done.status, 2, done.said())
+        self.assertGreaterEqual(done.err.count("alarm"), 2, done.said())
+        got = self.polyturn("params", "get", "N1600 L1", "--instance", self.name)
+        self.assertNotEqual(float(got.out.split()[-1]), 2.5, got.said())
+        good = self.write("good.params", "N1600 L1=2.5 ; depth of cut\nN1601 L1=0.7\n")
+        done = self.polyturn("params", "import", good, "--instance", self.name)
+        self.assertEqual(done.status, 0, done.said())
+        got = self.polyturn("params", "get", "N1601 L1", "--instance", self.name)
+        self.assertEqual(float(got.out.split()[-1]), 0.7)
+        self.assertEqual(self.stop(), 0)
+
+    def test_an_offset_is_set_on_a_running_controller_and_kept(self):
+        self.start()
+        for words in ("offset L1 3 wear X=0.05", "zero L2 G54 Z=-150"):
+            done = self.polyturn("set", "--instance", self.name, words)
+            self.assertEqual(done.status, 0, done.said())
+        refused = self.polyturn("set", "--instance", self.name, "offset L1 999 wear X=0.05")
+        self.assertEqual(refused.status, 2, refused.said())
+        self.assertEqual(self.stop(), 0)
+
     def test_ends_without_leaving_anything(self):
         self.start()
         self.assertEqual(self.stop(), 0)

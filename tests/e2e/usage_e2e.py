@@ -45,6 +45,17 @@ class Usage(Case):
         self.assertEqual(done.status, 1, done.said())
         self.assertTrue(done.of("stop", ch=1, reason="waiting"), done.said())
 
+    def test_people_read_the_language_that_the_machine_is_set_to(self):
+        program = self.write("O0001.nc", "G98 G0 X60.\nG1 X50. F0\nM30\n")
+        said = {}
+        for code in ("en", "ru", "cs", "hu"):
+            done = self.polyturn("run", "--virtual", "--language", "fanuc", "--set", f"PT_DISPLAY_LANGUAGE={code}", program, "--report")
+            self.assertTrue(done.alarms, done.said())
+            said[code] = (done.err, done.out.split("}")[-1])
+            self.assertEqual(done.alarms[0]["text"], done.alarms[0]["text"].encode("ascii", "replace").decode(), "events stay English")
+        self.assertEqual(len({text for text, report in said.values()}), 4, said)
+        self.assertEqual(len({report for text, report in said.values()}), 4, said)
+
 
 if __name__ == "__main__":
     unittest.main()
