@@ -115,8 +115,10 @@ void ChannelRunner::pass_waits(std::span<ChannelRunner* const> all) noexcept {
         trail_.pass();
         return;
     }
-    // A wait that its partners are still on the way to holds nobody up; anything else ends the way back for all.
-    wheel_blocked_ = wheel_rate_ < 0 && trail_.obstacle_meeting() == 0;
+    // A wait that its partners are still on the way to holds nobody up, nor does a program that is back at its start; anything
+    // else ends the way back for all.
+    const bool at_start = !trail_.obstacle() && trail_.from_the_start();
+    wheel_blocked_ = wheel_rate_ < 0 && trail_.obstacle_meeting() == 0 && !at_start;
     if (wheel_blocked_ && !wheel_told_) tell_obstacle();
     wheel_told_ = wheel_blocked_ || wheel_told_;
 }

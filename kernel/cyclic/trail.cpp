@@ -13,6 +13,7 @@ bool is_wall(const PathRecord& r) noexcept {
     if (is_motion(r)) return (r.flags & (kThread | kTapping | kSkipMove | kFixedStop)) != 0;
     switch (static_cast<RecordKind>(r.kind)) {
         case RecordKind::Aux:
+        case RecordKind::Wait:
         case RecordKind::Stop: return true;
         case RecordKind::SpindleMode: return static_cast<SpindleModeCode>(r.code) == SpindleModeCode::Position;
         default: return (r.flags & kDrains) != 0;

@@ -51,6 +51,7 @@ bool at_end() const noexcept { return active_ && at_rest() && at_ >= limit(); }
     // At rest behind the last thing that can be driven in this direction: what stands there; nullptr: the end of the memory.
     bool stands() const noexcept;
     const PathRecord* obstacle() const noexcept;
+    bool from_the_start() const noexcept { return begin_ == 0; }   // no record has been forgotten
 
     // --- waits, for a channel that stands at one of them
     std::uint64_t obstacle_meeting() const noexcept;                // 0: the obstacle is no wait

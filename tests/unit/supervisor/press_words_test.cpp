@@ -216,9 +216,9 @@ TEST(Set, OffsetsAndZerosAsTheTablesShowThem) {
     EXPECT_EQ(commands->front().object, static_cast<std::uint32_t>(StoreRequestKind::OffsetValue));
     EXPECT_EQ(commands->front().flags, 3u << 16 | 256u);
     EXPECT_EQ(commands->front().value, 0.05);
-    commands = parse_set("zero L2 G54 Z=-150", machine());
+    commands = parse_set("zero L1 G54 Z=-150", machine());
     ASSERT_TRUE(commands) << commands.diagnosis().text();
-    EXPECT_EQ(commands->front().channel, 2u);
+    EXPECT_EQ(commands->front().channel, 1u);
     EXPECT_STREQ(commands->front().text.data(), "G54 Z");
     for (const char* words : {"offset L1 0 wear X=1", "offset L1 3 wear Q=1", "offset L9 3 wear X=1", "offset L1 3 wear T=12", "zero L1 G99 X=1", "zero L1 G54 W=1", "offset L1 3 X=1"})
         EXPECT_FALSE(parse_set(words, machine())) << words;

@@ -1,6 +1,7 @@
 // A block goes on in its middle with other offsets; a program is restarted at a block.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 #include <numbers>
 
@@ -8,6 +9,7 @@
 #include "channels/process/operator_changes.hpp"
 #include "channels/process/restart_sink.hpp"
 #include "channels/process/resume_sink.hpp"
+#include "ipc/image/segments.hpp"
 
 namespace polyturn::channels {
 namespace {
