@@ -26,6 +26,9 @@ void ChannelRunner::settle_hold() noexcept {
         else if (segment_->answered.load(std::memory_order_acquire) >= question_) take_answer();
     } else if (change_due_ && !program_left_ && stands_in_hold()) {
         ask_to_go_back(false);
+    } else if (start_wanted_ && !core_.store.value_open()) {
+        start_wanted_ = false;
+        cycle_start();
     }
 }
 
@@ -80,6 +83,7 @@ void ChannelRunner::discard() noexcept {
 void ChannelRunner::go_back_to(const Place& place) noexcept {
     if (place.begun && cursor_ < visible_end_) report(KernelEventKind::RecordEnd, record(cursor_), 0);
     discard();
+    if (place.begun) last_serial_ = place.serial, last_part_ = place.part;   // it stays begun, however often it is read again
     know_positions();
     tell(ChannelEventKind::Resume, place.part | (place.begun ? 1ull << 32 : 0), static_cast<double>(place.serial));
 }
@@ -98,7 +102,7 @@ void ChannelRunner::enter_by_hand() noexcept {
 
 // Cycle start in a hold. False: an answer must come first, or the program is being taken back.
 bool ChannelRunner::ready_to_go_on() noexcept {
-    if (question_) return start_wanted_ = true, false;
+    if (question_ || core_.store.value_open()) return start_wanted_ = true, false;   // what was set before counts
     if (program_left_) {
         program_left_ = false;
         go_back_to(left_);

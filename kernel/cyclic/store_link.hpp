@@ -43,6 +43,11 @@ public:
     bool answer_due(std::int64_t tick) const noexcept { return due_count_ > 0 && due_[0].tick <= tick; }
     bool answered() const noexcept { return due_count_ == 0 || store_->persist_tail.tail.load(std::memory_order_acquire) >= due_[0].request; }
     bool question_open() const noexcept { return due_count_ > 0; }
+    bool value_open() const noexcept {
+        for (std::size_t i = 0; i < due_count_; ++i)
+            if (due_[i].value) return true;
+        return false;
+    }
     bool has_room() const noexcept { return persist_.head() - store_->persist_tail.tail.load(std::memory_order_acquire) + 1024 <= RingHead<StoreRequest, 8192>::capacity; }
     // Takes complete imports into the table. True when something changed. `hold_back`: virtual time and a question is
     // open that is not due yet, then nothing is taken before its tick.

@@ -109,6 +109,34 @@ class Controller(Case):
         self.assertEqual(refused.status, 2, refused.said())
         self.assertEqual(self.stop(), 0)
 
+    def test_an_offset_that_is_set_in_a_hold_acts_at_once(self):
+        program = self.write("cut.nc", "G98 T0101\nG0 X80. Z20.\nG1 Z-300. F3000.\nM30\n")
+        self.start()
+        self.press("machine_on")
+        self.press("select", f"L1={program}")
+        self.press("cycle_start", "L1")
+        self.wait_for(lambda: self.channel(1)["line"] == 3, 10, "the cut")
+        self.press("feed_hold", "L1")
+        self.wait_for(lambda: self.channel(1)["state"] == "held", 5, "the hold")
+        before = self.axis("A1")
+        done = self.polyturn("set", "--instance", self.name, "offset L1 1 wear X=1")
+        self.assertEqual(done.status, 0, done.said())
+        self.press("cycle_start", "L1")
+        self.wait_for(lambda: abs(self.axis("A1") - before - 0.5) < 1e-6, 5, "the step to the corrected path")
+        self.press("feed_hold", "L1")
+        self.wait_for(lambda: self.channel(1)["state"] == "held", 5, "the hold")
+        self.press("mdi", "L1", "G0", "X120.")
+        self.wait_for(lambda: self.axis("A1") > 55, 10, "the block by hand")
+        self.wait_for(lambda: self.channel(1)["state"] == "held", 5, "the hold again")
+        self.press("retrace", "L1=on")
+        self.press("cycle_start", "L1")
+        self.wait_for(lambda: abs(self.axis("A1") - before - 0.5) < 1e-6, 10, "the way back to the path")
+        self.press("reset", "L1")
+        self.assertEqual(self.stop(), 0)
+
+    def axis(self, name):
+        return next(a for a in self.status()["axes"] if a["axis"] == name)["cmd"]
+
     def test_ends_without_leaving_anything(self):
         self.start()
         self.assertEqual(self.stop(), 0)

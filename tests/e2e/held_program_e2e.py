@@ -58,6 +58,30 @@ press = "cycle_start L1"
         behind = [b for b in z if b < -39.999]
         self.assertTrue(behind, "the block is driven to its end")
 
+    def test_two_changes_in_one_hold_do_not_drive_back(self):
+        program = "G98 T0101\nG0 X60. Z2.\nG1 Z-40. F600.\nM30\n"
+        scenario = """
+[[at]]
+t = 2.0
+press = "feed_hold L1"
+[[at]]
+t = 2.5
+set = "offset L1 1 wear X=-0.4"
+[[at]]
+t = 3.0
+set = "zero L1 G54 Z=0.3"
+[[at]]
+t = 3.0
+press = "cycle_start L1"
+"""
+        done = self.run_it(program, scenario)
+        self.assertEqual(done.status, 0, done.said())
+        trace = self.trace()
+        z = [b for t, b in zip(trace["t"], trace["A2.cmd"]) if t > 1.0]
+        self.assertTrue(all(b <= a + 1e-9 for a, b in zip(z, z[1:])), "never back along the path")
+        self.assertAlmostEqual(z[-1], -39.7, places=6)
+        self.assertAlmostEqual(trace["A1.cmd"][-1], 29.8, places=6)
+
     def test_a_change_under_compensation_acts_later_and_is_told(self):
         program = "G98 T0101\nG0 X60. Z2.\nG42 G1 X50. Z0. F600.\nZ-40.\nX70.\nG40 G0 X100. Z50.\nM30\n"
         scenario = """
