@@ -31,6 +31,7 @@ void take_drive(ChannelAxis& to, const AxisConfig& from, const params::Table& ta
     to.machine_axis = static_cast<std::uint8_t>(from.number - 1);
     to.hypothetical = from.hypothetical;
     to.max_feed_mm_min = from.limits.max_feed_mm_s * 60.0;
+    to.rapid_mm_min = from.limits.rapid_mm_s * 60.0;
     to.reference_mm = from.reference_mm;
     to.stroke = from.hypothetical ? AxisStroke{} : read_axis_stroke(table, from.number);
     to.by_plc = !from.rotary && !params::bit(table, params::n0106_axis_properties, from.number, 5);

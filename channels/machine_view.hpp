@@ -41,6 +41,7 @@ struct ChannelAxis {
     double rollover_deg = 360.0;
     double increment = 0.001;       // smallest step that can be programmed, mm (metric) or degrees
     double max_feed_mm_min = 0.0;   // N0305
+    double rapid_mm_min = 0.0;      // N0304
     std::array<double, 4> reference_mm{};
     bool by_plc = true;             // the PLC may switch between radius and diameter (N0106 MGD = 0)
     bool inverted = false;          // AP_DIARAD as of the last barrier

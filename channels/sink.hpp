@@ -12,7 +12,9 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string_view>
+#include <vector>
 
 #include "ipc/capacities.hpp"
 #include "ipc/diagnosis/diagnosis.hpp"
@@ -76,6 +78,9 @@ struct Move {
     double radius = 0.0, radius_end = 0.0;        // they differ by the tolerance at the most
     double sweep = 0.0;             // rad, positive from p to q; more than 2 pi with several turns
     std::int32_t turns = 0;         // full turns beyond the first
+    // A curve: machine points that the path passes between start and end, so close together that straight lines between them
+    // are the curve. It is one move to whoever reads events; null: none.
+    std::shared_ptr<const std::vector<AxisValues>> through;
     // Threads; one on an arc has the arc's members too and a sweep that is not 0
     double lead = 0.0;              // mm along the programmed lead axis, for the event
     double lead_path = 0.0;         // mm along the path
@@ -107,6 +112,7 @@ struct Aux {
     double value = 0.0;
     std::string_view text;          // "M8", "T0303": as the machine sees it
     bool drained = false;           // nothing behind it is read before it has been executed
+    bool silent = false;            // for the PLC only, no event: the program did not write it
 };
 
 enum class SpindleTurn : std::int8_t { Stop = 0, Cw = 1, Ccw = -1 };

@@ -187,6 +187,8 @@ void Compensator::go_element(const Held& b, Vec to, bool as_line) {
             m.moved |= 1u << p_ | 1u << q_;
             if (options_.inner_arc_feed_from >= 0 && b.element.centre_on_nose_side() && m.feed_mode != FeedMode::InverseTime)
                 m.feed *= std::fmax(options_.inner_arc_feed_from, m.radius / b.element.start_radius);
+            const bool at_contour = options_.arc_feed == ArcFeed::Contour || (options_.arc_feed == ArcFeed::Inner && m.radius < b.element.start_radius);
+            if (at_contour && b.element.start_radius > kStands) m.feed_scale *= m.radius / b.element.start_radius;
         }
     }
     if (b.element.arc && !curved) {

@@ -40,6 +40,13 @@ enum class ShortLast : std::uint8_t {
     Line,     // or where it meets the last element, lengthened: sinumerik G462
 };
 
+// Which speed of an arc the feed is: that of the nose's centre, or that of the point where it cuts.
+enum class ArcFeed : std::uint8_t {
+    Centre,
+    Contour,   // sinumerik CFC
+    Inner,     // at the contour of inside arcs only: sinumerik CFIN
+};
+
 struct Options {
     Entry entry = Entry::Around;
     Corner corner = Corner::Extended;
@@ -58,6 +65,7 @@ struct Options {
     bool straight_after_halt = false;       // behind a barrier the next element is begun at its own normal
     unsigned idle_blocks = 2;               // so many blocks without movement end the held one at its normal
     bool idle_is_fault = false;             // or are an alarm
+    ArcFeed arc_feed = ArcFeed::Centre;
     double inner_arc_feed_from = -1.0;      // inside arcs: feed in proportion to the radius, not below this share; < 0: as programmed
 };
 

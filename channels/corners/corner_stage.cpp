@@ -51,8 +51,9 @@ void start_at(Move& m, Vec point, double share, unsigned p, unsigned q) {
 
 bool CornerStage::on_contour(const Move& m) const {
     const AxisSet plane = 1u << p_ | 1u << q_;
+    if (m.through) return false;
     if (is_arc(m)) return m.plane_p == p_ && m.plane_q == q_ && !(m.moved & geometry_ & ~plane);
-    if (m.kind != MoveKind::Linear && m.kind != MoveKind::Rapid) return false;
+    if ((m.kind != MoveKind::Linear && m.kind != MoveKind::Rapid) || m.plane_p != p_ || m.plane_q != q_) return false;
     return (m.moved & plane) && !(m.moved & geometry_ & ~plane);
 }
 

@@ -176,9 +176,9 @@ void PathMaker::put_part(Kept& of, double to, bool last, bool stop) {
     if (of.from == 0 && to == of.move.length) r = of.move;
     else cut(of.move, of.from, to, r);
     store(of.ceilings, r);
-    if (!of.begun) r.flags |= kBlockBegin;
+    if (!of.begun) r.flags |= begin_flag(r);
     of.begun = true;
-    if (last) r.flags |= kBlockEnd;
+    if (last) r.flags |= end_flag(r);
     if (stop) r.flags |= kExactStop;
     else r.flags &= ~std::uint32_t{kExactStop | kInPosition};
     if (!last) r.flags &= ~std::uint32_t{kThreadEnd};
@@ -215,9 +215,9 @@ void PathMaker::put_pieces(Kept& of, const Blend& blend, std::size_t first, std:
         PathRecord& r = out_->claim();
         r = of.move;
         r.flags &= ~std::uint32_t{kExactStop | kInPosition | kThreadEnd};
-        if (!of.begun) r.flags |= kBlockBegin;
+        if (!of.begun) r.flags |= begin_flag(r);
         of.begun = true;
-        if (last && n + 1 == end) r.flags |= kBlockEnd;
+        if (last && n + 1 == end) r.flags |= end_flag(r);
         fill_piece(blend, blend.piece[n], r);
         Ceilings own = ceilings_of(r, *limits_);
         own.v = std::min(own.v, rules.v), own.a = std::min(own.a, rules.a);

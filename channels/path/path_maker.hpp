@@ -84,6 +84,10 @@ private:
     PathRecord scratch_;
 };
 
+// A piece of a curve neither begins nor ends the curve's move unless it is the first or the last one.
+inline std::uint32_t begin_flag(const PathRecord& r) { return (r.flags & kMoreBefore) ? 0u : std::uint32_t{kBlockBegin}; }
+inline std::uint32_t end_flag(const PathRecord& r) { return (r.flags & kMoreBehind) ? 0u : std::uint32_t{kBlockEnd}; }
+
 // Length of a programmed move in its metric: millimetres over the linear axes, degrees when none of them moves.
 double path_length(const PathRecord& move, const PathLimits& limits);
 // The part [from, to] of a Line, Arc or Curve.

@@ -103,9 +103,9 @@ void PathMaker::put_run() {
         Kept& of = chain_.front();
         PathRecord& r = out_->claim();
         r = of.move;
-        if (!of.begun) r.flags |= kBlockBegin;
+        if (!of.begun) r.flags |= begin_flag(r);
         of.begun = true;
-        if (piece.last_of_line) r.flags |= kBlockEnd;
+        if (piece.last_of_line) r.flags |= end_flag(r);
         r.kind = static_cast<std::uint8_t>(RecordKind::Curve);
         r.length = piece.curve.length;
         r.shape = {};

@@ -61,7 +61,37 @@ void RecordSink::push(PathRecord& r, bool stands, bool drains) {
 
 void RecordSink::move(const Move& move, const BlockContext& at) {
     if (move.kind == MoveKind::Thread && move.sweep != 0) thread_arc(move, at);
+    else if (move.through) curve(move, at);
     else add(move, at, true);
+}
+
+// Straight pieces under one note; PathMaker makes one smooth path of them where they are short.
+void RecordSink::curve(const Move& move, const BlockContext& at) {
+    const std::vector<AxisValues>& inner = *move.through;
+    Move piece = move;
+    piece.through = nullptr;
+    if (move.feed_mode == FeedMode::InverseTime) {   // counts for the whole
+        double length = 0.0;
+        AxisValues before = move.machine_start;
+        for (std::size_t k = 0; k <= inner.size(); ++k) {
+            const AxisValues& next = k < inner.size() ? inner[k] : move.machine;
+            double step2 = 0.0;
+            for (unsigned i = 0; i < view_->axis_count; ++i) step2 += (next[i] - before[i]) * (next[i] - before[i]);
+            length += std::sqrt(step2);
+            before = next;
+        }
+        piece.feed_mode = FeedMode::PerMinute;
+        piece.feed = move.feed * length;
+    }
+    const std::uint64_t number = note([&](Sink& sink) { sink.move(move, at); });
+    piece.exact_stop = piece.in_position = false;
+    for (std::size_t k = 0; k <= inner.size(); ++k) {
+        if (k > 0) piece.machine_start = piece.machine;
+        const bool last = k == inner.size();
+        piece.machine = last ? move.machine : inner[k];
+        if (last) piece.exact_stop = move.exact_stop, piece.in_position = move.in_position;
+        add(piece, at, false, number, (k > 0 ? std::uint32_t{kMoreBefore} : 0u) | (last ? 0u : std::uint32_t{kMoreBehind}));
+    }
 }
 
 // The lead counts along one axis of the plane, so along an arc the way a revolution changes: short arcs, each with its mean.
@@ -75,6 +105,7 @@ void RecordSink::thread_arc(const Move& move, const BlockContext& at) {
     const double first = std::atan2(move.machine_start[q] - move.centre_q, move.machine_start[p] - move.centre_p);
     Move piece = move;
     piece.sweep = move.sweep / pieces;
+    std::uint64_t number = 0;
     for (int k = 0; k < pieces; ++k) {
         const double share = static_cast<double>(k + 1) / pieces, angle = first + move.sweep * share;
         if (k > 0) piece.machine_start = piece.machine, piece.thread_chained = true;
@@ -83,12 +114,8 @@ void RecordSink::thread_arc(const Move& move, const BlockContext& at) {
         piece.machine[q] = k + 1 == pieces ? move.machine[q] : move.centre_q + move.radius * std::sin(angle);
         const double step = std::fabs(piece.machine[axis] - piece.machine_start[axis]);
         if (step > 0) piece.lead_path = move.lead * std::fabs(piece.sweep) * move.radius / step;
-        if (k == 0) {   // told whole
-            const std::uint64_t number = note([&](Sink& sink) { sink.move(move, at); });
-            add(piece, at, false, number);
-        } else {
-            add(piece, at, false);
-        }
+        if (k == 0) number = note([&](Sink& sink) { sink.move(move, at); });   // told whole
+        add(piece, at, false, number, (k > 0 ? std::uint32_t{kMoreBefore} : 0u) | (k + 1 < pieces ? std::uint32_t{kMoreBehind} : 0u));
     }
 }
 
@@ -127,9 +154,10 @@ void RecordSink::use_transformation(const Move& move) {
     entry_ = entry;
 }
 
-void RecordSink::add(const Move& move, const BlockContext& at, bool told, std::uint64_t number) {
+void RecordSink::add(const Move& move, const BlockContext& at, bool told, std::uint64_t number, std::uint32_t flags) {
     use_transformation(move);
     PathRecord& r = maker_->next_move();
+    r.flags |= flags;
     r.transform = entry_;
     const AxisValues &from = move.kinematics ? move.path_start : move.machine_start, &to = move.kinematics ? move.path : move.machine;
     const bool arc = move.kind == MoveKind::ArcCw || move.kind == MoveKind::ArcCcw || (move.kind == MoveKind::Thread && move.sweep != 0);
@@ -158,6 +186,7 @@ void RecordSink::add(const Move& move, const BlockContext& at, bool told, std::u
     }
     if (move.speed_limit > 0 && r.feed_mode == static_cast<std::uint8_t>(FeedMode::PerMinute)) r.feed = std::min(r.feed, move.speed_limit / 60);
     if (move.kind == MoveKind::Rapid || move.kind == MoveKind::Reference) r.flags |= kRapid;
+    if (move.kind == MoveKind::Rapid && move.speed_limit > 0) r.feed = move.speed_limit / 60;
     if (move.kind == MoveKind::Reference) r.flags |= kReference;
     if (move.kind == MoveKind::Skip) {
         r.flags |= kSkipMove;
@@ -237,7 +266,7 @@ void RecordSink::dwell(const Dwell& dwell, const BlockContext& at) {
 }
 
 void RecordSink::aux(const Aux& aux, const BlockContext& at) {
-    PathRecord r = event(RecordKind::Aux, at, note([&](Sink& sink) { sink.aux(aux, at); }));
+    PathRecord r = event(RecordKind::Aux, at, aux.silent ? 0 : note([&](Sink& sink) { sink.aux(aux, at); }));
     r.code = aux.letter;
     r.value = aux.value;
     copy_text(aux.text, r.text);

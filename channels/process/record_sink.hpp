@@ -30,7 +30,8 @@ public:
     void limits_changed() { entry_ = 0, limits_forgotten_ = true; }   // taken over with the next move
 
     void move(const Move&, const BlockContext&) override;
-    void add(const Move&, const BlockContext&, bool told, std::uint64_t number = 0);
+    void add(const Move&, const BlockContext&, bool told, std::uint64_t number = 0, std::uint32_t flags = 0);
+    void curve(const Move&, const BlockContext&);
     void thread_arc(const Move&, const BlockContext&);
     void dwell(const Dwell&, const BlockContext&) override;
     void aux(const Aux&, const BlockContext&) override;

@@ -77,7 +77,7 @@ bool Interpreter::settings_and_tools() {
         for (const std::uint8_t group : kEarly)
             if (!run(group)) return false;
     if (const GCode* code = block_.coded[kMotion]) {
-        if (code->number != modal_.active[kMotion]) motion_changes(*code);
+        if (code->number != modal_.active[kMotion] && !motion_changes(*code)) return false;
         modal_.active[kMotion] = code->number;
     }
     core_.at.display_swapped = display_swapped();
@@ -109,7 +109,9 @@ bool Interpreter::motion() {
     }
     if (!code) return true;
     if (!code->act) return fail(Alarm::NotBuilt, std::string(code->name));
-    if (!update_feed() || !(this->*code->act)(*code)) return false;
+    const bool thread = code->group == 1 && ((code->number >= 10 && code->number <= 12) || code->number >= 16);
+    const bool other = modal_.feed_spindle && modal_.feed_revolution && code->group == 1 && !thread;   // FPR
+    if (!update_feed() || !with_spindle(other ? modal_.feed_spindle : std::uint16_t{0}, [&] { return (this->*code->act)(*code); })) return false;
     for (AxisSet left = axis_words(); left; left &= left - 1) {
         const auto i = static_cast<unsigned>(__builtin_ctz(left));
         modal_.pending_zero[i] = modal_.pending_tool[i] = 0.0;
@@ -199,6 +201,7 @@ bool Interpreter::read_axis_words(AxisValues& target, AxisSet& named) {
     named = 0;
     for (const Word& word : block_.words) {
         if (word.axis < 0 || word.address->name != "axis") continue;
+        if (modal_.released >> word.axis & 1u) return fail_word(Alarm::AxisReleased, word, axis_name(word.axis));
         if (!axis_target(word, target)) return false;
         named |= 1u << word.axis;
     }

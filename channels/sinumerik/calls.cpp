@@ -22,7 +22,7 @@ bool Interpreter::read_program_arguments(const std::string&, std::vector<Argumen
             const char* const from = cursor_.at();
             if (!reference_ahead(argument.reference)) return false;
             const char behind = cursor_.peek();
-            if (argument.reference && (behind == ',' || behind == ')')) {
+            if (argument.reference && argument.reference.component.empty() && (behind == ',' || behind == ')')) {
                 if (!argument.reference.whole || argument.reference.variable->dimensions.empty()) argument.value = argument.reference.cell();
             } else {
                 argument.reference = {};
@@ -185,6 +185,7 @@ bool Interpreter::return_from_level() {
     source_ = &files_->source(levels_.back().file);
     source_->seek(done.resume);
     here_ = done.call;
+    if (done.interrupt) core_.path.programmed = done.begin_of_block;
     return done.saved ? restore_modal(*done.saved) : true;
 }
 

@@ -71,6 +71,18 @@ bool Interpreter::st_end_while() {   // ENDWHILE, ENDLOOP
     return true;
 }
 
+// EXECSTRING(text): the text is read next, as if it stood in the place of this block.
+bool Interpreter::st_execstring() {
+    const char* const from = cursor_.at();
+    Value text;
+    if (!cursor_.eat('(')) return syntax(cursor_.at(), "(");
+    if (!expression(text)) return false;
+    if (text.type != Type::String && text.type != Type::Char) return fail_at(Alarm::ArgumentTypeIllegal, from, 1, "EXECSTRING: " + std::string(type_name(text.type)), 1);
+    if (!cursor_.eat(')')) return syntax(cursor_.at(), ")");
+    execute_ = to_text(text);
+    return rest_must_be_empty();
+}
+
 bool Interpreter::st_loop() { return structure_needed() && rest_must_be_empty(); }
 bool Interpreter::st_end_loop() { return st_end_while(); }
 

@@ -44,10 +44,27 @@ constexpr DataName kNames[] = {
     {"$SC_TOOL_OFFSET_INCR_PROG", "SD42442"},
     {"$SC_TOOL_LENGTH_CONST", "SD42940"},
     {"$SC_TOOL_LENGTH_TYPE", "SD42950"},
-    {"$SA_M19_SPOS", "SD43240"},
+    {"$SA_M19_SPOS", "SD43240"}, {"$SA_M19_SPOSMODE", "SD43250"},
+    {"$SA_SPIND_MIN_VELO_G25", "SD43210"}, {"$SA_SPIND_MAX_VELO_G26", "SD43220"}, {"$SA_SPIND_MAX_VELO_LIMS", "SD43230"},
+    {"$SC_THREAD_RAMP_DISP", "SD42010"},
+    {"$SC_SMOOTH_CONTUR_TOL", "SD42465"}, {"$SC_SMOOTH_ORI_TOL", "SD42466"},
+    {"$SC_CUTCOM_CLSD_CONT", "SD42496"},
+    {"$SA_IPOBRAKE_BLOCK_EXCHANGE", "SD43600"},
+    {"$MN_PROG_FUNCTION_MASK", "MD10280"},
+    {"$MN_MIRROR_REF_AX", "MD10610"},
+    {"$MC_WAB_CLEARANCE_TOLERANCE", "MD20204"},
+    {"$MC_WORKAREA_WITH_TOOL_RADIUS", "MD21020"},
+    {"$MC_LIFTFAST_DIST", "MD21200"},
+    {"$MA_BASE_FUNCTION_MASK", "MD30460"},
 };
 
 }  // namespace
+
+bool Interpreter::is_data_name(std::string_view name) const {
+    for (const DataName& one : kNames)
+        if (one.name == name) return true;
+    return false;
+}
 
 // The cell that a data name means; found is false for names that are no data, and for those that are not built.
 bool Interpreter::data_cell(const std::string& name, const std::vector<Value>& indices, const char* from, std::size_t length, DataCell& cell) {

@@ -38,19 +38,24 @@ bool Interpreter::declare(const std::string& name, std::shared_ptr<Variable> var
     if (name.size() > kLongestName) return fail_at(Alarm::NameTooLong, at, name.size(), name, kLongestName);
     // Two letters or _ begin a name; one letter alone is allowed where it is no address.
     if (find_symbol(name).kind != Symbol::Kind::None || find_axis(name) >= 0 || (name.size() > 1 && is_digit(name[1]))) return fail_at(Alarm::NameReserved, at, name.size(), name);
-    if (scope()->names.contains(name)) return fail_at(Alarm::NameTwice, at, name.size(), name);
-    const std::shared_ptr<Scope> in = scope();
+    const std::shared_ptr<Scope> in = of_channel_ ? channel_scope_ : scope();
+    if (in->names.contains(name) || (!of_channel_ && scope()->names.contains(name))) return fail_at(Alarm::NameTwice, at, name.size(), name);
     undo([in, name] { in->names.erase(name); });
     in->names[name] = {std::move(variable), 0, true};
     return true;
 }
 
-// DEF type name[dimensions] = value, name ...; DEF NCK and DEF CHAN belong into definition modules.
+// DEF type name[dimensions] = value, name ...; DEF CHAN holds until the next cycle start, for all programs.
 bool Interpreter::st_def() {
     bool has_lower = false, has_upper = false;
     double lower = 0, upper_limit = 0;
-    if (const std::string word = upper(cursor_.name_ahead()); word == "NCK" || word == "CHAN" || word == "SYNR" || word == "SYNW" || word == "SYNRW")
+    of_channel_ = false;
+    if (const std::string word = upper(cursor_.name_ahead()); word == "CHAN") {
+        of_channel_ = true;
+        cursor_.advance(4);
+    } else if (word == "NCK" || word == "SYNR" || word == "SYNW" || word == "SYNRW") {
         return fail_at(Alarm::NotBuilt, cursor_.at(), word.size(), "DEF " + word);
+    }
     Type type{};
     std::size_t length = 0;
     if (!parse_type(type, length)) return false;

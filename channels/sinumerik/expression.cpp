@@ -213,6 +213,10 @@ bool Interpreter::named_value(Value& value) {
     if (!reference_ahead(reference)) return false;
     if (reference) {
         if (reference.whole && !reference.variable->dimensions.empty()) return fail_at(Alarm::ArrayIndexMissing, from, name.size(), word);
+        if (!reference.component.empty()) {
+            static const FrameValue kNone;
+            return frame_component(word, reference.cell().frame ? *reference.cell().frame : kNone, reference.component, 0, value);
+        }
         value = reference.cell();
         return true;
     }
@@ -315,7 +319,9 @@ bool Interpreter::read_arguments(const Command& command, Call& call) {
                 argument.column = cursor_.column(cursor_.at());
                 if (next != ',' && next != ')') {
                     const std::size_t i = call.arguments.size();
-                    const char type = command.types.empty() ? '*' : command.types[std::min(i, command.types.size() - 1)];
+                    const std::string_view types = command.types;
+                    const bool in_turn = !types.empty() && types.back() == '+';
+                    const char type = types.empty() ? '*' : in_turn ? types[i % (types.size() - 1)] : types[std::min(i, types.size() - 1)];
                     const char* const at = cursor_.at();
                     if (type == 'v') {
                         if (!reference_ahead(argument.reference)) return false;

@@ -1,9 +1,9 @@
-// Which axes F counts (FGROUP), at which radius (FGREF), which of them holds it back (FL), OVR; positioning axes with their own
-// feed (POS, POSA, FA).
+// Which axes F counts (FGROUP), at which radius (FGREF), which of them holds it back (FL), OVR.
 #include <cmath>
 #include <numbers>
 
 #include "channels/sinumerik/interpreter.hpp"
+#include "ipc/params/table.hpp"
 
 namespace polyturn::channels::sinumerik {
 namespace {
@@ -18,6 +18,7 @@ void Interpreter::tell_feed_path() {
     const MachineView& view = core_.view();
     by = {};
     by.scale = modal_.path_override / 100.0;
+    by.rapid_scale = std::fmin(1.0, modal_.rapid_override / 100.0);   // never beyond the machine's own
     by.limit_mm_min = modal_.feed_limit;
     by.active = modal_.feed_group_set;
     for (unsigned i = 0; i < view.axis_count; ++i) {
@@ -57,48 +58,8 @@ bool Interpreter::a_feed_limit(const Word& word) {   // FL[axis]
 
 bool Interpreter::a_override(const Word& word) {
     if (word.number() < 1 || word.number() > 200) return fail_word(Alarm::ValueOutOfRange, word, std::string(word.address->name));
-    if (word.address->name == "OVRRAP") {
-        if (word.number() != 100) return fail_word(Alarm::NotBuilt, word, "OVRRAP");
-        return true;
-    }
-    modal_.path_override = word.number();
+    (word.address->name == "OVRRAP" ? modal_.rapid_override : modal_.path_override) = word.number();
     tell_feed_path();
-    return true;
-}
-
-// FA[axis], FA[S2]: feed of a positioning axis, mm/min or deg/min.
-bool Interpreter::a_axis_feed(const Word& word) {
-    if (word.number() <= 0) return fail_word(Alarm::ValueOutOfRange, word, "FA");
-    if (word.axis < 0) return fail_word(Alarm::NotBuilt, word, "FA[S]");
-    const bool rotary = core_.view().axes[static_cast<std::size_t>(word.axis)].rotary;
-    modal_.axis_feed[static_cast<std::size_t>(word.axis)] = word.number() * (rotary ? 1.0 : feed_unit());
-    return true;
-}
-
-// POS[axis], POSA[axis]: behind the path of their block, one after the other, each with its own feed; without FA in rapid.
-bool Interpreter::positioning_axes() {
-    for (const Word& word : block_.words) {
-        const std::string_view name = word.address->name;
-        if (name != "POS" && name != "POSA") continue;
-        const auto i = static_cast<std::size_t>(word.axis);
-        if (axis_words() >> i & 1u) return fail_word(Alarm::AddressTwice, word, axis_name(word.axis));
-        AxisValues target = core_.path.programmed;
-        if (!axis_target(word, target)) return false;
-        if (modal_.axis_feed[i] > 0) {
-            const PathState before = core_.path;
-            core_.path.feed = modal_.axis_feed[i];
-            core_.path.feed_mode = FeedMode::PerMinute;
-            core_.path.feed_path = {};
-            const bool ok = core_.linear(target);
-            core_.path.feed = before.feed;
-            core_.path.feed_mode = before.feed_mode;
-            core_.path.feed_path = before.feed_path;
-            if (!ok) return false;
-        } else if (!core_.rapid(target)) {
-            return false;
-        }
-        modal_.pending_zero[i] = modal_.pending_tool[i] = 0.0;
-    }
     return true;
 }
 
@@ -107,7 +68,8 @@ bool Interpreter::positioning_axes() {
 bool Interpreter::a_axis_diameter(const Word& word) {
     const auto i = static_cast<std::size_t>(word.axis);
     const std::string_view name = word.address->name;
-    if (core_.view().axes[i].rotary) return fail_word(Alarm::AxisKindWrong, word, axis_name(word.axis));
+    const bool released = (params::get(core_.view().table(), params::md30460, core_.view().axes[i].machine_axis + 1u) & 4) != 0;
+    if (core_.view().axes[i].rotary || !released) return fail_word(Alarm::AxisKindWrong, word, axis_name(word.axis));
     modal_.axis_diameter[i] = name == "DIAMONA" ? 2 : name == "DIAM90A" ? 3 : name == "DIAMOFA" ? 1 : name == "DIACYCOFA" ? 4 : 0;   // DIAMCHANA: as the channel
     core_.at.display_swapped = display_swapped();
     return true;

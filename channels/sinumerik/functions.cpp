@@ -270,9 +270,9 @@ int Interpreter::variable_type(const std::string& text) const {
     std::string name = text.substr(0, text.find('['));
     if (!name.empty() && name[0] == '$') {
         if (name.size() > 1 && name[1] == 'R' && (name.size() == 2 || name.find_first_not_of("0123456789", 2) == std::string::npos)) return 4;
-        return is_system_variable(name) ? 4 : 0;
+        return is_system_variable(name) || is_data_name(name) ? 4 : 0;
     }
-    if (!name.empty() && name[0] == 'R' && (name.size() == 1 ? text.size() > 1 : name.find_first_not_of("0123456789", 1) == std::string::npos)) return 4;
+    if (!name.empty() && name[0] == 'R' && (name.size() == 1 || name.find_first_not_of("0123456789", 1) == std::string::npos)) return 4;
     const Reference reference = find_variable(name);
     return reference ? type_code(reference.variable->type) : 0;
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "channels/sinumerik/interpreter.hpp"
+#include "ipc/params/registry.hpp"
+#include "ipc/params/table.hpp"
 
 namespace polyturn::channels::sinumerik {
 namespace {
@@ -56,11 +58,13 @@ bool Interpreter::spindle_words() {
                 fault_column_ = word.column, fault_length_ = word.length;
                 if (word.address->name == "S") {
                     double value = word.number();
+                    modal_.cutting_speeds &= ~(1u << (spindle - 1));   // SVC holds no more
                     if (core_.path.spindle.mode == SpindleModeCode::SurfaceSpeed && !metric_lengths()) value *= 0.3048;   // feet a minute
                     if (!core_.spindle_speed(value)) return false;
                 } else {
                     const auto m = static_cast<std::int64_t>(word.number());
                     if (!core_.spindle_turn(m == 3 ? SpindleTurn::Cw : m == 4 ? SpindleTurn::Ccw : SpindleTurn::Stop)) return false;
+                    modal_.closed_spindles &= ~(1u << (core_.path.spindle.spindle - 1));
                 }
                 fault_column_ = fault_length_ = 0;
             }
@@ -75,7 +79,9 @@ bool Interpreter::spindle_words() {
 }
 
 void Interpreter::m_to_plc(const Word& word, std::int64_t m) {
-    core_.aux('M', static_cast<double>(m), word.index > 0 ? fmt::format("M{}={}", word.index, m) : fmt::format("M{}", m), false);
+    const bool frees = m == 5 && core_.frees_axis();   // an axis gets its drive back: where it stands is known behind it
+    core_.aux('M', static_cast<double>(m), word.index > 0 ? fmt::format("M{}={}", word.index, m) : fmt::format("M{}", m), frees);
+    if (frees) stop_reading();
 }
 
 bool Interpreter::functions_before() {
@@ -93,7 +99,21 @@ bool Interpreter::functions_before() {
                 if (!change_tool()) return false;
                 core_.at.tool = core_.path.tool.ref;
             }
-            if (m == 19 && !with_spindle(spindle, [&] { return core_.spindle_position(m19_position(spindle)); })) return false;
+            if (m == 19 || m == 70 || (m >= 40 && m <= 45)) {
+                const bool ok = with_spindle(spindle, [&] {
+                    std::uint32_t& closed = modal_.closed_spindles;
+                    const std::uint32_t bit = 1u << (core_.path.spindle.spindle - 1);
+                    if (m == 70 && !(closed & bit)) close_spindle(false);
+                    if (m >= 40 && m <= 45) closed &= ~bit;
+                    if (m != 19) return true;
+                    closed |= bit;
+                    modal_.cutting_speeds &= ~bit;
+                    static constexpr SpindleApproach kHow[] = {SpindleApproach::Shortest, SpindleApproach::Positive, SpindleApproach::Negative};
+                    const auto how = static_cast<std::size_t>(params::get(core_.view().table(), params::sd43250, core_.path.spindle.spindle));
+                    return core_.spindle_position(m19_position(spindle), kHow[std::min<std::size_t>(how, 2)]);
+                });
+                if (!ok) return false;
+            }
             if (!is_spindle_function(m)) m_to_plc(word, m);
         }
     }
@@ -135,22 +155,70 @@ bool Interpreter::functions_after() {
     return true;
 }
 
-// LIMS: the highest speed under G96 G961 G97.
+// A spindle that is not in position control yet gets there by the PLC's M19, wherever it stands.
+void Interpreter::close_spindle(bool told) {
+    SpindleState& now = core_.path.spindle;
+    now.turn = SpindleTurn::Stop;
+    if (!told) {   // the program has named no angle
+        Spindle silent;
+        silent.spindle = now.spindle;
+        silent.mode = SpindleModeCode::Position;
+        silent.value = now.angle_deg;
+        silent.mode_changed = silent.silent = true;
+        core_.mark_emitted();
+        core_.sink().spindle(silent, core_.at);
+    }
+    core_.aux('M', 19, "M19", false, true);
+    modal_.closed_spindles |= 1u << (now.spindle - 1);
+}
+
+// LIMS: the highest speed under G96 G961 G97; SD43230 keeps it. It may not be above G26's.
 bool Interpreter::a_limit(const Word& word) {
     const unsigned feed = active(15);
     const bool acts = feed != 8 && feed != 13;
-    return with_spindle(word.index > 0 ? static_cast<std::uint16_t>(word.index) : 0, [&] { return !acts || core_.spindle_limit(word.number()); });
+    return with_spindle(word.index > 0 ? static_cast<std::uint16_t>(word.index) : 0, [&] {
+        const double most = spindle_data("SD43220"), limit = most > 0 ? std::fmin(most, word.number()) : word.number();
+        keep_spindle_data("SD43230", word.number());
+        return !acts || core_.spindle_limit(limit);
+    });
+}
+
+// Setting data of the spindle that is meant now.
+double Interpreter::spindle_data(std::string_view name) const {
+    const params::Row& row = *params::find(name);
+    return const_cast<Interpreter*>(this)->core_.view().table().numbers[row.first_slot + (core_.path.spindle.spindle - 1u) * row.array];
+}
+
+void Interpreter::keep_spindle_data(std::string_view name, double value) {
+    const params::Row& row = *params::find(name);
+    const std::size_t slot = row.first_slot + (core_.path.spindle.spindle - 1u) * row.array;
+    params::Table& table = *core_.view().parameters;
+    undo([this, slot, before = table.numbers[slot]] { core_.view().parameters->numbers[slot] = before; });
+    table.numbers[slot] = value;
 }
 
 // SPOS, SPOSA: a plain value and DC go the short way, IC counts from where it stands.
 bool Interpreter::a_spindle_position(const Word& word) {
+    unsigned count = 0;
+    for (const Word& other : block_.words) count += other.address->name == "SPOS" || other.address->name == "SPOSA";
+    if (count > 3) return fail_word(Alarm::FunctionsTooMany, word, "SPOS");
     return with_spindle(word.index > 0 ? static_cast<std::uint16_t>(word.index) : 0, [&] {
-        double angle = word.number();
-        if (word.mode == Mode::IC) angle += core_.path.spindle.angle_deg;
-        else if (angle < 0 || angle >= 360.0) return fail_word(Alarm::ValueOutOfRange, word, "SPOS");
-        angle = std::fmod(angle, 360.0);
-        if (angle < 0) angle += 360.0;
-        return core_.spindle_position(angle);
+        if (core_.path.spindle.spindle == 0) return fail_word(Alarm::SpindleMissing, word, "SPOS");
+        if (core_.path.spindle.mode == SpindleModeCode::SurfaceSpeed) return fail_word(Alarm::CodesContradict, word, "SPOS, G96");
+        const std::uint16_t spindle = core_.path.spindle.spindle;
+        modal_.cutting_speeds &= ~(1u << (spindle - 1));
+        const double angle = word.number();
+        if (word.mode == Mode::IC) {
+            if (std::fabs(angle) >= 100'000.0) return fail_word(Alarm::ValueOutOfRange, word, "SPOS");
+            if (spindle_closed(spindle)) return core_.spindle_index(angle);
+            if (!core_.spindle_position(core_.path.spindle.angle_deg + angle, SpindleApproach::Shortest)) return false;
+        } else {
+            if (angle < 0 || angle >= 360.0) return fail_word(Alarm::ValueOutOfRange, word, "SPOS");
+            const SpindleApproach how = word.mode == Mode::ACP ? SpindleApproach::Positive : word.mode == Mode::ACN ? SpindleApproach::Negative : SpindleApproach::Shortest;
+            if (!core_.spindle_position(angle, how)) return false;
+        }
+        if (!spindle_closed(spindle)) close_spindle(true);
+        return true;
     });
 }
 

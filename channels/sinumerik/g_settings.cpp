@@ -48,13 +48,9 @@ bool Interpreter::g_exact_once(const GCode&) {
 bool Interpreter::g_zero(const GCode& code) {
     const int n = code.number - 1;   // $P_UIFR[n]
     if (n >= settings_.frames) return fail(Alarm::GCodeUnknown, std::string(code.name));
-    if (n == 0) {
-        zeros_change([&] { core_.select_zero(static_cast<std::int32_t>(*work_zero_row("G500"))); });
-        return true;
-    }
-    const auto row = settable_zero_row(static_cast<std::size_t>(n));
+    const auto row = n == 0 ? work_zero_row("G500") : settable_zero_row(static_cast<std::size_t>(n));
     if (!row) return fail(Alarm::GCodeUnknown, std::string(code.name));
-    zeros_change([&] { core_.select_zero(static_cast<std::int32_t>(*row)); });
+    choose_settable(n, static_cast<std::int32_t>(*row));
     return true;
 }
 
@@ -63,7 +59,10 @@ bool Interpreter::g_feed_type(const GCode& code) {
     const FeedKind old_kind = modal_.feed_revolution ? FeedKind::Revolution : feed_kind(before) == FeedKind::Inverse ? FeedKind::Inverse : FeedKind::Linear;
     FeedKind kind = feed_kind(code.number);
     if (kind == FeedKind::Same) kind = old_kind;
-    if (kind != old_kind) modal_.feed = modal_.feed_per_tooth = 0.0;   // another kind of feed wants a new F
+    if (kind != old_kind) {
+        modal_.feed = modal_.feed_per_tooth = 0.0;   // another kind of feed wants a new F
+        modal_.corner_feed_stale = modal_.geo.corner_feed > 0;   // and a new FRCM
+    }
     modal_.feed_revolution = kind == FeedKind::Revolution;
     if (code.number == 9 || code.number == 10) return true;            // G942 G952 leave the spindle as it is
     SpindleState& spindle = core_.path.spindle;
@@ -82,7 +81,8 @@ bool Interpreter::g_feed_type(const GCode& code) {
 bool Interpreter::feed_word(const Word& word) {
     if (const GCode* code = block_.coded[2]; code && takes(*code, *word.address)) return true;
     if (const GCode* code = motion_code(); code && takes(*code, *word.address)) return true;
-    if (word.index >= 0) return fail_word(Alarm::NotBuilt, word, "F" + std::to_string(word.index));
+    if (word.index >= 0)   // F2 to F7 hold while an input is on; there is none
+        return word.index >= 2 && word.index <= 7 ? a_without_effect(word) : fail_word(Alarm::ArrayIndexIllegal, word, "F", word.index);
     if (word.number() <= 0) return fail_word(Alarm::FeedMissing, word);
     modal_.feed = word.number() * feed_unit();
     modal_.feed_per_tooth = 0.0;
@@ -112,7 +112,21 @@ bool Interpreter::update_feed() {
     return true;
 }
 
-void Interpreter::motion_changes(const GCode&) {}
+// G331 and G332 count S in revolutions whatever group 15 says; under G96 the S of the one is none for the other (7.1).
+bool Interpreter::motion_changes(const GCode& to) {
+    const auto taps = [](unsigned number) { return number == 11 || number == 12; };
+    const bool before = taps(active(1)), after = taps(to.number);
+    if (before == after || !is_surface(active(15))) return true;
+    SpindleState& spindle = core_.path.spindle;
+    if (after) {
+        if (!core_.surface_speed(false)) return false;
+        spindle.rpm = 0.0;
+        core_.forget_pending();
+        return true;
+    }
+    spindle.rpm = spindle.surface_m_min = 0.0;
+    return core_.surface_speed(true);
+}
 
 bool Interpreter::a_nothing(const Word&) { return true; }
 

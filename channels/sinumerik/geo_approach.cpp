@@ -15,7 +15,6 @@ namespace polyturn::channels::sinumerik {
 namespace {
 
 constexpr double kSame = 1e-9;
-constexpr double kClearance = 0.01;   // MD20204, delivery state
 
 int applicate(const MachineView& view, Plane plane) {
     static constexpr PlaneRole kRoles[] = {PlaneRole::BasicZ, PlaneRole::BasicY, PlaneRole::BasicX};   // XY ZX YZ
@@ -156,9 +155,11 @@ bool Interpreter::finish_approach(const AxisValues& target, const ArcCall* arc, 
         p1[k] = soft.has_retract ? (soft.retract_absolute ? soft.retract : p4[k] + up * soft.retract) : soft.from[k];   // without DISRP first parallel to the plane
         const double down[] = {(soft.from[k] - p1[k]) * up, (p1[k] - p2[k]) * up, (p2[k] - p4[k]) * up};
         for (const double step : down)
-            if (step < -kClearance) return fail(Alarm::ApproachReversal);
+            if (step < -settings_.approach_slack_mm) return fail(Alarm::ApproachReversal);
         if (!soft.in_plane) p3[k] = p2[k];
     }
+    modal_.geo.approach_known = true;
+    modal_.geo.approach_start = p3, modal_.geo.approach_end = p4;
     bool made = true;
     const double slow = soft.infeed > 0 ? soft.infeed : soft.feed;
     const std::uint8_t slow_mode = soft.infeed > 0 ? soft.infeed_mode : 0;
@@ -218,7 +219,7 @@ bool Interpreter::geo_retract(const GCode& code) {
         p1[k] = soft.has_retract ? (soft.retract_absolute ? soft.retract : p4[k] + up * soft.retract) : in_plane_end || upright_end ? target[k] : p2[k];
         const double rise[] = {(p2[k] - p4[k]) * up, (p1[k] - p2[k]) * up, upright_end ? (target[k] - p1[k]) * up : 0.0};
         for (const double step : rise)
-            if (step < -kClearance) return fail(Alarm::ApproachReversal);
+            if (step < -settings_.approach_slack_mm) return fail(Alarm::ApproachReversal);
         if (!soft.in_plane) p3[k] = p2[k];
         if (!upright_end) target[k] = p1[k];
     }

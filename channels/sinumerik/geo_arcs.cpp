@@ -219,7 +219,10 @@ bool Interpreter::arc_through(const Point3& a, const Point3& b, const Point3& c,
     std::size_t upright = 3;
     for (std::size_t k = 0; k < 3; ++k)
         if (n[k] * n[k] > (1 - 1e-12) * n2) upright = k;
-    if (upright == 3) return fail(Alarm::FrameArcInclined);
+    if (upright == 3) {   // not in a plane of the machine
+        ArcCall turns;
+        return full_turns(turns) && oblique_circle(a, b, c, target, turns.turns);
+    }
     // Centre: a + (c2 (ab x ac) x ... ) written out for the plane.
     const std::size_t p = (upright + 1) % 3, q = (upright + 2) % 3;
     const double d = 2 * (ab[p] * ac[q] - ab[q] * ac[p]);

@@ -1,4 +1,6 @@
 // Tool radius compensation: G40 G41 G42 and what shapes it - NORM KONT, G450 G451, G460 to G462, OFFN (sinumerik_part2 11).
+#include <cmath>
+
 #include "channels/sinumerik/interpreter.hpp"
 
 namespace polyturn::channels::sinumerik {
@@ -11,6 +13,7 @@ bool Interpreter::update_compensation() {
     options.intersection_from_deg = 180.0 - settings_.corner_limit_deg;
     options.short_last = active(48) == 2 ? ShortLast::Circle : active(48) == 3 ? ShortLast::Line : ShortLast::None;
     options.looks_back = true;
+    options.arc_feed = active(16) == 1 ? ArcFeed::Contour : active(16) == 3 ? ArcFeed::Inner : ArcFeed::Centre;
     options.constant = active(40) == 2;
     options.idle_blocks = static_cast<unsigned>(settings_.comp_idle_blocks);
     options.idle_is_fault = true;
@@ -18,7 +21,7 @@ bool Interpreter::update_compensation() {
     return true;
 }
 
-// Groups 17 18 23 40 48: they act with the moves of their block.
+// Groups 16 17 18 23 40 48: they act with the moves of their block.
 bool Interpreter::geo_comp_option(const GCode& code) {
     activate(code.group, code.number);
     return update_compensation();
@@ -30,13 +33,28 @@ bool Interpreter::geo_comp_kind(const GCode& code) {   // group 22: CUT2DD CUT2D
     return true;
 }
 
+// Does the frame turn the working plane out of a plane of the machine? Then CUT2D and CUT2DF would differ, and compensation
+// follows neither.
+bool Interpreter::tilted() {
+    if (!core_.path.framed) return false;
+    static constexpr std::size_t kApplicate[] = {2, 1, 0};
+    const std::size_t w = kApplicate[static_cast<std::size_t>(core_.path.plane)];
+    for (std::size_t k = 0; k < 3; ++k)
+        if (k != w && (std::fabs(core_.path.frame.linear[k][w]) > 1e-12 || std::fabs(core_.path.frame.linear[w][k]) > 1e-12)) return true;
+    return false;
+}
+
 bool Interpreter::geo_compensation(const GCode& code) {
     modal_.geo.side_before = static_cast<std::uint8_t>(active(7));
     if (const GCode* soft = block_.coded[2]; code.number == 1 && soft && soft->number >= 14 && soft->number <= 16) return true;   // the retract ends it itself
-    if (code.number == 1) return core_.compensation_off(0.0, 0.0);
     const GCode* motion = motion_code();
     const bool arc = motion && motion->group == 1 && motion->number > 2;
+    if (code.number == 1) {
+        if (arc && core_.compensating() && axis_words()) return fail(Alarm::CompArcEnd);
+        return core_.compensation_off(0.0, 0.0);
+    }
     if (arc && !core_.compensating()) return fail(Alarm::CompArcStartEnd);
+    if (tilted()) return fail(Alarm::SubframeRotates, std::string(code.name));
     if (!update_compensation()) return false;
     return core_.compensation(code.number == 2 ? CompSide::Left : CompSide::Right);
 }

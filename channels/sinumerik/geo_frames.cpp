@@ -77,11 +77,6 @@ FrameValue Interpreter::components_of(const Frame& frame, const FrameValue& like
     return value;
 }
 
-void Interpreter::use_frame() {
-    state_changed_ = true;
-    zeros_change([this] { core_.set_frame(modal_.geo.exact); });
-}
-
 // $P_PFRAME = ..., or one component of it.
 bool Interpreter::set_programmable_frame(const FrameValue& value) {
     const Frame frame = frame_of(value);
@@ -128,25 +123,41 @@ bool Interpreter::frame_words(const GCode& code, FrameValue& value, std::optiona
 }
 
 // ROTS: the first angle turns about one axis, the second about the turned other one (13.6).
-bool Interpreter::solid_angles(Frame& frame) {
-    const auto geo = geometry(core_.view());
+bool Interpreter::solid_angles(const std::array<std::optional<double>, 3>& of, Frame& frame) {
     struct Order { std::size_t first, second; GeoAxis about_first, about_second; };
     static constexpr Order kOrders[] = {{0, 1, GeoAxis::Y, GeoAxis::X}, {2, 0, GeoAxis::X, GeoAxis::Z}, {1, 2, GeoAxis::Z, GeoAxis::Y}};
-    std::array<const Word*, 3> of{};
-    unsigned count = 0;
-    for (const Word& w : block_.words)
-        for (std::size_t k = 0; k < 3; ++k)
-            if (w.address->name == "axis" && w.axis == geo[k] && w.axis >= 0) of[k] = &w, ++count;
+    const unsigned count = static_cast<unsigned>(of[0].has_value()) + of[1].has_value() + of[2].has_value();
     if (count > 2) return fail(Alarm::FrameAnglesTooMany);
     if (count == 1) {
         for (std::size_t k = 0; k < 3; ++k)
-            if (of[k]) frame = Frame::rotation(static_cast<GeoAxis>(k), of[k]->number());
+            if (of[k]) frame = Frame::rotation(static_cast<GeoAxis>(k), *of[k]);
         return true;
     }
     for (const Order& order : kOrders)
         if (of[order.first] && of[order.second])
-            frame = Frame::rotation(order.about_first, of[order.first]->number()) * Frame::rotation(order.about_second, of[order.second]->number());
+            frame = Frame::rotation(order.about_first, *of[order.first]) * Frame::rotation(order.about_second, *of[order.second]);
     return true;
+}
+
+bool Interpreter::solid_angles(Frame& frame) {
+    const auto geo = geometry(core_.view());
+    std::array<std::optional<double>, 3> of;
+    for (const Word& w : block_.words)
+        for (std::size_t k = 0; k < 3; ++k)
+            if (w.address->name == "axis" && w.axis == geo[k] && w.axis >= 0) of[k] = w.number();
+    return solid_angles(of, frame);
+}
+
+// MD10610: the mirror of another geometry axis is that of the reference axis and half a turn about the third one. The rule
+// is the same; what $P_PFRAME shows is not.
+void Interpreter::mirror_by_reference(FrameValue& said) const {
+    const auto geo = geometry(const_cast<Interpreter*>(this)->core_.view());
+    const auto reference = static_cast<std::size_t>(settings_.mirror_reference - 1);
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (k == reference || geo[k] < 0 || geo[reference] < 0 || !(said.mirrored >> geo[k] & 1u)) continue;
+        said.mirrored ^= 1u << geo[k] | 1u << geo[reference];
+        if (const int third = geo[3 - k - reference]; third >= 0) said.rotation_deg[static_cast<std::size_t>(third)] += 180.0;
+    }
 }
 
 bool Interpreter::geo_frame(const GCode& code) {
@@ -166,6 +177,7 @@ bool Interpreter::geo_frame(const GCode& code) {
     }
     Frame step = about ? *about : frame_of(said);
     if (kind == "ROTS" && !solid_angles(step)) return false;
+    if (kind == "MIRROR" && settings_.mirror_reference > 0) mirror_by_reference(said);
     if (!additive) {
         geo.exact = step;
         geo.frame = said;
@@ -251,6 +263,48 @@ bool Interpreter::f_cfine(Call& call) { return f_frame(call, "CFINE"); }
 bool Interpreter::f_cscale(Call& call) { return f_frame(call, "CSCALE"); }
 bool Interpreter::f_crot(Call& call) { return f_frame(call, "CROT"); }
 bool Interpreter::f_cmirror(Call& call) { return f_frame(call, "CMIRROR"); }
+
+// CROTS(X, a, Y, b): the frame that ROTS makes.
+bool Interpreter::f_crots(Call& call) {
+    std::array<std::optional<double>, 3> angles;
+    const auto geo = geometry(core_.view());
+    for (std::size_t k = 0; k + 1 < call.arguments.size(); k += 2) {
+        if (!call.has(k) || !call.has(k + 1)) return fail(Alarm::ArgumentCountIllegal, "CROTS", static_cast<double>(k));
+        bool found = false;
+        for (std::size_t g = 0; g < 3; ++g)
+            if (geo[g] == call.value(k).place()) angles[g] = call.number(k + 1), found = true;
+        if (!found) return fail(Alarm::AxisKindWrong, call.value(k).text);
+    }
+    Frame frame;
+    if (!solid_angles(angles, frame)) return false;
+    call.result = Value::of_frame(components_of(frame, {}));
+    return true;
+}
+
+// ADDFRAME(frame, "$P_PFRAME"): what was the whole chain before is now that chain with the frame behind it.
+bool Interpreter::f_addframe(Call& call) {
+    static const FrameValue kNone;
+    const Frame added = frame_of(call.value(0).frame ? *call.value(0).frame : kNone);
+    const std::string target = upper(call.value(1).text);
+    GeoModal& geo = modal_.geo;
+    const auto answer = [&](int code) { return call.result = Value::of_int(code), true; };
+    if (target != "$P_PFRAME" && target != "$P_ACTBFRAME" && target != "$P_BFRAME") return answer(target.starts_with("$P_") ? 2 : 1);
+    undo([this, before = geo] {
+        modal_.geo.frame = before.frame, modal_.geo.exact = before.exact;
+        modal_.geo.basic_value = before.basic_value, modal_.geo.basic = before.basic;
+        core_.set_frame(outer_frame() * modal_.geo.exact);
+    });
+    if (target == "$P_PFRAME") {
+        geo.exact = geo.exact * added;
+        geo.frame = components_of(geo.exact, geo.frame);
+    } else {
+        const Frame inner = geo.basic.inverse() * outer_frame() * geo.exact;
+        geo.basic = geo.basic * inner * added * inner.inverse();
+        geo.basic_value = components_of(geo.basic, geo.basic_value);
+    }
+    use_frame();
+    return answer(0);
+}
 
 bool Interpreter::f_crpl(Call& call) {   // CRPL(0|1|2|3, angle): the active plane, XY, ZX, YZ
     static constexpr int kApplicate[] = {2, 1, 0};

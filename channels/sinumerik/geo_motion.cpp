@@ -25,14 +25,15 @@ bool Interpreter::needs_plane() {
     return (p >= 0 && q >= 0) || fail(Alarm::PlaneAxisMissing);
 }
 
-// Group 9 puts frames and zeros away for one block: G53 the programmable and the settable one, G153 and SUPA also the
-// basic one.
+// Group 9 puts frames and zeros away for one block: G53 the programmable and the settable one, G153 also the basic one, SUPA
+// also the external zero and what PRESETON has set.
 bool Interpreter::driven(const std::function<bool()>& drive) {
     const GCode* code = block_.coded[9];
     if (!code) return drive();
     const Zeros kept = core_.zeros();
     Zeros none;
-    if (code->name == "G53") none.external = kept.external;
+    if (code->name != "SUPA") none.external = kept.external, none.preset = kept.preset;
+    if (code->name == "G53") none.frame = modal_.geo.basic;
     core_.set_zeros(none);
     const bool done = drive();
     core_.set_zeros(kept);
@@ -57,6 +58,7 @@ bool Interpreter::corner_words(bool contour) {
         }
     const Word* own = word("FRC");
     if (own && own->number() <= 0) return fail_word(Alarm::ValueOutOfRange, *own, "FRC", own->number());
+    if (modal_.corner_feed_stale && !own && contour && (said || geo.rounding > 0)) return fail(Alarm::CornerFeedStale);
     const double feed = own ? own->number() * feed_unit() : geo.corner_feed;
     if (core_.reads_ahead()) core_.corner_feed(feed);
     if (!contour) return true;
@@ -272,6 +274,7 @@ bool Interpreter::a_geometry(const Word& word) {
     } else if (name == "FRCM") {
         if (word.number() < 0) return fail_word(Alarm::NegativeSign, word, "FRCM");
         geo.corner_feed = word.number() * feed_unit();
+        modal_.corner_feed_stale = false;
     } else if (name == "OFFN") {
         geo.allowance = word.number() * unit();
         apply_tool();
@@ -282,6 +285,11 @@ bool Interpreter::a_geometry(const Word& word) {
     } else if (name == "SF") {
         if (word.number() < 0 || word.number() >= 360) return fail_word(Alarm::ValueOutOfRange, word, "SF", word.number());
         geo.thread_angle = word.number();
+    } else if (name == "DILF") {
+        geo.lift_mm = word.number() * unit();
+    } else if (name == "ALF") {
+        if (word.number() < 0 || word.number() > 8 || word.number() != std::floor(word.number())) return fail_word(Alarm::ValueOutOfRange, word, "ALF", word.number());
+        geo.lift_angle = static_cast<unsigned>(word.number());
     }
     state_changed_ = true;
     return true;

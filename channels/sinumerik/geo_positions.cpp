@@ -16,7 +16,10 @@ bool Interpreter::geo_dwell(const GCode&) {
     const Word* seconds = word("F");
     const Word* turns = word("S");
     if (seconds && turns) return fail_word(Alarm::CodesContradict, *turns, "F, S");
-    if (seconds) return core_.dwell(seconds->number(), false);
+    if (seconds) {   // MD10280: whole interpolation cycles
+        const double cycle = settings_.dwell_cycle_s, value = seconds->number();
+        return core_.dwell(cycle > 0 ? std::ceil(value / cycle - 1e-9) * cycle : value, false);
+    }
     if (!turns) return fail(Alarm::ReturnValueMissing, "F, S");
     return with_spindle(turns->index > 0 ? static_cast<std::uint16_t>(turns->index) : 0, [&] { return core_.dwell(turns->number(), true); });
 }
@@ -79,10 +82,12 @@ bool Interpreter::geo_limits(const GCode& code) {
     return true;
 }
 
-// G26 S: the highest speed of the spindle. A lower limit binds the machine, not the program: it is only kept.
+// G25 S, G26 S: limits of the spindle's speed, kept as setting data. A lower limit binds the machine, not the program.
 bool Interpreter::limit_speed(const Word& word, bool high) {
-    if (!high) return true;
-    return with_spindle(word.index > 0 ? static_cast<std::uint16_t>(word.index) : 0, [&] { return core_.spindle_limit(word.number()) && core_.commit_spindle(); });
+    return with_spindle(word.index > 0 ? static_cast<std::uint16_t>(word.index) : 0, [&] {
+        keep_spindle_data(high ? "SD43220" : "SD43210", word.number());
+        return !high || (core_.spindle_limit(word.number()) && core_.commit_spindle());
+    });
 }
 
 // The point lies inside all limits that act: WALIMON those of G25, G26 in the basic system, WALCS its group's.
@@ -91,18 +96,21 @@ bool Interpreter::within_areas(const AxisValues& target) {
     const bool basic = active(28) == 1, group = active(60) > 1;
     if (!basic && !group) return true;
     const MachineView& view = core_.view();
-    const AxisValues settable = core_.framed(target);
+    const AxisValues basic_point = core_.framed(target), settable = programmable(target);
     const auto outside = [&](std::size_t i, double value, double limit) {
         return fail(Alarm::WorkingAreaLeft, view.axes[i].name, view.to_shown(static_cast<unsigned>(i), value), view.to_shown(static_cast<unsigned>(i), limit));
     };
     for (unsigned i = 0; i < view.axis_count; ++i) {
         if (basic) {
-            const double value = settable[i] + core_.path.zero[i];
+            const double value = basic_point[i] + core_.path.zero[i];
             const bool plus = settings_.area_plus[view.axes[i].machine_axis], minus = settings_.area_minus[view.axes[i].machine_axis];
             const double high = geo.area_high >> i & 1u ? geo.high[i] : settings_.area_high[view.axes[i].machine_axis];
             const double low = geo.area_low >> i & 1u ? geo.low[i] : settings_.area_low[view.axes[i].machine_axis];
-            if (plus && value > high + kOnLimit) return outside(i, value, high);
-            if (minus && value < low - kOnLimit) return outside(i, value, low);
+            const PlaneRole role = view.axes[i].role;
+            const bool round = settings_.area_with_radius && (role == PlaneRole::BasicX || role == PlaneRole::BasicY || role == PlaneRole::BasicZ);
+            const double reach = round ? std::fabs(core_.path.tool.nose_radius) : 0.0;   // MD21020
+            if (plus && value + reach > high + kOnLimit) return outside(i, value + reach, high);
+            if (minus && value - reach < low - kOnLimit) return outside(i, value - reach, low);
         }
         if (!group) continue;
         const AreaGroup& area = geo.areas[active(60) - 2];

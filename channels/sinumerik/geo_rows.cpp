@@ -24,8 +24,8 @@ constexpr GCode kCodes[] = {
     {"CT", 1, 15, true, false, &Interpreter::geo_ct, "axes AP RP TURN RND CHF CHR FRC"},
     {"G34", 1, 16, true, false, &Interpreter::geo_thread, "axes I J K F AP RP"},
     {"G35", 1, 17, true, false, &Interpreter::geo_thread, "axes I J K F AP RP"},
-    {"INVCW", 1, 18, true, false, nullptr},
-    {"INVCCW", 1, 19, true, false, nullptr},
+    {"INVCW", 1, 18, true, false, &Interpreter::geo_involute, "axes I J K CR AR"},
+    {"INVCCW", 1, 19, true, false, &Interpreter::geo_involute, "axes I J K CR AR"},
     {"G335", 1, 20, true, false, &Interpreter::geo_barrel, "axes I J K IR JR KR CR AR I1 J1 K1"},
     {"G336", 1, 21, true, false, &Interpreter::geo_barrel, "axes I J K IR JR KR CR AR I1 J1 K1"},
     // group 2: Block-wise motions and dwell
@@ -74,9 +74,9 @@ constexpr GCode kCodes[] = {
     {"SUPA", 9, 2, false, false, &Interpreter::g_nothing},
     {"G153", 9, 3, false, false, &Interpreter::g_nothing},
     // group 16: Feed correction at inner and outer curvature
-    {"CFC", 16, 1, true, true, &Interpreter::g_nothing},
-    {"CFTCP", 16, 2, true, false, &Interpreter::g_nothing},
-    {"CFIN", 16, 3, true, false, &Interpreter::g_nothing},
+    {"CFC", 16, 1, true, true, &Interpreter::geo_comp_option},
+    {"CFTCP", 16, 2, true, false, &Interpreter::geo_comp_option},
+    {"CFIN", 16, 3, true, false, &Interpreter::geo_comp_option},
     // group 17: Approach/retract response with tool radius compensation
     {"NORM", 17, 1, true, true, &Interpreter::geo_comp_option},
     {"KONT", 17, 2, true, false, &Interpreter::geo_comp_option},
@@ -87,7 +87,7 @@ constexpr GCode kCodes[] = {
     {"G451", 18, 2, true, false, &Interpreter::geo_comp_option},
     // group 22: Tool offset type
     {"CUT2D", 22, 1, true, true, &Interpreter::geo_comp_kind},
-    {"CUT2DF", 22, 2, true, false, nullptr},
+    {"CUT2DF", 22, 2, true, false, &Interpreter::geo_comp_kind},
     {"CUT3DC", 22, 3, true, false, nullptr},
     {"CUT3DF", 22, 4, true, false, nullptr},
     {"CUT3DFS", 22, 5, true, false, nullptr},
@@ -95,7 +95,7 @@ constexpr GCode kCodes[] = {
     {"CUT3DCC", 22, 7, true, false, nullptr},
     {"CUT3DCCD", 22, 8, true, false, nullptr},
     {"CUT2DD", 22, 9, true, false, &Interpreter::geo_comp_kind},
-    {"CUT2DFD", 22, 10, true, false, nullptr},
+    {"CUT2DFD", 22, 10, true, false, &Interpreter::geo_comp_kind},
     {"CUT3DCD", 22, 11, true, false, nullptr},
     // group 23: Collision monitoring on inner contours
     {"CDOF", 23, 1, true, true, &Interpreter::g_nothing},
@@ -141,18 +141,18 @@ constexpr Address kAddresses[] = {
     {"ANG", Index::None, Use::Block}, {"ANG1", Index::None, Use::Block}, {"ANG2", Index::None, Use::Block},
     {"RND", Index::None, Use::Block}, {"RNDM", Index::None, Use::Setting, &Interpreter::a_geometry}, {"CHF", Index::None, Use::Block}, {"CHR", Index::None, Use::Block},
     {"FRC", Index::None, Use::Block}, {"FRCM", Index::None, Use::Setting, &Interpreter::a_geometry},
-    {"SF", Index::None, Use::Setting, &Interpreter::a_geometry}, {"DITS", Index::None, Use::Setting, &Interpreter::a_without_effect}, {"DITE", Index::None, Use::Setting, &Interpreter::a_without_effect},
+    {"SF", Index::None, Use::Setting, &Interpreter::a_geometry}, {"DITS", Index::None, Use::Setting, &Interpreter::a_thread_ramp}, {"DITE", Index::None, Use::Setting, &Interpreter::a_thread_ramp},
     {"IR", Index::None, Use::Block}, {"JR", Index::None, Use::Block}, {"KR", Index::None, Use::Block},
     {"DISR", Index::None, Use::Block}, {"DISCL", Index::None, Use::Block}, {"DISRP", Index::None, Use::Block}, {"FAD", Index::None, Use::Block},
     {"DISC", Index::None, Use::Setting, &Interpreter::a_geometry}, {"OFFN", Index::None, Use::Setting, &Interpreter::a_geometry}, {"FP", Index::None, Use::Block},
-    {"DILF", Index::None, Use::Setting, &Interpreter::a_without_effect}, {"ALF", Index::None, Use::Setting, &Interpreter::a_without_effect},
+    {"DILF", Index::None, Use::Setting, &Interpreter::a_geometry}, {"ALF", Index::None, Use::Setting, &Interpreter::a_geometry, false},
 };
 
 constexpr Command kCommands[] = {
     // name, function, least, most arguments, their types, handler
-    {"CTRANS", true, 0, 16, "ar", &Interpreter::f_ctrans},  {"CFINE", true, 0, 16, "ar", &Interpreter::f_cfine}, {"CSCALE", true, 0, 16, "ar", &Interpreter::f_cscale},
-    {"CROT", true, 0, 6, "ar", &Interpreter::f_crot},     {"CROTS", true, 0, 6, "ar", nullptr},  {"CMIRROR", true, 0, 8, "a", &Interpreter::f_cmirror},
-    {"CRPL", true, 2, 2, "r", &Interpreter::f_crpl},      {"ADDFRAME", true, 2, 2, "fs", nullptr}, {"INVFRAME", true, 1, 1, "f", &Interpreter::f_invframe},
+    {"CTRANS", true, 0, 16, "ar+", &Interpreter::f_ctrans},  {"CFINE", true, 0, 16, "ar+", &Interpreter::f_cfine}, {"CSCALE", true, 0, 16, "ar+", &Interpreter::f_cscale},
+    {"CROT", true, 0, 6, "ar+", &Interpreter::f_crot},     {"CROTS", true, 0, 4, "ar+", &Interpreter::f_crots},  {"CMIRROR", true, 0, 8, "a", &Interpreter::f_cmirror},
+    {"CRPL", true, 2, 2, "r", &Interpreter::f_crpl},      {"ADDFRAME", true, 2, 2, "fs", &Interpreter::f_addframe}, {"INVFRAME", true, 1, 1, "f", &Interpreter::f_invframe},
     {"MEAFRAME", true, 3, 3, "v", nullptr},
 };
 

@@ -45,6 +45,15 @@ struct AreaGroup {
 struct GeoModal {
     FrameValue frame;                  // $P_PFRAME as its components
     Frame exact;                       // and as the rule that it is
+    FrameValue basic_value;            // $P_ACTBFRAME as its components
+    Frame basic;
+    bool approach_known = false;       // $P_APDV: the last soft approach has these points
+    AxisValues approach_start{}, approach_end{};   // $P_APR, $P_AEP
+    double lift_mm = -1.0;             // DILF; < 0: MD21200
+    unsigned lift_angle = 1;           // ALF
+    AxisSet lift_axes = 0;             // POLFMASK, POLFMLIN
+    AxisSet lift_set = 0, lift_incremental = 0;   // POLF has named a position
+    AxisValues lift_to{};              // POLF, workpiece system
     std::array<double, 2> pole{};      // in the plane, workpiece system
     double polar_angle_deg = 0.0, polar_radius = 0.0;
     double rounding = 0.0;             // RNDM

@@ -48,6 +48,7 @@ bool Interpreter::geo_thread(const GCode& code) {
         call.axis = static_cast<std::uint8_t>(axis);
         call.start_angle = thread_start();
         call.has_start_angle = true;
+        if (!way_out(call, target)) return false;
         if (code.name != "G33") {
             const Word* change = word("F");
             if (!change) return fail(Alarm::ReturnValueMissing, "F");
@@ -61,6 +62,41 @@ bool Interpreter::geo_thread(const GCode& code) {
         note_tangent(from, target);
         return true;
     });
+}
+
+// LFOF: a hold acts behind the thread. LFON: the axes leave it by DILF in the direction ALF tells, 45 degrees a step in the
+// plane (LFWP) or from the tool's direction on (LFTXT), or go to their POLF (LFPOS).
+bool Interpreter::way_out(ThreadCall& call, const AxisValues& target) {
+    call.own_withdrawal = true;
+    if (active(41) != 2) return true;
+    const GeoModal& geo = modal_.geo;
+    std::size_t used = 0;
+    const auto leave = [&](std::size_t place, double by) {
+        if (used == call.withdraw.size() || std::fabs(by) < 1e-9) return;
+        call.withdraw_axis[used] = static_cast<std::int8_t>(place);
+        call.withdraw[used++] = by;
+    };
+    if (active(46) == 3) {
+        for (unsigned i = 0; i < core_.view().axis_count; ++i) {
+            if (!(geo.lift_axes & geo.lift_set & 1u << i)) continue;
+            leave(i, geo.lift_incremental >> i & 1u ? geo.lift_to[i] : geo.lift_to[i] - core_.path.programmed[i]);
+        }
+        return true;
+    }
+    if (geo.lift_angle == 0 || !needs_plane()) return geo.lift_angle == 0;
+    const auto [p, q] = plane_places();
+    const double way = geo.lift_mm >= 0 ? geo.lift_mm : settings_.lift_distance_mm;
+    const double angle = (geo.lift_angle - 1.0) * 45.0 * 3.14159265358979323846 / 180.0;
+    if (active(46) == 2) {   // from the first axis of the plane towards the second
+        leave(p, way * std::cos(angle));
+        leave(q, way * std::sin(angle));
+        return true;
+    }
+    const std::size_t across = call.axis == p ? q : p;
+    const double out = core_.path.last_way[across] > 0 ? -1.0 : 1.0, on = target[call.axis] < core_.path.programmed[call.axis] ? -1.0 : 1.0;
+    leave(across, out * way * std::cos(angle));   // back against the infeed
+    leave(call.axis, on * way * std::sin(angle));
+    return true;
 }
 
 // A thread on an arc. The pitch counts along its axis, and that axis must have the larger share of the way; up to 60 degrees
@@ -81,6 +117,7 @@ bool Interpreter::geo_barrel(const GCode& code) {
         call.axis = static_cast<std::uint8_t>(axis);
         call.start_angle = thread_start();
         call.has_start_angle = true;
+        if (!way_out(call, target)) return false;
         ArcCall arc;
         arc.clockwise = code.name == "G335";
         if (!barrel_arc(target, arc)) return false;
@@ -159,6 +196,7 @@ bool Interpreter::geo_tap(const GCode& code) {
         if (!within_areas(target)) return false;
         PathState& path = core_.path;
         if (path.spindle.rpm <= 0) return fail(Alarm::ThreadSpindleStopped);
+        if (!spindle_closed(path.spindle.spindle)) close_spindle(false);   // from where it stands
         const PathState before = path;
         const double way = core_.framed(target)[axis] - core_.framed_now()[axis];
         path.tap_pitch = pitch;

@@ -23,8 +23,18 @@ double& Interpreter::frame_part(FrameValue& frame, std::size_t place, const std:
 }
 
 bool Interpreter::geometry_value(const std::string& name, const std::vector<Value>& indices, Value& value, bool& known) {
+    if (!outer_frame_value(name, indices, value, known)) return false;
+    if (known) return true;
     known = true;
     GeoModal& geo = modal_.geo;
+    if (name == "$P_APDV") return value = Value::of_bool(geo.approach_known), true;
+    if (name == "$P_APR" || name == "$P_AEP") {
+        const int place = indices.size() == 1 && indices[0].type == Type::Axis ? indices[0].place() : -1;
+        if (place < 0 || place >= static_cast<int>(core_.view().axis_count)) return fail(Alarm::AxisArgumentMissing, name);
+        const auto i = static_cast<std::size_t>(place);
+        const double mm = (name == "$P_APR" ? geo.approach_start : geo.approach_end)[i] * (counts_diameter(static_cast<unsigned>(i), false) ? 2.0 : 1.0);
+        return value = Value::of_real(core_.view().axes[i].rotary ? mm : mm / unit()), true;
+    }
     if (name == "$P_PFRAME" || name == "$P_ACTFRAME") {
         if (indices.empty()) return value = Value::of_frame(geo.frame), true;
         const int place = indices[0].type == Type::Axis ? indices[0].place() : -1;
@@ -59,6 +69,8 @@ bool Interpreter::geometry_value(const std::string& name, const std::vector<Valu
 
 // Acts at once, in the order of the text; a block that has to wait for a barrier puts it back.
 bool Interpreter::write_geometry(const std::string& name, const std::vector<Value>& indices, const Value& value, bool& known) {
+    if (!write_outer_frame(name, indices, value, known)) return false;
+    if (known) return true;
     known = true;
     GeoModal& geo = modal_.geo;
     if (name == "$P_PFRAME") {
@@ -86,7 +98,7 @@ bool Interpreter::write_geometry(const std::string& name, const std::vector<Valu
         if (!set_programmable_frame(frame)) return false;
         undo([this, before, pending] {
             modal_.geo.frame = before.frame, modal_.geo.exact = before.exact;
-            core_.set_frame(before.exact);
+            core_.set_frame(outer_frame() * before.exact);
             modal_.pending_zero = pending;
         });
         return true;

@@ -8,6 +8,7 @@ namespace polyturn::channels::sinumerik {
 namespace {
 
 constexpr std::size_t kLongestBlock = 512;   // with comment (sinumerik_part1 3.2)
+constexpr unsigned kDeepestText = 16;         // EXECSTRING within EXECSTRING
 
 }  // namespace
 
@@ -55,6 +56,9 @@ Result<void> Interpreter::start(FileId main) {
     source_->seek({0, 1});
     indices_.clear();
     macros_.clear();
+    channel_scope_->names.clear();
+    routines_.clear();
+    of_channel_ = false;
     ended_ = reread_ = jumped_ = needs_barrier_ = wants_barrier_ = called_ = false;
     fresh_ = true;   // cycle start is a barrier
     serial_ = 0;
@@ -201,6 +205,7 @@ Step Interpreter::read_block() {
     written_.clear();
     written_zeros_.clear();
     statement_ = nullptr;
+    execute_.clear();
     cursor_ = Cursor(line_);
     if (line_.size() > kLongestBlock) return fail(Alarm::LineTooLong), fault(core_.fault());
     if (cursor_.at_end()) return Step::Continue;
@@ -216,6 +221,27 @@ Step Interpreter::read_block() {
     }
     state_changed_ = true;
     reading_ = true;
+    bool ok = read_line();
+    for (unsigned nested = 0; ok && !execute_.empty() && !needs_barrier_; ++nested) {   // EXECSTRING: its text in the place of the line
+        if (nested == kDeepestText) {
+            ok = fail(Alarm::CallTooDeep, "EXECSTRING", kDeepestText);
+            break;
+        }
+        line_ = std::move(execute_);
+        execute_.clear();
+        block_.clear();
+        statement_ = nullptr;
+        cursor_ = Cursor(line_);
+        reading_ = true;
+        if (cursor_.at_end()) break;
+        ok = parse_head(skipped) && (skipped || cursor_.at_end() || read_line());
+    }
+    reading_ = false;
+    return after_block(ok);
+}
+
+// A statement, or words and what stands behind them.
+bool Interpreter::read_line() {
     bool ok = true;
     const std::string_view first = cursor_.name_ahead();
     const Symbol symbol = first.size() > 1 ? find_symbol(upper(first)) : Symbol{};
@@ -240,8 +266,7 @@ Step Interpreter::read_block() {
             ok = call_program(block_.program.name, std::move(block_.program.arguments), repeats, false);
         }
     }
-    reading_ = false;
-    return after_block(ok);
+    return ok;
 }
 
 // The statement itself; what it assigned is told when it has succeeded.

@@ -16,100 +16,14 @@
 #include <vector>
 
 #include "channels/language.hpp"
+#include "channels/sinumerik/block.hpp"
 #include "channels/sinumerik/cursor.hpp"
-#include "channels/sinumerik/geo_state.hpp"
+#include "channels/sinumerik/modal.hpp"
 #include "channels/sinumerik/settings.hpp"
-#include "channels/sinumerik/tables.hpp"
 #include "channels/sinumerik/text_index.hpp"
-#include "channels/sinumerik/tool_table.hpp"
 #include "ipc/params/registry.hpp"
 
 namespace polyturn::channels::sinumerik {
-
-// How a value counts: X=IC(5).
-enum class Mode : std::uint8_t { Plain, AC, IC, DC, ACP, ACN, CAC, CIC, CDC, CACP, CACN, DAC, DIC, RAC, RIC, QU, PM, PR, GP };
-
-struct Word {
-    const Address* address = nullptr;
-    int axis = -1;                    // place in the channel: of an axis word, or in NAME[axis]
-    std::int32_t index = -1;          // numeric extension or index; -1 none
-    bool spindle = false;             // the index names a spindle: S2, SPI(2)
-    bool has_value = false;
-    Mode mode = Mode::Plain;
-    Value value;
-    std::vector<Value> further;       // POSP[X]=(a, b, c)
-    std::uint16_t column = 0, length = 0;   // bytes, column from 1
-    double number() const { return value.number; }
-};
-
-// What a block says, gathered before anything acts.
-struct Block {
-    std::vector<Word> words;
-    std::vector<const GCode*> codes;                       // in the order of the text
-    std::array<const GCode*, kGroups> coded{};             // by group
-    std::vector<std::pair<const Command*, Call>> procedures;
-    struct ProgramCall {
-        std::string name;
-        std::vector<Argument> arguments;
-        bool wanted = false;
-    } program;
-    bool assigns = false;             // it has assignments
-    void clear() { words.clear(), codes.clear(), coded.fill(nullptr), procedures.clear(), program = {}, assigns = false; }
-    const GCode* group(unsigned number) const { return coded[number]; }
-};
-
-// MCALL: called behind each block that moves.
-struct ModalCall {
-    std::string name;
-    std::vector<Argument> arguments;
-};
-
-// Everything that holds from block to block beside positions, calls and variables: part of a resume state.
-struct Modal {
-    std::optional<double> inclined_deg;       // TRAANG: the angle programmed last
-    std::array<std::uint8_t, kGroups> active{};   // number of the active G command of each group
-    std::uint8_t motion_before = 0;
-    double feed = 0.0;                // F as it holds, mm/min, mm/rev or 1/min
-    double feed_per_tooth = 0.0;      // FZ; 0: F is in use
-    double teeth = 0.0;               // $TC_DPNT of the active edge
-    bool feed_revolution = false;     // what group 15 makes of F
-    double rpm_before_surface = 0.0;  // S before G96
-    std::array<std::uint8_t, kChannelAxes> axis_diameter{};   // DIAMONA and the like: as the numbers of group 29; 0: the channel's
-    double path_override = 100;       // OVR, percent
-    bool feed_group_set = false;      // FGROUP: F counts these axes
-    AxisSet feed_group = 0;
-    AxisValues feed_radius{};         // FGREF, mm; 0 as delivered
-    AxisValues feed_limit{};          // FL, mm/min or deg/min; 0 none
-    AxisValues axis_feed{};           // FA, mm/min or deg/min; 0 none
-    std::int64_t tool_selected = -1;  // T that waits for M6; -1 none
-    std::int64_t tool = 0;            // active tool
-    int edge = 0;                     // active D
-    std::shared_ptr<const Edge> edge_data;   // its values when it was selected
-    ToolLengths toff{};               // TOFFL, TOFF, TOFFR
-    bool toff_by_axis = false;
-    std::array<double, 3> length_mm{};          // of the active edge, L1 to L3
-    AxisValues pending_zero{}, pending_tool{};  // how far changes of zero and tool have shifted the programmed number
-    std::uint16_t master_spindle = 0;
-    std::map<std::uint16_t, SpindleState> spindles;   // of spindles that are not the master now
-    std::optional<ModalCall> call;
-    std::int64_t last_number = 0;
-    GeoModal geo;
-};
-
-// A program level: main program, subprogram, or a section that REPEAT runs.
-struct Level {
-    FileId file = 0;
-    TextPosition begin;               // first block
-    std::uint64_t end = ~std::uint64_t{0};   // sections: byte behind their last line
-    TextPosition call, resume;        // block of the caller, and where it goes on
-    std::int64_t repeats = 0;         // runs still to come after this one
-    bool section = false, block_only = false;   // REPEAT, REPEATB
-    bool modal_call = false;          // called by MCALL
-    bool save = false;                // PROC ... SAVE: modal state comes back
-    std::string name;
-    std::shared_ptr<Scope> scope;
-    std::shared_ptr<const Modal> saved;
-};
 
 class Interpreter final : public Language {
 public:
@@ -129,6 +43,7 @@ public:
     bool resume_at(std::uint64_t serial) override;
     bool may_resume_at(std::uint64_t serial) const override;
     bool offsets_changed() override;
+    bool interrupt(std::uint64_t serial, bool within, unsigned input) override;
 
     // --- what handlers need
     const Block& block() const { return block_; }
@@ -160,156 +75,55 @@ public:
     bool update_feed();                                                       // Core's feed from F, FZ, FB and group 15
 
     // --- G commands (g_settings.cpp)
-    bool g_nothing(const GCode&);
-    bool g_units(const GCode&);
-    bool g_plane(const GCode&);
-    bool g_distance(const GCode&);
-    bool g_feed_type(const GCode&);
-    bool g_diameter(const GCode&);
-    bool g_exact_stop(const GCode&);
-    bool g_exact_once(const GCode&);
+    bool g_nothing(const GCode&), g_units(const GCode&), g_plane(const GCode&), g_distance(const GCode&);
+    bool g_feed_type(const GCode&), g_diameter(const GCode&), g_exact_stop(const GCode&), g_exact_once(const GCode&);
     bool g_zero(const GCode&);
 
     // --- geometry (geo_*.cpp)
-    bool geo_motion(const GCode&);
-    bool geo_arc(const GCode&);
-    bool geo_cip(const GCode&);
-    bool geo_ct(const GCode&);
-    bool geo_thread(const GCode&);
-    bool geo_barrel(const GCode&);
-    bool geo_tap(const GCode&);
-    bool geo_tap_chuck(const GCode&);
-    bool geo_dwell(const GCode&);
-    bool geo_reference(const GCode&);
-    bool geo_fixed_point(const GCode&);
-    bool geo_frame(const GCode&);
-    bool geo_partial_shift(const GCode&);
-    bool geo_limits(const GCode&);
-    bool geo_pole(const GCode&);
-    bool geo_compensation(const GCode&);
-    bool geo_comp_option(const GCode&);
-    bool geo_comp_kind(const GCode&);
-    bool geo_approach(const GCode&);
-    bool geo_retract(const GCode&);
-    bool a_geometry(const Word&);
-    bool a_without_effect(const Word&);
-    bool f_ctrans(Call&);
-    bool f_cfine(Call&);
-    bool f_cscale(Call&);
-    bool f_crot(Call&);
-    bool f_cmirror(Call&);
-    bool f_crpl(Call&);
-    bool f_invframe(Call&);
+    bool geo_motion(const GCode&), geo_arc(const GCode&), geo_cip(const GCode&), geo_ct(const GCode&), geo_thread(const GCode&);
+    bool geo_barrel(const GCode&), geo_tap(const GCode&), geo_tap_chuck(const GCode&), geo_dwell(const GCode&);
+    bool geo_reference(const GCode&), geo_fixed_point(const GCode&), geo_frame(const GCode&), geo_partial_shift(const GCode&);
+    bool geo_limits(const GCode&), geo_pole(const GCode&), geo_compensation(const GCode&), geo_comp_option(const GCode&);
+    bool geo_comp_kind(const GCode&), geo_approach(const GCode&), geo_retract(const GCode&);
+    bool a_geometry(const Word&), a_without_effect(const Word&);
+    bool f_ctrans(Call&), f_cfine(Call&), f_cscale(Call&), f_crot(Call&), f_cmirror(Call&), f_crpl(Call&), f_invframe(Call&);
 
     // --- addresses (settings_words.cpp, tools.cpp, spindles.cpp)
-    bool a_feed(const Word&);
-    bool a_feed_tooth(const Word&);
-    bool a_override(const Word&);
-    bool a_feed_radius(const Word&);
-    bool a_feed_limit(const Word&);
-    bool a_axis_feed(const Word&);
-    bool a_axis_diameter(const Word&);
-    bool a_nothing(const Word&);
-    bool a_cutting_speed(const Word&);
-    bool a_surface_axis(const Word&);
-    bool a_limit(const Word&);
-    bool a_spindle_position(const Word&);
-    bool a_tool_length_offset(const Word&);
-    bool a_tool_axis_offset(const Word&);
-    bool a_tool_radius_offset(const Word&);
+    bool a_feed(const Word&), a_feed_tooth(const Word&), a_override(const Word&), a_feed_radius(const Word&);
+    bool a_feed_limit(const Word&), a_axis_feed(const Word&), a_axis_diameter(const Word&), a_nothing(const Word&);
+    bool a_cutting_speed(const Word&), a_surface_axis(const Word&), a_limit(const Word&), a_spindle_position(const Word&);
+    bool a_tool_length_offset(const Word&), a_tool_axis_offset(const Word&), a_tool_radius_offset(const Word&);
 
     // --- statements (statements.cpp, control.cpp, calls.cpp)
-    bool st_if();
-    bool st_else();
-    bool st_end_marker();
-    bool st_while();
-    bool st_end_while();
-    bool st_for();
-    bool st_end_for();
-    bool st_loop();
-    bool st_end_loop();
-    bool st_repeat();
-    bool st_until();
-    bool st_case();
-    bool st_goto();
-    bool st_def();
-    bool st_redef();
-    bool st_define();
-    bool st_proc();
-    bool st_extern();
-    bool st_call();
-    bool st_pcall();
-    bool st_extcall();
-    bool st_mcall();
-    bool st_return();
+    bool st_if(), st_else(), st_end_marker(), st_while(), st_end_while(), st_for(), st_end_for(), st_loop(), st_end_loop();
+    bool st_repeat(), st_until(), st_case(), st_goto(), st_def(), st_redef(), st_define(), st_proc(), st_extern(), st_call();
+    bool st_pcall(), st_extcall(), st_mcall(), st_return();
 
     // --- commands (functions.cpp, strings.cpp, procedures.cpp, coordination.cpp)
-    bool f_abs(Call&);
-    bool f_sin(Call&);
-    bool f_cos(Call&);
-    bool f_tan(Call&);
-    bool f_asin(Call&);
-    bool f_acos(Call&);
-    bool f_atan2(Call&);
-    bool f_sqrt(Call&);
-    bool f_pot(Call&);
-    bool f_trunc(Call&);
-    bool f_round(Call&);
-    bool f_roundup(Call&);
-    bool f_ln(Call&);
-    bool f_exp(Call&);
-    bool f_minval(Call&);
-    bool f_maxval(Call&);
-    bool f_bound(Call&);
-    bool f_isnumber(Call&);
-    bool f_number(Call&);
-    bool f_toupper(Call&);
-    bool f_tolower(Call&);
-    bool f_strlen(Call&);
-    bool f_index(Call&);
-    bool f_rindex(Call&);
-    bool f_mindex(Call&);
-    bool f_match(Call&);
-    bool f_substr(Call&);
-    bool f_sprint(Call&);
-    bool f_axname(Call&);
-    bool f_axstring(Call&);
-    bool f_isaxis(Call&);
-    bool f_spi(Call&);
-    bool f_axtospi(Call&);
-    bool f_modaxval(Call&);
-    bool f_isvar(Call&);
-    bool f_getvartyp(Call&);
-    bool f_stringis(Call&);
-    bool f_isfile(Call&);
-    bool f_gett(Call&);
-    bool f_newt(Call&);
-    bool f_getdno(Call&);
-    bool f_calcdat(Call&);
-    bool p_msg(Call&);
-    bool p_setal(Call&);
-    bool p_stopre(Call&);
-    bool p_setms(Call&);
-    bool p_wait_marker(Call&);
-    bool p_wait_end(Call&);
-    bool p_set_marker(Call&);
-    bool p_init(Call&);
-    bool p_start(Call&);
-    bool p_nothing(Call&);
-    bool p_fgroup(Call&);
-    bool p_diamchan(Call&);
-    bool p_spindle_control(Call&);
+    bool f_abs(Call&), f_sin(Call&), f_cos(Call&), f_tan(Call&), f_asin(Call&), f_acos(Call&), f_atan2(Call&), f_sqrt(Call&);
+    bool f_pot(Call&), f_trunc(Call&), f_round(Call&), f_roundup(Call&), f_ln(Call&), f_exp(Call&), f_minval(Call&);
+    bool f_maxval(Call&), f_bound(Call&), f_isnumber(Call&), f_number(Call&), f_toupper(Call&), f_tolower(Call&);
+    bool f_strlen(Call&), f_index(Call&), f_rindex(Call&), f_mindex(Call&), f_match(Call&), f_substr(Call&), f_sprint(Call&);
+    bool f_axname(Call&), f_axstring(Call&), f_isaxis(Call&), f_spi(Call&), f_axtospi(Call&), f_modaxval(Call&), f_isvar(Call&);
+    bool f_getvartyp(Call&), f_stringis(Call&), f_isfile(Call&), f_gett(Call&), f_newt(Call&), f_getdno(Call&), f_calcdat(Call&);
+    bool p_preset(Call&), p_geometry_axes(Call&), p_axis_profile(Call&), p_overlay_off(Call&), p_axis_exchange(Call&);
+    bool p_tool_of_spindle(Call&), p_lift_axes(Call&), p_feed_per_revolution(Call&), p_axis_per_revolution(Call&);
+    bool f_crots(Call&), f_addframe(Call&);
+    bool a_lift_position(const Word&), a_handwheel_feed(const Word&), a_axis_share(const Word&), a_thread_ramp(const Word&);
+    bool geo_involute(const GCode&), g_grinding(const GCode&);
+    bool st_execstring(), st_setint();
+    bool p_interrupts(Call&);
+    bool p_msg(Call&), p_setal(Call&), p_stopre(Call&), p_setms(Call&), p_wait_marker(Call&), p_wait_end(Call&);
+    bool p_set_marker(Call&), p_init(Call&), p_start(Call&), p_nothing(Call&), p_fgroup(Call&), p_diamchan(Call&);
+    bool p_spindle_control(Call&), p_wait_axis(Call&), p_wait_spindle(Call&), p_delt(Call&), p_wrtpr(Call&);
     bool p_transmit(Call&), p_tracyl(Call&), p_traang(Call&), p_tracon(Call&), p_traori(Call&), p_trafoof(Call&);   // geo_transform.cpp
     bool transformation_data(std::int64_t kind, const Call& c, std::size_t number_at, std::array<int, 3>& axes);
     bool switch_transformation(const Transformation& wanted);
-    bool p_wait_axis(Call&);
-    bool p_wait_spindle(Call&);
-    bool p_delt(Call&);
-    bool p_wrtpr(Call&);
 
 private:
     // reading and flow (interpreter.cpp)
     Step read_block();
+    bool read_line();
     Step after_block(bool ok);
     bool run_statement();
     void expand_macros();
@@ -340,13 +154,17 @@ private:
     bool check_block();
     bool act();
     bool settings_and_tools();
-    void motion_changes(const GCode& to);
+    bool motion_changes(const GCode& to);
     bool feed_word(const Word& word);
     AxisSet display_swapped() const;
     bool functions_before();
     bool motion();
     bool functions_after();
     bool positioning_axes();
+    bool drive_positioning_axis(std::size_t place, const AxisValues& target);
+    bool drive_in_parts(const Word& word, AxisValues target);
+    bool feed_source(const Argument& argument, std::uint16_t& spindle);
+    bool axis_argument(Call& call, std::size_t k, std::string_view name, std::size_t& place);
     void tell_feed_path();
     const GCode* motion_code() const;
     bool takes(const GCode& code, const Address& address) const;
@@ -354,7 +172,11 @@ private:
     // M S T D H (functions_ms.cpp, tools.cpp, spindles.cpp)
     bool m_number(const Word& word, std::int64_t& number, std::uint16_t& spindle);
     void m_to_plc(const Word& word, std::int64_t m);
+    double speed_of_tool(double m_min, double radius_mm, double most) const;
+    bool refresh_cutting_speeds();
     double m19_position(std::uint16_t spindle) const;
+    double spindle_data(std::string_view name) const;
+    void keep_spindle_data(std::string_view name, double value);
     bool tool_words();
     bool changes_tool() const;
     bool select_tool(const Word& word);
@@ -362,6 +184,8 @@ private:
     bool select_edge(int edge);
     void apply_tool();
     bool spindle_words();
+    bool spindle_closed(std::uint16_t spindle) const { return modal_.closed_spindles >> (spindle - 1) & 1u; }
+    void close_spindle(bool told);                             // position control, by the PLC's M19
     bool with_spindle(std::uint16_t spindle, const std::function<bool()>& act);
 
     // geometry (geo_*.cpp)
@@ -384,23 +208,42 @@ private:
     bool centre_by_radius(const AxisValues& target, double radius, ArcCall& call);
     Plane arc_plane() const;
     bool arc_by_words(bool clockwise, AxisValues target, AxisSet named);
+    bool go_curve(const AxisValues& target, const std::vector<AxisValues>& between, const Point3& tangent);
+    bool oblique_circle(const Point3& a, const Point3& b, const Point3& c, const AxisValues& target, std::int32_t turns);
+    std::size_t geometry_index(std::size_t place);             // 0 X, 1 Y, 2 Z
     bool arc_through(const Point3& a, const Point3& b, const Point3& c, const AxisValues& target);
     bool pitch_word(double& pitch, unsigned& axis, const Word*& said);
     double thread_start() const;
+    bool way_out(ThreadCall& call, const AxisValues& target);  // of a held thread: LFON
     bool barrel_arc(AxisValues& target, ArcCall& arc);
     bool within_areas(const AxisValues& target);
     bool limit_speed(const Word& word, bool high);
     Frame frame_of(const FrameValue& value) const;
     FrameValue components_of(const Frame& frame, const FrameValue& like) const;
     void use_frame();
+    // frames around it (settable_frames.cpp)
+    Frame outer_frame() const;
+    AxisValues programmable(const AxisValues& target) const;   // the point in the settable system
+    void choose_settable(int number, std::int32_t row);
+    FrameValue settable_frame(int number);
+    bool set_settable_frame(int number, const FrameValue& value);
+    bool frame_number(const std::string& name, const std::vector<Value>& indices, int most, int& number);
+    bool component_named(const std::string& name, const std::vector<Value>& indices, std::size_t first, std::size_t& place, std::string& part);
+    bool frame_component(const std::string& name, const FrameValue& frame, const std::vector<Value>& indices, std::size_t first, Value& value);
+    bool change_frame_component(const std::string& name, FrameValue& frame, const std::vector<Value>& indices, std::size_t first, const Value& value);
+    bool outer_frame_value(const std::string& name, const std::vector<Value>& indices, Value& value, bool& known);
+    bool write_outer_frame(const std::string& name, const std::vector<Value>& indices, const Value& value, bool& known);
     bool set_programmable_frame(const FrameValue& value);
     bool frame_words(const GCode& code, FrameValue& value, std::optional<Frame>& about);
     bool solid_angles(Frame& frame);
+    bool solid_angles(const std::array<std::optional<double>, 3>& of, Frame& frame);
+    void mirror_by_reference(FrameValue& said) const;
     bool f_frame(Call& call, std::string_view name);
     bool geometry_value(const std::string& name, const std::vector<Value>& indices, Value& value, bool& known);
     bool write_geometry(const std::string& name, const std::vector<Value>& indices, const Value& value, bool& known);
     static double& frame_part(FrameValue& frame, std::size_t place, const std::string& part, bool& known);
     bool update_compensation();
+    bool tilted();
     bool approach_words(const GCode& code, SoftApproach& soft);
     int approach_side(const SoftApproach& soft, double tp, double tq, double op, double oq) const;
     bool approach_line(const AxisValues& to, bool rapid, double feed, std::uint8_t mode);
@@ -433,24 +276,17 @@ private:
     // system variables (system_variables.cpp)
     bool system_value(Value& value);                         // at '$'
     bool system_name(std::string& name, std::vector<Value>& indices);
+    bool feed_value(const std::string& name, const std::vector<Value>& indices, const char* from, std::size_t length, Value& value, bool& known);
+    bool feed_counts(unsigned place) const;
     bool tool_value(const std::string& name, const std::vector<Value>& indices, const char* from, std::size_t length, Value& value);
     bool edge_cell(const std::string& name, const std::vector<Value>& indices, const char* from, std::size_t length, bool make, double*& cell);
     struct DataCell {
         const params::Row* row = nullptr;   // nullptr: no machine or setting data
         std::size_t slot = 0;
     };
+    bool is_data_name(std::string_view name) const;
     bool data_cell(const std::string& name, const std::vector<Value>& indices, const char* from, std::size_t length, DataCell& cell);
     bool write_data(const DataCell& cell, const std::string& name, double value, const char* from, std::size_t length);
-    struct ZeroCell {
-        int number = 0;               // n of $P_UIFR[n]
-        std::int32_t row = 0;
-        unsigned place = 0;
-        std::string part;             // TR FI RT SC MI
-        double* cell = nullptr;       // as the table shows it
-    };
-    bool zero_cell(const std::vector<Value>& indices, const char* from, std::size_t length, ZeroCell& at);
-    bool settable_value(const std::vector<Value>& indices, const char* from, std::size_t length, Value& value);
-    bool write_settable(const std::vector<Value>& indices, const char* from, std::size_t length, const Value& value);
     void tell_written_zeros();
     bool channel_of(const Value& value, unsigned& channel);
     bool marker_of(const Value& value, int& marker);
@@ -477,6 +313,15 @@ private:
     bool parse_type(Type& type, std::size_t& length);
     void undo(std::function<void()> back);
 
+    // interrupts (interrupts.cpp)
+    struct Routine {
+        std::string program;
+        bool enabled = true, at_block_end = false;
+    };
+    std::map<int, Routine> routines_;                            // by input
+    void arm_interrupts();
+    bool interrupt_input(const Value& value, const char* at, int& input);
+
     // resume states (resume.cpp)
     struct ResumeState;
     void note_resume_point();
@@ -498,6 +343,7 @@ private:
     Modal modal_;
     std::shared_ptr<Variable> r_;
     std::map<std::string, std::string, std::less<>> macros_;
+    std::map<int, FrameValue> settable_parts_, grinding_frames_;  // what the store does not keep of a frame
     std::map<std::string, Value, std::less<>> written_system_;   // markers and other values that a program may write
 
     // the block
@@ -515,6 +361,9 @@ private:
     std::vector<Written> written_;                               // told when the block acts
     struct WrittenZero { int number; std::int32_t row; unsigned place; double value; };
     std::vector<WrittenZero> written_zeros_;
+    bool of_channel_ = false;                                    // DEF CHAN
+    std::string execute_;                                        // EXECSTRING: the line that comes next
+    std::shared_ptr<Scope> channel_scope_ = std::make_shared<Scope>();   // DEF CHAN
     double block_feed_ = 0.0;                                    // FB
     double parts_ = 0;
     std::string message_;

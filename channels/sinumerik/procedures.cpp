@@ -106,7 +106,23 @@ bool Interpreter::p_wait_marker(Call& c) {
     return true;
 }
 
-bool Interpreter::p_wait_end(Call&) { return fail(Alarm::NotBuilt, "WAITE"); }
+// WAITE(channel ...): until the programs of the other channels have ended.
+bool Interpreter::p_wait_end(Call& c) {
+    constexpr std::int64_t kProgramEnd = 100;   // behind the markers
+    std::uint32_t channels = 1u << (core_.view().channel - 1);
+    for (std::size_t i = 0; i < c.arguments.size(); ++i) {
+        unsigned channel = 0;
+        if (!c.has(i)) return fail(Alarm::ArgumentCountIllegal, "WAITE", static_cast<double>(i));
+        if (!channel_of(c.value(i), channel)) return false;
+        if (channel == core_.view().channel) return fail(Alarm::ChannelIllegal, to_text(c.value(i)));   // it would wait for itself
+        channels |= 1u << (channel - 1);
+    }
+    core_.mark_emitted();
+    core_.sink().wait({kProgramEnd, "WAITE", channels, false}, core_.at);
+    stop_reading();
+    return true;
+}
+
 // SETM, CLEARM: the own markers, in the order of the path; the channel itself goes on.
 bool Interpreter::p_set_marker(Call& c) {
     const bool set = block_.procedures.front().first->name == "SETM";

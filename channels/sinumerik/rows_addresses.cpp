@@ -28,6 +28,21 @@ constexpr Address kRows[] = {
     {"AX", Index::Axis, Use::Block, nullptr, true, true},   // an axis word by a variable
     {"POS", Index::Axis, Use::Setting, &Interpreter::a_nothing, true, true},    // driven behind the path: positioning_axes()
     {"POSA", Index::Axis, Use::Setting, &Interpreter::a_nothing, true, true},
+    {"POSP", Index::Axis, Use::Setting, &Interpreter::a_nothing, true, true},
+    {"FD", Index::None, Use::Setting, &Interpreter::a_handwheel_feed, false},
+    {"FDA", Index::Axis, Use::Setting, &Interpreter::a_handwheel_feed, false, true},
+    {"OVRA", Index::Spindle, Use::Setting, &Interpreter::a_axis_share, false, true},
+    {"ACC", Index::Spindle, Use::Setting, &Interpreter::a_axis_share, false, true},
+    {"VELOLIM", Index::Spindle, Use::Setting, &Interpreter::a_axis_share, false, true},
+    {"JERKLIM", Index::Axis, Use::Setting, &Interpreter::a_axis_share, false, true},
+    {"ST", Index::None, Use::Setting, &Interpreter::a_without_effect, false},     // no input changes the feed of a block here
+    {"SR", Index::None, Use::Setting, &Interpreter::a_without_effect, false},
+    {"STA", Index::Axis, Use::Setting, &Interpreter::a_without_effect, false, true},
+    {"SRA", Index::Axis, Use::Setting, &Interpreter::a_without_effect, false, true},
+    {"FINEA", Index::Spindle, Use::Setting, &Interpreter::a_nothing, true, true, true},      // they end exactly
+    {"COARSEA", Index::Spindle, Use::Setting, &Interpreter::a_nothing, true, true, true},
+    {"IPOENDA", Index::Spindle, Use::Setting, &Interpreter::a_nothing, true, true, true},
+    {"POLF", Index::Axis, Use::Setting, &Interpreter::a_lift_position, true, true},
     {"DIAMONA", Index::Axis, Use::Setting, &Interpreter::a_axis_diameter, true, true, true},
     {"DIAM90A", Index::Axis, Use::Setting, &Interpreter::a_axis_diameter, true, true, true},
     {"DIAMOFA", Index::Axis, Use::Setting, &Interpreter::a_axis_diameter, true, true, true},

@@ -237,7 +237,7 @@ constexpr GCode kRows[] = {
     {"RMIBL", 62, 2, false, true, &Interpreter::g_nothing},
     {"RMEBL", 62, 3, false, false, &Interpreter::g_nothing},
     {"RMNBL", 62, 4, false, false, &Interpreter::g_nothing},
-    {"GFRAME0", 64, 1, true, true, &Interpreter::g_nothing},
+    {"GFRAME0", 64, 1, true, true, &Interpreter::g_grinding},
 };
 
 }  // namespace

@@ -35,8 +35,9 @@ constexpr Statement kRows[] = {
     {"PCALL", &Interpreter::st_pcall},
     {"EXTCALL", &Interpreter::st_extcall},
     {"MCALL", &Interpreter::st_mcall},
+    {"EXECSTRING", &Interpreter::st_execstring},
     {"ISOCALL", nullptr},
-    {"SETINT", nullptr},
+    {"SETINT", &Interpreter::st_setint},
     {"DO", nullptr}, {"WHEN", nullptr}, {"WHENEVER", nullptr}, {"EVERY", nullptr}, {"FROM", nullptr}, {"ID", nullptr}, {"IDS", nullptr},
 };
 

@@ -39,6 +39,13 @@ Settings read_settings(const params::Table& table, const MachineView& view) {
         s.area_high[a] = get(table, sd43420, a + 1), s.area_low[a] = get(table, sd43430, a + 1);
     }
     s.thread_start_deg = get(table, sd42000, l);
+    s.involute_error_mm = get(table, md21015, l);
+    s.approach_slack_mm = get(table, md20204, l);
+    s.lift_distance_mm = get(table, md21200, l);
+    s.area_with_radius = get(table, md21020, l) != 0;
+    s.mirror_reference = static_cast<int>(get(table, md10610));
+    s.dwell_cycle_s = (get(table, md10280) & 16) != 0 ? get(table, md10071) : 0.0;
+    s.corner_names = {std::string(get_text(table, md10652)), std::string(get_text(table, md10654)), std::string(get_text(table, md10656))};
     return s;
 }
 

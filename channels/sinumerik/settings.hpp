@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <string>
 
 #include "channels/machine_view.hpp"
 #include "ipc/params/table.hpp"
@@ -25,6 +26,13 @@ struct Settings {
     double m19_position_deg = 0.0;               // SD43240
     int m19_mode = 0;                            // SD43250
     double thread_start_deg = 0.0;               // SD42000
+    double involute_error_mm = 0.01;             // MD21015
+    double approach_slack_mm = 0.01;             // MD20204
+    double lift_distance_mm = 2.0;               // MD21200
+    bool area_with_radius = false;               // MD21020
+    int mirror_reference = 0;                    // MD10610
+    double dwell_cycle_s = 0.0;                  // MD10071 where MD10280 bit 4 asks for it; 0 not
+    std::array<std::string, 3> corner_names;     // MD10652 MD10654 MD10656: angle, rounding, chamfer
     bool mirror_toggle = false;                  // MD10612
     bool corner_alarm = false;                   // MD11411 bit 4
     int corner_idle_blocks = 3;                  // MD20200

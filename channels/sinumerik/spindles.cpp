@@ -18,9 +18,33 @@ bool Interpreter::a_cutting_speed(const Word& word) {
     if (group == 4 || group == 7 || group == 11) return fail_word(Alarm::CodesContradict, word, "SVC, G96");
     double speed = word.number();
     if (active(13) == 3) speed *= 0.3048;   // G700: feet a minute
-    double rpm = speed * 1000.0 / (2.0 * std::numbers::pi * radius);
-    if (found->second.max_velocity > 0) rpm = std::fmin(rpm, found->second.max_velocity);
-    return with_spindle(word.index > 0 ? static_cast<std::uint16_t>(word.index) : 0, [&] { return core_.spindle_speed(rpm); });
+    return with_spindle(word.index > 0 ? static_cast<std::uint16_t>(word.index) : 0, [&] {
+        const std::uint16_t n = core_.path.spindle.spindle;
+        if (n == 0 || spindle_closed(n)) return fail_word(n ? Alarm::CodesContradict : Alarm::SpindleMissing, word, "SVC, SPOS");
+        modal_.cutting_speeds |= 1u << (n - 1);
+        modal_.cutting_speed_m_min[n] = speed;
+        return core_.spindle_speed(speed_of_tool(speed, radius, found->second.max_velocity));
+    });
+}
+
+double Interpreter::speed_of_tool(double m_min, double radius_mm, double most) const {
+    const double rpm = m_min * 1000.0 / (2.0 * std::numbers::pi * radius_mm);
+    return most > 0 ? std::fmin(rpm, most) : rpm;
+}
+
+// Another tool or offset: spindles whose speed comes from SVC turn as it asks now.
+bool Interpreter::refresh_cutting_speeds() {
+    if (!modal_.cutting_speeds || !modal_.edge_data) return true;
+    const Edge& edge = *modal_.edge_data;
+    const double radius = edge.dp[6] + edge.dp[15] + edge.sum[1][6] + edge.setup[1][6];
+    if (radius <= 0) return true;
+    const auto found = tools_.find(modal_.tool);
+    const double most = found == tools_.end() ? 0.0 : found->second.max_velocity;
+    for (std::uint16_t n = 1; n <= kMaxSpindles; ++n) {
+        if (!(modal_.cutting_speeds >> (n - 1) & 1u)) continue;
+        if (!with_spindle(n, [&] { return core_.spindle_speed(speed_of_tool(modal_.cutting_speed_m_min[n], radius, most)) && core_.commit_spindle(); })) return false;
+    }
+    return true;
 }
 
 // SCC[axis]: another geometry axis carries the radius of G96.

@@ -39,6 +39,8 @@ bool Interpreter::is_system_variable(std::string_view name) const {
     static constexpr std::string_view kNames[] = {
         "$PI", "$P_GG", "$P_F", "$P_S", "$P_SDIR", "$P_TOOLNO", "$P_TOOL", "$P_TOOLR", "$P_TOOLL", "$P_TOOLND", "$P_EP", "$P_TOFF", "$P_TOFFL", "$P_TOFFR", "$P_FZ", "$P_F_TYPE",
         "$P_MSNUM", "$P_CHANNO", "$P_PROG", "$P_LINENO", "$P_STACK", "$P_REPINF", "$P_ISTEST", "$P_SEARCH", "$P_AXN1", "$P_AXN2", "$P_AXN3", "$P_AD", "$P_DRYRUN",
+        "$P_SVC", "$P_S_TYPE", "$PA_FGROUP", "$PA_FGREF", "$P_FGROUP_MASK", "$AC_FGROUP_MASK", "$AA_FGROUP", "$AA_FGREF", "$AC_TOFF", "$AC_TOFFL", "$AC_TOFFR", "$AC_FZ", "$AC_F_TYPE", "$AC_SVC", "$AC_S_TYPE",
+        "$P_APR", "$P_AEP", "$P_APDV", "$P_PFRAME", "$P_ACTFRAME", "$P_IFRAME", "$P_ACTBFRAME", "$P_BFRAME", "$P_CHBFRAME", "$P_GFRAME", "$P_GFR", "$AC_LIFTFAST", "$AA_ACC",
         "$AA_IM", "$AA_IW", "$AA_IB", "$AA_S", "$AC_MARKER", "$AC_PARAM", "$AC_TIME", "$A_YEAR", "$A_MONTH", "$A_DAY", "$A_HOUR", "$A_MINUTE", "$A_SECOND", "$A_IN", "$A_OUT",
         "$AN_LANGUAGE_ON_HMI", "$P_ACTID", "$P_UIFR", "$P_UIFRNUM", "$P_NUM_SPINDLES"};
     for (const std::string_view known : kNames)
@@ -82,7 +84,6 @@ bool Interpreter::system_value(Value& value) {
         else value = Value::of_real(state.mode == SpindleModeCode::SurfaceSpeed ? state.surface_m_min : state.rpm);
         return true;
     }
-    if (name == "$P_UIFR") return settable_value(indices, from, length, value);
     if (name == "$P_TOOLNO") return value = Value::of_int(static_cast<double>(modal_.tool)), true;
     if (name == "$P_TOOL") return value = Value::of_int(modal_.edge), true;
     if (name == "$P_TOOLR") return value = Value::of_real(path.tool.nose_radius), true;
@@ -91,21 +92,8 @@ bool Interpreter::system_value(Value& value) {
         if (!(i >= 1 && i <= 3)) return fail_at(Alarm::ArrayIndexIllegal, from, length, name, i);
         return value = Value::of_real(modal_.length_mm[static_cast<std::size_t>(i) - 1]), true;
     }
-    if (name == "$P_TOFFL" || name == "$P_TOFF") {
-        std::size_t i = 0;
-        if (name == "$P_TOFF") {
-            static constexpr PlaneRole kRoles[] = {PlaneRole::BasicX, PlaneRole::BasicY, PlaneRole::BasicZ};
-            if (place(0) < 0) return fail_at(Alarm::AxisArgumentMissing, from, length, name);
-            while (i < 3 && core_.view().axes[static_cast<std::size_t>(place(0))].role != kRoles[i]) ++i;
-        } else {
-            i = static_cast<std::size_t>(std::fmin(std::fmax(number(0), 1.0), 9.0)) - 1;
-        }
-        if (i > 2) return fail_at(Alarm::ArrayIndexIllegal, from, length, name, number(0));
-        return value = Value::of_real(modal_.toff_by_axis == (name == "$P_TOFF") ? modal_.toff.length_mm[i] : 0.0), true;
-    }
-    if (name == "$P_TOFFR") return value = Value::of_real(modal_.toff.radius_mm), true;
-    if (name == "$P_FZ") return value = Value::of_real(modal_.feed_revolution ? modal_.feed_per_tooth : 0.0), true;
-    if (name == "$P_F_TYPE") return value = Value::of_int(!modal_.feed_revolution ? 0 : modal_.feed_per_tooth > 0 ? 11 : 1), true;
+    if (bool known = false; !feed_value(name, indices, from, length, value, known)) return false;
+    else if (known) return true;
     if (name == "$P_MSNUM") return value = Value::of_int(modal_.master_spindle), true;
     if (name == "$P_CHANNO") return value = Value::of_int(core_.view().channel), true;
     if (name == "$P_STACK") return value = Value::of_int(core_.at.stack_depth), true;
@@ -129,6 +117,10 @@ bool Interpreter::system_value(Value& value) {
     }
     if (name == "$AN_LANGUAGE_ON_HMI") return value = Value::of_int(3), true;
     if (name.starts_with("$TC_")) return tool_value(name, indices, from, length, value);
+    if (name == "$AC_LIFTFAST") {   // what a program has written: a retraction that ends the channel does not come back to it
+        const auto found = written_system_.find(name);
+        return value = Value::of_int(found == written_system_.end() ? 0.0 : found->second.number), true;
+    }
     if (name == "$AC_MARKER" || name == "$AC_PARAM" || name == "$A_IN" || name == "$A_OUT") {
         if (indices.size() != 1 || !indices[0].is_number()) return fail_at(Alarm::ArrayIndexIllegal, from, length, name);
         if (!need_fresh()) return false;
@@ -206,7 +198,6 @@ bool Interpreter::parse_system_assignment() {
     const char* const at = cursor_.at();
     Value value;
     if (!expression(value)) return false;
-    if (name == "$P_UIFR") return write_settable(indices, from, length, value);
     const auto key = [&] { return name + "[" + to_text(Value::of_int(std::nearbyint(indices[0].number))) + "]"; };
     if (name == "$TC_TP2" || name == "$TC_TP_MAX_VELO") {
         if (indices.size() != 1 || !indices[0].is_number()) return fail_at(Alarm::ArrayIndexMissing, from, length, name);
@@ -229,6 +220,11 @@ bool Interpreter::parse_system_assignment() {
         undo([cell, before = *cell] { *cell = before; });
         *cell = value.number;
         written_.push_back({fmt::format("{}[{:.0f},{:.0f}]", name, indices[0].number, indices[1].number), value});
+        return true;
+    }
+    if (name == "$AC_LIFTFAST" && indices.empty() && value.is_number()) {
+        undo([this, before = written_system_["$AC_LIFTFAST"]] { written_system_["$AC_LIFTFAST"] = before; });
+        written_system_["$AC_LIFTFAST"] = Value::of_int(value.number);
         return true;
     }
     if (name == "$AC_MARKER" || name == "$AC_PARAM" || name == "$A_OUT") {

@@ -26,7 +26,6 @@ struct Tables {
             zero.number = static_cast<std::uint8_t>(n - 499);
             codes.push_back(zero);
         }
-        grinding.act = nullptr;
         grinding.preset = false;
         for (unsigned n = 1; n <= 100; ++n) {
             grinding.name = names.emplace_back("GFRAME" + std::to_string(n));

@@ -62,7 +62,7 @@ struct Command {
     std::string_view name;
     bool function = false;               // yields a value
     std::uint8_t least = 0, most = 0;    // arguments
-    std::string_view types;              // of the arguments, the last one repeats: r number, s text, a axis, b bool, c char, f frame, v variable, * any
+    std::string_view types;              // of the arguments, the last one repeats, with + at the end all of them do: r number, s text, a axis, b bool, c char, f frame, v variable, * any
     using Act = bool (Interpreter::*)(Call&);
     Act act = nullptr;
     bool own_block = false;              // nothing else may stand in its block

@@ -93,7 +93,7 @@ bool Interpreter::select_edge(int edge) {
     modal_.edge_data = edge > 0 ? std::make_shared<const Edge>(found->second.edges.at(edge)) : nullptr;   // changed values wait for the next T or D
     modal_.teeth = modal_.edge_data ? modal_.edge_data->teeth : 0.0;
     apply_tool();
-    return true;
+    return refresh_cutting_speeds();
 }
 
 // Lengths become a shift of their axes: an axis takes it along with its next word.

@@ -15,6 +15,7 @@ Reference Interpreter::find_variable(std::string_view name) const {
         if (found != level->scope->names.end()) return found->second;
         break;
     }
+    if (const auto found = channel_scope_->names.find(name); found != channel_scope_->names.end()) return found->second;
     return {};
 }
 
@@ -67,6 +68,10 @@ bool Interpreter::reference_ahead(Reference& reference) {
         std::vector<Value> indices;
         if (!index_list(indices)) return false;
         // STRING[i] means a character; a frame variable's components are the geometry's.
+        if (found.variable->type == Type::Frame && indices.size() == found.variable->dimensions.size() + 2) {
+            found.component.assign(indices.end() - 2, indices.end());
+            indices.resize(indices.size() - 2);
+        }
         if (!element_of(*found.variable, indices, from, found.element)) return false;
         found.whole = false;
     }
@@ -181,6 +186,12 @@ bool Interpreter::assignment(const Reference& reference) {
     }
     if (reference.whole && !reference.variable->dimensions.empty()) return fail_at(Alarm::ArrayIndexMissing, at, 1, reference.variable->name);
     Value value;
+    if (!reference.component.empty()) {
+        FrameValue frame = reference.cell().frame ? *reference.cell().frame : FrameValue{};
+        if (!expression(value) || !change_frame_component(reference.variable->name, frame, reference.component, 0, value)) return false;
+        store(reference, Value::of_frame(frame));
+        return true;
+    }
     return expression(value) && assign(reference, std::move(value), at);
 }
 

@@ -56,6 +56,11 @@ bool Interpreter::parse_word() {
     const bool one_letter = name.size() == 1 || is_digit(name[1]);
     if (one_letter && is_letter(c)) return parse_letter_word(begin);
     Symbol symbol = find_symbol(word);
+    if (symbol.kind == Symbol::Kind::None) {   // MD10652 MD10654 MD10656
+        static constexpr std::string_view kNames[] = {"ANG", "RND", "CHR"};
+        for (std::size_t k = 0; k < 3; ++k)
+            if (word == settings_.corner_names[k]) symbol = find_symbol(kNames[k]);
+    }
     if (symbol.kind != Symbol::Kind::None) return parse_named_word(begin, word, symbol);
     // An axis of several letters, perhaps with a numeric extension.
     if (const int axis = find_axis(word); axis >= 0 && axis < kSpindleAxis) {
@@ -279,8 +284,26 @@ bool Interpreter::read_value(Word& word) {
                 }
     }
     word.has_value = true;
-    // A list in brackets: only where several values belong together (POSP), else it is an expression.
-    return expression(word.value);
+    if (word.address->name != "POSP" || word.mode != Mode::Plain || !cursor_.eat('(')) return expression(word.value);
+    // (end, part, mode): values that belong together
+    const std::string_view first = cursor_.name_ahead();
+    for (const ModeName& row : kModes) {
+        Cursor after = cursor_;
+        after.advance(first.size());
+        if (first.empty() || upper(first) != row.name || after.peek() != '(') continue;
+        cursor_ = after;
+        word.mode = row.mode;
+        break;
+    }
+    if (!expression(word.value)) return false;
+    while (cursor_.eat(',')) {
+        Value further;
+        const char* const at = cursor_.at();
+        if (!expression(further)) return false;
+        if (!further.is_number()) return fail_at(Alarm::OperandTypeIllegal, at, 1, "POSP");
+        word.further.push_back(std::move(further));
+    }
+    return cursor_.eat(')') || syntax(cursor_.at(), ")");
 }
 
 bool Interpreter::add_word(Word word, const char* begin) {

@@ -212,9 +212,9 @@ bool Core::dwell(double value, bool revolutions) {
     return true;
 }
 
-void Core::aux(char letter, double value, std::string_view text, bool drained) {
+void Core::aux(char letter, double value, std::string_view text, bool drained, bool silent) {
     emitted_ = true;
-    sink_->aux({letter, value, text, drained}, at);
+    sink_->aux({letter, value, text, drained, silent}, at);
 }
 
 }  // namespace polyturn::channels

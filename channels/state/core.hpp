@@ -74,6 +74,7 @@ struct FeedPath {
     AxisValues weight{};                    // mm that a millimetre or degree of the axis counts
     AxisValues limit_mm_min{};              // speed of the axis that the path must keep; 0 none
     double scale = 1.0;                     // programmed override of the feed
+    double rapid_scale = 1.0;               // and of rapid, 1 at the most
 };
 
 // All of it, plain: a resume state is a copy.
@@ -134,6 +135,7 @@ struct ThreadCall {
     // Way out when the thread is held, as Move has it. Not told: PT_THREAD_RETRACT against the last infeed.
     std::array<std::int8_t, 3> withdraw_axis{-1, -1, -1};
     std::array<double, 3> withdraw{};
+    bool own_withdrawal = false;            // what is told here counts, PT_THREAD_RETRACT does not: nothing told, no way out
     const ArcCall* arc = nullptr;           // on an arc, by its centre
 };
 
@@ -206,6 +208,8 @@ public:
     bool rapid(const AxisValues& target);
     bool linear(const AxisValues& target);
     bool arc(const AxisValues& target, const ArcCall& call);
+    // Along the points between, which lie on the curve as close together as a straight line may replace it.
+    bool curve(const AxisValues& target, const std::vector<AxisValues>& between);
     bool thread(const AxisValues& target, const ThreadCall& call);
     // Until the input comes; a barrier follows, then take_skip(). feed 0: the modal one.
     // release: until the signal goes instead.
@@ -258,7 +262,7 @@ public:
     // --- everything else
     bool dwell(double value, bool revolutions);
     void signal(std::string_view name, double value) { emitted_ = true, sink_->signal(name, value, at); }
-    void aux(char letter, double value, std::string_view text, bool drained);
+    void aux(char letter, double value, std::string_view text, bool drained, bool silent = false);
     // What a block says about the spindle is gathered and told once, by commit_spindle().
     bool spindle_speed(double value);                     // S word: 1/min, or m/min with G96
     bool spindle_turn(SpindleTurn turn);
@@ -279,6 +283,7 @@ private:
     bool begin_move(const AxisValues& target, MoveKind kind);
     bool shape_arc(ArcCall call, unsigned p, unsigned q, bool& moves);
     bool feed_ready();
+    double rapid_speed() const;
     void tell_feed_path();
     bool spindle_ready(Alarm otherwise);
     void choose_withdrawal(const ThreadCall& call, unsigned along);

@@ -1,4 +1,5 @@
 // Moves: from a target in the workpiece system to what the machine's axes do.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -107,6 +108,12 @@ void Core::deliver() {
     }
     for (unsigned i = 0; i < view_->axis_count; ++i)
         if (view_->axes[i].rollover) move_.pos[i] = wrapped(move_.pos[i], view_->axes[i].rollover_deg);
+    if (staged_ && move_.kind != MoveKind::ArcCw && move_.kind != MoveKind::ArcCcw) {   // a corner lies in the plane that holds
+        int p = -1, q = -1;
+        plane_axes(p, q);
+        move_.plane_p = static_cast<std::uint8_t>(std::max(p, 0));
+        move_.plane_q = static_cast<std::uint8_t>(std::max(q, 0));
+    }
     if (reads_ahead()) tell_nose();
     sink_->move(move_, at);
 }
@@ -168,6 +175,7 @@ bool Core::rapid(const AxisValues& target) {
         move_.feed_mode = FeedMode::Rapid;
         move_.feed = 0.0;
         move_.spindle = 0;
+        move_.speed_limit = path.feed_path.rapid_scale < 1 ? path.feed_path.rapid_scale * rapid_speed() : 0.0;
         deliver();
         path.after_thread = false;
     } else if (compensating_) {
@@ -175,6 +183,18 @@ bool Core::rapid(const AxisValues& target) {
     }
     accept(target);
     return true;
+}
+
+// Along the path, mm/min: the axis that reaches its rapid traverse first sets it.
+double Core::rapid_speed() const {
+    double linear2 = 0.0, rotary2 = 0.0, slowest = 0.0;
+    for (AxisSet left = move_.moved; left; left &= left - 1) {
+        const auto i = static_cast<unsigned>(__builtin_ctz(left));
+        const double way = std::fabs(move_.machine[i] - move_.machine_start[i]);
+        (view_->axes[i].rotary ? rotary2 : linear2) += way * way;
+        if (view_->axes[i].rapid_mm_min > 0) slowest = std::fmax(slowest, way / view_->axes[i].rapid_mm_min);   // minutes
+    }
+    return slowest > 0 ? std::sqrt(linear2 > 0 ? linear2 : rotary2) / slowest : 0.0;
 }
 
 bool Core::linear(const AxisValues& target) {
@@ -269,6 +289,45 @@ AxisSet Core::take_skip() {
     return early;
 }
 
+bool Core::curve(const AxisValues& target, const std::vector<AxisValues>& between) {
+    if (compensating_) return fail(Alarm::CurveUnderCompensation, 0, std::string(at.cycle));
+    if (!begin_move(target, MoveKind::Linear)) return false;
+    auto through = std::make_shared<std::vector<AxisValues>>();
+    through->reserve(between.size());
+    AxisSet moved = move_.moved;
+    AxisValues before = move_.machine_start;
+    for (const AxisValues& inner : between) {
+        const AxisValues point = path.framed ? framed(inner) : inner;
+        AxisValues machine = move_.machine_start;
+        double step2 = 0.0;
+        for (unsigned i = 0; i < view_->axis_count; ++i) {
+            const double there = point[i] + path.turns_deg[i] + path.zero[i] + path.shift[i] + path.wanted[i];
+            if (std::fabs(there - machine[i]) > kSame) moved |= 1u << i, machine[i] = there;
+            step2 += (machine[i] - before[i]) * (machine[i] - before[i]);
+        }
+        if (!within_stroke(machine, moved)) return false;
+        if (step2 < kSamePoint * kSamePoint) continue;
+        before = machine;
+        through->push_back(machine);
+    }
+    const auto at_end = [&](const AxisValues& point) {
+        double way2 = 0.0;
+        for (unsigned i = 0; i < view_->axis_count; ++i) way2 += (point[i] - move_.machine[i]) * (point[i] - move_.machine[i]);
+        return way2 < kSamePoint * kSamePoint;
+    };
+    while (!through->empty() && at_end(through->back())) through->pop_back();
+    move_.moved = moved;
+    if (!moved) return accept(target), true;
+    if (!feed_ready()) return false;
+    if (path.feed_path.active || path.feed_path.scale != 1) move_.feed_scale = path.feed_path.scale, move_.speed_limit = 0.0;   // the curve's own length counts
+    move_.through = std::move(through);
+    deliver();
+    move_.through = nullptr;
+    path.after_thread = false;
+    accept(target);
+    return true;
+}
+
 bool Core::arc(const AxisValues& target, const ArcCall& programmed) {
     int pi = -1, qi = -1;
     plane_axes(pi, qi);
@@ -352,7 +411,7 @@ bool Core::shape_arc(ArcCall call, unsigned p, unsigned q, bool& moves) {
 void Core::choose_withdrawal(const ThreadCall& call, unsigned along) {
     move_.withdraw_axis = call.withdraw_axis;
     move_.withdraw = call.withdraw;
-    if (call.withdraw_axis[0] >= 0) return;
+    if (call.withdraw_axis[0] >= 0 || call.own_withdrawal) return;
     const double distance = params::get(view_->table(), params::pt_thread_retract, view_->channel);
     if (distance <= 0.0) return;
     int p = -1, q = -1;

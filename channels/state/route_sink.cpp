@@ -23,6 +23,13 @@ void RouteSink::move(const Move& m, const BlockContext& at) {
         routed_.path_start[i] = axis.to_drive(m.path_start[i]);
         routed_.path[i] = axis.to_drive(m.path[i]);
     }
+    if (m.through) {
+        auto through = std::make_shared<std::vector<AxisValues>>(*m.through);
+        for (AxisValues& point : *through)
+            for (unsigned i = 0; i < view_->axis_count; ++i)
+                if (view_->axes[i].turned_round()) point[i] = view_->axes[i].to_drive(point[i]);
+        routed_.through = std::move(through);
+    }
     if (m.kind == MoveKind::ArcCw || m.kind == MoveKind::ArcCcw) {
         const ChannelAxis &p = view_->axes[m.plane_p], &q = view_->axes[m.plane_q];
         const bool p_here = !m.kinematics || !has_role(*m.kinematics, m.plane_p), q_here = !m.kinematics || !has_role(*m.kinematics, m.plane_q);

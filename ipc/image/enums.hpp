@@ -46,6 +46,8 @@ enum RecordFlag : std::uint32_t {
     kReference = 1u << 12,   // reported as a move of kind reference
     kTapping = 1u << 16,     // rigid tapping: the last slot is a spindle (axis[i] = kMaxAxes + spindle from 0), in revolutions
     kTapOut = 1u << 17,      // and this is the way out of the hole
+    kMoreBefore = 1u << 19,  // a piece of a curve: its move has begun with an earlier one
+    kMoreBehind = 1u << 20,  // and ends with a later one
     kFixedStop = 1u << 18,   // ends where the axis stops moving though its drive gives the torque of `value` (thousandths)
 };
 

@@ -148,13 +148,16 @@ bool ChannelRunner::dwell(const PathRecord& r, double& left) noexcept {
     if (phase_ != Phase::Dwell) {
         phase_ = Phase::Dwell;
         dwell_left_ = r.feed;
+        dwell_since_ = core_.tick;
     }
     if (hold_ || interrupted_ || core_.all_stop || state_ != ChannelState::Running) return false;
     double rate = 1.0;  // seconds or revolutions a second
     if (static_cast<FeedMode>(r.feed_mode) == FeedMode::Revolutions) {
         const bool known = r.spindle >= 1 && r.spindle <= kMaxSpindles;
         rate = known ? std::fabs(core_.spindle_rev_s[r.spindle - 1]) : 0.0;
-        if (!known || (core_.spindles[r.spindle - 1].command() == 0.0 && rate < kStandingRevS)) {
+        // The PLC may still be writing SP_ROT, as with a feed per revolution.
+        const bool answered = core_.tick > dwell_since_ + 3 * core_.config.plc_cycle_ticks;
+        if (!known || (answered && core_.spindles[r.spindle - 1].command() == 0.0 && rate < kStandingRevS)) {
             raise(Alarm::SpindleStands, name_of('S', r.spindle ? r.spindle - 1u : 0u).view());
             return false;
         }

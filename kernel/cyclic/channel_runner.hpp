@@ -91,6 +91,9 @@ public:
     bool in_handshake() const noexcept { return phase_ == Phase::Handshake; }
 
     ChannelState state() const noexcept { return state_; }
+    bool idle() const noexcept {   // no program of it runs
+        return state_ == ChannelState::Reset || state_ == ChannelState::Ended || state_ == ChannelState::Dead || state_ == ChannelState::Absent;
+    }
     StopReason stop_reason() const noexcept { return stop_reason_; }
     bool program_runs() const noexcept { return state_ == ChannelState::Running || state_ == ChannelState::Held || state_ == ChannelState::Waiting || state_ == ChannelState::ProgramStop; }
     // Its axes move by the revolutions of this spindle (from 1).
@@ -250,6 +253,7 @@ private:
     std::array<std::uint8_t, kMaxPathAxes> last_axes_{};  // of the last move: who must be in position
     std::uint32_t last_axis_count_ = 0;
     double dwell_left_ = 0;
+    std::int64_t dwell_since_ = 0;   // tick at which it began
     std::uint64_t cursor_record_ = 0, tapped_ = kNoRecord;   // record that is placed; and the last tapping one of them
     double tap_from_ = 0;                  // revolutions at which that began
     std::int32_t strobe_ = 0;

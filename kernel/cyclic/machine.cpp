@@ -164,6 +164,9 @@ void Machine::run_channels() noexcept {
     turn_wheels();
     for (auto& channel : channels_) channel->supply();
     for (auto& channel : channels_) channel->run();
+    ChannelSet idle = 0;
+    for (unsigned l = 0; l < channels_.size(); ++l) idle |= channels_[l]->idle() ? ChannelSet{1} << l : ChannelSet{0};
+    core_.waits.idle(idle);
     const ChannelSet released = core_.waits.release(core_.no_wait());
     if (released) ++core_.meetings;
     for (unsigned l = 0; released >> l; ++l)

@@ -18,7 +18,8 @@ ChannelSet WaitBoard::missing(unsigned channel, ChannelSet no_wait) const noexce
         const ChannelSet bit = ChannelSet{1} << k;
         if (k == channel || !(mine.set & bit) || (no_wait & bit)) continue;
         const Arrival& other = arrivals_[k];
-        if (!(other.here && other.code == mine.code && other.set == mine.set) && !marked(k, mine.code)) out |= bit;
+        const bool meets = mine.code == kProgramEnd ? ended(k, mine.code) : (other.here && other.code == mine.code && other.set == mine.set) || marked(k, mine.code);
+        if (!meets) out |= bit;
     }
     return out;
 }
@@ -52,7 +53,7 @@ WaitBoard::Verdict WaitBoard::judge(unsigned channel, ChannelSet no_wait) const 
     if (!mine.here) return {};
     for (unsigned k = 0; k < kMaxChannels; ++k) {
         const Arrival& other = arrivals_[k];
-        if (k != channel && other.here && other.code == mine.code && other.set != mine.set && (other.set & mine.set))
+        if (mine.code != kProgramEnd && k != channel && other.here && other.code == mine.code && other.set != mine.set && (other.set & mine.set))
             return {Fault::OtherSet, ChannelSet{1} << k};
     }
     // A channel leaves only when all that it misses have come, so one stuck partner suffices: walk from this channel along

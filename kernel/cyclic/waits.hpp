@@ -30,6 +30,10 @@ public:
         ChannelSet with = 0;  // the channels it concerns beside the one that arrived
     };
 
+    // Code of a wait for the end of the programs of its set, whatever those wait for themselves.
+    static constexpr std::int32_t kProgramEnd = 100;
+    void idle(ChannelSet set) noexcept { idle_ = set; }   // channels in which no program runs, told each tick
+
     // Channels count from 0 here.
     void arrive(unsigned channel, std::int32_t code, ChannelSet set) noexcept { arrivals_[channel] = {true, code, set}; }
     void leave(unsigned channel) noexcept { arrivals_[channel].here = false; }
@@ -50,7 +54,9 @@ public:
 
 private:
     static constexpr std::int32_t kMarkers = 100;
+    bool ended(unsigned channel, std::int32_t code) const noexcept { return code == kProgramEnd && (idle_ >> channel & 1u); }
     std::array<Arrival, kMaxChannels> arrivals_{};
+    ChannelSet idle_ = 0;
     std::array<std::array<bool, kMarkers>, kMaxChannels> marks_{};
 };
 

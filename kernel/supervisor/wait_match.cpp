@@ -23,6 +23,8 @@ std::string set_text(std::uint32_t set) {
 
 std::uint32_t bit_of(unsigned channel) { return 1u << (channel - 1); }
 
+const std::string kProgramEnd = "WAITE";   // a wait that the end of the others' programs opens
+
 }  // namespace
 
 void WaitMatcher::arrive(unsigned channel, WaitPoint wait) {
@@ -35,6 +37,7 @@ void WaitMatcher::mark(unsigned channel, const std::string& code) { tracks_[chan
 
 void WaitMatcher::end(unsigned channel, bool broken) {
     tracks_[channel].ended = true;
+    tracks_[channel].markers.insert(kProgramEnd);
     tracks_[channel].broken = broken;
 }
 
@@ -71,11 +74,12 @@ std::vector<unsigned> WaitMatcher::meet() {
             std::uint32_t here = 0, marked = 0;
             for (const auto& [other, one] : tracks_) {
                 const WaitPoint* there = standing(other);
-                if (there && (set & bit_of(other)) && there->code == wait->code && (there->set | bit_of(other)) == set) here |= bit_of(other);
+                if (wait->code == kProgramEnd && other != channel) marked |= one.ended ? set & bit_of(other) : 0u;
+                else if (there && (set & bit_of(other)) && there->code == wait->code && (there->set | bit_of(other)) == set) here |= bit_of(other);
                 else if ((set & bit_of(other)) && one.markers.count(wait->code)) marked |= bit_of(other);
             }
             if ((here | marked) != set) continue;
-            if (set != bit_of(channel)) ++meetings_;  // a set of one channel passes at once and is no meeting
+            if (set != bit_of(channel) && wait->code != kProgramEnd) ++meetings_;  // a set of one channel passes at once and is no meeting
             const std::string code = wait->code;
             for (unsigned other = 1; other <= 32; ++other)
                 if (here & bit_of(other)) tracks_[other].markers.erase(code), advance(other), released.push_back(other);
@@ -89,7 +93,7 @@ std::vector<unsigned> WaitMatcher::meet() {
 bool WaitMatcher::report_different_sets(std::vector<WaitFault>& faults) {
     for (const auto& [channel, track] : tracks_) {
         const WaitPoint* wait = standing(channel);
-        if (!wait) continue;
+        if (!wait || wait->code == kProgramEnd) continue;
         // A partner that stands at the same code with another set, or will next come to it with another one.
         std::vector<unsigned> members;
         bool different = false;

@@ -1,0 +1,82 @@
+// What holds from block to block, and the levels of programs that are running: together a resume state.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "channels/program_files.hpp"
+#include "channels/sinumerik/geo_state.hpp"
+#include "channels/sinumerik/tables.hpp"
+#include "channels/sinumerik/tool_table.hpp"
+#include "channels/state/core.hpp"
+
+namespace polyturn::channels::sinumerik {
+
+// MCALL: called behind each block that moves.
+struct ModalCall {
+    std::string name;
+    std::vector<Argument> arguments;
+};
+
+// Everything that holds from block to block beside positions, calls and variables: part of a resume state.
+struct Modal {
+    std::optional<double> inclined_deg;       // TRAANG: the angle programmed last
+    std::array<std::uint8_t, kGroups> active{};   // number of the active G command of each group
+    std::uint8_t motion_before = 0;
+    double feed = 0.0;                // F as it holds, mm/min, mm/rev or 1/min
+    double feed_per_tooth = 0.0;      // FZ; 0: F is in use
+    double teeth = 0.0;               // $TC_DPNT of the active edge
+    bool feed_revolution = false;     // what group 15 makes of F
+    double rpm_before_surface = 0.0;  // S before G96
+    std::array<std::uint8_t, kChannelAxes> axis_diameter{};   // DIAMONA and the like: as the numbers of group 29; 0: the channel's
+    double path_override = 100, rapid_override = 100;   // OVR, OVRRAP, percent
+    bool feed_group_set = false;      // FGROUP: F counts these axes
+    AxisSet feed_group = 0;
+    AxisValues feed_radius{};         // FGREF, mm; 0 as delivered
+    AxisValues feed_limit{};          // FL, mm/min or deg/min; 0 none
+    AxisValues axis_feed{};           // FA, mm/min or deg/min; 0 none
+    std::int64_t tool_selected = -1;  // T that waits for M6; -1 none
+    std::int64_t tool = 0;            // active tool
+    int edge = 0;                     // active D
+    std::shared_ptr<const Edge> edge_data;   // its values when it was selected
+    ToolLengths toff{};               // TOFFL, TOFF, TOFFR
+    bool toff_by_axis = false;
+    std::array<double, 3> length_mm{};          // of the active edge, L1 to L3
+    AxisValues pending_zero{}, pending_tool{};  // how far changes of zero and tool have shifted the programmed number
+    std::uint16_t master_spindle = 0;
+    std::uint16_t feed_spindle = 0;   // FPR: G95 counts its revolutions; 0 the master spindle
+    std::uint32_t closed_spindles = 0;   // bit n: spindle n is in position control (SPOS, M19, M70, G331)
+    std::uint32_t cutting_speeds = 0;    // bit n: its speed comes from SVC
+    std::array<double, kMaxSpindles + 1> cutting_speed_m_min{};   // SVC
+    AxisSet per_revolution = 0;       // FPRAON: FA counts revolutions
+    std::array<std::uint16_t, kChannelAxes> axis_feed_spindle{};  // of that spindle
+    AxisSet released = 0;             // RELEASE
+    bool corner_feed_stale = false;   // FRCM belongs to another feed type
+    std::map<std::uint16_t, SpindleState> spindles;   // of spindles that are not the master now
+    std::optional<ModalCall> call;
+    std::int64_t last_number = 0;
+    GeoModal geo;
+};
+
+// A program level: main program, subprogram, or a section that REPEAT runs.
+struct Level {
+    FileId file = 0;
+    TextPosition begin;               // first block
+    std::uint64_t end = ~std::uint64_t{0};   // sections: byte behind their last line
+    TextPosition call, resume;        // block of the caller, and where it goes on
+    std::int64_t repeats = 0;         // runs still to come after this one
+    bool section = false, block_only = false;   // REPEAT, REPEATB
+    bool modal_call = false;          // called by MCALL
+    bool interrupt = false;           // called by an interrupt: the block behind it is read again
+    AxisValues begin_of_block{};      // its increments count from here
+    bool save = false;                // PROC ... SAVE: modal state comes back
+    std::string name;
+    std::shared_ptr<Scope> scope;
+    std::shared_ptr<const Modal> saved;
+};
+
+}  // namespace polyturn::channels::sinumerik
