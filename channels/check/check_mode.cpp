@@ -77,7 +77,7 @@ public:
         next_->move(stopped, at);
     }
     void dwell(const Dwell& d, const BlockContext& at) override { next_->dwell(d, at); }
-    void aux(const Aux& a, const BlockContext& at) override { if (!a.silent) next_->aux(a, at); }
+    void aux(const Aux& a, const BlockContext& at) override { next_->aux(a, at); }
     void spindle(const Spindle& s, const BlockContext& at) override { next_->spindle(s, at); }
     void wait(const Wait& w, const BlockContext& at) override { waiting = waiting || w.act == Wait::Act::Meet, next_->wait(w, at); }
     void variable(const Variable& v, const BlockContext& at) override { next_->variable(v, at); }

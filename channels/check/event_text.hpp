@@ -38,7 +38,7 @@ public:
 
     void move(const Move& m, const BlockContext& at) override { put(m, at); }
     void dwell(const Dwell& d, const BlockContext& at) override { put(d, at); }
-    void aux(const Aux& a, const BlockContext& at) override { put(a, at); }
+    void aux(const Aux& a, const BlockContext& at) override { if (!a.silent) put(a, at); }
     void spindle(const Spindle& s, const BlockContext& at) override { if (!s.silent) put(s, at); }
     void wait(const Wait& w, const BlockContext& at) override { put(w, at); }
     void variable(const Variable& v, const BlockContext& at) override { if (variables_) put(v, at); }

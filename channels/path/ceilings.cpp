@@ -32,6 +32,7 @@ Ceilings of_line(const PathRecord& r, const PathLimits& limits, bool rapid) {
         c.a = std::min(c.a, axis.accel / t);
         c.j = std::min(c.j, axis.jerk / t);
     }
+    if (rapid && r.feed > 0) c.v = std::min(c.v, r.feed);   // a programmed share of rapid
     return finite(c);
 }
 
@@ -50,7 +51,7 @@ Ceilings of_samples(const PathRecord& r, const PathLimits& limits, bool rapid, c
     if (bend > 0) c.v = std::min(c.v, std::sqrt(1 / bend));
     if (twist > 0) c.v = std::min(c.v, std::cbrt(1 / twist));
     c.v = std::min(c.v * kSampling, kFastest);
-    if (rapid && r.feed > 0) c.v = std::min(c.v, r.feed);   // a programmed share of rapid
+    if (rapid && r.feed > 0) c.v = std::min(c.v, r.feed);
     // No faster than feed override can ask for: what speed does not take of an axis is left for braking.
     if (!rapid && static_cast<FeedMode>(r.feed_mode) == FeedMode::PerMinute && r.feed > 0) c.v = std::min(c.v, kMostOverride * r.feed);
 

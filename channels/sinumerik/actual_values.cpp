@@ -57,6 +57,13 @@ bool Interpreter::p_axis_profile(Call& c) {
     return true;
 }
 
+bool Interpreter::p_without_effect(Call&) {
+    const std::string name(block_.procedures.back().first->name);
+    core_.mark_emitted();
+    core_.sink().alarm({Alarm::WordWithoutEffect, {files_->path(levels_.back().file), core_.at.line, 0, 0}, {}, name}, core_.at);
+    return true;
+}
+
 // DRFOF, CORROF(axis, "DRF" | "AA_OFF" ...): there are no overlaid motions; what is left is their stop.
 bool Interpreter::p_overlay_off(Call& c) {
     if (c.arguments.size() % 2 != 0) return fail(Alarm::ArgumentCountIllegal, "CORROF", static_cast<double>(c.arguments.size()));

@@ -107,6 +107,7 @@ bool Interpreter::write_data(const DataCell& cell, const std::string& name, doub
         settings_ = read_settings(core_.view().table(), core_.view());
     });
     table.numbers[slot] = value;
+    if (name.starts_with("$SA_WORKAREA_LIMIT")) modal_.geo.area_high = modal_.geo.area_low = 0;   // those of G25, G26 stand there too
     settings_ = read_settings(core_.view().table(), core_.view());
     return true;
 }

@@ -58,7 +58,7 @@ bool Interpreter::spindle_words() {
                 fault_column_ = word.column, fault_length_ = word.length;
                 if (word.address->name == "S") {
                     double value = word.number();
-                    modal_.cutting_speeds &= ~(1u << (spindle - 1));   // SVC holds no more
+                    if (spindle) modal_.cutting_speeds &= ~(1u << (spindle - 1));   // SVC holds no more
                     if (core_.path.spindle.mode == SpindleModeCode::SurfaceSpeed && !metric_lengths()) value *= 0.3048;   // feet a minute
                     if (!core_.spindle_speed(value)) return false;
                 } else {
@@ -101,6 +101,7 @@ bool Interpreter::functions_before() {
             }
             if (m == 19 || m == 70 || (m >= 40 && m <= 45)) {
                 const bool ok = with_spindle(spindle, [&] {
+                    if (core_.path.spindle.spindle == 0) return fail_word(Alarm::SpindleMissing, word, "M");
                     std::uint32_t& closed = modal_.closed_spindles;
                     const std::uint32_t bit = 1u << (core_.path.spindle.spindle - 1);
                     if (m == 70 && !(closed & bit)) close_spindle(false);
@@ -185,11 +186,13 @@ bool Interpreter::a_limit(const Word& word) {
 
 // Setting data of the spindle that is meant now.
 double Interpreter::spindle_data(std::string_view name) const {
+    if (core_.path.spindle.spindle == 0) return 0.0;
     const params::Row& row = *params::find(name);
     return const_cast<Interpreter*>(this)->core_.view().table().numbers[row.first_slot + (core_.path.spindle.spindle - 1u) * row.array];
 }
 
 void Interpreter::keep_spindle_data(std::string_view name, double value) {
+    if (core_.path.spindle.spindle == 0) return;
     const params::Row& row = *params::find(name);
     const std::size_t slot = row.first_slot + (core_.path.spindle.spindle - 1u) * row.array;
     params::Table& table = *core_.view().parameters;

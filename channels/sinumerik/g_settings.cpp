@@ -3,6 +3,7 @@
 
 #include "channels/sinumerik/interpreter.hpp"
 #include "ipc/machine/work_zeros.hpp"
+#include "ipc/params/table.hpp"
 
 namespace polyturn::channels::sinumerik {
 namespace {
@@ -68,6 +69,12 @@ bool Interpreter::g_feed_type(const GCode& code) {
     SpindleState& spindle = core_.path.spindle;
     if (is_surface(code.number)) {
         if (!is_surface(before)) modal_.rpm_before_surface = spindle.rpm;
+        if (spindle.spindle && spindle.limit_rpm <= 0) {   // LIMS and G26 of an earlier program hold
+            double limit = params::get(core_.view().table(), params::sd43230, spindle.spindle);
+            const double most = params::get(core_.view().table(), params::sd43220, spindle.spindle);
+            if (most > 0 && (limit <= 0 || most < limit)) limit = most;
+            if (limit > 0 && !core_.spindle_limit(limit)) return false;
+        }
         return core_.surface_speed(true);
     }
     if (is_surface(before)) {

@@ -32,7 +32,7 @@ double roll(double phi) {
 bool Interpreter::go_curve(const AxisValues& target, const std::vector<AxisValues>& between, const Point3& tangent) {
     for (const AxisValues& point : between)
         if (!within_areas(point)) return false;
-    if (!within_areas(target)) return false;
+    if (!within_areas(target) || !leads_nobody(target)) return false;
     if (modal_.geo.approach) return fail(Alarm::ApproachNoEnd);
     if (modal_.geo.open_line) return fail(Alarm::ContourLineOpen);
     if (!corner_words(false)) return false;

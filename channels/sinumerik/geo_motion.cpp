@@ -71,7 +71,8 @@ bool Interpreter::corner_words(bool contour) {
     return core_.corner(call);
 }
 
-bool Interpreter::go_line(const AxisValues& target, bool rapid) {
+bool Interpreter::go_line(const AxisValues& wanted, bool rapid) {
+    const AxisValues target = modal_.trails.empty() ? wanted : trailed(wanted);
     if (!within_areas(target)) return false;
     if (bool taken = false; modal_.geo.approach) {
         if (!finish_approach(target, nullptr, taken)) return false;

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "channels/sinumerik/interpreter.hpp"
+#include "ipc/params/registry.hpp"
 #include "ipc/params/table.hpp"
 
 namespace polyturn::channels::sinumerik {
@@ -75,11 +76,22 @@ bool Interpreter::geo_limits(const GCode& code) {
         }
         if (w.axis < 0 || w.address->name != "axis") continue;
         const auto i = static_cast<std::size_t>(w.axis);
-        (high ? geo.high : geo.low)[i] = length_mm(w, w.axis, false);
+        const double limit = length_mm(w, w.axis, false);
+        (high ? geo.high : geo.low)[i] = limit;
+        keep_axis_data(high ? "SD43420" : "SD43430", i, limit);
         (high ? geo.area_high : geo.area_low) |= 1u << i;
     }
     state_changed_ = true;
     return true;
+}
+
+// Setting data of an axis, as a program writes them.
+void Interpreter::keep_axis_data(std::string_view name, std::size_t place, double value) {
+    const params::Row& row = *params::find(name);
+    const std::size_t slot = row.first_slot + core_.view().axes[place].machine_axis * row.array;
+    params::Table& table = *core_.view().parameters;
+    undo([this, slot, before = table.numbers[slot]] { core_.view().parameters->numbers[slot] = before; });
+    table.numbers[slot] = value;
 }
 
 // G25 S, G26 S: limits of the spindle's speed, kept as setting data. A lower limit binds the machine, not the program.

@@ -56,7 +56,7 @@ bool Interpreter::geo_thread(const GCode& code) {
             const double way = std::fabs(target[axis] - core_.path.programmed[axis]);
             if (call.lead * call.lead + 2 * call.lead_change * way <= 0) return fail_word(Alarm::LeadRunsOut, *change);
         }
-        if (!within_areas(target)) return false;
+        if (!within_areas(target) || !leads_nobody(target)) return false;
         const AxisValues from = core_.path.programmed;
         if (!core_.thread(target, call)) return false;
         note_tangent(from, target);
@@ -128,7 +128,7 @@ bool Interpreter::geo_barrel(const GCode& code) {
             const double up = point[p] - arc.centre_p, uq = point[q] - arc.centre_q, r = std::hypot(up, uq);
             if (r > 0 && std::fabs(along_p > 0 ? uq : up) / r < 0.5 - 1e-9) return fail_word(Alarm::ThreadArcTooSteep, *said);
         }
-        if (!within_areas(target)) return false;
+        if (!within_areas(target) || !leads_nobody(target)) return false;
         call.arc = &arc;
         return core_.thread(target, call);
     });
@@ -193,7 +193,7 @@ bool Interpreter::geo_tap(const GCode& code) {
         unsigned axis = 0;
         if (!pitch_word(pitch, axis, said)) return false;
         if (std::fabs(pitch) < 0.001 || std::fabs(pitch) > 2000) return fail_word(Alarm::ValueOutOfRange, *said, std::string(said->address->name), pitch);
-        if (!within_areas(target)) return false;
+        if (!within_areas(target) || !leads_nobody(target)) return false;
         PathState& path = core_.path;
         if (path.spindle.rpm <= 0) return fail(Alarm::ThreadSpindleStopped);
         if (!spindle_closed(path.spindle.spindle)) close_spindle(false);   // from where it stands

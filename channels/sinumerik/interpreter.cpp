@@ -23,11 +23,14 @@ Interpreter::Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles
 
 // The state of cycle start: MD20150, else the delivery state.
 void Interpreter::reset_modal() {
+    const auto last = modal_.active;   // MD20152: what the program before has left
     modal_ = {};
     for (const GCode& row : g_codes())
         if (row.preset && row.modal) modal_.active[row.group] = row.number;
     for (unsigned group = 1; group < kGroups; ++group)
         if (const GCode* row = find_g(group, settings_.g_reset[group - 1]); row && row->act && row->modal) modal_.active[group] = row->number;
+    for (unsigned group = 1; group < kGroups; ++group)
+        if (settings_.g_keep[group - 1] && last[group] != 0 && group != 7) modal_.active[group] = last[group];
     core_.path.plane = static_cast<Plane>(modal_.active[6] - 1);
     core_.path.exact_stop_mode = modal_.active[10] == 1;
     core_.path.override_locked = false;
@@ -69,6 +72,7 @@ Result<void> Interpreter::start(FileId main) {
     core_.load_zeros();
     const GCode* zero = find_g(8, modal_.active[8]);
     g_zero(*zero);
+    use_frame();   // none of the program before
     modal_.pending_zero = {};
     return {};
 }
@@ -206,6 +210,7 @@ Step Interpreter::read_block() {
     written_zeros_.clear();
     statement_ = nullptr;
     execute_.clear();
+    of_channel_ = false;
     cursor_ = Cursor(line_);
     if (line_.size() > kLongestBlock) return fail(Alarm::LineTooLong), fault(core_.fault());
     if (cursor_.at_end()) return Step::Continue;
@@ -349,6 +354,7 @@ bool Interpreter::parse_head(bool& skipped) {
         if (after.peek() != ':') return true;
         const std::string word = upper(name);
         if (word != "ENDLABEL" && (find_symbol(word).kind != Symbol::Kind::None || is_digit(name[1]))) return fail_at(Alarm::NameReserved, cursor_.at(), name.size(), word);
+        if (find_variable(word)) return fail_at(Alarm::NameTwice, cursor_.at(), name.size(), word);   // one name, one thing
         after.eat(':');
         cursor_ = after;
     }

@@ -112,7 +112,7 @@ public:
     bool a_lift_position(const Word&), a_handwheel_feed(const Word&), a_axis_share(const Word&), a_thread_ramp(const Word&);
     bool geo_involute(const GCode&), g_grinding(const GCode&);
     bool st_execstring(), st_setint();
-    bool p_interrupts(Call&);
+    bool p_interrupts(Call&), p_without_effect(Call&), p_trail(Call&);
     bool p_msg(Call&), p_setal(Call&), p_stopre(Call&), p_setms(Call&), p_wait_marker(Call&), p_wait_end(Call&);
     bool p_set_marker(Call&), p_init(Call&), p_start(Call&), p_nothing(Call&), p_fgroup(Call&), p_diamchan(Call&);
     bool p_spindle_control(Call&), p_wait_axis(Call&), p_wait_spindle(Call&), p_delt(Call&), p_wrtpr(Call&);
@@ -176,6 +176,7 @@ private:
     bool refresh_cutting_speeds();
     double m19_position(std::uint16_t spindle) const;
     double spindle_data(std::string_view name) const;
+    void keep_axis_data(std::string_view name, std::size_t place, double value);
     void keep_spindle_data(std::string_view name, double value);
     bool tool_words();
     bool changes_tool() const;
@@ -193,6 +194,8 @@ private:
     bool needs_plane();
     bool driven(const std::function<bool()>& drive);
     bool corner_words(bool contour);
+    AxisValues trailed(AxisValues target) const;               // TRAILON
+    bool leads_nobody(const AxisValues& target);
     bool go_line(const AxisValues& target, bool rapid);
     bool go_arc(const AxisValues& target, const ArcCall& call);
     void note_tangent(const AxisValues& from, const AxisValues& to);

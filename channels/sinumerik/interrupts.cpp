@@ -4,11 +4,12 @@
 // there and the routine is called as if it stood before that block; behind the routine the block is read again, so that what
 // is left of it is driven from where the routine has left the axes.
 #include "channels/sinumerik/interpreter.hpp"
+#include "ipc/image/interrupt_inputs.hpp"
 
 namespace polyturn::channels::sinumerik {
 namespace {
 
-constexpr double kInputs = 8;
+constexpr double kInputs = kInterruptInputs;
 
 }  // namespace
 

@@ -22,6 +22,12 @@ struct ModalCall {
     std::vector<Argument> arguments;
 };
 
+// TRAILON: way of `follows` = factor * way of `leads`.
+struct Trail {
+    std::size_t follows = 0, leads = 0;
+    double factor = 1.0;
+};
+
 // Everything that holds from block to block beside positions, calls and variables: part of a resume state.
 struct Modal {
     std::optional<double> inclined_deg;       // TRAANG: the angle programmed last
@@ -55,6 +61,7 @@ struct Modal {
     AxisSet per_revolution = 0;       // FPRAON: FA counts revolutions
     std::array<std::uint16_t, kChannelAxes> axis_feed_spindle{};  // of that spindle
     AxisSet released = 0;             // RELEASE
+    std::vector<Trail> trails;        // TRAILON
     bool corner_feed_stale = false;   // FRCM belongs to another feed type
     std::map<std::uint16_t, SpindleState> spindles;   // of spindles that are not the master now
     std::optional<ModalCall> call;

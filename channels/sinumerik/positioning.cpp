@@ -1,5 +1,6 @@
 // Positioning axes: POS, POSA, POSP, their feed FA and where it comes from, revolutional feeds of single axes (sinumerik_part1
 // 8.2, 8.5). They move behind the path of their block, one after the other.
+#include <algorithm>
 #include <cmath>
 
 #include "channels/sinumerik/interpreter.hpp"
@@ -111,6 +112,8 @@ bool Interpreter::positioning_axes() {
             if (&other != &word && positions(other.address->name) && other.axis == word.axis) return fail_word(Alarm::AddressTwice, word, axis_name(word.axis));
         if (modal_.released >> i & 1u) return fail_word(Alarm::AxisReleased, word, axis_name(word.axis));
         AxisValues target = core_.path.programmed;
+        if (std::any_of(modal_.trails.begin(), modal_.trails.end(), [&](const Trail& one) { return one.leads == i; }))
+            return fail_word(Alarm::NotBuilt, word, "TRAILON: " + std::string(word.address->name));
         if (!axis_target(word, target) || !within_areas(target)) return false;
         const bool done = word.address->name == "POSP" ? drive_in_parts(word, target) : drive_positioning_axis(i, target);
         if (!done) return false;

@@ -35,6 +35,10 @@ constexpr Address kRows[] = {
     {"ACC", Index::Spindle, Use::Setting, &Interpreter::a_axis_share, false, true},
     {"VELOLIM", Index::Spindle, Use::Setting, &Interpreter::a_axis_share, false, true},
     {"JERKLIM", Index::Axis, Use::Setting, &Interpreter::a_axis_share, false, true},
+    {"CTOL", Index::None, Use::Setting, &Interpreter::a_without_effect, true},    // PT_PATH_TOL holds
+    {"OTOL", Index::None, Use::Setting, &Interpreter::a_without_effect, true},
+    {"STOLF", Index::None, Use::Setting, &Interpreter::a_without_effect, true},
+    {"ATOL", Index::Axis, Use::Setting, &Interpreter::a_without_effect, true, true},
     {"ST", Index::None, Use::Setting, &Interpreter::a_without_effect, false},     // no input changes the feed of a block here
     {"SR", Index::None, Use::Setting, &Interpreter::a_without_effect, false},
     {"STA", Index::Axis, Use::Setting, &Interpreter::a_without_effect, false, true},

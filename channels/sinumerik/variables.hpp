@@ -25,7 +25,7 @@ struct Reference {
     std::shared_ptr<Variable> variable;
     std::size_t element = 0;
     bool whole = false;                   // an array without its indices: a VAR parameter takes all of it
-    std::vector<Value> component;         // of a frame variable: the axis and the part (TR FI RT SC MI) that are meant
+    std::vector<Value> component{};       // of a frame variable: the axis and the part (TR FI RT SC MI) that are meant
     explicit operator bool() const { return variable != nullptr; }
     Value& cell() const { return variable->cells[element]; }
 };

@@ -18,6 +18,33 @@ constexpr ModeName kModes[] = {{"AC", Mode::AC},   {"IC", Mode::IC},   {"DC", Mo
                                {"CIC", Mode::CIC}, {"CDC", Mode::CDC}, {"CACP", Mode::CACP}, {"CACN", Mode::CACN}, {"DAC", Mode::DAC}, {"DIC", Mode::DIC},
                                {"RAC", Mode::RAC}, {"RIC", Mode::RIC}, {"QU", Mode::QU},     {"PM", Mode::PM},     {"PR", Mode::PR},   {"GP", Mode::GP}};
 
+// Which modifiers an address takes (sinumerik_part3 5.2, 5.3); one that is not named takes none.
+constexpr std::uint32_t bit(Mode mode) { return 1u << static_cast<unsigned>(mode); }
+constexpr std::uint32_t kRelative = bit(Mode::AC) | bit(Mode::IC);
+constexpr std::uint32_t kTurning = kRelative | bit(Mode::DC) | bit(Mode::ACP) | bit(Mode::ACN);
+constexpr std::uint32_t kDiameters = bit(Mode::DAC) | bit(Mode::DIC) | bit(Mode::RAC) | bit(Mode::RIC);
+constexpr std::uint32_t kCoded = bit(Mode::CAC) | bit(Mode::CIC) | bit(Mode::CDC) | bit(Mode::CACP) | bit(Mode::CACN);
+struct ModesOf {
+    std::string_view name;
+    std::uint32_t modes;
+};
+constexpr ModesOf kModesOf[] = {
+    {"axis", kTurning | kDiameters | kCoded | bit(Mode::GP)},
+    {"POS", kTurning | kDiameters | kCoded}, {"POSA", kTurning | kDiameters | kCoded}, {"POSP", kTurning | kDiameters},
+    {"AP", kRelative}, {"RP", kRelative}, {"I1", kRelative}, {"J1", kRelative}, {"K1", kRelative},
+    {"I", kRelative | kDiameters}, {"J", kRelative | kDiameters}, {"K", kRelative | kDiameters},
+    {"SPOS", kTurning}, {"SPOSA", kTurning}, {"POLF", kRelative | kDiameters}, {"DISCL", bit(Mode::AC)}, {"DISRP", bit(Mode::AC)},
+    {"FAD", bit(Mode::PM) | bit(Mode::PR)},
+    {"F", bit(Mode::QU)}, {"S", bit(Mode::QU)}, {"T", bit(Mode::QU)}, {"D", bit(Mode::QU)}, {"M", bit(Mode::QU)}, {"H", bit(Mode::QU)}, {"FA", bit(Mode::QU)},
+};
+
+bool takes_mode(std::string_view address, Mode mode) {
+    if (mode == Mode::Plain) return true;
+    for (const ModesOf& row : kModesOf)
+        if (row.name == address) return (row.modes & bit(mode)) != 0;
+    return false;
+}
+
 }  // namespace
 
 bool Interpreter::parse_words() {
@@ -311,6 +338,12 @@ bool Interpreter::add_word(Word word, const char* begin) {
     word.length = static_cast<std::uint16_t>(std::min<std::size_t>(static_cast<std::size_t>(cursor_.at() - begin), 65535));
     const Address& address = *word.address;
     const bool axis_word = word.address == &kAxisAddress;
+    if (!takes_mode(address.name, word.mode)) {
+        std::string said = axis_word ? axis_name(word.axis) : std::string(address.name);
+        for (const ModeName& row : kModes)
+            if (row.mode == word.mode) said += "=" + std::string(row.name);
+        return fail_at(Alarm::SyntaxWrong, begin, word.length, std::move(said));
+    }
     const bool text_allowed = address.name == "T";
     if (word.mode != Mode::Plain && word.value.type == Type::String && !text_allowed)
         return fail_at(Alarm::OperandTypeIllegal, begin, word.length, std::string(address.name));

@@ -291,6 +291,7 @@ AxisSet Core::take_skip() {
 
 bool Core::curve(const AxisValues& target, const std::vector<AxisValues>& between) {
     if (compensating_) return fail(Alarm::CurveUnderCompensation, 0, std::string(at.cycle));
+    if (transformed()) return fail(Alarm::NotBuilt, 0, "curves under a transformation");
     if (!begin_move(target, MoveKind::Linear)) return false;
     auto through = std::make_shared<std::vector<AxisValues>>();
     through->reserve(between.size());

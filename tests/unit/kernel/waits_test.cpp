@@ -28,6 +28,19 @@ struct Model {
     }
 };
 
+TEST(Waits, ForTheEndOfAProgramOpensWhenTheOtherRestsWhateverItWaitsFor) {
+    WaitBoard board;
+    board.arrive(0, WaitBoard::kProgramEnd, 0b011);
+    board.arrive(2, WaitBoard::kProgramEnd, 0b110);   // two channels may wait for the same one
+    EXPECT_EQ(board.judge(2, 0).fault, WaitBoard::Fault::None);
+    EXPECT_EQ(board.release(0), 0u);
+    board.arrive(1, 5, 0b010);   // the other's own wait is no arrival here
+    EXPECT_EQ(board.release(0), 0b010u);
+    board.idle(0b010);
+    EXPECT_EQ(board.release(0), 0b101u);
+    EXPECT_EQ(board.release(0), 0u);
+}
+
 TEST(Waits, ReleaseWhomThePlainModelReleases) {
     std::mt19937 random(4711);
     for (int round = 0; round < 200; ++round) {

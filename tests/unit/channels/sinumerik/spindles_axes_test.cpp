@@ -1,0 +1,85 @@
+// Spindles that are closed by the PLC, released axes, lines from texts, interrupts: what golden logs cannot show.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "../play.hpp"
+
+namespace polyturn::channels::testing {
+namespace {
+
+Played run(const std::string& program) {
+    Play how;
+    how.language = "sinumerik";
+    return play(program, how);
+}
+
+std::size_t count(const Played& played, const std::string& part) {
+    std::size_t found = 0;
+    for (const std::string& line : played.lines()) found += line.find(part) != std::string::npos;
+    return found;
+}
+
+TEST(SinumerikSpindles, PositioningTellsThePlcButNotTheOperator) {
+    const Played played = run("SPOS=90\nSPOS=IC(20)\nM3 S100\nM30\n");
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_EQ(count(played, "\"mode\":\"position\""), 2u) << played.events;
+    EXPECT_EQ(count(played, "M19"), 0u) << played.events;
+}
+
+TEST(SinumerikSpindles, FourPositionsInABlockAreTooMany) {
+    EXPECT_EQ(run("SPOS[1]=0 SPOS[2]=0 SPOS[3]=0\nM30\n").errors, 0u);
+    EXPECT_EQ(run("SPOS[1]=0 SPOS[2]=0 SPOS[3]=0 SPOS[4]=0\nM30\n").errors, 1u);
+}
+
+TEST(SinumerikSpindles, CuttingSpeedOfAToolFollowsTheTool) {
+    const Played played = run("$TC_DP6[1,1]=5\n$TC_DP6[2,1]=10\nT1 D1\nSVC=100 M3\nT2 D1\nR1=$P_SVC[1]\nS500\nR2=$P_S_TYPE[1]\nM30\n");
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_EQ(count(played, "\"value\":3183.098862"), 1u) << played.events;   // 100000 / (2 pi 5)
+    EXPECT_EQ(count(played, "\"value\":1591.549431"), 1u) << played.events;
+    EXPECT_EQ(count(played, "\"name\":\"R1\",\"value\":100"), 1u) << played.events;
+    EXPECT_EQ(count(played, "\"name\":\"R2\",\"value\":1"), 1u) << played.events;
+}
+
+TEST(SinumerikAxes, AReleasedAxisMovesAfterGetOnly) {
+    EXPECT_EQ(run("RELEASE(Z)\nG0 X5\nGET(Z)\nG0 Z5\nM30\n").errors, 0u);
+    const Played refused = run("RELEASE(Z)\nG0 Z5\nM30\n");
+    EXPECT_EQ(count(refused, "is released"), 1u) << refused.events;
+}
+
+TEST(SinumerikAxes, NoAxisLeadsItself) {
+    EXPECT_EQ(run("TRAILON(C,Z)\nTRAILOF(C)\nTRAILON(Z,C)\nM30\n").errors, 0u);
+    EXPECT_EQ(run("TRAILON(C,Z)\nTRAILON(Z,C)\nM30\n").errors, 1u);
+}
+
+// sinumerik_part3 5.2, 5.3: a modifier that an address does not take is a mistake of syntax.
+TEST(SinumerikText, ModifiersStandWhereTheyBelongOnly) {
+    for (const char* good : {"X=AC(5)", "C=DC(5)", "X=RIC(1)", "AP=IC(5) RP=AC(3)", "M=QU(8)", "FA[X]=QU(5)", "SPOS=ACP(5)"})
+        EXPECT_EQ(run("G111 X0 Z0\nG0 X5 Z5\nG0 " + std::string(good) + "\nM30\n").errors, 0u) << good;
+    for (const char* bad : {"X=QU(5)", "F=IC(5)", "RND=IC(1)", "CR=AC(5)", "OVR=IC(50)", "FB=AC(1)", "LIMS=AC(100)", "X=PM(5)", "RP=DC(5)"})
+        EXPECT_EQ(count(run("G1 " + std::string(bad) + "\nM30\n"), "\"number\":12080"), 1u) << bad;
+}
+
+TEST(SinumerikText, ALabelIsNoVariable) { EXPECT_EQ(run("DEF INT LAB1\nLAB1: R1=1\nM30\n").errors, 1u); }
+
+TEST(SinumerikText, ALineFromATextIsReadInThePlaceOfItsBlock) {
+    const Played played = run("DEF STRING[20] WHAT\nLOOP1: R1=R1+1\nWHAT=\"R2=R2+10\"\nEXECSTRING(WHAT)\nEXECSTRING(\"IF R1<3 GOTOB LOOP1\")\nM30\n");
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_EQ(count(played, "\"name\":\"R2\",\"value\":30"), 1u) << played.events;
+}
+
+TEST(SinumerikFrames, PartsOfAFrameVariableAreReadAndWritten) {
+    const Played played = run("DEF FRAME FRA\nFRA=CTRANS(X,3,Z,12):CMIRROR(X)\nFRA[Z,TR]=7\nR1=FRA[Z,TR]\nR2=FRA[X,MI]\n$P_UIFR[2]=FRA\nR3=$P_UIFR[2,X,TR]\nM30\n");
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_EQ(count(played, "\"name\":\"R1\",\"value\":7"), 1u) << played.events;
+    EXPECT_EQ(count(played, "\"name\":\"R2\",\"value\":1"), 1u) << played.events;
+    EXPECT_EQ(count(played, "\"name\":\"R3\",\"value\":3"), 1u) << played.events;
+}
+
+TEST(SinumerikInterrupts, AnInputNeedsARoutineThatIsThere) {
+    EXPECT_EQ(count(run("SETINT(1) PRIO=1 NOWHERE\nM30\n"), "\"severity\":\"error\""), 1u);
+    EXPECT_EQ(count(run("SETINT(9) NOWHERE\nM30\n"), "there is no interrupt input 9"), 1u);
+}
+
+}  // namespace
+}  // namespace polyturn::channels::testing
