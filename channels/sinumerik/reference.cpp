@@ -61,12 +61,13 @@ std::string command_rows(std::span<const Command> rows) {
     std::string page;
     for (const Command& row : rows) {
         std::string arguments;
-        for (std::size_t i = 0; i < row.most && !row.types.empty(); ++i) {
-            if (i >= row.types.size()) {
+        const std::string_view types = row.types.ends_with('+') ? row.types.substr(0, row.types.size() - 1) : row.types;
+        for (std::size_t i = 0; i < row.most && !types.empty(); ++i) {
+            if (i >= types.size()) {
                 arguments += ", ...";
                 break;
             }
-            arguments += fmt::format("{}{}", i ? ", " : "", type_name(row.types[i]));
+            arguments += fmt::format("{}{}", i ? ", " : "", type_name(types[i]));
         }
         const std::string count = row.least == row.most ? fmt::format("{}", row.most) : fmt::format("{} to {}", row.least, row.most);
         page += fmt::format("| {} | {} | {} | {} | {} | {} |\n", row.name, row.function ? "function" : "procedure", count, arguments, row.own_block ? "own block" : "", built(row.act));
