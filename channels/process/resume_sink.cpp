@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <numbers>
+#include <vector>
 
 #include "channels/process/approach.hpp"
 
@@ -33,6 +36,29 @@ double share_of_line(const MachineView& view, const Move& move, const AxisValues
         if (square > kSamePlace * kSamePlace) return std::clamp(along / square, 0.0, 1.0);
     }
     return 0.0;
+}
+
+// What is left of a curve behind its point nearest to `here`.
+void leave_out_passed(const MachineView& view, Move& curve, const AxisValues& here) {
+    const std::vector<AxisValues>& inner = *curve.through;
+    Move piece = curve;
+    double nearest = std::numeric_limits<double>::infinity();
+    std::size_t first = 0;
+    AxisValues start = curve.machine_start;
+    for (std::size_t k = 0; k <= inner.size(); ++k) {
+        piece.machine_start = k > 0 ? inner[k - 1] : curve.machine_start;
+        piece.machine = k < inner.size() ? inner[k] : curve.machine;
+        const double share = share_of_line(view, piece, here);
+        double distance = 0;
+        AxisValues foot = piece.machine_start;
+        for (unsigned i = 0; i < view.axis_count; ++i) {
+            foot[i] += (piece.machine[i] - piece.machine_start[i]) * share;
+            distance += (here[i] - foot[i]) * (here[i] - foot[i]);
+        }
+        if (distance < nearest) nearest = distance, first = k, start = foot;
+    }
+    curve.through = std::make_shared<std::vector<AxisValues>>(inner.begin() + static_cast<std::ptrdiff_t>(first), inner.end());
+    curve.machine_start = start;
 }
 
 double share_of_arc(const Move& move, const AxisValues& here) {
@@ -96,6 +122,7 @@ void ResumeSink::step_to(const AxisValues& point, const Move& of) {
     step.turns = 0;
     step.thread_chained = false;
     step.kinematics = nullptr;   // the axes as they are
+    step.through = nullptr;
     step.machine_start = here_;
     step.machine = point;
     step.moved = 0;
@@ -119,6 +146,12 @@ void ResumeSink::enter(const Move& m) {
     if (m.kinematics) {   // its path is not that of the axes: whole, from its beginning
         step_to(m.machine_start, m);
         return next_->move(m, at_);
+    }
+    if (m.through) {
+        if (begun_) leave_out_passed(*view_, rest, here_);
+        step_to(rest.machine_start, m);
+        if (rest.through->empty() && same(*view_, rest.machine_start, rest.machine)) return;
+        return next_->move(rest, at_);
     }
     double share = 0.0;
     if (begun_ && is_cut(m)) share = share_of_line(*view_, m, here_);

@@ -140,6 +140,23 @@ TEST(ResumeSink, KeepsTheRestOfAnArc) {
     EXPECT_EQ(rest.machine[0], 15.1);
 }
 
+// A curve over (1, -4) and (3, -7): what it has passed at the nearest point is left out.
+TEST(ResumeSink, KeepsTheRestOfACurve) {
+    Bench b;
+    ResumeSink sink(*b.view, b.seen);
+    sink.go_back(3, 1, true, {2, -5.5}, {2, -5.5});
+    Move curve = line({0, 0}, {6, -9});
+    curve.through = std::make_shared<std::vector<AxisValues>>(std::vector<AxisValues>{{1, -4}, {3, -7}});
+    sink.move(curve, block(3));
+    ASSERT_EQ(b.seen.moves.size(), 1u);
+    const Move& rest = b.seen.moves[0];
+    EXPECT_EQ(rest.machine_start[0], 2);
+    EXPECT_EQ(rest.machine_start[1], -5.5);
+    ASSERT_EQ(rest.through->size(), 1u);
+    EXPECT_EQ((*rest.through)[0][0], 3);
+    EXPECT_EQ(rest.machine[0], 6);
+}
+
 TEST(ResumeSink, ComesBackInOrderWhenTheAxesWereMovedAway) {
     Bench b;
     ResumeSink sink(*b.view, b.seen);
