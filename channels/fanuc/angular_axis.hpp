@@ -6,7 +6,7 @@
 //   ------------+--+----> Z
 //
 // Interpreter, cycles and compensation work at right angles; this sink and this port stand between them and the machine.
-// Lines stay lines. An arc becomes an ellipse: where a machine drives it is cut into chords of a thousandth of a millimetre.
+// The path stays at right angles too; the kernel finds the axes at every tick (ipc/kinematics), so arcs stay round.
 #pragma once
 #include "channels/machine_view.hpp"
 #include "channels/port.hpp"
@@ -16,7 +16,7 @@ namespace polyturn::channels::fanuc {
 struct AngularAxes {
     bool on = false;
     unsigned angular = 0, square = 1;   // places in the channel
-    double cosine = 1.0, tangent = 0.0;
+    double cosine = 1.0, tangent = 0.0, radians = 0.0;
 
     void to_machine(AxisValues& values) const {
         const double x = values[angular];
@@ -32,7 +32,12 @@ AngularAxes angular_axes(const MachineView& view, bool& usable);
 
 class AngularSink final : public Sink {
 public:
-    AngularSink(Sink& next, Port& port, const MachineView& view, const AngularAxes& axes) : next_(&next), port_(&port), view_(&view), axes_(axes) {}
+    AngularSink(Sink& next, Port& port, const MachineView& view, const AngularAxes& axes) : next_(&next), port_(&port), view_(&view), axes_(axes) {
+        kinematics_.kind = static_cast<std::uint32_t>(KinematicsKind::Inclined);
+        kinematics_.axis[0] = static_cast<std::uint8_t>(axes.angular), kinematics_.axis[1] = static_cast<std::uint8_t>(axes.square);
+        kinematics_.value[0] = axes.radians;
+        kinematics_.sign.fill(1.0);
+    }
     void move(const Move& m, const BlockContext& at) override;
     void dwell(const Dwell& d, const BlockContext& at) override { next_->dwell(d, at); }
     void aux(const Aux& a, const BlockContext& at) override { next_->aux(a, at); }
@@ -50,11 +55,11 @@ public:
     void block_end(const BlockContext& at) override { next_->block_end(at); }
 
 private:
-    void chords(const Move& m, const BlockContext& at);
     Sink* next_;
     Port* port_;
     const MachineView* view_;
     AngularAxes axes_;
+    Kinematics kinematics_{};
     bool begun_ = false;
 };
 

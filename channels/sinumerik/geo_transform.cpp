@@ -120,7 +120,4 @@ bool Interpreter::p_trafoof(Call&) {
     return switch_transformation({});
 }
 
-bool Interpreter::p_tracon(Call&) { return fail(Alarm::NotBuilt, "TRACON"); }
-bool Interpreter::p_traori(Call&) { return fail(Alarm::NotBuilt, "TRAORI"); }
-
 }  // namespace polyturn::channels::sinumerik

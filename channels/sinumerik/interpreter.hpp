@@ -116,7 +116,7 @@ public:
     bool p_msg(Call&), p_setal(Call&), p_stopre(Call&), p_setms(Call&), p_wait_marker(Call&), p_wait_end(Call&);
     bool p_set_marker(Call&), p_init(Call&), p_start(Call&), p_nothing(Call&), p_fgroup(Call&), p_diamchan(Call&);
     bool p_spindle_control(Call&), p_wait_axis(Call&), p_wait_spindle(Call&), p_delt(Call&), p_wrtpr(Call&);
-    bool p_transmit(Call&), p_tracyl(Call&), p_traang(Call&), p_tracon(Call&), p_traori(Call&), p_trafoof(Call&);   // geo_transform.cpp
+    bool p_transmit(Call&), p_tracyl(Call&), p_traang(Call&), p_trafoof(Call&);   // geo_transform.cpp
     bool transformation_data(std::int64_t kind, const Call& c, std::size_t number_at, std::array<int, 3>& axes);
     bool switch_transformation(const Transformation& wanted);
 

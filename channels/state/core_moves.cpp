@@ -269,22 +269,29 @@ bool Core::skip(const AxisValues& target, double feed, FeedMode mode, std::strin
     path.after_thread = false;
     skip_moved_ = move_.moved;
     skip_target_ = move_.machine;
+    (void)on_machine(skip_target_);
     accept(target);
     sink_->barrier(at);
     return true;
 }
 
 AxisSet Core::take_skip() {
-    AxisSet early = 0;
+    AxisSet early = 0, came = 0;
     skip_point_ = path.programmed;
+    // All axes first: behind a transformation a programmed coordinate depends on several of them.
     for (AxisSet left = skip_moved_; left; left &= left - 1) {
         const auto i = static_cast<unsigned>(__builtin_ctz(left));
         const auto stopped = port_->axis_at_skip(view_->axes[i].machine_axis);
         if (!stopped) continue;
+        came |= 1u << i;
         take_machine(i, *stopped);
-        skip_point_[i] = path.programmed[i];
-        if (const auto rests = port_->axis_command(view_->axes[i].machine_axis)) take_machine(i, *rests);
         if (std::fabs(view_->axes[i].from_drive(*stopped) - skip_target_[i]) > kLimitSlack) early |= 1u << i;
+    }
+    for (unsigned i = 0; i < view_->axis_count; ++i)
+        if (came >> i & 1u) skip_point_[i] = path.programmed[i];
+    for (AxisSet left = came; left; left &= left - 1) {
+        const auto i = static_cast<unsigned>(__builtin_ctz(left));
+        if (const auto rests = port_->axis_command(view_->axes[i].machine_axis)) take_machine(i, *rests);
     }
     return early;
 }

@@ -72,7 +72,7 @@ constexpr Row kRows[] = {
     {"ISVAR(\"R5\")", "1"},
     {"GETVARTYP(\"R1\")", "4"},
     {"STRINGIS(\"G1\")", "200"},
-    {"STRINGIS(\"TRANSMIT\")", "100"},
+    {"STRINGIS(\"TRAORI\")", "100"},
     {"STRINGIS(\"NOBODY\")", "0"},
 };
 
@@ -104,7 +104,7 @@ constexpr Wrong kWrong[] = {
     {"G0 Q5", "12050", 4},
     {"G0 G1", "12070", 4},
     {"G999", "12470", 1},
-    {"TRANSMIT", "12140", 1},
+    {"TRAORI(1)", "12140", 1},
     {"WHEN TRUE DO R1=1", "12140", 1},
     {"GOTOF NOWHERE", "14080", 0},
     {"ENDIF", "12640", 0},
