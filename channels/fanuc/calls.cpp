@@ -55,6 +55,13 @@ bool Interpreter::macro_words(std::int64_t& program, std::int64_t& repeats, Loca
     std::size_t from = 0;
     for (std::size_t k = 0; k < block_.count; ++k)
         if (block_.words[k].address == 'G' && block_.words[k].value >= 65 && block_.words[k].value < 67) from = k + 1;
+    for (std::size_t k = 0; k + 1 < from; ++k) {   // arguments stand behind the call (fanuc_lathe 6.9.1)
+        const Word& word = block_.words[k];
+        if (word.axis < 0 && (word.address == 'N' || word.address == 'O' || word.address == 'G' || word.address == 'P' || word.address == 'L')) continue;
+        fault_column_ = word.column;
+        fault_length_ = word.length;
+        return core_.fail(Alarm::MacroArgument, 0, std::string(text_of(word)));
+    }
     return gather_arguments(arguments, from);
 }
 

@@ -34,6 +34,7 @@ bool Interpreter::g_measure(const GCode& row) {
     if (settings_.nct && decimal) return core_.fail(Alarm::GCodeUnknown, 'G', std::string(row.name));
     if (block_.has('T')) return core_.fail(Alarm::MeasureWithTool, 'T');
     if (axis_word_count_ != 1) return core_.fail(Alarm::CoordinateAxisNone, 'G', std::string(row.name));
+    if (core_.compensating()) return core_.fail(Alarm::CompReference, 'G');   // fanuc_lathe 5: G40 before
     const bool along_z = row.tenths == 370 || row.tenths == 372;
     AxisSet named = 0;
     if (!read_axis_words(target_, &named)) return false;

@@ -367,6 +367,7 @@ void RecordSink::print(std::string_view text, const BlockContext& at) {
     if (number == 0) return;
     PathRecord r = event(RecordKind::Variable, at, number);
     r.code = -1;
+    copy_text("DPRNT", r.text);   // a name that the store does not keep
     push(r, false, false);
 }
 

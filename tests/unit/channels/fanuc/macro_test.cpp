@@ -53,6 +53,7 @@ TEST(MacroStatement, IsDiagnosedAtItsPlace) {
         {"IF[1 EQ 1]", "114", 1, 11},
         {"FOO 1", "9", 1, 1},
         {"G65 P1 G1", "129", 1, 8},
+        {"A5. G65 P1", "129", 1, 1},                    // arguments stand behind G65
         {"G0 X1.\nGOTO 55\nM30", "128", 2, 6},          // 128 also when the block is not there
         {"N#1 G0 X1.", "114", 1, 1},                    // no variable in N, not even an empty one
         {"G10 L50\nN6241 R200.\nG11", "7", 2, 7},       // whole numbers (fanuc_lathe 7)
