@@ -2,10 +2,12 @@
 // the runner reports AtBarrier, the driver waits until everything before it has been executed, then lets it go on; only
 // then are the answers read. In check mode they come from setup and from what the program has commanded itself.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
 
+#include "ipc/capacities.hpp"
 #include "ipc/path/stroke_zones.hpp"
 
 namespace polyturn::channels {
@@ -34,6 +36,8 @@ public:
     virtual double interface_value(std::int32_t variable) = 0;
     // A value that the setup gives to any other variable of the language; nothing: not given.
     virtual std::optional<double> given_variable(std::string_view name) = 0;
+    // Is this input on, the axes standing at `machine` (coordinates of the channel's places)? For inputs of measuring.
+    virtual bool measuring_input(std::string_view /*name*/, const MachineView&, const std::array<double, kChannelAxes>& /*machine*/) { return false; }
     virtual CalendarTime clock() = 0;
     virtual double running_ms() = 0;                // #3001
     // What a program sends to an external device (DPRNT, BPRNT): bytes; `control`: signs around a transmission.

@@ -156,6 +156,7 @@ struct OffsetWrite {
     OffsetTable store_table = OffsetTable::Geometry;
     OffsetField field = OffsetField::X;
     bool work = false;              // a zero offset: row and place of ChannelStore::zeros
+    bool until_power_off = false;   // it is not kept on the disk (mefi G92, G93)
     std::int32_t row = 0, place = 0;
     double value = 0.0;             // as the table shows it (X as a diameter on a diameter axis)
 };

@@ -75,7 +75,9 @@ Result<Applied> set_work_zero(const StoreRequest& request, const MachineConfig& 
         const Result<Key> key = zero_by_name(name, request, machine);
         return key ? set_number(values, *key, request.value) : Result<Applied>(key.diagnosis());
     }
-    return set_number(values, {Kind::WorkZero, static_cast<std::int32_t>(request.channel), request.number, request.field, {}}, request.value);
+    Result<Applied> done = set_number(values, {Kind::WorkZero, static_cast<std::int32_t>(request.channel), request.number, request.field & ~kVolatile, {}}, request.value);
+    if (done) done->until_power_off = (request.field & kVolatile) != 0;
+    return done;
 }
 
 Result<Applied> set_variable(const StoreRequest& request, const MachineConfig& machine, StoreValues& values) {

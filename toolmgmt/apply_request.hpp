@@ -16,6 +16,7 @@ enum class Origin : std::uint8_t { Operator, Program, Setup };
 struct Applied {
     std::vector<Change> changes;     // values that really differ now
     std::string answer;              // of a query
+    bool until_power_off = false;    // not for the disk
 };
 
 // Nothing is written when it is refused.

@@ -39,6 +39,8 @@ Service::Service(std::string instance, PeerSegment<SupervisorSegment> supervisor
     look_for_kernel();
     // Before anything is shown: the predecessor showed these values, and they must not seem to go back.
     replay();
+    // Zeros that hold until power-off are in the image only, and the machine may be cutting by them.
+    if (disk_ && image_.taken_over()) image_.read_zeros_into(values_);
     image_.publish_all(values_);
 }
 
@@ -112,6 +114,7 @@ void Service::replay() {
         if (kernel_->persist.head.load(std::memory_order_acquire) >= index + kCapacity) continue;
         Result<Applied> applied = apply_request(request, Origin::Program, machine_, values_);
         if (!applied) continue;
+        if (applied->until_power_off) continue;   // the image has it
         refresh_machine(applied->changes);
         std::move(applied->changes.begin(), applied->changes.end(), std::back_inserter(changes));
     }
@@ -125,7 +128,7 @@ bool Service::take_persist() {
     auto index = own.persist_tail.tail.load(std::memory_order_relaxed);
     if (index >= head) return false;
     const auto end = std::min(head, index + kMostPerStep);
-    std::vector<Change> changes;
+    std::vector<Change> changes, passing;   // for the disk; until power-off
     for (; index < end; ++index) {
         const StoreRequest request = kernel_->persist.slot(index);
         Result<Applied> applied = apply_request(request, Origin::Program, machine_, values_);
@@ -135,10 +138,11 @@ bool Service::take_persist() {
         }
         refresh_machine(applied->changes);
         push_parameter_changes(applied->changes);
-        std::move(applied->changes.begin(), applied->changes.end(), std::back_inserter(changes));
+        std::move(applied->changes.begin(), applied->changes.end(), std::back_inserter(applied->until_power_off ? passing : changes));
     }
-    image_.publish(values_, changes);
     keep_pending(changes);
+    changes.insert(changes.end(), passing.begin(), passing.end());
+    image_.publish(values_, changes);
     pending_index_ = end;
     own.persist_tail.tail.store(end, std::memory_order_release);   // the image is out: virtual time may go on
     own.bell.ring();

@@ -47,6 +47,10 @@ void StoreImage::read_into(StoreValues& values) const {
     for (std::size_t l = 0; l < kMaxChannels; ++l) values.channels[l] = from.channels[l].published();
 }
 
+void StoreImage::read_zeros_into(StoreValues& values) const {
+    for (std::size_t l = 0; l < kMaxChannels; ++l) values.channels[l].zeros = own_->channels[l].published().zeros;
+}
+
 void StoreImage::publish_all(const StoreValues& values) {
     StoreSegment& to = *own_;
     to.parameters.write(values.parameters);

@@ -22,6 +22,7 @@ public:
     // True when a dead predecessor's segment was taken over; it still shows what that one knew.
     bool taken_over() const { return taken_over_; }
     void read_into(StoreValues& values) const;
+    void read_zeros_into(StoreValues& values) const;
     // Fills everything and lets the others attach.
     void publish_all(const StoreValues& values);
     // What these changes touched; then `version` grows. The kernel's list of parameter changes is the caller's.

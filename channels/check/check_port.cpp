@@ -36,6 +36,17 @@ void CheckPort::skip_move(const Move& move, const MachineView& view) {
     }
 }
 
+bool CheckPort::measuring_input(std::string_view name, const MachineView& view, const std::array<double, kChannelAxes>& machine) {
+    for (const text::SensorSetup& sensor : own_->sensors) {
+        const int place = view.axis_by_name(sensor.axis);
+        if (sensor.input != name || place < 0) continue;
+        const auto i = static_cast<unsigned>(place);
+        const double beyond = machine[i] - view.from_shown(i, sensor.at);
+        if (beyond * (sensor.direction < 0 ? -1.0 : 1.0) >= -1e-9) return true;
+    }
+    return false;
+}
+
 double CheckPort::interface_value(std::int32_t variable) { return given_variable("#" + std::to_string(variable)).value_or(0.0); }
 
 std::optional<double> CheckPort::given_variable(std::string_view name) {

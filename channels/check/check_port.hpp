@@ -20,6 +20,7 @@ public:
     bool optional_stop() override { return own_->keys.optional_stop; }
     bool single_block() override { return own_->keys.single_block; }
     double interface_value(std::int32_t variable) override;
+    bool measuring_input(std::string_view name, const MachineView& view, const std::array<double, kChannelAxes>& machine) override;
     std::optional<double> given_variable(std::string_view name) override;
     CalendarTime clock() override;
     double running_ms() override { return 0.0; }

@@ -170,7 +170,7 @@ CornerResult cancel_corner(const Element& a, const Element& b, const Options& op
         list.of_first = list.count;
         return result;
     }
-    if (turn == Turn::Inner || turn == Turn::Reversal || options.entry == Entry::Direct) {
+    if (turn == Turn::Inner || turn == Turn::Reversal || options.entry == Entry::Direct || options.leaves_direct) {
         list.add(first_normal(a));
         return result;
     }

@@ -49,6 +49,7 @@ enum class ArcFeed : std::uint8_t {
 
 struct Options {
     Entry entry = Entry::Around;
+    bool leaves_direct = false;             // ends Direct at outer corners too, however it begins
     Corner corner = Corner::Extended;
     Check check = Check::Correct;
     double intersection_from_deg = 80.0;    // Corner::Intersection

@@ -104,7 +104,7 @@ void CornerStage::join(Move b, const BlockContext& at) {
     Fit fit = both_rapid && call.shape == Shape::Rounding ? Fit::Smooth   // rapid knows no arcs
               : call.reduce                               ? make_largest_corner(first, second, call.shape, call.size, corner)
                                                           : make_corner(first, second, call.shape, call.size, corner);
-    if (fit == Fit::NotStraight) {
+    if (fit == Fit::NotStraight || (call.straight && (is_arc(held_.move) || is_arc(b)))) {
         fail(Alarm::FagorTangential);
         return;
     }

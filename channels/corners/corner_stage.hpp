@@ -24,6 +24,7 @@ struct Call {
     double feed = 0.0;            // of the element, in the unit that holds; 0: that of the block it takes its technology from
     bool from_next = false;       // technology (feed, functions) of the next block instead of this one
     bool reduce = false;          // too large: make it smaller; else Alarm::CornerTooLarge
+    bool straight = false;        // between lines only: Alarm::FagorTangential
     bool required = false;        // no next move of the contour is a fault: Alarm::CornerWithoutNext
     unsigned idle_blocks = 3;     // blocks without motion that may stand between; more: no element
     char letter = 0;              // the word to point at

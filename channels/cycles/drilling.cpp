@@ -119,6 +119,7 @@ static bool tap_led(Core& core, const AxialHole& hole, SpindleTurn in) {
     const double pitch = path.feed_mode == FeedMode::PerRevolution ? path.feed : rpm > 0 ? path.feed / rpm : 0.0;
     if (!(pitch > 0)) return core.fail(Alarm::LeadMissing, 'F');
     if (!turn(core, SpindleTurn::Stop) || !core.spindle_position(0.0)) return false;
+    core.aux('M', 19, "M19", false);   // the PLC closes the loop and answers when it stands there
     path.spindle.turn = in;   // the moves know its speed, though it stands
     const bool locked = path.override_locked;
     path.override_locked = true;

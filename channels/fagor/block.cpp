@@ -92,7 +92,7 @@ bool Interpreter::check_words() {
         if (!row) continue;
         ++codes;
         if (row->alone) alone = row;
-        own_motion = own_motion || row->group == GGroup::OneShot || row->group == GGroup::Cycle || row->number == 8 || row->number == 9 || row->number == 16 || row->number == 51;
+        own_motion = own_motion || (row->group == GGroup::OneShot && row->number != 4) || row->group == GGroup::Cycle || row->number == 8 || row->number == 9 || row->number == 16 || row->number == 51;
         for (const char letter : row->takes) taken |= letter == 'x' ? axes : letter_bit(letter);
     }
     if (coded(GGroup::Cycle)) taken &= ~(letter_set("FSTDM") & ~letter_set(coded_[at(GGroup::Cycle)]->takes));

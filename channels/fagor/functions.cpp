@@ -8,8 +8,11 @@
 namespace polyturn::channels::fagor {
 namespace {
 
-// M functions that act behind the block's motion: what ends something must not end it before the cut (5.5).
-bool acts_late(double code) { return code == 0 || code == 1 || code == 2 || code == 5 || code == 9 || code == 30; }
+bool ends_program(double code) { return code == 0 || code == 1 || code == 2 || code == 30; }
+
+// Does the M function act behind the block's motion? The stops always do; another one as its entry of the table says. What has
+// no entry acts before the motion (5.5), but M05 must not stop the spindle before the cut.
+bool acts_late(double code, const MEntry* entry) { return ends_program(code) || (entry ? entry->after_motion : code == 5); }
 
 }  // namespace
 
@@ -32,22 +35,35 @@ bool Interpreter::spindle_word() {
     for (unsigned k = 0; k < m_count_; ++k)
         if (m_words_[k]->value == 19) return true;   // its angle
     if (s.value < 0) return fail_word(s, Alarm::NegativeSign, "S");
+    if (modal_.motion >= 33 && has_axes()) return fail_word(s, Alarm::FagorIncompatible, "S in a thread");
     double value = s.value;
     if (core_.path.spindle.mode == SpindleModeCode::SurfaceSpeed) {
         if (modal_.inch) value *= 0.3048;
     } else {
-        if (modal_.gear && settings_.gear_max[static_cast<std::size_t>(modal_.gear - 1)] > 0) value = std::fmin(value, settings_.gear_max[static_cast<std::size_t>(modal_.gear - 1)]);
-        if (core_.path.spindle.limit_rpm > 0) value = std::fmin(value, core_.path.spindle.limit_rpm);   // G92 S: none above it is taken
+        if (modal_.speed_limit > 0) value = std::fmin(value, modal_.speed_limit);   // G92 S: none above it is taken
         if (settings_.gear_automatic && !spindle_gear(value)) return false;
+        if (const double most = gear_limit(); most > 0) value = std::fmin(value, most);
     }
     return core_.spindle_speed(value);
 }
 
+// Highest speed of the gear that the block comes to; 0: not limited by the gear.
+double Interpreter::gear_limit() const {
+    int gear = modal_.gear;
+    for (unsigned k = 0; k < m_count_; ++k)
+        if (m_words_[k]->value >= 41 && m_words_[k]->value <= 44) gear = static_cast<int>(m_words_[k]->value) - 40;
+    return gear ? settings_.gear_max[static_cast<std::size_t>(gear - 1)] : 0.0;
+}
+
 // AUTOGEAR: the gear whose speeds contain this one, told to the PLC by its M function.
 bool Interpreter::spindle_gear(double rpm) {
-    int gear = 0;
-    for (int n = 4; n >= 1; --n)
-        if (settings_.gear_max[static_cast<std::size_t>(n - 1)] >= rpm) gear = n;
+    int gear = 0, fastest = 0;
+    for (int n = 4; n >= 1; --n) {
+        const double most = settings_.gear_max[static_cast<std::size_t>(n - 1)];
+        if (most >= rpm) gear = n;
+        if (most > 0 && (!fastest || most > settings_.gear_max[static_cast<std::size_t>(fastest - 1)])) fastest = n;
+    }
+    if (gear == 0) gear = fastest;   // no gear is fast enough: the fastest one, at its limit
     if (gear == 0 || gear == modal_.gear) return true;
     const MEntry* entry = m_entry(40 + gear);
     if (entry && entry->subroutine) {
@@ -147,8 +163,7 @@ bool Interpreter::m_before() {
     if (!core_.commit_spindle()) return false;
     for (unsigned k = 0; k < m_count_; ++k) {
         const MEntry* entry = m_entry(m_words_[k]->value);
-        const bool late = entry ? entry->after_motion || acts_late(m_words_[k]->value) : acts_late(m_words_[k]->value);
-        if (!late && !m_function(*m_words_[k], false)) return false;
+        if (!acts_late(m_words_[k]->value, entry) && !m_function(*m_words_[k], false)) return false;
     }
     return true;
 }
@@ -161,6 +176,7 @@ bool Interpreter::m_function(const Word& word, bool behind) {
         const double speed = core_.path.spindle.rpm, most = settings_.gear_max[static_cast<std::size_t>(code - 41)];
         const bool same = modal_.gear == code - 40 && most > 0 && speed <= most;
         modal_.gear = code - 40;
+        if (!limit_surface_speed() || !core_.commit_spindle()) return false;
         if (same) return true;   // the speed belongs to this gear already: nothing is done (5.5.2)
     }
     if (entry && entry->subroutine) {
@@ -179,15 +195,19 @@ bool Interpreter::m_function(const Word& word, bool behind) {
             return true;
         }
     }
-    if (behind && code == 5 && !(core_.spindle_turn(SpindleTurn::Stop) && core_.commit_spindle())) return false;
+    if (code == 5 && !(core_.spindle_turn(SpindleTurn::Stop) && core_.commit_spindle())) return false;
     if (code == 19) {
         const double angle = has('S') ? number('S') : 0.0;
+        // A spindle whose loop is closed already turns from where it stands, by as many degrees as the difference says (5.5.1).
+        const bool closed = (modal_.m_states >> 19 & 1u) != 0;
+        if (!core_.spindle_unwrapped(angle, closed ? std::optional(angle - modal_.stands_at) : std::nullopt)) return false;
         modal_.position_angle = angle;
-        if (!core_.spindle_position(angle)) return false;
+        modal_.stands_at = std::fabs(angle) > 360.0 ? std::fmod(angle, 360.0) : angle;
     }
     char text[16];
     const auto end = fmt::format_to_n(text, sizeof text, "M{}", code);
-    const bool drains = entry && entry->stops_preparation;
+    // M05 gives the drive back to an axis that shares it: its next move counts from where the drive stands then.
+    const bool drains = (entry && entry->stops_preparation) || (code == 5 && core_.frees_axis() && !core_.reads_ahead());
     core_.aux('M', code, {text, end.size}, drains);
     if (drains) wants_barrier_ = true;
     if (code == 6 && settings_.change_by_m06 && modal_.next_tool >= 0) {
@@ -207,9 +227,8 @@ bool Interpreter::m_after() {
     for (unsigned k = 0; k < m_count_; ++k) {
         const Word& word = *m_words_[k];
         const double code = word.value;
-        const MEntry* entry = m_entry(code);
-        if (!acts_late(code) && !(entry && entry->after_motion)) continue;
-        if (code == 0 || code == 1 || code == 2 || code == 30) {
+        if (!acts_late(code, m_entry(code))) continue;
+        if (ends_program(code)) {
             if (!m_end(code)) return false;
         } else if (!m_function(word, true)) {
             return false;

@@ -16,7 +16,7 @@ constexpr auto kRows = std::to_array<GCode>({
     {1, G::Motion, &I::g_linear, "xRQ", 0, !kAlone, kModal, "Line at feed"},
     {2, G::Motion, &I::g_arc, "xRQIJK", 0, !kAlone, kModal, "Arc, clockwise"},
     {3, G::Motion, &I::g_arc, "xRQIJK", 0, !kAlone, kModal, "Arc, anticlockwise"},
-    {4, G::OneShot, &I::g_dwell, "K", 0, !kAlone, !kModal, "Dwell; stop of block preparation"},
+    {4, G::OneShot, &I::g_dwell, "", 'K', !kAlone, !kModal, "Dwell; stop of block preparation"},
     {5, G::Corner, &I::g_corner, "", 0, !kAlone, kModal, "Round corners"},
     {6, G::Modifier, nullptr, "", 0, !kAlone, !kModal, "Arc centre from part zero"},
     {7, G::Corner, &I::g_corner, "", 0, !kAlone, kModal, "Square corners"},

@@ -112,6 +112,8 @@ bool Interpreter::g_drilling(const GCode&) {
     if (kind > 0 && std::fabs(at.x) > 1e-6) return core_.fail(Alarm::FagorCyclePosition, 'X', "G83");
     hole.tap = kind == 0 ? cycles::AxialHole::Tap::Floating : kind == 1 ? cycles::AxialHole::Tap::Oriented : cycles::AxialHole::Tap::Turning;
     core_.signal("TAPPING", 1.0);
+    core_.path.feed_path.scale = 1.0;   // no override acts on a tap
+    modal_.m_states &= ~(1ull << 19);   // M19 has to search its mark again
     if (!cycles::tap_axial(core_, hole)) return false;
     core_.signal("TAPPING", 0.0);
     return true;

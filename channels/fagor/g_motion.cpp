@@ -29,6 +29,9 @@ double Interpreter::largest_feed(const AxisValues& target) const {
 // The modal feed becomes that of the next move.
 bool Interpreter::set_feed(const AxisValues& target) {
     PathState& path = core_.path;
+    // An override of the program goes before that of the panel (11.2.6).
+    path.feed_path.scale = modal_.override_program > 0 ? modal_.override_program / 100.0 : 1.0;
+    path.override_locked = modal_.override_program > 0;
     const double feed = modal_.feed_code == 94 ? modal_.feed_minute : modal_.feed_code == 95 ? modal_.feed_revolution : modal_.feed_inverse;
     if (feed > 0) {
         path.feed = feed;
@@ -81,13 +84,18 @@ bool Interpreter::g_linear(const GCode& row) {
     return drive_line(target_, row.number == 0);
 }
 
-bool Interpreter::drive_line(const AxisValues& target, bool rapid) {
-    if (!element_at_end(true)) return false;
+bool Interpreter::drive_line(const AxisValues& programmed, bool rapid) {
     const AxisValues from = core_.path.programmed;
-    if (!straight(target, rapid)) return false;
+    AxisValues target = programmed;
+    if (!loops_.empty() && leave_out(target)) {
+        if (!drive_left_out(target, rapid)) return false;
+    } else {
+        if (!element_at_end(true) || !straight(target, rapid)) return false;
+        if (!loops_.empty()) core_.path.programmed = programmed;   // the way may have ended elsewhere
+    }
     int p = -1, q = -1;
     core_.plane_axes(p, q);
-    if (p >= 0 && q >= 0) note_direction(target[static_cast<std::size_t>(p)] - from[static_cast<std::size_t>(p)], target[static_cast<std::size_t>(q)] - from[static_cast<std::size_t>(q)]);
+    if (p >= 0 && q >= 0) note_direction(programmed[static_cast<std::size_t>(p)] - from[static_cast<std::size_t>(p)], programmed[static_cast<std::size_t>(q)] - from[static_cast<std::size_t>(q)]);
     return true;
 }
 
@@ -150,10 +158,14 @@ bool Interpreter::g_arc(const GCode& row) {
     return arc_centre(target, absolute, cp, cq) && drive_arc(target, cp, cq, clockwise);
 }
 
-bool Interpreter::drive_arc(const AxisValues& target, double cp, double cq, bool clockwise) {
+bool Interpreter::drive_arc(const AxisValues& programmed, double cp, double cq, bool clockwise) {
     unsigned p = 0, q = 0;
     if (!plane_places(p, q)) return false;
-    if (!element_at_end(false)) return false;
+    const auto factor = [this](unsigned i) { return modal_.axis_scale[i] == 0.0 ? 1.0 : modal_.axis_scale[i]; };
+    if (factor(p) != factor(q) && !core_.reads_ahead() && !coded(GGroup::Element)) return drive_ellipse(programmed, cp, cq, clockwise, std::fmax(factor(p), factor(q)));
+    AxisValues target = programmed;
+    const bool left_out = !loops_.empty() && leave_out(target);
+    if (!left_out && !element_at_end(false)) return false;
     ArcCall call;
     call.clockwise = clockwise;
     call.centre_p = cp;
@@ -171,7 +183,36 @@ bool Interpreter::drive_arc(const AxisValues& target, double cp, double cq, bool
     } else if (!set_feed(target)) {
         return false;
     }
-    if (!core_.arc(target, call)) return false;
+    if (left_out ? !drive_left_out(target, false) : !core_.arc(target, call)) return false;
+    if (!loops_.empty()) core_.path.programmed = programmed;   // the way may have ended elsewhere
+    const double rp = programmed[p] - cp, rq = programmed[q] - cq;
+    note_direction(clockwise ? rq : -rq, clockwise ? -rp : rp);
+    if (settings_.polar_origin_moves) set_polar_origin(cp, cq);
+    return true;
+}
+
+// A factor of one axis makes an ellipse of the circle (7.6): it is driven in chords.
+bool Interpreter::drive_ellipse(const AxisValues& target, double cp, double cq, bool clockwise, double factor) {
+    constexpr double kSagitta = 0.001, kTurn = 2 * std::numbers::pi;   // mm
+    unsigned p = 0, q = 0;
+    if (!plane_places(p, q)) return false;
+    const AxisValues from = core_.path.programmed;
+    const double r0 = std::hypot(from[p] - cp, from[q] - cq), r1 = std::hypot(target[p] - cp, target[q] - cq);
+    if (std::fabs(r0 - r1) > settings_.arc_tolerance) return core_.fail(Alarm::ArcRadiusDiffers, 'I', {}, std::fabs(r0 - r1), settings_.arc_tolerance);
+    const double first = std::atan2(from[q] - cq, from[p] - cp), last = std::atan2(target[q] - cq, target[p] - cp);
+    double sweep = clockwise ? first - last : last - first;
+    sweep -= std::floor(sweep / kTurn) * kTurn;
+    if (sweep < 1e-9) sweep = kTurn;
+    const double radius = std::fmax(r0 * factor, 2 * kSagitta);
+    const int steps = 1 + static_cast<int>(sweep / (2 * std::acos(1 - kSagitta / radius)));
+    for (int k = 1; k <= steps; ++k) {
+        const double share = static_cast<double>(k) / steps, angle = first + (clockwise ? -sweep : sweep) * share, r = r0 + share * (r1 - r0);
+        AxisValues to = target;
+        for (unsigned i = 0; i < core_.view().axis_count; ++i) to[i] = from[i] + share * (target[i] - from[i]);
+        to[p] = k == steps ? target[p] : cp + r * std::cos(angle);
+        to[q] = k == steps ? target[q] : cq + r * std::sin(angle);
+        if (!straight(to, false)) return false;
+    }
     const double rp = target[p] - cp, rq = target[q] - cq;
     note_direction(clockwise ? rq : -rq, clockwise ? -rp : rp);
     if (settings_.polar_origin_moves) set_polar_origin(cp, cq);
@@ -220,6 +261,8 @@ bool Interpreter::g_thread(const GCode& row) {
     double change = row.number == 34 ? distance('K') : 0.0;
     if (lead < 0) return core_.fail(Alarm::NegativeSign, 'L', "L");
     const bool joined = core_.path.after_thread && modal_.corner == 5;
+    if (joined && has('Q')) return core_.fail(Alarm::FagorThreadJoin, 'Q', "Q");   // only the first one has an angle (6.11)
+    if (joined && row.number == 33 && modal_.lead_varies) return core_.fail(Alarm::FagorThreadJoin, 'G', "G34 G33");
     if (row.number == 34) {
         if (joined && modal_.lead_varies && change != 0.0) return core_.fail(Alarm::FagorThreadJoin, 'G', "G34 G34");
         if (joined && modal_.lead_varies && lead == 0.0) lead = modal_.end_lead;   // L0 K0: on with the pitch reached
@@ -236,6 +279,14 @@ bool Interpreter::g_thread(const GCode& row) {
     call.lead_change = change;
     call.start_angle = has('Q') ? number('Q') : 0.0;
     call.has_start_angle = has('Q');
+    if (modal_.withdraws) {   // G233: at most three axes leave the thread
+        std::size_t slot = 0;
+        for (unsigned i = 0; i < core_.view().axis_count && slot < call.withdraw.size(); ++i) {
+            if (modal_.withdrawal[i] == 0.0) continue;
+            call.withdraw_axis[slot] = static_cast<std::int8_t>(i);
+            call.withdraw[slot++] = modal_.withdrawal[i];
+        }
+    }
     if (!core_.thread(target_, call)) return false;
     modal_.lead = lead;
     modal_.end_lead = std::sqrt(square);

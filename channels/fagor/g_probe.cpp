@@ -17,7 +17,10 @@ bool Interpreter::g_probe(const GCode& row) {
 bool Interpreter::start_probe(std::string_view input, std::uint16_t code) {
     const std::uint64_t before = core_.moves();
     const bool locked = core_.path.override_locked;
-    core_.path.override_locked = code != 52 && !settings_.probe_override;
+    if (code != 52 && !settings_.probe_override) {   // no override at all, the program's neither
+        core_.path.override_locked = true;
+        core_.path.feed_path.scale = 1.0;
+    }
     const bool good = core_.skip(target_, 0.0, core_.path.feed_mode, input, code == 76);
     core_.path.override_locked = locked;
     if (!good) return false;
@@ -30,7 +33,10 @@ bool Interpreter::start_probe(std::string_view input, std::uint16_t code) {
 Step Interpreter::finish_probe() {
     probing_ = false;
     core_.begin_block();
+    const AxisValues wished = core_.path.machine;
     const AxisSet early = core_.take_skip();
+    for (unsigned i = 0; i < core_.view().axis_count; ++i)
+        if (early >> i & 1u) ways_.take_back(i, wished[i] - core_.path.machine[i]);
     state_changed_ = true;
     if (early || probe_code_ == 52) return Step::Continue;
     if (settings_.probe_error && modal_.probe_mode == 0) return fault({Alarm::FagorProbe, 'G', static_cast<double>(probe_code_), 0.0, {}, {}});
@@ -97,6 +103,7 @@ bool Interpreter::element_at_end(bool straight_block) {
     call.shape = kShapes[row->number - 36];
     call.size = element_word_->value * unit() * modal_.scale;
     call.required = row->number == 37 || row->number == 38;
+    call.straight = row->number == 39;
     call.letter = 'R';
     call.idle_blocks = 48;
     return core_.corner(call);

@@ -58,13 +58,21 @@ bool Interpreter::g_feed_mode(const GCode& row) {
 }
 
 bool Interpreter::g_spindle_mode(const GCode& row) {
-    if (row.number == 97) return core_.surface_speed(false);
+    if (row.number == 97) return core_.surface_speed(false) && limit_surface_speed();
     bool gear = settings_.gear_automatic || modal_.gear != 0;
     for (unsigned k = 0; k < m_count_; ++k)
         if (m_words_[k]->value >= 41 && m_words_[k]->value <= 44) gear = true;
     if (!gear) return core_.fail(Alarm::FagorGear, 'G', "M41 to M44");
     if (!has('S') && core_.path.spindle.surface_m_min <= 0) return core_.fail(Alarm::FagorGear, 'G', "S");
-    return core_.surface_speed(true);
+    return core_.surface_speed(true) && limit_surface_speed();
+}
+
+// Constant surface speed keeps to G92 S and to the gear (5.3.1); otherwise S words are what they clamp.
+bool Interpreter::limit_surface_speed() {
+    const bool surface = core_.path.spindle.mode == SpindleModeCode::SurfaceSpeed;
+    const double gear = surface ? gear_limit() : 0.0;
+    const double limit = gear > 0 && (modal_.speed_limit <= 0 || gear < modal_.speed_limit) ? gear : modal_.speed_limit;
+    return limit == core_.path.spindle.limit_rpm || core_.spindle_limit(limit);
 }
 
 bool Interpreter::g_corner(const GCode& row) {
@@ -79,6 +87,8 @@ bool Interpreter::g_look_ahead(const GCode& row) {
     if (number('A') < 0 || number('A') > 255) return core_.fail(Alarm::FagorValueRange, 'A', "A", number('A'));
     if (number('E') < 0) return core_.fail(Alarm::FagorValueRange, 'E', "E", number('E'));
     if (number('B') < 0 || number('B') > 180) return core_.fail(Alarm::FagorValueRange, 'B', "B", number('B'));
+    // The advanced algorithm (bit 15) excludes the doubled interpolation period (7.4).
+    if ((settings_.look_ahead_kind & 0x8000) != 0 && settings_.interpolation_period == 1) return core_.fail(Alarm::FagorIncompatible, 'G', "FG.LOOKATYP FG.IPOTIME");
     if (modal_.feed_code == 95 || modal_.motion >= 33) return core_.fail(Alarm::FagorIncompatible, 'G', modal_.feed_code == 95 ? "G51 G95" : "G51 and a thread");
     modal_.corner = row.number;
     modal_.look_ahead_error = distance('E');
@@ -148,11 +158,17 @@ bool Interpreter::g_scale(const GCode&) {
 }
 
 bool Interpreter::g_comp(const GCode& row) {
+    if (scanning_) {   // what comes behind is no part of the contour
+        scan_over_ = true;
+        return true;
+    }
     const std::uint16_t motion = coded(GGroup::Motion) ? coded_[static_cast<std::size_t>(GGroup::Motion)]->number : modal_.motion;
     if (row.number == 40) {
         if (modal_.comp != 40 && (motion == 2 || motion == 3)) return core_.fail(Alarm::CompArcStartEnd, 'G');
         modal_.comp = 40;
         modal_.collision_blocks = 0;
+        loops_.clear();
+        scanned_to_ = 0;
         return core_.compensation_off(0.0, 0.0);
     }
     if (modal_.comp == 40 && (motion == 2 || motion == 3)) return core_.fail(Alarm::CompArcStartEnd, 'G');
@@ -172,6 +188,9 @@ bool Interpreter::g_comp(const GCode& row) {
         if (blocks > 50) return fail_word(*number_word_, Alarm::FagorValueRange, "N", static_cast<double>(blocks));
         modal_.collision_blocks = blocks >= 3 ? static_cast<int>(blocks) : 0;
     }
+    loops_.clear();
+    scanned_to_ = 0;
+    scan_due_ = modal_.collision_blocks != 0;
     modal_.comp = row.number;
     return core_.compensation(row.number == 41 ? CompSide::Left : CompSide::Right);
 }
@@ -208,8 +227,8 @@ bool Interpreter::g_zone(const GCode&) {
 // --- dwell, homing
 
 bool Interpreter::g_dwell(const GCode&) {
-    const bool alone = block_.count == (has('K') ? 2u : 1u);
-    if (!has('K') || number('K') == 0) {
+    const bool alone = block_.count == (number_word_ ? 2u : 1u);
+    if (!number_word_ || number_word_->value == 0) {
         if (!alone) return core_.fail(Alarm::FagorAlone, 'G', "G04");
         core_.mark_emitted();
         core_.sink().barrier(core_.at);
@@ -217,8 +236,8 @@ bool Interpreter::g_dwell(const GCode&) {
         return true;
     }
     std::int64_t hundredths = 0;
-    if (!whole(*word('K'), hundredths)) return false;
-    if (hundredths > 99'999) return core_.fail(Alarm::FagorValueRange, 'K', "K", static_cast<double>(hundredths));
+    if (!whole(*number_word_, hundredths)) return false;
+    if (hundredths > 99'999) return fail_word(*number_word_, Alarm::FagorValueRange, "K", static_cast<double>(hundredths));
     return core_.dwell(static_cast<double>(hundredths) / 100.0, false);
 }
 
@@ -287,7 +306,8 @@ bool Interpreter::g_zero_table(const GCode&) {
 bool Interpreter::g_preset(const GCode&) {
     if (has('S')) {
         if (has_axes()) return core_.fail(Alarm::FagorAlone, 'S', "G92 S");
-        return core_.spindle_limit(number('S')) && core_.commit_spindle();
+        modal_.speed_limit = number('S');
+        return number('S') >= 0 ? limit_surface_speed() && core_.commit_spindle() : core_.spindle_limit(number('S'));
     }
     if (!has_axes()) return core_.fail(Alarm::CoordinateAxisNone, 'G', "G92");
     core_.hold_zeros_as_preset();

@@ -23,7 +23,7 @@ std::int64_t number_of_file(const std::string& path) {
 }  // namespace
 
 Interpreter::Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles& files)
-    : core_(view, sink, port), files_(&files), settings_(read_settings(view.table(), view.channel)), reader_(*this), expression_(*this) {
+    : ways_(sink), core_(view, ways_, port), files_(&files), settings_(read_settings(view.table(), view.channel)), reader_(*this), expression_(*this) {
     place_.fill(-1);
     for (unsigned i = 0; i < view.axis_count; ++i) {
         const std::string& name = view.axes[i].name;
@@ -33,6 +33,7 @@ Interpreter::Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles
     frames_.reserve(32);
     modal_.diameter = core_.view().axis_by_role(PlaneRole::BasicX) >= 0 && view.axes[static_cast<std::size_t>(view.axis_by_role(PlaneRole::BasicX))].diameter;
     clear_modal();
+    core_.path.zero_row = kZeroNone;
 }
 
 // What the machine parameters say holds at the start of a program (fagor_8037t part 1, 9.1).
@@ -41,6 +42,9 @@ void Interpreter::clear_modal() {
     Modal fresh;
     fresh.written = modal_.written;
     fresh.parts = modal_.parts;
+    fresh.speed_limit = modal_.speed_limit;   // until power-off (4.4.1)
+    fresh.zero = modal_.zero, fresh.zero_number = modal_.zero_number, fresh.zero_added = modal_.zero_added;   // M30 and reset leave them (4.4.2)
+    fresh.inclined = core_.transformed() ? 1 : 0;   // only its freezing ends (part 2, 13)
     modal_ = fresh;
     modal_.diameter = diameter;
     modal_.motion = settings_.g1 ? 1 : 0;
@@ -55,7 +59,6 @@ void Interpreter::clear_modal() {
     core_.path.feed = 0.0;
     core_.path.exact_stop_mode = modal_.corner == 7;
     core_.path.override_locked = false;
-    core_.path.zero_row = kZeroNone;
     core_.set_frame(Frame{});
 }
 
@@ -70,6 +73,7 @@ Result<void> Interpreter::start(FileId main) {
     options.tips = &compensation::kTipsAround;
     options.corner = settings_.comp_mode == 1 ? compensation::Corner::Arc : settings_.comp_mode == 2 ? compensation::Corner::Intersection : compensation::Corner::Extended;
     options.intersection_from_deg = options.arc_below_deg = 60.0;   // 300 degrees on the tool's side
+    options.leaves_direct = true;   // 8.2.6: from the perpendicular point straight to the end of the G40 block
     options.in_place = options.sides_meet_on_paths = options.rapid_suspends = options.straight_after_halt = options.idle_is_fault = true;
     options.idle_blocks = 48;
     core_.compensation_options(options);
@@ -83,7 +87,8 @@ Result<void> Interpreter::start(FileId main) {
     frames_.push_back(frame);
     source_ = &files_->source(main);
     source_->seek({0, 1});
-    ended_ = reread_ = probing_ = false;
+    ended_ = reread_ = probing_ = interrupt_fill_ = false;
+    began_ms_ = core_.port().running_ms();
     fresh_ = true;   // cycle start is a barrier
     serial_ = 0;
     points_.clear();
@@ -257,6 +262,7 @@ Step Interpreter::iso_block() {
     jumped_ = called_ = wants_barrier_ = false;
     const std::uint64_t moves_before = core_.moves();
     if (!classify()) return fault(core_.fault());
+    if (std::exchange(interrupt_fill_, false)) stay_where_left();
     const GCode* one_shot = coded_[static_cast<std::size_t>(GGroup::OneShot)];
     if (one_shot && one_shot->number == 46 && !fresh_ && !core_.reads_ahead()) {   // the axes rest first (architecture 5.8)
         reread_ = true;
@@ -266,6 +272,10 @@ Step Interpreter::iso_block() {
     if (!(check_words() && act())) return fault(core_.fault());
     if (core_.transformation_failed()) return fault(core_.fault());
     if (!called_) modal_.m_done = -1;
+    if (scan_due_ || (scanned_to_ && serial_ >= scanned_to_)) {
+        scan_due_ = false;
+        if (!scan_loops()) return fault(core_.fault());
+    }
     return end_block(block_.count != 0, moves_before);
 }
 

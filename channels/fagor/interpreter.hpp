@@ -21,6 +21,7 @@
 #include "channels/fagor/reader.hpp"
 #include "channels/fagor/settings.hpp"
 #include "channels/fagor/values.hpp"
+#include "channels/fagor/way_counter.hpp"
 #include "channels/language.hpp"
 
 namespace polyturn::channels::fagor {
@@ -128,6 +129,8 @@ private:
     const MEntry* m_entry(double code) const;
     bool m_end(double code);
     bool spindle_gear(double code);
+    double gear_limit() const;
+    bool limit_surface_speed();
 
     // points and motion (points.cpp, g_motion.cpp)
     bool read_point(AxisValues& target, AxisSet* named);
@@ -139,7 +142,7 @@ private:
     void reset_polar_origin();
     void refresh_frame();
     bool straight(const AxisValues& target, bool rapid);
-    bool drive_line(const AxisValues& target, bool rapid);
+    bool drive_line(const AxisValues& programmed, bool rapid);
     bool read_point_without_polar(AxisValues& target);
     void thread_way(const AxisValues& target, double& length, double& along) const;
     int get_axis_type(unsigned place) const;
@@ -147,7 +150,8 @@ private:
     bool set_feed(const AxisValues& target);
     double largest_feed(const AxisValues& target) const;
     bool arc_centre(const AxisValues& target, bool absolute, double& cp, double& cq);
-    bool drive_arc(const AxisValues& target, double cp, double cq, bool clockwise);
+    bool drive_arc(const AxisValues& programmed, double cp, double cq, bool clockwise);
+    bool drive_ellipse(const AxisValues& target, double cp, double cq, bool clockwise, double factor);
     bool begin_machine_block();
     char centre_letter(unsigned place) const;
     bool tangent_arc(const AxisValues& target), three_point_arc(const AxisValues& target);
@@ -167,6 +171,16 @@ private:
     cycles::Contour close_for_tool(const cycles::Contour& part, bool facing, bool& closed);
     void keep_feed(double feed);
 
+    // loops of a compensated contour (loop_scan.cpp)
+    struct LoopPlan {
+        bool left_out = false, first = false;   // the block's way in the plane; the first one of its loop tells
+        cycles::Point end;                      // otherwise where it ends instead
+    };
+    bool scan_loops();
+    std::vector<cycles::Element> record_ahead(const Interpreter& caller, cycles::ContourRecorder& recorder, unsigned p, unsigned q, std::uint64_t& to);
+    bool leave_out(AxisValues& target);
+    bool drive_left_out(const AxisValues& target, bool rapid);
+
     // probing, interrupts (g_probe.cpp)
     Step finish_probe();
     bool start_probe(std::string_view input, std::uint16_t code);
@@ -180,6 +194,7 @@ private:
     Step statement_block();
     enum class Flow : std::uint8_t { Done, NeedsBarrier, Fault };
     Flow run_statement(const char*& at, const char* end, bool inside_if);
+    void tell_control(bool group_ends);
     Flow assignments(const char*& at, const char* end);
     Flow evaluate(const char*& at, const char* end, double& value);
     Flow target(const char*& at, const char* end, Target& to);
@@ -224,6 +239,7 @@ private:
     // interrupt inputs (interrupts.cpp)
     void arm_interrupts();
     bool return_from_interrupt();
+    void stay_where_left();
 
     // resume states (resume.cpp)
     struct ResumeState;
@@ -237,6 +253,7 @@ private:
     void note_resume_point();
     bool is_plain_move() const;
 
+    WayCounter ways_;                // between Core and the machine: the way of each axis
     Core core_;
     ProgramFiles* files_;
     Settings settings_;
@@ -260,7 +277,7 @@ private:
     unsigned m_count_ = 0;
     std::uint32_t mirrors_ = 0;                   // G11 G12 G13 of this block: bits 1, 2, 4
     const Word* element_word_ = nullptr;          // R of G36 to G39
-    const Word* number_word_ = nullptr;           // N of G41, G42, G159
+    const Word* number_word_ = nullptr;           // N of G41, G42, G159; K of G04
     const Word* centre_second_ = nullptr;         // second word of one centre letter (plane XU)
     std::int64_t repeats_ = -1;                   // N at the end of the block
     AxisValues target_{};                         // of the part
@@ -276,7 +293,13 @@ private:
     std::optional<Diagnosis> definition_fault_;   // of a SUB of the main program
     bool interrupt_again_ = false;                // the block in which the program was left is read again
     AxisValues interrupt_begin_{};                // its start
+    AxisValues interrupt_left_{};                 // where the subroutine has left the axes ...
+    bool interrupt_fill_ = false;                 // ... for those outside of the plane that the block read again does not name
+    double began_ms_ = 0.0;                       // CYTIME counts from here
     std::shared_ptr<ResumeState> interrupted_;    // what held there
+    std::map<std::uint64_t, LoopPlan> loops_;     // by the serial of their blocks
+    std::uint64_t scanned_to_ = 0;                // serial of the last block that has been looked at for loops; 0 none
+    bool scan_due_ = false, scanning_ = false, scan_over_ = false;   // behind this block; this interpreter only looks ahead; to here
     bool reads_profile_ = false;                  // this interpreter only looks at a profile
     std::uint32_t fault_column_ = 0, fault_length_ = 0, fault_line_ = 0;
     std::string message_;

@@ -48,6 +48,14 @@ bool Interpreter::interrupt(std::uint64_t serial, bool within, unsigned input) {
     return true;
 }
 
+// An axis outside of the plane that neither REPOS nor the block read again names stays where the subroutine has left it.
+void Interpreter::stay_where_left() {
+    int p = -1, q = -1;
+    core_.plane_axes(p, q);
+    for (unsigned i = 0; i < core_.view().axis_count; ++i)
+        if (!axis_words_[i] && static_cast<int>(i) != p && static_cast<int>(i) != q) core_.path.programmed[i] = interrupt_left_[i];
+}
+
 // RET: what held before holds again; parameters keep what the subroutine has written.
 bool Interpreter::return_from_interrupt() {
     pop_frame();
@@ -66,6 +74,8 @@ bool Interpreter::return_from_interrupt() {
     path.plane_p = before.path.plane_p, path.plane_q = before.path.plane_q;
     if (path.zero_row != before.path.zero_row) core_.select_zero(before.path.zero_row);
     show_diameter();
+    interrupt_left_ = path.programmed;
+    interrupt_fill_ = interrupt_again_;
     if (interrupt_again_) path.programmed = interrupt_begin_;   // the block is read again: increments and centres count from its start
     called_ = true;
     arm_interrupts();

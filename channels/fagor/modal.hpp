@@ -42,7 +42,9 @@ struct Modal {
     double feed_minute = 0.0, feed_revolution = 0.0, feed_inverse = 0.0;   // mm/min, mm/rev, 1/min; 0: the axes' largest
     double feed_of_block = 0.0;       // mm/min that the last G32 block came to
     int gear = 0;                     // M41 to M44; 0 none chosen
-    double position_angle = 0.0;      // M19
+    double position_angle = 0.0;      // M19, as programmed
+    double stands_at = 0.0;           // where it stopped: whole turns beyond the first are forgotten
+    double speed_limit = 0.0;         // G92 S, 1/min; 0 none
     std::uint32_t mirrored = 0;       // by place
     double scale = 1.0;               // G72 S
     AxisValues axis_scale{};          // G72 X..; 0 is 1

@@ -132,8 +132,8 @@ bool Interpreter::angle_point(AxisValues& target) {
     const double p0 = core_.path.programmed[p], q0 = core_.path.programmed[q];
     const bool gives_p = axis_words_[p] != nullptr;
     const double way = gives_p ? target[p] - p0 : target[q] - q0, share = gives_p ? c : s;
-    if (std::fabs(way) < kSame) return true;
     // The direction must lead to the coordinate, not away from it and not past it.
+    if (std::fabs(share) >= 1e-9 && std::fabs(way) < kSame) return true;
     if (std::fabs(share) < 1e-9 || way / share < 0) return core_.fail(Alarm::FagorAngle, 'Q', {}, number('Q'));
     if (gives_p) target[q] = q0 + way * s / c;
     else target[p] = p0 + way * c / s;

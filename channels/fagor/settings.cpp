@@ -28,6 +28,8 @@ Settings read_settings(const Table& t, unsigned l) {
         static constexpr decltype(fg_int1sub) kSubs[] = {fg_int1sub, fg_int2sub, fg_int3sub, fg_int4sub};
         s.interrupt_subroutine[n] = whole(kSubs[n]);
     }
+    s.look_ahead_kind = whole(fg_lookatyp);
+    s.interpolation_period = whole(fg_ipotime);
     s.inclined_axis = whole(fg_angaxna);
     s.orthogonal_axis = whole(fg_ortaxna);
     s.inclined_deg = get(t, fg_angantr, l);

@@ -29,6 +29,7 @@ struct Settings {
     bool comp_every_plane = false;
     bool probe_override = false, probe_error = false;
     std::array<std::int32_t, 4> interrupt_subroutine{};
+    std::int32_t look_ahead_kind = 0, interpolation_period = 0;
     int inclined_axis = 0, orthogonal_axis = 0;   // 1 = X, 2 = Y ...
     double inclined_deg = 0.0, inclined_origin = 0.0;
     std::vector<MEntry> m_table;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "channels/fagor/interpreter.hpp"
+#include "ipc/image/interrupt_inputs.hpp"
 
 namespace polyturn::channels::fagor {
 namespace {
@@ -135,14 +136,17 @@ Interpreter::Flow Interpreter::run_statement(const char*& at, const char* end, b
     if (is("REPOS")) return reposition(at, end);
     if (is("ESBLK") || is("DSBLK")) {
         modal_.one_block = word == "ESBLK";
+        tell_control(!modal_.one_block);
         return Flow::Done;
     }
     if (is("DSTOP") || is("ESTOP")) {
         modal_.stop_disabled = word == "DSTOP";
+        tell_control(false);
         return Flow::Done;
     }
     if (is("DFHOLD") || is("EFHOLD")) {
         modal_.hold_disabled = word == "DFHOLD";
+        tell_control(false);
         return Flow::Done;
     }
     if (is("DGWZ")) {   // what the screen shows; the values must be right all the same
@@ -157,6 +161,14 @@ Interpreter::Flow Interpreter::run_statement(const char*& at, const char* end, b
     for (const std::string_view name : kCustomizing)
         if (word == name) return flow_fault(Alarm::FagorUserChannel, begin, word.size(), std::string(word));
     return assignments(at, end);
+}
+
+// What the program takes out of the operator's hands, in path order (12.3).
+void Interpreter::tell_control(bool group_ends) {
+    std::uint32_t bits = modal_.one_block ? kControlNoSingleBlock : 0u;
+    if (modal_.stop_disabled || modal_.hold_disabled) bits |= kControlNoHold | kControlNoPlcStop;
+    if (group_ends) bits |= kControlGroupEnds;
+    core_.signal("CONTROL", bits);
 }
 
 // destination = expression, several separated by commas; a letter and a number do without the sign of equality.

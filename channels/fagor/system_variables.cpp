@@ -100,6 +100,11 @@ Access Interpreter::read_named(const Target& target, double& value) {
         case Var::Kept: case Var::KeptAxis:
             value = values_.kept(static_cast<std::size_t>(&row - &variable_row(0)), row.shape == Shape::Plain ? kNoPlace : row.shape == Shape::Axis ? i : static_cast<std::size_t>(target.index) % kNoPlace);
             return Access::Ok;
+        case Var::Way: {
+            const double way = ways_.way(static_cast<unsigned>(i)) + values_.kept(static_cast<std::size_t>(&row - &variable_row(0)), i);
+            value = core_.view().axes[i].rotary ? way : from_length_plain(way);
+            return Access::Ok;
+        }
         case Var::Nothing: case Var::AdditiveZero: value = 0.0; return Access::Ok;
         default: return read_state(target, value);
     }
@@ -146,7 +151,11 @@ Access Interpreter::read_state(const Target& target, double& value) {
             value = factor == 0.0 ? 1.0 : factor;
             return Access::Ok;
         }
-        case Var::Probe: value = core_.port().given_variable("PRBST").value_or(0.0); return Access::Ok;
+        case Var::Probe: {
+            const auto given = core_.port().given_variable("PRBST");
+            value = given ? *given : core_.port().measuring_input(modal_.probe_input == 2 ? "2" : "1", view, path.machine);
+            return Access::Ok;
+        }
         case Var::Clock: {
             const CalendarTime t = core_.port().clock();
             value = t.hour * 3600.0 + t.minute * 60.0 + t.second;
@@ -162,7 +171,7 @@ Access Interpreter::read_state(const Target& target, double& value) {
             value = (t.year % 100) * 10'000.0 + t.month * 100.0 + t.day;
             return Access::Ok;
         }
-        case Var::CycleTime: value = std::trunc(core_.port().running_ms() / 10.0); return Access::Ok;
+        case Var::CycleTime: value = std::trunc((core_.port().running_ms() - began_ms_) / 10.0); return Access::Ok;
         case Var::First: value = 1.0; return Access::Ok;
         case Var::ProbeInput: value = modal_.probe_input; return Access::Ok;
         case Var::Diameter: value = modal_.diameter; return Access::Ok;
@@ -170,7 +179,6 @@ Access Interpreter::read_state(const Target& target, double& value) {
         case Var::Parts: value = modal_.parts; return Access::Ok;
         default: break;
     }
-    (void)path;
     value = 0.0;
     return Access::Ok;
 }
@@ -212,7 +220,7 @@ Access Interpreter::read_feed_or_spindle(const Target& target, double& value) {
         case Var::SpindleReal: case Var::SpindleTheoretical: value = s.turn == SpindleTurn::Stop ? 0.0 : s.rpm; break;
         case Var::SpindleSpeed: case Var::SpindleProgram: value = s.rpm; break;
         case Var::SurfaceSpeed: case Var::SurfaceProgram: value = modal_.inch ? s.surface_m_min / 0.3048 : s.surface_m_min; break;
-        case Var::SpindleLimit: value = s.limit_rpm; break;
+        case Var::SpindleLimit: value = modal_.speed_limit; break;
         case Var::SpindleAngle: case Var::SpindleAngleProgram: value = modal_.position_angle; break;
         case Var::SpindleTurnAngle: value = modal_.position_angle - std::floor(modal_.position_angle / 360.0) * 360.0; break;
         default: value = 0.0; break;   // nothing moves while a program reads it

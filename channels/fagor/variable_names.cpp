@@ -89,7 +89,7 @@ constexpr auto kRows = std::to_array<VariableRow>({
     {"DPLY", S::Axis, V::Displayed, kNow, kReadOnly, 0},
     {"DRPO", S::Axis, V::Nothing, kNow, kReadOnly, 0},
     {"GPOS", S::BlockOfProgram, V::BlockPosition, kNow, kReadOnly, 0},
-    {"DIST", S::Axis, V::KeptAxis, kLive, kWritable, 0},
+    {"DIST", S::Axis, V::Way, kLive, kWritable, 0},
     {"LIMPL", S::Axis, V::KeptAxis, kNow, kWritable, 0},
     {"LIMMI", S::Axis, V::KeptAxis, kNow, kWritable, 0},
     // 11.2.8 handwheels, 11.2.9 feedback

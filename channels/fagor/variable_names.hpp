@@ -23,7 +23,7 @@ enum class Var : std::uint8_t {
     Probe, Clock, Time, Date, CycleTime, First, ProbeInput, Diameter, ProbeMode, Parts,
     Nothing,     // belongs to equipment that is not there: reads 0
     Kept,        // a value that programs keep there themselves
-    KeptAxis,
+    KeptAxis, Way,
 };
 
 enum class Shape : std::uint8_t { Plain, Axis, Index, AxisOrIndex, AxisIndex, BlockOfProgram };

@@ -91,6 +91,10 @@ Access Interpreter::write_named(const Target& target, double value) {
     if (target.axis && place_of(target.axis) < 0) return Access::Unknown;
     if (!row.writable || (row.shape == Shape::AxisOrIndex && !target.has_index)) return Access::ReadOnly;
     if (row.live && !fresh_) return Access::NeedsBarrier;
+    if (scanning_) {   // tables are shared: looking ahead writes none, and what depends on it is not known
+        scan_over_ = true;
+        return Access::Ok;
+    }
     const int place = place_of(target.axis);
     const auto i = static_cast<std::size_t>(place < 0 ? 0 : place);
     MachineView& view = core_.view();
@@ -146,7 +150,16 @@ Access Interpreter::write_named(const Target& target, double value) {
             show_diameter();
             return Access::Ok;
         case Var::Parts: modal_.parts = value; return Access::Ok;
+        case Var::Way:   // what is kept is the difference to the way since the start
+            values_.write(values_.kept(static_cast<std::size_t>(&row - &variable_row(0)), i), (view.axes[i].rotary ? value : value * unit()) - ways_.way(static_cast<unsigned>(i)));
+            return Access::Ok;
         case Var::Kept: case Var::KeptAxis:
+            if (row.name == "KEYSRC") {   // only while it is 0 (11.2.14)
+                if (value < 0 || value > 2 || value != std::nearbyint(value)) return variable_fault(Alarm::FagorValueRange, "KEYSRC", value);
+                if (values_.kept(static_cast<std::size_t>(&row - &variable_row(0)), kNoPlace) != 0) return Access::ReadOnly;
+            }
+            if (row.name == "ANAO" && (target.index < 1 || target.index > 8)) return variable_fault(Alarm::FagorValueRange, target_name(target), target.index);
+            if (row.name == "ANAO" && std::fabs(value) > 10.0) return variable_fault(Alarm::FagorValueRange, target_name(target), value);
             values_.write(values_.kept(static_cast<std::size_t>(&row - &variable_row(0)), row.shape == Shape::Plain ? kNoPlace : row.shape == Shape::Axis ? i : static_cast<std::size_t>(target.index) % kNoPlace), value);
             return Access::Ok;
         default: return write_table(target, value);

@@ -52,6 +52,7 @@ void Interpreter::write_zero(std::int32_t row, unsigned place, double value) {
     write.row = row;
     write.place = static_cast<std::int32_t>(place);
     write.value = value;
+    write.until_power_off = settings_.mefi;
     core_.mark_emitted();
     core_.sink().offset(write, core_.at);
     core_.load_zeros();

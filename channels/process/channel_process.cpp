@@ -215,6 +215,7 @@ void ChannelProcess::go_on() {
         take_limits();
         sink_->limits_changed();
     }
+    sink_->skip_ended(port_);
     take_changes();
     run_->barrier_done();
     state_ = State::Reading;

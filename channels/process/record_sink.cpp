@@ -189,7 +189,7 @@ void RecordSink::add(const Move& move, const BlockContext& at, bool told, std::u
     if (move.kind == MoveKind::Rapid && move.speed_limit > 0) r.feed = move.speed_limit / 60;
     if (move.kind == MoveKind::Reference) r.flags |= kReference;
     if (move.kind == MoveKind::Skip) {
-        r.flags |= kSkipMove;
+        r.flags |= kSkipMove | (move.skip_release ? std::uint32_t{kSkipRelease} : 0u);
         const auto input = move.skip_name.empty() ? std::optional<std::uint32_t>(move.skip_input) : input_by_name(move.skip_name, view_->channel);
         r.code = input ? static_cast<std::int32_t>(*input) : -1;   // a signal that does not exist never comes
     }
@@ -217,6 +217,7 @@ void RecordSink::add(const Move& move, const BlockContext& at, bool told, std::u
     if (move.override_locked) r.flags |= kOverrideLocked;
     if (maker_->length_of_next() > 0) {
         r.note = told ? note([&](Sink& sink) { sink.move(move, at); }) : number;
+        if (move.kind == MoveKind::Skip && r.note) skip_ = {r.note, move, at, std::string(at.tool.name), std::string(at.cycle), std::string(move.skip_name)};
         maker_->add_move();
         drained_ = false;
     }
@@ -331,7 +332,7 @@ void RecordSink::offset(const OffsetWrite& offset, const BlockContext& at) {
     r.code = static_cast<std::int32_t>(offset.work ? OffsetTable::Work : offset.store_table);
     r.mask = static_cast<std::uint32_t>(offset.work ? offset.row : offset.number);
     r.plane[0] = static_cast<std::uint8_t>(offset.work ? offset.place : static_cast<std::int32_t>(offset.field));
-    r.plane[1] = static_cast<std::uint8_t>(offset.channel);
+    r.plane[1] = static_cast<std::uint8_t>(offset.work ? std::uint32_t{offset.until_power_off} : offset.channel);
     r.value = offset.value;
     push(r, false, false);
 }
@@ -405,6 +406,27 @@ void RecordSink::barrier(const BlockContext& at) {
 }
 
 void RecordSink::block_end(const BlockContext& at) { last_ = at; }
+
+void RecordSink::skip_ended(Port& port) {
+    if (!skip_.number || !describe_) return;
+    Move& m = skip_.move;
+    m.skip_name = skip_.input;
+    m.kinematics = nullptr;   // it may be gone
+    skip_.at.tool.name = skip_.tool;
+    skip_.at.cycle = skip_.cycle;
+    for (unsigned i = 0; i < view_->axis_count; ++i) {
+        const auto end = m.moved >> i & 1u ? port.axis_at_skip(view_->axes[i].machine_axis) : std::nullopt;
+        if (!end) continue;
+        const double there = view_->axes[i].from_drive(*end);
+        m.pos[i] += there - m.machine[i];
+        m.machine[i] = there;
+    }
+    text_->clear();
+    describe_->move(m, skip_.at);
+    if (!text_->empty() && text_->back() == '\n') text_->pop_back();
+    if (!text_->empty()) put_note_(skip_.number, *text_);
+    skip_.number = 0;
+}
 
 void RecordSink::reach_barrier() {
     if (!drained_) barrier(last_);

@@ -8,9 +8,11 @@
 //   I3  Behind a record with kDrains nothing is pushed before the kernel has answered it; drain_index() is its place.
 #pragma once
 #include <functional>
+#include <string>
 
 #include "channels/machine_view.hpp"
 #include "channels/path/transformed_out.hpp"
+#include "channels/port.hpp"
 #include "channels/process/operator_changes.hpp"
 #include "channels/process/ring_out.hpp"
 #include "channels/sink.hpp"
@@ -52,7 +54,9 @@ public:
     // The program has come to a barrier, or to its end: everything is out afterwards. `stop`: what ends it unless the
     // program itself has; a barrier without a record of its own gets one.
     void reach_barrier();
-    void forget() { drained_ = stopped_ = failed_ = false, limits_changed(); }   // what was pushed is void: the program goes back
+    void forget() { drained_ = stopped_ = failed_ = false, skip_.number = 0, limits_changed(); }   // what was pushed is void: the program goes back
+    // Behind the barrier of a skip move: its note is told once more, with the point at which it ended.
+    void skip_ended(Port& port);
     void finish(StopReason reason);
     void end_of_part();   // the program has ended, another part follows: a barrier instead of the stop
     void tell_writes(OperatorChanges* changes) { changes_ = changes; }
@@ -71,6 +75,13 @@ private:
     void fill_retract(const Move& move, PathRecord& record) const;
     void fill_arc(const Move& move, PathRecord& record) const;
 
+    struct SkipNote {
+        std::uint64_t number = 0;   // of the note; 0: none is due
+        Move move;
+        BlockContext at;
+        std::string tool, cycle, input;   // what the views of move and at look into
+    };
+    SkipNote skip_;
     const MachineView* view_;
     PathMaker* maker_;
     RingOut* ring_;

@@ -2,6 +2,8 @@
 
 #include <ctime>
 
+#include "ipc/machine/named_inputs.hpp"
+
 namespace polyturn::channels {
 
 RunPort::RunPort(const KernelSegment& kernel, unsigned channel)
@@ -39,6 +41,14 @@ double RunPort::interface_value(std::int32_t variable) {
     }
     if (variable >= 1100 && variable < 1200) return plc_->output[static_cast<std::size_t>(variable - 1100)];
     return 0;
+}
+
+bool RunPort::measuring_input(std::string_view name, const MachineView&, const std::array<double, kChannelAxes>&) {
+    const auto number = input_by_name(name, channel_);
+    if (!number) return false;
+    PlcInputs inputs;
+    while (!kernel_->plc_inputs.read(inputs)) {}
+    return inputs.input[*number] != 0;
 }
 
 std::optional<double> RunPort::given_variable(std::string_view name) {

@@ -29,6 +29,7 @@ public:
     bool optional_stop() override;
     bool single_block() override;
     double interface_value(std::int32_t variable) override;
+    bool measuring_input(std::string_view name, const MachineView&, const std::array<double, kChannelAxes>&) override;
     std::optional<double> given_variable(std::string_view name) override;
     CalendarTime clock() override;
     double running_ms() override;

@@ -250,6 +250,7 @@ public:
     // nose touches it on the side of `outside`; 0 without compensation.
     double cut_shift(const AxisValues& a, const AxisValues& b, unsigned along, const AxisValues& outside) const;
     double machine_now(unsigned place) const;             // machine coordinate with the vector in it
+    AxisValues programmed_now() const { return programmed_at(path.machine, ~AxisSet{0}); }   // where the axes were sent, as a program names it
 
     // --- chamfers, roundings (channels/corners)
     bool corner(const corners::Call& call);               // at the end of the next move
@@ -271,6 +272,8 @@ public:
     bool spindle_limit(double rpm);
     bool spindle_position(double degrees, SpindleApproach approach = SpindleApproach::Shortest);
     bool spindle_index(double way_deg);                   // turns the closed loop by so much, with its sign
+    // An angle that is not taken modulo a turn; `way`: the loop is closed, turn it by so much.
+    bool spindle_unwrapped(double degrees, std::optional<double> way_deg);
     bool frees_axis() const;                              // stopping the channel's spindle gives its drive to an axis of the channel
     bool spindle_watch(bool on, const std::array<double, 4>& values = {});   // fluctuation; values as in Spindle::watch
     bool commit_spindle();
@@ -278,7 +281,7 @@ public:
     void refresh_surface_zero();                          // G96: the zero of X may have changed
 
 private:
-    bool spindle_to(double degrees, SpindleApproach approach, double way_deg);
+    bool spindle_to(double degrees, SpindleApproach approach, double way_deg, bool whole_turns = false);
     void turn_with_move();
     bool begin_move(const AxisValues& target, MoveKind kind);
     bool shape_arc(ArcCall call, unsigned p, unsigned q, bool& moves);

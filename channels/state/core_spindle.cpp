@@ -75,18 +75,23 @@ bool Core::spindle_position(double degrees, SpindleApproach approach) { return s
 
 bool Core::spindle_index(double way_deg) { return spindle_to(path.spindle.angle_deg + way_deg, SpindleApproach::Incremental, way_deg); }
 
-bool Core::spindle_to(double degrees, SpindleApproach approach, double way_deg) {
+bool Core::spindle_unwrapped(double degrees, std::optional<double> way_deg) {
+    return spindle_to(degrees, way_deg ? SpindleApproach::Incremental : SpindleApproach::Shortest, way_deg.value_or(0.0), true);
+}
+
+bool Core::spindle_to(double degrees, SpindleApproach approach, double way_deg, bool whole_turns) {
     SpindleState& s = path.spindle;
     if (s.spindle == 0) return fail(Alarm::SpindleMissing, 'M');
     s.turn = SpindleTurn::Stop;
     s.commanded = true;
+    const double as_told = degrees;
     degrees = std::fmod(degrees, 360.0);
     s.angle_deg = degrees < 0 ? degrees + 360.0 : degrees;
     emitted_ = true;
     Spindle told;
     told.spindle = s.spindle;
     told.mode = SpindleModeCode::Position;
-    told.value = s.angle_deg;
+    told.value = whole_turns ? as_told : s.angle_deg;
     told.approach = approach;
     told.way = way_deg;
     told.mode_changed = true;

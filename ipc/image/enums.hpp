@@ -48,6 +48,7 @@ enum RecordFlag : std::uint32_t {
     kTapOut = 1u << 17,      // and this is the way out of the hole
     kMoreBefore = 1u << 19,  // a piece of a curve: its move has begun with an earlier one
     kMoreBehind = 1u << 20,  // and ends with a later one
+    kSkipRelease = 1u << 21, // a skip move that ends when the input goes
     kFixedStop = 1u << 18,   // ends where the axis stops moving though its drive gives the torque of `value` (thousandths)
 };
 

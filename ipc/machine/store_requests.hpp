@@ -2,7 +2,7 @@
 //
 //   kind         number                     field                         name             value
 //   OffsetValue  offset number 1..999       table * 256 + OffsetField     -                as the table shows it
-//   WorkZero     row of ChannelStore::zeros place of the axis             or "G54 X"       as the table shows it
+//   WorkZero     row of ChannelStore::zeros place of the axis, kVolatile  or "G54 X"       as the table shows it
 //   Variable     index of the kept ones, -1 -                             or "#500"        NaN: empty
 //   Counter      0..99                      -                             -                value
 //   LastPosition axis, from 1               -                             -                machine coordinate, true mm or degrees
@@ -28,6 +28,7 @@ namespace polyturn {
 
 inline constexpr std::int32_t kCounters = 100;
 inline constexpr std::int32_t kMoreFollows = 1;
+inline constexpr std::int32_t kVolatile = 256;   // holds in the running system only: the next power-on has what is on the disk
 
 inline StoreRequest store_request(StoreRequestKind kind, std::uint32_t channel, std::int32_t number, std::int32_t field, double value) noexcept {
     StoreRequest request{};
@@ -70,7 +71,7 @@ inline StoreRequest request_of_record(std::uint32_t channel, const PathRecord& r
     }
     const auto table = static_cast<OffsetTable>(record.code);
     const auto number = static_cast<std::int32_t>(record.mask);
-    if (table == OffsetTable::Work) return work_zero_request(channel, number, record.plane[0], record.value);
+    if (table == OffsetTable::Work) return work_zero_request(channel, number, record.plane[0] + (record.plane[1] ? kVolatile : 0), record.value);
     return offset_request(record.plane[1] ? record.plane[1] : channel, number, table, static_cast<OffsetField>(record.plane[0]), record.value);
 }
 

@@ -67,7 +67,7 @@ void ChannelRunner::begin_program(ChannelEventKind how, double value, std::uint6
     know_positions();
     state_ = ChannelState::Running;
     stop_reason_ = StopReason::None;
-    hold_ = hold_later_ = change_due_ = false;
+    hold_ = hold_later_ = change_due_ = group_ended_ = false;
     control_ = 0;   // what a program has put off holds to its end
     core_.stroke2_off &= ~(ChannelSet{1} << index_);
     cutting_s_ = rapid_s_ = waiting_s_ = cycle_s_ = 0;
@@ -133,7 +133,7 @@ void ChannelRunner::finish_reset() noexcept {
     at_boundary_ = true;
     thread_moving_ = thread_committed_ = false;
     retract_.clear();
-    jog_in_hold_ = begun_ = hold_ = interrupted_ = alarm_ = continue_ = released_ = passing_ = emergency_ = skipping_ = interrupts_on_ = interrupt_due_ = hold_later_ = unfinished_ = false;
+    jog_in_hold_ = begun_ = hold_ = interrupted_ = alarm_ = continue_ = released_ = passing_ = emergency_ = skipping_ = interrupts_on_ = interrupt_due_ = hold_later_ = unfinished_ = group_ended_ = false;
     control_ = 0;
     core_.stroke2_off &= ~(ChannelSet{1} << index_);
     change_due_ = asked_by_hand_ = start_wanted_ = held_mdi_ = program_left_ = false;

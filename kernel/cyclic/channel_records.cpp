@@ -123,6 +123,7 @@ void ChannelRunner::flag(const PathRecord& r) noexcept {
         case kFlagTapping: core_.signals.set_nc(signals::tapping(number_), r.value != 0); break;
         case kFlagControl:
             control_ = static_cast<std::uint32_t>(r.value);
+            group_ended_ = (control_ & kControlGroupEnds) && ((pressed_keys & kKeySingleBlock) || core_.signals.plc(signals::m5008(number_)));
             if (!(control_ & kControlNoHold) && std::exchange(hold_later_, false)) hold_ = true;   // pressed while it did not count
             break;
         case kFlagStroke2:

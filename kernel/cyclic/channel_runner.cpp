@@ -1,6 +1,7 @@
 #include "kernel/cyclic/channel_runner.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "ipc/image/interrupt_inputs.hpp"
 
@@ -191,7 +192,7 @@ void ChannelRunner::settle() noexcept {
     }
     if (interrupted_ && state_ != ChannelState::Interrupted && !dead_) stand(ChannelState::Interrupted, StopReason::Alarm);
     if (hold_ && !interrupted_ && state_ == ChannelState::Running && phase_ != Phase::Handshake) stand(ChannelState::Held, StopReason::Held);
-    if (state_ == ChannelState::Running && step_.stands == Stands::BlockEnd && (keys & kKeySingleBlock)) stand(ChannelState::ProgramStop, StopReason::SingleBlock);
+    if (state_ == ChannelState::Running && ((step_.stands == Stands::BlockEnd && (keys & kKeySingleBlock)) || std::exchange(group_ended_, false))) stand(ChannelState::ProgramStop, StopReason::SingleBlock);
 }
 
 // What holds and slows every path of this channel.
@@ -200,7 +201,7 @@ PathInput ChannelRunner::path_input() noexcept {
     input.feed_override = feed_override;
     input.rapid_override = rapid_override;
     input.spindle_rev_s = core_.spindle_rev_s.data();
-    input.hold = core_.signals.plc(signals::cp_stop(number_)) || hold_ || resetting_ || dead_ || interrupted_ || core_.all_stop || !core_.on() || !program_runs();
+    input.hold = (core_.signals.plc(signals::cp_stop(number_)) && !(control_ & kControlNoPlcStop)) || hold_ || group_ended_ || resetting_ || dead_ || interrupted_ || core_.all_stop || !core_.on() || !program_runs();
     if (emergency_) input.emergency_dec = emergency_deceleration();
     return input;
 }
@@ -261,10 +262,11 @@ bool ChannelRunner::skip_signal() noexcept {
     if (cursor_ >= planner_->next_record()) return false;
     const PathRecord& r = record(cursor_);
     if (!(r.flags & kSkipMove) || r.code < 0 || static_cast<std::size_t>(r.code) >= kInputs) return skipping_ = false;
-    if (!skipping_ && core_.signals.input(static_cast<std::size_t>(r.code))) {
+    const bool release = (r.flags & kSkipRelease) != 0;
+    if (!skipping_ && core_.signals.input(static_cast<std::size_t>(r.code)) != release) {
         skipping_ = skipped_ = true;
         // The drives latch their encoders the moment the signal comes: a part of a tick ago, if a sensor says so.
-        const double part = core_.sensors.risen_part(static_cast<std::size_t>(r.code), core_.tick);
+        const double part = release ? 0.0 : core_.sensors.risen_part(static_cast<std::size_t>(r.code), core_.tick);
         for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) core_.axes[a].skip = core_.sensors.position(core_.axes[a], a, part);
     }
     return skipping_;

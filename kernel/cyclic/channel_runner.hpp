@@ -225,6 +225,7 @@ private:
     bool jog_in_hold_ = false, stop_after_part_ = false, ends_with_part_ = false;
     bool hold_ = false, dead_ = false, stopped_ = false, resetting_ = false, interrupted_ = false, alarm_ = false, continue_ = false;
     bool skipped_ = false;                 // the signal of the last skip move came
+    bool group_ended_ = false;             // kControlNoSingleBlock has ended in single block: the path is to rest here
     bool rest_reported_ = false, released_ = false, passing_ = false, judged_ = false, emergency_ = false, skipping_ = false;
     // M96: the signal is watched; it has come and the path is to stop; as it was at the last tick.
     bool interrupts_on_ = false, interrupt_due_ = false, interrupt_signal_ = false;

@@ -14,12 +14,13 @@ void Sensors::look(const std::array<AxisUnit, kMaxAxes>& axes, Signals& signals,
     looked_ = true;
     std::bitset<kInputs> sensed, known;
     for (std::size_t i = 0; i < count_; ++i) {
-        const Sensor& one = sensors_[i];
+        Sensor& one = sensors_[i];
         known[one.input] = true;
-        const int way = way_[one.axis];
-        if (way == 0 || (one.direction != 0 && one.direction != way)) continue;
+        const int way = way_[one.axis], side = one.direction != 0 ? one.direction : way;
         const double here = now_[one.axis], last = before_[one.axis];
-        if (way > 0 ? here < one.at : here > one.at) continue;
+        const bool beyond = side != 0 && (side > 0 ? here >= one.at : here <= one.at);
+        one.touches = beyond && way != 0 && (way == side || one.touches);
+        if (!one.touches) continue;
         sensed[one.input] = true;
         if (on_[one.input]) continue;
         const double part = here != last ? std::clamp((one.at - last) / (here - last), 0.0, 1.0) : 1.0;

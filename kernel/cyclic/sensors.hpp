@@ -1,5 +1,5 @@
-// Simulated touch and limit signals (setup, cli.md 2): an input that is on while an axis travels in the sensor's direction
-// beyond its place. Looked at after the drives of a tick, seen by the channels at the next one; the part of the tick at which
+// Simulated touch and limit signals (setup, cli.md 2): an input that comes when an axis, travelling in the sensor's direction,
+// is beyond its place, and goes when the axis has come back past it. Looked at after the drives of a tick, seen by the channels at the next one; the part of the tick at which
 // the axis crossed the place is kept, because a probe input latches the encoders at once and not at a tick.
 #pragma once
 #include <array>
@@ -15,6 +15,7 @@ struct Sensor {
     std::uint32_t input = 0;
     int direction = 0;        // of travel in which it answers: -1, 1; 0 both
     double at = 0;            // machine coordinate, mm or degrees
+    bool touches = false;     // it has answered and is still beyond
 };
 
 class Sensors {

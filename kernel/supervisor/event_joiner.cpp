@@ -1,5 +1,7 @@
 #include "kernel/supervisor/event_joiner.hpp"
 
+#include <utility>
+
 #include "kernel/supervisor/event_text.hpp"
 
 namespace polyturn::supervisor {
@@ -23,7 +25,23 @@ double rounded(double t_s) {
 
 void EventJoiner::note(unsigned channel, std::uint64_t number, std::string_view text) {
     while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.remove_suffix(1);
-    channels_[channel].waiting[number] = std::string(text);
+    Channel& own = channels_[channel];
+    if (!own.skip || own.skip_number != number) {
+        own.waiting[number] = std::string(text);
+        return;
+    }
+    if (const auto entry = entries_.find(*own.skip); entry != entries_.end()) {
+        entry->second.text = std::string(text);
+        append_key(entry->second.text, "t", own.skip->t_s);
+    }
+    settle_skip(own);
+}
+
+// Nothing more is said about it: it may be given out as soon as it has ended.
+void EventJoiner::settle_skip(Channel& own) {
+    const std::optional<Key> key = std::exchange(own.skip, std::nullopt);
+    if (!key) return;
+    if (const auto entry = entries_.find(*key); entry != entries_.end() && entry->second.ended) entry->second.complete = true;
 }
 
 std::string_view EventJoiner::insert(unsigned channel, double t_s, std::string text, Entry entry, Key* key_out) {
@@ -40,7 +58,9 @@ std::string_view EventJoiner::begin(unsigned channel, std::uint64_t number, doub
     if (found == own.waiting.end()) return {};
     std::string text = std::move(found->second);
     own.waiting.erase(own.waiting.begin(), std::next(found));  // older ones were discarded with their records
+    settle_skip(own);
     own.last = text;
+    const bool skip = text.find("\"kind\":\"skip\"") != std::string::npos;
     const std::string_view kind = event_kind(text);
     Entry entry;
     entry.number = number;
@@ -49,6 +69,7 @@ std::string_view EventJoiner::begin(unsigned channel, std::uint64_t number, doub
     Key key{};
     const std::string_view out = insert(channel, t_s, std::move(text), std::move(entry), &key);
     own.open.emplace(number, key);
+    if (skip) own.skip = key, own.skip_number = number;
     return out;
 }
 
@@ -60,12 +81,14 @@ void EventJoiner::end(unsigned channel, std::uint64_t number, double t_s) {
     own.open.erase(found);
     if (entry == entries_.end()) return;  // given out already: it showed no end
     entry->second.end_s = rounded(t_s);
-    entry->second.ended = entry->second.complete = true;
+    entry->second.ended = true;
+    entry->second.complete = !own.skip || own.skip_number != number;
 }
 
 void EventJoiner::close_channel(unsigned channel, double t_s) {
     Channel& own = channels_[channel];
     while (!own.open.empty()) end(channel, own.open.begin()->first, t_s);
+    settle_skip(own);
     own.waiting.clear();
 }
 

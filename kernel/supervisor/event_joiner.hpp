@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -30,7 +31,8 @@ public:
 
     // Also holds back waits and M, S, T until they have ended, so that the sink learns how long they took.
     void measure_all(bool on) { measure_all_ = on; }
-    // The channel's description of a block, a JSON object without t and end. Numbers grow within a channel.
+    // The channel's description of a block, a JSON object without t and end. Numbers grow within a channel; only a skip move is
+    // described again when it has ended, with the point where that was, and is held back until then.
     void note(unsigned channel, std::uint64_t number, std::string_view text);
     // The block began. Returns its text with t, for stimuli that wait for it; empty when there is no such note.
     std::string_view begin(unsigned channel, std::uint64_t number, double t_s);
@@ -71,7 +73,10 @@ private:
         std::map<std::uint64_t, std::string> waiting;  // notes whose block has not begun
         std::unordered_map<std::uint64_t, Key> open;   // begun, not ended
         std::string last;
+        std::optional<Key> skip;                       // a skip move that is not described again yet
+        std::uint64_t skip_number = 0;
     };
+    void settle_skip(Channel& own);
     std::string_view insert(unsigned channel, double t_s, std::string text, Entry entry, Key* key_out);
 
     std::map<Key, Entry> entries_;

@@ -107,6 +107,9 @@ void LathePlc::watch_pending(View view, std::uint32_t channel) {
         case Task::Helper:
             if (view.in.tick >= pending.due_tick) finish_m(view, channel);
             return;
+        case Task::Reversed:
+            if (view.in.cycle >= pending.believe_cycle) finish_m(view, channel);
+            return;
         case Task::Coupled:
             if (view.in.signal[pending.slot] == pending.range) finish_m(view, channel);
             return;

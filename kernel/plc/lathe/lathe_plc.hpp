@@ -72,7 +72,7 @@ public:
 
 private:
     enum Rotation : std::int32_t { kRight = 3, kLeft = 4, kStop = 5, kOrient = 19 };
-    enum class Task : std::uint8_t { None, Coupled, InPosition, Standstill, Chuck, Gear, Helper, BarOpen, BarFeed, BarClamp, Refused };
+    enum class Task : std::uint8_t { None, Coupled, Reversed, InPosition, Standstill, Chuck, Gear, Helper, BarOpen, BarFeed, BarClamp, Refused };
     enum Helper : std::uint8_t { kTailstock, kBar, kCatcher, kDoor, kHelpers };
     static constexpr std::int32_t kThenNothing = 0, kThenChuck = 1, kThenBar = 2, kThenHelper = 3;
     struct Pending {  // the M code that a channel waits for

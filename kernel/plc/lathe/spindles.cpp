@@ -62,9 +62,16 @@ void LathePlc::turn(View view, std::uint32_t channel, std::uint32_t spindle, std
     Spindle& s = spindles_[spindle - 1];
     if (rotation != kStop)
         if (const Message why = why_not_turn(view, channel, spindle); why != kNoMessage) return refuse(channel, why);
+    // Turned the other way without a stop: a cut that follows must not begin before the kernel has heard of it, for then it
+    // would see its spindle taken away from under the cut.
+    const bool reversed = (s.rotation == kRight && rotation == kLeft) || (s.rotation == kLeft && rotation == kRight);
     s.rotation = rotation;
     s.closes = closes;
     s.started_by = rotation == kStop ? 0 : channel;
+    if (reversed && !closes) {
+        at(channel).pending = {Task::Reversed, spindle, view.in.cycle + kCyclesUntilAnswer, 0, 0};
+        return;
+    }
     if (!closes) return finish_m(view, channel);
     at(channel).pending = {Task::InPosition, spindle, view.in.cycle + kCyclesUntilAnswer, view.in.tick + ticks(kSpindleTimeS), 0};
 }

@@ -29,7 +29,7 @@ struct GoldenCase {
 
 std::vector<GoldenCase> cases() {
     std::vector<GoldenCase> found;
-    for (const char* language : {"fagor", "fanuc", "nct", "sinumerik"}) {
+    for (const char* language : {"fagor", "fanuc", "mefi", "nct", "sinumerik"}) {
         std::error_code error;
         for (const auto& entry : fs::directory_iterator(fs::path(POLYTURN_SOURCE_DIR) / "tests/golden" / language, error))
             if (entry.is_directory()) found.push_back({entry.path(), language});

@@ -30,6 +30,34 @@ TEST(EventJoiner, AMoveWaitsForItsEndAndHoldsBackWhatIsLater) {
     EXPECT_EQ(out.lines, (std::vector<std::string>{R"({"ev":"move","ch":1,"t":0,"end":5.25})", R"({"ev":"aux","ch":2,"code":"M8","t":1})"}));
 }
 
+TEST(EventJoiner, ASkipMoveIsToldWithThePointAtWhichItEnded) {
+    EventJoiner joiner;
+    Out out;
+    joiner.note(1, 1, R"({"ev":"move","kind":"skip","pos":20})");
+    joiner.begin(1, 1, 0.5);
+    joiner.end(1, 1, 1.5);
+    joiner.drain(9.0, out.sink);
+    EXPECT_TRUE(out.lines.empty());
+    joiner.note(1, 1, R"({"ev":"move","kind":"skip","pos":30})");
+    joiner.drain(9.0, out.sink);
+    EXPECT_EQ(out.lines, (std::vector<std::string>{R"({"ev":"move","kind":"skip","pos":30,"t":0.5,"end":1.5})"}));
+}
+
+TEST(EventJoiner, ASkipMoveThatNobodyDescribesAgainIsNotLost) {
+    EventJoiner joiner;
+    Out out;
+    joiner.note(1, 1, R"({"ev":"move","kind":"skip"})");
+    joiner.note(1, 2, R"({"ev":"move","kind":"rapid"})");
+    joiner.begin(1, 1, 0.5);
+    joiner.end(1, 1, 1.5);
+    joiner.begin(1, 2, 2.0);
+    joiner.drain(2.0, out.sink);
+    EXPECT_EQ(out.lines.size(), 1u);
+    joiner.close_channel(1, 3.0);
+    joiner.drain(9.0, out.sink);
+    EXPECT_EQ(out.lines.size(), 2u);
+}
+
 TEST(EventJoiner, WhatMayStillComeEarlierHoldsBack) {
     EventJoiner joiner;
     Out out;

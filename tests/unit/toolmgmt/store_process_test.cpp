@@ -96,6 +96,29 @@ TEST(StoreRequests, AreAnsweredAndPublished) {
     EXPECT_EQ(rig.channel(2)->zeros[(kZeroG541 + 3) * kChannelAxes + 1], -33.5);
 }
 
+// What mefi writes by G92 and G93: it holds until power-off, through the death of the store, and is no value of the disk.
+TEST(StoreZeros, ThatHoldUntilPowerOffNeverReachTheDisk) {
+    StoreRig rig("volatile");
+    rig.make_kernel();
+    const std::vector<std::string> arguments{"--store", rig.folder + "/store", "--machine", kMachine};
+    ASSERT_TRUE(rig.start(arguments)) << rig.messages();
+    rig.push(work_zero_request(1, 3, 0, 5.0));
+    const auto end = rig.push(work_zero_request(1, 3, 1 + kVolatile, 7.0));
+    ASSERT_TRUE(StoreRig::reached((*rig.store)->on_disk, end));
+    EXPECT_EQ(rig.channel(1)->zeros[3 * kChannelAxes + 0], 5.0);
+    EXPECT_EQ(rig.channel(1)->zeros[3 * kChannelAxes + 1], 7.0);
+    rig.kill_now();
+    ASSERT_TRUE(rig.start(arguments)) << rig.messages();   // the same power-on: it goes on holding
+    EXPECT_EQ(rig.channel(1)->zeros[3 * kChannelAxes + 0], 5.0);
+    EXPECT_EQ(rig.channel(1)->zeros[3 * kChannelAxes + 1], 7.0);
+    rig.kill_now();
+    StoreRig next("volatile-next");   // another controller on the same disk
+    next.make_kernel();
+    ASSERT_TRUE(next.start(arguments)) << next.messages();
+    EXPECT_EQ(next.channel(1)->zeros[3 * kChannelAxes + 0], 5.0);
+    EXPECT_EQ(next.channel(1)->zeros[3 * kChannelAxes + 1], 0.0);
+}
+
 TEST(StoreRequests, OfOneImportAreDoneTogetherOrNotAtAll) {
     StoreRig rig("import");
     rig.make_kernel();

@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+"""What only a running machine shows of the language fagor: stops that a program holds off, overrides, tapping, the probe (fagor_8037t)."""
+import unittest
+
+from polyturn_runner import Case
+
+HEAD = "G18 G71 G90 G151 G94\n"
+
+
+class Fagor(Case):
+    def run_program(self, text, *options, setup="[channel.1]\npos = { X = 100.0, Z = 50.0 }\n", scenario="", status=0):
+        program = self.write("1.nc", text)
+        setup_file, scenario_file = self.write("setup.toml", setup), self.write("scenario.toml", scenario)
+        done = self.polyturn("run", "--virtual", "--language", "fagor", "--set", "N1000=0", "--variables", "--setup", setup_file, "--scenario",
+                             scenario_file, *options, f"1={program}")
+        self.assertEqual(done.status, status, done.said())
+        return done
+
+    def points(self, done, **parts):
+        return [(e["pos"]["X"], e["pos"]["Z"]) for e in done.of("move", **parts)]
+
+    def seconds(self, done, **pos):
+        return sum(e["end"] - e["t"] for e in done.of("move") if all(e["pos"][k] == v for k, v in pos.items()))
+
+    HOLD = '[[at]]\nt = 0.5\npress = "feed_hold L1"\n'
+
+    def test_a_stop_waits_until_the_program_allows_it(self):   # part 2, 12.3; part 1, 6.12
+        for off, on in (("DSTOP", "ESTOP"), ("DFHOLD", "EFHOLD")):
+            with self.subTest(off):
+                done = self.run_program(f"{HEAD}({off})\nG01 X60 F600\nX50\n({on})\nX40\nM30\n", scenario=self.HOLD, status=1)
+                self.assertEqual(self.points(done)[:2], [(60, 50), (50, 50)], done.said())
+                self.assertAlmostEqual(self.seconds(done, X=60), 2.0, delta=0.1)
+                self.assertTrue(done.of("stop", reason="held"))
+                self.assertFalse(done.of("stop", reason="M30"))
+
+    def test_a_stop_comes_at_once_otherwise(self):
+        done = self.run_program(f"{HEAD}(DSTOP)\n(ESTOP)\nG01 X60 F600\nX50\nM30\n", scenario=self.HOLD, status=1)
+        self.assertNotIn((50, 50), self.points(done))
+
+    def test_esblk_makes_one_block_of_many(self):   # part 2, 12.3
+        done = self.run_program(f"{HEAD}X90\n(ESBLK)\nX80\nX70\n(DSBLK)\nX50\nM30\n", setup="[channel.1]\npos = { X = 100.0, Z = 50.0 }\nkeys = { single_block = true }\n",
+                                scenario="".join(f'[[at]]\nt = {t}.0\npress = "cycle_start L1"\n' for t in range(1, 20)))
+        begins = {e["pos"]["X"]: e["t"] for e in done.of("move")}
+        self.assertGreater(begins[80] - begins[90], 0.9, done.said())
+        self.assertLess(begins[70] - begins[80], 0.9, done.said())
+        self.assertGreater(begins[50] - begins[70], 0.9, done.said())
+
+    def test_the_override_of_the_program_goes_before_the_panel(self):   # part 2, 11.2.6
+        done = self.run_program(f"{HEAD}(PRGFRO=50)\nG01 X90 Z30 F600\n(PRGFRO=0)\nX80\nM30\n", scenario='[[at]]\nt = 0.0\npress = "feed_override L1=20"\n')
+        self.assertAlmostEqual(self.seconds(done, X=90), (20**2 + 5**2) ** 0.5 / 5, delta=0.1)
+        self.assertAlmostEqual(self.seconds(done, X=80), 2.5, delta=0.1)
+
+    def test_a_tap_turns_back_at_once(self):   # part 2, 9.6.2
+        done = self.run_program("G18 G71 G90 G151 G95\nG00 X60 Z20 F1 S300 M3\nG83 X0 Z0 I6 B0 D4\nM30\n")
+        self.assertEqual(done.alarms, [])
+        self.assertEqual(self.points(done, cycle="G83"), [(0, 4), (0, -6), (0, 4)])
+
+    def test_a_cut_behind_a_reversal_waits_for_it(self):
+        done = self.run_program("G18 G71 G90 G151 G95\nS500 M3\nG04 K100\nG01 Z40 F0.2\nM4\nZ30\nM30\n")
+        self.assertEqual(done.alarms, [], done.said())
+
+    def test_rigid_taps_of_both_types(self):   # part 2, 9.6.3
+        for kind in (1, 2):
+            with self.subTest(kind):
+                done = self.run_program(f"G18 G71 G90 G151 G95\nG00 X60 Z20 F1 S300 M3\nG83 X0 Z0 I6 B0 D4 R{kind}\nM30\n")
+                self.assertEqual(done.alarms, [], done.said())
+                self.assertEqual(self.points(done, cycle="G83"), [(0, 4), (0, -6), (0, 4)])
+
+    def test_g76_ends_where_the_signal_goes(self):   # part 2, 10.1
+        setup = '[channel.1]\npos = { X = 80.0, Z = 20.0 }\n[[channel.1.sensor]]\ninput = "1"\naxis = "X"\nat = 30.0\ndirection = "-"\n'
+        done = self.run_program(f"{HEAD}G00 X20 Z5\nG76 X50 F150\n(P100=POSX, P101=PRBST)\nG75 X10\n(P102=POSX, P103=PRBST)\nM30\n", "--set", "FG.PROBERR=1", setup=setup)
+        values = {e["name"]: e["value"] for e in done.of("variable")}
+        self.assertAlmostEqual(values["P100"], 30, delta=0.1)
+        self.assertAlmostEqual(values["P102"], 30, delta=0.1)
+        self.assertEqual((values["P101"], values["P103"]), (0, 1), done.said())
+
+    def test_g233_leaves_a_thread_that_is_stopped(self):   # part 1, 6.12
+        done = self.run_program(f"{HEAD}S300 M3\nG04 K200\nG05 G00 X40 Z5\nG233 X5\nG33 Z-25 L2\nG00 X60\nM30\n", "--trace", "trace.csv",
+                                scenario='[[at]]\nwhen = { ev = "move", kind = "thread" }\nafter = 1.0\npress = "feed_hold L1"\n', status=1)
+        self.assertTrue(done.of("stop", reason="held"), done.said())
+        last = (self.folder / "trace.csv").read_text().splitlines()
+        x = last[0].split(",").index("A1.cmd")
+        self.assertAlmostEqual(float(last[-1].split(",")[x]), 25.0, delta=0.01, msg="5 mm out of the thread at X40")
+
+    def test_m19_counts_its_angle_on(self):   # part 1, 5.5.1
+        done = self.run_program(f"{HEAD}M19\nM19 S90\nM19 S-45\nM19 S450\nG04 K20\nM30\n", "--trace", "trace.csv")
+        self.assertEqual(done.alarms, [], done.said())
+        self.assertEqual([e["value"] for e in done.of("spindle", mode="position")], [0, 90, -45, 450])
+        lines = (self.folder / "trace.csv").read_text().splitlines()
+        angle = float(lines[-1].split(",")[lines[0].split(",").index("S1.angle")])
+        self.assertAlmostEqual(angle % 360, 90, delta=0.5)
+
+
+if __name__ == "__main__":
+    unittest.main()
