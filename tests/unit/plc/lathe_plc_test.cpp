@@ -302,6 +302,19 @@ TEST_F(LatheRig, SelectedSpindleIsTheChannelsOwnChoice) {
     EXPECT_EQ(plc("SP_ROT", 2), 4);
 }
 
+// A cut behind it must not see the old direction taken away from under it.
+TEST_F(LatheRig, AReversalIsFinishedWhenTheKernelHasHeardOfIt) {
+    m(3);
+    EXPECT_TRUE(m_done());
+    m(4);
+    EXPECT_EQ(plc("SP_ROT", 1), 4);
+    EXPECT_FALSE(m_done());
+    run(3);
+    EXPECT_TRUE(m_done());
+    m(4);
+    EXPECT_TRUE(m_done());
+}
+
 TEST_F(LatheRig, DrivenToolHasItsOwnCodesAndSpindle) {
     m(3);
     m(14);
