@@ -47,6 +47,7 @@ void ChannelRunner::attach(const ChannelSegment& segment) {
 
 bool ChannelRunner::stops_path(const PathRecord& r) noexcept {
     switch (static_cast<RecordKind>(r.kind)) {
+        case RecordKind::Flag: return r.code == kFlagControl && (static_cast<std::uint32_t>(r.value) & kControlGroupEnds) != 0;
         case RecordKind::Line:
         case RecordKind::Arc:
         case RecordKind::Curve: return (r.flags & kThread) != 0;
@@ -57,8 +58,7 @@ bool ChannelRunner::stops_path(const PathRecord& r) noexcept {
         case RecordKind::Message:
         case RecordKind::Part:
         case RecordKind::Interrupts:
-        case RecordKind::Marker:
-        case RecordKind::Flag: return false;
+        case RecordKind::Marker: return false;
         default: return true;
     }
 }
