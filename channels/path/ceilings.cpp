@@ -36,7 +36,8 @@ Ceilings of_line(const PathRecord& r, const PathLimits& limits, bool rapid) {
     return finite(c);
 }
 
-Ceilings of_samples(const PathRecord& r, const PathLimits& limits, bool rapid, const Samples& samples) {
+// At one speed: see ceilings.hpp, threads.
+Ceilings of_thread(const PathRecord& r, const PathLimits& limits, bool rapid, const Samples& samples) {
     Ceilings c{kInfinity, kInfinity, kInfinity};
     double bend = 0, twist = 0;  // largest of v^-2 and v^-3 seen; roots are taken once
     for (std::size_t n = 0; n < samples.count; ++n)
@@ -45,16 +46,13 @@ Ceilings of_samples(const PathRecord& r, const PathLimits& limits, bool rapid, c
             const PathDerivatives& at = samples.at[n];
             const double t = std::abs(at.first[i]), k = std::abs(at.second[i]), p = std::abs(at.third[i]);
             if (t > kFlat) c.v = std::min(c.v, (rapid ? axis.rapid : axis.feed) / t);
-            bend = std::max(bend, k / std::min(kBendShare * axis.accel, axis.normal));
-            twist = std::max(twist, p / (kTwistShare * axis.jerk));
+            bend = std::max(bend, k / std::min(kThreadBend * axis.accel, axis.normal));
+            twist = std::max(twist, p / (kThreadTwist * axis.jerk));
         }
     if (bend > 0) c.v = std::min(c.v, std::sqrt(1 / bend));
     if (twist > 0) c.v = std::min(c.v, std::cbrt(1 / twist));
     c.v = std::min(c.v * kSampling, kFastest);
     if (rapid && r.feed > 0) c.v = std::min(c.v, r.feed);
-    // No faster than feed override can ask for: what speed does not take of an axis is left for braking.
-    if (!rapid && static_cast<FeedMode>(r.feed_mode) == FeedMode::PerMinute && r.feed > 0) c.v = std::min(c.v, kMostOverride * r.feed);
-
     const double v2 = c.v * c.v, v3 = v2 * c.v;
     const auto each = [&](auto&& use) {
         for (std::size_t n = 0; n < samples.count; ++n)
@@ -73,6 +71,62 @@ Ceilings of_samples(const PathRecord& r, const PathLimits& limits, bool rapid, c
     return c;
 }
 
+// t, k, p as vectors of what the axes do, each divided by its limit: lengths of the longest, and the largest product of t and k.
+struct Shares {
+    double t = 0, k = 0, tk = 0;
+    double along = 0, across = 0;   // p along t and the rest of it
+    void add(const PathDerivatives& at, const PathRecord& r, const PathLimits& limits, double PathAxis::*limit) {
+        double t2 = 0, k2 = 0, p2 = 0, t_k = 0, t_p = 0;
+        for (std::size_t i = 0; i < r.axis_count; ++i) {
+            const double most = limits.axis[r.axis[i]].*limit;
+            if (!std::isfinite(most)) continue;
+            const double x = at.first[i] / most, y = at.second[i] / most, z = at.third[i] / most;
+            t2 += x * x, k2 += y * y, p2 += z * z, t_k += x * y, t_p += x * z;
+        }
+        t = std::max(t, std::sqrt(t2)), k = std::max(k, std::sqrt(k2)), tk = std::max(tk, std::abs(t_k));
+        const double part = t2 > 0 ? t_p / t2 : 0;
+        along = std::max(along, std::abs(part) * std::sqrt(t2));
+        across = std::max(across, std::sqrt(std::max(0.0, p2 - part * t_p)));
+    }
+    // Square root of 1 + c.
+    double skew() const { return t * k > 0 ? std::sqrt(1 + std::min(1.0, tk / (t * k))) : 1; }
+};
+
+Ceilings of_samples(const PathRecord& r, const PathLimits& limits, bool rapid, const Samples& samples) {
+    Ceilings c{kInfinity, kInfinity, kInfinity};
+    Shares of_a, of_j;
+    for (std::size_t n = 0; n < samples.count; ++n) {
+        const PathDerivatives& at = samples.at[n];
+        for (std::size_t i = 0; i < r.axis_count; ++i) {
+            const PathAxis& axis = limits.axis[r.axis[i]];
+            const double t = std::abs(at.first[i]), k = std::abs(at.second[i]);
+            if (t > kFlat) c.v = std::min(c.v, (rapid ? axis.rapid : axis.feed) / t);
+            if (k > kFlat && axis.normal < axis.accel) c.v = std::min(c.v, std::sqrt(axis.normal / k));
+        }
+        of_a.add(at, r, limits, &PathAxis::accel);
+        of_j.add(at, r, limits, &PathAxis::jerk);
+    }
+    const double a_skew = of_a.skew(), j_skew = of_j.skew();
+    const double j_along = j_skew * of_j.along, j_across = j_skew * of_j.across;   // (2) for j_max = 1
+    c.a = std::min(kSampling / std::max(a_skew * of_a.t, kFlat), kHardest);
+    c.bend = c.a * a_skew * of_a.k;
+    if (of_j.t > 0) {
+        c.j = kSampling / (j_skew * of_j.t);
+        c.turning = c.j * 3 * j_skew * of_j.k, c.along = c.j * j_along, c.across = c.j * j_across;
+    }
+    if (c.bend > 0) c.v = std::min(c.v, std::sqrt(kBendShare * c.a / c.bend));
+    // (2) with kAlongLeft and kAcrossLeft of j_max to spare: a quadratic equation in v^3.
+    const double square = j_along * j_along + j_across * j_across;
+    if (square > 0) {
+        const double half = kAlongLeft * j_along + kAcrossLeft * j_across;
+        const double rest = kSampling * kSampling - kAlongLeft * kAlongLeft - kAcrossLeft * kAcrossLeft;
+        c.v = std::min(c.v, std::cbrt((std::sqrt(half * half + square * rest) - half) / square));
+    }
+    c.v = std::min(c.v * kSampling, kFastest);
+    if (rapid && r.feed > 0) c.v = std::min(c.v, r.feed);
+    return c;
+}
+
 // Evenly, and where a plane axis turns back (there its curvature or its speed is largest).
 void sample_arc(const PathRecord& r, Samples& samples) {
     const double sweep = r.shape[arc_shape::kSweep], start = r.shape[arc_shape::kStartAngle];
@@ -88,12 +142,12 @@ void sample_arc(const PathRecord& r, Samples& samples) {
 }  // namespace
 
 Ceilings ceilings_of(const PathRecord& r, const PathLimits& limits) {
-    const bool rapid = (r.flags & kRapid) != 0;
+    const bool rapid = (r.flags & kRapid) != 0, thread = (r.flags & kThread) != 0;
     if (static_cast<RecordKind>(r.kind) == RecordKind::Line) return of_line(r, limits, rapid);
     Samples samples;
     if (static_cast<RecordKind>(r.kind) == RecordKind::Arc) {
         sample_arc(r, samples);
-        Ceilings c = of_samples(r, limits, rapid, samples);
+        Ceilings c = thread ? of_thread(r, limits, rapid, samples) : of_samples(r, limits, rapid, samples);
         // N0310: sqrt(a r) of the softest axis, but never below Circ F Min, and the axes' limits above all.
         double softest = kInfinity;
         for (std::size_t i = 0; i < r.axis_count; ++i) softest = std::min(softest, limits.axis[r.axis[i]].accel);
@@ -103,7 +157,7 @@ Ceilings ceilings_of(const PathRecord& r, const PathLimits& limits) {
     }
     constexpr std::size_t kSteps = 8;
     for (std::size_t n = 0; n <= kSteps; ++n) derivatives_at(r, r.length * static_cast<double>(n) / kSteps, samples.at[samples.count++]);
-    return of_samples(r, limits, rapid, samples);
+    return thread ? of_thread(r, limits, rapid, samples) : of_samples(r, limits, rapid, samples);
 }
 
 bool ceilings_behind(const PathRecord& r, const Kinematics& kinematics, const PathLimits& drives, Ceilings& c) {
@@ -111,11 +165,15 @@ bool ceilings_behind(const PathRecord& r, const Kinematics& kinematics, const Pa
     Samples samples;
     for (std::size_t n = 0; n <= kSteps; ++n)
         if (!drive_derivatives_at(r, &kinematics, r.length * static_cast<double>(n) / kSteps, samples.at[samples.count++])) return false;
-    c = of_samples(r, drives, (r.flags & kRapid) != 0, samples);
+    const bool rapid = (r.flags & kRapid) != 0, thread = (r.flags & kThread) != 0;
+    c = thread ? of_thread(r, drives, rapid, samples) : of_samples(r, drives, rapid, samples);
     return c.v > 0 && c.a > 0 && c.j > 0;
 }
 
-void store(const Ceilings& c, PathRecord& r) { r.v_max = c.v, r.a_max = c.a, r.j_max = c.j; }
+void store(const Ceilings& c, PathRecord& r) {
+    r.v_max = c.v, r.a_max = c.a, r.j_max = c.j;
+    r.bend = c.bend, r.bend_turning = c.turning, r.bend_along = c.along, r.bend_across = c.across;
+}
 
 void apply_junction_rules(const JunctionSides& sides, double angle, const PathLimits& limits, Ceilings& c) {
     if (!limits.corner_by_axis_step && limits.corner_feed > 0 && angle > limits.corner_angle) c.v = std::min(c.v, limits.corner_feed);
@@ -126,9 +184,9 @@ void apply_junction_rules(const JunctionSides& sides, double angle, const PathLi
         if (limits.corner_by_axis_step && axis.speed_step > 0 && turn > kFlat) c.v = std::min(c.v, axis.speed_step / turn);
         if (sides.arc) {
             if (axis.accel_step_arc > 0 && bend > kFlat) c.v = std::min(c.v, std::sqrt(axis.accel_step_arc / bend));
-            if (axis.accel_step_arc > 0 && turn > kFlat) c.a = std::min(c.a, axis.accel_step_arc / turn);
+            if (axis.accel_step_arc > 0 && turn > kFlat) c.soften(axis.accel_step_arc / turn);
         } else if (axis.accel_step > 0 && turn > kFlat) {
-            c.a = std::min(c.a, axis.accel_step / turn);
+            c.soften(axis.accel_step / turn);
         }
     }
 }
@@ -139,7 +197,7 @@ void apply_turn_rules(const PathRecord& r, double turn, const PathLimits& limits
     for (std::size_t i = 0; i < r.axis_count; ++i) {
         const PathAxis& axis = limits.axis[r.axis[i]];
         if (limits.corner_by_axis_step && axis.speed_step > 0) c.v = std::min(c.v, axis.speed_step / turn);
-        if (axis.accel_step > 0) c.a = std::min(c.a, axis.accel_step / turn);
+        if (axis.accel_step > 0) c.soften(axis.accel_step / turn);
     }
 }
 

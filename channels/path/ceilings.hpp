@@ -4,15 +4,18 @@
 //     velocity      t v
 //     acceleration  t a + k v^2
 //     jerk          t j + 3 k v a + p v^3
-// A record promises: at any state with speed <= v_max, |acceleration| <= a_max, |jerk| <= j_max no axis exceeds a limit.
-// For a line k = p = 0 and the three are independent. Where the path bends they compete, so we decide
-//     v_max    uses at most kBendShare of the acceleration and kTwistShare of the jerk that the axis has, all of N0402;
-//     a_max    takes what is left of the acceleration, and at most half of the jerk that is left;
-//     j_max    takes the rest.
-// Speed that nobody can ask for would take from braking for nothing: with feed per minute v_max is at most twice the
-// programmed feed (override 200 %). A dry run is held to it on bends; feed per revolution has no such bound.
-// Cost of it: v_max loses 5 % on arcs (square root of kBendShare), a_max is 0.44 of the axis' acceleration at v_max on a
-// full circle (there a and v^2/r act on different axes), more below.
+// For a line k = p = 0 and the three are independent: v_max, a_max, j_max. Where the path bends they compete, and what is left
+// for changing speed falls as the speed grows. A record says how, as two inequalities that hold for every axis:
+//     a^2 + (bend v^2)^2                                      <= a_max^2                                     (1)
+//     (|j| + along v^3)^2 + (turning v |a| + across v^3)^2    <= j_max^2                                     (2)
+// Why      Divide each axis by its limit: t, k, p become vectors, and the motion keeps all limits where what it makes of them is no
+//          longer than 1. With T, K, X the largest |t|, |k|, |t k| of the record and c = X / (T K),
+//              |t a + k v^2|^2 <= (1 + c) ((T a)^2 + (K v^2)^2)
+//          With equal axes c = 0: a unit tangent and its derivative are orthogonal. (2) likewise, p split along t and across.
+//          Longer than 1 can still be within limits (at 45 degrees an axis sees 0.7 of it); tests/bench/motion_bench: 4 % of time.
+// v_max    is where (1) and (2) leave enough to slow down: kBendShare of (1), kAlongLeft and kAcrossLeft of (2), and all of N0402.
+// A thread follows the spindle, at one speed: its record has all four 0, a_max and j_max are what is left at v_max, of which
+// kThreadBend and kThreadTwist of acceleration and jerk go to the bend.
 // Curves are sampled; arcs also at each point where an axis turns back. kSampling covers what lies between samples.
 #pragma once
 #include "channels/path/path_limits.hpp"
@@ -20,11 +23,18 @@
 
 namespace polyturn::channels {
 
-inline constexpr double kBendShare = 0.9, kTwistShare = 0.9, kSampling = 0.995;
-inline constexpr double kMostOverride = 2.0;   // feed override 200 %
+inline constexpr double kBendShare = 0.95, kAlongLeft = 0.1, kAcrossLeft = 0.08, kSampling = 0.995;
+inline constexpr double kThreadBend = 0.9, kThreadTwist = 0.9;
 
 struct Ceilings {
     double v = 0, a = 0, j = 0;
+    double bend = 0, turning = 0, along = 0, across = 0;
+    // A rule that is none of the axes' limits: a_max falls, but not what the bend may take of it.
+    void soften(double most) {
+        if (!(most < a)) return;
+        bend *= most / a;
+        a = most;
+    }
 };
 
 // For the record as it stands: Line, Arc (whole, or part of one) or Curve. kRapid in its flags chooses N0304.

@@ -62,6 +62,13 @@ double wanted_speed(const PathRecord& r) {
     }
 }
 
+// No faster than feed override (200 %) can ask for: a blend for more would gain nothing.
+double useful_speed(const PathRecord& r, double ceiling) {
+    constexpr double kMostOverride = 2;
+    const bool per_minute = static_cast<FeedMode>(r.feed_mode) == FeedMode::PerMinute && !has(r, kRapid) && r.feed > 0;
+    return per_minute && static_cast<RecordKind>(r.kind) != RecordKind::Line ? std::min(ceiling, kMostOverride * r.feed) : ceiling;
+}
+
 // Below this turn a blend is always worth it.
 constexpr double kStopMayBeFaster = 0.2;
 
@@ -150,7 +157,8 @@ void PathMaker::join(Kept& a, Kept& b) {
     if (has(a.move, kThread) && !has(b.move, kThreadChained)) a.move.flags |= kThreadEnd;
     Junction junction = Junction::Stop;
     if (!must_stop(a.move, b.move))
-        junction = make_blend(a.move, 0.5 * a.move.length, b.move, 0.5 * b.move.length, std::min(a.ceilings.v, b.ceilings.v), *limits_, blend_);
+        junction = make_blend(a.move, 0.5 * a.move.length, b.move, 0.5 * b.move.length,
+                              std::min(useful_speed(a.move, a.ceilings.v), useful_speed(b.move, b.ceilings.v)), *limits_, blend_);
     constexpr double kNoRule = std::numeric_limits<double>::infinity();
     Ceilings rules{kNoRule, kNoRule, kNoRule};
     if (junction == Junction::Blended) {
@@ -220,7 +228,7 @@ void PathMaker::put_pieces(Kept& of, const Blend& blend, std::size_t first, std:
         if (last && n + 1 == end) r.flags |= end_flag(r);
         fill_piece(blend, blend.piece[n], r);
         Ceilings own = ceilings_of(r, *limits_);
-        own.v = std::min(own.v, rules.v), own.a = std::min(own.a, rules.a);
+        own.v = std::min(own.v, rules.v), own.soften(rules.a);
         store(own, r);
         out_->commit();
     }

@@ -17,10 +17,19 @@ void scale(PathAxis& axis, double factor) {
     for (double* value : {&axis.rapid, &axis.feed, &axis.accel, &axis.normal, &axis.jerk, &axis.speed_step, &axis.accel_step, &axis.accel_step_arc}) *value *= factor;
 }
 
-// Of both what allows less.
+// Of both what allows less: the smaller limits, and the larger parts that speed takes of them.
 void lower(const Ceilings& c, PathRecord& r) {
-    static_assert(sizeof(Ceilings) == 3 * sizeof(double), "whatever else limits a record must be taken over here as well");
-    r.v_max = std::min(r.v_max, c.v), r.a_max = std::min(r.a_max, c.a), r.j_max = std::min(r.j_max, c.j);
+    static_assert(sizeof(Ceilings) == 7 * sizeof(double), "whatever else limits a record must be taken over here as well");
+    const double a = std::min(r.a_max, c.a), j = std::min(r.j_max, c.j);
+    const auto part = [](double x, double of_x, double y, double of_y, double of) {
+        const double most = std::max(std::isfinite(of_x) ? x / of_x : 0, std::isfinite(of_y) ? y / of_y : 0);
+        return std::isfinite(of) ? most * of : 0;   // without a limit nothing is taken of it
+    };
+    r.bend = part(r.bend, r.a_max, c.bend, c.a, a);
+    r.bend_turning = part(r.bend_turning, r.j_max, c.turning, c.j, j);
+    r.bend_along = part(r.bend_along, r.j_max, c.along, c.j, j);
+    r.bend_across = part(r.bend_across, r.j_max, c.across, c.j, j);
+    r.v_max = std::min(r.v_max, c.v), r.a_max = a, r.j_max = j;
 }
 
 }  // namespace

@@ -29,23 +29,4 @@ double top_speed(double distance, double w, double a_max, double j_max) noexcept
     return w == 0 ? to_w : std::max(to_w, top_speed_to(distance, 0, a_max, j_max));
 }
 
-double Braking::falling_distance(double c) const noexcept {
-    if (peak <= c) return 0;
-    for (int i = 0; i < 3; ++i) {
-        const PathState& x = at[i];
-        if (at[i + 1].v > c || (i == 0 && x.a > 0 && profile.jerk[0] >= 0)) continue;
-        // x.v + x.a t + j t^2/2 = c: the root at which the speed falls.
-        const double j = profile.jerk[i], excess = x.v - c;
-        double t;
-        if (j == 0) {
-            t = x.a < 0 ? excess / -x.a : 0;
-        } else {
-            const double root = std::sqrt(std::max(0.0, x.a * x.a - 2 * j * excess));
-            t = (-x.a - root) / j;  // j > 0: the first one; j < 0: the second one
-        }
-        return advanced(x, j, std::clamp(t, 0.0, profile.time[i])).s;
-    }
-    return at[3].s;
-}
-
 }  // namespace polyturn::kernel

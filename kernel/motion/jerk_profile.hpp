@@ -127,20 +127,4 @@ struct SpeedProfile {
     return t * (v + t * (a / 2 + t * j_max / 6));
 }
 
-// A braking by profile_to_speed, to be asked more than once.
-struct Braking {
-    PathState at[4];  // at the beginning of each piece and at the end
-    SpeedProfile profile;
-    double peak;      // highest speed
-    Braking(double v, double a, double w, double a_max, double j_max) noexcept : profile(profile_to_speed(v, a, w, a_max, j_max)) {
-        at[0] = {0, v, a};
-        for (int i = 0; i < 3; ++i) at[i + 1] = advanced(at[i], profile.jerk[i], profile.time[i]);
-        peak = a > 0 ? release_speed(v, a, j_max) : v;
-    }
-    [[nodiscard]] double distance() const noexcept { return at[3].s; }
-    // Way until the speed has fallen to c for good, c being at least the speed braked to; 0 if it is never above. With a
-    // braking to 0 there is no shorter way to fall below c.
-    [[nodiscard]] double falling_distance(double c) const noexcept;
-};
-
 }  // namespace polyturn::kernel

@@ -1,47 +1,36 @@
 // How the planner decides. Its window and the carrying over records: path_planner.cpp; what it sees: path_view.cpp.
 //
-//   v |        target 1                          Every tick asks: which is the fastest step after which everything
-//     |  ----.                    .------        ahead can still be kept?
+//   v |        stretch 2                         Every tick asks: which is the fastest step from which the path can still
+//     |  ----.                    .------        come to a stand, below every ceiling and within every limit on the way?
 //     |       '-.                 |
-//     |          '-. arrives      |  target 2    A step is one tick of the time-optimal way to some speed w. If w = the
-//     |        .    '-------------'-----.        ceiling here is not allowed, w is bisected. What is not planned yet, an
-//     |         ' .  falls              |        exact stop, a record that the kernel executes: standstill.
-//     +-----------'---------------------'---> s
+//     |          '-. arrives      |              A step is one tick of the time-optimal way to the ceiling here. If it is not
+//     |        .    '-------------'-----.        allowed, a step between it and braking as hard as can be, found by bisection.
+//     |         ' .  brakes             |        What is not planned yet, an exact stop, a record that the kernel executes:
+//     +-----------'---------------------'---> s  standstill.
 //
-// Given    (s, v, a) now; ceilings c_k, A_k, J_k of each record in view; feeds, which are wanted but not at any price.
+// Given    (s, v, a) now; ceilings and limits of each stretch of the road; feeds, which are wanted but not at any price.
 //
 // Two questions are asked of the state after a step.
-//   safe     Is there a way to go on that keeps every hard ceiling whatever comes? Two kinds of way are tried:
-//            (A) full braking to a standstill under the least A, J of the whole view. At every point of the path no other
-//                way under these limits is slower, so if it does not fall below some c_k in time, none does.
-//            (B) braking under the limits up to a border, a place where limits fall or rise, to a speed with acceleration 0
-//                there from which the rest can be kept: from border to border or to a standstill, each leg under the
-//                limits of its own stretch (settle_borders). Without (B) a slow blend's low limits would count for the
-//                long lines around it.
-//            That way is remembered leg by leg (Witness). It needs nothing but to be followed, so if no faster step is safe
-//            at the next tick, following it is: by induction there always is a safe step, and the path can always stop
-//            within what is in the window. A witness stays good when the view changes, for records are final.
+//   safe     Does braking as hard as can be from there (braking.hpp) keep every hard ceiling and every limit and end before the
+//            path must stand? No other braking is slower at any place, so if it does not fall below a ceiling in time, none does.
+//            That braking is remembered: it is promised. If no faster step is safe at the next tick, it is followed, as it
+//            was computed. So there always is a safe step, and the path can always stop within what is in the window; the
+//            promise stays good when the view changes, for records are final.
 //   arrives  (wanted ceilings only) Is each ceiling reached without the speed having to fall below it afterwards? Full
 //            braking would carry its acceleration into the slow record and undershoot there, which is safe but slower.
-//            Where a ceiling sinks steadily (a spiral) the acceleration is carried, for its release still ends below.
 // A feed that is lowered is no longer "wanted" in time; then the hard question alone is asked, of steps towards the lowest
 // ceiling that is violated.
 //
-// Rounding The way promised is computed anew each tick. Promises are given with kGiving and kept with kKeeping, which is
-//          milder; a promise that ends at a border ends kBefore in front of it. The last way to a stand is a landing, whose
-//          end is exact (landing.hpp).
+// Rounding The last way to a stand is a landing, whose end is exact (landing.hpp).
 // Right    tests: raw differences of the position on random records, feeds, overrides, holds at random ticks; anomalies()
-//          counts the ticks in which the induction failed (none in ten thousands of random programs but for roundings in the
-//          last tick of a stop); such a tick brakes.
-// Time     tests/bench/motion_bench: 0.5 % above the least time where limits do not change along the path, 10 % where each
-//          of some hundred short records has its own.
-// Cost     One pass over the view (groups of 16 that change nothing in one step each), then 1 (steady, accelerating) to some
-//          15 (braking) judgements of a step; each costs a square root or two for each ceiling in view that is lower than
-//          all before it. 0.3 us on long lines, 0.7 to 2 us on lines and blends of 0.1 mm.
-// Weakness Acceleration is 0 at a border that is used. A spiral of many records, each slower than the last, is in view with
-//          all its ceilings (up to kTargets; beyond them counts as standstill) and costs some ten microseconds. Nothing is
-//          seen behind the horizon: 1024 records of 1/20 mm are 50 mm to brake in.
-// Source   Witness: as in invariant-set filters of model predictive control. Rest: jerk_profile.hpp.
+//          counts the ticks without a promise or a safe step.
+// Time     tests/bench/motion_bench: 0.5 % above the least time on lines, 6 to 10 % on curves.
+// Cost     Most ticks follow what is promised (path_promise.cpp): 0.1 us on lines, 0.8 us with a slow blend every few
+//          millimetres or lines and blends of 0.1 mm in turn. A tick that thinks tries at most kPiecesPerTick pieces of
+//          brakings, some 6 us.
+// Weakness Acceleration ends before a wanted ceiling, however steadily it sinks (a spiral). Nothing is seen behind the
+//          horizon: 1024 records of 1/20 mm are 50 mm to brake in.
+// Source   Promise: as in invariant-set filters of model predictive control. Rest: jerk_profile.hpp.
 #include "kernel/motion/path_planner.hpp"
 
 #include <cmath>
@@ -50,265 +39,280 @@ namespace polyturn::kernel {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Ceiling c from distance d on: can it be kept so that the speed need not fall below c afterwards?
-bool arrives(double v, double a, double d, double c, double a_max, double j_max, double rounding) noexcept {
-    const double limit = d + rounding;
-    if (release_speed(v, a, j_max) > c * (1 + rounding)) return distance_to_speed(v, a, c, a_max, j_max) <= limit;
-    if (a >= 0 || v <= c * (1 + rounding)) return true;
-    if (release_distance_to(v, a, c, j_max) <= limit) return true;
-    return -a <= a_max && 2 * j_max * c >= a * a && v * v - c * c <= -2 * a * limit;  // held so long, then released
-}
+constexpr int kBisections = 7;
+constexpr double kRounding = 1e-8;  // mm
+constexpr double kStands = 0.85;     // of the way that is left: then the speed falls for the stand, not for a ceiling
+constexpr double kTogether = 0.03;   // s: slow stretches that follow each other as one
+constexpr double kLonger = 0.15;    // braking to a crawl can be that much longer than to a stand
+constexpr double kFast = 1e6;       // mm/s: as hard as can be
 
-// Does a braking come below it in time, however far it then falls?
-bool falls_below(const Braking& braking, double d, double c, double rounding) noexcept {
-    const double way = braking.falling_distance(c * (1 + rounding));
-    return way == 0 || way <= d + rounding;
+PathState between(const PathState& low, const PathState& high, double part) noexcept {
+    return {low.s + part * (high.s - low.s), low.v + part * (high.v - low.v), low.a + part * (high.a - low.a)};
 }
 
 }  // namespace
 
-PathPlanner::Step PathPlanner::step_towards(double speed, double a, double j) const noexcept {
-    Step step{speed, a, j, towards_speed({0, state_.v, state_.a}, speed, a, j, dt_)};
+PathPlanner::Step PathPlanner::step_towards(double speed, const Limits& limits) const noexcept {
+    Step step{towards_speed({0, state_.v, state_.a}, speed, limits.a, limits.j, dt_), speed, limits};
     PathState& next = step.next;
     // The last thousandth of a stop that ends just behind the tick: at rest.
-    if (state_.a < 0 && next.a <= 0 && next.v < 1e-6 && next.v > -1e-6 && -next.a < 0.02 * j * dt_) next.v = next.a = 0;
+    if (state_.a < 0 && next.a <= 0 && next.v < 1e-6 && next.v > -1e-6 && -next.a < 0.02 * limits.j * dt_) next.v = next.a = 0;
     return step;
 }
 
-// Where a step has come to a distance, found by bisection: how fast is it there?
+// How fast is a step where it has come to a distance?
 double PathPlanner::speed_at(const Step& step, double distance) const noexcept {
-    const PathState start{0, state_.v, state_.a};
+    const double v0 = state_.v, v1 = step.next.v;
+    if (!(step.limits.a > 0)) return std::sqrt(std::max(0.0, v0 * v0 + (v1 * v1 - v0 * v0) * std::min(1.0, distance / step.next.s)));
+    const PathState start{0, v0, state_.a};
     double low = 0, high = dt_;
     for (int i = 0; i < 40; ++i) {
         const double middle = (low + high) / 2;
-        (towards_speed(start, step.speed, step.a, step.j, middle).s < distance ? low : high) = middle;
+        (towards_speed(start, step.speed, step.limits.a, step.limits.j, middle).s < distance ? low : high) = middle;
     }
-    return towards_speed(start, step.speed, step.a, step.j, high).v;
+    return towards_speed(start, step.speed, step.limits.a, step.limits.j, high).v;
 }
 
-// Can everything in view be kept after this step, and is it kept in it?
-bool PathPlanner::safe(const View& view, const Step& step, Way& way) const noexcept {
+// Is it safe to take a step, and if ceilings are wanted, does it arrive at each? tried_ is the braking from there.
+bool PathPlanner::safe(View& view, Ceilings which, const Step& step) noexcept {
     const PathState& next = step.next;
-    const double v = next.v, a = next.a;
-    if (v < 0 || (state_.a < 0 && release_speed(state_.v, state_.a, step.j) < -1e-9)) return false;
-    for (std::uint32_t i = 0; i < view.target_count && view.targets[i].distance < next.s; ++i) {
-        const double ceiling = view.targets[i].ceiling * (1 + 1e-4);
-        const double highest = std::max(state_.a > 0 ? release_speed(state_.v, state_.a, step.j) : state_.v, v);
-        if (highest <= ceiling) continue;
-        if (std::min(state_.v, v) > ceiling || speed_at(step, view.targets[i].distance) > ceiling) return false;
+    if (next.v < 0 || next.s < 0) return false;
+    if (step.limits.a > 0 && state_.a < 0 && release_speed(state_.v, state_.a, step.limits.j) < -1e-9) return false;  // backwards within it
+    // Ceilings that are passed within the tick.
+    const double highest = std::max({state_.v, next.v, state_.a > 0 && next.a <= 0 ? release_speed(state_.v, state_.a, view.tick.j) : 0.0});
+    if (highest > 1.001 * at(first_).v_max && highest > std::max(state_.v, next.v)) return false;
+    for (std::uint32_t i = 0; view.end_of(i) < next.s; ++i) {
+        const Stretch* const entered = view.stretch(i + 1);
+        if (entered == nullptr) break;
+        const double ceiling = entered->ceiling * (1 + 1e-4);
+        if (highest > ceiling && speed_at(step, entered->begin) > ceiling) return false;
     }
-    // Limits of this side of a border must not act beyond it, but to be steady there.
-    if (step.j > view.tick_j || step.a > view.tick_a) {
-        double side = kInfinity;
-        for (std::uint32_t d = view.border_count; d-- > 0;) {
-            const bool last = d + 1 == view.border_count;
-            if ((last ? view.a : view.borders[d + 1].a) < step.a || (last ? view.j : view.borders[d + 1].j) < step.j) side = view.borders[d].distance;
-        }
-        if (next.s > side + kBefore / 4 && (a != 0 || distance_to_speed(state_.v, state_.a, step.speed, step.a, step.j) > side + kBefore)) return false;
-    }
-    if (v == 0 && a == 0 && next.s <= view.end + kBefore / 4) {  // whoever stands can go on at any pace
-        way = {kLeast, 0};
+    return comes_to_rest(view, which, next);
+}
+
+// From a place on the road: is there a way to a stand, and if ceilings are wanted, by way of each of them?
+bool PathPlanner::comes_to_rest(View& view, Ceilings which, const PathState& next) noexcept {
+    if (next.v == 0 && next.a == 0 && next.s <= view.end_of(view.within)) {
+        tried_.stand();
         return true;
     }
-    const auto all_arrived_at = [&](double until) {
-        for (std::uint32_t i = 0; view.which == Ceilings::Wanted && i < view.target_count && view.targets[i].distance < until; ++i) {
-            const Target& target = view.targets[i];
-            if (!arrives(v, a, target.distance - next.s - 2 * kBefore, target.ceiling, target.a, target.j, view.rounding)) return false;
-        }
-        return true;
-    };
-    const auto stands_in_time = [&](const Braking& braking) {
-        return view.end == kInfinity || braking.distance() <= (view.end - next.s) * (1 + view.rounding / 10) + view.rounding * 1e-4;
-    };
-    const auto all_kept = [&] {
-        if (a > 0 && release_speed(v, a, view.j) > view.top * (1 + view.rounding)) return false;
-        const Braking braking(v, a, 0, view.a, view.j);
-        if (!stands_in_time(braking)) return false;
-        for (std::uint32_t i = 0; i < view.target_count; ++i) {
-            const Target& target = view.targets[i];
-            if (!falls_below(braking, target.distance - next.s, target.ceiling, view.rounding)) return false;
-        }
-        return true;
-    };
-    const auto cannot_but_reverse = [&](double j_max) { return a < 0 && release_speed(v, a, j_max) < -1e-9; };
-    // Acceleration above a limit that holds from some drop on must have gone before the first such border.
-    double gone_by = kInfinity;
-    for (std::uint32_t d = view.border_count; d-- > 0;) {
-        const double after = d + 1 < view.border_count ? view.borders[d + 1].a : view.a;
-        if (std::abs(a) > after * (1 + 1e-12)) gone_by = view.borders[d].distance;
+    if (promise_time_ >= 0 && pieces_ > kPiecesPerTick) return false;
+    // Straight to a stand, if it is the stand that asks for it.
+    tried_.along(view, next);
+    pieces_ += tried_.pieces();
+    const bool stands = tried_.possible();
+    if (stands && (which == Ceilings::Hard || (view.closed() && tried_.distance() >= kStands * (view.end() - next.s)))) return true;
+    const double speed = stands ? tried_.peak() : std::max(next.v, release_speed(next.v, std::max(next.a, 0.0), view.tick.j));
+    const double crawl = view.tick.a * view.tick.a * view.tick.a / (4 * view.tick.j * view.tick.j);
+    const double end = stands ? tried_.end() + kLonger * tried_.distance() + crawl : next.s + speed * (speed / view.tick.a + view.tick.a / view.tick.j);
+    // The first slower stretch from whose speed the next slower one, or the stand, can still be reached.
+    Braking::Aim first{kInfinity, 0};
+    Limits there;
+    double lowest = speed;
+    for (std::uint32_t i = 0; view.end_of(i) < end; ++i) {
+        const Stretch* const ahead = view.stretch(i + 1);
+        if (ahead == nullptr) break;
+        if (ahead->begin <= next.s || ahead->ceiling >= lowest * (1 - 1e-9) || (stands && ahead->begin <= tried_.falls_from())) continue;
+        lowest = ahead->ceiling;
+        if (first.at < kInfinity && distance_to_speed(first.speed, 0, lowest, there.a, there.j) <= ahead->begin - first.at) break;
+        first = {ahead->begin, lowest};
+        there = ahead->limits.at(lowest, 0.5 * ahead->limits.a);
+        if (!(there.a > 0) || !(there.j > 0)) break;
     }
-    const auto within = [&](double a_max, double j_max) {
-        if (std::abs(a) <= a_max * (1 + 1e-12)) return true;
-        return gone_by < kInfinity && advanced(next, a > 0 ? -j_max : j_max, (std::abs(a) - a_max) / j_max).s <= gone_by;
+    if (stands && (first.at == kInfinity || (view.closed() && stopping_distance(first.speed, 0, there.a, there.j) > view.end() - first.at))) return true;
+    // By way of the next slower stretches, at their speed.
+    if (!(first.speed > 0)) return false;
+    tried_.by_way_of(first, view, next);
+    pieces_ += tried_.pieces();
+    return tried_.possible();
+}
+
+bool PathPlanner::take(View& view, Ceilings which, const Step& step) noexcept {
+    if (!safe(view, which, step)) return false;
+    promise(which);
+    return true;
+}
+
+// The step nearest to `high` that can be taken; `low` is as good as promised. False: none but that.
+bool PathPlanner::best_between(View& view, Ceilings which, const PathState& low, const PathState& high, PathState& next) noexcept {
+    double good = 0, bad = 1;
+    for (int i = 0; i < kBisections; ++i) {
+        const double part = (good + bad) / 2;
+        (take(view, which, {between(low, high, part), 0, {}}) ? good : bad) = part;
+    }
+    next = between(low, high, good);
+    return good > 0;
+}
+
+// Of the wanted ceilings that braking from a state does not arrive at.
+double PathPlanner::lowest_violated(View& view, const PathState& next) noexcept {
+    tried_.along(view, next, false);
+    double lowest = std::max(next.v, tried_.peak()), violated = kInfinity;
+    for (std::uint32_t i = 0; i == 0 || view.end_of(i - 1) < tried_.end() + kLonger * tried_.distance(); ++i) {
+        const Stretch* const ahead = view.stretch(i);
+        if (ahead == nullptr) break;
+        if (ahead->ceiling >= lowest) continue;
+        lowest = ahead->ceiling;
+        if (!tried_.possible() || !tried_.arrives(lowest, ahead->begin + kRounding)) violated = lowest;
+    }
+    return violated;
+}
+
+// Has what is wanted changed since the last tick? (Of spindles the one of the running record: with another one's the ceilings
+// of later records may be other than promised, which is seen when they are near.)
+bool PathPlanner::want(const PathInput& input) noexcept {
+    const Slot& running = at(first_);
+    const bool turns = running.feed_mode == FeedMode::PerRevolution && input.spindle_rev_s != nullptr && running.spindle >= 1 && running.spindle <= kMaxSpindles;
+    const std::array<double, 7> now{input.feed_override, input.rapid_override, input.dry_run_feed, input.speed_ceiling, turns ? input.spindle_rev_s[running.spindle - 1] : 0,
+                                    static_cast<double>(input.single_block), static_cast<double>(input.hold)};
+    const bool changed = now != wanted_;
+    wanted_ = now;
+    return changed;
+}
+
+PathState PathPlanner::choose(const PathInput& input) noexcept {
+    if (landing_end_ != kNone && (stops_at_end(landing_end_) || (input.single_block && landing_end_ == block_latch_))) return landing_.step(dt_);
+    const bool wants_changed = want(input);
+    other_wanted_ = other_wanted_ || wants_changed;
+    if (follows_blindly()) {
+        if (pushed_ == push_end_) --patience_;
+        return keep_promise();
+    }
+    pieces_ = 0;
+    if (other_wanted_ && promise_time_ >= 0 && (pushed_ < push_end_ || promise_aims_) && !promise_braking(input) && pushed_ < push_end_) return keep_promise();
+    other_wanted_ = false;
+    patience_ = 0;
+    view_.begin(*this, Ceilings::Wanted, input);
+    const double goal = input.hold ? 0 : view_.ceiling;
+    Step step = step_towards(goal, view_.tick);
+    PathState next;
+    if (!input.hold && !wants_changed && landing_end_ == kNone) {
+        if (push(view_)) {
+            stride_ = push_end_;
+            failures_ = 0;
+            return keep_promise();
+        }
+    }
+    if (!input.hold && view_.rises({0, state_.v, state_.a})) {  // a slow record that ends before its ceiling could be passed
+        const Step most = step_towards(kFast, view_.tick);
+        bool taken = true;
+        if (take(view_, Ceilings::Wanted, most)) next = most.next;
+        else if (!take(view_, Ceilings::Wanted, step)) taken = false;
+        else if (!best_between(view_, Ceilings::Wanted, step.next, most.next, next)) next = step.next;
+        if (taken) {
+            landing_end_ = kNone;
+            return next;
+        }
+    }
+    if (landing_end_ != kNone) {  // the way goes on; but a landing is safe until something else is
+        Landing landing = landing_;
+        const PathState low = landing.step(dt_);
+        if (take(view_, Ceilings::Wanted, step)) {
+            next = step.next;
+        } else if (!best_between(view_, Ceilings::Wanted, low, step.next, next)) {
+            landing_ = landing;
+            return low;
+        }
+        landing_end_ = kNone;
+        return next;
+    }
+    if (take(view_, Ceilings::Wanted, step)) {
+        stride_ = 1;
+        return step.next;
+    }
+    if (begin_landing(view_)) return landing_.step(dt_);
+    if (step_over_rest(view_)) return {view_.end(), 0, 0};
+    // As hard as can be: as promised, or found now.
+    const bool promised = promise_time_ >= 0;
+    const PathState low = promised ? promise_.follow(promise_time_, dt_) : step_towards(0, view_.tick).next;
+    const auto best = [&](Ceilings which) {
+        if (!best_between(view_, which, low, step.next, next)) next = promised ? keep_promise() : low;
+        if (which == Ceilings::Wanted || input.hold) be_patient();
+        return next;
     };
-    // Under the least limits of the whole view.
-    if (within(view.a, view.j) && !cannot_but_reverse(view.j) && all_arrived_at(kInfinity) && all_kept()) {
-        way = {kLeast, 0};
+    const bool arrives = promised && promise_wanted_ && !wants_changed;
+    if (arrives || (promised ? safe(view_, Ceilings::Wanted, {low, 0, {}}) : take(view_, Ceilings::Wanted, {low, 0, {}}))) return best(Ceilings::Wanted);
+    // What is wanted cannot be kept (a feed has been lowered): brake to the lowest that is violated, as the hard limits allow.
+    const double wanted = std::min({goal, state_.v, lowest_violated(view_, low)});
+    view_.begin(*this, Ceilings::Hard, input);
+    if (begin_landing(view_)) return landing_.step(dt_);
+    step = step_towards(wanted, view_.tick);
+    if (take(view_, Ceilings::Hard, step)) return step.next;
+    if (!promised && !take(view_, Ceilings::Hard, {low, 0, {}})) {
+        ++anomalies_;
+        return low;
+    }
+    return best(Ceilings::Hard);
+}
+
+// What an earlier stop left: too short to be driven, and far below what any limit would notice.
+bool PathPlanner::step_over_rest(View& view) noexcept {
+    if (!at_rest() || !(view.ceiling > 0)) return false;
+    const double most = 0.1 * view.tick.j * dt_ * dt_ * dt_;
+    for (std::uint32_t i = 0; view.end_of(i) <= most; ++i) {
+        if (view.stretch(i + 1) != nullptr) continue;
+        if (view.end_record == kNone) return false;
+        landing_end_ = view.end_record;
+        forget_promise();
+        landing_.at_once(view.end());
         return true;
-    }
-    // One braking to a speed without acceleration at a distance, below everything before it; or to a stand before it.
-    const auto braked = [&](double distance, double speed, double a_max, double j_max, double before, double& w) {
-        const double gap = distance - next.s;
-        if (gap < std::min(before, 0.0) || !within(a_max, j_max) || cannot_but_reverse(j_max)) return false;
-        if (a > 0 && release_speed(v, a, j_max) > view.top * (1 + view.rounding)) return false;
-        w = std::min(speed, std::max(0.0, release_speed(v, a, j_max)));
-        for (std::uint32_t i = 0; i < view.target_count && view.targets[i].distance < distance; ++i) w = std::min(w, view.targets[i].ceiling);
-        for (;;) {
-            const Braking braking(v, a, w, a_max, j_max);
-            bool kept = gap < kInfinity ? braking.distance() <= (gap - before) * (1 + view.rounding / 10) + view.rounding * 1e-4 : stands_in_time(braking);
-            for (std::uint32_t i = 0; kept && i < view.target_count && view.targets[i].distance < distance; ++i) {
-                kept = falls_below(braking, view.targets[i].distance - next.s, view.targets[i].ceiling, view.rounding);
-            }
-            if (kept) return true;
-            if (w == 0 || view.which == Ceilings::Wanted) return false;
-            w = 0;
-        }
-    };
-    for (std::uint32_t b = 0; b < view.border_count; ++b) {
-        const Border& border = view.borders[b];
-        if (border.distance < next.s) continue;
-        if (!all_arrived_at(border.distance)) break;  // nor would it for one further away
-        if (braked(border.distance, border.speed, border.a, border.j, view.rounding > kGiving ? kBefore / 2 : kBefore, way.speed)) {
-            way.by = b;
-            return true;
-        }
-    }
-    // Or on the way of the step before.
-    for (std::uint32_t i = 0; i < view.leg_count; ++i) {
-        const Leg& leg = view.last.legs[i];
-        if (view.legs[i] + kBefore / 4 < next.s) continue;
-        if (braked(view.legs[i], leg.speed, leg.a, leg.j, view.rounding > kGiving ? -kBefore / 4 : 0, way.speed)) {
-            way.by = kKept + i;
-            return true;
-        }
-        break;  // a later leg begins where this one ends
     }
     return false;
 }
 
-// If a step is safe, remember why.
-bool PathPlanner::take(const View& view, const Step& step) noexcept {
-    Way way{};
-    if (!safe(view, step, way)) return false;
-    if (way.by >= kKept) {
-        const std::uint32_t from = way.by - kKept;
-        for (std::uint32_t i = from; i < view.last.count; ++i) witness_.legs[i - from] = view.last.legs[i];
-        witness_.count = view.last.count - from;
-        witness_.legs[0].speed = way.speed;
-        return true;
+// The rest of the way to a stand as one profile that ends exactly there, if it is short or nothing changes on it.
+bool PathPlanner::begin_landing(View& view) noexcept {
+    const double v = state_.v, a = state_.a;
+    if (!(v > 0) || promise_time_ < 0) return false;
+    const double left = promise_.duration() - promise_time_;
+    // Is the end in sight of the braking, and how soon?
+    const double stands = promise_.distance() - promise_.follow(0, promise_time_).s;
+    std::uint32_t last = 0;
+    Limits least = view.stretch(0)->limits;
+    bool alike = true;
+    while (view.end_of(last) < stands * (1 + 1e-6) + 1e-6) {
+        const Stretch* const next = view.stretch(last + 1);
+        if (next == nullptr) break;
+        alike = alike && !next->limits.narrower_than(least) && !least.narrower_than(next->limits);
+        least.narrow(next->limits);
+        ++last;
     }
-    Witness& w = witness_;
-    w.count = 0;
-    double a = view.a, j = view.j;
-    if (way.by != kLeast) {
-        const Border* border = &view.borders[way.by];
-        w.legs[w.count++] = {border->record, way.speed, border->a, border->j};
-        for (;;) {
-            a = border->via_a;
-            j = border->via_j;
-            if (border->via == kBorders) break;
-            border = &view.borders[border->via];
-            w.legs[w.count++] = {border->record, border->speed, a, j};
-        }
-    }
-    w.legs[w.count++] = {view.beyond, 0, a, j};
-    return true;
-}
-
-// The fastest safe step among those towards a speed up to goal.
-bool PathPlanner::best_towards(View& view, double goal, double a, double j, PathState& next) noexcept {
-    const Step most = step_towards(goal, a, j);
-    next = most.next;
-    if (take(view, most)) return true;
-    Step least = step_towards(0, a, j);
-    if (!take(view, least)) {
-        // Too hard can be wrong too: acceleration could no longer be gone where limits fall. What was promised is not.
-        if (witness_.count == 0) return false;
-        least = step_towards(witness_.legs[0].speed, a, j);
-        view.rounding = kKeeping;
-        const bool kept = take(view, least);
-        view.rounding = kGiving;
-        if (!kept) return false;
-    }
-    next = least.next;
-    // What a tick of full jerk either way leads to bounds the speeds worth asking for.
-    const double up_a = std::min(state_.a + j * dt_, a);
-    const double highest = release_speed(state_.v + std::max(state_.a, up_a) * dt_, up_a, j);
-    double low = least.speed > 0 ? least.speed : std::clamp(release_speed(next.v, next.a, j), 0.0, goal), high = std::min(goal, highest);
-    const double lowest = low;
-    for (int i = 0; i < (low > lowest ? 12 : 40) && low < high; ++i) {  // next to an end the first hit can be far down
-        const double middle = (low + high) / 2;
-        const Step tried = step_towards(middle, a, j);
-        if (take(view, tried)) {
-            next = tried.next;
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    return true;
-}
-
-PathState PathPlanner::choose(const PathInput& input) noexcept {
-    look_ahead(view_, Ceilings::Wanted, input);
-    if (landing_end_ != kNone && view_.end_record == landing_end_) return landing_.step(dt_);
-    const double goal = input.hold ? 0 : view_.ceiling;
-    PathState next;
-    if (landing_end_ != kNone) {  // the way goes on; but a landing is safe until something else is
-        if (!best_towards(view_, goal, view_.tick_a, view_.tick_j, next)) return landing_.step(dt_);
-        landing_end_ = kNone;
-        return next;
-    }
-    Step step = step_towards(goal, view_.tick_a, view_.tick_j);
-    if (take(view_, step)) return step.next;
-    if (view_.end < kInfinity && begin_landing(view_, false)) return landing_.step(dt_);
-    if (best_towards(view_, goal, view_.tick_a, view_.tick_j, next)) return next;
-    if (best_towards(view_, goal, view_.a, view_.j, next)) return next;
-    // What is wanted cannot be kept (a feed has been lowered): brake to the lowest that is violated, as the hard limits allow.
-    const PathState down = step_towards(0, view_.tick_a, view_.tick_j).next;
-    double wanted = std::min(goal, state_.v);
-    for (std::uint32_t i = 0; i < view_.target_count; ++i) {
-        const Target& target = view_.targets[i];
-        if (!arrives(down.v, down.a, target.distance - down.s, target.ceiling, target.a, target.j, kKeeping)) wanted = std::min(wanted, target.ceiling);
-    }
-    look_ahead(view_, Ceilings::Hard, input);
-    if (begin_landing(view_, false)) return landing_.step(dt_);
-    if (best_towards(view_, wanted, view_.tick_a, view_.tick_j, next)) return next;
-    if (best_towards(view_, wanted, view_.a, view_.j, next)) return next;
-    // As the last step promised.
-    view_.rounding = 3 * kKeeping;
-    if (view_.last.count > 0) {
-        const Leg leg = view_.last.legs[0];
-        for (const double speed : {leg.speed, 0.0}) {
-            step = step_towards(speed, leg.a, leg.j);
-            if (take(view_, step)) return step.next;
-        }
-    }
-    for (std::uint32_t d = 0; d < view_.border_count; ++d) {
-        const Border& border = view_.borders[d];
-        for (const double speed : {std::min(wanted, border.speed), 0.0}) {
-            step = step_towards(speed, border.a, border.j);
-            if (take(view_, step)) return step.next;
-        }
-    }
-    if (begin_landing(view_, true)) return landing_.step(dt_);
-    ++anomalies_;
-    return step_towards(0, view_.a, view_.j).next;
-}
-
-bool PathPlanner::begin_landing(const View& view, bool before_rises) noexcept {
-    const double v = state_.v, a = state_.a, distance = view.end;
-    if (view.end_record == kNone || (view.rises && !before_rises) || !(v > 0) || std::abs(a) > view.a * (1 + 1e-12)) return false;
+    const double distance = view.end_of(last);
+    if (!view.closed() || view.stretch(last + 1) != nullptr || view.end_record == kNone) return false;
+    Limits limits = least.at(v, std::abs(a));  // they grow as the speed falls
+    if (!(limits.j > 0)) return false;
+    const double highest = a > 0 ? v + a * a / limits.j : v;   // before it falls, it rises
+    if (a > 0) limits = least.at(highest, a);
+    if (!(limits.a > 0) || !(limits.j > 0) || std::abs(a) > limits.a * (1 + 1e-12)) return false;
+    if (left > 6 * dt_ && (!alike || !limits.flat() || !least.flat())) return false;
     // Now, or can more speed still be had?
-    const double softer = std::max(0.95 * view.j, a < 0 ? a * a / (2 * v) : 0.0);
-    if (stopping_distance(v, a, view.a, softer) <= distance * (1 - 1e-9) && stopping_time(v, a, view.a, view.j) > 3 * dt_) return false;
-    if (!landing_.aim(v, a, distance, view.a, view.j / 100, view.j / kPlannedJerk)) return false;
-    if (release_speed(v, std::max(a, 0.0), landing_.jerk()) > view.top) return false;
-    const Braking braking(v, a, 0, view.a, landing_.jerk());
-    for (std::uint32_t i = 0; i < view.target_count; ++i) {
-        if (!falls_below(braking, view.targets[i].distance, view.targets[i].ceiling, kKeeping)) return false;
+    const double softer = std::max(0.95 * limits.j, a < 0 ? a * a / (2 * v) : 0.0);
+    if (stopping_distance(v, a, limits.a, softer) <= distance * (1 - 1e-9) && stopping_time(v, a, limits.a, limits.j) > 3 * dt_) return false;
+    if (!landing_.aim(v, a, distance, limits.a, limits.j / 100, limits.j / kPlannedJerk)) return false;
+    if (a > 0 && !least.flat() && release_speed(v, a, landing_.jerk()) > highest) return false;
+    // It never rises above where it is by more than the ceilings allow, and comes below each in time.
+    const double rises_until = a > 0 ? advanced({0, v, a}, -landing_.jerk(), a / landing_.jerk()).s : 0;
+    const SpeedProfile profile = profile_to_speed(v, a, 0, limits.a, landing_.jerk());
+    for (std::uint32_t i = 0; i <= last; ++i) {
+        const Stretch& stretch = *view.stretch(i);
+        PathState x{0, v, a};
+        for (int piece = 0; piece < 3; ++piece) {
+            const PathState end = advanced(x, profile.jerk[piece], profile.time[piece]);
+            if (x.s >= stretch.begin && x.v > stretch.ceiling * (1 + 1e-7)) return false;
+            if (end.s > stretch.begin && x.s < stretch.begin) {
+                double low = 0, high = profile.time[piece];
+                for (int k = 0; k < 30; ++k) {
+                    const double middle = (low + high) / 2;
+                    (advanced(x, profile.jerk[piece], middle).s < stretch.begin ? low : high) = middle;
+                }
+                if (advanced(x, profile.jerk[piece], high).v > stretch.ceiling * (1 + 1e-7)) return false;
+            }
+            x = end;
+        }
+        if (a > 0 && stretch.begin <= rises_until && release_speed(v, a, landing_.jerk()) > stretch.ceiling) return false;
     }
     landing_end_ = view.end_record;
+    forget_promise();
     return true;
 }
 

@@ -14,6 +14,10 @@ PlannedRecord PlannedRecord::from(const PathRecord& record, bool stop_before) no
     planned.v_max = record.v_max;
     planned.a_max = record.a_max;
     planned.j_max = record.j_max;
+    planned.bend = record.bend;
+    planned.turning = record.bend_turning;
+    planned.along = record.bend_along;
+    planned.across = record.bend_across;
     planned.feed = record.feed;
     planned.spindle = record.spindle;
     planned.feed_mode = (record.flags & kRapid) != 0 ? FeedMode::Rapid : static_cast<FeedMode>(record.feed_mode);
@@ -35,7 +39,7 @@ void PathPlanner::clear(std::uint64_t next) noexcept {
     groups_[next % kPlannerWindow / kGroup].stops = true;  // the group that begins half filled
     state_ = {};
     began_ = done_ = false;
-    witness_.count = 0;
+    forget_promise();
     block_latch_ = landing_end_ = kNone;
     block_done_ = false;
     appended_ = 0;
@@ -48,6 +52,7 @@ void PathPlanner::append(const PlannedRecord& record) noexcept {
     slot.length = std::max(record.length, 0.0);
     if (!(slot.length > 0)) {  // a note: narrows nothing
         slot.v_max = slot.a_max = slot.j_max = kInfinity;
+        slot.bend = slot.turning = slot.along = slot.across = 0;
     } else {
         slot.v_max = std::max(record.v_max, 1e-6);
         slot.a_max = std::max(record.a_max, 1e-6);
@@ -65,19 +70,17 @@ void PathPlanner::add_to_group(std::uint64_t record) noexcept {
     // Begun anew with its first record. One that clear() left half filled keeps what it has: lower limits only cost time
     // to look at, but a length would be wrong, so it counts as stopping.
     if (record % kGroup == 0) {
-        group = {0, kInfinity, kInfinity, kInfinity, kInfinity, 0, 0, 0, slot.feed_mode, slot.spindle, slot.override_locked, false, false, false};
+        group = {0, kInfinity, kInfinity, {kInfinity, kInfinity}, {0, 0, kInfinity, kInfinity, kInfinity, kInfinity}, 0, slot.feed_mode, slot.spindle, slot.override_locked, false, false, false};
     }
     group.stops = group.stops || slot.stop_after || slot.stop_before;
     group.block_ends = group.block_ends || slot.block_end;
     if (!(slot.length > 0)) return;
     group.length += slot.length;
     group.v_max = std::min(group.v_max, slot.v_max);
-    group.a_max = std::min(group.a_max, slot.a_max);
-    group.j_max = std::min(group.j_max, slot.j_max);
+    group.least.narrow(slot.limits());
+    group.most.widen(slot.limits());
     group.feed = std::min(group.feed, slot.feed);
     group.longest = std::max(group.longest, slot.length);
-    group.a_most = std::max(group.a_most, slot.a_max);
-    group.j_most = std::max(group.j_most, slot.j_max);
     group.mixed = group.mixed || group.feed_mode != slot.feed_mode || group.spindle != slot.spindle || group.override_locked != slot.override_locked;
 }
 
@@ -86,6 +89,7 @@ void PathPlanner::skip(std::uint64_t to) noexcept {
     state_ = {};
     began_ = done_ = false;
     landing_end_ = kNone;
+    forget_promise();
     if (block_latch_ != kNone && block_latch_ < first_) block_latch_ = kNone;
 }
 
@@ -204,6 +208,7 @@ PathStep PathPlanner::tick(const PathInput& input) noexcept {
     if (step.stands == Stands::Moving) {
         if (input.emergency_dec > 0) {
             landing_end_ = kNone;
+            forget_promise();
             const double time = std::min(dt_, state_.v / input.emergency_dec);
             carry({time * (state_.v - input.emergency_dec * time / 2), time < dt_ ? 0.0 : state_.v - input.emergency_dec * time, 0}, step);
         } else {

@@ -22,6 +22,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "kernel/motion/braking.hpp"
 #include "kernel/motion/landing.hpp"
 #include "polyturn/image_structs.hpp"
 
@@ -30,12 +31,14 @@ namespace polyturn::kernel {
 inline constexpr std::uint32_t kPlannerWindow = 4096;  // slots; the horizon may be up to this less 2
 inline constexpr std::uint32_t kAppendsPerTick = 128;  // bounds the work of a tick
 
-// What the planner needs to know of a record. v_max, a_max, j_max hold along the whole record.
+// What the planner needs to know of a record. It holds along the whole record.
 struct PlannedRecord {
     double length = 0;      // mm (degrees for a rotary path)
     double v_max = 0;       // mm/s, geometry and axes: never exceeded
     double a_max = 0;       // mm/s2
     double j_max = 0;       // mm/s3; infinity: no axis limits jerk
+    double bend = 0, turning = 0;  // 1/mm: what speed takes of both, see limits.hpp
+    double along = 0, across = 0;  // 1/mm2
     double feed = 0;        // mm/s, or mm a revolution
     std::uint16_t spindle = 0;        // from 1; feed per revolution
     FeedMode feed_mode = FeedMode::PerMinute;
@@ -46,6 +49,7 @@ struct PlannedRecord {
     bool block_end = false;           // single block stops here
 
     static PlannedRecord from(const PathRecord& record, bool stop_before) noexcept;
+    [[nodiscard]] Limits limits() const noexcept { return {a_max, j_max, bend, turning, along, across}; }
 };
 
 struct PathInput {
@@ -112,15 +116,9 @@ public:
 private:
     // Planning uses a little less jerk than allowed; the rest is what landing needs to end exactly at a point.
     static constexpr double kPlannedJerk = 0.995;
-    // Of comparisons, mm and relative. What a step promised is computed anew from where it led; so keeping a promise is
-    // judged more mildly than giving one, or rounding could break it.
-    static constexpr double kGiving = 1e-9, kKeeping = 1e-8;
-    // A promise to be steady or to stand before limits fall keeps this far from there, mm: a tail that rounding carries over
-    // the border would be judged by the other limits.
-    static constexpr double kBefore = 4e-7;
     static constexpr std::uint64_t kNone = ~0ull;
-    static constexpr std::uint32_t kTargets = 256;
-    static constexpr std::uint32_t kBorders = 24;
+    // Pieces of brakings that a tick may try; then what was promised is followed. Bounds the work of a tick.
+    static constexpr std::uint32_t kPiecesPerTick = 200;
 
     struct Slot : PlannedRecord {
         double begin_fraction = 0, end_fraction = 0;
@@ -128,56 +126,49 @@ private:
     // What a run of kGroup records has in common, so that the view can pass over it in one step.
     static constexpr std::uint32_t kGroup = 16;
     struct Group {
-        double length, v_max, a_max, j_max, feed;  // sum; least of each
-        double longest, a_most, j_most;            // greatest
+        double length, v_max, feed;  // sum; least of each
+        Limits least, most;
+        double longest;
         FeedMode feed_mode;
         std::uint16_t spindle;
         bool override_locked, mixed;  // the three above differ
         bool stops, block_ends;
     };
-    struct Target {  // from this distance on not above the ceiling
-        double distance, ceiling;
-        double a, j;  // least limits before it
-    };
-    struct Border {  // limits change here
-        double distance, speed;  // speed from which, with acceleration 0, all behind it can be kept
-        double a, j;             // least limits before it
-        double on_a, on_j;       // least limits from here to the next border
-        std::uint64_t record;    // that begins here
-        std::uint32_t via;       // the way on: steadily to this border; kBorders: to a standstill
-        double via_a, via_j;     // ... under these limits
-    };
-    // What made the last step safe: a way on. Leg by leg: under limits a, j to the speed, with acceleration 0, where the record
-    // begins, or to a stand before it; then the next leg. Good as it is, whatever else comes into view.
-    struct Leg {
-        std::uint64_t record;
-        double speed, a, j;
-    };
-    struct Witness {
-        std::uint32_t count = 0;
-        std::array<Leg, kBorders + 2> legs;
-    };
-    struct Way { std::uint32_t by; double speed; };  // kLeast; a border; kKept + a leg of the witness
-    static constexpr std::uint32_t kLeast = 1000, kKept = 2000;
     enum class Ceilings : std::uint8_t { Hard, Wanted };
-    // What lies ahead, as far as it can matter to this tick. Distances from the present point.
-    struct View {
-        std::array<Target, kTargets> targets;
-        std::array<Border, kBorders> borders;
-        std::uint32_t target_count, border_count;
-        Witness last;                // of the step before
-        std::array<double, kBorders + 2> legs;  // where its legs end
-        std::uint32_t leg_count;
-        bool rises;             // limits before the end are better than the least of the view
-        std::uint64_t beyond;   // first record that was not looked at
-        double ceiling;         // over what this tick can touch
-        double top;             // ceiling now that is not violated yet
-        double tick_a, tick_j;  // least limits over what this tick can touch
-        double a, j;            // least limits over the whole view
-        double end;             // the path must stand there; infinity: beyond the view
-        std::uint64_t end_record;  // that is the end of this record; kNone: the view was full
-        double rounding;        // tolerance of comparisons, mm and relative
-        Ceilings which;
+    // What lies ahead, read from the window as far as somebody asks (path_view.cpp).
+    class View final : public Road {
+    public:
+        void begin(PathPlanner& planner, Ceilings which, const PathInput& input) noexcept;
+        // The same for a tick that begins at x on the road, from what the stretches say. False: the road ends there.
+        [[nodiscard]] bool around(const PathState& x) noexcept;
+
+        // Does the ceiling rise within the way on which the acceleration that the tick at x leads to is released?
+        [[nodiscard]] bool rises(const PathState& x) noexcept;
+
+        double ceiling = 0;     // over what a tick can touch
+        Limits tick;            // over what a tick can touch, at the speed and acceleration that it can come to
+        std::uint32_t within = 0;  // the stretch where it begins
+        std::uint64_t end_record = kNone;  // the path must stand at its end; kNone: not seen, or for want of room
+
+    private:
+        void more() noexcept override;
+        void narrow_tick(const Limits& touched, const PathState& x, double highest) noexcept;
+        void join(const PlannedRecord& record, double ceiling) noexcept;
+        bool pass_group() noexcept;
+        PathPlanner* planner_ = nullptr;
+        const PathInput* input_ = nullptr;
+        Ceilings which_ = Ceilings::Hard;
+        std::uint64_t record_ = 0;   // the last that was looked at
+        double known_ = 0;           // where it ends
+        double reach_ = 0;           // how far this tick can lead
+        double fast_ = 0;            // no ceiling above it matters
+        double chunk_ = 0;           // a stretch need not be longer
+    };
+    // A state that this tick could lead to.
+    struct Step {
+        PathState next;
+        double speed = 0;            // towards this ...
+        Limits limits;               // ... under these; a = 0: not by profile_to_speed
     };
 
     [[nodiscard]] const Slot& at(std::uint64_t record) const noexcept { return slots_[record % kPlannerWindow]; }
@@ -185,20 +176,24 @@ private:
     [[nodiscard]] double ceiling_of(const PlannedRecord& record, Ceilings which, const PathInput& input) const noexcept;
     void add_to_group(std::uint64_t record) noexcept;
     [[nodiscard]] bool stops_at_end(std::uint64_t record) const noexcept;
-    void look_ahead(View& view, Ceilings which, const PathInput& input) noexcept;
-    void settle_borders(View& view) const noexcept;
-    // A tick of profile_to_speed.
-    struct Step {
-        double speed, a, j;  // towards this speed, with these limits
-        PathState next;
-    };
-    [[nodiscard]] Step step_towards(double speed, double a, double j) const noexcept;
+    [[nodiscard]] Step step_towards(double speed, const Limits& limits) const noexcept;
     [[nodiscard]] double speed_at(const Step& step, double distance) const noexcept;
-    [[nodiscard]] bool safe(const View& view, const Step& step, Way& way) const noexcept;
-    [[nodiscard]] bool best_towards(View& view, double goal, double a, double j, PathState& next) noexcept;
-    [[nodiscard]] bool take(const View& view, const Step& step) noexcept;
+    [[nodiscard]] bool comes_to_rest(View& view, Ceilings which, const PathState& x) noexcept;
+    void promise(Ceilings which) noexcept;
+    void forget_promise() noexcept;
+    [[nodiscard]] bool follows_blindly() const noexcept;
+    [[nodiscard]] bool push(View& view) noexcept;
+    [[nodiscard]] bool promise_braking(const PathInput& input) noexcept;
+    void be_patient() noexcept;
+    [[nodiscard]] PathState keep_promise() noexcept;
+    [[nodiscard]] bool safe(View& view, Ceilings which, const Step& step) noexcept;
+    [[nodiscard]] bool take(View& view, Ceilings which, const Step& step) noexcept;
+    [[nodiscard]] bool best_between(View& view, Ceilings which, const PathState& low, const PathState& high, PathState& next) noexcept;
+    [[nodiscard]] double lowest_violated(View& view, const PathState& next) noexcept;
+    [[nodiscard]] bool want(const PathInput& input) noexcept;
     [[nodiscard]] PathState choose(const PathInput& input) noexcept;
-    [[nodiscard]] bool begin_landing(const View& view, bool before_rises) noexcept;
+    [[nodiscard]] bool begin_landing(View& view) noexcept;
+    [[nodiscard]] bool step_over_rest(View& view) noexcept;
     [[nodiscard]] Stands leave_standstill(const PathInput& input, PathStep& step) noexcept;
     void carry(const PathState& next, PathStep& step) noexcept;
 
@@ -211,11 +206,24 @@ private:
     bool done_ = false;                  // the path stands at the end of record first_, which has ended
     std::uint64_t block_latch_ = kNone;  // single block: stand at the end of this record
     bool block_done_ = false;            // and it does
-    Witness witness_;
+    // The way to a stand that made the last step safe, and how much of it has been driven since, s; below 0: there is none.
+    Braking promise_, tried_;
+    std::uint32_t pieces_ = 0;           // tried in this tick
+    double promise_time_ = -1;
+    bool promise_wanted_ = false;        // it keeps what was wanted, too
+    bool promise_aims_ = false;          // it goes by way of a slower stretch
+    std::uint64_t promise_end_ = kNone;  // the record at whose end it stands for want of road; kNone: it need not
+    // Steps before that: a push is tried as a whole and then driven without another thought, unless something else is wanted.
+    static constexpr std::uint32_t kPush = 16;
+    std::array<PathState, kPush> push_;  // after each tick; s is what is moved in it
+    std::uint32_t pushed_ = 0, push_end_ = 0, stride_ = 1;
+    std::uint32_t patience_ = 0, failures_ = 0;  // ticks for which the promise is followed without looking for better
+    bool other_wanted_ = false;          // what is wanted has changed, and the promise is still the old one
+    std::array<double, 7> wanted_{};     // see want()
     std::uint64_t landing_end_ = kNone;  // on a fixed profile that ends at the end of this record
     Landing landing_;
     std::uint64_t anomalies_ = 0;
-    View view_{};  // of this tick; a member because it is large
+    View view_;  // of this tick; a member because it is large
     std::array<Group, kPlannerWindow / kGroup> groups_{};
     std::array<Slot, kPlannerWindow> slots_{};
 };

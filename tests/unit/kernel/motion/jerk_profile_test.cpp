@@ -113,24 +113,6 @@ TEST(JerkProfile, TopSpeedIsTheGreatestFromWhichTheSpeedCanBeReached) {
     }
 }
 
-TEST(JerkProfile, FallingDistanceIsWhereTheSpeedIsLastAbove) {
-    std::mt19937_64 random(6);
-    for (int i = 0; i < 2'000; ++i) {
-        const Case c = random_case(random);
-        const Braking braking(c.v, c.a, 0, c.a_max, c.j_max);
-        const double ceiling = std::uniform_real_distribution<>(0.01, 1)(random) * (braking.peak + 1e-3);
-        PathState x{0, c.v, c.a};
-        double last = 0;
-        constexpr int kSteps = 4000;
-        const double h = braking.profile.duration() / kSteps;
-        for (int k = 0; k < kSteps; ++k) {
-            if (x.v > ceiling) last = x.s + x.v * h;
-            x = towards_speed(x, 0, c.a_max, c.j_max, h);
-        }
-        ASSERT_NEAR(braking.falling_distance(ceiling), last, 2e-3 * (braking.distance() + 1e-9));
-    }
-}
-
 TEST(Landing, EndsExactlyWhereItAimed) {
     std::mt19937_64 random(7);
     int aimed = 0;

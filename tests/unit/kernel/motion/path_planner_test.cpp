@@ -38,6 +38,24 @@ TEST(PathPlanner, KeepsLimitsWhenOverridesHoldsAndSingleBlockComeAtAnyTick) {
     }
 }
 
+TEST(PathPlanner, KeepsOnBendsWhatTheSpeedLeaves) {
+    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+        SCOPED_TRACE(seed);
+        PlannerRig rig;
+        std::mt19937_64 random(seed * 77);
+        if (seed % 2 == 0) {
+            rig.operate = [&](std::int64_t, PathInput& input) {
+                const auto dice = random() % 1000;
+                if (dice < 5) input.feed_override = static_cast<double>(5 + random() % 196) / 100;
+                else if (dice < 11) input.hold = true;
+                else if (dice < 40) input.hold = false;
+            };
+        }
+        const Judged judged = rig.drive(random_records(seed, 40, true));
+        ASSERT_EQ(judged.fault, "");
+    }
+}
+
 PlannedRecord record(double length, double feed = 1e6) {
     PlannedRecord r;
     r.length = length;

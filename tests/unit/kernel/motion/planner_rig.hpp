@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <random>
 #include <string>
@@ -72,24 +73,31 @@ public:
             if (keep_positions) judged.position.push_back(s[0]);
             judged.ticks = tick + 1;
             judged.end_s = s[0];
-            const auto limit = [&](std::uint64_t oldest, double PlannedRecord::*which) {
-                double most = 0;
+            // The widest of what the records that the differences span allow.
+            const auto widest = [&](std::uint64_t oldest) {
+                Limits most{0, 0, kNoLimit, kNoLimit, kNoLimit, kNoLimit};
                 for (std::uint64_t i = oldest; i <= now; ++i) {
-                    if (records[i].length > 0) most = std::max(most, records[i].*which);
+                    if (records[i].length > 0) most.widen(records[i].limits());
                 }
                 return most;
             };
+            double v_most = 0;
+            for (std::uint64_t i = at[1]; i <= now; ++i) {
+                if (records[i].length > 0) v_most = std::max(v_most, records[i].v_max);
+            }
             // Rounding of positions of some metres, after differences: not motion.
             const double noise = 4e-15 * std::max(1.0, s[0]);
-            const double v = (s[0] - s[1]) / dt;
-            const double a = (s[0] - 2 * s[1] + s[2]) / (dt * dt);
+            const double v = (s[0] - s[1]) / dt, v_before = std::max(0.0, (s[0] - s[2]) / (2 * dt)), v_3 = std::max(0.0, (s[0] - s[3]) / (3 * dt));
+            const double a = (s[0] - 2 * s[1] + s[2]) / (dt * dt), a_3 = (s[0] - s[1] - s[2] + s[3]) / (2 * dt * dt);
             const double j = (s[0] - 3 * s[1] + 3 * s[2] - s[3]) / (dt * dt * dt);
             if (s[0] < s[1] - noise) return fail(judged, tick, "moved backwards");
             const auto share = [&](double value, double error, double most) { return most > 0 ? (std::abs(value) - error) / most : 0.0; };
-            judged.worst_v = std::max(judged.worst_v, share(v, noise / dt, limit(at[1], &PlannedRecord::v_max)));
-            judged.worst_a = std::max(judged.worst_a, share(a, 2 * noise / (dt * dt), limit(at[2], &PlannedRecord::a_max)));
-            const double worst_j = share(j, 4 * noise / (dt * dt * dt), limit(at[3], &PlannedRecord::j_max));
-            judged.worst_j = std::max(judged.worst_j, worst_j);
+            judged.worst_v = std::max(judged.worst_v, share(v, noise / dt, v_most));
+            const Limits two = widest(at[2]), three = widest(at[3]);
+            judged.worst_a = std::max(judged.worst_a, share(std::hypot(a, two.bend * v_before * v_before), 2 * noise / (dt * dt), two.a));
+            const double v3 = v_3 * v_3 * v_3;
+            const double whole_j = std::hypot(std::abs(j) + three.along * v3, three.turning * v_3 * std::abs(a_3) + three.across * v3);
+            judged.worst_j = std::max(judged.worst_j, share(whole_j, 4 * noise / (dt * dt * dt), three.j));
             if (judged.worst_v > 1.01) return fail(judged, tick, "too fast");
             if (judged.worst_a > 1.01) return fail(judged, tick, "too much acceleration");
             if (judged.worst_j > 1.01) return fail(judged, tick, "too much jerk");
@@ -104,6 +112,7 @@ public:
     }
 
 private:
+    static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
     static Judged fail(Judged& judged, std::int64_t tick, const char* why) {
         judged.fault = std::string(why) + " at tick " + std::to_string(tick) + ", s " + std::to_string(judged.end_s) + ", of limits v " +
                        std::to_string(judged.worst_v) + " a " + std::to_string(judged.worst_a) + " j " + std::to_string(judged.worst_j);
@@ -111,8 +120,19 @@ private:
     }
 };
 
-// Random programs: what blends, arcs, rapids and tiny segments leave in the ring.
-inline std::vector<PlannedRecord> random_records(std::uint64_t seed, std::size_t count) {
+// A record that bends: what speed takes of its limits, and the ceiling that leaves some of them, as the channel makes it.
+inline void bend_record(PlannedRecord& r, double curvature, double change) {
+    r.bend = curvature;
+    r.turning = 3 * curvature;
+    r.along = curvature * curvature;
+    r.across = change;
+    r.v_max = std::min(r.v_max, std::sqrt(0.95 * r.a_max / curvature));
+    const double x = r.along / r.j_max, y = r.across / r.j_max, square = x * x + y * y, half = 0.1 * x + 0.08 * y;
+    r.v_max = std::min(r.v_max, std::cbrt((std::sqrt(half * half + 0.97 * square) - half) / square));
+}
+
+// Random programs: what blends, arcs, rapids and tiny segments leave in the ring; with `bends` arcs and transitions too.
+inline std::vector<PlannedRecord> random_records(std::uint64_t seed, std::size_t count, bool bends = false) {
     std::mt19937_64 random(seed);
     const auto between = [&](double low, double high) { return std::uniform_real_distribution<>(low, high)(random); };
     const auto log_between = [&](double low, double high) { return std::exp(between(std::log(low), std::log(high))); };
@@ -122,6 +142,7 @@ inline std::vector<PlannedRecord> random_records(std::uint64_t seed, std::size_t
     const bool tiny = chance(0.3), alike = chance(0.3);
     double feed = log_between(5, 500);
     bool rapid = false;
+    double curvature = 0;   // goes on over some records, as on a spline
     for (std::size_t i = 0; i < count; ++i) {
         PlannedRecord r;
         r.length = tiny ? log_between(0.001, 0.5) : log_between(0.001, 100);
@@ -134,6 +155,13 @@ inline std::vector<PlannedRecord> random_records(std::uint64_t seed, std::size_t
         r.feed_mode = rapid ? FeedMode::Rapid : FeedMode::PerMinute;
         r.stop_after = chance(tiny ? 0.01 : 0.1);
         r.block_end = chance(0.7);
+        if (bends) {
+            if (chance(0.4)) curvature = chance(0.3) ? 0 : a / std::pow(v * log_between(0.05, 1.5), 2);
+            else curvature *= between(0.9, 1.1);
+            r.a_max = a, r.j_max = j;
+            if (curvature > 0) bend_record(r, curvature, chance(0.3) ? j / std::pow(v * log_between(0.05, 2), 3) : curvature * curvature * between(0, 0.5));
+            r.length = std::min(r.length, 2 * r.v_max);
+        }
         if (chance(0.05)) r.length = 0;
         records.push_back(r);
     }
