@@ -120,10 +120,8 @@ class Faults(Case):
         in_thread = any(e["kind"] == "thread" and e["t"] <= moment <= e["end"] for e in calm.of("move", ch=2))
         if action == "kill" and not in_thread:
             steps = [math.hypot(x[at - k] - x[at - k - 1], z[at - k] - z[at - k - 1]) / TICK_S for k in (0, 1)]
+            # On arcs as on lines: what a bend at these speeds takes of the axes is little.
             longest = 1.05 * braking_distance(steps[0], (steps[0] - steps[1]) / TICK_S) + 0.1
-            # On an arc the turning direction takes its share of the axes' jerk: it brakes a little more gently than on a line.
-            if any(e["kind"] in ("cw", "ccw") and e["t"] - 0.05 <= moment <= e["end"] + 0.05 for e in done.of("move", ch=2)):
-                longest *= 1.3
             travel = sum(math.hypot(x[i + 1] - x[i], z[i + 1] - z[i]) for i in range(at, len(x) - 1))
             self.assertLessEqual(travel, longest, about)
 
