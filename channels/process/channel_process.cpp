@@ -228,7 +228,7 @@ void ChannelProcess::read_program() {
         if (run_->file_count() != names_published_) publish_names();
         if (ring_->aborted()) return;   // the interrupt that caused it is in the inbox
         if (restart_sink_->searching()) {
-            restart_sink_->block_read(run_->block(), run_->in_main_program());
+            restart_sink_->block_read(run_->at());
             if (step == Step::Ended) return fail({Alarm::RestartNoBlock, {running_.path, 0, 0, 0}, {}, "N" + std::to_string(restart_sink_->wanted())});
         }
         if (!restart_sink_->searching()) port_.pretend({});

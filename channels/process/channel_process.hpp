@@ -49,8 +49,7 @@ public:
     virtual bool may_resume_at(std::uint64_t /*serial*/) const { return false; }
     virtual bool resume_at(std::uint64_t /*serial*/) { return false; }
     virtual bool offsets_changed() { return true; }
-    virtual std::int64_t block() const { return -1; }              // number of the block that was interpreted last
-    virtual bool in_main_program() const { return true; }
+    virtual BlockContext at() const { return {}; }                 // the block that was interpreted last
     virtual void shown() {}                                        // it is the one whose blocks are described from now on
     virtual std::any carry() const { return {}; }
     virtual void take_carry(const std::any& /*before*/, bool /*after_reset*/) {}

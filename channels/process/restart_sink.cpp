@@ -48,13 +48,6 @@ bool RestartSink::here(const BlockContext& at, const Move* first) {
     return !searching_;
 }
 
-void RestartSink::block_read(std::int64_t block, bool in_main_program) {
-    if (!searching_ || !in_main_program || block != block_) return;
-    BlockContext at;
-    at.block = block;
-    arrive(at, nullptr);
-}
-
 void RestartSink::move(const Move& m, const BlockContext& at) {
     if (here(at, &m)) return next_->move(m, at);
     position_ = m.machine;

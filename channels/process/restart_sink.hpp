@@ -28,7 +28,7 @@ public:
     bool searching() const { return searching_; }
     std::int64_t wanted() const { return block_; }
     // The interpreter has done a block: it may be the one, without having caused anything.
-    void block_read(std::int64_t block, bool in_main_program);
+    void block_read(const BlockContext& at) { (void)here(at); }
     // Where the program thinks a machine axis (from 0) is, while it is only interpreted.
     double position(unsigned machine_axis) const;
 

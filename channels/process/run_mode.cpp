@@ -44,8 +44,7 @@ public:
     bool may_resume_at(std::uint64_t serial) const override { return language_->may_resume_at(serial); }
     bool resume_at(std::uint64_t serial) override { return language_->resume_at(serial); }
     bool offsets_changed() override { return language_->offsets_changed(); }
-    std::int64_t block() const override { return language_->core().at.block; }
-    bool in_main_program() const override { return language_->core().at.stack_depth == 0; }
+    BlockContext at() const override { return language_->core().at; }
     std::size_t file_count() const override { return files_.count(); }
     std::string file_name(std::size_t index) const override { return files_.path(static_cast<FileId>(index)); }
     void shown() override { if (*events_) (*events_)->set_files(&files_); }

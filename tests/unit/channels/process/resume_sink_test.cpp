@@ -234,7 +234,7 @@ TEST(RestartSink, LoadsTheToolBeforeTheLastM6AndPreparesTheNext) {
     for (const auto& [letter, value, text] : std::initializer_list<std::tuple<char, double, const char*>>{
              {'T', 1, "T1"}, {'M', 6, "M6"}, {'T', 2, "T2"}, {'M', 6, "M6"}, {'T', 3, "T3"}, {'T', 4, "T4"}})
         sink.aux({letter, value, text, false}, block(1, 10));
-    sink.block_read(30, true);
+    sink.block_read(block(2, 30));
     EXPECT_EQ(b.seen.aux_texts, (std::vector<std::string>{"T2", "M6", "T4"}));
 }
 
