@@ -79,6 +79,7 @@ TEST(Ceilings, ARapidLineIsAsFastAsItsSlowestShare) {
     limits.axis[1].rapid = 500;
     Collected out;
     Program program(out, limits);
+    program.feed = 0;   // a rapid without a share of its own
     program.line({30, 40}, kRapid);
     program.maker.flush();
     EXPECT_NEAR(out.records[0].v_max, std::min(333 / 0.6, 500 / 0.8), 1e-9);
