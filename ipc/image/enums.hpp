@@ -16,6 +16,9 @@ enum class RecordKind : std::uint8_t {
     SpindleMode,   // code: SpindleModeCode; value: 1/min or m/min or degrees; shape[0] limit 1/min (0 none),
                    // shape[1] machine coordinate of the turning axis at diameter 0, axis[0] that axis;
                    // Position: plane[0] SpindleApproach, shape[2] way in degrees when Incremental (value is where it leads);
+                   // Couple: `spindle` leads, axis[0] follows (kMaxAxes + spindle from 0, or an axis): shape[0] of its turns for shape[1]
+                   // turns of the master, shape[2] phase in degrees (NaN: as it comes), mask 1: gear (N1800), axis[1] the axis of
+                   // the helix (kNoHelix none), shape[3] degrees a millimetre of it; Uncouple: axis[0]
                    // Watch: value seconds, shape[0] % to begin with, shape[2] % and shape[3] 1/min; NaN: the parameter's
     SpindleSpeed,  // S word: value 1/min for `spindle`; what it turns like is the PLC's SP_ROT
     Wait,          // code, mask; flags kFlying
@@ -28,6 +31,8 @@ enum class RecordKind : std::uint8_t {
     Interrupts,    // M96, M97: code 1 on 0 off, mask InterruptBit
     Marker,        // SETM, CLEARM: code the marker (-1: all), value 1 set 0 cleared
     Flag,          // reserved for couplings and exchanges: value written to a signal
+    Beside,        // positioning axis: axis[0] goes to end[0] with v_max mm/s (0 rapid) beside the path; nobody waits
+    Await,         // stands until the positioning axes of mask[axis slots: axis[0..axis_count)] are there
 };
 
 enum RecordFlag : std::uint32_t {
@@ -62,8 +67,9 @@ enum class ResumeAnswer : std::uint32_t { Nothing = 0, GoesBack, Cannot };   // 
 
 enum InterruptBit : std::uint32_t { kInterruptAtBlockEnd = 1u << 0, kInterruptByLevel = 1u << 1, kInterruptByMint = 1u << 2 };
 
+inline constexpr std::uint8_t kNoHelix = 0xFF;
 enum class FeedMode : std::uint8_t { Rapid = 0, PerMinute, PerRevolution, InverseTime, Thread, Seconds, Revolutions };
-enum class SpindleModeCode : std::int32_t { Rpm = 0, SurfaceSpeed, Position, Off, Limit, Watch, WatchOff };
+enum class SpindleModeCode : std::int32_t { Rpm = 0, SurfaceSpeed, Position, Off, Limit, Watch, WatchOff, Couple, Uncouple };
 // How a positioned spindle comes to an angle.
 enum class SpindleApproach : std::uint8_t { Shortest = 0, Positive, Negative, Incremental };
 enum class StopReason : std::int32_t { None = 0, M00, M01, M02, M30, End, Held, Waiting, SingleBlock, Alarm, Reset, Death,
@@ -106,6 +112,8 @@ enum class KernelEventKind : std::uint32_t {
     ActionDue,     // a command that the supervisor must carry out itself (kill, stop): code command sequence
     Tick,          // supervision: the clock
     MachineState,  // value: machine_state
+    BesideBegin,   // an axis begins to move beside the path: code axis (from 1), value its target
+    BesideEnd,     // it has come to rest: code axis, value where
 };
 
 enum class CommandKind : std::uint32_t {

@@ -58,6 +58,7 @@ struct KernelSegment {
     RingTail command_tail;                               // consumer of SupervisorSegment::commands
     RingHead<StoreRequest, 8192> persist;                // what programs write, in path order; tail: StoreSegment::persist_tail
     RingTail param_tail;                                 // consumer of StoreSegment::param_changes
+    Snapshot<GuardStatus> guard;                         // shapes of the machine as they stand, some times a second
     Snapshot<PlcInputs> plc_inputs;
     Snapshot<PlcOutputs> plc_seen;                       // the PLC's signals as they act (forced ones included)
     Doorbell plc_bell, supervisor_bell, store_bell;

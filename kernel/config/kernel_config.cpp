@@ -54,6 +54,7 @@ AxisConfig read_axis(const p::Table& t, unsigned a) {
     if (axis.rotary && p::bit(t, p::n0107_rollover_control, a, 0)) axis.rollover = p::get(t, p::n0108_rollamount, a);
     for (unsigned n = 0; n < 8; ++n) axis.handle |= p::bit(t, p::n2400_handle_direction, a, n) ? 1u << n : 0u;
     axis.lubrication = p::get(t, p::n1273_lubrication_distance, a) * unit;
+    axis.gear_retract = p::get(t, p::n1804_retr_dist, a) * unit;
     axis.hypothetical = hypothetical;
     axis.measured_only = assigned == 99 || p::bit(t, p::n0106_axis_properties, a, 4);
     name_axis(t, a, axis);
@@ -69,6 +70,8 @@ ChannelConfig read_channel(const p::Table& t, unsigned l) {
     channel.default_spindle = static_cast<std::uint32_t>(p::get(t, p::n0604_default_spindle, l));
     channel.jog_feed_source = p::get(t, p::n0316_jog_f_contr, l);
     channel.jog_feed = p::get(t, p::n0317_jog_f_g94, l) * (p::bit(t, p::n0104_unit_of_measure, l, 0) ? kMmPerInch : 1.0) / 60.0;
+    channel.gear_opens = p::bit(t, p::n1800_egb_contr, l, 0);
+    channel.gear_retract_feed = p::get(t, p::n1805_retr_feed, l) * (p::bit(t, p::n0104_unit_of_measure, l, 0) ? kMmPerInch : 1.0) / 60.0;
     channel.surface_speed_axis = static_cast<std::uint32_t>(p::get(t, p::n0687_default_g96_axis, l));
     channel.surface_speed_min_rpm = static_cast<double>(p::get(t, p::n0688_min_spindle_speed_g96, l));
     channel.in_position_timeout_s = p::get(t, p::n1340_inpos_timeout, l);

@@ -36,6 +36,7 @@ struct AxisConfig {
     double index_step = 0;                // N0110 of an indexed axis; 0: none
     std::uint32_t handle = 0;             // N2400
     double lubrication = 0;               // N1273, mm; 0: none
+    double gear_retract = 0;              // N1804, mm with sign
     bool measured_only = false, hypothetical = false, named = false;
     ShortName name{};                     // as programs call it; "A3" without a name
     AxisStroke stroke;                    // ranges that are watched once the axis is referenced
@@ -63,6 +64,8 @@ struct ChannelConfig {
     double wheel_time_s = 0.02;           // PT_WHEEL_TIME: of the program, a click
     std::array<char, 3> aux_letters{};    // N1333 to N1335: whose values go to CN_AUX1C to CN_AUX3C
     ChannelStroke stroke;
+    bool gear_opens = false;              // N1800 RCE
+    double gear_retract_feed = 0;         // N1805, mm/s
 };
 
 // N1101 to N1196.

@@ -38,6 +38,7 @@ SpindleRange read_range(const p::Table& t, unsigned s, unsigned n, double counts
     r.error_absolute = real(p::n0777_r1_s_serrl3);
     r.orient_speed = real(p::n0801_r1_s_orientspeed);
     r.backlash = counts > 0 ? real(p::n0809_r1_s_backlash) / counts : 0.0;
+    r.synchr_gain = real(p::n0785_r1_s_synchr_k);
     r.tap_acceleration = real(p::n1508_r1_acc_in_tapping);
     r.tap_jerk = rise(r.tap_acceleration, real(p::n1516_r1_acc_tc_in_tapping));
     r.out_acceleration = real(p::n1524_r1_acc_in_extract);
@@ -80,6 +81,14 @@ SpindleConfig read_spindle(const params::Table& t, unsigned s) {
     c.feedforward = p::bit(t, p::n0743_spindle_feedforward_control, s, 0);
     c.feedforward_in_rapid = p::bit(t, p::n0743_spindle_feedforward_control, s, 1);
     c.in_position_timeout_s = static_cast<double>(p::get(t, p::n0752_s_inpos_timeout, s));
+    c.sync_master = static_cast<std::uint32_t>(p::get(t, p::pt_spindle_master, s));
+    c.sync_code = static_cast<std::int32_t>(p::get(t, p::pt_sync_code, s));
+    c.phase_code = static_cast<std::int32_t>(p::get(t, p::pt_phase_code, s));
+    c.sync_turns = static_cast<double>(p::get(t, p::pt_sync_turns, s));
+    c.sync_master_turns = static_cast<double>(p::get(t, p::pt_sync_master_turns, s));
+    c.phase_shift = c.encoder_counts > 0 ? static_cast<double>(p::get(t, p::n0685_spindle_phase_shift, s)) / c.encoder_counts : 0.0;
+    c.sync_window = p::get(t, p::pt_sync_window, s) / 360.0;
+    c.sync_error = p::get(t, p::pt_sync_error, s) / 360.0;
     for (unsigned n = 1; n <= kGearRanges; ++n) c.range[n - 1] = read_range(t, s, n, c.encoder_counts);
     return c;
 }

@@ -28,6 +28,7 @@ struct SpindleRange {
     double error_standing = 0, error_moving = 0, error_absolute = 0;   // N0761, N0769, N0777, rev; 0: not watched
     double orient_speed = 0;               // N0801, 1/min
     double backlash = 0;                   // N0809, rev
+    double synchr_gain = 0;                // N0785, 1/s
     double tap_acceleration = 0, tap_jerk = 0, out_acceleration = 0, tap_gain = 0;  // N1508, N1516, N1524, N1532
 };
 
@@ -54,6 +55,12 @@ struct SpindleConfig {
     bool loop_stays_open = false;          // N0742 OPN
     bool feedforward = false, feedforward_in_rapid = false;   // N0743 FFE, FFR
     double in_position_timeout_s = 0;      // N0752
+    // Synchronous run (spindle_couplings.hpp)
+    std::uint32_t sync_master = 0;         // PT_SPINDLE_MASTER, from 1
+    std::int32_t sync_code = 0, phase_code = 0;
+    double sync_turns = 1, sync_master_turns = 1;
+    double phase_shift = 0;                // N0685, rev
+    double sync_window = 0, sync_error = 0;   // rev
     std::array<SpindleRange, kGearRanges> range{};
 };
 

@@ -71,6 +71,8 @@ public:
     double own() const noexcept { return own_command_; }          // at the start of this tick, without what a master adds
     double own_target() const noexcept { return own_target_; }
     bool slave = false;                                    // synchronous: nobody but its master may move it
+    bool geared = false;                                   // it follows the turns of a spindle (spindle_couplings.hpp)
+    bool bound() const noexcept { return slave || geared; }
     // Own braking at PT_ESTOP_DEC, away from any path (emergency stop, drive fault). True while it still moves.
     bool brake(double tick_s) noexcept;
     // The machine coordinate of where it is becomes greater by this much.

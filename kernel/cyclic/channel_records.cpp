@@ -8,6 +8,7 @@
 #include "ipc/machine/store_requests.hpp"
 #include "ipc/image/interrupt_inputs.hpp"
 #include "kernel/cyclic/channel_runner.hpp"
+#include "kernel/cyclic/spindle_couplings.hpp"
 
 namespace polyturn::kernel {
 namespace {
@@ -67,7 +68,7 @@ bool ChannelRunner::execute(const PathRecord& r, double& left) noexcept {
         case RecordKind::Wait: return arrive(r);
         case RecordKind::Barrier: return true;
         case RecordKind::Stop: return stop(r);
-        case RecordKind::SpindleMode: return position_spindle(r);
+        case RecordKind::SpindleMode: return static_cast<SpindleModeCode>(r.code) == SpindleModeCode::Position ? position_spindle(r) : couple_spindle(r);
         default:
             raise(Alarm::RecordInvalid, "unknown kind");
             return false;
@@ -272,6 +273,10 @@ bool ChannelRunner::take_spindle(std::uint32_t number, bool lock) noexcept {
         return false;
     }
     SpindleUnit& spindle = core_.spindles[number - 1];
+    if (spindle.coupled()) {
+        raise(Alarm::SpindleFollows, name_of('S', number - 1).view());
+        return false;
+    }
     const auto assigned = static_cast<std::uint32_t>(core_.signals.plc(signals::sp_chan(number)));
     const std::uint32_t owner = assigned ? assigned : spindle.locked_by;
     if (owner != 0 && owner != number_) {
@@ -307,6 +312,42 @@ bool ChannelRunner::position_spindle(const PathRecord& r) noexcept {
     return core_.spindles[number - 1].in_position();
 }
 
+// A program couples something to a spindle, and goes on when it runs synchronously; uncoupled, when it is free.
+bool ChannelRunner::couple_spindle(const PathRecord& r) noexcept {
+    SpindleCouplings& couplings = *core_.spindle_couplings;
+    const std::uint32_t follower = r.axis[0];
+    const bool on = static_cast<SpindleModeCode>(r.code) == SpindleModeCode::Couple;
+    if (phase_ == Phase::Spindle) {
+        if (!on) return !couplings.follows(follower);
+        if (!couplings.follows(follower)) raise(Alarm::SpindleCoupleRefused, SpindleCouplings::name_of_follower(follower).view());
+        return couplings.synchronous(follower);
+    }
+    phase_ = Phase::Spindle;
+    if (!on) {
+        couplings.uncouple(follower);
+        return !couplings.follows(follower);
+    }
+    SpindleCouplings::Wish wish;
+    wish.master = r.spindle;
+    wish.follower = follower;
+    wish.turns = r.shape[0];
+    wish.master_turns = r.shape[1];
+    wish.phased = !std::isnan(r.shape[2]);
+    wish.phase = wish.phased ? r.shape[2] / 360.0 : 0.0;
+    wish.gear = (r.mask & 1u) != 0;
+    // The cutter's direction is that of the program's sign, whichever way the workpiece turns.
+    if ((r.mask & 2u) && wish.master >= 1 && wish.master <= kMaxSpindles && core_.spindles[wish.master - 1].speed() < 0) wish.turns = -wish.turns;
+    wish.helix = r.axis[1];
+    wish.helix_deg_mm = r.shape[3];
+    wish.channel = number_;
+    const auto why = couplings.couple(core_, wish);
+    if (why == SpindleCouplings::Refusal::None) return false;
+    ShortText detail = SpindleCouplings::name_of_follower(follower);
+    detail << ": " << SpindleCouplings::text(why);
+    raise(Alarm::SpindleCoupleRefused, detail.view());
+    return false;
+}
+
 void ChannelRunner::spindle_mode(const PathRecord& r) noexcept {
     const std::uint32_t number = r.spindle ? r.spindle : core_.config.channels[index_].default_spindle;
     const auto mode = static_cast<RecordKind>(r.kind) == RecordKind::SpindleSpeed ? SpindleModeCode::Rpm : static_cast<SpindleModeCode>(r.code);
@@ -325,7 +366,9 @@ void ChannelRunner::spindle_mode(const PathRecord& r) noexcept {
         case SpindleModeCode::SurfaceSpeed:
             spindle.demand_surface_speed(r.value, r.shape[0], core_.config.channels[index_].surface_speed_min_rpm, r.axis[0], r.shape[1]);
             break;
-        case SpindleModeCode::Position: break;  // stands: position_spindle()
+        case SpindleModeCode::Couple:
+        case SpindleModeCode::Uncouple:
+        case SpindleModeCode::Position: break;  // stands: position_spindle(), couple_spindle()
         case SpindleModeCode::Watch: spindle.watch_fluctuation(true, r.value, r.shape[0], r.shape[2], r.shape[3]); break;
         case SpindleModeCode::WatchOff: spindle.watch_fluctuation(false, 0, 0, 0, 0); break;
     }

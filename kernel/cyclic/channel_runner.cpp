@@ -53,7 +53,10 @@ bool ChannelRunner::stops_path(const PathRecord& r) noexcept {
         case RecordKind::Curve: return (r.flags & kThread) != 0;
         case RecordKind::Variable:
         case RecordKind::Offset:
-        case RecordKind::SpindleMode: return static_cast<SpindleModeCode>(r.code) == SpindleModeCode::Position;
+        case RecordKind::SpindleMode: {
+            const auto mode = static_cast<SpindleModeCode>(r.code);
+            return mode == SpindleModeCode::Position || mode == SpindleModeCode::Couple || mode == SpindleModeCode::Uncouple;
+        }
         case RecordKind::SpindleSpeed:
         case RecordKind::Message:
         case RecordKind::Part:
@@ -356,7 +359,7 @@ void ChannelRunner::place_axes(const PathRecord& r, double s) noexcept {
         AxisUnit& axis = core_.axes[r.axis[i]];
         axis.owner = number_;
         axis.rapid = (r.flags & kRapid) != 0;
-        if (!(keys & kKeyMachineLock) && !axis.slave && !axis.detached) axis.move_to(position[i]);
+        if (!(keys & kKeyMachineLock) && !axis.bound() && !axis.detached) axis.move_to(position[i]);
         last_axes_[i] = r.axis[i];
     }
     last_axis_count_ = r.axis_count;
@@ -376,7 +379,7 @@ void ChannelRunner::begin_record(const PathRecord& r, double offset_s) noexcept 
     for (std::uint32_t i = 0; is_motion(r) && i < r.axis_count; ++i)
         if (r.end[i] != r.start[i]) {
             const AxisUnit& axis = core_.axes[r.axis[i]];
-            if (axis.slave) raise(Alarm::SlaveCommanded, name_of('A', r.axis[i]).view());
+            if (axis.bound()) raise(Alarm::SlaveCommanded, name_of('A', r.axis[i]).view());
             if (axis.detached && !axis.config().on_spindle) raise(Alarm::AxisDetached, name_of('A', r.axis[i]).view());
         }
     if (r.flags & kSkipMove) skipped_ = false;

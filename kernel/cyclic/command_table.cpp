@@ -35,6 +35,7 @@ void Machine::run_command(const Command& c) noexcept {
         case CommandKind::FeedHold: each_channel(c, [](ChannelRunner& r) { r.feed_hold(); }); break;
         case CommandKind::Reset:
             each_channel(c, [](ChannelRunner& r) { r.reset(); });
+            reset_couplings(c.channel);
             for (AxisJog& jog : jogs_) jog.stop();
             wheel_left_.fill(0.0);
             stop_homing();

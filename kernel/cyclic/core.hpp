@@ -20,6 +20,8 @@ namespace polyturn::kernel {
 
 enum class MachineState : std::uint32_t { EmergencyStop = 0, Off = 1, On = 2 };
 
+class SpindleCouplings;
+
 struct Core {
     Core(KernelSegment& own, const SupervisorSegment& super, const StoreSegment& keeper)
         : image(own), supervisor(super), log(own, super), store(own, keeper) {}
@@ -62,6 +64,7 @@ struct Core {
     std::array<SharedAxis, kMaxAxes> shared_axes{};
     StrokeGuard stroke;
     ChannelSet stroke2_off = 0;            // G23: range 2 does not count in these channels
+    SpindleCouplings* spindle_couplings = nullptr;   // the machine's
     ChannelSet jogging = 0;                // channels of which an axis is moved by hand
     std::array<double, kMaxSpindles> spindle_rev_s{};  // measured, for feed per revolution
 

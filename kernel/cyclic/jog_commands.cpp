@@ -58,7 +58,7 @@ bool Machine::may_be_moved(std::uint32_t a) noexcept {
     if (l == 0) return refuse("the axis belongs to no channel");
     if (channels_[l - 1]->program_runs() && !channels_[l - 1]->jogs_in_hold())
         return refuse("axes are moved by hand only while no program of the channel runs, or in a hold after jog_in_hold");
-    if (axis.slave) {
+    if (axis.bound()) {
         core_.alarm(Alarm::SlaveCommanded, l, name_of('A', a).view());
         return false;
     }

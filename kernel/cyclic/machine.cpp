@@ -26,6 +26,7 @@ Machine::~Machine() {
 void Machine::start() {
     const RunOptions& options = core_.supervisor.options;
     core_.virtual_time = options.virtual_time != 0;
+    core_.spindle_couplings = &spindle_couplings_;
     read_config(core_.table, core_.config, true);
     couplings_.configure(core_.table, core_.config);
     core_.stroke.configure(core_.config);
@@ -102,10 +103,11 @@ void Machine::tick() noexcept {
     core_.stroke.update(core_);
     run_channels();
     run_homing();
+    run_gear_retracts();
     run_jogs();
     run_spindles();
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
-        if (const double by = core_.axes[a].take_shift(); by != 0) couplings_.shifted(a, by);
+        if (const double by = core_.axes[a].take_shift(); by != 0) couplings_.shifted(a, by), spindle_couplings_.shifted(a, by);
     couplings_.step(core_);
     if (const std::uint32_t torn = couplings_.torn_gantry(); torn && core_.on()) emergency_stop(Alarm::GantryError, core_.config.axes[torn - 1].channel, name_of('A', torn - 1).view(), core_.axes[torn - 1].measured());
     run_axes();

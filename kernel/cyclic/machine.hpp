@@ -21,6 +21,7 @@
 #include "kernel/cyclic/couplings.hpp"
 #include "kernel/cyclic/homing.hpp"
 #include "kernel/cyclic/plc_link.hpp"
+#include "kernel/cyclic/spindle_couplings.hpp"
 #include "kernel/drives/shared_drive.hpp"
 
 namespace polyturn::kernel {
@@ -90,6 +91,9 @@ private:
     std::array<std::int32_t, kMaxSpindles> rotation_{};         // that acts: SP_ROT, unless a cut still needs the one before
     std::array<std::int32_t, kMaxChannels> chosen_spindle_{};   // CP_SSEL as it was
     void run_spindles() noexcept;
+    void retract_gear(std::uint32_t channel) noexcept;
+    void run_gear_retracts() noexcept;
+    void reset_couplings(std::uint32_t channel) noexcept;
     void spindle_fault(std::uint32_t index) noexcept;
     void run_axes() noexcept;
     void axis_fault(std::size_t a) noexcept;
@@ -117,6 +121,11 @@ private:
     std::array<AxisJog, kMaxAxes> jogs_{};
     std::array<std::unique_ptr<SharedDrive>, kMaxSpindles> shared_drives_{};
     Couplings couplings_;
+    SpindleCouplings spindle_couplings_;
+    // G81.8 taken out of the work: the axes stop, go N1804 away with the gear closed, and it opens if N1800 says so.
+    enum class GearRetract : std::uint8_t { None, Stopping, Moving };
+    std::array<GearRetract, kMaxChannels> gear_retract_{};
+    std::array<bool, kMaxChannels> gear_request_{};         // CP_EGBRRQ as it was
     std::array<Homing, kMaxAxes> homing_{};
     // Jog in hold: where the axes of a channel came from, last first on the way back.
     struct WayBack {

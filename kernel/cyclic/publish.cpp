@@ -36,6 +36,9 @@ void Machine::publish() noexcept {
         out.angle = spindle.angle();
         out.override = spindle.override_factor;
         out.owner = spindle.owner;
+        const auto follower = static_cast<std::uint32_t>(kMaxAxes) + s;
+        out.master = spindle_couplings_.master_of(follower);
+        out.deviation = spindle_couplings_.deviation(follower);
         out.flags = (spindle.reached() ? 1u : 0u) | (spindle.standing() ? 2u : 0u) | (spindle.mode() == SpindleUnit::Mode::SurfaceSpeed ? 4u : 0u);
     }
     for (unsigned l = 0; l < kMaxChannels; ++l)

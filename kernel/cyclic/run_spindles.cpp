@@ -89,6 +89,9 @@ std::int32_t Machine::rotation_for(std::uint32_t s) noexcept {
 void Machine::run_spindles() noexcept {
     choose_spindles();
     share_drives();
+    spindle_couplings_.step(core_);
+    if (const std::uint32_t torn = spindle_couplings_.torn(); torn != SpindleCouplings::kNobody && core_.on())
+        emergency_stop(Alarm::SpindleTorn, core_.spindles[torn - kMaxAxes].owner, SpindleCouplings::name_of_follower(torn).view(), spindle_couplings_.deviation(torn));
     SpindleInput in;
     in.tick_s = core_.config.tick_s;
     in.powered = core_.on();

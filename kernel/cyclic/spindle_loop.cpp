@@ -25,7 +25,7 @@ double SpindleLoop::output(double command, double dt, const SpindleRange& range,
     return gain * error_ + feedforward * (filtered_ - before) / dt;
 }
 
-SpindleLoop::Fault SpindleLoop::observe(double measured, double dt, bool moving, const SpindleRange& range, double scale) noexcept {
+SpindleLoop::Fault SpindleLoop::observe(double measured, double dt, bool moving, const SpindleRange& range, double scale, double lag) noexcept {
     error_ = reference_ - measured;
     const double deviation = std::fabs(measured - model_);
     // What the next measurement is compared with: the reference of the end of this tick.
@@ -34,7 +34,7 @@ SpindleLoop::Fault SpindleLoop::observe(double measured, double dt, bool moving,
     const auto ticks = std::min<std::size_t>(static_cast<std::size_t>(range.dead_time_s / dt + 0.5), kDelay - 1);
     reference_ = delayed_[(delay_at_ + kDelay - ticks) % kDelay];
     delay_at_ = (delay_at_ + 1) % kDelay;
-    model_ += (command_ - model_) * share(dt, range.model_s * scale);
+    model_ += (command_ - model_) * share(dt, range.model_s * lag);
     if (range.error_absolute > 0 && std::fabs(error_) > range.error_absolute * scale) return Fault::Absolute;
     const double limit = moving ? range.error_moving : range.error_standing;
     if (limit > 0 && deviation > limit) return moving ? Fault::Moving : Fault::Standstill;

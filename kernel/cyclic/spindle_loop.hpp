@@ -22,7 +22,8 @@ public:
     // Command of the end of the tick: the speed to give out over it, rev/s.
     double output(double command, double dt, const SpindleRange& range, double gain, double feedforward) noexcept;
     // What was measured at the tick's start. `scale`: how much longer than with N0701 the loop lags under the gain of now.
-    Fault observe(double measured, double dt, bool moving, const SpindleRange& range, double scale) noexcept;
+    // `lag`: of the model; 0 with full feed-forward, which leaves none.
+    Fault observe(double measured, double dt, bool moving, const SpindleRange& range, double scale, double lag) noexcept;
     double error() const noexcept { return error_; }
 
 private:

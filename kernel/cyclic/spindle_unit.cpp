@@ -8,6 +8,7 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 // How a main spindle's speed follows its command; no parameter of the machine speaks of it.
 constexpr double kFrequencyHz = 15.0, kDamping = 1.0;
+constexpr double kDriveLagS = 2.0 * kDamping / (2.0 * kPi * kFrequencyHz);
 constexpr std::int32_t kRight = 3, kLeft = 4, kOrient = 19;
 constexpr double kSmallestDiameterMm = 1e-3;
 constexpr double kSearchTurns = 3.0;         // beyond N0752: so many revolutions without pulse or switch
@@ -61,6 +62,7 @@ bool SpindleUnit::at_speed(std::int32_t rotation) const noexcept {
 }
 
 double SpindleUnit::feedforward() const noexcept {
+    if (coupled_) return 1.0;   // a follower must not lag behind
     if (!config_.feedforward) return 0.0;
     const bool on = tapping_ ? tap_feedforward_ : config_.feedforward_in_rapid;   // beside tapping all its moves are rapid
     return on ? range().feedforward : 0.0;
@@ -82,7 +84,7 @@ double SpindleUnit::wanted(const SpindleInput& in) const noexcept {
         rpm = std::max(rpm, surface_min_);
         if (surface_limit_ > 0) rpm = std::min(rpm, surface_limit_);
     }
-    rpm = std::min(rpm, range.speed_max);
+    rpm = std::min({rpm, range.speed_max, ceiling_rpm});
     return in.rotation == kRight ? rpm : -rpm;
 }
 
@@ -166,7 +168,7 @@ void SpindleUnit::follow_request(const SpindleInput& in) noexcept {
 double SpindleUnit::ramp(double dt) noexcept {
     // The ramp is steeper or flatter as the magnitude grows or falls; through zero it is first the one, then the other.
     const bool grows = std::fabs(target_) > std::fabs(ramped_) && target_ * ramped_ >= 0;
-    const double most = (grows ? range().ramp_up : range().ramp_down) * dt;
+    const double most = std::min(grows ? range().ramp_up : range().ramp_down, ceiling_ramp) * dt;
     ramped_ = target_ > ramped_ + most ? ramped_ + most : target_ < ramped_ - most ? ramped_ - most : target_;
     return ramped_ / 60.0;
 }
@@ -182,12 +184,32 @@ double SpindleUnit::closed_speed(const SpindleInput& in) noexcept {
     const double position = positioner_.position();
     if (position != last_position_) backlash_ = position > last_position_ ? 0.0 : -range().backlash;
     last_position_ = position;
-    return loop_controller_.output(position + backlash_, in.tick_s, range(), gain(), feedforward());
+    // A follower's drive is told ahead what it will lag behind.
+    const double ahead = coupled_ ? kDriveLagS * coupled_a_ : 0.0;
+    return loop_controller_.output(position + backlash_, in.tick_s, range(), gain(), feedforward()) + ahead;
+}
+
+void SpindleUnit::uncouple() noexcept {
+    if (!coupled_) return;
+    if (loop_ == Loop::Closed) open_loop();
+    coupled_ = follows_well_ = false;
+}
+
+PathState SpindleUnit::turning_state() const noexcept {
+    if (loop_ == Loop::Closed) return {positioner_.position() + zero_ + config_.grid_shift, positioner_.speed(), 0};
+    return {turns(), std::fabs(ramped_) > 0 ? observer_.speed() / 360.0 : 0.0, 0};
 }
 
 void SpindleUnit::step(const SpindleInput& in) noexcept {
     range_ = std::clamp<std::uint32_t>(in.range, 1, kGearRanges);
-    follow_request(in);
+    muted_ = in.muted;
+    if (coupled_ && (!in.powered || in.muted)) uncouple();
+    if (coupled_) {
+        if (loop_ != Loop::Closed) close_loop(in, false);
+        interpolate(from_zero(coupled_to_));
+    } else {
+        follow_request(in);
+    }
     fresh_demand_ = false;
     double rev_s = 0;
     if (loop_ == Loop::Closed) {
@@ -215,13 +237,14 @@ void SpindleUnit::step(const SpindleInput& in) noexcept {
     read_encoder(in, status);
     if (status.status == POLYTURN_DRIVE_FAULT) fault_ = Fault::Drive;
     else if (fault_ == Fault::Drive && !in.powered) fault_ = Fault::None;
+    if (coupled_) target_ = positioner_.speed() * 60.0;
     const double command = loop_ == Loop::Closed ? positioner_.speed() * 60.0 : target_;
     const double measured = config_.unsigned_speed ? std::fabs(filtered_speed_) : filtered_speed_;
-    watch_.update(config_, loop_ == Loop::Closed ? 0.0 : config_.unsigned_speed ? std::fabs(command) : command, measured, in.tick_s);
+    watch_.update(config_, loop_ == Loop::Closed && !coupled_ ? 0.0 : config_.unsigned_speed ? std::fabs(command) : command, measured, in.tick_s);
     if (loop_ != Loop::Closed) return;
     const double scale = tapping_ && range().tap_gain > 0 ? range().gain / range().tap_gain : 1.0;
     const double at = from_zero(static_cast<double>(counts_) / config_.encoder_counts);
-    const auto verdict = loop_controller_.observe(at, in.tick_s, !positioner_.resting(), range(), scale);
+    const auto verdict = loop_controller_.observe(at, in.tick_s, !positioner_.resting(), range(), scale, coupled_ ? 0.0 : scale);
     if (verdict != SpindleLoop::Fault::None && fault_ == Fault::None)
         fault_ = verdict == SpindleLoop::Fault::Absolute ? Fault::Absolute : verdict == SpindleLoop::Fault::Moving ? Fault::Moving : Fault::Standstill;
     const bool near = std::fabs(loop_controller_.error()) <= range().in_position * scale;

@@ -85,7 +85,7 @@ public:
     bool ramping() const noexcept { return ramped_ != target_; }
     bool has_encoder() const noexcept { return config_.encoder_counts > 0; }
     const SpindleWatch& watch() const noexcept { return watch_; }
-    bool settled() const noexcept { return loop_ == Loop::Closed ? positioner_.resting() && (in_position_ || fault_ != Fault::None) : loop_ == Loop::Turning && ramped_ == target_; }
+    bool settled() const noexcept { return coupled_ ? follows_well_ : loop_ == Loop::Closed ? positioner_.resting() && (in_position_ || fault_ != Fault::None) : loop_ == Loop::Turning && ramped_ == target_; }
     Loop loop() const noexcept { return loop_; }
     bool closed() const noexcept { return loop_ == Loop::Closed; }
     bool in_position() const noexcept { return in_position_; }
@@ -101,6 +101,19 @@ public:
     void interpolate(double revolutions) noexcept { interpolated_ = revolutions, interpolating_ = true; }
     void tapping(bool on, bool feedforward) noexcept { tapping_ = on, tap_feedforward_ = feedforward; }
 
+    // Somebody else's turns (spindle_couplings.hpp): where it must be at this tick's end, by its encoder over all revolutions.
+    // The loop closes on the running spindle; uncoupled, it goes on at the speed that it has, as it is told.
+    void couple(const PathState& at, bool well) noexcept { coupled_to_ = at.s, coupled_a_ = at.a, coupled_ = true, follows_well_ = well; }
+    void uncouple() noexcept;
+    bool coupled() const noexcept { return coupled_; }
+    bool follows_well() const noexcept { return coupled_ && follows_well_; }
+    bool may_follow() const noexcept { return exists() && has_encoder() && config_.can_close && !muted_ && fault_ == Fault::None && loop_ != Loop::Searching; }
+    double turns() const noexcept { return observer_.angle() / 360.0; }
+    double zero_turns() const noexcept { return config_.orient_by == OrientBy::ZeroPulse || config_.absolute ? 0.0 : zero_; }   // a zero pulse
+    PathState turning_state() const noexcept;
+
+    double ceiling_rpm = std::numeric_limits<double>::infinity();    // what its followers can do: speed, and ramp in 1/min per s
+    double ceiling_ramp = std::numeric_limits<double>::infinity();
     double override_factor = 1.0;
     std::uint32_t owner = 0;       // channel that commands it
     std::uint32_t locked_by = 0;   // channel whose G96, thread or tap needs it; 0 none
@@ -145,7 +158,8 @@ private:
     double wanted_angle_ = 0;               // revolutions, where M19 goes
     SpindleApproach wanted_how_ = SpindleApproach::Shortest;
     double approach_rpm_ = 0, waited_s_ = 0, backlash_ = 0, last_position_ = 0;
-    double interpolated_ = 0;
+    double interpolated_ = 0, coupled_to_ = 0, coupled_a_ = 0;
+    bool coupled_ = false, follows_well_ = false, muted_ = false;
     bool zero_known_ = false, search_again_ = false, in_position_ = false, cannot_orient_ = false;
     bool fresh_demand_ = false;             // what target_ says is older than what is demanded
     bool interpolating_ = false, interpolated_before_ = false, tapping_ = false, tap_feedforward_ = false, switch_was_ = false, probe_armed_ = false;

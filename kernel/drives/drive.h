@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-#define POLYTURN_DRIVE_VERSION 2u
+#define POLYTURN_DRIVE_VERSION 3u
 
 /* Control word (object 6040h). */
 #define POLYTURN_DRIVE_SHUTDOWN 0x0006u
@@ -54,9 +54,11 @@ typedef struct PolyturnDriveStatus {
     uint16_t error_code;          /* 603Fh, 0 none */
     uint16_t touch_probe;
     uint8_t brake_open;
-    uint8_t reserved;
+    uint8_t limited;              /* 1: it gives no more torque than torque_limit */
     int64_t position;             /* increments, latched as this exchange begins: used one tick later */
     int64_t probe_position;       /* increments */
+    int16_t torque;               /* 6077h, thousandths of the rated torque */
+    int16_t reserved[3];
 } PolyturnDriveStatus;
 
 typedef struct PolyturnDriveSetup {
@@ -73,9 +75,11 @@ typedef struct PolyturnDriveSetup {
     double mark_distance;         /* units between zero pulses, or between the fixed marks of a coded scale; 0 none */
     double mark_periods;          /* coded scale: signal periods between two fixed marks; 0: not coded */
     double mark_origin;           /* position of a mark, units; of the scale's zero */
+    double stop_at;               /* something stands there that the slide cannot push away going up; 0 with has_stop 0 */
     uint8_t at_slide;             /* 1: measured behind the play */
     uint8_t motor_reversed, encoder_reversed;  /* wired so: the kernel's signs undo it */
-    uint8_t reserved[5];
+    uint8_t has_stop;
+    uint8_t reserved[4];
 } PolyturnDriveSetup;
 
 typedef struct PolyturnDriveApi {

@@ -1,9 +1,11 @@
 #include "kernel/drives/simulated_drive.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace polyturn::kernel {
 namespace {
+constexpr double kTorqueOfError = 100.0;   // thousandths of the rated torque for each unit/s that is missing
 using Matrix4 = std::array<std::array<double, 4>, 4>;
 
 Matrix4 product(const Matrix4& left, const Matrix4& right) {
@@ -58,7 +60,9 @@ SimulatedDrive::SimulatedDrive(const PolyturnDriveSetup& setup)
       sign_(setup.motor_reversed ? -1.0 : 1.0),
       encoder_sign_(setup.encoder_reversed ? -1.0 : 1.0),
       rounding_(setup.increments_per_unit > 1e5 ? 0.5 : 0.0),
-      at_slide_(setup.at_slide != 0) {
+      at_slide_(setup.at_slide != 0),
+      has_stop_(setup.has_stop != 0),
+      stop_at_(setup.stop_at) {
     const double w = 2.0 * 3.14159265358979323846 * setup.frequency_hz, t = setup.tick_s;
     // In the units (w p, v, a / w) and time w t every entry is near 1. The held input is a fourth state with derivative 0:
     // one exponential gives A and B.
@@ -81,6 +85,8 @@ void SimulatedDrive::step(double commanded) noexcept {
     position_ += a_[0][1] * v + a_[0][2] * a + b_[0] * commanded;
     speed_ = a_[1][1] * v + a_[1][2] * a + b_[1] * commanded;
     acceleration_ = a_[2][1] * v + a_[2][2] * a + b_[2] * commanded;
+    if (jammed_) position_ = slide_, speed_ = acceleration_ = 0;
+    if (has_stop_ && position_ >= stop_at_ && (speed_ > 0 || commanded > 0)) position_ = stop_at_, speed_ = acceleration_ = 0;
     // The motor pushes the slide with one flank of the play: upwards with its lower end, downwards with its upper one.
     if (position_ > slide_) slide_ = position_;
     else if (position_ + backlash_ < slide_) slide_ = position_ + backlash_;
@@ -125,7 +131,11 @@ void SimulatedDrive::exchange(const PolyturnDriveCommand& command, PolyturnDrive
     status.error_code = state_ != POLYTURN_DRIVE_FAULT ? 0 : failure_ == Failure::Encoder ? 0x7305 : 0x8611;
     status.touch_probe = 0;
     status.brake_open = command.brake_release;
-    status.reserved = 0;
+    status.reserved[0] = status.reserved[1] = status.reserved[2] = 0;
+    const double limit = static_cast<double>(command.torque_limit);
+    torque_ = std::clamp(torque_, -limit, limit);
+    status.torque = static_cast<std::int16_t>(std::lround(torque_));
+    status.limited = std::fabs(torque_) >= limit;
     double mark = 0;
     if ((command.touch_probe & POLYTURN_DRIVE_MARK_ARMED) && mark_between(last_seen_, seen, mark)) {
         status.touch_probe = POLYTURN_DRIVE_MARK_SEEN;
@@ -138,6 +148,8 @@ void SimulatedDrive::exchange(const PolyturnDriveCommand& command, PolyturnDrive
     double commanded = turns ? sign_ * static_cast<double>(command.target_velocity) * 1e-3 / increments_per_unit_ + drift_ : 0.0;
     if (friction_ > 0 && std::fabs(speed_) < 1e-3 * friction_ && std::fabs(commanded) < friction_) commanded = 0.0;
     step(commanded);
+    // The speed controller asks for torque as long as the speed is not what it is told.
+    torque_ = turns ? kTorqueOfError * (commanded - speed_) : 0.0;
 }
 
 }  // namespace polyturn::kernel

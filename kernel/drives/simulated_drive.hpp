@@ -21,6 +21,7 @@ public:
     explicit SimulatedDrive(const PolyturnDriveSetup& setup);
     void exchange(const PolyturnDriveCommand& command, PolyturnDriveStatus& status) noexcept;
     void fail(Failure how) noexcept { failure_ = how; }
+    void jam(bool on) noexcept { jammed_ = on; }   // the rotor is held fast
     void fail(bool on) noexcept { failure_ = on ? Failure::Drive : Failure::None; }
     // What no real drive could tell: the truth behind the encoder. Units and units per second, now.
     double true_position() const noexcept { return position_; }
@@ -46,7 +47,8 @@ private:
     const SimulatedDrive* other_ = nullptr;
     std::uint16_t state_ = POLYTURN_DRIVE_SWITCH_ON_DISABLED;
     std::uint16_t last_control_ = 0;
-    bool at_slide_;
+    bool at_slide_, has_stop_, jammed_ = false;
+    double stop_at_, torque_ = 0;
     Failure failure_ = Failure::None;
 };
 
