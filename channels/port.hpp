@@ -24,6 +24,9 @@ public:
     // Machine coordinate (mm, X as a radius; degrees) of a machine axis (from 0); nothing: it stands where it was commanded.
     virtual std::optional<double> axis_command(unsigned machine_axis) = 0;
     virtual std::optional<double> axis_measured(unsigned machine_axis) = 0;
+    // Where it is: measured while something moves it, and where it was brought while it stands (what the loop still lags
+    // behind is no position).
+    virtual std::optional<double> axis_position(unsigned machine_axis) { return axis_measured(machine_axis); }
     // What a superimposed master has added to it: neither number above holds it.
     virtual double axis_added(unsigned) { return 0.0; }
     // Where a skip move ended; nothing: the signal did not come, the move went to its end.

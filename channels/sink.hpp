@@ -10,6 +10,7 @@
 //   I3  What is passed by reference is good until the call returns.
 //   I4  A block without any call before block_end() does not call block_end() either.
 #pragma once
+#include <limits>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -125,6 +126,12 @@ struct Spindle {
     SpindleApproach approach = SpindleApproach::Shortest;   // Position
     double way = 0.0;               // Position, Incremental: degrees; `value` is where it leads
     std::array<double, 4> watch{};  // Watch: seconds, % to begin with, %, 1/min; NaN: the parameter's
+    // Couple: `follower` (a machine axis from 0, or kMaxAxes + spindle from 0) makes `turns` for `master_turns` of `spindle`;
+    // Uncouple: it is free again. cutter: its direction is the sign of `turns`, whichever way the master turns.
+    std::uint8_t follower = 0, helix = kNoHelix;   // helix: machine axis whose way turns the follower too
+    double turns = 1.0, master_turns = 1.0, helix_deg_mm = 0.0;
+    double phase_deg = std::numeric_limits<double>::quiet_NaN();   // NaN: as it comes
+    bool gear = false, cutter = false;
     std::int32_t css_axis = -1;     // SurfaceSpeed: place of the turning axis
     double css_zero = 0.0;          // SurfaceSpeed: machine coordinate of that axis at diameter 0
     bool mode_changed = false, speed_changed = false, turn_changed = false, limit_changed = false;

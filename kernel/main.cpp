@@ -2,10 +2,14 @@
 #include <atomic>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <thread>
+#include <vector>
 
+#include "ipc/machine/compensation_tables.hpp"
+#include "ipc/machine/room.hpp"
 #include "ipc/memory/segment.hpp"
 #include "kernel/cyclic/attach.hpp"
 #include "kernel/cyclic/clock_real.hpp"
@@ -31,6 +35,14 @@ int run(const std::string& instance) {
 
     const auto machine = std::make_unique<kernel::Machine>(**own, **supervisor, **store);
     while (!(*store)->parameters.read(machine->core().table)) {}
+    if (const std::string base = (*supervisor)->options.machine_folder.data(); !base.empty()) {
+        std::vector<Diagnosis> diagnoses;   // said by whoever read the machine before us
+        machine->take_tables(load_compensation(base + ".compensation", diagnoses));
+        const MachineConfig derived = derive_machine_config(machine->core().table);
+        std::error_code none;
+        const std::string room = base + ".toml";
+        machine->take_room(load_room(std::filesystem::exists(room, none) ? room : std::string(), derived, diagnoses), derived);
+    }
     machine->start();
     own->publish();
     kernel::Peers peers(instance, **supervisor);

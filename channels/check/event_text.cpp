@@ -211,6 +211,16 @@ void append_event(std::string& out, const EventScene& scene, const Aux& aux, con
 void append_event(std::string& out, const EventScene& scene, const Spindle& spindle, const BlockContext& at) {
     if (spindle.silent) return;
     Object object(out, "spindle", scene, &at);
+    if (spindle.mode == SpindleModeCode::Couple || spindle.mode == SpindleModeCode::Uncouple) {
+        const bool couples = spindle.mode == SpindleModeCode::Couple;
+        if (spindle.follower >= kMaxAxes) object.integer("spindle", spindle.follower - static_cast<int>(kMaxAxes) + 1);
+        else object.integer("axis", spindle.follower + 1);
+        object.text("mode", couples ? "synchronous" : "free");
+        if (!couples) return;
+        object.integer("master", spindle.spindle);
+        object.number("value", spindle.turns / spindle.master_turns);
+        return;
+    }
     object.integer("spindle", spindle.spindle);
     std::string_view mode = "rpm";
     if (spindle.mode == SpindleModeCode::SurfaceSpeed) mode = "css";

@@ -211,7 +211,7 @@ bool Interpreter::act() {
     const bool functions = (block_.letters & kFunctions & ~axis_letters_) != 0;
     if (functions) {
         if (block_.has('S') && !spindle_word()) return false;
-        if (block_.has('T') && !tool_word()) return false;
+        if (block_.has('T') && !gear_block() && !tool_word()) return false;
         if (!m_before()) return false;
     } else if (coded_groups_ & bit_of(GGroup::Surface)) {
         if (!core_.commit_spindle()) return false;

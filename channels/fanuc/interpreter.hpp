@@ -85,6 +85,12 @@ public:
     bool g_exact_once(const GCode&);
     bool g_spindle_watch(const GCode&);
     bool g_stroke_area(const GCode&);
+    bool g_polygon(const GCode&);        // g_couplings.cpp
+    bool g_polygon_off(const GCode&);
+    bool g_gear(const GCode&);
+    bool g_gear_off(const GCode&);
+    bool gear_block() const { return coded_groups_ >> static_cast<unsigned>(GGroup::OneShot) & 1u && coded_[static_cast<std::size_t>(GGroup::OneShot)]->tenths == 818; }
+    bool polygon_follower(std::uint8_t& follower);
     bool g_surface(const GCode&);
     bool g_comp_on(const GCode&);
     bool g_comp_off(const GCode&);
@@ -428,6 +434,7 @@ private:
     bool printing_ = false;           // between POPEN and PCLOS
     bool print_blanks_ = false;
     std::int64_t sub_program_ = -1, sub_repeats_ = 1;   // called by a code of this block when the block has acted
+    bool polygon_on_ = false;
     bool wants_barrier_ = false, ended_ = false, jumped_ = false, called_ = false;
     bool reread_ = false;             // the block stands before a barrier and is read again behind it
     bool fresh_ = false;              // live values are those of the barrier just passed

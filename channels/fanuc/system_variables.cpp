@@ -101,7 +101,7 @@ VariableStatus Interpreter::read_system(std::int64_t number, double& value) {
         if (!fresh_) return VariableStatus::NeedsBarrier;
         const unsigned i = place_of(machine_now ? 5021 : 5041);
         const ChannelAxis& axis = view.axes[i];
-        const auto measured = port.axis_measured(axis.machine_axis);
+        const auto measured = port.axis_position(axis.machine_axis);
         const double machine = measured ? axis.from_drive(*measured) : core_.path.machine[i];
         value = machine_now ? shown(i, axis.to_drive(machine) + port.axis_added(axis.machine_axis))
                             : shown(i, machine - core_.path.zero[i] - core_.path.shift[i] - core_.path.turns_deg[i]);

@@ -293,6 +293,14 @@ void RecordSink::spindle(const Spindle& spindle, const BlockContext& at) {
         r.value = spindle.watch[0];
         r.shape[0] = spindle.watch[1], r.shape[2] = spindle.watch[2], r.shape[3] = spindle.watch[3];
     }
+    const bool couples = spindle.mode == SpindleModeCode::Couple, frees = spindle.mode == SpindleModeCode::Uncouple;
+    if (couples || frees) {
+        r.axis[0] = spindle.follower;
+        r.axis[1] = spindle.helix;
+        r.shape[0] = spindle.turns, r.shape[1] = spindle.master_turns, r.shape[2] = spindle.phase_deg, r.shape[3] = spindle.helix_deg_mm;
+        r.mask = (spindle.gear ? 1u : 0u) | (spindle.cutter ? 2u : 0u);
+        return push(r, true, true);   // what follows it is an axis that has turned
+    }
     // An S word alone is a speed; what it turns like is the PLC's.
     const bool plain = spindle.mode == SpindleModeCode::Rpm && !spindle.mode_changed && !spindle.limit_changed;
     if (plain) r.kind = code_of(RecordKind::SpindleSpeed);

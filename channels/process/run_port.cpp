@@ -20,6 +20,10 @@ std::optional<double> RunPort::axis_measured(unsigned machine_axis) {
     if (pretended_) return pretended_(machine_axis);
     return status_->axes[machine_axis].act - axis_added(machine_axis);
 }
+std::optional<double> RunPort::axis_position(unsigned machine_axis) {
+    if (pretended_) return pretended_(machine_axis);
+    return status_->axes[machine_axis].flags & kMoving ? axis_measured(machine_axis) : axis_command(machine_axis);
+}
 double RunPort::axis_added(unsigned machine_axis) { return status_->axes[machine_axis].cmd - status_->axes[machine_axis].own; }
 // Where the axis was when the signal came; it has braked since.
 std::optional<double> RunPort::axis_at_skip(unsigned machine_axis) {

@@ -23,6 +23,7 @@ public:
 
     std::optional<double> axis_command(unsigned machine_axis) override;
     std::optional<double> axis_measured(unsigned machine_axis) override;
+    std::optional<double> axis_position(unsigned machine_axis) override;
     double axis_added(unsigned machine_axis) override;
     std::optional<double> axis_at_skip(unsigned machine_axis) override;
     bool block_skip(unsigned number) override;

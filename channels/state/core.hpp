@@ -276,6 +276,13 @@ public:
     bool spindle_unwrapped(double degrees, std::optional<double> way_deg);
     bool frees_axis() const;                              // stopping the channel's spindle gives its drive to an axis of the channel
     bool spindle_watch(bool on, const std::array<double, 4>& values = {});   // fluctuation; values as in Spindle::watch
+    bool couple_spindle(const Spindle& told);             // Couple or Uncouple; a barrier follows
+    // Feed per revolution counts those of another spindle while a gear box is closed (nct part 2 19): 0 its own.
+    struct GearFeed {
+        unsigned spindle = 0;
+        double factor = 1.0;
+    };
+    GearFeed gear_feed;
     bool commit_spindle();
     void forget_pending() { mode_changed_ = speed_changed_ = turn_changed_ = limit_changed_ = false, transformation_restored(); }   // after PathState was put back
     void refresh_surface_zero();                          // G96: the zero of X may have changed

@@ -130,11 +130,13 @@ void Core::accept(const AxisValues& target) {
 
 bool Core::feed_ready() {
     if (path.feed <= 0.0) return fail(Alarm::FeedMissing);
-    if (path.feed_mode == FeedMode::PerRevolution && !spindle_ready(Alarm::SpindleStopped)) return false;
+    const bool geared = path.feed_mode == FeedMode::PerRevolution && gear_feed.spindle != 0;
+    if (!geared && path.feed_mode == FeedMode::PerRevolution && !spindle_ready(Alarm::SpindleStopped)) return false;
     move_.feed_mode = path.feed_mode;
     move_.feed = path.feed;
-    move_.spindle = path.spindle.spindle;
+    move_.spindle = geared ? static_cast<std::uint16_t>(gear_feed.spindle) : path.spindle.spindle;
     tell_feed_path();
+    if (geared) move_.feed_scale *= gear_feed.factor;
     return true;
 }
 

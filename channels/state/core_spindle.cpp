@@ -117,6 +117,12 @@ bool Core::spindle_watch(bool on, const std::array<double, 4>& values) {
     return true;
 }
 
+bool Core::couple_spindle(const Spindle& told) {
+    emitted_ = true;
+    sink_->spindle(told, at);
+    return true;
+}
+
 bool Core::commit_spindle() {
     if (!(mode_changed_ || speed_changed_ || turn_changed_ || limit_changed_)) return true;
     const SpindleState& s = path.spindle;

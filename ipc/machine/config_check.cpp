@@ -90,6 +90,7 @@ std::vector<Diagnosis> check_machine_config(const params::Table& table) {
     config::check_drives(report);
     config::check_spindles(report);
     config::check_pitch_tables(report);
+    config::check_compensation(report);
     return std::move(report.diagnoses);
 }
 

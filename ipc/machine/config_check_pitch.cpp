@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "ipc/machine/compensation_tables.hpp"
 #include "ipc/machine/config_report.hpp"
 #include "ipc/machine/shortest_text.hpp"
 
@@ -14,7 +15,6 @@ namespace {
 
 using namespace params;
 
-constexpr std::int64_t kFirstCell = 10000, kLastCell = 29999;
 
 bool alike(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(b)); }
 
@@ -45,7 +45,13 @@ void check_primary(Report& report, unsigned a) {
     const auto zero = get(report.table, n2502_cell_no_of_mach_zero, a);
     if (zero < get(report.table, n2503_primary_smallest_cell_no, a) || zero > get(report.table, n2504_primary_largest_cell_no, a))
         report.add(Alarm::ConfigPitch, report.line(n2502_cell_no_of_mach_zero, a) + ": machine zero lies outside the table");
-    if (bit(report.table, n2500_pitch_comp_contr, a, 1)) check_cell(report, a, n2505_primary_smallest_cell_no_both_dir);
+    if (bit(report.table, n2500_pitch_comp_contr, a, 1)) {
+        check_cell(report, a, n2505_primary_smallest_cell_no_both_dir);
+        // The table of the other direction is as long as the first one, and a cell has one value.
+        const auto first = get(report.table, n2503_primary_smallest_cell_no, a), last = get(report.table, n2504_primary_largest_cell_no, a), second = get(report.table, n2505_primary_smallest_cell_no_both_dir, a);
+        if (second + last - first > kLastCell) report.add(Alarm::ConfigPitch, report.line(n2505_primary_smallest_cell_no_both_dir, a) + ": the second table does not fit into the cells");
+        else if (second <= last && first <= second + last - first) report.add(Alarm::ConfigPitch, report.line(n2505_primary_smallest_cell_no_both_dir, a) + ": the second table lies over the first one");
+    }
     if (bit(report.table, n2500_pitch_comp_contr, a, 2))
         check_span(report, a, n2503_primary_smallest_cell_no, n2504_primary_largest_cell_no, n2501_primary_interval, n2506_distance_of_cycle);
 }

@@ -46,5 +46,6 @@ void check_couplings(Report& report);
 void check_drives(Report& report);
 void check_spindles(Report& report);
 void check_pitch_tables(Report& report);
+void check_compensation(Report& report);
 
 }  // namespace polyturn::config

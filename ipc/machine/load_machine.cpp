@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ipc/machine/compensation_tables.hpp"
 #include "ipc/machine/config_check.hpp"
 #include "ipc/params/param_file.hpp"
 #include "ipc/text/machine_path.hpp"
@@ -63,6 +64,10 @@ LoadedMachine load_machine(const MachineSource& source) {
     LoadedMachine loaded = load_machine_file(source.machine);
     apply_overrides(source, *loaded.table, loaded.diagnoses);
     if (loaded.ok()) append(loaded.diagnoses, check_machine_config(*loaded.table));
+    if (loaded.ok()) {
+        const std::string file = compensation_file_of(loaded.params_file);
+        check_compensation_tables(*loaded.table, load_compensation(file, loaded.diagnoses), file, loaded.diagnoses);
+    }
     return loaded;
 }
 

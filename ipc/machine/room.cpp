@@ -81,6 +81,47 @@ private:
         else if (number) toml_.wrong(key, node, "a length from 0");
     }
 
+    void carrier(const toml::node& node, unsigned& out) {
+        const std::string name = node.value_or(std::string());
+        unsigned number = 0;
+        for (std::size_t i = 1; i < name.size() && name[i] >= '0' && name[i] <= '9'; ++i) number = number * 10 + static_cast<unsigned>(name[i] - '0');
+        if (name.size() > 1 && name[0] == 'A' && number >= 1 && number <= kMaxAxes && machine_.axis(number).exists()) out = number;
+        else toml_.fault(Alarm::RoomEntry, node.source(), "carried_by: an axis of the machine, as \"A6\"");
+    }
+    // Rectangles { X = [low, high], Z = [low, high] }.
+    void boxes(const toml::node& node, std::vector<RoomBox>& out) {
+        const auto wrong = [&](const toml::node& at) { toml_.fault(Alarm::RoomEntry, at.source(), "rectangles are { X = [low, high], Z = [low, high] }, low below high"); };
+        const toml::array* all = node.as_array();
+        if (!all) return wrong(node);
+        for (const toml::node& entry : *all) {
+            const toml::table* table = entry.as_table();
+            double range[2][2];
+            bool good = table && table->size() == 2;
+            for (int i = 0; good && i < 2; ++i) {
+                const toml::array* ends = table->get_as<toml::array>(i == 0 ? "X" : "Z");
+                good = ends && ends->size() == 2;
+                for (std::size_t k = 0; good && k < 2; ++k) {
+                    const auto value = ends->get(k)->value<double>();
+                    good = value.has_value();
+                    if (good) range[i][k] = *value;
+                }
+                good = good && range[i][0] < range[i][1];
+            }
+            if (good) out.push_back({range[0][0], range[0][1], range[1][0], range[1][1]});
+            else wrong(entry);
+        }
+    }
+    void tools(const toml::key& key, const toml::node& node, RoomTurret& out) {
+        const toml::table* table = toml_.table(key, node);
+        if (!table) return;
+        toml_.each(*table, [&](const toml::key& name, const toml::node& entry) {
+            unsigned station = 0;
+            for (const char c : name.str()) station = c >= '0' && c <= '9' && station < 1000 ? station * 10 + static_cast<unsigned>(c - '0') : 1000;
+            if (station < 1 || station > 96) return wrong_name(name, "a station is a number from 1 to 96");
+            boxes(entry, out.tools[station]);
+        });
+    }
+
     void axis(const toml::key& name, unsigned number, const toml::table& table, Room& room) {
         if (number > kMaxAxes || !machine_.axis(number).exists()) return wrong_name(name, "the machine has no such axis");
         RoomPlace& out = room.axes[number];
@@ -96,7 +137,8 @@ private:
             if (key == "diameter") length(key, node, out.diameter);
             else if (key == "length") length(key, node, out.length);
             else if (key == "jaws") length(key, node, out.jaws);
-            else toml_.unknown(key, "origin, direction, diameter, length, jaws");
+            else if (key == "carried_by") carrier(node, out.carried_by);
+            else toml_.unknown(key, "origin, direction, diameter, length, jaws, carried_by");
         });
     }
     void turret(const toml::key& name, unsigned number, const toml::table& table, Room& room) {
@@ -105,7 +147,9 @@ private:
         toml_.each(table, [&](const toml::key& key, const toml::node& node) {
             if (place(key, node, out)) return;
             if (key == "reach") return length(key, node, out.reach);
-            if (key != "stations") return toml_.unknown(key, "origin, direction, stations, reach");
+            if (key == "body") return boxes(node, out.body);
+            if (key == "tools") return tools(key, node, out);
+            if (key != "stations") return toml_.unknown(key, "origin, direction, stations, reach, body, tools");
             if (const auto count = toml_.whole(key, node, 1, 96)) out.stations = static_cast<unsigned>(*count);
         });
     }

@@ -8,7 +8,10 @@
 //   origin = { X = 0.0, Z = 0.0 }
 //   direction = { X = -1.0, Z = 0.0 }
 //   [chuck.S1]                         diameter, length (from its face backwards), jaws (from its face forwards)
+//                                      carried_by = "A6": it travels with that axis
 //   [turret.L1]                        stations, reach (from its axis to the seats)
+//   body = [{ X = [0.0, 200.0], Z = [-80.0, 80.0] }]     what protection guards: rectangles about the tool carrier's point
+//   tools = { 3 = [{ X = [-60.0, 0.0], Z = [-20.0, 5.0] }] }   and those of a station while it is in work
 //   [tailstock.1]                      diameter, length
 #pragma once
 
@@ -31,12 +34,19 @@ struct RoomPlace {
     RoomVector origin, direction;
 };
 
+struct RoomBox {
+    double x_low = 0.0, x_high = 0.0, z_low = 0.0, z_high = 0.0;
+};
+
 struct RoomChuck : RoomPlace {
     double diameter = 0.0, length = 0.0, jaws = 0.0;
+    unsigned carried_by = 0;                       // axis; 0: it stands
 };
 struct RoomTurret : RoomPlace {
     unsigned stations = 12;
     double reach = 0.0;
+    std::vector<RoomBox> body;
+    std::map<unsigned, std::vector<RoomBox>> tools;   // by station
 };
 struct RoomTailstock : RoomPlace {
     double diameter = 0.0, length = 0.0;

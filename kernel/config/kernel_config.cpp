@@ -41,6 +41,7 @@ AxisConfig read_axis(const p::Table& t, unsigned a) {
     // Parameters are in the machine's unit (1.3): inch only for linear axes of a channel with IND.
     const bool inch = axis.channel && !axis.rotary && p::bit(t, p::n0104_unit_of_measure, axis.channel, 0);
     const double unit = inch ? kMmPerInch : 1.0;
+    axis.inch = inch;
     axis.rapid = p::get(t, p::n0304_rapid, a) * unit / 60.0;
     axis.max_feed = p::get(t, p::n0305_max_feed, a) * unit / 60.0;
     axis.manual_rapid = p::get(t, p::n0314_manual_rapid, a) * unit / 60.0;
@@ -70,6 +71,7 @@ ChannelConfig read_channel(const p::Table& t, unsigned l) {
     channel.default_spindle = static_cast<std::uint32_t>(p::get(t, p::n0604_default_spindle, l));
     channel.jog_feed_source = p::get(t, p::n0316_jog_f_contr, l);
     channel.jog_feed = p::get(t, p::n0317_jog_f_g94, l) * (p::bit(t, p::n0104_unit_of_measure, l, 0) ? kMmPerInch : 1.0) / 60.0;
+    channel.contour_tolerance = p::get(t, p::pt_contour_tol, l);
     channel.gear_opens = p::bit(t, p::n1800_egb_contr, l, 0);
     channel.gear_retract_feed = p::get(t, p::n1805_retr_feed, l) * (p::bit(t, p::n0104_unit_of_measure, l, 0) ? kMmPerInch : 1.0) / 60.0;
     channel.surface_speed_axis = static_cast<std::uint32_t>(p::get(t, p::n0687_default_g96_axis, l));

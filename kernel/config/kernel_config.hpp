@@ -21,6 +21,7 @@ using ShortName = std::array<char, 8>;  // zero-ended
 struct AxisConfig {
     bool exists = false;
     bool rotary = false;
+    bool inch = false;                    // its parameters are inches
     bool diameter = false;
     std::uint32_t on_spindle = 0;         // from 1: it shares the drive of this spindle (N0503 = N0603); 0 none
     std::uint32_t channel = 0;            // from 1; 0: belongs to none
@@ -64,6 +65,7 @@ struct ChannelConfig {
     double wheel_time_s = 0.02;           // PT_WHEEL_TIME: of the program, a click
     std::array<char, 3> aux_letters{};    // N1333 to N1335: whose values go to CN_AUX1C to CN_AUX3C
     ChannelStroke stroke;
+    double contour_tolerance = 0;         // PT_CONTOUR_TOL, mm; 0: not watched
     bool gear_opens = false;              // N1800 RCE
     double gear_retract_feed = 0;         // N1805, mm/s
 };

@@ -5,6 +5,7 @@
 namespace polyturn::kernel {
 namespace {
 constexpr double kIncrementsPerUnit = 1e6;  // nct_parameters_part1 3.3: 1e-6 mm or degree
+constexpr double kNoStop = 999'999.0;   // PT_DRIVE_STOP
 constexpr std::uint16_t kEncoderErrors = 0x7300, kEncoderErrorMask = 0xFF00;   // CiA 402: sensor
 }  // namespace
 
@@ -26,6 +27,8 @@ bool AxisUnit::open(unsigned number, const AxisConfig& config, double tick_s, do
     setup.friction = servo.drive_friction;
     setup.drift = servo.drive_drift;
     setup.at_slide = servo.drive_scale;
+    setup.has_stop = servo.drive_stop < kNoStop;
+    setup.stop_at = servo.drive_stop;
     setup.motor_reversed = servo.output_inverted;
     setup.encoder_reversed = servo.input_inverted;
     // A simulated machine is built so that referencing it finds the coordinates that it has: its marks count from there.
@@ -129,7 +132,7 @@ void AxisUnit::exchange(double tick_s, bool powered) noexcept {
     closed_ = closes;
     if (!closes) target_ = command_, own_target_ = own_command_;
     const double v = (target_ - command_) / tick_s;
-    if (!forwarded_) output_ = closes ? loop_.speed(target_, rapid) : 0.0;
+    if (!forwarded_) output_ = closes ? loop_.speed(target_, rapid) + compensation_speed_ : 0.0;
     const bool enabled = forwarded_ ? powered && !detached : closes;
     forwarded_ = false;
     PolyturnDriveCommand out{};
@@ -137,7 +140,7 @@ void AxisUnit::exchange(double tick_s, bool powered) noexcept {
     if (status_.status == POLYTURN_DRIVE_FAULT && !faulted()) out.control = POLYTURN_DRIVE_FAULT_RESET;
     out.mode = POLYTURN_DRIVE_MODE_VELOCITY;
     out.brake_release = enabled;
-    out.torque_limit = 1000;
+    out.torque_limit = requests.torque_limit ? requests.torque_limit : 1000;
     out.touch_probe = mark_armed_ ? POLYTURN_DRIVE_MARK_ARMED : 0;
     const double exact = (config_.servo.output_inverted ? -output_ : output_) * pulses_per_unit_ * 1e3 + remainder_;
     out.target_velocity = static_cast<std::int64_t>(std::floor(exact + 0.5));
@@ -150,16 +153,17 @@ void AxisUnit::exchange(double tick_s, bool powered) noexcept {
     api_->exchange(drive_, &out, &status_);
     const double encoder = units(status_.position);
     if (closes) {
-        if (direct_drive_) loop_.measured_direct(encoder + origin_, static_cast<double>(direct_status_.position) * direct_units_ + origin_);
-        else loop_.measured(encoder + origin_);
+        const double offset = origin_ - compensation_;
+        if (direct_drive_) loop_.measured_direct(encoder + offset, static_cast<double>(direct_status_.position) * direct_units_ + offset);
+        else loop_.measured(encoder + offset);
         error_ = loop_.error();
     } else {
         // Pulses of an open loop belong to the axis, unless its encoder serves somebody else at present (EFD).
         if (config_.servo.no_count_open || requests.no_count) origin_ -= encoder - uncounted_from_;
         uncounted_from_ = encoder;
-        loop_.reset(encoder + origin_);
+        loop_.reset(encoder + origin_ - compensation_);
         // Switched off, the command waits for the machine to be switched on; an open loop never has one.
-        if (requests.open || config_.servo.open || detached) command_ = target_ = encoder + origin_, own_command_ = own_target_ = command_ - added_;
+        if (requests.open || config_.servo.open || detached) command_ = target_ = encoder + origin_ - compensation_, own_command_ = own_target_ = command_ - added_;
         error_ = 0;
     }
     moving_ = target_ != command_;
@@ -176,7 +180,7 @@ void AxisUnit::supervise() noexcept {
         const bool encoder = (status_.error_code & kEncoderErrorMask) == kEncoderErrors;
         if (!(encoder && (config_.servo.encoder_unwatched || requests.unwatched))) fault_ = Fault::Drive;
     }
-    if (faulted()) return;
+    if (faulted() || pressing || requests.torque_limit != 0) return;   // a drive that may not push lags as it must
     const ServoConfig& servo = config_.servo;
     const double following = std::fabs(error_), model = std::fabs(loop_.model_error());
     const auto fault = [&](Fault kind, double value) { fault_ = kind, fault_value_ = value; };

@@ -24,6 +24,7 @@ public:
         bool no_count = false;      // AP_EFD
         bool follow_up = false;     // AP_FLWU
         bool unwatched = false;     // AP_END
+        std::uint16_t torque_limit = 0;   // AP_TORQ, thousandths; 0 none
     };
 
     // Not in the cyclic thread: opens the drive.
@@ -70,9 +71,17 @@ public:
     }
     double own() const noexcept { return own_command_; }          // at the start of this tick, without what a master adds
     double own_target() const noexcept { return own_target_; }
+    bool beside = false;                                   // moved beside the path: no record moves it
+    bool pressing = false;                                 // stands at its fixed stop under a torque limit (fixed_stop.cpp)
+    double pressed_at = 0;                                 // where
     bool slave = false;                                    // synchronous: nobody but its master may move it
     bool geared = false;                                   // it follows the turns of a spindle (spindle_couplings.hpp)
     bool bound() const noexcept { return slave || geared; }
+    // What measured errors add behind the command (compensation.hpp), and how fast that changes.
+    void compensate(double by, double speed) noexcept { compensation_ = by, compensation_speed_ = speed; }
+    double compensation() const noexcept { return compensation_; }
+    double torque() const noexcept { return status_.torque; }   // thousandths of the rated one
+    bool torque_limited() const noexcept { return status_.limited != 0; }
     // Own braking at PT_ESTOP_DEC, away from any path (emergency stop, drive fault). True while it still moves.
     bool brake(double tick_s) noexcept;
     // The machine coordinate of where it is becomes greater by this much.
@@ -102,6 +111,7 @@ private:
     double error_ = 0, origin_ = 0;
     double pulses_per_unit_ = 1e6;
     double output_ = 0, remainder_ = 0;                    // remainder: of the speed command, thousandths of a pulse
+    double compensation_ = 0, compensation_speed_ = 0;
     double kept_ = 0, way_back_ = 0, fault_value_ = 0;
     void* direct_drive_ = nullptr;
     double direct_units_ = 0;                              // of a pulse of the direct device

@@ -67,6 +67,10 @@ bool ChannelRunner::execute(const PathRecord& r, double& left) noexcept {
         case RecordKind::Aux: return handshake(r);
         case RecordKind::Wait: return arrive(r);
         case RecordKind::Barrier: return true;
+        case RecordKind::Await:
+            for (std::uint32_t i = 0; i < r.axis_count; ++i)
+                if (r.axis[i] < kMaxAxes && core_.axes[r.axis[i]].beside) return false;
+            return true;
         case RecordKind::Stop: return stop(r);
         case RecordKind::SpindleMode: return static_cast<SpindleModeCode>(r.code) == SpindleModeCode::Position ? position_spindle(r) : couple_spindle(r);
         default:
@@ -108,6 +112,12 @@ bool ChannelRunner::execute_instant(const PathRecord& r, double offset_s) noexce
             return true;
         case RecordKind::Flag:
             flag(r);
+            return true;
+        case RecordKind::Beside:
+            if (r.axis_count > 0 && r.axis[0] < kMaxAxes) {
+                core_.axes[r.axis[0]].beside = true;
+                core_.beside[r.axis[0]] = {true, r.end[0], r.v_max, number_};
+            }
             return true;
         case RecordKind::Marker: core_.waits.mark(index_, r.code, r.value != 0.0); return true;
         case RecordKind::Wait:  // a flying wait that was let pass: it is an arrival like any other

@@ -61,7 +61,8 @@ bool ChannelRunner::stops_path(const PathRecord& r) noexcept {
         case RecordKind::Message:
         case RecordKind::Part:
         case RecordKind::Interrupts:
-        case RecordKind::Marker: return false;
+        case RecordKind::Marker:
+        case RecordKind::Beside: return false;
         default: return true;
     }
 }
@@ -210,6 +211,7 @@ PathInput ChannelRunner::path_input() noexcept {
 }
 
 void ChannelRunner::drive() noexcept {
+    if (!interrupted_ && program_runs() && planner_->at_rest() && cursor_ < planner_->next_record()) refuse_bound(record(cursor_));
     if (flying_ != kNoRecord && planner_->next_record() > flying_) {
         const PathRecord& r = record(flying_);
         if (core_.waits.open_for(index_, r.code, r.mask, core_.no_wait())) planner_->let_pass(flying_), flying_ = kNoRecord;
@@ -264,7 +266,15 @@ void ChannelRunner::drive() noexcept {
 bool ChannelRunner::skip_signal() noexcept {
     if (cursor_ >= planner_->next_record()) return false;
     const PathRecord& r = record(cursor_);
-    if (!(r.flags & kSkipMove) || r.code < 0 || static_cast<std::size_t>(r.code) >= kInputs) return skipping_ = false;
+    const bool by_stop = (r.flags & kFixedStop) != 0;   // ended by what the drives feel, not by an input
+    if (!(r.flags & kSkipMove) || (!by_stop && (r.code < 0 || static_cast<std::size_t>(r.code) >= kInputs))) return skipping_ = false;
+    if (by_stop && !skipping_) {
+        for (std::uint32_t i = 0; i < r.axis_count; ++i)
+            if (r.axis[i] < kMaxAxes && r.end[i] != r.start[i] && core_.axes[r.axis[i]].pressing) skipping_ = skipped_ = true;
+        if (skipping_)
+            for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) core_.axes[a].skip = core_.axes[a].measured();
+        return skipping_;
+    }
     const bool release = (r.flags & kSkipRelease) != 0;
     if (!skipping_ && core_.signals.input(static_cast<std::size_t>(r.code)) != release) {
         skipping_ = skipped_ = true;
@@ -375,13 +385,19 @@ void ChannelRunner::report(KernelEventKind kind, const PathRecord& r, double off
     core_.log.put();
 }
 
-void ChannelRunner::begin_record(const PathRecord& r, double offset_s) noexcept {
+// Axes that obey a master, or are not there, move for no program.
+void ChannelRunner::refuse_bound(const PathRecord& r) noexcept {
     for (std::uint32_t i = 0; is_motion(r) && i < r.axis_count; ++i)
         if (r.end[i] != r.start[i]) {
             const AxisUnit& axis = core_.axes[r.axis[i]];
             if (axis.bound()) raise(Alarm::SlaveCommanded, name_of('A', r.axis[i]).view());
+            if (axis.beside) raise(Alarm::BesideRefused, name_of('A', r.axis[i]).view());
             if (axis.detached && !axis.config().on_spindle) raise(Alarm::AxisDetached, name_of('A', r.axis[i]).view());
         }
+}
+
+void ChannelRunner::begin_record(const PathRecord& r, double offset_s) noexcept {
+    refuse_bound(r);
     if (r.flags & kSkipMove) skipped_ = false;
     if (!is_motion(r) || (r.flags & kBlockBegin)) report(KernelEventKind::RecordBegin, r, offset_s);
 }

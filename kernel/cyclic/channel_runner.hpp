@@ -190,6 +190,7 @@ private:
     void stand(ChannelState state, StopReason reason) noexcept;
     void raise(Alarm number, std::string_view detail = {}, double value = 0) noexcept;
     void spindle_mode(const PathRecord& r) noexcept;
+    void refuse_bound(const PathRecord& r) noexcept;
     bool couple_spindle(const PathRecord& r) noexcept;
     bool position_spindle(const PathRecord& r) noexcept;
     bool take_spindle(std::uint32_t number, bool lock) noexcept;

@@ -64,6 +64,13 @@ struct Core {
     std::array<SharedAxis, kMaxAxes> shared_axes{};
     StrokeGuard stroke;
     ChannelSet stroke2_off = 0;            // G23: range 2 does not count in these channels
+    // What programs ask of axes beside their path (beside.cpp); taken in the same tick.
+    struct BesideWish {
+        bool asked = false;
+        double target = 0, speed = 0;   // own coordinate; mm/s, 0 rapid
+        std::uint32_t channel = 0;      // from 1
+    };
+    std::array<BesideWish, kMaxAxes> beside{};
     SpindleCouplings* spindle_couplings = nullptr;   // the machine's
     ChannelSet jogging = 0;                // channels of which an axis is moved by hand
     std::array<double, kMaxSpindles> spindle_rev_s{};  // measured, for feed per revolution

@@ -1,5 +1,6 @@
 #include "kernel/cyclic/machine.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "kernel/drives/simulated_drive.hpp"
@@ -29,6 +30,8 @@ void Machine::start() {
     core_.spindle_couplings = &spindle_couplings_;
     read_config(core_.table, core_.config, true);
     couplings_.configure(core_.table, core_.config);
+    compensation_.configure(core_.table, core_.config);
+    guard_.configure(core_.table, core_.config);
     core_.stroke.configure(core_.config);
     core_.image.tick_ns.store(static_cast<std::uint64_t>(core_.config.tick_ns), std::memory_order_release);
     for (unsigned a = 0; a < kMaxAxes; ++a) {
@@ -60,6 +63,8 @@ void Machine::attach_channel(unsigned index, const ChannelSegment& segment) {
     core_.channel_segment[index].store(&segment, std::memory_order_release);
     channels_[index]->attach(segment);
 }
+
+void Machine::take_tables(CompensationTables tables) { compensation_.take_tables(std::move(tables)); }
 
 void Machine::attach_plc(const PlcSegment& segment) {
     core_.plc_segment.store(&segment, std::memory_order_release);
@@ -104,12 +109,15 @@ void Machine::tick() noexcept {
     run_channels();
     run_homing();
     run_gear_retracts();
+    run_beside();
     run_jogs();
     run_spindles();
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
         if (const double by = core_.axes[a].take_shift(); by != 0) couplings_.shifted(a, by), spindle_couplings_.shifted(a, by);
     couplings_.step(core_);
     if (const std::uint32_t torn = couplings_.torn_gantry(); torn && core_.on()) emergency_stop(Alarm::GantryError, core_.config.axes[torn - 1].channel, name_of('A', torn - 1).view(), core_.axes[torn - 1].measured());
+    protect();
+    compensation_.step(core_);
     run_axes();
     position_signals();
     core_.sensors.look(core_.axes, core_.signals, core_.config.axis_count, core_.tick);
@@ -128,6 +136,8 @@ void Machine::take_answers() noexcept {
     if (core_.store.take_changes(core_.table, core_.tick, core_.virtual_time)) {
         read_config(core_.table, core_.config, false);
         couplings_.configure(core_.table, core_.config);
+        compensation_.configure(core_.table, core_.config);
+        guard_.configure(core_.table, core_.config);
         show_free_parameters();
         core_.stroke.configure(core_.config);
         core_.totals.adopt(core_.table);
@@ -183,7 +193,8 @@ void Machine::run_axes() noexcept {
         if (!axis.exists()) continue;
         const bool was_faulted = axis.faulted();
         axis.requests = {core_.signals.plc(signals::ap_opnr(a + 1)) != 0, core_.signals.plc(signals::ap_efd(a + 1)) != 0,
-                         core_.signals.plc(signals::ap_flwu(a + 1)) != 0, core_.signals.plc(signals::ap_end(a + 1)) != 0};
+                         core_.signals.plc(signals::ap_flwu(a + 1)) != 0, core_.signals.plc(signals::ap_end(a + 1)) != 0,
+                         static_cast<std::uint16_t>(std::clamp(core_.signals.plc(signals::ap_torq(a + 1)), 0, 1000))};
         attach_and_detach(a);
         watch_drive_reference(a);
         guard_stroke(a);
@@ -193,9 +204,12 @@ void Machine::run_axes() noexcept {
         const bool lent = axis.config().on_spindle && !core_.shared_axes[a].has_drive;
         axis.exchange(core_.config.tick_s, core_.state != MachineState::Off && !lent);
         if (axis.faulted() && !was_faulted) axis_fault(a);
+        watch_fixed_stop(a);
         core_.signals.set_nc(signals::an_inpos(a + 1), axis.in_position());
         core_.signals.set_nc(signals::an_move(a + 1), axis.moving());
         core_.signals.set_nc(signals::an_ref(a + 1), axis.referenced);
+        core_.signals.set_nc(signals::an_torq(a + 1), static_cast<std::int32_t>(axis.torque()));
+        core_.signals.set_nc(signals::an_synca(a + 1), couplings_.synchronous_master(a) != 0);
     }
 }
 

@@ -17,8 +17,10 @@
 #include "kernel/cyclic/axis_jog.hpp"
 #include "kernel/cyclic/channel_runner.hpp"
 #include "kernel/cyclic/command_queue.hpp"
+#include "kernel/cyclic/compensation.hpp"
 #include "kernel/cyclic/core.hpp"
 #include "kernel/cyclic/couplings.hpp"
+#include "kernel/cyclic/guard.hpp"
 #include "kernel/cyclic/homing.hpp"
 #include "kernel/cyclic/plc_link.hpp"
 #include "kernel/cyclic/spindle_couplings.hpp"
@@ -37,6 +39,8 @@ public:
     void start();                                             // reads parameters and options, opens the drives
     void attach_channel(unsigned index, const ChannelSegment& segment);
     void attach_plc(const PlcSegment& segment);
+    void take_tables(CompensationTables tables);               // before start()
+    void take_room(const Room& room, const MachineConfig& machine) { guard_.take_room(room, machine); }
 
     void tick() noexcept;
     bool ended() const noexcept { return core_.end_run; }
@@ -97,6 +101,13 @@ private:
     void spindle_fault(std::uint32_t index) noexcept;
     void run_axes() noexcept;
     void axis_fault(std::size_t a) noexcept;
+    void start_beside(std::uint32_t axis, double target, double speed, std::uint32_t channel) noexcept;
+    void run_beside() noexcept;
+    void watch_contours() noexcept;
+    std::array<bool, kMaxAxes> pax_request_{}, beside_by_plc_{};   // AP_PAXR as it was; who asked
+    void protect() noexcept;
+    void watch_fixed_stop(std::uint32_t axis) noexcept;
+    std::array<double, kMaxAxes> last_measured_{};
     void supervise() noexcept;
     void publish() noexcept;
     void trace() noexcept;
@@ -121,6 +132,9 @@ private:
     std::array<AxisJog, kMaxAxes> jogs_{};
     std::array<std::unique_ptr<SharedDrive>, kMaxSpindles> shared_drives_{};
     Couplings couplings_;
+    Compensation compensation_;
+    Guard guard_;
+    std::array<bool, kMaxAxes> guarded_{};                  // AN_GUARD
     SpindleCouplings spindle_couplings_;
     // G81.8 taken out of the work: the axes stop, go N1804 away with the gear closed, and it opens if N1800 says so.
     enum class GearRetract : std::uint8_t { None, Stopping, Moving };

@@ -22,6 +22,8 @@ void Machine::publish() noexcept {
         out.added_master = couplings_.superimposed_master(a);
         out.velocity = axis.velocity();
         out.error = axis.error();
+        out.compensation = axis.compensation();
+        out.torque = axis.torque();
         out.owner = axis.owner;
         out.skip = axis.skip;
         out.flags = kExists | (axis.referenced ? kReferenced : 0u) | (axis.in_position() ? kInPos : 0u) | (axis.moving() ? kMoving : 0u) |

@@ -188,6 +188,14 @@ void RunSession::take(const KernelEvent& event) {
                 }
             break;
         }
+        case KernelEventKind::BesideBegin:
+        case KernelEventKind::BesideEnd: {
+            const bool begins = static_cast<KernelEventKind>(event.kind) == KernelEventKind::BesideBegin;
+            std::string text = std::move(EventText("beside").text("axis", fmt::format("A{}", event.code)).text("state", begins ? "begin" : "end").number("value", event.value)).line();
+            text.pop_back();
+            react(joiner_.plain(event.channel, t_s, std::move(text)), t_s);
+            break;
+        }
         case KernelEventKind::Message:
             if (event.code < 0) break;   // the program's own words: its note has told them
             take_alarm(event, t_s);

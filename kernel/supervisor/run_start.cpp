@@ -45,7 +45,10 @@ Result<void> RunSession::start() {
     follow_log_ = options_.virtual_time && (reacts || programs_may_stop() || !wishes_.restart_at.empty());
     plan.options.follow_log = follow_log_ ? 1 : 0;
     plan.machine_arguments = plan_.machine_arguments();
-    if (const auto path = text::resolve_machine(plan_.source.machine)) plan.plc_library = path->plc;
+    if (const auto path = text::resolve_machine(plan_.source.machine)) {
+        plan.plc_library = path->plc;
+        tell_machine_files(path->params, plan.options);
+    }
     for (const auto& [channel, program] : plan_.programs)
         if (program.language_chosen)
             plan.machine_arguments.insert(plan.machine_arguments.end(), {"--set", fmt::format("PT_LANGUAGE L{}={}", channel, program.language)});

@@ -1,5 +1,8 @@
 #include "kernel/supervisor/start_position.hpp"
 
+#include <algorithm>
+#include <filesystem>
+
 #include "ipc/machine/work_zeros.hpp"
 
 namespace polyturn::supervisor {
@@ -23,6 +26,11 @@ double active_zero(const text::ChannelSetup& channel, Dialect dialect, const std
 }
 
 }  // namespace
+
+void tell_machine_files(const std::string& params_file, RunOptions& options) {
+    const std::string base = std::filesystem::absolute(std::filesystem::path(params_file).replace_extension()).string();
+    if (base.size() < options.machine_folder.size()) std::copy(base.begin(), base.end(), options.machine_folder.begin());
+}
 
 void set_start_positions(const JobPlan& plan, RunOptions& options) {
     const auto put = [&](unsigned channel, const std::string& name, double shown) {

@@ -6,6 +6,8 @@
 namespace polyturn::supervisor {
 
 // Fills start_known and start_position (true units: X as a radius).
+// Where the kernel finds what lies beside the parameter file: its path without the extension.
+void tell_machine_files(const std::string& params_file, RunOptions& options);
 void set_start_positions(const JobPlan& plan, RunOptions& options);
 
 }  // namespace polyturn::supervisor

@@ -13,6 +13,7 @@
 #include "ipc/machine/store_requests.hpp"
 #include "ipc/params/param_file.hpp"
 #include "ipc/text/machine_path.hpp"
+#include "kernel/supervisor/start_position.hpp"
 #include "kernel/supervisor/event_text.hpp"
 #include "kernel/supervisor/job_plan.hpp"
 #include "kernel/supervisor/phrases.hpp"
@@ -74,7 +75,10 @@ Result<void> StartSession::launch() {
     plan.options.notes = 1;
     plan.options.parts = 1;
     for (auto& factor : plan.options.feed_override) factor = 1.0;
-    if (const auto path = text::resolve_machine(options_.machine)) plan.plc_library = path->plc;
+    if (const auto path = text::resolve_machine(options_.machine)) {
+        plan.plc_library = path->plc;
+        tell_machine_files(path->params, plan.options);
+    }
     if (!options_.machine.empty()) plan.machine_arguments = {"--machine", options_.machine};
     for (const auto& file : options_.param_files) plan.machine_arguments.insert(plan.machine_arguments.end(), {"--param-file", file});
     for (const auto& line : options_.sets) plan.machine_arguments.insert(plan.machine_arguments.end(), {"--set", line});

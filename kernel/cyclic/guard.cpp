@@ -1,0 +1,265 @@
+#include "kernel/cyclic/guard.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace polyturn::kernel {
+namespace p = params;
+namespace {
+constexpr int kSamples = 8;              // of a braking way
+constexpr double kReserve = 1.1;         // of it: the planner brakes a little later than a parabola
+constexpr double kTowards = 1e-7;        // mm: nearer than that in one tick is no approach
+constexpr double kBehindFace = 1000;     // mm of spindle head behind a chuck's face
+constexpr double kFarAway = 1e9;
+constexpr double kMmPerInch = 25.4;
+}  // namespace
+
+void Guard::take_room(const Room& room, const MachineConfig& machine) {
+    room_ = room;
+    machine_ = machine;
+    has_room_ = true;
+}
+
+Guard::Body& Guard::add_body(std::string_view name) {
+    Body& body = bodies_[std::min(body_count_, kBodies - 1)];
+    body = {};
+    std::copy_n(name.begin(), std::min(name.size(), body.name.size() - 1), body.name.begin());
+    body.first = box_count_;
+    if (body_count_ < kBodies - 1) ++body_count_;
+    return body;
+}
+
+void Guard::add_box(Body& body, const Box& box) {
+    if (box_count_ == kBoxes) return;
+    boxes_[box_count_++] = box;
+    ++body.count;
+}
+
+void Guard::add_carrier(Body& body, unsigned number) {
+    const auto found = room_.axes.find(number);
+    if (found == room_.axes.end() || body.carriers == kCarriers || machine_.axis(number).rotary) return;
+    const RoomPlace& place = found->second;
+    body.axis[body.carriers] = number - 1;
+    body.way[body.carriers++] = {place.direction.x, place.direction.z};
+    body.origin.x += place.origin.x;
+    body.origin.z += place.origin.z;
+}
+
+void Guard::configure(const p::Table& t, const KernelConfig& config) {
+    body_count_ = box_count_ = 0;
+    watched_ = false;
+    distance_ = p::get(t, p::pt_guard_distance);
+    if (!has_room_) return;
+    for (unsigned l = 1; l <= kMaxChannels; ++l) {
+        if (!config.channels[l - 1].exists) continue;
+        const double unit = config.channels[l - 1].inch ? kMmPerInch : 1.0;
+        const auto length = [&](auto handle) { return p::get(t, handle, l) * unit; };
+        char name[32];
+        if (p::bit(t, p::n2000_check_config, l, 0)) {
+            const auto turret = room_.turrets.find(l);
+            std::snprintf(name, sizeof name, "tool carrier of L%u", l);
+            Body& body = add_body(name);
+            body.channel = l;
+            body.in_z = p::bit(t, p::n2000_check_config, l, 1);
+            body.without_tool = p::bit(t, p::n2000_check_config, l, 2);
+            body.by_hand = p::bit(t, p::n2000_check_config, l, 3);
+            for (unsigned a = 1; a <= kMaxAxes; ++a)
+                if (config.axes[a - 1].exists && config.axes[a - 1].channel == l && !config.axes[a - 1].rotary) add_carrier(body, a);
+            // N2002, N2003 move the shape: in the room, or along the carrier's own axes.
+            double dx = length(p::n2002_tool_holder_position_x), dz = length(p::n2003_tool_holder_position_z);
+            if (p::get(t, p::n2001_coord_type, l) == 1)
+                for (std::size_t i = 0; i < body.carriers; ++i) {
+                    if (std::fabs(body.way[i].x) > 0.5) dx = std::copysign(1.0, body.way[i].x) * length(p::n2002_tool_holder_position_x);
+                    if (std::fabs(body.way[i].z) > 0.5) dz = std::copysign(1.0, body.way[i].z) * length(p::n2003_tool_holder_position_z);
+                }
+            const auto add = [&](const RoomBox& b, std::uint32_t station) { add_box(body, {b.x_low + dx, b.x_high + dx, b.z_low + dz, b.z_high + dz, station}); };
+            if (turret != room_.turrets.end()) {
+                for (const RoomBox& b : turret->second.body) add(b, 0);
+                for (const auto& [station, boxes] : turret->second.tools)
+                    for (const RoomBox& b : boxes) add(b, station);
+            }
+            if (body.count == 0) add({-1e-6, 1e-6, -1e-6, 1e-6}, 0);   // the tool carrier's point itself
+            watched_ = true;
+        }
+        // Barriers of the channel, in machine coordinates of its X and Z: into the room by where these axes point.
+        double x_origin = 0, z_origin = 0, x_way = 1, z_way = 1;
+        for (unsigned a = 1; a <= kMaxAxes; ++a) {
+            const auto at = room_.axes.find(a);
+            if (at == room_.axes.end() || !config.axes[a - 1].exists || config.axes[a - 1].channel != l) continue;
+            const RoomPlace& axis = at->second;
+            if (std::fabs(axis.direction.x) > 0.5) x_origin = axis.origin.x, x_way = axis.direction.x;
+            if (std::fabs(axis.direction.z) > 0.5) z_origin = axis.origin.z, z_way = axis.direction.z;
+        }
+        const auto barrier = [&](Body& body, double z_from, double z_to, double half, double centre) {
+            if (!(half > 0) || z_from == z_to) return;
+            const double x0 = x_origin + x_way * (centre - half), x1 = x_origin + x_way * (centre + half);
+            const double z0 = z_origin + z_way * z_from, z1 = z_origin + z_way * z_to;
+            add_box(body, {std::min(x0, x1), std::max(x0, x1), std::min(z0, z1), std::max(z0, z1), 0});
+        };
+        const double jaws = length(p::n1901_l1_length_of_jaws), width = length(p::n1902_w1_width_of_jaws);
+        if (jaws > 0 && width > 0) {
+            std::snprintf(name, sizeof name, "chuck of L%u", l);
+            Body& body = add_body(name);
+            const double face = length(p::n1906_chuck_position_z), centre = length(p::n1905_chuck_position_x);
+            const double grip = length(p::n1903_l2_holding_length_of_jaws), held = length(p::n1904_w2_holding_width_of_jaws);
+            barrier(body, face - kBehindFace, face, width, centre);
+            barrier(body, face, face + jaws, width, centre);
+            if (grip > 0) barrier(body, face + jaws, face + jaws + grip, held, centre);
+            body.watched = true;
+        }
+        const double l1 = length(p::n1907_l1_length_of_tailstock), d1 = length(p::n1908_d1_diameter_of_tailstock);
+        if (l1 > 0 && d1 > 0) {
+            std::snprintf(name, sizeof name, "tailstock of L%u", l);
+            Body& body = add_body(name);
+            const double tip = length(p::n1914_tailstock_position_z), l2 = length(p::n1909_l2_length_of_tailstock), l3 = length(p::n1911_l3_length_of_tailstock);
+            const double centre = length(p::n1905_chuck_position_x);
+            barrier(body, tip, tip + l3, length(p::n1912_d3_diameter_of_tailstock) / 2, centre);
+            barrier(body, tip + l3, tip + l3 + l2, length(p::n1910_d2_diameter_of_tailstock) / 2, centre);
+            barrier(body, tip + l3 + l2, tip + l3 + l2 + l1, std::max(d1, length(p::n1913_d4_diameter_of_tailstock)) / 2, centre);
+        }
+    }
+    if (!watched_) return;
+    for (const auto& [s, chuck] : room_.chucks) {
+        if (!(chuck.diameter > 0)) continue;
+        char name[32];
+        std::snprintf(name, sizeof name, "chuck of S%u", s);
+        Body& body = add_body(name);
+        const double sense = chuck.direction.z < 0 ? -1.0 : 1.0;
+        const double back = chuck.origin.z - sense * chuck.length, front = chuck.origin.z + sense * chuck.jaws;
+        add_box(body, {chuck.origin.x - chuck.diameter / 2, chuck.origin.x + chuck.diameter / 2, std::min(back, front), std::max(back, front), 0});
+        if (chuck.carried_by) {
+            const Vector stood = body.origin;
+            add_carrier(body, chuck.carried_by);
+            body.origin = stood;   // its place is told for machine coordinate 0 of that axis
+        }
+    }
+    for (const auto& [n, tail] : room_.tailstocks) {
+        if (!(tail.diameter > 0)) continue;
+        char name[32];
+        std::snprintf(name, sizeof name, "tailstock %u", n);
+        Body& body = add_body(name);
+        const double sense = tail.direction.z < 0 ? -1.0 : 1.0, back = tail.origin.z - sense * tail.length;
+        add_box(body, {tail.origin.x - tail.diameter / 2, tail.origin.x + tail.diameter / 2, std::min(back, tail.origin.z), std::max(back, tail.origin.z), 0});
+    }
+}
+
+bool Guard::carries(std::uint32_t body, std::uint32_t axis) const noexcept {
+    const Body& b = bodies_[body];
+    return std::find(b.axis.begin(), b.axis.begin() + static_cast<std::ptrdiff_t>(b.carriers), axis) != b.axis.begin() + static_cast<std::ptrdiff_t>(b.carriers);
+}
+
+ChannelSet Guard::movers(const Core& core, std::uint32_t index) const noexcept {
+    ChannelSet set = 0;
+    const Body& body = bodies_[index];
+    for (std::size_t i = 0; i < body.carriers; ++i)
+        if (const std::uint32_t owner = core.axes[body.axis[i]].owner; owner && core.axes[body.axis[i]].target() != core.axes[body.axis[i]].command()) set |= ChannelSet{1} << (owner - 1);
+    return set;
+}
+
+// Where it is at this tick's end, how fast, and where it would come to rest.
+void Guard::place(const Core& core, Body& body) noexcept {
+    Vector at = body.origin, v;
+    double time = 0;
+    bool known = true;
+    for (std::size_t i = 0; i < body.carriers; ++i) {
+        const AxisUnit& axis = core.axes[body.axis[i]];
+        const AxisConfig& config = core.config.axes[body.axis[i]];
+        known = known && axis.exists() && axis.referenced && !axis.detached;
+        const double u = (axis.target() - axis.command()) / core.config.tick_s;
+        at.x += body.way[i].x * axis.target();
+        at.z += body.way[i].z * axis.target();
+        v.x += body.way[i].x * u;
+        v.z += body.way[i].z * u;
+        const double rise = std::isfinite(config.jerk) && config.jerk > 0 ? config.acceleration / config.jerk : 0.0;
+        if (u != 0) time = std::max(time, std::fabs(u) / config.acceleration + rise);
+    }
+    body.at = at;
+    body.moving = v.x != 0 || v.z != 0;
+    const double speed2 = v.x * v.x + v.z * v.z;
+    const double way = kReserve * (time / 2 + core.config.tick_s);
+    body.rest = {v.x * way, v.z * way};
+    body.bend = {};
+    if (body.moving && speed2 > 0) {   // the path bends: v^2 times curvature, across it
+        const double ax = (v.x - body.velocity.x) / core.config.tick_s, az = (v.z - body.velocity.z) / core.config.tick_s;
+        const double along = (ax * v.x + az * v.z) / speed2;
+        body.bend = {(ax - along * v.x) * way * way / 2, (az - along * v.z) * way * way / 2};
+    }
+    body.velocity = v;
+    const bool carrier = body.channel != 0;
+    bool watched = known;
+    if (carrier) {
+        const bool jogging = (core.jogging >> (body.channel - 1) & 1u) != 0;
+        if (jogging && !body.by_hand) watched = false;
+        if (!body.without_tool && station_[body.channel - 1] == 0) watched = false;
+    }
+    body.watched = watched;
+}
+
+// Of two bodies at these places: negative when they overlap. Ends early once it is clear that it is more than `least`.
+double Guard::gap(const Body& a, const Vector& at_a, const Body& b, const Vector& at_b, double least) const noexcept {
+    double nearest = kFarAway;
+    for (std::size_t i = a.first; i < a.first + a.count; ++i) {
+        const Box& p1 = boxes_[i];
+        if (p1.station && a.channel && p1.station != station_[a.channel - 1]) continue;
+        for (std::size_t k = b.first; k < b.first + b.count; ++k) {
+            const Box& p2 = boxes_[k];
+            if (p2.station && b.channel && p2.station != station_[b.channel - 1]) continue;
+            const double x = std::max((p1.x_low + at_a.x) - (p2.x_high + at_b.x), (p2.x_low + at_b.x) - (p1.x_high + at_a.x));
+            const double z = a.in_z && b.in_z ? std::max((p1.z_low + at_a.z) - (p2.z_high + at_b.z), (p2.z_low + at_b.z) - (p1.z_high + at_a.z)) : -kFarAway;
+            const double both = x > 0 && z > 0 ? std::hypot(x, z) : std::max(x, z);
+            nearest = std::min(nearest, both);
+            if (nearest < -least) return nearest;
+        }
+    }
+    return nearest;
+}
+
+Guard::Finding Guard::step(const Core& core) noexcept {
+    nearest_ = {kNone, kNone, kFarAway};
+    Finding found{kNone, kNone, 0};
+    if (!any()) return found;
+    for (std::uint32_t l = 0; l < kMaxChannels; ++l) station_[l] = static_cast<std::uint32_t>(std::max(core.signals.nc(signals::cn_tcode(l + 1)), 0));
+    for (std::size_t i = 0; i < body_count_; ++i) place(core, bodies_[i]);
+    for (std::uint32_t i = 0; i < body_count_; ++i) {
+        const Body& a = bodies_[i];
+        for (std::uint32_t k = i + 1; k < body_count_; ++k) {
+            const Body& b = bodies_[k];
+            if ((!a.moving && !b.moving) || !a.watched || !b.watched || (!a.channel && !b.channel)) continue;
+            if (core.signals.plc(signals::cp_chuckoff(std::max(a.channel, b.channel))) && (a.name[0] == 'c' || b.name[0] == 'c')) continue;
+            if (core.signals.plc(signals::cp_tailoff(std::max(a.channel, b.channel))) && (std::string_view(a.name.data()).starts_with("tails") || std::string_view(b.name.data()).starts_with("tails"))) continue;
+            const double now = gap(a, a.at, b, b.at, kFarAway);
+            if (now < nearest_.distance) nearest_ = {i, k, now};
+            const double reach = std::hypot(a.rest.x, a.rest.z) + std::hypot(b.rest.x, b.rest.z) + std::hypot(a.bend.x, a.bend.z) + std::hypot(b.bend.x, b.bend.z);
+            if (now > reach + distance_) continue;
+            for (int n = 1; n <= kSamples; ++n) {
+                const double s = static_cast<double>(n) / kSamples;
+                const auto moved = [&](const Body& body) { return Vector{body.at.x + s * body.rest.x + s * s * body.bend.x, body.at.z + s * body.rest.z + s * s * body.bend.z}; };
+                const double then = gap(a, moved(a), b, moved(b), kFarAway);
+                if (then >= distance_ || then >= now - kTowards) continue;
+                if (found.first == kNone || now < found.distance) found = {i, k, now};
+                break;
+            }
+        }
+    }
+    return found;
+}
+
+void Guard::publish(GuardStatus& out) const noexcept {
+    out.bodies = static_cast<std::uint32_t>(body_count_);
+    out.count = 0;
+    out.first = nearest_.first;
+    out.second = nearest_.second;
+    out.distance = nearest_.distance;
+    for (std::uint32_t n = 0; n < body_count_; ++n) {
+        const Body& body = bodies_[n];
+        std::copy(body.name.begin(), body.name.end(), out.names.begin() + static_cast<std::ptrdiff_t>(n) * 32);
+        for (std::size_t i = body.first; i < body.first + body.count && out.count < out.boxes.size(); ++i) {
+            if (boxes_[i].station && body.channel && boxes_[i].station != station_[body.channel - 1]) continue;
+            GuardBox& box = out.boxes[out.count++];
+            box = {boxes_[i].x_low + body.at.x, boxes_[i].x_high + body.at.x, boxes_[i].z_low + body.at.z, boxes_[i].z_high + body.at.z, n, 0};
+        }
+    }
+}
+
+}  // namespace polyturn::kernel

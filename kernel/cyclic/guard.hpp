@@ -1,0 +1,77 @@
+// Nothing of the machine touches anything else of it: chucks, tailstocks, tool carriers with the tool in work, of all channels,
+// watched in every mode (N19xx, N20xx, machine.toml). Bodies are rectangles in the room's plane of X and Z; a carrier's move
+// with its axes.
+//
+//        +-----+   v        braking from now on, each body would rest at the end of its arrow; eight points of both ways are
+//        |  A  |--->        looked at. When A and B would then be nearer than PT_GUARD_DISTANCE, and nearer than they are,
+//        +-----+  +---+     whoever moves them stops now. Away from each other they may always go.
+//                 | B |
+//                 +---+     The way of a path bends as it has bent in the last tick.
+//
+// Cost: a few comparisons for each pair of which one moves; pairs that are far apart are left out by their outlines.
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "ipc/machine/room.hpp"
+#include "kernel/cyclic/core.hpp"
+
+namespace polyturn::kernel {
+
+class Guard {
+public:
+    void take_room(const Room& room, const MachineConfig& machine);            // not in the cyclic thread
+    void configure(const params::Table& table, const KernelConfig& config);    // likewise, or at a tick start: allocates nothing
+    // Two bodies that would come too near; first is kNone when none do. Before the drives are spoken to.
+    struct Finding {
+        std::uint32_t first, second;
+        double distance = 0;
+    };
+    static constexpr std::uint32_t kNone = ~0u;
+    Finding step(const Core& core) noexcept;
+    ChannelSet movers(const Core& core, std::uint32_t body) const noexcept;    // channels whose axes carry it
+    bool carries(std::uint32_t body, std::uint32_t axis) const noexcept;
+    std::string_view name(std::uint32_t body) const noexcept { return {bodies_[body].name.data()}; }
+    bool any() const noexcept { return body_count_ > 1 && watched_; }
+    void publish(GuardStatus& out) const noexcept;
+
+private:
+    static constexpr std::size_t kBodies = 64, kBoxes = 256, kCarriers = 4;
+    struct Vector {
+        double x = 0, z = 0;
+    };
+    struct Box {
+        double x_low, x_high, z_low, z_high;
+        std::uint32_t station;             // only while it is in work; 0 always
+    };
+    struct Body {
+        std::array<char, 32> name{};
+        std::uint32_t channel = 0;         // a tool carrier's; 0: a chuck, a tailstock
+        std::array<std::uint32_t, kCarriers> axis{};   // from 0
+        std::array<Vector, kCarriers> way{};
+        std::size_t carriers = 0;
+        Vector origin;
+        std::size_t first = 0, count = 0;  // boxes
+        bool in_z = true, by_hand = true, without_tool = true;
+        // now
+        Vector at, velocity, before, rest, bend;
+        bool moving = false, watched = false;
+    };
+    void add_box(Body& body, const Box& box);
+    Body& add_body(std::string_view name);
+    void add_carrier(Body& body, unsigned axis_number);
+    void place(const Core& core, Body& body) noexcept;
+    double gap(const Body& a, const Vector& at_a, const Body& b, const Vector& at_b, double least) const noexcept;
+
+    Room room_;
+    bool has_room_ = false, watched_ = false;
+    MachineConfig machine_;
+    std::array<Body, kBodies> bodies_{};
+    std::array<Box, kBoxes> boxes_{};
+    std::array<std::uint32_t, kMaxChannels> station_{};   // in work
+    std::size_t body_count_ = 0, box_count_ = 0;
+    double distance_ = 1;
+    Finding nearest_{kNone, kNone, 0};
+};
+
+}  // namespace polyturn::kernel
