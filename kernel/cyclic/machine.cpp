@@ -132,19 +132,21 @@ void Machine::tick() noexcept {
     ++core_.tick;
 }
 
+void Machine::adopt_parameters() noexcept {
+    read_config(core_.table, core_.config, false);
+    couplings_.configure(core_.table, core_.config);
+    compensation_.configure(core_.table, core_.config);
+    guard_.configure(core_.table, core_.config);
+    show_free_parameters();
+    core_.stroke.configure(core_.config);
+    core_.totals.adopt(core_.table);
+    for (unsigned a = 0; a < core_.config.axis_count; ++a) core_.axes[a].configure(core_.config.axes[a]);
+    for (unsigned s = 0; s < core_.config.spindle_count; ++s) core_.spindles[s].configure(core_.config.spindles[s]);
+    for (auto& channel : channels_) channel->store_changed();
+}
+
 void Machine::take_answers() noexcept {
-    if (core_.store.take_changes(core_.table, core_.tick, core_.virtual_time)) {
-        read_config(core_.table, core_.config, false);
-        couplings_.configure(core_.table, core_.config);
-        compensation_.configure(core_.table, core_.config);
-        guard_.configure(core_.table, core_.config);
-        show_free_parameters();
-        core_.stroke.configure(core_.config);
-        core_.totals.adopt(core_.table);
-        for (unsigned a = 0; a < core_.config.axis_count; ++a) core_.axes[a].configure(core_.config.axes[a]);
-        for (unsigned s = 0; s < core_.config.spindle_count; ++s) core_.spindles[s].configure(core_.config.spindles[s]);
-        for (auto& channel : channels_) channel->store_changed();
-    }
+    if (core_.store.take_changes(core_.table, core_.tick, core_.virtual_time)) adopt_parameters();
     if (core_.store.value_taken())
         for (auto& channel : channels_) channel->store_changed();
     // Said once; the machine stays stopped until a reset finds the PLC answering again.

@@ -45,6 +45,8 @@ public:
     void tick() noexcept;
     bool ended() const noexcept { return core_.end_run; }
 
+    // The table in core() has changed: everything that parameters say is taken anew. At a tick's start.
+    void adopt_parameters() noexcept;
     // Stops everything along the paths, spindles too, until reset.
     void stop_all(Alarm reason, double value = 0) noexcept;
 

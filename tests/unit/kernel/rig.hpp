@@ -92,6 +92,8 @@ public:
         r.spindle = 1;
         return r;
     }
+    // The next record of the channel begins here.
+    void place(unsigned l, unsigned slot, double at) { at_[l - 1][slot] = at; }
     PathRecord wait(unsigned l, int code, std::uint32_t set, std::uint32_t flags = 0) {
         PathRecord r = blank(l, RecordKind::Wait);
         r.code = code;

@@ -1,0 +1,96 @@
+#include <algorithm>
+
+#include "ipc/machine/machine_config.hpp"
+#include "tests/unit/kernel/rig.hpp"
+
+namespace polyturn::kernel {
+namespace {
+
+// Two carriers of 20 x 20 mm that share the room's X and Z; N2000 of both on. L1 stands at X 100, L2 at X 0.
+struct TwoCarriers {
+    TickRig rig;
+    explicit TwoCarriers(const std::function<void(params::Table&)>& more = {})
+        : rig([&](params::Table& t, RunOptions& o) {
+              params::put(t, params::n0103_axis_to_plane, 1, 1), params::put(t, params::n0103_axis_to_plane, 3, 2);
+              params::put(t, params::n0103_axis_to_plane, 1, 3), params::put(t, params::n0103_axis_to_plane, 3, 4);
+              o.start_known[0] = 1, o.start_position[0] = 100;
+              if (more) more(t);
+          }) {
+        Room room;
+        for (unsigned a = 1; a <= 4; ++a) room.axes[a] = {{}, a % 2 ? RoomVector{1, 0, 0} : RoomVector{0, 0, 1}};
+        room.turrets[1].body = room.turrets[2].body = {{-10, 10, -10, 10}};
+        rig.machine->take_room(room, derive_machine_config(rig.machine->core().table));
+        for (unsigned l = 1; l <= 2; ++l) params::put(rig.machine->core().table, params::n2000_check_config, 15, l);
+        rig.machine->adopt_parameters();
+        rig.place(1, 0, 100);
+    }
+};
+
+TEST(Guard, StopsACarrierBeforeItTouchesTheOther) {
+    TwoCarriers m;
+    m.rig.push(1, m.rig.line(1, {-100, 0}, 100));
+    m.rig.start(1);
+    m.rig.run(3000);
+    EXPECT_TRUE(m.rig.alarmed(Alarm::GuardStop, 1));
+    EXPECT_GE(m.rig.position(1), 21.0);    // 20 mm of bodies and PT_GUARD_DISTANCE
+    EXPECT_LE(m.rig.position(1), 23.0);
+    const KernelEvent* e = nullptr;
+    for (const KernelEvent& event : m.rig.log)
+        if (event.code == static_cast<int>(Alarm::GuardStop)) e = &event;
+    ASSERT_NE(e, nullptr);
+    EXPECT_STREQ(e->text.data(), "tool carrier of L1 and tool carrier of L2");
+}
+
+TEST(Guard, StopsBothWhenBothMove) {
+    TwoCarriers m;
+    m.rig.push(1, m.rig.line(1, {-90, 0}, 150));
+    m.rig.push(2, m.rig.line(2, {90, 0}, 150));
+    m.rig.start(1);
+    m.rig.start(2);
+    m.rig.run(3000);
+    EXPECT_GE(m.rig.position(1) - m.rig.position(3), 21.0);
+    EXPECT_TRUE(m.rig.alarmed(Alarm::GuardStop, 1));
+    EXPECT_TRUE(m.rig.alarmed(Alarm::GuardStop, 2));
+}
+
+TEST(Guard, LetsThemPassBesideEachOtherAndAwayAgain) {
+    TwoCarriers m;
+    m.rig.push(1, m.rig.line(1, {0, 40}, 100));
+    m.rig.push(1, m.rig.line(1, {-150, 0}, 150));
+    m.rig.start(1);
+    m.rig.run(4000);
+    EXPECT_FALSE(m.rig.alarmed(Alarm::GuardStop));
+    EXPECT_NEAR(m.rig.position(1), -50, 1e-9);
+}
+
+TEST(Guard, WatchesTheHandTooAndLeavesTheWayBackFree) {
+    TwoCarriers m;
+    m.rig.command(CommandKind::Jog, 0, -5, 0, 1);   // X of L1 downwards for 5 s
+    m.rig.run(6000);
+    EXPECT_TRUE(m.rig.alarmed(Alarm::GuardStop, 1));
+    EXPECT_GE(m.rig.position(1), 21.0);
+    EXPECT_LE(m.rig.position(1), 23.0);
+    const double stood = m.rig.position(1);
+    m.rig.command(CommandKind::Step, 0, 5, 0, 1);
+    m.rig.run(1000);
+    EXPECT_NEAR(m.rig.position(1), stood + 5, 1e-9);
+}
+
+TEST(Guard, ChuckBarrierOfParametersActsUntilThePlcTakesItAway) {
+    for (const bool off : {false, true}) {
+        TwoCarriers m([](params::Table& t) {
+            params::put(t, params::n1901_l1_length_of_jaws, 30, 1), params::put(t, params::n1902_w1_width_of_jaws, 200, 1);
+            params::put(t, params::n1906_chuck_position_z, -200, 1);
+        });
+        if (off) m.rig.command(CommandKind::SetSignal, 0, 1, 0, signals::cp_chuckoff(1), 1);
+        m.rig.push(1, m.rig.line(1, {0, -180}, 100));
+        m.rig.start(1);
+        m.rig.run(4000);
+        EXPECT_EQ(m.rig.alarmed(Alarm::GuardStop, 1), !off);
+        if (off) EXPECT_NEAR(m.rig.position(2), -180, 1e-9);
+        else EXPECT_GE(m.rig.position(2), -170 + 10 + 1.0);
+    }
+}
+
+}  // namespace
+}  // namespace polyturn::kernel
