@@ -369,7 +369,7 @@ void ChannelRunner::place_axes(const PathRecord& r, double s) noexcept {
         AxisUnit& axis = core_.axes[r.axis[i]];
         axis.owner = number_;
         axis.rapid = (r.flags & kRapid) != 0;
-        if (!(keys & kKeyMachineLock) && !axis.bound() && !axis.detached) axis.move_to(position[i]);
+        if (!(keys & kKeyMachineLock) && !axis.bound() && !axis.beside && !axis.detached) axis.move_to(position[i]);
         last_axes_[i] = r.axis[i];
     }
     last_axis_count_ = r.axis_count;

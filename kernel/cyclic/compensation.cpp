@@ -7,8 +7,9 @@ namespace polyturn::kernel {
 namespace p = params;
 namespace {
 constexpr double kShare = 0.02;          // of rapid and acceleration that compensation may use
-constexpr double kFollow = 200;          // 1/s, how fast the sum is followed
-constexpr double kReversal = 1e-4;       // mm, degrees: less is the encoder's noise
+constexpr double kFollow = 100;          // 1/s, how fast the sum is followed
+constexpr double kReversal = 2e-3;       // mm, degrees: less is noise, or a drive that comes to rest
+constexpr double kThere = 1e-9;          // mm
 constexpr double kMmPerInch = 25.4;
 
 constexpr std::array kPosition{p::n2801_position_a, p::n2802_position_b, p::n2803_position_c, p::n2804_position_d};
@@ -183,10 +184,10 @@ void Compensation::step(Core& core) noexcept {
         const double most = kShare * config.rapid, step = kShare * config.acceleration * dt;
         const double left = axis.wanted - axis.now;
         // Not faster than it can still be stopped on what is left.
-        const double brakes = std::sqrt(2.0 * kShare * config.acceleration * std::fabs(left));
+        const double brakes = std::sqrt(kShare * config.acceleration * std::fabs(left));
         const double v = std::copysign(std::min({kFollow * std::fabs(left), most, brakes}), left);
         axis.speed = std::clamp(v, axis.speed - step, axis.speed + step);
-        if (std::fabs(axis.speed * dt) > std::fabs(left) && axis.speed * left >= 0) axis.speed = left / dt;
+        if (std::fabs(left) < kThere) axis.speed = left / dt;
         axis.now += axis.speed * dt;
         core.axes[a].compensate(axis.now, axis.speed);
     }

@@ -64,6 +64,7 @@ TEST(Beside, PositioningAxisOfAProgramRunsWhileItCutsAndIsWaitedFor) {
     await.axis_count = 1;
     await.axis[0] = 0;
     rig.push(1, await);
+    rig.place(1, 0, 30);
     rig.push(1, rig.line(1, {0, 10}, 20));
     rig.start(1);
     rig.run(800);
