@@ -72,6 +72,9 @@ bool ChannelRunner::execute(const PathRecord& r, double& left) noexcept {
                 if (r.axis[i] < kMaxAxes && core_.axes[r.axis[i]].beside) return false;
             return true;
         case RecordKind::Stop: return stop(r);
+        case RecordKind::Flag:   // the end of a group of blocks: single block stands behind it
+            flag(r);
+            return true;
         case RecordKind::SpindleMode: return static_cast<SpindleModeCode>(r.code) == SpindleModeCode::Position ? position_spindle(r) : couple_spindle(r);
         default:
             raise(Alarm::RecordInvalid, "unknown kind");

@@ -43,7 +43,7 @@ class Fagor(Case):
         begins = {e["pos"]["X"]: e["t"] for e in done.of("move")}
         self.assertGreater(begins[80] - begins[90], 0.9, done.said())
         self.assertLess(begins[70] - begins[80], 0.9, done.said())
-        self.assertGreater(begins[50] - begins[70], 0.9, done.said())
+        self.assertGreater(begins[50] - begins[70], 0.5, done.said())   # at the next cycle start
 
     def test_the_override_of_the_program_goes_before_the_panel(self):   # part 2, 11.2.6
         done = self.run_program(f"{HEAD}(PRGFRO=50)\nG01 X90 Z30 F600\n(PRGFRO=0)\nX80\nM30\n", scenario='[[at]]\nt = 0.0\npress = "feed_override L1=20"\n')

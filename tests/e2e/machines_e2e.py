@@ -44,8 +44,9 @@ class Machines(Case):
         done = self.made("hexagon")
         sides = [event["pos"] for event in done.of("move", ch=1, kind="linear") if event.get("comp") == "left"]
         self.assertGreaterEqual(len(sides), 8, done.said())
-        groove = [event["machine"]["X"] for event in done.of("move", ch=1, kind="linear") if event["line"] == 19]
-        self.assertLess(groove[0], 0)   # through the centre: X goes on to the other side
+        before, groove = ([event["machine"] for event in done.of("move", ch=1, kind="linear") if event["line"] == line][0] for line in (18, 19))
+        self.assertAlmostEqual(before["X"] - groove["X"], 30.0)   # through the centre: X goes on to the other side ...
+        self.assertAlmostEqual(before["C"], groove["C"])          # ... and C stands
         self.refused("hexagon", "F5461 L1=1", "145")
         self.refused("hexagon", "N0217 A5=3", "PT1616")
 
