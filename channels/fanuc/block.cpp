@@ -93,6 +93,7 @@ bool Interpreter::check_words() {
         if (block_.words[m_words_[k]].value == settings_.interrupt.on) taken |= letter_set("P");
     for (const char letter : settings_.aux_letters)
         if (letter) taken |= letter_bit(letter);
+    for (const auto& address : settings_.spindle_addresses) taken |= letter_bit(address.letter);
     const std::uint32_t extra = block_.letters & ~taken;
     if (!extra) return true;
     const char letter = static_cast<char>('A' + __builtin_ctz(extra));

@@ -164,6 +164,10 @@ bool Interpreter::m_before() {
         if (acts_late(word.value, core_.view().machine)) continue;
         if (!function_code(word, false)) return false;
     }
+    for (const auto& [letter, spindle] : settings_.spindle_addresses) {
+        if (!block_.has(letter) || (axis_letters_ & letter_bit(letter))) continue;
+        if (!core_.spindle_angle(spindle, block_.value(letter), !absolute_)) return false;
+    }
     for (const char letter : settings_.aux_letters) {
         if (!letter || !block_.has(letter) || (axis_letters_ & letter_bit(letter))) continue;
         const double value = block_.value(letter);

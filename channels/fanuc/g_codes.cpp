@@ -19,7 +19,7 @@ constexpr auto kRows = std::to_array<GCode>({
     {"G7.1", 71, kAll, G::OneShot, &I::g_cylinder, "x", false, "Cylindrical interpolation: with the radius on, with 0 off"},
     {"G9", 90, kShared, G::ExactStop, &I::g_exact_once, "", false, "Exact stop at the end of this block"},
     {"G10", 100, kAll, G::OneShot, &I::g_data, "xPLRQCNIJK", false, "Data input: offsets, zeros, parameters"},
-    {"G10.9", 109, kFanuc, G::OneShot, &I::g_diameter, "x", false, "Diameter (1) or radius (0) programming of an axis"},
+    {"G10.9", 109, kAll, G::OneShot, &I::g_diameter, "x", false, "Diameter (1) or radius (0) programming of an axis"},
     {"G11", 110, kAll, G::OneShot, &I::g_nothing, "", false, "End of data input"},
     {"G12.1", 121, kAll, G::Transform, &I::g_polar_plane, "", false, "Polar interpolation"},
     {"G13.1", 131, kAll, G::Transform, &I::g_polar_plane, "", true, "Polar interpolation off"},

@@ -39,6 +39,8 @@ Interpreter::Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles
     : core_(view, sink, port), files_(&files), make_settings_(make_settings), settings_(make_settings(view.table(), view.channel)), table_(settings_.system), scanner_(*this),
       variables_(*this, *view.store, settings_.common_first, settings_.common_last),
       expression_(variables_, settings_.angle_positive, !settings_.nct && !settings_.mefi) {
+    parts_ = settings_.parts_made;
+    parts_wanted_ = settings_.parts_wanted;
     absolute_axis_.fill(-1);
     incremental_axis_.fill(-1);
     for (unsigned i = 0; i < view.axis_count; ++i) {
@@ -402,7 +404,7 @@ bool Interpreter::return_from(bool has_target, std::int64_t target) {
     if (frames_.size() == 1) {
         if (has_target) return jump_to(target);
         core_.mark_emitted();
-        core_.sink().part(1, core_.at);
+        core_.sink().part(++parts_, core_.at);
         ended_ = true;
         return true;
     }

@@ -30,6 +30,13 @@ void common_settings(Settings& s, const Table& t, unsigned l) {
             s.index_count = static_cast<double>(get(t, n0821_no_of_m_code_for_spnd_pos, spindle));
         }
     }
+    for (unsigned spindle = 1; spindle <= kMaxSpindles; ++spindle) {
+        const auto letter = get(t, n0817_spindle_axis_name1, spindle);
+        if (letter >= 'A' && letter <= 'C' && get(t, n0818_spindle_axis_name2, spindle) == 0 && bit(t, n0607_spindle_config, spindle, 0))
+            s.spindle_addresses.push_back({static_cast<char>(letter), spindle});
+    }
+    s.parts_made = get(t, n2307_no_of_machined_parts, l);
+    s.parts_wanted = get(t, n2308_no_of_parts_reqrd, l);
     s.part_code = get(t, n2305_part_count_m, l);
     s.s_drains = bit(t, n1336_funct_suppr_b, l, 0);
     s.t_drains = bit(t, n1336_funct_suppr_b, l, 1);

@@ -94,10 +94,16 @@ struct Settings {
     double index_first = 0, index_count = 0, index_angle = 0;   // N0820 to N0822 of the channel's spindle
     bool index_negative = false;        // N0607 IDS
     double surface_speed = 0;            // N0686: G96 until S; 0: S must be programmed
+    double parts_made = 0, parts_wanted = 0;   // N2307, N2308: #3901, #3902
     double part_code = 0;                // N2305: M code that counts a part; 0: M2 and M30
     bool s_drains = false, t_drains = false;
     std::vector<std::pair<double, double>> m_groups;     // contradictory M codes
     std::array<char, 3> aux_letters{};   // second auxiliary functions
+    struct SpindleAddress {              // N0817: the spindle is positioned under this letter while its loop is closed
+        char letter = 0;
+        unsigned spindle = 0;
+    };
+    std::vector<SpindleAddress> spindle_addresses;
     unsigned locals = 33, common_first = 100, common_last = 199;
 };
 

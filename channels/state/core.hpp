@@ -271,6 +271,8 @@ public:
     bool surface_axis_is(int place);                      // the axis that constant surface speed looks at from now on
     bool spindle_limit(double rpm);
     bool spindle_position(double degrees, SpindleApproach approach = SpindleApproach::Shortest);
+    // Another spindle than the one that S means, under its own address: absolute the shorter way, or by so much.
+    bool spindle_angle(unsigned spindle, double degrees, bool incremental);
     bool spindle_index(double way_deg);                   // turns the closed loop by so much, with its sign
     // An angle that is not taken modulo a turn; `way`: the loop is closed, turn it by so much.
     bool spindle_unwrapped(double degrees, std::optional<double> way_deg);

@@ -73,6 +73,14 @@ bool Core::spindle_limit(double rpm) {
 
 bool Core::spindle_position(double degrees, SpindleApproach approach) { return spindle_to(degrees, approach, 0.0); }
 
+bool Core::spindle_angle(unsigned spindle, double degrees, bool incremental) {
+    const auto meant = path.spindle.spindle;
+    path.spindle.spindle = static_cast<decltype(path.spindle.spindle)>(spindle);
+    const bool done = incremental ? spindle_to(path.spindle.angle_deg + degrees, SpindleApproach::Incremental, degrees) : spindle_to(degrees, SpindleApproach::Shortest, 0.0);
+    path.spindle.spindle = meant;
+    return done;
+}
+
 bool Core::spindle_index(double way_deg) { return spindle_to(path.spindle.angle_deg + way_deg, SpindleApproach::Incremental, way_deg); }
 
 bool Core::spindle_unwrapped(double degrees, std::optional<double> way_deg) {

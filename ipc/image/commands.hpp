@@ -2,7 +2,7 @@
 // kernel at the start of Command::tick. channel, axis, spindle count from 1; channel 0 means all that exist.
 //
 //   CycleStart, FeedHold, Reset   channel
-//   EmergencyStop, MachineOn      -
+//   EmergencyStop, MachineOn, ReleaseStop   -
 //   Mode                          channel, value: ChannelMode
 //   Select                        channel, text: program file
 //   Mdi                           channel, text: the block
@@ -12,7 +12,7 @@
 //   Reference                     object: axis, 0 all
 //   FeedOverride, RapidOverride   channel, value: 1 is 100 %
 //   SpindleOverride               object: spindle (0 all), value: 1 is 100 %
-//   SingleBlock, OptionalStop, DryRun, MachineLock, IgnoreWaits, Retrace   channel, value: 1 on, 0 off
+//   SingleBlock, OptionalStop, DryRun, MachineLock, IgnoreWaits, Retrace, RapidKey   channel, value: 1 on, 0 off
 //   BlockSkip                     channel, flags: level 1..9 (0 every level), value: 1 on, 0 off
 //   SetSignal, ReleaseSignal      object: slot, flags: 0 written by the NC, 1 by the PLC; value
 //   SetInput                      object: number of the input, value: 0 or 1; flags 1: given back to sensors and PLC
@@ -27,6 +27,7 @@
 //                                 text: StoreRequest::name
 //   JogInHold, Return             channel
 //   StopAfterPart                 channel, value: 1 on, 0 off
+//   WarmUp                        channel, value: seconds after which the program ends with its part; 0: no warm-up
 //   Action                        nothing but an ActionDue event with code = seq
 //   ProcessDied, ProcessStopped, ProcessContinued   object: process slot (kProcessKernel ...)
 //   EndRun                        controlled end: axes and spindles come to rest, then the kernel ends

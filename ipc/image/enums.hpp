@@ -111,7 +111,7 @@ enum class KernelEventKind : std::uint32_t {
     Idle,          // nothing can go on and no command is due: virtual time stands
     ActionDue,     // a command that the supervisor must carry out itself (kill, stop): code command sequence
     Tick,          // supervision: the clock
-    MachineState,  // value: machine_state
+    MachineState,  // value: machine_state, code: MachineStep, text
     BesideBegin,   // an axis begins to move beside the path: code axis (from 1), value its target
     BesideEnd,     // it has come to rest: code axis, value where
 };
@@ -130,7 +130,12 @@ enum class CommandKind : std::uint32_t {
     ProgramWheel,    // a handwheel becomes the time of the programs of a machine group
     StoreValue,      // an offset or a zero that the operator changes
     Sensor,          // a simulated touch or limit signal, see commands.hpp
+    ReleaseStop,     // the emergency stop button is turned back
+    RapidKey, WarmUp,
 };
+
+// From power-on to ready (docs/design/power-on-to-ready.md); the same way back after a fault.
+enum class MachineStep : std::uint32_t { EmergencyStop = 0, Off, NotReferenced, Referencing, Ready, Stopped };
 
 enum class StoreRequestKind : std::uint32_t {
     None = 0, Parameter, OffsetValue, WorkZero, Variable, Counter, LastPosition, Query, Flush,
@@ -139,7 +144,7 @@ enum class OffsetTable : std::int32_t { Geometry = 0, Wear, SecondGeometry, Work
 enum class OffsetField : std::int32_t { X = 0, Y, Z, R, T };
 
 // Operator's switches of a channel; block skip 1 to 9 are bits 8 to 16.
-enum ChannelKey : std::uint32_t { kKeySingleBlock = 1u << 0, kKeyOptionalStop = 1u << 1, kKeyDryRun = 1u << 2, kKeyMachineLock = 1u << 3, kKeyFirstPart = 1u << 4, kKeyBlockSkip1 = 1u << 8 };
+enum ChannelKey : std::uint32_t { kKeySingleBlock = 1u << 0, kKeyOptionalStop = 1u << 1, kKeyDryRun = 1u << 2, kKeyMachineLock = 1u << 3, kKeyFirstPart = 1u << 4, kKeyRapid = 1u << 5, kKeyBlockSkip1 = 1u << 8 };
 
 enum AxisFlag : std::uint32_t { kReferenced = 1u << 0, kInPos = 1u << 1, kMoving = 1u << 2, kExists = 1u << 3, kDriveFault = 1u << 4, kRotary = 1u << 5, kDiameter = 1u << 6 };
 

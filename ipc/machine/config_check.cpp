@@ -91,6 +91,9 @@ std::vector<Diagnosis> check_machine_config(const params::Table& table) {
     config::check_spindles(report);
     config::check_pitch_tables(report);
     config::check_compensation(report);
+    config::check_codes(report);
+    config::check_switches(report);
+    config::check_kinds(report);
     return std::move(report.diagnoses);
 }
 

@@ -47,5 +47,8 @@ void check_drives(Report& report);
 void check_spindles(Report& report);
 void check_pitch_tables(Report& report);
 void check_compensation(Report& report);
+void check_codes(Report& report);
+void check_switches(Report& report);
+void check_kinds(Report& report);
 
 }  // namespace polyturn::config

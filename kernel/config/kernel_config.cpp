@@ -46,6 +46,7 @@ AxisConfig read_axis(const p::Table& t, unsigned a) {
     axis.max_feed = p::get(t, p::n0305_max_feed, a) * unit / 60.0;
     axis.manual_rapid = p::get(t, p::n0314_manual_rapid, a) * unit / 60.0;
     axis.jog_max_feed = p::get(t, p::n0315_jog_max_feed, a) * unit / 60.0;
+    axis.setup_feed = p::get(t, p::pt_setup_feed, a) * unit / 60.0;
     axis.acceleration = p::get(t, p::n0400_acceleration, a) * unit;
     const double rise = p::get(t, p::n0401_acc_tc, a);
     axis.jerk = rise > 0 ? axis.acceleration / rise : kUnlimited;
@@ -83,6 +84,10 @@ ChannelConfig read_channel(const p::Table& t, unsigned l) {
     channel.inch = p::bit(t, p::n0104_unit_of_measure, l, 0);
     const double unit = channel.inch ? kMmPerInch : 1.0;
     channel.jog_feed_rev = p::get(t, p::n0318_jog_f_g95, l) * unit;
+    channel.measure_feed = p::get(t, p::n0319_t_meas_feed, l) * unit / 60.0;
+    channel.rapid_key_factor = p::get(t, p::n0313_feed_mult, l);
+    channel.parts_wanted = p::get(t, p::n2308_no_of_parts_reqrd, l);
+    channel.stops_at_wanted = p::get(t, p::pt_parts_stop, l) != 0;
     channel.default_feed = p::get(t, p::n0300_default_f_g94, l) * unit / 60.0;
     channel.default_feed_rev = p::get(t, p::n0301_default_f_g95, l) * unit;
     channel.per_revolution = p::bit(t, p::n1301_defaultg2, l, 0);

@@ -27,6 +27,7 @@ struct AxisConfig {
     std::uint32_t channel = 0;            // from 1; 0: belongs to none
     double rapid = 0, max_feed = 0;       // mm/s
     double manual_rapid = 0, jog_max_feed = 0;
+    double setup_feed = kUnlimited;       // PT_SETUP_FEED, mm/s
     double acceleration = 0;              // mm/s2
     double jerk = kUnlimited;             // mm/s3; N0401 = 0 means that acceleration may step
     double estop_deceleration = 0;        // mm/s2, without jerk limit
@@ -53,6 +54,8 @@ struct ChannelConfig {
     std::int64_t jog_feed_source = 1;     // N0316
     double jog_feed = 0;                  // N0317, mm/s
     double jog_feed_rev = 0;              // N0318, mm a revolution
+    double measure_feed = 0;              // N0319, mm/s
+    double rapid_key_factor = 1;          // N0313
     double default_feed = 0, default_feed_rev = 0;   // N0300, N0301
     bool inch = false, per_revolution = false;       // N0104 IND; N1301 G95
     std::uint32_t surface_speed_axis = 0; // from 1
@@ -61,6 +64,8 @@ struct ChannelConfig {
     double wait_timeout_s = 0;            // 0: never
     PartnerDeath partner_death = PartnerDeath::GoOn;
     bool in_position_at_rapid_end = false;  // N1337 PCH
+    double parts_wanted = 0;              // N2308; 0: no end
+    bool stops_at_wanted = true;          // PT_PARTS_STOP
     bool feed_waits_for_spindle = true;   // PT_FEED_WAITS
     double wheel_time_s = 0.02;           // PT_WHEEL_TIME: of the program, a click
     std::array<char, 3> aux_letters{};    // N1333 to N1335: whose values go to CN_AUX1C to CN_AUX3C

@@ -87,6 +87,7 @@ ReferenceConfig read_reference(const params::Table& t, unsigned a, double unit) 
     r.periods = static_cast<double>(get(t, n0905_basdist, a));
     r.shift = get(t, n0906_reference_shift, a) * unit;
     r.position = get(t, n0200_reference_position1, a) * unit;
+    r.encoder_zero = get(t, n0907_endat_machine_reference, a) * unit;
     r.alarm_distance = get(t, n0909_abs_position_alarm_distance, a) * unit;
     r.order = static_cast<std::uint32_t>(get(t, pt_ref_order, a));
     return r;

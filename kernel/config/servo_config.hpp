@@ -49,6 +49,9 @@ struct ReferenceConfig {
     double periods = 0;                         // N0905
     double shift = 0;                           // N0906
     double position = 0;                        // N0200
+    double encoder_zero = 0;                    // N0907
+    // Machine position of the place where an absolute encoder shows 0.
+    double absolute_origin() const noexcept { return absolute && !floating ? position - encoder_zero : 0.0; }
     double alarm_distance = 0;                  // N0909
     std::uint32_t order = 1;                    // PT_REF_ORDER; 0: not with all
     bool moves() const noexcept { return by_switch || by_pulse || coded; }

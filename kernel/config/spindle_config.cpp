@@ -76,10 +76,12 @@ SpindleConfig read_spindle(const params::Table& t, unsigned s) {
     c.watch_percent = static_cast<double>(p::get(t, p::n0632_s_fluct, s));
     c.watch_rpm = static_cast<double>(p::get(t, p::n0633_s_fluctw, s));
     c.grid_shift = c.encoder_counts > 0 ? static_cast<double>(p::get(t, p::n0684_spindle_grid_shift, s)) / c.encoder_counts : 0.0;
+    c.setup_rpm = p::get(t, p::pt_setup_speed, s);
     c.basic_angle = p::get(t, p::n0822_basic_angle_of_spnd_pos, s) / 360.0;
     c.loop_stays_open = p::bit(t, p::n0742_spindle_servo_control, s, 7);
     c.feedforward = p::bit(t, p::n0743_spindle_feedforward_control, s, 0);
     c.feedforward_in_rapid = p::bit(t, p::n0743_spindle_feedforward_control, s, 1);
+    for (SpindleRange& range : c.range) range.drift_s = p::get(t, p::n0709_s_position_drift_compensation, s);
     c.in_position_timeout_s = static_cast<double>(p::get(t, p::n0752_s_inpos_timeout, s));
     c.sync_master = static_cast<std::uint32_t>(p::get(t, p::pt_spindle_master, s));
     c.sync_code = static_cast<std::int32_t>(p::get(t, p::pt_sync_code, s));

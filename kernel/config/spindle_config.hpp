@@ -29,6 +29,7 @@ struct SpindleRange {
     double orient_speed = 0;               // N0801, 1/min
     double backlash = 0;                   // N0809, rev
     double synchr_gain = 0;                // N0785, 1/s
+    double drift_s = 0;                    // N0709; 0: off
     double tap_acceleration = 0, tap_jerk = 0, out_acceleration = 0, tap_gain = 0;  // N1508, N1516, N1524, N1532
 };
 
@@ -51,6 +52,7 @@ struct SpindleConfig {
     double tolerance_percent = 0, tolerance_rpm = 0, standstill_rpm = 0;   // N0627 to N0629
     double watch_time_s = 0, watch_start_percent = 0, watch_percent = 0, watch_rpm = 0;  // N0630 to N0633
     double grid_shift = 0;                 // N0684, rev
+    double setup_rpm = std::numeric_limits<double>::infinity();   // PT_SETUP_SPEED
     double basic_angle = 0;                // N0822, rev; 0: none
     bool loop_stays_open = false;          // N0742 OPN
     bool feedforward = false, feedforward_in_rapid = false;   // N0743 FFE, FFR

@@ -20,7 +20,8 @@ bool AxisUnit::open(unsigned number, const AxisConfig& config, double tick_s, do
     setup.number = number;
     setup.tick_s = tick_s;
     setup.increments_per_unit = pulses_per_unit_;
-    setup.start_position = std::llround(start * pulses_per_unit_ * (servo.input_inverted ? -1.0 : 1.0));
+    origin_ = reference.absolute_origin();   // raw - N0907 + N0200 (10.2 E)
+    setup.start_position = std::llround((start - origin_) * pulses_per_unit_ * (servo.input_inverted ? -1.0 : 1.0));
     setup.frequency_hz = servo.drive_hz;
     setup.damping = servo.drive_damping;
     setup.backlash = servo.drive_backlash;
@@ -137,7 +138,10 @@ void AxisUnit::exchange(double tick_s, bool powered) noexcept {
     forwarded_ = false;
     PolyturnDriveCommand out{};
     out.control = enabled && !faulted() ? POLYTURN_DRIVE_ENABLE : POLYTURN_DRIVE_SHUTDOWN;
-    if (status_.status == POLYTURN_DRIVE_FAULT && !faulted()) out.control = POLYTURN_DRIVE_FAULT_RESET;
+    // A reset is an edge: given again and again, as long as the drive keeps its fault.
+    resets_fault_ = status_.status == POLYTURN_DRIVE_FAULT && !faulted() && !resets_fault_;
+    if (resets_fault_) out.control = POLYTURN_DRIVE_FAULT_RESET;
+    else if (status_.status == POLYTURN_DRIVE_FAULT) out.control = POLYTURN_DRIVE_SHUTDOWN;
     out.mode = POLYTURN_DRIVE_MODE_VELOCITY;
     out.brake_release = enabled;
     out.torque_limit = requests.torque_limit ? requests.torque_limit : 1000;

@@ -45,6 +45,8 @@ public:
     Fault fault() const noexcept { return fault_; }
     double fault_value() const noexcept { return fault_value_; }
     void clear_fault() noexcept { fault_ = Fault::None; }
+    // What its drive says while it is off and has been told to reset its fault.
+    bool drive_fault_stays() const noexcept { return status_.status == POLYTURN_DRIVE_FAULT; }
     bool closed() const noexcept { return closed_; }       // the position loop
     double output_speed() const noexcept { return output_; }
     // What is owed after machine on with follow-up (N0514 FUP): the way back to the kept command; 0 none. Read once.
@@ -118,7 +120,7 @@ private:
     PolyturnDriveStatus direct_status_{};
     double uncounted_from_ = 0;                            // encoder when it stopped counting
     std::int64_t still_ticks_ = 2;
-    bool moving_ = false, forwarded_ = false, mark_armed_ = false, not_counting_ = false;
+    bool moving_ = false, forwarded_ = false, mark_armed_ = false, not_counting_ = false, resets_fault_ = false;
     bool closed_ = true;                                   // nothing to follow up at the start: command and drive agree
     Fault fault_ = Fault::None;
     PolyturnDriveStatus status_{};

@@ -27,12 +27,22 @@ void ChannelRunner::interrupt() noexcept {
     interrupted_ = true;
 }
 
+StartView ChannelRunner::start_view() const noexcept {
+    StartView view{number_};
+    view.process_there = segment_ && !dead_ && !stopped_;
+    view.resting = !resetting_;
+    view.alarmed = state_ == ChannelState::Interrupted;
+    view.by_hand_mode = mode_ == ChannelMode::Jog || mode_ == ChannelMode::Handwheel || mode_ == ChannelMode::Reference;
+    view.away = jog_in_hold_;
+    return view;
+}
+
 void ChannelRunner::cycle_start() noexcept {
     if (state_ == ChannelState::Running || state_ == ChannelState::Waiting) {  // pressed hold and start before it came to rest
         hold_ = false;
         return;
     }
-    if (const ShortText missing = missing_for_start(core_, {number_, segment_ && !dead_ && !stopped_, !resetting_, jog_in_hold_}); !missing.view().empty()) {
+    if (const ShortText missing = missing_for_start(core_, start_view()); !missing.view().empty()) {
         core_.alarm(Alarm::NotReady, number_, missing.view());
         return;
     }

@@ -86,6 +86,7 @@ bool ChannelRunner::execute_instant(const PathRecord& r, double offset_s) noexce
     switch (static_cast<RecordKind>(r.kind)) {
         case RecordKind::Variable:
         case RecordKind::Offset: {
+            if (static_cast<RecordKind>(r.kind) == RecordKind::Variable && part_counter(text_of(r), r.value)) return true;
             const StoreRequest q = request_of_record(number_, r);
             return core_.store.write(static_cast<StoreRequestKind>(q.kind), q.channel, q.number, q.field, q.value, {q.name.data(), ::strnlen(q.name.data(), q.name.size())});
         }
@@ -102,9 +103,7 @@ bool ChannelRunner::execute_instant(const PathRecord& r, double offset_s) noexce
             return true;
         }
         case RecordKind::Part:
-            ++parts_;
-            core_.totals.part(index_);
-            ends_with_part_ = std::exchange(stop_after_part_, false);   // if more is to follow: finished()
+            part_made();
             return true;
         case RecordKind::Interrupts:
             interrupt_bits_ = r.mask;

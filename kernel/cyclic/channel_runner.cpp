@@ -98,6 +98,7 @@ void ChannelRunner::take_keys() noexcept {
     mark(signals::blkskip3, kKeyBlockSkip1 << 2);
     mark(signals::m01stop, kKeyOptionalStop);
     mark(signals::m5008, kKeySingleBlock);
+    mark(signals::cp_rapidkey, kKeyRapid);
     if (control_ & kControlNoSingleBlock) keys &= ~static_cast<std::uint32_t>(kKeySingleBlock);
 }
 
@@ -176,6 +177,7 @@ void ChannelRunner::run() noexcept {
         }
     }
     settle();
+    watch_production();
     if (program_runs()) cycle_s_ += core_.config.tick_s;
     if (moving_) (moving_rapid_ ? rapid_s_ : cutting_s_) += core_.config.tick_s;
     if (state_ == ChannelState::Waiting) waiting_s_ += core_.config.tick_s;
@@ -202,8 +204,9 @@ void ChannelRunner::settle() noexcept {
 // What holds and slows every path of this channel.
 PathInput ChannelRunner::path_input() noexcept {
     PathInput input;
-    input.feed_override = feed_override;
+    input.feed_override = (keys & kKeyRapid) ? feed_override * core_.config.channels[index_].rapid_key_factor : feed_override;   // N0313
     input.rapid_override = rapid_override;
+    input.speed_ceiling = setup_ceiling();
     input.spindle_rev_s = core_.spindle_rev_s.data();
     input.hold = (core_.signals.plc(signals::cp_stop(number_)) && !(control_ & kControlNoPlcStop)) || hold_ || group_ended_ || resetting_ || dead_ || interrupted_ || core_.all_stop || !core_.on() || !program_runs();
     if (emergency_) input.emergency_dec = emergency_deceleration();

@@ -17,6 +17,7 @@
 
 #include "ipc/kinematics/kinematics.hpp"
 #include "kernel/cyclic/core.hpp"
+#include "kernel/cyclic/start_conditions.hpp"
 #include "kernel/motion/path_planner.hpp"
 #include "kernel/cyclic/thread_retract.hpp"
 #include "kernel/cyclic/trail.hpp"
@@ -45,6 +46,7 @@ public:
 
     // --- commands, at a tick's start ---
     void cycle_start() noexcept;
+    StartView start_view() const noexcept;   // what the start conditions must know of it
     void feed_hold() noexcept;      // the operator: a program may put it off (#3004)
     void safe_hold() noexcept;      // a door, a dead partner: nobody puts it off
     // From a block of the program on; `together`: channels that restart too, bit 0 is channel 1.
@@ -56,6 +58,8 @@ public:
     void set_mode(ChannelMode mode) noexcept;
     ChannelMode mode() const noexcept { return mode_; }
     void stop_after_part(bool on) noexcept { stop_after_part_ = on; }
+    // channel_production.cpp: a program that repeats itself ends with its part after so many seconds; 0: no warm-up.
+    void warm_up(double seconds) noexcept;
     // Axes are moved by hand in a hold; the machine keeps their way back and says when they are there.
     bool allow_jog_in_hold() noexcept;
     bool jogs_in_hold() const noexcept { return jog_in_hold_; }
@@ -88,6 +92,8 @@ public:
     bool can_go_on() const noexcept;  // something of it moves, counts down or waits for an answer
     bool operates() const noexcept { return mode_ == ChannelMode::Auto && (state_ == ChannelState::Running || state_ == ChannelState::Waiting); }
     bool cuts() const noexcept { return operates() && moving_ && !moving_rapid_; }
+    std::uint32_t number() const noexcept { return number_; }
+    bool path_moves() const noexcept { return moving_; }
     bool in_handshake() const noexcept { return phase_ == Phase::Handshake; }
 
     ChannelState state() const noexcept { return state_; }
@@ -192,6 +198,10 @@ private:
     void spindle_mode(const PathRecord& r) noexcept;
     void refuse_bound(const PathRecord& r) noexcept;
     bool couple_spindle(const PathRecord& r) noexcept;
+    void part_made() noexcept;
+    bool part_counter(std::string_view variable, double value) noexcept;
+    void watch_production() noexcept;
+    double setup_ceiling() const noexcept;
     bool position_spindle(const PathRecord& r) noexcept;
     bool take_spindle(std::uint32_t number, bool lock) noexcept;
     void tell(ChannelEventKind kind, std::uint64_t record, double value = 0, std::string_view text = {}) noexcept;
@@ -267,6 +277,7 @@ private:
     std::uint32_t line_ = 0, file_ = 0;
     std::int64_t block_ = -1;
     std::uint32_t parts_ = 0;
+    double warm_up_s_ = 0;                 // of cycle time after which the program ends with its part; 0: none
     double cutting_s_ = 0, rapid_s_ = 0, waiting_s_ = 0, cycle_s_ = 0;
     std::uint64_t blocks_ = 0;
     std::unique_ptr<ProgramNames> names_;

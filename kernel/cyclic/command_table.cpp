@@ -43,11 +43,11 @@ void Machine::run_command(const Command& c) noexcept {
             break;
         case CommandKind::EmergencyStop: emergency_stop(Alarm::EmergencyStop, 0, {}, 0); break;
         case CommandKind::MachineOn:
-            for (AxisUnit& axis : core_.axes) axis.clear_fault();
-            for (SpindleUnit& spindle : core_.spindles) spindle.clear_fault();
-            core_.all_stop = plc_.dead() || plc_late_;
-            if (!core_.on()) set_state(MachineState::On);
+            press_machine_on();
             break;
+        case CommandKind::ReleaseStop: release_stop(); break;
+        case CommandKind::RapidKey: key(kKeyRapid); break;
+        case CommandKind::WarmUp: each_channel(c, [&](ChannelRunner& r) { r.warm_up(c.value); }); break;
         case CommandKind::Mode: each_channel(c, [&](ChannelRunner& r) { r.set_mode(static_cast<ChannelMode>(static_cast<std::uint32_t>(c.value))); }); break;
         case CommandKind::Select: each_channel(c, [&](ChannelRunner& r) { r.select(text_of(c)); }); break;
         case CommandKind::Mdi: each_channel(c, [&](ChannelRunner& r) { r.mdi(text_of(c)); }); break;

@@ -84,6 +84,16 @@ struct Core {
         const bool stands = rotation != 3 && rotation != 4 && !signals.plc(sig::sp_par(s)) && !signals.plc(sig::sp_oreq(s));
         return signals.plc(sig::sp_sdetchr(s)) != 0 || (stands && !signals.plc(sig::ap_detchr(axis + 1)));
     }
+    // One that counts for «referenced»: it has an order (PT_REF_ORDER), a loop of its own, and exists.
+    bool must_be_referenced(std::uint32_t a) const noexcept {
+        const AxisConfig& axis = config.axes[a];
+        return axis.exists && !axes[a].detached && !axis.servo.open && axis.reference.order != 0;
+    }
+    // The door is open and nobody works in setup mode with it.
+    bool door_open(std::uint32_t channel) const noexcept {
+        namespace sig = polyturn::signals;
+        return signals.plc(sig::cp_dooropen(channel)) != 0 && !signals.plc(sig::cp_setup(channel));
+    }
     bool on() const noexcept { return state == MachineState::On; }
     std::uint32_t no_wait() const noexcept {
         std::uint32_t set = 0;

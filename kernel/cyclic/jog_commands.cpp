@@ -28,12 +28,14 @@ double feed_of_register(std::int32_t step, bool inch, bool rotary) {
 double Machine::jog_feed(std::uint32_t a) const noexcept {
     const AxisConfig& axis = core_.config.axes[a];
     const ChannelConfig& channel = core_.config.channels[axis.channel - 1];
-    const double most = axis.jog_max_feed > 0 ? std::fmin(axis.jog_max_feed, axis.rapid) : axis.rapid;
+    double most = axis.jog_max_feed > 0 ? std::fmin(axis.jog_max_feed, axis.rapid) : axis.rapid;
+    if (core_.signals.plc(signals::cp_setup(axis.channel))) most = std::fmin(most, axis.setup_feed);
+    if (core_.signals.plc(signals::cp_tmeas(axis.channel))) return std::fmin(channel.measure_feed, most);   // towards the tool setter (N0319)
     const std::uint32_t s = channel.default_spindle;
     const double rev_s = s ? std::fabs(core_.spindle_rev_s[s - 1]) : 0.0;
     if (channel.jog_feed_source == kByRegister) {
         const double feed = feed_of_register(core_.signals.plc(signals::cp_jogfd(axis.channel)), channel.inch, axis.rotary);
-        return feed > 0 ? std::fmin(feed, most) : most;  // a panel that sets no step: the fastest that is allowed by hand
+        return std::fmin(feed, most);   // step 0: no motion, as the table has it
     }
     // By N0317 and N0318, or the feed that holds from power-on; per revolution the spindle must turn.
     const bool own = channel.jog_feed_source == kByParameter;
@@ -44,7 +46,8 @@ double Machine::jog_feed(std::uint32_t a) const noexcept {
 // Steps and handwheel: N0314.
 double Machine::by_hand(std::uint32_t a) const noexcept {
     const AxisConfig& config = core_.config.axes[a];
-    return config.manual_rapid > 0 ? std::fmin(config.manual_rapid, config.rapid) : config.rapid;
+    const double most = config.manual_rapid > 0 ? std::fmin(config.manual_rapid, config.rapid) : config.rapid;
+    return config.channel && core_.signals.plc(signals::cp_setup(config.channel)) ? std::fmin(most, config.setup_feed) : most;
 }
 
 bool Machine::may_be_moved(std::uint32_t a) noexcept {
@@ -56,6 +59,7 @@ bool Machine::may_be_moved(std::uint32_t a) noexcept {
     };
     if (!core_.on() || core_.all_stop) return refuse("axes are moved by hand only while the machine is on");
     if (l == 0) return refuse("the axis belongs to no channel");
+    if (core_.door_open(l)) return refuse("the door is open: close it, or switch to setup mode");
     if (channels_[l - 1]->program_runs() && !channels_[l - 1]->jogs_in_hold())
         return refuse("axes are moved by hand only while no program of the channel runs, or in a hold after jog_in_hold");
     if (axis.bound()) {
@@ -193,15 +197,6 @@ void Machine::turn_wheels() noexcept {
         owed = rate == 0.0 ? 0.0 : owed - rate * core_.config.tick_s;
         for (std::uint32_t l = 0; l < kMaxChannels; ++l)
             if (core_.config.channels[l].exists && core_.config.channels[l].group == group) channels_[l]->set_wheel(program_wheel_[group], rate);
-    }
-}
-
-// A door that opens holds the programs of its channel; it does not start them again.
-void Machine::watch_door() noexcept {
-    for (unsigned l = 0; l < kMaxChannels; ++l) {
-        const bool open = core_.signals.plc(signals::cp_dooropen(l + 1)) != 0;
-        if (open && !door_open_[l]) channels_[l]->safe_hold();
-        door_open_[l] = open;
     }
 }
 

@@ -38,10 +38,17 @@ void Machine::start() {
         if (!core_.config.axes[a].exists) continue;
         // A simulated machine stands where it was left.
         const double left_at = store_segment_->totals.published().last_position[a];
-        const double at = options.start_known[a] ? options.start_position[a] : std::isfinite(left_at) ? left_at : 0.0;
+        const ReferenceConfig& reference = core_.config.axes[a].reference;
+        const double was_at = left_at + reference.absolute_origin();
+        const double at = options.start_known[a] ? options.start_position[a] : std::isfinite(left_at) ? was_at : 0.0;
         open_axis(a, at);
         open_direct_device(a);
-        core_.axes[a].referenced = options.ready != 0 || params::bit(core_.table, params::n0900_reference_type, a + 1, 3);
+        core_.axes[a].referenced = options.ready != 0 || reference.absolute;
+        // Moved while off, its encoder decoupled or its battery empty (10.4): the operator says that it is right.
+        if (reference.absolute && !reference.floating && reference.alarm_distance > 0 && std::isfinite(left_at) && std::fabs(at - was_at) > reference.alarm_distance) {
+            core_.axes[a].referenced = false;
+            core_.alarm(Alarm::EncoderMoved, core_.config.axes[a].channel, std::string_view(core_.config.axes[a].name.data()), at - was_at);
+        }
     }
     for (unsigned s = 0; s < kMaxSpindles; ++s)
         open_spindle(s);
@@ -56,6 +63,7 @@ void Machine::start() {
     store_version_ = store_segment_->version.load(std::memory_order_acquire);
     core_.stroke.update(core_);
     set_state(options.ready ? MachineState::On : MachineState::Off);
+    step_ = step_now();   // a start is no change
     publish();
 }
 
@@ -75,7 +83,6 @@ void Machine::set_state(MachineState state) noexcept {
     core_.state = state;
     core_.signals.set_nc(signals::n_machine_on(), state == MachineState::On);
     core_.signals.set_nc(signals::n_estop(), state == MachineState::EmergencyStop);
-    core_.event(KernelEventKind::MachineState, 0, 0, static_cast<double>(state));
 }
 
 // Real time only: in virtual time a process that has died stays dead.
@@ -120,6 +127,7 @@ void Machine::tick() noexcept {
     compensation_.step(core_);
     run_axes();
     position_signals();
+    watch_step();
     core_.sensors.look(core_.axes, core_.signals, core_.config.axis_count, core_.tick);
     count_totals();
     watch_signals();
@@ -156,7 +164,8 @@ void Machine::take_answers() noexcept {
 }
 
 void Machine::supervise() noexcept {
-    watch_door();
+    watch_stop_circuit();
+    watch_interlocks();
     for (unsigned l = 0; l < kMaxChannels; ++l)
         if (channels_[l]->silent_too_long()) {
             channels_[l]->process_died(Alarm::ChannelSilent);
@@ -236,6 +245,7 @@ void Machine::stop_all(Alarm reason, double value) noexcept {
 
 bool Machine::idle() noexcept {
     commands_.drain(core_.tick);
+    if (switch_on_at_ >= 0) return false;
     if (!commands_.empty() || core_.store.question_open()) return false;
     bool handshake = false;
     for (auto& channel : channels_) {

@@ -78,7 +78,10 @@ private:
     void turn_wheels() noexcept;
     void program_wheel(std::uint32_t channel, bool on) noexcept;
     void turn_program(std::uint32_t channel, double clicks) noexcept;
-    void watch_door() noexcept;
+    void watch_interlocks() noexcept;
+    bool spindle_may_turn(std::uint32_t spindle) noexcept;
+    std::array<std::uint32_t, kMaxChannels> broken_{};   // interlocks that are broken while a program runs: bit by row
+    std::array<bool, kMaxSpindles> turn_refused_{};
     void open_direct_device(unsigned axis);
     void run_jogs() noexcept;
     void open_spindle(unsigned index);
@@ -115,6 +118,16 @@ private:
     void trace() noexcept;
     void watch_signals() noexcept;
     void set_state(MachineState state) noexcept;
+    // power_on.cpp
+    MachineStep step_now() const noexcept;
+    void watch_step() noexcept;
+    ShortText missing_for_on() const noexcept;
+    void release_stop() noexcept;
+    void press_machine_on() noexcept;
+    void switch_on() noexcept;
+    void watch_stop_circuit() noexcept;
+    MachineStep step_ = MachineStep::Off;
+    std::int64_t switch_on_at_ = -1;                  // machine on was pressed: the tick at which it is on; -1: it was not
     void show_free_parameters() noexcept;
     void count_totals() noexcept;
     void emergency_stop(Alarm reason, std::uint32_t channel, std::string_view detail, double value) noexcept;
@@ -157,7 +170,6 @@ private:
     std::array<double, kMaxChannels + 1> program_time_{};
     std::array<double, kMaxAxes> wheel_left_{};        // collected pulses that wait for the axis, mm
     std::array<bool, kMaxAxes> to_reference_{};        // wanted, and not begun: an axis of a lower order comes first
-    std::array<bool, kMaxChannels> door_open_{};
     std::array<bool, kMaxAxes> drive_ready_{};         // AP_RPE at the last tick
     std::array<double, kMaxAxes> lubricated_{};        // travel since AN_LUBR, mm
     struct Watch {

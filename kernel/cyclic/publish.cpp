@@ -10,6 +10,7 @@ void Machine::publish() noexcept {
     MachineStatus& status = core_.image.status.draft();
     status.tick = core_.tick;
     status.machine_state = static_cast<std::uint32_t>(core_.state);
+    status.step = static_cast<std::uint32_t>(step_);
     status.alarm_count = core_.alarm_count;
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) {
         const AxisUnit& axis = core_.axes[a];

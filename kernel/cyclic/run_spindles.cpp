@@ -73,9 +73,13 @@ void Machine::choose_spindles() noexcept {
 // A spindle is switched off only with the axes at rest: channels that cut with it are stopped first, and until they rest it
 // goes on turning. Not when everything stops: then the axes follow the spindle down.
 std::int32_t Machine::rotation_for(std::uint32_t s) noexcept {
-    const std::int32_t wanted = core_.signals.plc(signals::sp_rot(s + 1));
+    std::int32_t wanted = core_.signals.plc(signals::sp_rot(s + 1));
+    if (wanted == 3 || wanted == 4) wanted = spindle_may_turn(s) ? wanted : 5;
+    else turn_refused_[s] = false;
     const bool turned = rotation_[s] == 3 || rotation_[s] == 4;
     bool needed = false;
+    if (turn_refused_[s] && turned && core_.on() && !core_.all_stop)   // its chuck has opened: the axes first
+        for (auto& channel : channels_) needed = needed || (channel->path_moves() && core_.signals.nc(signals::cn_ssel(channel->number())) == static_cast<std::int32_t>(s + 1));
     if (turned && wanted != rotation_[s] && core_.on() && !core_.all_stop)
         for (auto& channel : channels_) {
             if (!channel->cuts_with(s + 1)) continue;
@@ -109,6 +113,7 @@ void Machine::run_spindles() noexcept {
         in.orient_switch = plc(signals::sp_osw) != 0;
         in.muted = plc(signals::sp_sdetchr) != 0 || (shared_drives_[s] && shared_drives_[s]->user() == SharedDrive::User::Axis);
         in.override_factor = spindle.override_locked && !spindle.config().override_in_thread ? 1.0 : spindle.override_factor;
+        in.most_rpm = spindle.owner && core_.signals.plc(signals::cp_setup(spindle.owner)) ? spindle.config().setup_rpm : kUnlimited;
         in.axis_position = core_.axes[spindle.surface_axis()].target();
         const bool fluctuated = spindle.fluctuates(), could_orient = !spindle.cannot_orient();
         const SpindleUnit::Fault fault = spindle.fault();

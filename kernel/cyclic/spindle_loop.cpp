@@ -12,6 +12,7 @@ double SpindleLoop::close(double measured, double speed, const SpindleRange& ran
     error_ = gain > 0 ? speed * (1.0 - feedforward) / gain : 0.0;
     command_ = filtered_ = equalised_ = reference_ = measured + error_;
     model_ = measured;
+    drift_ = 0;
     delayed_.fill(command_);
     (void)range;
     return command_;
@@ -22,7 +23,7 @@ double SpindleLoop::output(double command, double dt, const SpindleRange& range,
     command_ = command;
     filtered_ += (command - filtered_) * share(dt, range.command_filter_s);
     // error_ and the reference it was taken from are of the tick's start, as in AxisUnit.
-    return gain * error_ + feedforward * (filtered_ - before) / dt;
+    return gain * (error_ + drift_) + feedforward * (filtered_ - before) / dt;
 }
 
 SpindleLoop::Fault SpindleLoop::observe(double measured, double dt, bool moving, const SpindleRange& range, double scale, double lag) noexcept {
@@ -36,6 +37,7 @@ SpindleLoop::Fault SpindleLoop::observe(double measured, double dt, bool moving,
     delay_at_ = (delay_at_ + 1) % kDelay;
     model_ += (command_ - model_) * share(dt, range.model_s * lag);
     if (range.error_absolute > 0 && std::fabs(error_) > range.error_absolute * scale) return Fault::Absolute;
+    if (range.drift_s > 0 && !moving) drift_ += error_ * dt / range.drift_s;   // N0709: what an analogue output drifts
     const double limit = moving ? range.error_moving : range.error_standing;
     if (limit > 0 && deviation > limit) return moving ? Fault::Moving : Fault::Standstill;
     return Fault::None;

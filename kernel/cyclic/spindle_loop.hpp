@@ -28,7 +28,7 @@ public:
 
 private:
     static constexpr std::size_t kDelay = 16;   // ticks of dead time at the most
-    double command_ = 0, filtered_ = 0, equalised_ = 0, reference_ = 0, model_ = 0, error_ = 0;
+    double command_ = 0, filtered_ = 0, equalised_ = 0, reference_ = 0, model_ = 0, error_ = 0, drift_ = 0;
     std::array<double, kDelay> delayed_{};
     std::size_t delay_at_ = 0;
 };

@@ -84,7 +84,7 @@ double SpindleUnit::wanted(const SpindleInput& in) const noexcept {
         rpm = std::max(rpm, surface_min_);
         if (surface_limit_ > 0) rpm = std::min(rpm, surface_limit_);
     }
-    rpm = std::min({rpm, range.speed_max, ceiling_rpm});
+    rpm = std::min({rpm, range.speed_max, ceiling_rpm, in.most_rpm});
     return in.rotation == kRight ? rpm : -rpm;
 }
 

@@ -32,6 +32,7 @@ struct SpindleInput {
     bool orient_switch = false;     // SP_OSW
     bool muted = false;             // somebody else has the drive, or it is detached
     double override_factor = 1;
+    double most_rpm = std::numeric_limits<double>::infinity();   // setup mode
     double axis_position = 0;       // of the axis that surface speed follows
     bool powered = false, stop = false;   // stop: brake whatever is said
 };

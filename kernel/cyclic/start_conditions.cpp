@@ -14,7 +14,7 @@ std::uint32_t next_axis(const Core& core, const StartView& view, std::uint32_t a
     return 0;
 }
 
-constexpr std::array<StartCondition, 13> kConditions{{
+constexpr std::array<StartCondition, 18> kConditions{{
     {"process", Scope::Channel, "the channel's process is not there", "wait until it is started again, then reset",
      [](const Core&, const StartView& v, std::uint32_t) -> std::uint32_t { return !v.process_there; }},
     {"emergency_stop", Scope::Machine, "the emergency stop is active", "release it and switch the machine on",
@@ -31,10 +31,20 @@ constexpr std::array<StartCondition, 13> kConditions{{
      [](const Core& c, const StartView& v, std::uint32_t) -> std::uint32_t { return c.jogging >> (v.channel - 1) & 1u; }},
     {"back_on_path", Scope::Channel, "axes were moved in the hold", "press return",
      [](const Core&, const StartView& v, std::uint32_t) -> std::uint32_t { return v.away; }},
-    {"door", Scope::Channel, "the door is open", "close it",
-     [](const Core& c, const StartView& v, std::uint32_t) -> std::uint32_t { return c.signals.plc(signals::cp_dooropen(v.channel)) != 0; }},
+    {"alarm", Scope::Channel, "an alarm of the channel stands", "press reset",
+     [](const Core&, const StartView& v, std::uint32_t) -> std::uint32_t { return v.alarmed; }},
+    {"mode", Scope::Channel, "the mode is for moving by hand", "choose auto or mdi",
+     [](const Core&, const StartView& v, std::uint32_t) -> std::uint32_t { return v.by_hand_mode; }},
+    {"door", Scope::Channel, "the door is open", "close it, or switch to setup mode",
+     [](const Core& c, const StartView& v, std::uint32_t) -> std::uint32_t { return c.door_open(v.channel); }},
     {"lubrication", Scope::Channel, "the lubrication is missing", "fill up its oil",
      [](const Core& c, const StartView& v, std::uint32_t) -> std::uint32_t { return c.signals.plc(signals::cp_nolube(v.channel)) != 0; }},
+    {"bar", Scope::Channel, "the bar is used up", "load a new one",
+     [](const Core& c, const StartView& v, std::uint32_t) -> std::uint32_t { return c.signals.plc(signals::cp_barend(v.channel)) != 0; }},
+    {"tailstock", Scope::Channel, "the tailstock is neither back nor does it hold", "bring it to its end",
+     [](const Core& c, const StartView& v, std::uint32_t) -> std::uint32_t { return c.signals.plc(signals::cp_tailopen(v.channel)) != 0; }},
+    {"tool", Scope::Channel, "no tool is in place, the turret is not locked", "bring a tool into place",
+     [](const Core& c, const StartView& v, std::uint32_t) -> std::uint32_t { return c.signals.plc(signals::cp_turretopen(v.channel)) != 0; }},
     {"chuck", Scope::Spindle, "the chuck does not hold", "close it, look at its pressure",
      [](const Core& c, const StartView& v, std::uint32_t after) -> std::uint32_t {
          const std::uint32_t s = c.config.channels[v.channel - 1].default_spindle;   // the one that the channel's plain S means
@@ -47,7 +57,7 @@ constexpr std::array<StartCondition, 13> kConditions{{
      }},
     {"referenced", Scope::Axis, "not referenced", "reference it",
      [](const Core& c, const StartView& v, std::uint32_t after) -> std::uint32_t {
-         return next_axis(c, v, after, [](const AxisUnit& axis, const AxisConfig& config, std::uint32_t) { return !axis.referenced && !axis.detached && !config.servo.open && config.reference.order != 0; });
+         return next_axis(c, v, after, [&](const AxisUnit& axis, const AxisConfig&, std::uint32_t a) { return !axis.referenced && c.must_be_referenced(a); });
      }},
 }};
 

@@ -14,6 +14,8 @@ struct StartView {
     std::uint32_t channel = 0;     // from 1
     bool process_there = true;     // its process lives and answers
     bool resting = true;           // a reset has come to its end
+    bool alarmed = false;          // interrupted by an alarm: only a reset goes on
+    bool by_hand_mode = false;     // jog, handwheel, reference
     bool away = false;             // axes were moved in a hold and have not come back
 };
 

@@ -78,7 +78,13 @@ void Machine::count_totals() noexcept {
     if (core_.tick % every == 0 || core_.end_run) totals.timers_due();
     if (rests || core_.end_run)
         for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
-            if (core_.axes[a].exists() && !core_.axes[a].moving()) totals.rests(a, core_.axes[a].command());
+            if (core_.axes[a].exists() && !core_.axes[a].moving()) totals.rests(a, core_.axes[a].command() - core_.config.axes[a].reference.absolute_origin());
+    // While it moves too, for an axis whose encoder is checked against it at the next start (10.4).
+    for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) {
+        const ReferenceConfig& reference = core_.config.axes[a].reference;
+        const double raw = core_.axes[a].measured() - reference.absolute_origin();
+        if (core_.axes[a].exists() && reference.absolute && reference.alarm_distance > 0 && totals.strays(a, raw, reference.alarm_distance)) totals.rests(a, raw);
+    }
     totals.send(core_.table, core_.store);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <bitset>
+#include <cmath>
 #include <cstdint>
 
 #include "ipc/machine/counters.hpp"
@@ -18,6 +19,11 @@ public:
     // An operator may have set one of them (a part counter to 0).
     void adopt(const params::Table& table) noexcept;
     void part(unsigned channel) noexcept;          // from 0
+    double machined(unsigned channel) const noexcept { return values_[static_cast<std::size_t>(counter_number(Counter::MachinedParts, channel + 1))]; }
+    void set_machined(unsigned channel, double parts) noexcept {
+        value(Counter::MachinedParts, channel) = parts;
+        due_[static_cast<std::size_t>(counter_number(Counter::MachinedParts, channel + 1))] = true;
+    }
     void part_begins(unsigned channel) noexcept { value(Counter::PartTime, channel) = 0; }
     struct Activity {
         bool operates = false, cuts = false, interval = false;
@@ -25,8 +31,9 @@ public:
     void spend(unsigned channel, const Activity& activity, double ms) noexcept;
     void power_on(double ms) noexcept { values_[static_cast<std::size_t>(kPowerOnTime)] += ms; }
     void timers_due() noexcept { due_.set(); }
-    // An axis stands: where it is counts.
+    // An axis stands: where it is counts. Absolute encoders: what they show, not the machine position that is made of it.
     void rests(unsigned axis, double position) noexcept;
+    bool strays(unsigned axis, double position, double distance) const noexcept { return !known_[axis] || std::fabs(position - kept_[axis]) > distance; }
     // What is due goes to the store as far as its ring has room; the table shows it too.
     void send(params::Table& table, StoreLink& store) noexcept;
     bool operated(unsigned channel) const noexcept { return operated_[channel]; }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "ipc/machine/machine_step.hpp"
+
 #include <charconv>
 #include <cmath>
 
@@ -95,6 +97,16 @@ std::string alarm_event(const Diagnosis& diagnosis, Dialect dialect, unsigned ch
     if (diagnosis.severity() != Severity::Message) event.text("severity", diagnosis.severity() == Severity::Error ? "error" : "warning");
     if (!diagnosis.remedy().empty()) event.text("remedy", diagnosis.remedy());
     return std::move(event).line();
+}
+
+std::string machine_event(const KernelEvent& event) {
+    const MachineStepText& step = machine_step_text(static_cast<std::uint32_t>(event.code));
+    EventText text("machine");
+    text.text("state", step.name).text("text", step.text);
+    if (!step.next.empty()) text.text("remedy", step.next);
+    std::string line = std::move(text).line();
+    line.pop_back();
+    return line;
 }
 
 std::string_view event_kind(std::string_view line) {

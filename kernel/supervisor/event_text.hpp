@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "ipc/diagnosis/diagnosis.hpp"
+#include "polyturn/image_structs.hpp"
 
 namespace polyturn::supervisor {
 
@@ -30,6 +31,9 @@ void append_json_number(std::string& out, double value);
 std::string alarm_event(const Diagnosis& diagnosis, Dialect dialect, unsigned channel, double seconds = -1.0);
 
 // The value of "ev" of an event line, without parsing it: lines are made by our own programs and begin with it.
+// {"ev":"machine","state":…,"text":…}: the machine is one step nearer to ready, or back. Without its end of line.
+std::string machine_event(const KernelEvent& event);
+
 std::string_view event_kind(std::string_view line);
 // Events that --quiet leaves.
 bool passes_quiet(std::string_view kind);

@@ -8,6 +8,7 @@
 
 #include "ipc/diagnosis/tongue.hpp"
 #include "ipc/machine/machine_config.hpp"
+#include "ipc/machine/machine_step.hpp"
 #include "ipc/memory/segment.hpp"
 #include "kernel/supervisor/event_text.hpp"
 #include "kernel/supervisor/phrases.hpp"
@@ -26,6 +27,11 @@ std::string_view mode_text(std::uint32_t mode) {
     return mode < std::size(kNames) ? kNames[mode] : "?";
 }
 std::string_view machine_text(std::uint32_t state) { return state == 2 ? "on" : state == 1 ? "off" : "emergency_stop"; }
+// "ready", or what is to be done next.
+std::string step_line(const MachineStatus& status) {
+    const MachineStepText& step = machine_step_text(status.step);
+    return std::string(step.text) + (step.next.empty() ? "" : ": " + std::string(step.next));
+}
 
 // Everything that is shown, copied at one moment.
 struct Picture {
@@ -134,8 +140,8 @@ Result<std::string> status_json(const std::string& instance) {
     }
     std::string out = "{\"instance\":";
     append_json_text(out, instance);
-    out += fmt::format(",\"machine\":\"{}\",\"seconds\":{},\"alarms\":{},\"channels\":{}],\"axes\":{}],\"spindles\":{}],\"processes\":{}]}}",
-                       machine_text(p.status.machine_state), number(static_cast<double>(p.status.tick) * p.tick_s), p.status.alarm_count, channels, axes,
+    out += fmt::format(",\"machine\":\"{}\",\"step\":\"{}\",\"step_text\":\"{}\",\"seconds\":{},\"alarms\":{},\"channels\":{}],\"axes\":{}],\"spindles\":{}],\"processes\":{}]}}",
+                       machine_text(p.status.machine_state), machine_step_text(p.status.step).name, step_line(p.status), number(static_cast<double>(p.status.tick) * p.tick_s), p.status.alarm_count, channels, axes,
                        spindles, processes);
     return out;
 }
@@ -146,6 +152,7 @@ Result<std::string> status_page(const std::string& instance) {
     const Picture& p = **taken;
     std::string out = fmt::format(fmt::runtime(say("{}: machine {}, {:.1f} s, {} alarms\n")), instance, say(machine_text(p.status.machine_state)),
                                   static_cast<double>(p.status.tick) * p.tick_s, p.status.alarm_count);
+    out += fmt::format("  {}\n", step_line(p.status));
     for (std::size_t i = 0; i < p.machine.last_channel; ++i) {
         if (!p.machine.channels[i].exists()) continue;
         const ChannelStatus& channel = p.status.channels[i];

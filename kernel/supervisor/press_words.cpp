@@ -29,6 +29,7 @@ enum class Form {
     Channel,         // return L1
     ChannelOnOff,    // single_block L1=on
     ChannelPercent,  // feed_override L1=50
+    ChannelSeconds,  // warm_up L1=600
     SpindlePercent,  // spindle_override S1=80
     ChannelMode,     // mode L1=jog
     SkipLevel,       // block_skip L1=1
@@ -53,6 +54,7 @@ constexpr PressWord kWords[] = {
     {"feed_hold", CommandKind::FeedHold, Form::MaybeChannel, "feed_hold [L1]"},
     {"reset", CommandKind::Reset, Form::MaybeChannel, "reset [L1]"},
     {"emergency_stop", CommandKind::EmergencyStop, Form::Alone, "emergency_stop"},
+    {"release_emergency_stop", CommandKind::ReleaseStop, Form::Alone, "release_emergency_stop"},
     {"machine_on", CommandKind::MachineOn, Form::Alone, "machine_on"},
     {"mode", CommandKind::Mode, Form::ChannelMode, "mode L1=auto|mdi|jog|handwheel|reference"},
     {"select", CommandKind::Select, Form::Select, "select L1=FILE or select NAME.job.toml"},
@@ -73,11 +75,13 @@ constexpr PressWord kWords[] = {
     {"machine_lock", CommandKind::MachineLock, Form::ChannelOnOff, "machine_lock L1=on"},
     {"restart", CommandKind::Restart, Form::Restart, "restart L1=N120 L2=N340"},
     {"retrace", CommandKind::Retrace, Form::ChannelOnOff, "retrace L1=on"},
-    {"first_part", CommandKind::FirstPart, Form::ChannelOnOff, "first_part L1=on"},
     {"program_wheel", CommandKind::ProgramWheel, Form::ChannelOnOff, "program_wheel L1=on"},
     {"jog_in_hold", CommandKind::JogInHold, Form::Channel, "jog_in_hold L1"},
     {"return", CommandKind::Return, Form::Channel, "return L1"},
     {"ignore_waits", CommandKind::IgnoreWaits, Form::ChannelOnOff, "ignore_waits L2=on"},
+    {"rapid_key", CommandKind::RapidKey, Form::ChannelOnOff, "rapid_key L1=on"},
+    {"first_part", CommandKind::FirstPart, Form::ChannelOnOff, "first_part L1=on"},
+    {"warm_up", CommandKind::WarmUp, Form::ChannelSeconds, "warm_up L1=600 (seconds; 0: none)"},
     {"stop_after_part", CommandKind::StopAfterPart, Form::Alone, "stop_after_part"},
 };
 
@@ -137,6 +141,8 @@ public:
                 return each_assignment('S', [&](Command& c, std::string_view value) { return percent(c, value); });
             case Form::ChannelMode:
                 return each_assignment('L', [&](Command& c, std::string_view value) { return mode(c, value); });
+            case Form::ChannelSeconds:
+                return each_assignment('L', [&](Command& c, std::string_view value) { return seconds(c, value); });
             case Form::SkipLevel:
                 return each_assignment('L', [&](Command& c, std::string_view value) { return level(c, value); });
             case Form::Restart:
@@ -222,6 +228,12 @@ private:
         const auto on = on_off(value);
         command.value = on.value_or(false) ? 1.0 : 0.0;
         return on.has_value();
+    }
+    static bool seconds(Command& command, std::string_view value) {
+        if (!value.empty() && value.back() == 's') value.remove_suffix(1);
+        const auto number = number_of(value);
+        command.value = number.value_or(0);
+        return number.has_value() && *number >= 0;
     }
     static bool percent(Command& command, std::string_view value) {
         if (!value.empty() && value.back() == '%') value.remove_suffix(1);

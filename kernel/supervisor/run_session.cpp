@@ -196,6 +196,9 @@ void RunSession::take(const KernelEvent& event) {
             react(joiner_.plain(event.channel, t_s, std::move(text)), t_s);
             break;
         }
+        case KernelEventKind::MachineState:
+            react(joiner_.plain(0, t_s, machine_event(event)), t_s);
+            break;
         case KernelEventKind::Message:
             if (event.code < 0) break;   // the program's own words: its note has told them
             take_alarm(event, t_s);

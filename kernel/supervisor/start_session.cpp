@@ -10,6 +10,7 @@
 
 #include "ipc/diagnosis/tongue.hpp"
 #include "ipc/machine/config_check.hpp"
+#include "ipc/machine/machine_step.hpp"
 #include "ipc/machine/store_requests.hpp"
 #include "ipc/params/param_file.hpp"
 #include "ipc/text/machine_path.hpp"
@@ -164,6 +165,9 @@ void StartSession::take(const KernelEvent& event) {
             break;
         case KernelEventKind::CycleEnded:
             joiner_.close_channel(event.channel, t_s);
+            break;
+        case KernelEventKind::MachineState:
+            std::fprintf(stderr, "%s\n", std::string(machine_step_text(static_cast<std::uint32_t>(event.code)).text).c_str());
             break;
         case KernelEventKind::Message:
         case KernelEventKind::Alarm: {

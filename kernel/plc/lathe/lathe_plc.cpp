@@ -175,6 +175,10 @@ void LathePlc::write_outputs(View view) const {
         view.out.signal[slot.fin] = me.finished;
         view.out.signal[slot.active_tool] = me.turret.station;
         view.out.signal[slot.door_open] = missing(view, set.in_door) || me.out[kDoor];
+        view.out.signal[slot.jog_feed] = kJogStep;
+        view.out.signal[slot.setup] = in_setup(view, static_cast<std::uint32_t>(c + 1));
+        view.out.signal[slot.turret_open] = me.turret.step != 0;
+        view.out.signal[slot.tail_open] = me.pending.task == Task::Helper && set.code[kTailstock] > 0 && (me.m_code == set.code[kTailstock] || me.m_code == set.code[kTailstock] + 1);
         view.out.signal[slot.no_lube] = missing(view, set.in_lube);
         view.out.signal[slot.bar_end] = missing(view, set.in_bar);
         view.out.signal[slot.select] = static_cast<std::int32_t>(me.selected);
@@ -203,6 +207,7 @@ void LathePlc::write_outputs(View view) const {
         output[kChuckOpen] = me.chuck_open;
     }
     view.out.signal[message_slot_] = message;
+    view.out.signal[stop_slot_] = missing(view, in_stop_);
 }
 
 }  // namespace polyturn::plc

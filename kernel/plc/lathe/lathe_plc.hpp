@@ -29,7 +29,8 @@
 // the other turret has started. Emergency stop and machine off stop everything; the turret halts between stations.
 // Lubrication: an impulse of PT_LUBE_TIME whenever an axis has travelled its distance (AN_LUBR).
 // Inputs that must be on, 0 for one that is not wired: door closed (PT_IN_DOOR), clamping pressure (PT_IN_CHUCK), lubricant
-// (PT_IN_LUBE), bar (PT_IN_BAR). What they say, the kernel's interlocks judge: CP_DOOROPEN, SP_UNCLAMPED, CP_NOLUBE, CP_BAREND.
+// (PT_IN_LUBE), bar (PT_IN_BAR), emergency stop circuit (PT_IN_ESTOP). PT_IN_SETUP is on in setup mode. What they say, the kernel's interlocks judge: CP_DOOROPEN, SP_UNCLAMPED, CP_NOLUBE,
+// CP_BAREND, CP_TURRETOPEN, CP_TAILOPEN, PLC_ESTOP.
 //
 // A refused code is not finished: the channel stands, PLC_ALARM names the reason, the channel's reset clears both.
 #pragma once
@@ -42,6 +43,7 @@
 namespace polyturn::plc {
 
 inline constexpr double kSpindleTimeS = 15.0;
+inline constexpr std::int32_t kJogStep = 20;   // CP_JOGFD without a switch of its own: 12.6 m/min, so that N0315 decides
 inline constexpr std::size_t kChannels = 16, kSpindles = 32, kAxes = 96, kRanges = 8, kMGroups = 16;
 
 // Values of PLC_ALARM; their texts: kernel/plc/lathe/messages.csv.
@@ -109,7 +111,7 @@ private:
     };
     struct ChannelSlots {
         std::int32_t reset, m_strobe, m_code, s_strobe, s_code, t_strobe, t_code, b_strobe, selected;
-        std::int32_t m_fin, s_fin, t_fin, b_fin, fin, active_tool, group, door_open, no_lube, bar_end, select;
+        std::int32_t m_fin, s_fin, t_fin, b_fin, fin, active_tool, group, door_open, no_lube, bar_end, select, turret_open, tail_open, setup, jog_feed;
     };
     struct SpindleSlots {
         std::int32_t reached, stands, in_position, rotation, close_loop, creep, range, detach, unclamped;
@@ -119,7 +121,7 @@ private:
         std::array<double, kHelpers> time_s;
         std::array<std::int32_t, kHelpers> code;
         std::array<std::int32_t, kMGroups> group_low, group_high;
-        std::int32_t stations, first_spindle_code, in_door, in_lube, in_bar;
+        std::int32_t stations, first_spindle_code, in_door, in_setup, in_lube, in_bar;
         std::uint32_t driven_spindle;    // from 1; 0 none
         bool forward_only;
     };
@@ -157,6 +159,10 @@ private:
     bool coupling_code(View view, std::uint32_t channel, std::int32_t code);
     bool bar_step(View view, std::uint32_t channel);
     void lubricate(View view, std::uint32_t channel);
+    [[nodiscard]] bool in_setup(View view, std::uint32_t channel) const {
+        const std::int32_t input = channel_settings_[channel - 1].in_setup;
+        return input > 0 && view.in.input[input - 1] != 0;
+    }
     [[nodiscard]] bool missing(View view, std::int32_t input) const { return input > 0 && view.in.input[input - 1] == 0; }
 
     std::int64_t ticks(double seconds) const;
@@ -177,7 +183,7 @@ private:
     std::array<AxisCouplings, kAxes> couplings_{};
     std::array<std::int32_t, kAxes> lube_slot_{};
     std::array<std::uint32_t, kAxes> axis_channel_{};
-    std::int32_t machine_on_slot_ = 0, emergency_slot_ = 0, message_slot_ = 0, group_stride_ = 0;
+    std::int32_t machine_on_slot_ = 0, emergency_slot_ = 0, message_slot_ = 0, stop_slot_ = 0, in_stop_ = 0, group_stride_ = 0;
     double tick_s_ = 0.001;
     bool first_ = true;
 };

@@ -44,7 +44,7 @@ const char* LathePlc::resolve(const PolyturnPlcHost& host) {
         channel_slots_[c - 1] = {f.nc("CN_RESET", c), f.nc("CN_MSTR", c), f.nc("CN_MCODE", c), f.nc("CN_SSTR", c), f.nc("CN_SCODE", c), f.nc("CN_TSTR", c),
                                  f.nc("CN_TCODE", c), f.nc("CN_BSTR", c), f.nc("CN_SSEL", c),
                                  f.plc("CP_MFIN", c), f.plc("CP_SFIN", c), f.plc("CP_TFIN", c), f.plc("CP_BFIN", c), f.plc("CP_FIN", c), f.plc("CP_ACTT", c),
-                                 f.plc("CP_MGR1", c), f.plc("CP_DOOROPEN", c), f.plc("CP_NOLUBE", c), f.plc("CP_BAREND", c), f.plc("CP_SSEL", c)};
+                                 f.plc("CP_MGR1", c), f.plc("CP_DOOROPEN", c), f.plc("CP_NOLUBE", c), f.plc("CP_BAREND", c), f.plc("CP_SSEL", c), f.plc("CP_TURRETOPEN", c), f.plc("CP_TAILOPEN", c), f.plc("CP_SETUP", c), f.plc("CP_JOGFD", c)};
         ChannelSettings& s = channel_settings_[c - 1];
         s.turret_time_s = f.real("PT_TURRET_TIME", c);
         s.turret_clamp_s = f.real("PT_TURRET_CLAMP", c);
@@ -56,6 +56,7 @@ const char* LathePlc::resolve(const PolyturnPlcHost& host) {
         for (std::size_t h = 0; h < kHelpers; ++h) s.code[h] = f.whole(kCodes[h], c), s.time_s[h] = f.real(kTimes[h], c);
         s.first_spindle_code = f.whole("PT_M_SPINDLE", c);
         s.in_door = f.whole("PT_IN_DOOR", c);
+        s.in_setup = f.whole("PT_IN_SETUP", c);
         s.in_lube = f.whole("PT_IN_LUBE", c);
         s.in_bar = f.whole("PT_IN_BAR", c);
         s.driven_spindle = static_cast<std::uint32_t>(f.real("PT_DRIVEN_SPINDLE", c));
@@ -89,6 +90,8 @@ const char* LathePlc::resolve(const PolyturnPlcHost& host) {
     }
     machine_on_slot_ = f.nc("N_MACHINE_ON", 1);
     emergency_slot_ = f.nc("N_ESTOP", 1);
+    in_stop_ = f.whole("PT_IN_ESTOP", 1);
+    stop_slot_ = f.plc("PLC_ESTOP", 1);
     message_slot_ = f.plc("PLC_ALARM", 1);
     tick_s_ = host.tick_s;
     return f.missing;

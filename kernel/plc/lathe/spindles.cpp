@@ -53,7 +53,7 @@ Message LathePlc::why_not_turn(View view, std::uint32_t channel, std::uint32_t s
     if (s.chuck_open) return kTurningWhileOpen;
     if (s.is_axis) return kSpindleIsAxis;
     if (missing(view, spindle_settings_[spindle - 1].in_chuck)) return kNoPressure;
-    if (missing(view, settings(channel).in_door)) return kDoorOpen;
+    if (missing(view, settings(channel).in_door) && !in_setup(view, channel)) return kDoorOpen;
     return kNoMessage;
 }
 

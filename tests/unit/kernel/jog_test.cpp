@@ -32,6 +32,7 @@ TEST(Jog, RunsForItsTimeAndStopsBeforeTheEndOfTheStroke) {
         params::put(t, params::n1003_range1a_negative, -100, 1);
         params::put(t, params::n0315_jog_max_feed, 3000, 1);
     });
+    rig.run(25);   // the PLC has set the jog feed
     rig.command(CommandKind::Jog, 0, 0.1, 0, 1);
     rig.run_until_idle();
     const double first = rig.position(1);

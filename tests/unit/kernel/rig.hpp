@@ -211,6 +211,7 @@ public:
         for (std::size_t l = 1; l <= 3; ++l) {
             const int code = in.signal[signals::cn_mcode(l)];
             if (out.signal[signals::cp_mfin(l)] != in.signal[signals::cn_mstr(l)] && code >= 3 && code <= 5) out.signal[signals::sp_rot(1)] = code;
+            out.signal[signals::cp_jogfd(l)] = 20;   // 12.6 m/min
             out.signal[signals::cp_mfin(l)] = in.signal[signals::cn_mstr(l)];
             out.signal[signals::cp_sfin(l)] = in.signal[signals::cn_sstr(l)];
             out.signal[signals::cp_tfin(l)] = in.signal[signals::cn_tstr(l)];

@@ -118,6 +118,7 @@ TEST(Stroke, JogStopsOnTheBoxToo) {
         params::put(t, params::n1008_range3_positive, 30, 1);
         params::put(t, params::n1009_range3_negative, 10, 1);
     });
+    rig.run(25);   // the PLC has set the jog feed
     rig.command(CommandKind::Jog, 0, 5, 0, 1);
     rig.run_until_idle();
     EXPECT_NEAR(rig.position(1), 10, 2e-6);
