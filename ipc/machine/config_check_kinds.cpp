@@ -61,7 +61,7 @@ void check_spindle_address(Report& report, unsigned s) {
     if (first < 'A' || first > 'C') return report.add(Alarm::ConfigSpindleName, line + ": not A, B or C");
     const std::string name = address_of(report, s);
     for (const AxisConfig& axis : report.machine.axes)
-        if (axis.exists() && axis.name_text() == name) report.add(Alarm::ConfigSpindleName, line + ": " + name + " is the name of axis A" + std::to_string(axis.number));
+        if (axis.exists() && axis.name_text() == name) return report.add(Alarm::ConfigSpindleName, line + ": " + name + " is the name of axis A" + std::to_string(axis.number));
     for (unsigned k = 1; k < s; ++k)
         if (report.machine.spindle(k).exists() && address_of(report, k) == name)
             report.add(Alarm::ConfigSpindleName, report.line(n0817_spindle_axis_name1, k) + " and " + line + ": both are " + name);

@@ -65,6 +65,7 @@ TEST(Guard, LetsThemPassBesideEachOtherAndAwayAgain) {
 
 TEST(Guard, WatchesTheHandTooAndLeavesTheWayBackFree) {
     TwoCarriers m;
+    m.rig.run(25);   // the PLC has set the jog feed
     m.rig.command(CommandKind::Jog, 0, -5, 0, 1);   // X of L1 downwards for 5 s
     m.rig.run(6000);
     EXPECT_TRUE(m.rig.alarmed(Alarm::GuardStop, 1));

@@ -43,6 +43,7 @@ constexpr Row kPress[] = {
     {"  feed_hold   2 ", CommandKind::FeedHold, 2, 0, 0, 0, ""},
     {"reset L1", CommandKind::Reset, 1, 0, 0, 0, ""},
     {"emergency_stop", CommandKind::EmergencyStop, 0, 0, 1, 0, ""},
+    {"release_emergency_stop", CommandKind::ReleaseStop, 0, 0, 1, 0, ""},
     {"machine_on", CommandKind::MachineOn, 0, 0, 1, 0, ""},
     {"mode L1=handwheel", CommandKind::Mode, 1, 0, 3, 0, ""},
     {"select L2=prog/O1.nc", CommandKind::Select, 2, 0, 0, 0, "prog/O1.nc"},
@@ -77,6 +78,9 @@ constexpr Row kPress[] = {
     {"jog_in_hold L1", CommandKind::JogInHold, 1, 0, 0, 0, ""},
     {"return L1", CommandKind::Return, 1, 0, 0, 0, ""},
     {"ignore_waits L2=on", CommandKind::IgnoreWaits, 2, 0, 1, 0, ""},
+    {"rapid_key L1=on", CommandKind::RapidKey, 1, 0, 1, 0, ""},
+    {"warm_up L1=600", CommandKind::WarmUp, 1, 0, 600, 0, ""},
+    {"warm_up L2=90s", CommandKind::WarmUp, 2, 0, 90, 0, ""},
     {"stop_after_part", CommandKind::StopAfterPart, 0, 0, 1, 0, ""},
 };
 

@@ -142,7 +142,8 @@ TEST(MachineCheck, CountsAxesOfAChannelButNotDirectMeasuringDevices) {
     auto found = check_machine_config(table);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].alarm, Alarm::ConfigAxisCount);
-    params::put(table, params::n0534_dual_position_axis_number, 20, 1);   // A20 carries the scale of A1
+    params::put(table, params::n0534_dual_position_axis_number, 20, 1);   // A20 carries the scale of A1, so it is virtual
+    params::put(table, params::n0106_axis_properties, 1 << 4, 20);
     EXPECT_TRUE(check_machine_config(table).empty());
 }
 
