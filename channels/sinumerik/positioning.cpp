@@ -106,6 +106,7 @@ bool Interpreter::drive_in_parts(const Word& word, AxisValues target) {
 bool Interpreter::positioning_axes() {
     for (const Word& word : block_.words) {
         if (!positions(word.address->name)) continue;
+        if (word.axis < 0) return fail_word(Alarm::AxisArgumentMissing, word, std::string(word.address->name));   // POSP0
         const auto i = static_cast<std::size_t>(word.axis);
         if (axis_words() >> i & 1u) return fail_word(Alarm::AddressTwice, word, axis_name(word.axis));
         for (const Word& other : block_.words)
