@@ -1,3 +1,4 @@
+#include "channels/forwarding_sink.hpp"
 #include "channels/check/check_mode.hpp"
 
 #include <fcntl.h>
@@ -56,9 +57,9 @@ void place_axes(Core& core, const text::ChannelSetup& setup) {
 }
 
 // Remembers whether the next thing to do is to wait for the others, and shows skip moves to the port.
-class WaitWatch final : public Sink {
+class WaitWatch final : public ForwardingSink {
 public:
-    WaitWatch(Sink& next, CheckPort& port, const MachineView& view) : next_(&next), port_(&port), view_(&view) {}
+    WaitWatch(Sink& next, CheckPort& port, const MachineView& view) : ForwardingSink(&next), port_(&port), view_(&view) {}
     bool waiting = false;
     void move(const Move& m, const BlockContext& at) override {
         if (m.kind != MoveKind::Skip) {
@@ -76,23 +77,9 @@ public:
         }
         next_->move(stopped, at);
     }
-    void dwell(const Dwell& d, const BlockContext& at) override { next_->dwell(d, at); }
-    void aux(const Aux& a, const BlockContext& at) override { next_->aux(a, at); }
-    void spindle(const Spindle& s, const BlockContext& at) override { next_->spindle(s, at); }
     void wait(const Wait& w, const BlockContext& at) override { waiting = waiting || w.act == Wait::Act::Meet, next_->wait(w, at); }
-    void variable(const Variable& v, const BlockContext& at) override { next_->variable(v, at); }
-    void offset(const OffsetWrite& o, const BlockContext& at) override { next_->offset(o, at); }
-    void message(std::string_view text, const BlockContext& at) override { next_->message(text, at); }
-    void stop(const Stop& s, const BlockContext& at) override { next_->stop(s, at); }
-    void part(double count, const BlockContext& at) override { next_->part(count, at); }
-    void alarm(const Diagnosis& d, const BlockContext& at) override { next_->alarm(d, at); }
-    void interrupts(const Interrupts& i, const BlockContext& at) override { next_->interrupts(i, at); }
-    void print(std::string_view text, const BlockContext& at) override { next_->print(text, at); }
-    void barrier(const BlockContext& at) override { next_->barrier(at); }
-    void block_end(const BlockContext& at) override { next_->block_end(at); }
 
 private:
-    Sink* next_;
     CheckPort* port_;
     const MachineView* view_;
 };

@@ -3,13 +3,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "channels/sink.hpp"
+#include "channels/forwarding_sink.hpp"
 
 namespace polyturn::channels::fagor {
 
-class WayCounter final : public Sink {
+class WayCounter final : public ForwardingSink {
 public:
-    explicit WayCounter(Sink& next) : next_(&next) {}
+    explicit WayCounter(Sink& next) : ForwardingSink(&next) {}
 
     double way(unsigned place) const { return way_[place]; }          // mm (X as a radius) or degrees
     // A move that the probe has ended `short_of` its end.
@@ -29,21 +29,6 @@ public:
         }
         next_->move(m, at);
     }
-    void dwell(const Dwell& d, const BlockContext& at) override { next_->dwell(d, at); }
-    void aux(const Aux& a, const BlockContext& at) override { next_->aux(a, at); }
-    void spindle(const Spindle& s, const BlockContext& at) override { next_->spindle(s, at); }
-    void wait(const Wait& w, const BlockContext& at) override { next_->wait(w, at); }
-    void variable(const Variable& v, const BlockContext& at) override { next_->variable(v, at); }
-    void offset(const OffsetWrite& o, const BlockContext& at) override { next_->offset(o, at); }
-    void message(std::string_view text, const BlockContext& at) override { next_->message(text, at); }
-    void stop(const Stop& s, const BlockContext& at) override { next_->stop(s, at); }
-    void part(double count, const BlockContext& at) override { next_->part(count, at); }
-    void alarm(const Diagnosis& d, const BlockContext& at) override { next_->alarm(d, at); }
-    void interrupts(const Interrupts& i, const BlockContext& at) override { next_->interrupts(i, at); }
-    void print(std::string_view text, const BlockContext& at) override { next_->print(text, at); }
-    void signal(std::string_view name, double value, const BlockContext& at) override { next_->signal(name, value, at); }
-    void barrier(const BlockContext& at) override { next_->barrier(at); }
-    void block_end(const BlockContext& at) override { next_->block_end(at); }
 
 private:
     // How far cos goes up and down altogether between two angles.
@@ -59,7 +44,6 @@ private:
         return sum;
     }
 
-    Sink* next_;
     AxisValues way_{};
 };
 

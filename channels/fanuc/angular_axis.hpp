@@ -8,6 +8,7 @@
 // Interpreter, cycles and compensation work at right angles; this sink and this port stand between them and the machine.
 // The path stays at right angles too; the kernel finds the axes at every tick (ipc/kinematics), so arcs stay round.
 #pragma once
+#include "channels/forwarding_sink.hpp"
 #include "channels/machine_view.hpp"
 #include "channels/port.hpp"
 
@@ -30,32 +31,17 @@ struct AngularAxes {
 // F8200 and on; `usable` is false for an angle that no slide can have.
 AngularAxes angular_axes(const MachineView& view, bool& usable);
 
-class AngularSink final : public Sink {
+class AngularSink final : public ForwardingSink {
 public:
-    AngularSink(Sink& next, Port& port, const MachineView& view, const AngularAxes& axes) : next_(&next), port_(&port), view_(&view), axes_(axes) {
+    AngularSink(Sink& next, Port& port, const MachineView& view, const AngularAxes& axes) : ForwardingSink(&next), port_(&port), view_(&view), axes_(axes) {
         kinematics_.kind = static_cast<std::uint32_t>(KinematicsKind::Inclined);
         kinematics_.axis[0] = static_cast<std::uint8_t>(axes.angular), kinematics_.axis[1] = static_cast<std::uint8_t>(axes.square);
         kinematics_.value[0] = axes.radians;
         kinematics_.sign.fill(1.0);
     }
     void move(const Move& m, const BlockContext& at) override;
-    void dwell(const Dwell& d, const BlockContext& at) override { next_->dwell(d, at); }
-    void aux(const Aux& a, const BlockContext& at) override { next_->aux(a, at); }
-    void spindle(const Spindle& s, const BlockContext& at) override { next_->spindle(s, at); }
-    void wait(const Wait& w, const BlockContext& at) override { next_->wait(w, at); }
-    void variable(const Variable& v, const BlockContext& at) override { next_->variable(v, at); }
-    void offset(const OffsetWrite& o, const BlockContext& at) override { next_->offset(o, at); }
-    void message(std::string_view text, const BlockContext& at) override { next_->message(text, at); }
-    void print(std::string_view text, const BlockContext& at) override { next_->print(text, at); }
-    void interrupts(const Interrupts& i, const BlockContext& at) override { next_->interrupts(i, at); }
-    void stop(const Stop& s, const BlockContext& at) override { next_->stop(s, at); }
-    void part(double count, const BlockContext& at) override { next_->part(count, at); }
-    void alarm(const Diagnosis& d, const BlockContext& at) override { next_->alarm(d, at); }
-    void barrier(const BlockContext& at) override { next_->barrier(at); }
-    void block_end(const BlockContext& at) override { next_->block_end(at); }
 
 private:
-    Sink* next_;
     Port* port_;
     const MachineView* view_;
     AngularAxes axes_;
