@@ -92,7 +92,6 @@ Result<void> Interpreter::start(FileId main) {
     fresh_ = true;   // cycle start is a barrier
     serial_ = 0;
     points_.clear();
-    states_.clear();
     values_.undo().clear();
     state_changed_ = true;
     core_.refresh_limits();

@@ -23,6 +23,7 @@
 #include "channels/fagor/values.hpp"
 #include "channels/fagor/way_counter.hpp"
 #include "channels/language.hpp"
+#include "channels/state/resume_points.hpp"
 
 namespace polyturn::channels::fagor {
 
@@ -243,13 +244,6 @@ private:
 
     // resume states (resume.cpp)
     struct ResumeState;
-    struct ResumePoint {
-        std::uint64_t serial;
-        TextPosition position;
-        AxisValues programmed, machine;
-        std::uint64_t state;
-        bool compensated;
-    };
     void note_resume_point();
     bool is_plain_move() const;
 
@@ -309,9 +303,8 @@ private:
     std::map<const std::string*, FileId> text_files_;
     std::array<std::int8_t, 26> place_{};         // axis letter -> place; -1 none
 
-    std::deque<ResumePoint> points_;
-    std::deque<std::shared_ptr<ResumeState>> states_;
-    std::uint64_t serial_ = 0, next_state_ = 1;
+    ResumePoints<ResumeState> points_;
+    std::uint64_t serial_ = 0;
     bool keep_states_ = false, state_changed_ = true;
 };
 

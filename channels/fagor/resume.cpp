@@ -1,6 +1,4 @@
-// Resume states of fagor: see Language::resume_at. A point is noted for each block; the full state beside it only when the
-// block before was more than a plain move, so that a long contour costs a few words a block. Parameters, tables and zeros are
-// put back from the undo log.
+// Resume states of fagor: see Language::resume_at. Parameters, tables and zeros are put back from the undo log.
 #include "channels/fagor/resume_state.hpp"
 
 namespace polyturn::channels::fagor {
@@ -24,57 +22,33 @@ bool Interpreter::is_plain_move() const {
 
 void Interpreter::note_resume_point() {
     values_.begin_block(serial_);
-    if (state_changed_ || states_.empty()) {
-        auto state = std::make_shared<ResumeState>();
-        state->number = next_state_++;
-        state->path = core_.path;
-        state->modal = modal_;
-        state->frames = frames_;
-        state->levels = values_.levels();
-        states_.push_back(std::move(state));
-        state_changed_ = false;
-    }
-    points_.push_back({serial_, source_->next_position(), core_.path.programmed, core_.path.machine, states_.back()->number, core_.reads_ahead()});
+    points_.note(core_, serial_, source_->next_position(), 0, state_changed_, [this] { return ResumeState{{}, modal_, frames_, values_.levels()}; });
 }
 
 void Interpreter::executed(std::uint64_t serial) {
-    while (points_.size() > 1 && points_.front().serial < serial) points_.pop_front();
-    while (states_.size() > 1 && !points_.empty() && states_.front()->number < points_.front().state) states_.pop_front();
+    points_.executed(serial);
     values_.undo().executed(serial);
 }
 
 bool Interpreter::resume_at(std::uint64_t serial) {
-    while (!points_.empty() && points_.back().serial > serial) points_.pop_back();
-    if (points_.empty() || points_.back().serial != serial || points_.back().compensated) return false;
-    const ResumePoint point = points_.back();
-    points_.pop_back();
-    while (states_.back()->number > point.state) states_.pop_back();
-    const ResumeState& state = *states_.back();
-    core_.compensation_reset();
-    core_.path = state.path;
-    core_.path.programmed = point.programmed;
-    core_.path.machine = point.machine;
+    const auto point = points_.back_to(core_, serial);
+    if (!point) return false;
+    const ResumeState& state = *point->state;
     modal_ = state.modal;
     frames_ = state.frames;
     values_.set_levels(state.levels);
     values_.undo().back_to(serial);
-    core_.forget_pending();
     source_ = &files_->source(frames_.back().file);
-    source_->seek(point.position);
+    source_->seek(point->position);
     serial_ = serial - 1;
     ended_ = reread_ = jumped_ = called_ = probing_ = false;
     fresh_ = true;
     state_changed_ = true;
-    core_.at.tool = core_.path.tool.ref;
     show_diameter();
     return true;
 }
 
-bool Interpreter::may_resume_at(std::uint64_t serial) const {
-    for (auto point = points_.rbegin(); point != points_.rend() && point->serial >= serial; ++point)
-        if (point->serial == serial) return !point->compensated && !core_.transformed();
-    return false;
-}
+bool Interpreter::may_resume_at(std::uint64_t serial) const { return points_.may_go_back(core_, serial); }
 
 bool Interpreter::offsets_changed() {
     if (core_.reads_ahead() || core_.transformed()) return false;

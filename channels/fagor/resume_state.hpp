@@ -5,7 +5,6 @@
 namespace polyturn::channels::fagor {
 
 struct Interpreter::ResumeState {
-    std::uint64_t number = 0;
     PathState path;
     Modal modal;
     std::vector<CallFrame> frames;

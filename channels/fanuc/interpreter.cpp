@@ -121,7 +121,6 @@ Result<void> Interpreter::start(FileId main) {
     interrupted_.reset();
     serial_ = 0;
     points_.clear();
-    states_.clear();
     variables_.undo().clear();
     state_changed_ = true;
     polygon_on_ = false;   // a reset has ended it

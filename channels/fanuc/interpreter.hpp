@@ -19,6 +19,7 @@
 #include "channels/fanuc/jump_memory.hpp"
 #include "channels/fanuc/variables.hpp"
 #include "channels/language.hpp"
+#include "channels/state/resume_points.hpp"
 #include "channels/text/word_scanner.hpp"
 
 namespace polyturn::channels::fanuc {
@@ -162,15 +163,6 @@ private:
     struct ResumeState;
     struct Inherited;                 // inherited.cpp
     void keep_groups(const Inherited& was);
-    struct ResumePoint {
-        std::uint64_t serial;
-        TextPosition position;
-        std::size_t column;
-        AxisValues programmed, machine;
-        decltype(PathState::last_way) last_way;
-        std::uint64_t state;         // number of the full state that held
-        bool compensated;            // a block before it may be held back: no place to go on from
-    };
     void note_resume_point();
     bool is_plain_move() const;
     struct Interrupting {             // M96 in force
@@ -444,9 +436,8 @@ private:
     std::uint32_t fault_column_ = 0, fault_length_ = 0;   // by the macro parser; 0: the letter tells
     Fault pending_fault_;
     bool has_pending_fault_ = false;
-    std::deque<ResumePoint> points_;
-    std::deque<std::shared_ptr<ResumeState>> states_;   // its type is known in resume.cpp only
-    std::uint64_t serial_ = 0, next_state_ = 1;
+    ResumePoints<ResumeState> points_;
+    std::uint64_t serial_ = 0;
     bool keep_states_ = false, state_changed_ = true;
 
     std::string message_;             // text of #3000, #3006 while it is told

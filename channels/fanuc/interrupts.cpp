@@ -66,16 +66,13 @@ bool Interpreter::interrupt_has_nc_statements(std::int64_t program) {
 bool Interpreter::interrupt(std::uint64_t serial, bool within, unsigned) {
     // What held in that block, and not what was read since then.
     Interrupting watch = interrupting_;
-    for (const ResumePoint& point : points_)
-        if (point.serial == serial)
-            for (const auto& state : states_)
-                if (state->number == point.state) watch = std::get<Interrupting>(state->modal);
+    if (const auto* point = points_.find(serial)) watch = std::get<Interrupting>(point->state->modal);
     if (!watch.on) return false;
     interruption_ = {};
     const bool goes_on_behind = within && interrupt_has_nc_statements(watch.program);
     interruption_.again = within && !goes_on_behind;
-    const auto point = std::find_if(points_.begin(), points_.end(), [&](const ResumePoint& p) { return p.serial == serial + 1; });
-    const bool read_on = within && point != points_.end();
+    const auto* point = points_.find(serial + 1);
+    const bool read_on = within && point;
     if (read_on) interruption_.end = point->programmed;
     else interruption_.end = core_.path.programmed;
     const std::uint64_t target = goes_on_behind ? (read_on ? serial + 1 : 0) : serial;

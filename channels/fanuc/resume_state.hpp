@@ -8,7 +8,6 @@ template <class... Types>
 std::tuple<Types...> values_of(std::tuple<Types&...> references) { return references; }
 
 struct Interpreter::ResumeState {
-    std::uint64_t number = 0;
     PathState path;
     decltype(values_of(std::declval<Interpreter&>().modal())) modal;
     std::vector<CallLevel> frames;

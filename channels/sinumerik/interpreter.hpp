@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "channels/language.hpp"
+#include "channels/state/resume_points.hpp"
 #include "channels/sinumerik/block.hpp"
 #include "channels/sinumerik/cursor.hpp"
 #include "channels/sinumerik/modal.hpp"
@@ -372,13 +373,7 @@ private:
     std::string message_;
 
     // resume
-    struct Point {
-        std::uint64_t serial;
-        TextPosition position;
-        std::shared_ptr<ResumeState> state;
-        bool compensated;
-    };
-    std::deque<Point> points_;
+    ResumePoints<ResumeState> points_;
     std::deque<std::pair<std::uint64_t, std::function<void()>>> undo_log_;
     std::uint64_t serial_ = 0;
     bool keep_states_ = false, state_changed_ = true;
