@@ -46,7 +46,10 @@ int Interpreter::drilling_axis() {
         case Plane::YZ: return view.axis_by_role(PlaneRole::BasicX);
         case Plane::ZX: break;
     }
-    return settings_.nct ? view.axis_by_role(PlaneRole::BasicY) : -1;
+    if (!settings_.nct) return -1;
+    // A lathe stands in G18 from power-on: where nothing can drill along Y, the face is meant, as on other lathes.
+    const int y = view.axis_by_role(PlaneRole::BasicY);
+    return y < 0 && view.config().kind == ChannelKind::Lathe ? view.axis_by_role(PlaneRole::BasicZ) : y;
 }
 
 // N1502, or I in the block: percent of the feed on the way out.

@@ -11,7 +11,7 @@ namespace polyturn::channels::fanuc {
 double Interpreter::fine_length(char letter) const {
     if (!block_.has(letter)) return 0.0;
     const Word& word = block_.word(letter);
-    if (settings_.nct || word.has_point || word.from_expression) return length(word, -1);
+    if (word.has_point || word.from_expression) return length(word, -1);
     const double increment = const_cast<Interpreter*>(this)->core_.view().axes[0].increment * (inch_ ? 0.1 : 1.0);
     return word.value * increment * unit_;
 }

@@ -52,7 +52,7 @@ Interpreter::Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles
     for (const auto& [increment, axis] : kIncrements) {
         if (settings_.mefi) break;
         const std::int8_t place = absolute_axis_[static_cast<std::size_t>(axis - 'A')];
-        if (place >= 0 && absolute_axis_[static_cast<std::size_t>(increment - 'A')] < 0) incremental_axis_[static_cast<std::size_t>(increment - 'A')] = place;
+        if (place >= 0 && std::ranges::find(settings_.aux_letters, increment) == settings_.aux_letters.end() && absolute_axis_[static_cast<std::size_t>(increment - 'A')] < 0) incremental_axis_[static_cast<std::size_t>(increment - 'A')] = place;
     }
     for (std::size_t i = 0; i < 26; ++i)
         if (absolute_axis_[i] >= 0 || incremental_axis_[i] >= 0) axis_letters_ |= 1u << i;

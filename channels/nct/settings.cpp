@@ -24,6 +24,7 @@ fanuc::Settings nct_settings(const Table& t, unsigned l) {
     s.system = fanuc::kN;
     s.dialect = Dialect::Nct;
     s.nct = true;
+    s.point_means_nothing = true;   // the examples of nct part 1 3.5, part 2 22.2 and 22.4: B380, Z5, X-30 are whole degrees and millimetres
     s.tool.offset_digits = static_cast<unsigned>(get(t, n1413_no_of_digits_of_offs_no_in_t_code, l));
     s.tool.geometry_by_tool = bit(t, n1414_comp_config_on_lathes, l, 1);
     s.tool.tip_from_wear = s.tool.geometry_by_tool && !bit(t, n1414_comp_config_on_lathes, l, 2);
