@@ -262,7 +262,7 @@ private:
     std::uint64_t tool_shown_ = kNoRecord; // first-part mode has stood before it
     std::array<char, 160> mdi_{};
     bool store_changed_ = false, moving_rapid_ = false, moving_ = false;
-    std::int64_t stopped_since_ = 0, phase_since_ = 0, wait_since_ = 0, stands_since_ = 0;
+    std::int64_t stopped_since_ = 0, phase_since_ = 0, wait_since_ = 0, stands_since_ = 0, watched_ = 0;
     std::array<std::uint8_t, kMaxPathAxes> last_axes_{};  // of the last move: who must be in position
     std::uint32_t last_axis_count_ = 0;
     double dwell_left_ = 0;

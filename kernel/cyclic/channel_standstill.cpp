@@ -54,6 +54,8 @@ void ChannelRunner::know_positions() noexcept {
 
 // A path that stands though a program runs: is it for a reason that the operator must be told?
 void ChannelRunner::watch_standstill(const PathRecord& r) noexcept {
+    if (core_.tick > watched_ + 1) stands_since_ = core_.tick;   // nothing was driven meanwhile: this stand begins now
+    watched_ = core_.tick;
     if (step_.stands != Stands::NoFeed && step_.stands != Stands::InPosition) {
         stands_since_ = core_.tick;
         return;

@@ -79,6 +79,20 @@ TEST(Spindle, StandingAtFeedPerRevolutionIsAnAlarmAndNoHang) {
     EXPECT_EQ(rig.position(2), 0);
 }
 
+TEST(Spindle, ThatIsJustStartedIsWaitedForHoweverLongTheMachineWasOn) {
+    TickRig rig;
+    rig.run(500);
+    rig.push(1, rig.spindle(1, 600));
+    rig.push(1, rig.aux(1, 'M', 3));
+    PathRecord cut = rig.line(1, {0, -2}, 0.5);
+    cut.feed_mode = static_cast<std::uint8_t>(FeedMode::PerRevolution);
+    rig.push(1, cut);
+    rig.start(1);
+    rig.run_until_idle();
+    EXPECT_FALSE(rig.alarmed(Alarm::SpindleStands, 1));
+    EXPECT_NEAR(rig.position(2), -2.0, 1e-3);
+}
+
 TEST(Spindle, SetsThePaceOfFeedPerRevolution) {
     TickRig rig;
     rig.push(1, rig.spindle(1, 600));
