@@ -15,7 +15,7 @@ void length_axes(int type, unsigned plane, std::array<int, 3>& axes) {
     static constexpr int kDrill[3][3] = {{2, -1, -1}, {1, -1, -1}, {0, -1, -1}};
     static constexpr int kTurn[3][3] = {{1, 0, 2}, {0, 2, 1}, {2, 1, 0}};
     static constexpr int kSlot[3][3] = {{0, 1, 2}, {1, 0, 2}, {2, 1, 0}};
-    const int family = type / 100;
+    const int family = type == 1 ? 1 : type == 2 ? 5 : type / 100;   // SD42950 = 1 and 2 mean milling and turning tools
     const auto& row = (family == 4 || family == 5 ? kTurn : family == 2 ? kDrill : family == 7 ? kSlot : kMill)[plane];
     axes = {row[0], row[1], row[2]};
 }
