@@ -393,9 +393,10 @@ void ChannelRunner::refuse_bound(const PathRecord& r) noexcept {
     for (std::uint32_t i = 0; is_motion(r) && i < r.axis_count; ++i)
         if (r.end[i] != r.start[i]) {
             const AxisUnit& axis = core_.axes[r.axis[i]];
-            if (axis.bound()) raise(Alarm::SlaveCommanded, name_of('A', r.axis[i]).view());
-            if (axis.beside) raise(Alarm::BesideRefused, name_of('A', r.axis[i]).view());
-            if (axis.detached && !axis.config().on_spindle) raise(Alarm::AxisDetached, name_of('A', r.axis[i]).view());
+            const Alarm why = axis.bound() ? Alarm::SlaveCommanded : axis.beside ? Alarm::BesideRefused : Alarm::AxisDetached;
+            if (!axis.bound() && !axis.beside && (!axis.detached || axis.config().on_spindle)) continue;
+            line_ = r.line, block_ = r.block, file_ = r.file;   // the refused block, not the one before it
+            raise(why, name_of('A', r.axis[i]).view());
         }
 }
 

@@ -80,10 +80,14 @@ TEST(Couplings, ASlaveRefusesToBeCommanded) {
     CoupledRig rig([](params::Table& t, RunOptions&) { synchronous(t, 4, 2, false); });
     rig.flag(signals::ap_syncr(4), true);
     rig.run(5);
-    rig.push(2, rig.line(2, {0, 10}, 50));
+    PathRecord refused = rig.line(2, {0, 10}, 50);
+    refused.line = 7;
+    rig.push(2, refused);
     rig.start(2);
     rig.run_until_idle();
     EXPECT_TRUE(rig.alarmed(Alarm::SlaveCommanded, 2));
+    const auto alarm = std::ranges::find_if(rig.log, [](const KernelEvent& e) { return e.code == static_cast<int>(Alarm::SlaveCommanded); });
+    EXPECT_EQ(alarm->line, 7u) << "the alarm names the block that is refused";
     EXPECT_EQ(rig.position(4), 0);
     rig.command(CommandKind::Step, 0, 1, 0, 4);
     rig.run_until_idle();
