@@ -74,7 +74,7 @@ bool Interpreter::tool_word() {
     if (code.offset_digits != 0) state.wear = offset;
     last_t_ = value;
     core_.at.tool = state.ref;
-    const std::string text = fmt::format("T{:0{}}", value, code.offset_digits + 2);
+    const std::string text = fmt::format("T{:0{}}", value, code.offset_digits == 2 ? 4 : code.offset_digits + 1);   // T0303, T33, T3003: as they are written
     core_.aux('T', static_cast<double>(tool), text, settings_.t_drains);  // the PLC's turret wants the tool; the event shows the word
     if (settings_.t_drains) wants_barrier_ = true;
     if (!apply_tool_offsets()) return false;
