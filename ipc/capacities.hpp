@@ -20,6 +20,10 @@ inline constexpr std::size_t kOffsets = 1000;       // offset numbers 0..999 of 
 inline constexpr std::size_t kWorkZeros = 320;      // zero offsets of a channel, see work_zero_index()
 inline constexpr std::size_t kChannelAxes = 16;     // axes of one channel
 inline constexpr std::size_t kPersistentVariables = 1000;  // variables a channel keeps over power-off
+inline constexpr std::size_t kTools = 1000;         // rows of the tool table (N2902)
+inline constexpr std::size_t kToolEdges = 3000;     // cutting edges of all tools
+inline constexpr std::size_t kToolPlaces = 2000;    // places of all magazines, spindles and change arms
+inline constexpr std::size_t kUsers = 64;
 inline constexpr std::size_t kInputs = 256;         // digital inputs of the machine
 
 }  // namespace polyturn

@@ -170,6 +170,12 @@ Result<Applied> apply_request(const StoreRequest& request, Origin origin, const 
         case StoreRequestKind::Counter:
         case StoreRequestKind::LastPosition: return set_plain(request, values);
         case StoreRequestKind::Flush: return Applied{};
+        case StoreRequestKind::ToolCall:
+        case StoreRequestKind::ToolInPlace:
+        case StoreRequestKind::ToolChanged:
+        case StoreRequestKind::ToolLife:
+        case StoreRequestKind::ToolValue:
+        case StoreRequestKind::Operation:
         case StoreRequestKind::None: break;
     }
     return refused("unknown kind " + std::to_string(request.kind));

@@ -33,6 +33,7 @@ enum class RecordKind : std::uint8_t {
     Flag,          // reserved for couplings and exchanges: value written to a signal
     Beside,        // positioning axis: axis[0] goes to end[0] with v_max mm/s (0 rapid) beside the path; nobody waits
     Await,         // stands until the positioning axes of mask[axis slots: axis[0..axis_count)] are there
+    ToolData,      // a value of a tool in path order: code index of the tool field, mask data number, plane[0] edge, value, text
 };
 
 enum RecordFlag : std::uint32_t {
@@ -139,7 +140,28 @@ enum class MachineStep : std::uint32_t { EmergencyStop = 0, Off, NotReferenced, 
 
 enum class StoreRequestKind : std::uint32_t {
     None = 0, Parameter, OffsetValue, WorkZero, Variable, Counter, LastPosition, Query, Flush,
+    Operation,     // a piece of the text of an operation of the operator (toolmgmt/operations.hpp)
+    ToolCall,      // T: which tool, and where is it? Answered in StoreSegment::tool_answers
+    ToolInPlace,   // the PLC has finished a T call: number is the tool that works now
+    ToolLife,      // number: data number, field: LifeKind, value: what was used up
+    ToolValue,     // number: data number, field: index of the tool field, value; written by a program in path order
+    ToolChanged,   // the tool change code (M06) is finished: what was called before works now
 };
+// How a T call names its tool: StoreRequest::field and PathRecord::plane[0] of an Aux T.
+enum class ToolCallBy : std::int32_t {
+    Type = 0,      // value: type number (or station, where nothing is known of types)
+    Place,         // value: magazine * 10000 + pot (N2924)
+    Group,         // value: tool life group of programs
+    Name,          // text: name; sisters by search strategy
+    Forced,        // text or value: this very tool, whatever its state
+    Location,      // value: pot of the channel's turret; its name is then searched for (Sinumerik T=5)
+};
+enum ToolState : std::uint32_t { kToolActive = 1u << 0, kToolEnabled = 1u << 1, kToolLocked = 1u << 2, kToolWorn = 1u << 3, kToolWarned = 1u << 4, kToolBroken = 1u << 5,
+                                 kToolFixedPlace = 1u << 6, kToolUsed = 1u << 7, kToolMeasured = 1u << 8 };
+enum class LifeKind : std::uint32_t { None = 0, Minutes, Pieces, Uses, Metres, Wear };
+enum class PlaceKind : std::uint32_t { Chain = 0, Matrix, Turret, Spindle, Arm };
+enum PlaceState : std::uint32_t { kPlaceLocked = 1u << 0, kPlaceHalf = 1u << 1 };
+enum class UserLevel : std::uint32_t { None = 0, Operator, Setter, Maker };
 enum class OffsetTable : std::int32_t { Geometry = 0, Wear, SecondGeometry, Work };   // Work: a row and place of ChannelStore::zeros
 enum class OffsetField : std::int32_t { X = 0, Y, Z, R, T };
 

@@ -58,6 +58,7 @@ struct KernelSegment {
     RingTail command_tail;                               // consumer of SupervisorSegment::commands
     RingHead<StoreRequest, 8192> persist;                // what programs write, in path order; tail: StoreSegment::persist_tail
     RingTail param_tail;                                 // consumer of StoreSegment::param_changes
+    RingTail tool_tail;                                  // consumer of StoreSegment::tool_answers
     Snapshot<GuardStatus> guard;                         // shapes of the machine as they stand, some times a second
     Snapshot<PlcInputs> plc_inputs;
     Snapshot<PlcOutputs> plc_seen;                       // the PLC's signals as they act (forced ones included)
@@ -80,6 +81,11 @@ struct StoreSegment {
     Snapshot<params::Table> parameters;
     std::array<Snapshot<ChannelStore>, kMaxChannels> channels;
     Snapshot<StoreTotals> totals;
+    Snapshot<ToolTable> tools;
+    Snapshot<ToolEdgeTable> edges;
+    Snapshot<ToolPlaceTable> places;
+    Snapshot<UserTable> users;
+    RingHead<ToolAnswer, 64> tool_answers;               // tail: KernelSegment::tool_tail; an answer stands before persist_tail has passed its question
     RingHead<ParamChange, 8192> param_changes;           // tail: KernelSegment::param_tail
     RingTail persist_tail;                               // consumer of KernelSegment::persist; before it all is applied
     alignas(64) std::atomic<std::uint64_t> on_disk{0};   // persist requests before this index are on disk
