@@ -21,6 +21,7 @@ public:
     void interrupts(const Interrupts& i, const BlockContext& at) override { next_->interrupts(i, at); }
     void print(std::string_view text, const BlockContext& at) override { next_->print(text, at); }
     void signal(std::string_view name, double value, const BlockContext& at) override { next_->signal(name, value, at); }
+    void parameter(std::string_view line, const BlockContext& at) override { next_->parameter(line, at); }
     void barrier(const BlockContext& at) override { next_->barrier(at); }
     void block_end(const BlockContext& at) override { next_->block_end(at); }
 

@@ -55,6 +55,8 @@ struct BlockContext {
     std::string_view cycle;        // name of the cycle that makes it; empty none
 };
 
+inline constexpr double kTorqueOfPlc = -1.0;
+
 struct Move {
     MoveKind kind = MoveKind::Rapid;
     FeedMode feed_mode = FeedMode::Rapid;
@@ -65,6 +67,8 @@ struct Move {
     std::uint8_t skip_input = 0;    // Skip: number of the input; 0 it has a name only
     std::string_view skip_name;     // Skip: name of the input (SKIP, XAE) or its number
     bool skip_release = false;      // Skip: ends when the signal goes
+    double skip_torque = 0.0;       // Skip: ends where something resists with so many thousandths of the rated torque; kTorqueOfPlc
+                                    // as the PLC allows; 0 it does not
     std::uint16_t spindle = 0;      // machine spindle (from 1) of feed per revolution and thread; 0 none
     AxisSet moved = 0;              // axes whose machine coordinate changes
     AxisValues machine_start{}, machine{};  // I2; arcs: the plane axes turn about `centre`
@@ -106,6 +110,7 @@ struct Dwell {
     bool revolutions = false;
     double value = 0.0;             // seconds or revolutions
     std::uint16_t spindle = 0;
+    std::string_view until;         // name of an input that ends it early; lives as long as the program
 };
 
 struct Aux {
@@ -197,6 +202,7 @@ public:
     virtual void alarm(const Diagnosis&, const BlockContext&) = 0; // errors end the program
     virtual void interrupts(const Interrupts&, const BlockContext&) {}
     virtual void print(std::string_view, const BlockContext&) {}   // sent to an external device by the program
+    virtual void parameter(std::string_view /*line*/, const BlockContext&) {}   // the program gives a parameter a value: a line of a parameter file
     virtual void signal(std::string_view /*name*/, double /*value*/, const BlockContext&) {}   // a flag of the channel, in path order
     virtual void barrier(const BlockContext&) = 0;                 // everything before must be executed; the runner stands AtBarrier
     virtual void block_end(const BlockContext&) = 0;

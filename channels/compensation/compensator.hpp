@@ -77,6 +77,7 @@ public:
     void offset(const OffsetWrite& o, const BlockContext& at) override { queue().offset(o, at), pump(); }
     void message(std::string_view text, const BlockContext& at) override { queue().message(text, at), pump(); }
     void print(std::string_view text, const BlockContext& at) override { queue().print(text, at), pump(); }
+    void parameter(std::string_view line, const BlockContext& at) override { queue().parameter(line, at), pump(); }
     void signal(std::string_view name, double value, const BlockContext& at) override { queue().signal(name, value, at), pump(); }
     void interrupts(const Interrupts& i, const BlockContext& at) override { queue().interrupts(i, at), pump(); }
     void stop(const Stop&, const BlockContext&) override;

@@ -27,6 +27,7 @@ void HeldCalls::make(Call& call, Sink& to) {
         void operator()(OffsetWrite& o) { o.table = call.text, o.axis = call.second, o.zero_name = call.third, to.offset(o, call.at); }
         void operator()(Message&) { to.message(call.text, call.at); }
         void operator()(Print&) { to.print(call.text, call.at); }
+        void operator()(Parameter&) { to.parameter(call.text, call.at); }
         void operator()(Signal& s) { to.signal(call.text, s.value, call.at); }
         void operator()(Interrupts& i) { to.interrupts(i, call.at); }
         void operator()(Stop& s) { to.stop(s, call.at); }

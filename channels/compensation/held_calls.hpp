@@ -25,6 +25,7 @@ public:
     }
     void message(std::string_view text, const BlockContext& at) { calls_.push_back({Message{}, own(at), std::string(text), {}, {}}); }
     void print(std::string_view text, const BlockContext& at) { calls_.push_back({Print{}, own(at), std::string(text), {}, {}}); }
+    void parameter(std::string_view line, const BlockContext& at) { calls_.push_back({Parameter{}, own(at), std::string(line), {}, {}}); }
     void signal(std::string_view name, double value, const BlockContext& at) { calls_.push_back({Signal{value}, own(at), std::string(name), {}, {}}); }
     void interrupts(const Interrupts& i, const BlockContext& at) { calls_.push_back({i, own(at), {}, {}, {}}); }
     void stop(const Stop& s, const BlockContext& at) { calls_.push_back({s, own(at), {}, {}, {}}); }
@@ -51,12 +52,13 @@ public:
 private:
     struct Message {};
     struct Print {};
+    struct Parameter {};
     struct Signal { double value; };
     struct Part { double count; };
     struct Barrier {};
     struct BlockEnd {};
     struct Call {
-        std::variant<Move, Dwell, Aux, Spindle, Wait, Variable, OffsetWrite, Message, Print, Signal, Interrupts, Stop, Part, Barrier, BlockEnd, std::function<void()>> what;
+        std::variant<Move, Dwell, Aux, Spindle, Wait, Variable, OffsetWrite, Message, Print, Parameter, Signal, Interrupts, Stop, Part, Barrier, BlockEnd, std::function<void()>> what;
         BlockContext at;
         std::string text, second, third;
     };

@@ -188,11 +188,45 @@ bool Interpreter::g10_parameter_block() {
     const double value = block_.value('R');
     if (row->type == params::Type::Bits) line += fmt::format("={:08.0f}", value);
     else line += fmt::format("={}", value);
+    return give_parameter(line, 'R');
+}
+
+// The program's own machine has the value at once, everybody else when the machine comes here.
+bool Interpreter::give_parameter(const std::string& line, char letter) {
     const auto parsed = params::parse_assignment(line);
-    if (!parsed) return core_.fail(Alarm::ParameterInputIllegal, 'R', parsed.diagnosis().text());
-    const auto applied = params::apply(*view.parameters, std::span(&*parsed, 1));
-    if (!applied) return core_.fail(Alarm::ParameterInputIllegal, 'R', applied.diagnosis().text());
+    if (!parsed) return core_.fail(Alarm::ParameterInputIllegal, letter, parsed.diagnosis().text());
+    const auto applied = params::apply(*core_.view().parameters, std::span(&*parsed, 1));
+    if (!applied) return core_.fail(Alarm::ParameterInputIllegal, letter, applied.diagnosis().text());
+    core_.mark_emitted();
+    core_.sink().parameter(line, core_.at);
     reload_settings();
+    return true;
+}
+
+// G22 X Y Z I J K: the corners of stroke range 2 in machine coordinates, the greater ones and the smaller ones; they become
+// N1006 and N1007, and the range counts for the axes named.
+bool Interpreter::stroke_limits() {
+    MachineView& view = core_.view();
+    static constexpr struct { PlaneRole role; char greater, smaller; } kCorners[] = {{PlaneRole::BasicX, 'X', 'I'}, {PlaneRole::BasicY, 'Y', 'J'}, {PlaneRole::BasicZ, 'Z', 'K'}};
+    for (unsigned k = 0; k < axis_word_count_; ++k)
+        if (const Word& word = block_.words[axis_words_[k]]; word.axis >= 0 || (word.address != 'X' && word.address != 'Y' && word.address != 'Z'))
+            return core_.fail(Alarm::AddressIllegal, word.address, std::string(1, word.address));
+    const double machine_unit = params::bit(view.table(), params::n0104_unit_of_measure, view.channel, 0) ? 25.4 : 1.0;
+    for (const auto& [role, greater, smaller] : kCorners) {
+        if (!block_.has(greater) && !block_.has(smaller)) continue;
+        const int place = view.axis_by_role(role);
+        if (place < 0) return core_.fail(Alarm::AddressIllegal, block_.has(greater) ? greater : smaller, std::string(1, greater));
+        if (!block_.has(greater) || !block_.has(smaller)) return core_.fail(Alarm::CycleWordMissing, 'G', std::string(1, block_.has(greater) ? smaller : greater));
+        const ChannelAxis& axis = view.axes[static_cast<std::size_t>(place)];
+        const auto limit = [&](char letter) { return length(block_.word(letter), place) * (axis.diameter ? 0.5 : 1.0) / (axis.rotary ? 1.0 : machine_unit); };
+        const double most = limit(greater), least = limit(smaller);
+        if (most <= least) return core_.fail(Alarm::CycleValueIllegal, greater, std::string(1, greater), block_.value(greater));
+        const unsigned a = axis.machine_axis + 1u;
+        if (!give_parameter(fmt::format("N1006 A{}={}", a, most), greater) || !give_parameter(fmt::format("N1007 A{}={}", a, least), smaller)) return false;
+        if (!params::bit(view.table(), params::n1000_range_enable, a, 1) && !give_parameter(fmt::format("N1000 A{}#1=1", a), greater)) return false;
+    }
+    if (!params::bit(view.table(), params::n1001_strkcont, view.channel, 1) && !give_parameter(fmt::format("N1001 L{}#1=1", view.channel), 'G')) return false;
+    words_used_ = true;
     return true;
 }
 

@@ -1,4 +1,4 @@
-// Length offsets by G codes (nct part 1 14.2 C08, 15.5 TCM, 15.6), and codes that only look at the machine: G5, G5.1.
+// Length offsets by G codes (nct part 1 14.2 C08, 15.5 TCM, 15.6), and G5.1.
 #include "channels/fanuc/interpreter.hpp"
 
 namespace polyturn::channels::fanuc {
@@ -54,11 +54,6 @@ bool Interpreter::radius_offset() {
     length_.radius = static_cast<std::int32_t>(number);
     load_nose();
     return true;
-}
-
-bool Interpreter::g_binary_input(const GCode&) {
-    if (core_.compensating()) return core_.fail(Alarm::BinaryInputComp, 'G');
-    return core_.fail(Alarm::NotBuilt, 'G', "G05 binary data input");
 }
 
 // G5.1 Q: 0 off, 1 look-ahead, 2 and 3 smoothing. Path blends within PT_PATH_TOL are always on, so there is nothing to switch.

@@ -103,7 +103,7 @@ bool Interpreter::g_machine(const GCode&) {
     return which ? core_.machine_rapid(machine, which) : true;
 }
 
-// G28, G30: rapid to the point of the block, then to the reference position.
+// G28, G30, G30.1 (to F1244): rapid to the point of the block, then to the reference position.
 bool Interpreter::g_reference(const GCode& row) {
     if (!axis_word_count_) return core_.fail(Alarm::ReferenceAxisMissing, 'G', std::string(row.name));
     AxisSet named = 0;
@@ -119,8 +119,11 @@ bool Interpreter::g_reference(const GCode& row) {
     }
     if (!core_.rapid(target_)) return false;
     AxisValues machine = core_.path.machine;
-    for (unsigned i = 0; i < core_.view().axis_count; ++i)
-        if (named >> i & 1u) machine[i] = core_.view().axes[i].reference_mm[position];
+    const bool floating = row.tenths == 301;
+    for (unsigned i = 0; i < core_.view().axis_count; ++i) {
+        const ChannelAxis& axis = core_.view().axes[i];
+        if (named >> i & 1u) machine[i] = floating ? params::get(core_.view().table(), params::f1244, axis.machine_axis + 1u) : axis.reference_mm[position];
+    }
     return core_.reference(machine, named, MoveKind::Reference);
 }
 

@@ -85,10 +85,12 @@ bool Interpreter::g_zero_extended(const GCode&) {
     return true;
 }
 
-// G22, G23: both sides must mean the same, so the path comes to rest; limits stay those of the parameters.
+// G22, G23: both sides must mean the same, so the path comes to rest.
 bool Interpreter::g_stroke_area(const GCode& row) {
     const bool off = row.tenths == 230;
-    if (block_.letters & axis_letters_ || block_.has('I') || block_.has('J') || block_.has('K')) return core_.fail(Alarm::NotBuilt, 'G', "G22 with limits (N1006, N1007 are used)");
+    const bool limits = axis_word_count_ || block_.has('I') || block_.has('J') || block_.has('K');
+    if (limits && !stroke_limits()) return false;
+    wants_barrier_ = wants_barrier_ || limits;
     if (off == core_.path.stroke2_off) return true;
     core_.path.stroke2_off = off;
     core_.signal("STROKE2", off ? 0.0 : 1.0);
@@ -180,7 +182,9 @@ bool Interpreter::g_dwell(const GCode&) {
     if (letter == 'P' && word.has_point && !word.from_expression && !settings_.nct) return core_.fail(Alarm::PointForbidden, 'P', "P");
     if (word.value < 0) return core_.fail(Alarm::NegativeSign, letter, std::string(1, letter));
     const bool revolutions = settings_.dwell_by_feed_mode && core_.path.feed_mode == FeedMode::PerRevolution;
-    return core_.dwell(seconds(word), revolutions);
+    std::string_view signal;
+    if (block_.has('Q') && (signal = dwell_signal()).empty()) return false;
+    return core_.dwell(seconds(word), revolutions, signal);
 }
 
 }  // namespace polyturn::channels::fanuc

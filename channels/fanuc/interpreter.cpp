@@ -114,6 +114,8 @@ Result<void> Interpreter::start(FileId main) {
     fresh_ = true;   // cycle start is a barrier
     program_number_ = 0;
     measuring_ = {};
+    remote_.active = false;
+    remote_.from.close();
     finishing_ = {};
     cycle_data_ = {};
     interrupting_ = {};
@@ -198,6 +200,7 @@ Step Interpreter::step() {
     }
     if (ended_) return Step::Ended;
     if (measuring_.skipping) return finish_skip();
+    if (remote_.active) return binary_step();
     return read_block();
 }
 

@@ -20,6 +20,7 @@
 #include "channels/fanuc/variables.hpp"
 #include "channels/language.hpp"
 #include "channels/state/resume_points.hpp"
+#include "channels/text/byte_stream.hpp"
 #include "channels/text/word_scanner.hpp"
 
 namespace polyturn::channels::fanuc {
@@ -257,6 +258,7 @@ private:
     bool b_start(double code);
     bool cycle_words(cycles::SimpleCycle& cycle, char taper_letter);
     Step finish_skip();
+    std::string_view dwell_signal();
     // repetitive cycles (g_repetitive.cpp)
     struct ContourText {
         TextPosition first, behind;      // block P; the line behind block Q
@@ -277,6 +279,10 @@ private:
     void bore_out(cycles::Drilling& hole);
     bool run_drilling();
     int drilling_axis();
+
+    // remote data (remote_data.cpp)
+    Step binary_step();
+    bool binary_block(const unsigned char* bytes, unsigned axes, bool& ends);
 
     // macro (macro.cpp, calls.cpp)
     Step macro_statement(std::size_t at);
@@ -303,6 +309,8 @@ private:
     bool gather_arguments(LocalSet& arguments, std::size_t from_word);
     bool macro_words(std::int64_t& program, std::int64_t& repeats, LocalSet& arguments);
     bool g10_offset(), g10_zero(), g10_parameter_block();
+    bool give_parameter(const std::string& line, char letter);
+    bool stroke_limits();
     void reload_settings();
     void end_one_block_shift();
     void write_offset(OffsetTable table, std::int32_t number, OffsetField field, double value);
@@ -387,6 +395,18 @@ private:
         unsigned place = 0;
         double target = 0.0, range = 0.0;           // true mm
     } measuring_;
+    struct RemoteData {               // G5: blocks of binary data come
+        bool active = false;
+        unsigned axes = 0, filled = 0;
+        double unit_minutes = 0.0;
+        std::uint64_t blocks = 0;
+        std::array<unsigned char, 2 * kChannelAxes + 1> block{};
+        std::int64_t silent_since_ms = -1;
+        bool override_was_locked = false;
+        double feed_was = 0.0;
+        FeedMode feed_mode_was = FeedMode::PerMinute;
+        ByteStream from;
+    } remote_;
     Interrupting interrupting_;
     FrameChain frames_of_;
     LengthState length_;

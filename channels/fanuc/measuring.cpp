@@ -1,4 +1,4 @@
-// G31: a move that a signal ends. G36, G37 (G37.1, G37.2): measuring the tool's offset with such a move.
+// G31: a move that a signal ends, or a torque. G36, G37 (G37.1, G37.2): measuring the tool's offset with such a move.
 //
 //   start ----- rapid -----> T . . . feed . . . U ===== target ===== V      T: rapid distance before the target
 //                                               '- the signal counts here -'
@@ -9,23 +9,57 @@
 #include "channels/fanuc/interpreter.hpp"
 
 namespace polyturn::channels::fanuc {
+namespace {
+constexpr std::string_view kSignals[] = {"SKIP", "SKIP2", "SKIP3", "SKIP4"};
+}
 
 bool Interpreter::g_skip(const GCode&) {
     if (!axis_word_count_) return core_.fail(Alarm::CoordinateAxisNone, 'G', "G31");
-    // Four signals, told apart by P; a torque (P98, P99; nct Q98) is not built.
-    static constexpr std::string_view kSignals[] = {"SKIP", "SKIP2", "SKIP3", "SKIP4"};
-    std::int64_t which = 1;
+    // Four signals, told apart by P. P98 ends at the torque of Q percent, P99 at that torque or at SKIP; nct: Q98 ends at the torque
+    // of R percent, or at the limit that the PLC gives (AP_TORQ).
+    std::int64_t which = 1, percent = 0;
     if (block_.has('P') && !whole('P', which)) return false;
-    if (which > 90 || block_.has('Q')) return core_.fail(Alarm::NotBuilt, which > 90 ? 'P' : 'Q', "G31 until a torque");
-    if (which < 1 || which > 4) return core_.fail(Alarm::CycleValueIllegal, 'P', "P", static_cast<double>(which));
+    double torque = 0.0;
+    if (settings_.nct && block_.has('Q')) {
+        if (!whole('Q', percent)) return false;
+        if (percent != 98) return core_.fail(Alarm::CycleValueIllegal, 'Q', "Q", static_cast<double>(percent));
+        if (block_.has('R')) {
+            if (!whole('R', percent)) return false;
+            if (percent < 1 || percent > 99) return core_.fail(Alarm::CycleValueIllegal, 'R', "R", static_cast<double>(percent));
+            torque = static_cast<double>(percent) * 10.0;
+        } else {
+            torque = kTorqueOfPlc;
+        }
+        which = 98;
+    } else if (which == 98 || which == 99) {
+        if (settings_.nct) return core_.fail(Alarm::CycleValueIllegal, 'P', "P", static_cast<double>(which));
+        if (!block_.has('Q')) return core_.fail(Alarm::CycleWordMissing, 'G', "Q");
+        if (!whole('Q', percent)) return false;
+        if (percent < 1 || percent > 99) return core_.fail(Alarm::CycleValueIllegal, 'Q', "Q", static_cast<double>(percent));
+        torque = static_cast<double>(percent) * 10.0;
+    } else if (block_.has('Q') || block_.has('R')) {
+        return core_.fail(Alarm::AddressIllegal, block_.has('Q') ? 'Q' : 'R', block_.has('Q') ? "Q" : "R");
+    }
+    if (torque != 0 && core_.compensating()) return core_.fail(Alarm::CompReference, 'G');
+    if (torque == 0 && (which < 1 || which > 4)) return core_.fail(Alarm::CycleValueIllegal, 'P', "P", static_cast<double>(which));
     if (!read_axis_words(target_)) return false;
     const std::uint64_t before = core_.moves();
-    if (!core_.skip(target_, settings_.skip_feed, FeedMode::PerMinute, kSignals[which - 1])) return false;
+    const std::string_view signal = torque == 0 ? kSignals[which - 1] : which == 99 ? kSignals[0] : std::string_view{};
+    if (!core_.skip(target_, settings_.skip_feed, FeedMode::PerMinute, signal, false, torque)) return false;
     if (core_.moves() != before) {
         measuring_.skipping = wants_barrier_ = true;
         measuring_.measuring = false;
     }
     return true;
+}
+
+// G4 Q: the dwell ends early at the signal of G31 Pn (n = Q), so that steps of G31 and a spark-out follow one another.
+std::string_view Interpreter::dwell_signal() {
+    std::int64_t which = 0;
+    if (!block_.has('Q') || !whole('Q', which)) return {};
+    if (which >= 1 && which <= 4) return kSignals[which - 1];
+    core_.fail(Alarm::CycleValueIllegal, 'Q', "Q", static_cast<double>(which));
+    return {};
 }
 
 bool Interpreter::g_measure(const GCode& row) {
@@ -49,15 +83,20 @@ bool Interpreter::g_measure(const GCode& row) {
     const std::size_t k = role == PlaneRole::BasicX ? 0 : role == PlaneRole::BasicY ? 1 : 2;
     const double target = target_[place], now = core_.path.programmed[place];
     const double towards = target < now ? -1.0 : 1.0;
-    measuring_ = {false, true, place, target, settings_.measure_range[k]};
+    // nct: a mill measures along Z with distances of its own (N3004, N3005).
+    const bool mill = settings_.nct && core_.view().config().kind == ChannelKind::Mill;
+    const double unit = params::bit(core_.view().table(), params::n0104_unit_of_measure, core_.view().channel, 0) ? 25.4 : 1.0;
+    const double range = mill ? params::get(core_.view().table(), params::n3005_alarm_distance, core_.view().channel) * unit : settings_.measure_range[k];
+    const double rapid = mill ? params::get(core_.view().table(), params::n3004_rapid_distance, core_.view().channel) * unit : settings_.measure_rapid[k];
+    measuring_ = {false, true, place, target, range};
     AxisValues point = core_.path.programmed;
-    const double begin = target - towards * settings_.measure_rapid[k];
+    const double begin = target - towards * rapid;
     if ((begin - now) * towards > 0) {   // already closer than that: no rapid move
         point[place] = begin;
         if (!core_.rapid(point)) return false;
     }
     point = core_.path.programmed;
-    point[place] = target + towards * settings_.measure_range[k];
+    point[place] = target + towards * range;
     const std::string number = std::to_string(settings_.measure_input);
     const std::string_view input = settings_.nct ? std::string_view(number) : role == PlaneRole::BasicX ? "XAE" : "ZAE";
     if (!core_.skip(point, settings_.measure_feed, FeedMode::PerMinute, input)) return false;

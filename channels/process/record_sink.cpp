@@ -192,6 +192,11 @@ void RecordSink::add(const Move& move, const BlockContext& at, bool told, std::u
         r.flags |= kSkipMove | (move.skip_release ? std::uint32_t{kSkipRelease} : 0u);
         const auto input = move.skip_name.empty() ? std::optional<std::uint32_t>(move.skip_input) : input_by_name(move.skip_name, view_->channel);
         r.code = input ? static_cast<std::int32_t>(*input) : -1;   // a signal that does not exist never comes
+        if (move.skip_torque != 0) {
+            r.flags |= kFixedStop;
+            r.value = std::max(move.skip_torque, 0.0);
+            if (move.skip_name.empty()) r.code = -1;
+        }
     }
     if (move.kind == MoveKind::Thread) {
         r.flags |= kThread | kOverrideLocked;
@@ -263,6 +268,10 @@ void RecordSink::dwell(const Dwell& dwell, const BlockContext& at) {
     r.feed_mode = static_cast<std::uint8_t>(dwell.revolutions ? FeedMode::Revolutions : FeedMode::Seconds);
     r.feed = dwell.value;
     r.spindle = dwell.spindle;
+    if (const auto input = dwell.until.empty() ? std::nullopt : input_by_name(dwell.until, view_->channel)) {
+        r.flags |= kSkipMove;
+        r.code = static_cast<std::int32_t>(*input);
+    }
     push(r, true, false);
 }
 
@@ -368,6 +377,12 @@ void RecordSink::signal(std::string_view name, double value, const BlockContext&
         r.value = value;
         push(r, false, false);
     }
+}
+
+void RecordSink::parameter(std::string_view line, const BlockContext& at) {
+    PathRecord r = event(RecordKind::Parameter, at, 0);
+    copy_text(line, r.text);
+    push(r, true, false);
 }
 
 // Only an event: a variable that nobody keeps.

@@ -43,6 +43,7 @@ public:
     void offset(const OffsetWrite&, const BlockContext&) override;
     void message(std::string_view text, const BlockContext&) override;
     void interrupts(const Interrupts& interrupts, const BlockContext& at) override;
+    void parameter(std::string_view line, const BlockContext& at) override;
     void signal(std::string_view name, double value, const BlockContext& at) override;
     void print(std::string_view text, const BlockContext& at) override;
     void stop(const Stop&, const BlockContext&) override;

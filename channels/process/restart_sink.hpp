@@ -45,6 +45,7 @@ public:
     void alarm(const Diagnosis& d, const BlockContext& at) override { (void)here(at), next_->alarm(d, at); }
     void interrupts(const Interrupts& i, const BlockContext& at) override;
     void print(std::string_view text, const BlockContext& at) override { if (here(at)) next_->print(text, at); }
+    void parameter(std::string_view line, const BlockContext& at) override { (void)here(at), next_->parameter(line, at); }
     void signal(std::string_view name, double value, const BlockContext& at) override;
     void barrier(const BlockContext& at) override { next_->barrier(at); }
     void block_end(const BlockContext& at) override { if (!searching_) next_->block_end(at); }

@@ -97,24 +97,20 @@ bool RunPort::second_geometry(unsigned axis) {
     return plc_->signal[select(channel_)] != 0;
 }
 
-void RunPort::print_beside(const std::string& program) {
+void RunPort::print_beside(const std::string& program, std::string_view device) {
     print_.close();   // a reset during output ends it
-    print_path_ = program.empty() ? std::string() : program + ".L" + std::to_string(channel_) + ".print";
+    print_path_ = !device.empty() ? std::string(device) : program.empty() ? std::string() : program + ".L" + std::to_string(channel_) + ".print";
 }
 
-// The signs around a transmission open and close the file; it grows from program to program.
+// The signs around a transmission open and close it; a file grows from program to program and holds no signs, a device gets them.
 bool RunPort::print(const MachineView&, std::string_view bytes, bool control) {
+    constexpr int kPatienceMs = 300;
     if (print_path_.empty()) return false;
-    if (control && bytes == "\x12") {
-        print_.clear();
-        print_.open(print_path_, std::ios::binary | std::ios::app);
-    } else if (control) {
-        print_.close();
-    } else {
-        print_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        print_.flush();
-    }
-    return !print_.fail();
+    const bool device = ByteStream::is_socket(print_path_);
+    if (control && bytes == "\x12" && !print_.open(print_path_, ByteStream::Open::ToAppend, kPatienceMs)) return false;
+    const bool good = !print_.is_open() ? control : (control && !device) || print_.write(bytes, kPatienceMs);
+    if (control && bytes != "\x12") print_.close();
+    return good;
 }
 
 unsigned RunPort::selected_spindle() {

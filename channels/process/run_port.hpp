@@ -1,12 +1,12 @@
 // The port of a running channel: answers from the machine's picture as of the tick at which the barrier was reached.
 #pragma once
-#include <fstream>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "channels/port.hpp"
+#include "channels/text/byte_stream.hpp"
 #include "ipc/image/segments.hpp"
 #include "ipc/machine/machine_config.hpp"
 #include "ipc/text/setup.hpp"
@@ -38,8 +38,9 @@ public:
     bool diameter_inverted(unsigned machine_axis) override;
     bool second_geometry(unsigned axis) override;
     unsigned selected_spindle() override;
-    // What the program prints goes into a file beside it: <program>.L<channel>.print; without a program (MDI) nowhere.
-    void print_beside(const std::string& program);
+    // What the program prints goes to `device` (PT_PRINT_TO), or into a file beside it: <program>.L<channel>.print; without a
+    // program (MDI) nowhere.
+    void print_beside(const std::string& program, std::string_view device);
     bool print(const MachineView& view, std::string_view bytes, bool control) override;
     Turning started_by_others(unsigned spindle) override;
     const MachineStatus& picture() const { return *status_; }
@@ -53,7 +54,7 @@ private:
     std::unique_ptr<MachineStatus> status_;
     std::unique_ptr<PlcOutputs> plc_;
     std::string print_path_;
-    std::ofstream print_;
+    ByteStream print_;
     std::function<double(unsigned)> pretended_;
 };
 

@@ -205,10 +205,10 @@ AxisSet Core::plane_axes(int& p, int& q) const {
     return set;
 }
 
-bool Core::dwell(double value, bool revolutions) {
+bool Core::dwell(double value, bool revolutions, std::string_view until) {
     emitted_ = true;
     path.after_thread = false;
-    sink_->dwell({revolutions, value, path.spindle.spindle}, at);
+    sink_->dwell({revolutions, value, path.spindle.spindle, until}, at);
     return true;
 }
 

@@ -212,8 +212,9 @@ public:
     bool curve(const AxisValues& target, const std::vector<AxisValues>& between);
     bool thread(const AxisValues& target, const ThreadCall& call);
     // Until the input comes; a barrier follows, then take_skip(). feed 0: the modal one.
-    // release: until the signal goes instead.
-    bool skip(const AxisValues& target, double feed, FeedMode mode, std::string_view input, bool release = false);
+    // release: until the signal goes instead. torque: until something resists with so many thousandths of the drive's own; then
+    // nothing may be named as the input.
+    bool skip(const AxisValues& target, double feed, FeedMode mode, std::string_view input, bool release = false, double torque = 0.0);
     AxisSet take_skip();    // axes stand where the signal stopped them; the set of those that ended before their target
     // Programmed coordinate at which the signal came (the axes brake behind it): for measuring.
     double skip_point(unsigned place) const { return skip_point_[place]; }
@@ -261,7 +262,7 @@ public:
     template <class Make> void insert_reserved(Make&& make) { stage_->insert(std::forward<Make>(make)); }
 
     // --- everything else
-    bool dwell(double value, bool revolutions);
+    bool dwell(double value, bool revolutions, std::string_view until = {});   // until: a signal that ends it early
     void signal(std::string_view name, double value) { emitted_ = true, sink_->signal(name, value, at); }
     void aux(char letter, double value, std::string_view text, bool drained, bool silent = false);
     // What a block says about the spindle is gathered and told once, by commit_spindle().

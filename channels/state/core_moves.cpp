@@ -251,7 +251,7 @@ bool Core::reference(const AxisValues& machine, AxisSet which, MoveKind kind) {
     return true;
 }
 
-bool Core::skip(const AxisValues& target, double feed, FeedMode mode, std::string_view input, bool release) {
+bool Core::skip(const AxisValues& target, double feed, FeedMode mode, std::string_view input, bool release, double torque) {
     skip_moved_ = 0;
     if (!begin_move(target, MoveKind::Skip)) return false;
     if (!move_.moved) return true;
@@ -267,6 +267,7 @@ bool Core::skip(const AxisValues& target, double feed, FeedMode mode, std::strin
     move_.skip_input = static_cast<std::uint8_t>(number);
     move_.skip_name = input;
     move_.skip_release = release;
+    move_.skip_torque = torque;
     deliver();
     path.after_thread = false;
     skip_moved_ = move_.moved;

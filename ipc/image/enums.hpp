@@ -34,6 +34,7 @@ enum class RecordKind : std::uint8_t {
     Beside,        // positioning axis: axis[0] goes to end[0] with v_max mm/s (0 rapid) beside the path; nobody waits
     Await,         // stands until the positioning axes of mask[axis slots: axis[0..axis_count)] are there
     ToolData,      // a value of a tool in path order: code index of the tool field, mask data number, plane[0] edge, value, text
+    Parameter,     // text: a parameter line that the program gives (G10 L50), for the store
 };
 
 enum RecordFlag : std::uint32_t {
@@ -48,7 +49,7 @@ enum RecordFlag : std::uint32_t {
     kDrains = 1u << 8,       // the channel waits for a BarrierReached when this is executed
     kFlying = 1u << 9,       // a wait that does not brake if the partners are there
     kThreadEnd = 1u << 10,   // last record of a thread: it may start once this one is in the ring
-    kSkipMove = 1u << 11,    // ends when the skip input comes
+    kSkipMove = 1u << 11,    // ends when the skip input comes (a dwell too)
     kReference = 1u << 12,   // reported as a move of kind reference
     kTapping = 1u << 16,     // rigid tapping: the last slot is a spindle (axis[i] = kMaxAxes + spindle from 0), in revolutions
     kTapOut = 1u << 17,      // and this is the way out of the hole

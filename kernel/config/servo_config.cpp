@@ -54,6 +54,7 @@ ServoConfig read_servo(const params::Table& t, unsigned a, double unit) noexcept
     s.in_position = get(t, n0516_inpos, a) * unit;
     s.model_s = get(t, n0518_time_constant3, a);
     s.error_standing = get(t, n0519_serrl1, a) * unit;
+    s.error_seeking = get(t, n3019_servo_limit_during_torque_limit_skip, a) * unit;
     s.error_moving = get(t, n0520_serrl2, a) * unit;
     s.error_absolute = get(t, n0521_serrl3, a) * unit;
     s.drive_hz = get(t, pt_drive_freq, a);

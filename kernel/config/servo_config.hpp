@@ -29,6 +29,7 @@ struct ServoConfig {
     double dual_s = 0, dual_error = 0, dual_most = 0, dual_least = 0;   // N0535..N0538
     double in_position = 0;               // N0516
     double model_s = 0;                   // T3
+    double error_seeking = 0;                                           // N3019: while a move looks for a fixed stop; 0: not supervised
     double error_standing = 0, error_moving = 0, error_absolute = 0;    // N0519..N0521; 0: not supervised
     // The simulated drive.
     double drive_hz = 60, drive_damping = 0.9;

@@ -184,8 +184,13 @@ void AxisUnit::supervise() noexcept {
         const bool encoder = (status_.error_code & kEncoderErrorMask) == kEncoderErrors;
         if (!(encoder && (config_.servo.encoder_unwatched || requests.unwatched))) fault_ = Fault::Drive;
     }
-    if (faulted() || pressing || requests.torque_limit != 0) return;   // a drive that may not push lags as it must
     const ServoConfig& servo = config_.servo;
+    if (requests.seeks_stop && !faulted() && !pressing && servo.error_seeking > 0 && std::fabs(error_) > servo.error_seeking) {
+        fault_ = Fault::FollowingError;
+        fault_value_ = error_;
+        return;
+    }
+    if (faulted() || pressing || requests.torque_limit != 0) return;   // a drive that may not push lags as it must
     const double following = std::fabs(error_), model = std::fabs(loop_.model_error());
     const auto fault = [&](Fault kind, double value) { fault_ = kind, fault_value_ = value; };
     if (servo.error_absolute > 0 && following > servo.error_absolute) return fault(Fault::FollowingError, error_);

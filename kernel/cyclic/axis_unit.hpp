@@ -25,6 +25,7 @@ public:
         bool follow_up = false;     // AP_FLWU
         bool unwatched = false;     // AP_END
         std::uint16_t torque_limit = 0;   // AP_TORQ, thousandths; 0 none
+        bool seeks_stop = false;          // a move that ends at a torque drives it: N3019 limits how far it may lag
     };
 
     // Not in the cyclic thread: opens the drive.
@@ -75,6 +76,7 @@ public:
     double own_target() const noexcept { return own_target_; }
     bool beside = false;                                   // moved beside the path: no record moves it
     bool pressing = false;                                 // stands at its fixed stop under a torque limit (fixed_stop.cpp)
+    bool leaves_stop = false;                              // the limit was taken away: the command goes back to where the slide is
     double pressed_at = 0;                                 // where
     bool slave = false;                                    // synchronous: nobody but its master may move it
     bool geared = false;                                   // it follows the turns of a spindle (spindle_couplings.hpp)

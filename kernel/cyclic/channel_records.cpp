@@ -47,7 +47,7 @@ void ChannelRunner::execute_standing(double& left) noexcept {
         }
         if (!execute(r, left)) return;
         const auto kind = static_cast<RecordKind>(r.kind);
-        if ((r.flags & kDrains) && (kind == RecordKind::Aux || kind == RecordKind::Barrier) && drive_is_coming()) return;
+        if ((r.flags & kDrains) && (kind == RecordKind::Aux || kind == RecordKind::Barrier) && (drive_is_coming() || leaves_stop())) return;
         const std::uint64_t index = cursor_++;
         planner_->skip(cursor_);
         begun_ = false;
@@ -67,6 +67,7 @@ bool ChannelRunner::execute(const PathRecord& r, double& left) noexcept {
         case RecordKind::Aux: return handshake(r);
         case RecordKind::Wait: return arrive(r);
         case RecordKind::Barrier: return true;
+        case RecordKind::Parameter: return core_.store.ask_parameter(text_of(r), core_.tick, core_.config.answer_ticks);
         case RecordKind::Await:
             for (std::uint32_t i = 0; i < r.axis_count; ++i)
                 if (r.axis[i] < kMaxAxes && core_.axes[r.axis[i]].beside) return false;
@@ -175,6 +176,10 @@ bool ChannelRunner::dwell(const PathRecord& r, double& left) noexcept {
             raise(Alarm::SpindleStands, name_of('S', r.spindle ? r.spindle - 1u : 0u).view());
             return false;
         }
+    }
+    if ((r.flags & kSkipMove) && r.code >= 0 && static_cast<std::size_t>(r.code) < kInputs && core_.signals.input(static_cast<std::size_t>(r.code))) {
+        for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) core_.axes[a].skip = core_.axes[a].measured();
+        return skipped_ = true;   // its signal ends it (G4 Q)
     }
     if (wheel_) rate *= std::max(wheel_rate_, 0.0);
     const double available = rate * left * core_.config.tick_s;

@@ -125,6 +125,8 @@ private:
     void stand_at_limit() noexcept;
     void execute_standing(double& left) noexcept;
     bool execute(const PathRecord& r, double& left) noexcept;    // true: done, the next one may begin
+    void allow_torque(const PathRecord* r) noexcept;
+    bool leaves_stop() const noexcept;
     bool execute_instant(const PathRecord& r, double offset_s) noexcept;
     bool handshake(const PathRecord& r) noexcept;
     void flag(const PathRecord& r) noexcept;
@@ -238,7 +240,7 @@ private:
     bool hold_ = false, dead_ = false, stopped_ = false, resetting_ = false, interrupted_ = false, alarm_ = false, continue_ = false;
     bool skipped_ = false;                 // the signal of the last skip move came
     bool group_ended_ = false;             // kControlNoSingleBlock has ended in single block: the path is to rest here
-    bool rest_reported_ = false, released_ = false, passing_ = false, judged_ = false, emergency_ = false, skipping_ = false;
+    bool rest_reported_ = false, released_ = false, passing_ = false, judged_ = false, emergency_ = false, skipping_ = false, torque_given_ = false;
     // M96: the signal is watched; it has come and the path is to stop; as it was at the last tick.
     bool interrupts_on_ = false, interrupt_due_ = false, interrupt_signal_ = false;
     std::uint32_t interrupt_bits_ = 0;

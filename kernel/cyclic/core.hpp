@@ -71,6 +71,8 @@ struct Core {
         std::uint32_t channel = 0;      // from 1
     };
     std::array<BesideWish, kMaxAxes> beside{};
+    // What a move that ends at a torque allows its drives (G31 P98), thousandths; 0: no such move.
+    std::array<std::uint16_t, kMaxAxes> move_torque{};
     SpindleCouplings* spindle_couplings = nullptr;   // the machine's
     ChannelSet jogging = 0;                // channels of which an axis is moved by hand
     std::array<double, kMaxSpindles> spindle_rev_s{};  // measured, for feed per revolution

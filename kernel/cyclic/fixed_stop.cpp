@@ -21,9 +21,11 @@ void Machine::watch_fixed_stop(std::uint32_t a) noexcept {
         if (limited && axis.torque_limited() && std::fabs(speed) < kRestingMmS && std::fabs(axis.error()) >= servo.stop_error) {
             axis.pressing = true;
             axis.pressed_at = axis.measured();
+            axis.leaves_stop = core_.move_torque[a] != 0;   // from now on: the move that ends here takes its limit away
             jogs_[a].stop();
         }
     } else if (!limited) {
+        if (axis.moving() && axis.leaves_stop) return;   // the path still brakes
         axis.pressing = false;
         const double back = axis.measured() - axis.own();
         if (core_.on() && back != 0 && !axis.moving()) start_jog(a, back > 0 ? 1.0 : -1.0, by_hand(a), std::fabs(back), 0.0);
@@ -32,6 +34,7 @@ void Machine::watch_fixed_stop(std::uint32_t a) noexcept {
         core_.alarm(Alarm::FixedStopLost, core_.config.axes[a].channel, name_of('A', a).view(), std::fabs(axis.measured() - axis.pressed_at));
         if (const std::uint32_t l = core_.config.axes[a].channel; l && channels_[l - 1]->program_runs()) channels_[l - 1]->feed_hold();
     }
+    if (axis.leaves_stop && !axis.pressing && !jogs_[a].active() && !axis.moving()) axis.leaves_stop = false;
     core_.signals.set_nc(signals::an_fixed(a + 1), axis.pressing);
 }
 

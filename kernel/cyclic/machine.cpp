@@ -206,6 +206,8 @@ void Machine::run_axes() noexcept {
         axis.requests = {core_.signals.plc(signals::ap_opnr(a + 1)) != 0, core_.signals.plc(signals::ap_efd(a + 1)) != 0,
                          core_.signals.plc(signals::ap_flwu(a + 1)) != 0, core_.signals.plc(signals::ap_end(a + 1)) != 0,
                          static_cast<std::uint16_t>(std::clamp(core_.signals.plc(signals::ap_torq(a + 1)), 0, 1000))};
+        axis.requests.seeks_stop = core_.move_torque[a] != 0;
+        if (const std::uint16_t most = core_.move_torque[a]; most && (axis.requests.torque_limit == 0 || most < axis.requests.torque_limit)) axis.requests.torque_limit = most;
         attach_and_detach(a);
         watch_drive_reference(a);
         guard_stroke(a);
