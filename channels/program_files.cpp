@@ -85,18 +85,32 @@ std::optional<FileId> ProgramFiles::search_number(std::int64_t number) {
         if (number_of_name(path) == number) return open_if(path);
     for (const std::string& path : library_)
         if (number_of_text(path) == number) return open_if(path);
-    for (const std::string& folder : folders_) {
-        std::error_code error;
-        std::vector<std::string> found;
-        for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, error)) {
-            const std::string path = entry.path().string();
-            const std::string name = upper(entry.path().filename().string());
-            if (!name.empty() && name[0] == 'O' && number_of_name(path) == number && entry.is_regular_file(error)) found.push_back(path);
-        }
-        std::sort(found.begin(), found.end());   // the same file on every computer
-        if (!found.empty()) return open_if(found.front());
-    }
+    for (const std::string& folder : folders_)
+        if (const auto found = search_folder(folder, number)) return found;
     return std::nullopt;
+}
+
+std::optional<FileId> ProgramFiles::search_folder(const std::string& folder, std::int64_t number) {
+    std::error_code error;
+    std::vector<std::string> found;
+    for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, error)) {
+        const std::string path = entry.path().string();
+        const std::string name = upper(entry.path().filename().string());
+        if (!name.empty() && name[0] == 'O' && number_of_name(path) == number && entry.is_regular_file(error)) found.push_back(path);
+    }
+    std::sort(found.begin(), found.end());   // the same file on every computer
+    return found.empty() ? std::nullopt : open_if(found.front());
+}
+
+std::optional<FileId> ProgramFiles::find_number_in(const std::string& folder, std::int64_t number) { return search_folder(folder, number); }
+
+void ProgramFiles::add_folders(std::string_view list, const std::string& from) {
+    while (!list.empty()) {
+        const std::size_t colon = list.find(':');
+        const std::string_view one = list.substr(0, colon);
+        if (!one.empty()) folders_.push_back((fs::path(from) / one).string());   // an absolute path stands for itself
+        list = colon == std::string_view::npos ? std::string_view{} : list.substr(colon + 1);
+    }
 }
 
 const std::vector<std::string>& ProgramFiles::memory(std::string_view extension) {

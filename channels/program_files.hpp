@@ -20,6 +20,9 @@ public:
     void add_library(const std::string& path) { library_.push_back(path); }
     void add_folder(const std::string& folder) { folders_.push_back(folder); }
 
+    // More folders, with : between; relative ones begin at `from`.
+    void add_folders(std::string_view list, const std::string& from);
+
     Result<FileId> open(const std::string& path);
     Result<FileId> open_text(std::string_view text, std::string_view name);   // the text must outlive this
     // The file of program `number`: a library file or a file of the folders whose name or first O word says so.
@@ -29,6 +32,8 @@ public:
     // All library files, then all files of the folders with this extension, in the order of their names.
     std::size_t memory_count(std::string_view extension);
     std::optional<FileId> memory_file(std::string_view extension, std::size_t index);
+    // Likewise, in this folder only.
+    std::optional<FileId> find_number_in(const std::string& folder, std::int64_t number);
     // A file by name ("PROFILE" or "PROFILE.SPF"), whatever its case.
     std::optional<FileId> find_name(std::string_view name);
 
@@ -43,6 +48,7 @@ private:
     };
     std::optional<FileId> open_if(const std::string& path);
     std::optional<FileId> search_number(std::int64_t number);
+    std::optional<FileId> search_folder(const std::string& folder, std::int64_t number);
     const std::vector<std::string>& memory(std::string_view extension);
 
     std::vector<std::unique_ptr<File>> files_;

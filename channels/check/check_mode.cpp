@@ -149,7 +149,9 @@ int run_check(const CheckOptions& options, std::FILE* out) {
     ProgramFiles files;
     scene.files = &files;
     for (const std::string& path : own.subprograms) files.add_library(path);
-    files.add_folder(std::filesystem::path(options.program).parent_path().string());
+    const std::string folder = std::filesystem::path(options.program).parent_path().string();
+    files.add_folder(folder);
+    files.add_folders(params::get_text(*machine.table, params::pt_program_folders, options.channel), folder);
     const auto main = files.open(options.program);
     if (!main) return refuse(main.diagnosis(), scene, printer);
 

@@ -114,7 +114,7 @@ void Compensator::finish_at_programmed() {
 
 // A block outside compensation that takes back the vector, round the corner where vectors are left for it.
 void Compensator::straight_to_programmed(const Move& m, const BlockContext& at) {
-    if (!displaced()) {
+    if (!displaced() && start_.count <= 1) {   // at the programmed point by chance, and yet on its way round the corner
         start_ = Vectors::one({});
         deliver(m, at);
         return;

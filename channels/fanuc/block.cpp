@@ -165,18 +165,30 @@ Step Interpreter::nc_block() {
     return wants_barrier_ ? Step::AtBarrier : Step::Continue;
 }
 
-// In the block of G65 and G66 all other words are arguments.
+// In the block of G65 and G66 all other words are arguments, and no other G code may stand there.
 bool Interpreter::is_macro_call() const {
-    const auto has = [this](GGroup group) { return (coded_groups_ & bit_of(group)) != 0; };
-    return (has(GGroup::OneShot) && coded_[static_cast<std::size_t>(GGroup::OneShot)]->act == &Interpreter::g_macro_call) ||
-           (has(GGroup::MacroModal) && coded_[static_cast<std::size_t>(GGroup::MacroModal)]->act == &Interpreter::g_macro_modal);
+    for (unsigned k = 0; k < g_count_; ++k)
+        if (const GCode* row = g_row(k); row && (row->act == &Interpreter::g_macro_call || row->act == &Interpreter::g_macro_modal)) return true;
+    return false;
 }
 
+const GCode* Interpreter::g_row(unsigned k) const { return table_.find(static_cast<std::uint32_t>(std::lround(block_.words[g_words_[k]].value * 10.0))); }
+
 bool Interpreter::macro_call() {
-    const GGroup group = coded_groups_ & bit_of(GGroup::MacroModal) ? GGroup::MacroModal : GGroup::OneShot;
-    const GCode* row = coded_[static_cast<std::size_t>(group)];
-    if (group == GGroup::MacroModal) active_[static_cast<std::size_t>(group)] = row;
-    return (this->*row->act)(*row);
+    const GCode* call = nullptr;
+    for (unsigned k = 0; k < g_count_; ++k) {
+        const GCode* row = g_row(k);
+        if (!call && (row->act == &Interpreter::g_macro_call || row->act == &Interpreter::g_macro_modal)) {
+            call = row;
+            continue;
+        }
+        const Word& word = block_.words[g_words_[k]];
+        fault_column_ = word.column;
+        fault_length_ = word.length;
+        return core_.fail(Alarm::MacroArgument, 'G', std::string(text_of(word)));
+    }
+    if (call->group == GGroup::MacroModal) active_[static_cast<std::size_t>(call->group)] = call;
+    return (this->*call->act)(*call);
 }
 
 bool Interpreter::act() {

@@ -101,10 +101,11 @@ bool Interpreter::code_calls(bool& called) {
         const char word_letter = word.address;
         if (word.axis >= 0 || word_letter >= 'a') continue;
         // A subprogram is called when the rest of the block has acted, as by M98; the word itself does nothing else.
-        const auto later = [&](std::int32_t program, std::int64_t repeats) {
+        const auto later = [&](std::int32_t program, std::int64_t repeats, bool repeats_word = false) {
             sub_program_ = program;
             sub_repeats_ = repeats;
             block_.words[k].address = 'N';
+            if (repeats_word) block_.letters &= ~letter_bit('L');   // it was the number of calls
             bool another = false;
             for (std::size_t j = 0; j < block_.count; ++j) another = another || block_.words[j].address == word_letter;
             if (!another) block_.letters &= ~letter_bit(word_letter);
@@ -114,7 +115,7 @@ bool Interpreter::code_calls(bool& called) {
             LocalSet arguments = empty_locals();
             std::int64_t repeats = 1;
             if (block_.has('L') && !whole('L', repeats)) return false;
-            if (!call.macro) return later(program, repeats);
+            if (!call.macro) return later(program, repeats, block_.has('L'));
             called = called_ = true;
             // Every other word of the block is an argument.
             if (word.address == 'M') {

@@ -1,5 +1,7 @@
 #include "channels/fanuc/expression.hpp"
 
+#include <algorithm>
+#include <utility>
 #include <cmath>
 #include <numbers>
 
@@ -223,7 +225,19 @@ bool Expression::number_of_variable(std::int64_t& number) {
     ++p_;
     blanks();
     double value = 0.0;
-    if (p_ != end_ && *p_ == '[') {
+    static constexpr std::pair<std::string_view, double> kNamed[] = {{"_ABSOT[", 100100}, {"_ABSKP[", 100150}};   // nct part 2 38
+    const std::string_view rest(p_, static_cast<std::size_t>(end_ - p_));
+    const auto* const named = std::find_if(std::begin(kNamed), std::end(kNamed), [&](const auto& one) { return rest.starts_with(one.first); });
+    if (named != std::end(kNamed)) {
+        p_ += named->first.size() - 1;
+        if (!bracket(value)) return false;
+        value = zero_if_null(value);
+        if (value < 1 || value > 50) {
+            p_ = begin;
+            return fail(Alarm::VariableUnknown, "#" + std::string(named->first) + std::to_string(std::llround(value)) + "]");
+        }
+        value += named->second;
+    } else if (p_ != end_ && *p_ == '[') {
         if (!bracket(value)) return false;
     } else if (p_ != end_ && *p_ == '#') {
         if (++depth_ > kDepth) return fail(Alarm::BracketsTooDeep, {}, kDepth);

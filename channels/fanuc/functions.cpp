@@ -234,8 +234,8 @@ bool Interpreter::m_after() {
             if (settings_.part_code == 0) core_.sink().part(++parts_, core_.at);
             finish(code == 2 ? StopReason::M02 : StopReason::M30);
             return true;
-        case 98:
-        case 198: return sub_call();
+        case 98: return sub_call(false);
+        case 198: return sub_call(true);
         default: break;
     }
     // M99
@@ -246,7 +246,8 @@ bool Interpreter::m_after() {
     return return_from(has_target, target);
 }
 
-bool Interpreter::sub_call() {
+// M98, and M198: the program comes from outside (PT_EXTERNAL).
+bool Interpreter::sub_call(bool external) {
     if (!block_.has('P')) return core_.fail(Alarm::SubprogramWordMissing, 'M');
     std::int64_t number = 0, repeats = 1;
     if (!whole('P', number)) return false;
@@ -260,6 +261,7 @@ bool Interpreter::sub_call() {
     }
     if (block_.has('L') && !whole('L', repeats)) return false;
     called_ = true;
+    if (external) return external_call(number, repeats);
     if (!call_program(number, repeats, nullptr, false, false, 'P')) return false;
     std::int64_t from = 0;   // Q: the block with which the subprogram begins
     return !block_.has('Q') || (whole('Q', from) && jump_to(from));

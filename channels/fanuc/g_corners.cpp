@@ -41,8 +41,10 @@ bool Interpreter::corner_word(const Word& word) {
 bool Interpreter::lathe_corner(AxisSet named) {
     const bool c_free = absolute_axis_['C' - 'A'] < 0 && incremental_axis_['C' - 'A'] < 0;
     char letter = 0;
+    // I and K beside G40 say how the contour would go on, or nothing (fanuc_lathe 2.7).
+    const bool wish = (coded_groups_ >> static_cast<unsigned>(GGroup::Comp) & 1u) && coded_[static_cast<std::size_t>(GGroup::Comp)]->act == &Interpreter::g_comp_off;
     for (const char candidate : {'I', 'K', 'R', 'C'})
-        if (block_.has(candidate) && (candidate != 'C' || c_free)) {
+        if (block_.has(candidate) && (candidate != 'C' || c_free) && !(wish && (candidate == 'I' || candidate == 'K'))) {
             if (letter) return core_.fail(Alarm::CornerWords, candidate, std::string(1, candidate));
             letter = candidate;
         }

@@ -56,12 +56,14 @@ bool Interpreter::radius_offset() {
     return true;
 }
 
-// G5.1 Q: 0 off, 1 look-ahead, 2 and 3 smoothing. Path blends within PT_PATH_TOL are always on, so there is nothing to switch.
+// G5.1 Q: 0 off, 1 look-ahead, which is always on, 2 and 3 smoothing: runs of short lines become a curve within N3104 or N3106
+// instead of PT_PATH_TOL (channels/path/spline_run.hpp).
 bool Interpreter::g_smoothing(const GCode&) {
     std::int64_t kind = 0;
     if (!block_.has('Q')) return core_.fail(Alarm::CycleWordMissing, 'G', "Q");
     if (!whole('Q', kind)) return false;
     if (kind > 3) return core_.fail(Alarm::CycleValueIllegal, 'Q', "Q", static_cast<double>(kind));
+    core_.signal("SMOOTHING", static_cast<double>(kind));
     return true;
 }
 

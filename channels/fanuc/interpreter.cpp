@@ -7,31 +7,7 @@
 namespace polyturn::channels::fanuc {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-// The number behind `letter` at the beginning of a line, behind blanks and block skip signs; -1: another line.
-std::int64_t leading_number(std::string_view line, char letter, bool colon) {
-    std::size_t i = 0;
-    for (;;) {
-        while (i < line.size() && is_blank(line[i])) ++i;
-        if (i < line.size() && line[i] == '/') {
-            ++i;
-            if (i < line.size() && is_digit(line[i])) ++i;
-            continue;
-        }
-        break;
-    }
-    if (i == line.size()) return -1;
-    const char c = line[i];
-    if (c != letter && c != letter + 32 && !(colon && c == ':')) return -1;
-    ++i;
-    while (i < line.size() && is_blank(line[i])) ++i;
-    if (i == line.size() || !is_digit(line[i])) return -1;
-    std::int64_t number = 0;
-    for (unsigned digits = 0; i < line.size() && is_digit(line[i]) && digits < 15; ++i, ++digits) number = number * 10 + (line[i] - '0');
-    return number;
-}
 
 }  // namespace
 
@@ -91,7 +67,7 @@ void Interpreter::clear_modal() {
     core_.path.feed_mode = per_revolution ? FeedMode::PerRevolution : FeedMode::PerMinute;
     core_.path.feed = per_revolution ? settings_.feed_per_revolution : settings_.feed_per_minute;
     core_.path.exact_stop_mode = core_.path.override_locked = core_.path.exact_stop_off = core_.path.stroke2_off = false;
-    single_block_off_ = no_finish_wait_ = false;
+    single_block_off_ = no_finish_wait_ = hidden_ = false;
     automatic_control_ = 0;
     if (core_.path.spindle.surface_m_min == 0) core_.path.spindle.surface_m_min = settings_.surface_speed;
     parameter_input_ = false;
@@ -114,7 +90,7 @@ Result<void> Interpreter::start(FileId main) {
     fresh_ = true;   // cycle start is a barrier
     program_number_ = 0;
     measuring_ = {};
-    remote_.active = false;
+    remote_.active = external_.active = false;
     remote_.from.close();
     finishing_ = {};
     cycle_data_ = {};
@@ -201,6 +177,7 @@ Step Interpreter::step() {
     if (ended_) return Step::Ended;
     if (measuring_.skipping) return finish_skip();
     if (remote_.active) return binary_step();
+    if (external_.active) return external_step();
     return read_block();
 }
 
@@ -297,32 +274,18 @@ Step Interpreter::read_block() {
 }
 
 // Block number `number` of the running program: forward from here, then from its beginning.
+const BlockIndex& Interpreter::index_of(FileId file) {
+    if (indexes_.size() <= file) indexes_.resize(file + 1u);
+    if (!indexes_[file]) indexes_[file] = std::make_unique<BlockIndex>();
+    LineSource& source = files_->source(file);
+    if (indexes_[file]->built()) return *indexes_[file];
+    if (&source == source_) kept_line_ = line_, line_ = kept_line_;   // it moves the window
+    indexes_[file]->build(source);
+    return *indexes_[file];
+}
+
 std::optional<TextPosition> Interpreter::find_block(std::int64_t number) {
-    const TextPosition here = source_->next_position();
-    const TextPosition begin = frames_.back().begin;
-    const JumpMemory::Place place{frames_.back().file, here.offset, begin.offset, number};
-    if (const TextPosition* known = jumps_.find(place)) return *known;
-    const std::uint32_t from_line = source_->position().line;
-    kept_line_ = line_;   // searching moves the window
-    line_ = kept_line_;
-    std::string_view line;
-    const auto search = [&](TextPosition from, std::uint64_t until) -> std::optional<TextPosition> {
-        source_->seek(from);
-        bool own_head = from.offset == begin.offset;   // the program's own % and O are no end
-        while (source_->next_position().offset < until && source_->next(line) == LineSource::Status::Line) {
-            if (leading_number(line, 'N', false) == number) return source_->position();
-            const bool o_word = leading_number(line, 'O', true) >= 0;
-            if ((o_word || (!line.empty() && line[0] == '%')) && !own_head) break;
-            if (o_word || leading_number(line, 'N', false) >= 0) own_head = false;
-        }
-        return std::nullopt;
-    };
-    auto found = search(here, ~std::uint64_t{0});
-    if (!found) found = search(begin, here.offset);
-    if (!found) fault_line_ = from_line;
-    else jumps_.remember(place, *found);
-    source_->seek(here);
-    return found;
+    return index_of(frames_.back().file).block(number, frames_.back().begin.offset, source_->next_position().offset);
 }
 
 bool Interpreter::jump_to(std::int64_t number) {
@@ -338,40 +301,38 @@ void Interpreter::go_to(TextPosition position) {
     line_left_ = false;
 }
 
-std::optional<TextPosition> Interpreter::find_program_in(FileId file, std::int64_t number) {
-    const JumpMemory::Place place{file, ~std::uint64_t{0}, 0, number};
-    if (const TextPosition* known = jumps_.find(place)) return *known;
-    LineSource& source = files_->source(file);
-    const TextPosition back = source.next_position();
-    const std::uint32_t from_line = source.position().line;
-    source.seek({0, 1});
-    std::string_view line;
-    std::optional<TextPosition> found;
-    while (!found && source.next(line) == LineSource::Status::Line)
-        if (leading_number(line, 'O', true) == number) found = source.position();
-    source.seek(back);
-    if (found) jumps_.remember(place, *found);
-    if (!found && &source == source_) fault_line_ = from_line;  // the search has left the line of the call
-    return found;
-}
+std::optional<TextPosition> Interpreter::find_program_in(FileId file, std::int64_t number) { return index_of(file).program(number); }
 
 bool Interpreter::call_program(std::int64_t number, std::int64_t repeats, const LocalSet* arguments, bool by_code, bool modal, char letter) {
     if (repeats < 1) return true;
+    if (!call_levels_left(arguments != nullptr, modal, letter)) return false;
+    if (const auto file = files_->find_number(number)) return enter_program(*file, number, repeats, arguments, by_code, modal);
+    if (find_program_in(frames_.back().file, number)) return enter_program(frames_.back().file, number, repeats, arguments, by_code, modal);
+    return core_.fail(Alarm::SubprogramMissing, letter, "O" + std::to_string(number));
+}
+
+void Interpreter::look_whether_hidden() {
+    const std::int64_t program = frames_.back().program;
+    const bool hidden = frames_.size() > 1 && ((program >= 8000 && program <= 8999 && (settings_.hidden_programs & 1u)) || (program >= 9000 && program <= 9999 && (settings_.hidden_programs & 2u)));
+    if (hidden == hidden_) return;
+    hidden_ = hidden;
+    if (keep_states_) tell_control();
+}
+
+bool Interpreter::call_levels_left(bool macro, bool modal, char letter) {
     unsigned subs = 0, macros = 0;
     for (std::size_t i = 1; i < frames_.size(); ++i)
         if (!frames_[i].interrupt) ++(frames_[i].macro ? macros : subs);
-    if (arguments && macros >= settings_.macro_levels) return core_.fail(modal || settings_.nct ? Alarm::MacroTooDeep : Alarm::CallTooDeep, letter, {}, settings_.macro_levels);
-    if (!arguments && subs >= settings_.sub_levels) return core_.fail(Alarm::CallTooDeep, letter, {}, settings_.sub_levels);
+    if (macro && macros >= settings_.macro_levels) return core_.fail(modal || settings_.nct ? Alarm::MacroTooDeep : Alarm::CallTooDeep, letter, {}, settings_.macro_levels);
+    if (!macro && subs >= settings_.sub_levels) return core_.fail(Alarm::CallTooDeep, letter, {}, settings_.sub_levels);
+    return true;
+}
+
+// The next block is the first one of that program, at its O number or at the beginning of the text.
+bool Interpreter::enter_program(FileId file, std::int64_t number, std::int64_t repeats, const LocalSet* arguments, bool by_code, bool modal) {
     CallLevel frame;
-    if (const auto file = files_->find_number(number)) {
-        frame.file = *file;
-        if (const auto begin = find_program_in(*file, number)) frame.begin = *begin;
-    } else if (const auto begin = find_program_in(frames_.back().file, number)) {
-        frame.file = frames_.back().file;
-        frame.begin = *begin;
-    } else {
-        return core_.fail(Alarm::SubprogramMissing, letter, "O" + std::to_string(number));
-    }
+    frame.file = file;
+    if (const auto begin = find_program_in(file, number)) frame.begin = *begin;
     if (line_left_) {
         frame.resume = source_->position();
         frame.resume_column = scanner_.stopped_at();
@@ -394,6 +355,7 @@ bool Interpreter::call_program(std::int64_t number, std::int64_t repeats, const 
     source_ = &files_->source(frame.file);
     source_->seek(frame.begin);
     frames_.push_back(std::move(frame));
+    look_whether_hidden();
     blocks_begun_ = false;
     line_left_ = false;
     jumped_ = true;
@@ -423,6 +385,7 @@ bool Interpreter::return_from(bool has_target, std::int64_t target) {
     }
     const CallLevel done = std::move(frame);
     frames_.pop_back();
+    look_whether_hidden();
     if (done.macro) variables_.pop_locals();
     if (done.modal_call) modal_calls_ = done.outer_modals;
     program_number_ = done.outer_program;

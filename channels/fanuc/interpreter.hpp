@@ -16,6 +16,7 @@
 #include "channels/cycles/simple_cycles.hpp"
 #include "channels/fanuc/settings.hpp"
 #include "channels/fanuc/expression.hpp"
+#include "channels/fanuc/block_index.hpp"
 #include "channels/fanuc/jump_memory.hpp"
 #include "channels/fanuc/variables.hpp"
 #include "channels/language.hpp"
@@ -152,11 +153,15 @@ private:
     Step end_of_text();
     void finish(StopReason reason);
     void clear_modal();
+    const BlockIndex& index_of(FileId file);
     std::optional<TextPosition> find_block(std::int64_t number);
     std::optional<TextPosition> find_program_in(FileId file, std::int64_t number);
     bool read_line(LineSource::Status& status);
     bool jump_to(std::int64_t number);
     void go_to(TextPosition position);
+    bool enter_program(FileId file, std::int64_t number, std::int64_t repeats, const LocalSet* arguments, bool by_code, bool modal);
+    void look_whether_hidden();
+    bool call_levels_left(bool macro, bool modal, char letter);
     bool call_program(std::int64_t number, std::int64_t repeats, const LocalSet* arguments, bool by_code, bool modal, char letter);
     bool return_from(bool has_target, std::int64_t target);
 
@@ -210,6 +215,7 @@ private:
     bool whole(char letter, std::int64_t& value);
     bool set_feed(const Word& word);
     bool is_macro_call() const;
+    const GCode* g_row(unsigned k) const;   // of the k-th G word of the block
     bool macro_call();
 
     // interrupt macro (interrupts.cpp)
@@ -227,7 +233,7 @@ private:
     bool wait_code(const Word& word);
     bool code_calls(bool& called);
     bool function_code(const Word& word, bool late);
-    bool sub_call();
+    bool sub_call(bool external);
     std::string_view text_of(const Word& word) const { return line_.substr(word.column - 1u, word.length); }
 
     // frames, corners, lengths (g_frames.cpp, g_corners.cpp, g_length.cpp)
@@ -282,6 +288,8 @@ private:
 
     // remote data (remote_data.cpp)
     Step binary_step();
+    bool external_call(std::int64_t number, std::int64_t repeats);   // M198
+    Step external_step();
     bool binary_block(const unsigned char* bytes, unsigned axes, bool& ends);
 
     // macro (macro.cpp, calls.cpp)
@@ -341,7 +349,8 @@ private:
     std::vector<CallLevel> frames_;
     std::vector<Loop> loops_;
     std::vector<std::pair<FileId, std::uint64_t>> checked_loops_;   // places of DO whose structure is good
-    JumpMemory jumps_;
+    JumpMemory jumps_;                             // ends of loops
+    std::vector<std::unique_ptr<BlockIndex>> indexes_;   // by file
     std::vector<ModalCall> modal_calls_;
     LineSource* source_ = nullptr;
     std::string_view line_;
@@ -407,6 +416,12 @@ private:
         FeedMode feed_mode_was = FeedMode::PerMinute;
         ByteStream from;
     } remote_;
+    struct ExternalProgram {          // M198: a program text comes through a socket
+        bool active = false;
+        std::int64_t number = 0, repeats = 1, silent_since_ms = -1;
+        std::string text, name;
+    } external_;
+    std::deque<std::string> external_texts_;   // of programs that came
     Interrupting interrupting_;
     FrameChain frames_of_;
     LengthState length_;
@@ -468,6 +483,7 @@ private:
     double unit_ = 1.0;               // mm in a programmed millimetre or inch
     double lead_ = 0.0;               // of the last thread, mm
     bool single_block_off_ = false, no_finish_wait_ = false;   // #3003
+    bool hidden_ = false;             // in a program in which single block does not stop (N1756)
     int automatic_control_ = 0;       // #3004
 };
 

@@ -104,6 +104,10 @@ Step Interpreter::macro_statement(std::size_t from) {
         core_.end_block();
     }
     if (ended_) return Step::Ended;
+    if (settings_.stops_at_macros && !core_.reads_ahead() && keep_states_) {   // the machine comes here, so that it can stand here
+        core_.sink().block_end(core_.at);
+        wants_barrier_ = true;
+    }
     return wants_barrier_ ? Step::AtBarrier : Step::Continue;
 }
 

@@ -1,4 +1,6 @@
-// G5: blocks of binary data from outside, each the way of the axes in one unit of time (fanuc_lathe 9.2).
+// G5 and M198: data and programs from outside.
+//
+// G5: blocks of binary data, each the way of the axes in one unit of time (fanuc_lathe 9.2).
 //
 //   | high | low | high | low | ... | check |     two bytes an axis, then the lowest byte of their sum
 //     '-- word: 13..7 in bits 15..9, 6..0 in bits 7..1, bits 8 and 0 are 0; least increments, two's complement
@@ -130,6 +132,58 @@ Step Interpreter::binary_step() {
         if (ends) return stop(true);
     }
     if (core_.emitted()) core_.end_block();
+    return Step::Continue;
+}
+
+// M198 P: from a folder at once; through a socket the text comes between two steps, whole, before its first block is read.
+bool Interpreter::external_call(std::int64_t number, std::int64_t repeats) {
+    const MachineView& view = core_.view();
+    const std::string name(params::get_text(view.table(), params::pt_external, view.channel));
+    if (name.empty()) return call_program(number, repeats, nullptr, false, false, 'P');
+    if (!call_levels_left(false, false, 'P')) return false;
+    if (!ByteStream::is_socket(name)) {
+        const auto file = files_->find_number_in(name, number);
+        if (!file) return core_.fail(Alarm::SubprogramMissing, 'P', name + "/O" + std::to_string(number));
+        return repeats < 1 || enter_program(*file, number, repeats, nullptr, false, false);
+    }
+    if (core_.compensating()) return core_.fail(Alarm::BinaryInputComp, 'M');
+    if (!remote_.from.open(name, ByteStream::Open::ToRead, kConnectMs)) return core_.fail(Alarm::RemoteSource, 'P', name + ": " + remote_.from.why());
+    if (!remote_.from.write("O" + std::to_string(number) + "\n", kConnectMs)) return core_.fail(Alarm::RemoteSource, 'P', name + ": " + remote_.from.why());
+    external_ = {true, number, repeats, -1, {}, name + "/O" + std::to_string(number)};
+    return true;
+}
+
+Step Interpreter::external_step() {
+    constexpr std::size_t kPiece = 1 << 16, kLargest = 256u << 20;
+    core_.begin_block();
+    const auto stop = [&](Alarm alarm, std::string detail) {
+        external_ = {};
+        remote_.from.close();
+        core_.fail(alarm, 'P', std::move(detail));
+        return fault(core_.fault());
+    };
+    const std::size_t before = external_.text.size();
+    if (before + kPiece > kLargest) return stop(Alarm::RemoteBad, external_.name);
+    external_.text.resize(before + kPiece);
+    std::size_t got = 0;
+    const ByteStream::Got what = remote_.from.read(external_.text.data() + before, kPiece, got, kPatienceMs);
+    external_.text.resize(before + got);
+    if (what == ByteStream::Got::Data) external_.silent_since_ms = -1;
+    if (what == ByteStream::Got::Error) return stop(Alarm::RemoteSource, remote_.from.why());
+    if (what == ByteStream::Got::Nothing) {
+        if (external_.silent_since_ms < 0) external_.silent_since_ms = now_ms();
+        const double limit_s = params::get(core_.view().table(), params::pt_remote_timeout, core_.view().channel);
+        if (static_cast<double>(now_ms() - external_.silent_since_ms) >= limit_s * 1000) return stop(Alarm::RemoteLate, external_.name);
+    }
+    if (what != ByteStream::Got::End) return Step::Continue;
+    remote_.from.close();
+    if (external_.text.find_first_not_of(" \t\r\n%") == std::string::npos) return stop(Alarm::SubprogramMissing, external_.name);
+    external_texts_.push_back(std::move(external_.text));
+    const auto file = files_->open_text(external_texts_.back(), external_.name);
+    const ExternalProgram done = std::move(external_);
+    external_ = {};
+    if (!file) return stop(Alarm::RemoteBad, done.name);
+    if (done.repeats >= 1 && !enter_program(*file, done.number, done.repeats, nullptr, false, false)) return fault(core_.fault());
     return Step::Continue;
 }
 

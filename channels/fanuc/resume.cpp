@@ -58,6 +58,8 @@ bool Interpreter::resume_at(std::uint64_t serial) {
     ended_ = reread_ = jumped_ = called_ = false;
     fresh_ = true;
     measuring_ = {};
+    remote_.active = external_.active = false;
+    look_whether_hidden();
     state_changed_ = true;
     return true;
 }

@@ -64,6 +64,10 @@ struct Settings {
         double on = 96, off = 97;        // M codes; negative: none
         bool at_block_end = false, by_level = false, own_locals = true;
     } interrupt;
+    bool stops_at_macros = false;        // F6000#5, N1755#2 SBM: single block stops at macro statements too
+    unsigned hidden_programs = 0;        // N1756: single block does not stop in bit 0 O8000 to O8999, bit 1 O9000 to O9999
+    bool positions_programmed = false;   // N1755#5 PCS: #5041, #5061 in the programming system
+    bool positions_with_length = false;  // N1755#6 TLC = 0: with the tool's lengths
     std::int64_t managed_offset_code = 0;   // N2923; 0 none
     bool offsets_by_g = false;           // nct N1414#0, milling channels: T is the tool alone
     bool second_geometry = false;        // nct N1414#4

@@ -89,6 +89,19 @@ VariableStatus Interpreter::read_system(std::int64_t number, double& value) {
     }
     const double programmed_unit = 1.0 / unit_;
     const auto place_of = [&](std::int64_t first) { return static_cast<unsigned>(number - first); };
+    if (number >= 100101 && number < 100151) number += 5041 - 100101;   // the same values under a second number (nct part 2 38)
+    else if (number >= 100151 && number < 100201) number += 5061 - 100151;
+    // A position in the workpiece system: with the tool's lengths in it, or, nct TLC, without; nct PCS: as the programmed frame counts.
+    const auto work_position = [&](const AxisValues& machine, unsigned i) {
+        const PathState& path = core_.path;
+        AxisValues point = machine;
+        const bool whole = settings_.positions_programmed && path.framed;
+        for (unsigned k = whole ? 0 : i; k < (whole ? view.axis_count : i + 1); ++k)
+            point[k] = machine[k] - path.zero[k] - path.turns_deg[k] - (settings_.positions_with_length && !whole ? 0.0 : path.shift[k]);
+        if (!whole) return point[i];
+        const double plain = core_.unframed(point)[i];
+        return plain + (settings_.positions_with_length ? path.shift[i] : 0.0);
+    };
     const auto shown = [&](unsigned i, double true_value) { return view.to_shown(i, true_value) * (view.axes[i].rotary ? 1.0 : programmed_unit); };
     if (number >= 5001 && number < 5001 + static_cast<std::int64_t>(view.axis_count)) {
         const AxisValues& end = interruption_.running && interruption_.shows_end ? interruption_.end : core_.path.programmed;
@@ -103,16 +116,23 @@ VariableStatus Interpreter::read_system(std::int64_t number, double& value) {
         const ChannelAxis& axis = view.axes[i];
         const auto measured = port.axis_position(axis.machine_axis);
         const double machine = measured ? axis.from_drive(*measured) : core_.path.machine[i];
-        value = machine_now ? shown(i, axis.to_drive(machine) + port.axis_added(axis.machine_axis))
-                            : shown(i, machine - core_.path.zero[i] - core_.path.shift[i] - core_.path.turns_deg[i]);
+        if (machine_now) {
+            value = shown(i, axis.to_drive(machine) + port.axis_added(axis.machine_axis));
+            return VariableStatus::Ok;
+        }
+        AxisValues all = core_.path.machine;
+        for (unsigned k = 0; k < view.axis_count; ++k)
+            if (const auto there = port.axis_position(view.axes[k].machine_axis)) all[k] = view.axes[k].from_drive(*there);
+        value = shown(i, work_position(all, i));
         return VariableStatus::Ok;
     }
     if (number >= 5061 && number < 5061 + static_cast<std::int64_t>(view.axis_count)) {
         if (!fresh_) return VariableStatus::NeedsBarrier;
         const unsigned i = place_of(5061);
-        const auto skipped = port.axis_at_skip(view.axes[i].machine_axis);
-        const double machine = skipped ? view.axes[i].from_drive(*skipped) : core_.path.machine[i];
-        value = shown(i, machine - core_.path.zero[i] - core_.path.shift[i] - core_.path.turns_deg[i]);
+        AxisValues all = core_.path.machine;
+        for (unsigned k = 0; k < view.axis_count; ++k)
+            if (const auto there = port.axis_at_skip(view.axes[k].machine_axis)) all[k] = view.axes[k].from_drive(*there);
+        value = shown(i, work_position(all, i));
         return VariableStatus::Ok;
     }
     if (number >= 5081 && number < 5081 + static_cast<std::int64_t>(view.axis_count)) {
@@ -201,7 +221,7 @@ double Interpreter::mirrored_axes() const {
 
 // #3003, #3004: single block, waiting for functions and feed hold are the kernel's, in path order.
 void Interpreter::tell_control() {
-    core_.signal("CONTROL", (single_block_off_ ? kControlNoSingleBlock : 0u) + (no_finish_wait_ ? kControlNoFinish : 0u) + ((automatic_control_ & 1) ? kControlNoHold : 0u));
+    core_.signal("CONTROL", (single_block_off_ || hidden_ ? kControlNoSingleBlock : 0u) + (no_finish_wait_ ? kControlNoFinish : 0u) + ((automatic_control_ & 1) ? kControlNoHold : 0u));
 }
 
 VariableStatus Interpreter::value_fault(std::int64_t number, double value) {

@@ -92,6 +92,10 @@ fanuc::Settings nct_settings(const Table& t, unsigned l) {
     s.angle_positive = false;
     const std::uint8_t modal = bit(t, n1755_macro_contr, l, 0) ? 2 : 1;
     s.nested_calls = bit(t, n1755_macro_contr, l, 1);
+    s.stops_at_macros = bit(t, n1755_macro_contr, l, 2);
+    s.positions_programmed = bit(t, n1755_macro_contr, l, 5);
+    s.positions_with_length = !bit(t, n1755_macro_contr, l, 6);
+    s.hidden_programs = (bit(t, n1756_list_contr, l, 0) ? 0u : 1u) | (bit(t, n1756_list_contr, l, 1) ? 0u : 2u);
     for (unsigned n = 0; n < 10; ++n) {
         const auto g = get(t, nth(n1704_g_9010, n + 1), l);
         if (g != 0) s.g_calls.push_back({static_cast<std::int32_t>(std::llabs(g) == 1000 ? 0 : std::llabs(g) * 10), static_cast<std::int32_t>(9010 + n), true, g < 0 ? modal : std::uint8_t{0}});

@@ -27,6 +27,18 @@ struct PathLimits {
     bool rapid_in_position = false;      // N1337 PCH
 };
 
+// What the program asks of runs of short lines beyond PT_PATH_TOL (nct part 2 32: G5.1 Q2, Q3).
+struct Smoothing {
+    bool on = false;
+    double tolerance = 0;                // mm: N3104 (Q2), N3106 (Q3)
+    double rotary = 0;                   // deg: N3108 for angles; 0 as the tolerance
+    double longest = 0, shortest = 0;    // mm: N3100, N3101; other lines stay lines
+    double turn = 0;                     // rad: N3102; sharper corners interrupt
+    double least = 0;                    // mm: N3105; what would bend by less stays a line
+    double always_below = 0;             // mm: N3107; lines shorter than this are smoothed whatever their corners (Q3)
+};
+Smoothing smoothing_of(const params::Table& parameters, const MachineConfig& machine, unsigned channel, int kind);
+
 PathLimits path_limits(const MachineConfig& machine, const params::Table& parameters, unsigned channel);
 
 }  // namespace polyturn::channels

@@ -33,6 +33,9 @@ public:
     // Other limits from here on; nothing is kept back (after flush or discard).
     void use_limits(const PathLimits& limits) { limits_ = &limits; }
 
+    // Runs of short lines from here on (after flush).
+    void smooth(const Smoothing& smoothing) { smoothing_ = smoothing; }
+
     // The next move: fill the cleared record (kind Line or Arc, slots, start, end, shape of an arc, feed, flags except the
     // block's begin and end, block, note), then add it. length and ceilings are computed here. kExactStop: stop at its end.
     PathRecord& next_move();
@@ -73,6 +76,7 @@ private:
 
     RecordOut* out_;
     const PathLimits* limits_;
+    Smoothing smoothing_;
     std::deque<Kept> chain_;        // moves that are not wholly out; more than one only in a run of short lines
     Kept coming_;
     std::uint64_t number_ = 0;

@@ -28,12 +28,12 @@ SplinePoint point_at(const PathRecord& line, double s) {
 }  // namespace
 
 bool PathMaker::may_run(const PathRecord& a, PathRecord& b) {
-    if (!(limits_->tolerance > 0) || ((a.flags | b.flags) & kNoRun) != 0) return false;
+    if (!(run_tolerance(a, *limits_, smoothing_) > 0) || ((a.flags | b.flags) & kNoRun) != 0) return false;
     if (static_cast<RecordKind>(a.kind) != RecordKind::Line || static_cast<RecordKind>(b.kind) != RecordKind::Line) return false;
     if (linear_metric(a, *limits_) != linear_metric(b, *limits_)) return false;
     if (chain_.size() == 1 ? !agree_on_axes(chain_.back().move, b) : !agree_on_axes(scratch_ = a, b)) return false;
     if (chain_.size() > 1 && scratch_.axis_count != a.axis_count) return false;   // the run has its axes already
-    return is_short_corner(a, b, chain_.size() == 1, *limits_);
+    return is_short_corner(a, b, chain_.size() == 1, *limits_, smoothing_);
 }
 
 // Both get the axes of both in the order of the earlier one: a line that leaves an axis where it is still has its place on
@@ -79,7 +79,7 @@ void PathMaker::begin_run() {
     std::array<bool, kMaxCurveAxes> measured{};
     const bool linear = linear_metric(first.move, *limits_);
     for (std::size_t k = 0; k < first.move.axis_count; ++k) measured[k] = limits_->axis[first.move.axis[k]].rotary != linear;
-    spline_.begin(point_at(first.move, first.move.length - share), first.move.axis_count, measured, limits_->tolerance);
+    spline_.begin(point_at(first.move, first.move.length - share), first.move.axis_count, measured, run_tolerance(first.move, *limits_, smoothing_));
     spline_.add_vertex(point_at(first.move, first.move.length));
     put_part(first, first.move.length - share, false, false);
     run_number_ = first.number;

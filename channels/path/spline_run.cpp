@@ -7,7 +7,15 @@
 
 namespace polyturn::channels {
 
-bool is_short_corner(const PathRecord& a, const PathRecord& b, bool begins, const PathLimits& limits) {
+double run_tolerance(const PathRecord& line, const PathLimits& limits, const Smoothing& smoothing) {
+    if (!smoothing.on) return limits.tolerance;
+    double tolerance = smoothing.tolerance;
+    for (std::size_t i = 0; smoothing.rotary > 0 && i < line.axis_count; ++i)
+        if (limits.axis[line.axis[i]].rotary) tolerance = std::min(tolerance, smoothing.rotary);
+    return tolerance;
+}
+
+bool is_short_corner(const PathRecord& a, const PathRecord& b, bool begins, const PathLimits& limits, const Smoothing& smoothing) {
     if (static_cast<RecordKind>(a.kind) != RecordKind::Line || static_cast<RecordKind>(b.kind) != RecordKind::Line) return false;
     if (a.axis_count != b.axis_count || a.axis_count > kMaxCurveAxes) return false;
     double step = 0;
@@ -21,6 +29,14 @@ bool is_short_corner(const PathRecord& a, const PathRecord& b, bool begins, cons
     if (begins && step < kStraightOn) return false;
     const double shorter = std::min(a.length, b.length);
     const double longer = std::max(a.length, b.length);
+    if (smoothing.on) {
+        constexpr double kSharpest = 1.0;   // rad: beyond it no curve within a tolerance is worth having
+        const bool always = longer < smoothing.always_below;
+        const double bend = shorter * step / 3;
+        if (longer > smoothing.longest || shorter < smoothing.shortest || bend < smoothing.least) return false;
+        if (step > (always ? kSharpest : std::min(kSharpest, 2 * std::sin(smoothing.turn / 2)))) return false;
+        return longer <= kMostGrowth * shorter && bend <= kCornerShare * run_tolerance(a, limits, smoothing);
+    }
     return longer <= kMostGrowth * shorter && shorter <= kLongestShort && step <= kMostTurn && shorter * step / 3 <= kCornerShare * limits.tolerance;
 }
 

@@ -40,7 +40,9 @@ inline constexpr std::size_t kMostSkipped = 64;  // vertices between two control
 
 // Whether the corner between two lines is one of a smooth curve. Slots, rates and metric must agree, the caller looks at flags.
 // A run does not begin where there is no turn at all (`begins`).
-bool is_short_corner(const PathRecord& before, const PathRecord& after, bool begins, const PathLimits& limits);
+bool is_short_corner(const PathRecord& before, const PathRecord& after, bool begins, const PathLimits& limits, const Smoothing& smoothing = {});
+// How far a run of such lines may leave them.
+double run_tolerance(const PathRecord& line, const PathLimits& limits, const Smoothing& smoothing);
 
 using SplinePoint = std::array<double, kMaxCurveAxes>;
 

@@ -368,6 +368,11 @@ void RecordSink::interrupts(const Interrupts& interrupts, const BlockContext& at
 }
 
 void RecordSink::signal(std::string_view name, double value, const BlockContext& at) {
+    if (name == "SMOOTHING") {   // how the path is made, nobody else's business
+        maker_->flush();
+        maker_->smooth(smoothing_of(view_->table(), view_->machine, view_->channel, static_cast<int>(value)));
+        return;
+    }
     static constexpr std::pair<std::string_view, std::int32_t> kCodes[] = {
         {"TAPPING", kFlagTapping}, {"CONTROL", kFlagControl}, {"STROKE2", kFlagStroke2}, {"CN_UOUT", kFlagOutputs}, {"CN_UOUTW", kFlagOutputsWide}};
     for (const auto& [known, code] : kCodes) {

@@ -21,7 +21,9 @@ public:
     LanguageRun(MachineView& view, Sink& sink, Port& port, const ProgramChoice& choice, const text::Setup& setup, const std::string& language, EventSink*& events)
         : view_(&view), choice_(choice), setup_(&setup), events_(&events), name_(language) {
         for (const std::string& path : setup.channel(view.channel).subprograms) files_.add_library(path);
-        if (!choice.path.empty()) files_.add_folder(std::filesystem::path(choice.path).parent_path().string());
+        const std::string folder = std::filesystem::path(choice.path).parent_path().string();
+        if (!choice.path.empty()) files_.add_folder(folder);
+        files_.add_folders(params::get_text(view.table(), params::pt_program_folders, view.channel), folder);
         language_ = make_language(language, view, sink, port, files_);
     }
     Result<void> start() override {
