@@ -10,8 +10,11 @@ AXES = {1: ("A1.cmd", "A2.cmd"), 2: ("A3.cmd", "A4.cmd")}   # of the twin-turret
 
 
 class Contours(Case):
-    def made(self, name, blocks=200):
+    def made(self, name, blocks=200, written=0):
+        """blocks: driven at least; written: in the programs of both channels."""
         folder = JOBS / name
+        lines = sum(1 for program in ("O1001.nc", "O2001.nc") for line in (folder / program).read_text().splitlines() if line.startswith("N"))
+        self.assertGreaterEqual(lines, written)
         drawing = part_model.read_toml(folder / "drawing.toml")
         trace = self.folder / "trace.csv"
         done = self.polyturn("run", "--virtual", folder / f"{name}.job.toml", "--trace", trace)
@@ -21,7 +24,7 @@ class Contours(Case):
         part = part_model.machined(drawing, part_model.read_toml(folder / f"{name}.setup.toml"), done.events, read_trace(trace), AXES)
         for kind in ("outside", "bore"):
             if kind in drawing:
-                found = part_model.deviations(part, drawing[kind], kind == "bore", drawing.get("skip", []))
+                found = part_model.deviations(part, drawing[kind], kind == "bore", drawing.get("skip", []), drawing.get("nose", 0.0), drawing.get("tolerance", 0.02))
                 worst = [f"{d:.3f} mm at X{x:.2f} Z{z:.2f}" for d, x, z in found[:5]]
                 self.assertLess(found[0][0], drawing.get("tolerance", 0.02), f"{kind}: {worst}")
 
@@ -39,6 +42,21 @@ class Contours(Case):
 
     def test_arbor(self):
         self.made("arbor")
+
+    def test_spool(self):
+        self.made("spool", written=200)
+
+    def test_flange(self):
+        self.made("flange", written=200)
+
+    def test_handle(self):
+        self.made("handle", written=200)
+
+    def test_connector(self):
+        self.made("connector", written=200)
+
+    def test_ring_arbor(self):
+        self.made("ring-arbor", written=200)
 
 
 if __name__ == "__main__":

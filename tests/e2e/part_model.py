@@ -102,6 +102,8 @@ def machined(drawing, setup, events, trace, axes):
     for (channel, offset), points in cuts:
         shape = drawing.get("tools", {}).get(f"L{channel}", {}).get(str(offset), {})
         entry = setup["channel"][str(channel)]["offset"].get(str(offset), {}).get("geometry", {})
+        if not shape.get("cuts", True):   # what it does to the contour is not drawn
+            continue
         for x, z in thinned(points):
             if "drill" in shape:
                 if abs(x) < 0.01:
@@ -138,11 +140,43 @@ def outline(rows):
     return points
 
 
-def deviations(part, rows, inside, skip):
+class Band:
+    """What a nose of radius r may leave of a contour: from the drawing to the drawing with its roots rounded by the nose."""
+
+    def __init__(self, points, nose, inside):
+        self.sign = -1 if inside else 1
+        self.low, high = min(z for _, z in points), max(z for _, z in points)
+        count = round((high - self.low) / STEP) + 1
+        self.least, self.most = [math.inf] * count, [-math.inf] * count
+        for (x0, z0), (x1, z1) in zip(points, points[1:]):
+            for k in range(max(0, math.floor((min(z0, z1) - self.low) / STEP)), min(count, math.ceil((max(z0, z1) - self.low) / STEP) + 1)):
+                z = min(max(self.low + k * STEP, min(z0, z1)), max(z0, z1))
+                for x in (x0, x1) if abs(z1 - z0) < 1e-9 else (x0 + (x1 - x0) * (z - z0) / (z1 - z0),):
+                    self.least[k], self.most[k] = min(self.least[k], self.sign * x), max(self.most[k], self.sign * x)
+        wide = int(nose / STEP)
+        arch = [math.sqrt(max(0.0, nose * nose - (k * STEP) ** 2)) for k in range(wide + 1)]
+        centre = [max(self.most[j] + arch[abs(j - i)] for j in range(max(0, i - wide), min(count, i + wide + 1))) for i in range(count)]
+        self.reach = [min(centre[j] - arch[abs(j - i)] for j in range(max(0, i - wide), min(count, i + wide + 1))) for i in range(count)]
+
+    def around(self, z):
+        at = round((z - self.low) / STEP)
+        return range(max(0, at - 2), min(len(self.least), at + 3))
+
+    def holds(self, x, z, tolerance):
+        near = self.around(z)
+        return bool(near) and min(self.least[k] for k in near) - tolerance <= self.sign * x <= max(max(self.reach[k], self.most[k]) for k in near) + tolerance
+
+    def is_root(self, x, z, tolerance):
+        near = self.around(z)
+        return bool(near) and self.sign * x < max(self.reach[k] for k in near) - tolerance
+
+
+def deviations(part, rows, inside, skip, nose=0.0, tolerance=0.0):
     """[(distance, x, z)] between drawing and part, largest first: each point of the one to the nearest of the other, both ways.
-    skip: ranges of Z where the drawing says nothing (threads, the root of a corner)."""
+    skip: ranges of Z where the drawing says nothing (threads, the root of a corner). nose: roots may be rounded by so much."""
     wanted = outline(rows)
     radius = part.bore if inside else part.outside
+    band = Band(wanted, nose, inside) if nose else None
     low, high = min(z for _, z in wanted), max(z for _, z in wanted)
     made = []
     for cell, r in enumerate(radius):
@@ -167,9 +201,12 @@ def deviations(part, rows, inside, skip):
         return look
 
     to_drawing, to_part = nearest(wanted), nearest(made)
+    if band:   # a point between the drawing and what a nose can reach is as good as one on it
+        made = [(x, z) for x, z in made if not band.holds(x, z, tolerance / 2)]
+        wanted = [(x, z) for x, z in wanted if not band.is_root(x, z, tolerance / 2)]
     found = [(to_drawing(x, z), x, z) for x, z in made] + [(to_part(x, z), x, z) for x, z in wanted]
     found = [(d, 2 * x, z) for d, x, z in found if not any(a <= z <= b for a, b in skip)]
-    return sorted(found, reverse=True)
+    return sorted(found, reverse=True) or [(0.0, 0.0, 0.0)]
 
 
 def read_toml(path):
