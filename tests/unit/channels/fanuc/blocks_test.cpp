@@ -126,7 +126,7 @@ TEST(FanucBlock, IsDiagnosedAtItsLineAndColumn) {
         {"G0 Y5.", "9", 1, 4},                            // the channel has no Y
         {"G0 X1. K3.", "9", 1, 8},                        // nobody takes K
         {"G7 X1.", "10", 1, 1},
-        {"G30.1", R"("PT1032")", 1, 1},                   // known, but not done yet
+        {"G30.1", R"("PT1041")", 1, 1},                   // which axes?
         {"G0 X1. ,C2.", "9", 1, 8},
         {"G0 X1. \xC3\xA4", R"("PT1000")", 1, 8},
         {"(\xC3\xA4) G0 X", "5", 1, 8},                   // columns count characters
