@@ -46,6 +46,7 @@ struct ChannelAxis {
     bool by_plc = true;             // the PLC may switch between radius and diameter (N0106 MGD = 0)
     bool inverted = false;          // AP_DIARAD as of the last barrier
     AxisStroke stroke;              // ranges that are watched
+    bool referenced = true;         // as of the last barrier
     bool limited = false;           // an interval holds for this axis by itself, as of the last barrier:
     double limit_max = 0.0, limit_min = 0.0;
 };

@@ -51,6 +51,8 @@ public:
     // CP_SGOEN and CP_SGOX, Y, Z: the second geometry offset acts on this axis (0 X, 1 Y, 2 Z).
     virtual bool second_geometry(unsigned /*axis*/) { return false; }
     // What the PLC says now about the stroke ranges of a machine axis: the set it selects, ranges it has switched off.
+    // It has its reference point.
+    virtual bool axis_referenced(unsigned /*machine_axis*/) { return true; }
     virtual StrokeFlags stroke_flags(unsigned machine_axis) = 0;
     // Machine spindle that the PLC has chosen for this channel (CP_SSEL); 0: it has chosen none.
     virtual unsigned selected_spindle() { return 0; }

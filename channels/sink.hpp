@@ -100,6 +100,9 @@ struct Move {
     double tap_rpm = 0.0;           // the programmed speed, 1/min
     bool tap_out = false;           // the way out of the hole
     bool tap_feedforward = false;   // N1503 RFF
+    bool beside = false;            // a positioning axis: it goes with its own feed beside the path, and nobody waits (Wait::Act::Arrive does)
+    bool fixed_stop = false;        // Skip: ends where the axes meet something, too
+    bool stop_must_come = false;    // and must meet it
     // A transformation is on: the path runs from path_start to path in its coordinates (arcs: centre, radius, sweep as well),
     // machine_start and machine are the axes. Its roles name places in the channel.
     const Kinematics* kinematics = nullptr;
@@ -119,6 +122,7 @@ struct Aux {
     std::string_view text;          // "M8", "T0303": as the machine sees it
     bool drained = false;           // nothing behind it is read before it has been executed
     bool silent = false;            // for the PLC only, no event: the program did not write it
+    bool beside = false;            // the program does not wait until the PLC has finished it; the next code does
 };
 
 enum class SpindleTurn : std::int8_t { Stop = 0, Cw = 1, Ccw = -1 };
@@ -141,6 +145,7 @@ struct Spindle {
     double css_zero = 0.0;          // SurfaceSpeed: machine coordinate of that axis at diameter 0
     bool mode_changed = false, speed_changed = false, turn_changed = false, limit_changed = false;
     bool silent = false;            // a record for the kernel (G96 follows a new zero), no event
+    bool beside = false;            // Position: nobody waits (Wait::Act::Arrive does)
 };
 
 struct Wait {
@@ -149,7 +154,10 @@ struct Wait {
     std::uint32_t channels = 0;     // bit 0 is channel 1
     bool flying = false;
     // A marker that is set counts as an arrival at its code until it is cleared; whoever sets it goes on (code -1: all).
-    enum class Act : std::uint8_t { Meet, SetMarker, ClearMarker } act = Act::Meet;
+    // Arrive: the positioning axes of `axes` and the positioned spindles of `spindles` are waited for, no other channel.
+    enum class Act : std::uint8_t { Meet, SetMarker, ClearMarker, Arrive } act = Act::Meet;
+    AxisSet axes = 0;
+    std::uint32_t spindles = 0;     // bit 0 is spindle 1
 };
 
 struct Variable {

@@ -233,6 +233,7 @@ void append_event(std::string& out, const EventScene& scene, const Spindle& spin
 }
 
 void append_event(std::string& out, const EventScene& scene, const Wait& wait, const BlockContext& at) {
+    if (wait.act == Wait::Act::Arrive) return;   // for what the channel has itself begun
     if (wait.act != Wait::Act::Meet) {
         Object object(out, "marker", scene, &at);
         if (wait.code >= 0) object.integer("code", wait.code);   // absent: all

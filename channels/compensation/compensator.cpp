@@ -76,6 +76,10 @@ Element Compensator::element_of(const Move& m) const {
 
 void Compensator::move(const Move& m, const BlockContext& at) {
     if (failed_) return;
+    if (m.beside) {   // no move of the path
+        queue().move(m, at);
+        return pump();
+    }
     if (bypass_ != Bypass::None && state_ != State::Off) {
         moved_ = true;
         if (bypass_ == Bypass::Plain) {

@@ -5,7 +5,8 @@ namespace polyturn::channels::compensation {
 bool HeldCalls::halts(const Call& call) {
     if (const Aux* aux = std::get_if<Aux>(&call.what)) return aux->drained;
     if (const Stop* stop = std::get_if<Stop>(&call.what)) return stop->reason == StopReason::M00 || stop->reason == StopReason::M01;
-    return std::holds_alternative<Wait>(call.what) || std::holds_alternative<Barrier>(call.what);
+    if (const Wait* wait = std::get_if<Wait>(&call.what)) return wait->act != Wait::Act::Arrive;
+    return std::holds_alternative<Barrier>(call.what);
 }
 
 bool HeldCalls::will_halt() const {

@@ -41,7 +41,7 @@ public:
     // Gives `move` for each held move: it may be completed when the nose's place is known.
     template <class Change> void change_moves(Change&& change) {
         for (Call& call : calls_)
-            if (Move* m = std::get_if<Move>(&call.what)) change(*m);
+            if (Move* m = std::get_if<Move>(&call.what); m && !m->beside) change(*m);
     }
     void append(HeldCalls& more);   // takes all of them
     // Makes the calls up to and with the first that halts; true: it halted.

@@ -64,6 +64,7 @@ Element CornerStage::element_of(const Move& m) const {
 
 void CornerStage::move(const Move& m, const BlockContext& at) {
     if (failed_) return;
+    if (m.beside) return holding_ ? waiting_.move(m, at) : down_->move(m, at);   // no move of the path
     moved_ = true;
     if (holding_ && !reserved_) {
         if (on_contour(m)) {

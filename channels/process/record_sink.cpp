@@ -60,6 +60,9 @@ void RecordSink::push(PathRecord& r, bool stands, bool drains) {
 }
 
 void RecordSink::move(const Move& move, const BlockContext& at) {
+    if (move.beside) return beside(move, at);
+    await_axes_of(move, at);
+    last_moved_ = move.moved;
     if (move.kind == MoveKind::Thread && move.sweep != 0) thread_arc(move, at);
     else if (move.through) curve(move, at);
     else add(move, at, true);
@@ -197,6 +200,7 @@ void RecordSink::add(const Move& move, const BlockContext& at, bool told, std::u
             r.value = std::max(move.skip_torque, 0.0);
             if (move.skip_name.empty()) r.code = -1;
         }
+        if (move.fixed_stop) r.flags |= kFixedStop | (move.stop_must_come ? std::uint32_t{kStopMustCome} : 0u);
     }
     if (move.kind == MoveKind::Thread) {
         r.flags |= kThread | kOverrideLocked;
@@ -279,6 +283,7 @@ void RecordSink::aux(const Aux& aux, const BlockContext& at) {
     PathRecord r = event(RecordKind::Aux, at, aux.silent ? 0 : note([&](Sink& sink) { sink.aux(aux, at); }));
     r.code = aux.letter;
     r.value = aux.value;
+    if (aux.beside) r.flags |= kBesidePath;
     copy_text(aux.text, r.text);
     push(r, true, aux.drained);
 }
@@ -297,6 +302,11 @@ void RecordSink::spindle(const Spindle& spindle, const BlockContext& at) {
     if (spindle.mode == SpindleModeCode::Position) {
         r.plane[0] = static_cast<std::uint8_t>(spindle.approach);
         r.shape[2] = spindle.way;
+        if (spindle.beside && spindle.spindle >= 1 && spindle.spindle <= kMaxSpindles) {
+            r.flags |= kBesidePath;
+            under_way_.spindle[spindle.spindle - 1u] = true;
+            return push(r, false, false);
+        }
     }
     if (spindle.mode == SpindleModeCode::Watch) {
         r.value = spindle.watch[0];
@@ -317,6 +327,13 @@ void RecordSink::spindle(const Spindle& spindle, const BlockContext& at) {
 }
 
 void RecordSink::wait(const Wait& wait, const BlockContext& at) {
+    if (wait.act == Wait::Act::Arrive) {
+        Outstanding whom;
+        for (unsigned i = 0; i < view_->axis_count; ++i)
+            if (wait.axes >> i & 1u) whom.axis[view_->axes[i].machine_axis] = true;
+        for (unsigned s = 0; s < kMaxSpindles; ++s) whom.spindle[s] = (wait.spindles >> s & 1u) != 0;
+        return await(whom, at);
+    }
     if (wait.act != Wait::Act::Meet) {
         PathRecord r = event(RecordKind::Marker, at, note([&](Sink& sink) { sink.wait(wait, at); }));
         r.code = static_cast<std::int32_t>(wait.code);
@@ -373,6 +390,7 @@ void RecordSink::signal(std::string_view name, double value, const BlockContext&
         maker_->smooth(smoothing_of(view_->table(), view_->machine, view_->channel, static_cast<int>(value)));
         return;
     }
+    if (demand(name, value, at)) return;
     static constexpr std::pair<std::string_view, std::int32_t> kCodes[] = {
         {"TAPPING", kFlagTapping}, {"CONTROL", kFlagControl}, {"STROKE2", kFlagStroke2}, {"CN_UOUT", kFlagOutputs}, {"CN_UOUTW", kFlagOutputsWide}};
     for (const auto& [known, code] : kCodes) {
@@ -401,6 +419,7 @@ void RecordSink::print(std::string_view text, const BlockContext& at) {
 }
 
 void RecordSink::stop(const Stop& stop, const BlockContext& at) {
+    if (stop.reason != StopReason::M00 && stop.reason != StopReason::M01 && stop.reason != StopReason::Restart && stop.reason != StopReason::Alarm) await(under_way_, at);
     PathRecord r = event(RecordKind::Stop, at, note([&](Sink& sink) { sink.stop(stop, at); }));
     r.code = static_cast<std::int32_t>(stop.reason);
     const bool goes_on = stop.reason == StopReason::M00 || stop.reason == StopReason::M01;
@@ -429,6 +448,7 @@ void RecordSink::alarm(const Diagnosis& diagnosis, const BlockContext& at) {
 }
 
 void RecordSink::barrier(const BlockContext& at) {
+    await_spindles(at);   // a preprocessing stop waits for them
     PathRecord r = event(RecordKind::Barrier, at, 0);
     push(r, true, true);
 }

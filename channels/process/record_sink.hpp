@@ -72,6 +72,19 @@ private:
     PathRecord event(RecordKind kind, const BlockContext& at, std::uint64_t note) const;
     void push(PathRecord& record, bool stands, bool drains);
     template <class Call> std::uint64_t note(Call&& call);
+    // record_beside.cpp: what goes on beside the path, and waiting for it
+    struct Outstanding {
+        std::array<bool, kMaxAxes> axis{};
+        std::array<bool, kMaxSpindles> spindle{};
+    };
+    void beside(const Move&, const BlockContext&);
+    void await(const Outstanding& whom, const BlockContext& at);
+    void await_axes_of(const Move&, const BlockContext&);
+    void await_spindles(const BlockContext&);
+    bool demand(std::string_view name, double value, const BlockContext&);
+    Outstanding under_way_;        // told beside the path and not waited for yet
+    AxisSet last_moved_ = 0;       // by the last move of the path
+    std::array<double, kChannelAxes> window_mm_{};
     void use_transformation(const Move& move);
     void fill_retract(const Move& move, PathRecord& record) const;
     void fill_arc(const Move& move, PathRecord& record) const;

@@ -101,6 +101,7 @@ void RestartSink::spindle(const Spindle& s, const BlockContext& at) {
 }
 
 void RestartSink::wait(const Wait& w, const BlockContext& at) {
+    if (w.act == Wait::Act::Arrive && !here(at)) return;
     if (here(at) || w.act != Wait::Act::Meet) return next_->wait(w, at);
     const std::uint32_t own = 1u << (view_->channel - 1);
     const std::uint32_t partners = w.channels & together_ & ~own;

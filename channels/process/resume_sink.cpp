@@ -97,6 +97,7 @@ void ResumeSink::spindle(const Spindle& s, const BlockContext& at) {
 
 void ResumeSink::move(const Move& m, const BlockContext& at) {
     if (!counts(at)) return;
+    if (m.beside) return next_->move(m, at_);
     if (entering_) {
         entering_ = false;
         begun_ = begun_ && at.serial == skip_serial_ && part_ == skip_part_;

@@ -34,6 +34,7 @@ public:
     std::optional<double> given_variable(std::string_view name) override;
     CalendarTime clock() override;
     double running_ms() override;
+    bool axis_referenced(unsigned machine_axis) override { return pretended_ || (status_->axes[machine_axis].flags & (kReferenced | kExists)) != kExists; }
     StrokeFlags stroke_flags(unsigned machine_axis) override;
     bool diameter_inverted(unsigned machine_axis) override;
     bool second_geometry(unsigned axis) override;

@@ -62,7 +62,10 @@ bool Interpreter::act() {
     if (!settings_and_tools() || !functions_before()) return false;
     for (auto& [command, call] : block_.procedures)
         if (!(this->*command->act)(call)) return false;
-    return motion() && positioning_axes() && functions_after();
+    AxisSet under_way = 0;
+    if (!start_positioning(under_way) || !motion() || !position_in_parts()) return false;
+    if (under_way) core_.arrive(under_way, 0);   // POS: the block ends when they are there
+    return functions_after();
 }
 
 bool Interpreter::settings_and_tools() {

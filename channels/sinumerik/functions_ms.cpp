@@ -157,7 +157,7 @@ bool Interpreter::functions_after() {
 }
 
 // A spindle that is not in position control yet gets there by the PLC's M19, wherever it stands.
-void Interpreter::close_spindle(bool told) {
+void Interpreter::close_spindle(bool told, bool beside) {
     SpindleState& now = core_.path.spindle;
     now.turn = SpindleTurn::Stop;
     if (!told) {   // the program has named no angle
@@ -169,7 +169,13 @@ void Interpreter::close_spindle(bool told) {
         core_.mark_emitted();
         core_.sink().spindle(silent, core_.at);
     }
-    core_.aux('M', 19, "M19", false, true);
+    Aux orient;
+    orient.value = 19;
+    orient.text = "M19";
+    orient.silent = true;
+    orient.beside = beside;
+    core_.mark_emitted();
+    core_.sink().aux(orient, core_.at);
     modal_.closed_spindles |= 1u << (now.spindle - 1);
 }
 
@@ -205,7 +211,9 @@ bool Interpreter::a_spindle_position(const Word& word) {
     unsigned count = 0;
     for (const Word& other : block_.words) count += other.address->name == "SPOS" || other.address->name == "SPOSA";
     if (count > 3) return fail_word(Alarm::FunctionsTooMany, word, "SPOS");
-    return with_spindle(word.index > 0 ? static_cast<std::uint16_t>(word.index) : 0, [&] {
+    const bool beside = word.address->name == "SPOSA";   // over the end of the block
+    core_.position_beside(beside);
+    const bool good = with_spindle(word.index > 0 ? static_cast<std::uint16_t>(word.index) : 0, [&] {
         if (core_.path.spindle.spindle == 0) return fail_word(Alarm::SpindleMissing, word, "SPOS");
         if (core_.path.spindle.mode == SpindleModeCode::SurfaceSpeed) return fail_word(Alarm::CodesContradict, word, "SPOS, G96");
         const std::uint16_t spindle = core_.path.spindle.spindle;
@@ -220,9 +228,11 @@ bool Interpreter::a_spindle_position(const Word& word) {
             const SpindleApproach how = word.mode == Mode::ACP ? SpindleApproach::Positive : word.mode == Mode::ACN ? SpindleApproach::Negative : SpindleApproach::Shortest;
             if (!core_.spindle_position(angle, how)) return false;
         }
-        if (!spindle_closed(spindle)) close_spindle(true);
+        if (!spindle_closed(spindle)) close_spindle(true, beside);
         return true;
     });
+    core_.position_beside(false);
+    return good;
 }
 
 }  // namespace polyturn::channels::sinumerik

@@ -161,7 +161,9 @@ private:
     bool functions_before();
     bool motion();
     bool functions_after();
-    bool positioning_axes();
+    bool start_positioning(AxisSet& wait);
+    bool position_in_parts();
+    bool position_axis(const Word&);
     bool drive_positioning_axis(std::size_t place, const AxisValues& target);
     bool drive_in_parts(const Word& word, AxisValues target);
     bool feed_source(const Argument& argument, std::uint16_t& spindle);
@@ -187,7 +189,7 @@ private:
     void apply_tool();
     bool spindle_words();
     bool spindle_closed(std::uint16_t spindle) const { return modal_.closed_spindles >> (spindle - 1) & 1u; }
-    void close_spindle(bool told);                             // position control, by the PLC's M19
+    void close_spindle(bool told, bool beside = false);                             // position control, by the PLC's M19
     bool with_spindle(std::uint16_t spindle, const std::function<bool()>& act);
 
     // geometry (geo_*.cpp)

@@ -1,5 +1,5 @@
 // Positioning axes: POS, POSA, POSP, their feed FA and where it comes from, revolutional feeds of single axes (sinumerik_part1
-// 8.2, 8.5). They move behind the path of their block, one after the other.
+// 8.2, 8.5). They move beside the path of their block, each with its own feed; POSP behind it, part by part.
 #include <algorithm>
 #include <cmath>
 
@@ -61,21 +61,8 @@ bool Interpreter::p_axis_per_revolution(Call& c) {   // FPRAON, FPRAOF
 bool Interpreter::drive_positioning_axis(std::size_t i, const AxisValues& target) {
     double feed = modal_.axis_feed[i];
     if (feed <= 0) feed = params::get(core_.view().table(), params::md32060, core_.view().axes[i].machine_axis + 1u);
-    if (feed <= 0) return core_.rapid(target);
     const bool per_revolution = modal_.per_revolution >> i & 1u;
-    bool ok = true;
-    const bool turned = with_spindle(per_revolution ? modal_.axis_feed_spindle[i] : std::uint16_t{0}, [&] {
-        const double kept = core_.path.feed;
-        const FeedMode mode = core_.path.feed_mode;
-        const FeedPath by = core_.path.feed_path;
-        core_.path.feed = feed;
-        core_.path.feed_mode = per_revolution ? FeedMode::PerRevolution : FeedMode::PerMinute;
-        core_.path.feed_path = {};
-        ok = core_.linear(target);
-        core_.path.feed = kept, core_.path.feed_mode = mode, core_.path.feed_path = by;
-        return ok;
-    });
-    return turned && ok;
+    return core_.beside(static_cast<unsigned>(i), target, feed, per_revolution, per_revolution ? modal_.axis_feed_spindle[i] : std::uint16_t{0});
 }
 
 // POSP[axis]=(end, part, mode): mode 0 full parts, the last two share the rest; mode 1 equal parts of at most that length.
@@ -103,23 +90,36 @@ bool Interpreter::drive_in_parts(const Word& word, AxisValues target) {
     return true;
 }
 
-bool Interpreter::positioning_axes() {
+// POS and POSA begin with their block. `wait`: those that the block waits for.
+bool Interpreter::start_positioning(AxisSet& wait) {
     for (const Word& word : block_.words) {
-        if (!positions(word.address->name)) continue;
-        if (word.axis < 0) return fail_word(Alarm::AxisArgumentMissing, word, std::string(word.address->name));   // POSP0
-        const auto i = static_cast<std::size_t>(word.axis);
-        if (axis_words() >> i & 1u) return fail_word(Alarm::AddressTwice, word, axis_name(word.axis));
-        for (const Word& other : block_.words)
-            if (&other != &word && positions(other.address->name) && other.axis == word.axis) return fail_word(Alarm::AddressTwice, word, axis_name(word.axis));
-        if (modal_.released >> i & 1u) return fail_word(Alarm::AxisReleased, word, axis_name(word.axis));
-        AxisValues target = core_.path.programmed;
-        if (std::any_of(modal_.trails.begin(), modal_.trails.end(), [&](const Trail& one) { return one.leads == i; }))
-            return fail_word(Alarm::NotBuilt, word, "TRAILON: " + std::string(word.address->name));
-        if (!axis_target(word, target) || !within_areas(target)) return false;
-        const bool done = word.address->name == "POSP" ? drive_in_parts(word, target) : drive_positioning_axis(i, target);
-        if (!done) return false;
-        modal_.pending_zero[i] = modal_.pending_tool[i] = 0.0;
+        if (!positions(word.address->name) || word.address->name == "POSP") continue;
+        if (!position_axis(word)) return false;
+        if (word.address->name == "POS") wait |= 1u << word.axis;
     }
+    return true;
+}
+
+bool Interpreter::position_in_parts() {
+    for (const Word& word : block_.words)
+        if (word.address->name == "POSP" && (!position_axis(word) || (core_.arrive(1u << word.axis, 0), false))) return false;
+    return true;
+}
+
+bool Interpreter::position_axis(const Word& word) {
+    if (word.axis < 0) return fail_word(Alarm::AxisArgumentMissing, word, std::string(word.address->name));   // POSP0
+    const auto i = static_cast<std::size_t>(word.axis);
+    if (axis_words() >> i & 1u) return fail_word(Alarm::AddressTwice, word, axis_name(word.axis));
+    for (const Word& other : block_.words)
+        if (&other != &word && positions(other.address->name) && other.axis == word.axis) return fail_word(Alarm::AddressTwice, word, axis_name(word.axis));
+    if (modal_.released >> i & 1u) return fail_word(Alarm::AxisReleased, word, axis_name(word.axis));
+    AxisValues target = core_.path.programmed;
+    if (std::any_of(modal_.trails.begin(), modal_.trails.end(), [&](const Trail& one) { return one.leads == i; }))
+        return fail_word(Alarm::NotBuilt, word, "TRAILON: " + std::string(word.address->name));
+    if (!axis_target(word, target) || !within_areas(target)) return false;
+    const bool done = word.address->name == "POSP" ? drive_in_parts(word, target) : drive_positioning_axis(i, target);
+    if (!done) return false;
+    modal_.pending_zero[i] = modal_.pending_tool[i] = 0.0;
     return true;
 }
 

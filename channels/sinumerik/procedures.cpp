@@ -146,24 +146,26 @@ bool Interpreter::p_set_marker(Call& c) {
 bool Interpreter::p_init(Call&) { return fail(Alarm::NotBuilt, "INIT"); }
 bool Interpreter::p_start(Call&) { return fail(Alarm::NotBuilt, "START"); }
 
-// Every positioning move ends in its own block here, so there is nothing left to wait for but what is still to be executed.
+// Axes of POSA arrive; then they are free for everybody.
 bool Interpreter::p_wait_axis(Call& c) {
-    for (const Argument& argument : c.arguments)
+    AxisSet which = 0;
+    for (const Argument& argument : c.arguments) {
         if (!argument.given || argument.value.type != Type::Axis) return fail(Alarm::AxisArgumentMissing, "WAITP");
-    core_.mark_emitted();
-    core_.sink().barrier(core_.at);
-    stop_reading();
+        if (const int place = argument.value.place(); place >= 0 && place < kSpindleAxis) which |= 1u << place;
+    }
+    core_.arrive(which, 0);
     return true;
 }
 
 bool Interpreter::p_wait_spindle(Call& c) {
+    std::uint32_t which = 0;
     for (const Argument& argument : c.arguments) {
         const double n = argument.value.number;
         if (!argument.given || !(n >= 1 && n <= kMaxSpindles) || !core_.view().machine.spindle(static_cast<std::size_t>(n)).exists()) return fail(Alarm::SpindleNumberIllegal, {}, n);
+        which |= 1u << (static_cast<unsigned>(n) - 1);
     }
-    core_.mark_emitted();
-    core_.sink().barrier(core_.at);
-    stop_reading();
+    if (c.arguments.empty() && modal_.master_spindle) which = 1u << (modal_.master_spindle - 1u);
+    core_.arrive(0, which);
     return true;
 }
 

@@ -26,7 +26,7 @@ constexpr Address kRows[] = {
     {"FL", Index::Axis, Use::Setting, &Interpreter::a_feed_limit, false, true},
     {"FA", Index::Spindle, Use::Setting, &Interpreter::a_axis_feed, false, true},
     {"AX", Index::Axis, Use::Block, nullptr, true, true},   // an axis word by a variable
-    {"POS", Index::Axis, Use::Setting, &Interpreter::a_nothing, true, true},    // driven behind the path: positioning_axes()
+    {"POS", Index::Axis, Use::Setting, &Interpreter::a_nothing, true, true},    // driven beside the path: start_positioning()
     {"POSA", Index::Axis, Use::Setting, &Interpreter::a_nothing, true, true},
     {"POSP", Index::Axis, Use::Setting, &Interpreter::a_nothing, true, true},
     {"FD", Index::None, Use::Setting, &Interpreter::a_handwheel_feed, false},

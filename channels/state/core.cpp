@@ -63,6 +63,7 @@ void Core::refresh_limits() {
         ChannelAxis& axis = view_->axes[i];
         StrokeFlags flags = port_->stroke_flags(axis.machine_axis);
         flags.second_off = flags.second_off || path.stroke2_off;
+        axis.referenced = port_->axis_referenced(axis.machine_axis);
         zones_.axes[i] = axis.stroke.any() ? zone_of(axis.stroke, view_->stroke, flags) : AxisZone{};
         if (axis.by_plc && port_->diameter_inverted(axis.machine_axis) != axis.inverted) axis.inverted = !axis.inverted, axis.diameter = !axis.diameter;
         const StrokeInterval& allowed = zones_.axes[i].allowed;

@@ -215,6 +215,17 @@ public:
     // release: until the signal goes instead. torque: until something resists with so many thousandths of the drive's own; then
     // nothing may be named as the input.
     bool skip(const AxisValues& target, double feed, FeedMode mode, std::string_view input, bool release = false, double torque = 0.0);
+    // Towards something that the axes meet (Move::fixed_stop); a barrier follows, then take_skip().
+    bool fixed_stop(const AxisValues& target, double feed, FeedMode mode, bool must_come, std::string_view input = {});
+    // --- beside the path (core_beside.cpp)
+    // The axis goes to its target with its own feed (mm/min or deg/min, 0 rapid; per_turn: mm a revolution of `spindle`) and nobody waits.
+    bool beside(unsigned place, const AxisValues& target, double feed, bool per_turn = false, std::uint16_t spindle = 0);
+    void arrive(AxisSet axes, std::uint32_t spindles);    // stands until they are there
+    // The axis' drive may give only so many thousandths of its torque; 0: all of it (a barrier, then take_positions).
+    void limit_torque(unsigned place, double thousandths, double window_mm);
+    AxisSet unreferenced(AxisSet which) const;            // those of them that have no reference point
+    void find_reference(AxisSet which);                   // they find it; a barrier follows, then take_positions()
+    void take_positions(AxisSet which);                   // the axes stand where the machine says
     AxisSet take_skip();    // axes stand where the signal stopped them; the set of those that ended before their target
     // Programmed coordinate at which the signal came (the axes brake behind it): for measuring.
     double skip_point(unsigned place) const { return skip_point_[place]; }
@@ -271,6 +282,8 @@ public:
     bool surface_speed(bool on);
     bool surface_axis_is(int place);                      // the axis that constant surface speed looks at from now on
     bool spindle_limit(double rpm);
+    // Until switched off, positions are told beside the path: nobody waits for them (SPOSA).
+    void position_beside(bool on) { spindle_beside_ = on; }
     bool spindle_position(double degrees, SpindleApproach approach = SpindleApproach::Shortest);
     // Another spindle than the one that S means, under its own address: absolute the shorter way, or by so much.
     bool spindle_angle(unsigned spindle, double degrees, bool incremental);
@@ -353,7 +366,7 @@ private:
     bool emitted_ = false;
     bool exact_once_ = false;
     std::uint64_t moves_ = 0;
-    bool warned_spindle_ = false, waits_for_spindle_ = false;
+    bool warned_spindle_ = false, waits_for_spindle_ = false, spindle_beside_ = false;
     StrokeZones zones_;   // where the axes may be, as of the last barrier
     double surface_zero_told_ = 0.0;
     AxisSet skip_moved_ = 0;

@@ -278,6 +278,14 @@ bool Core::skip(const AxisValues& target, double feed, FeedMode mode, std::strin
     return true;
 }
 
+bool Core::fixed_stop(const AxisValues& target, double feed, FeedMode mode, bool must_come, std::string_view input) {
+    move_.fixed_stop = true;
+    move_.stop_must_come = must_come;
+    const bool good = skip(target, feed, mode, input);
+    move_.fixed_stop = move_.stop_must_come = false;
+    return good;
+}
+
 AxisSet Core::take_skip() {
     AxisSet early = 0, came = 0;
     skip_point_ = path.programmed;

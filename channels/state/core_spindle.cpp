@@ -103,6 +103,7 @@ bool Core::spindle_to(double degrees, SpindleApproach approach, double way_deg, 
     told.approach = approach;
     told.way = way_deg;
     told.mode_changed = true;
+    told.beside = spindle_beside_;
     sink_->spindle(told, at);
     return true;
 }

@@ -39,6 +39,11 @@ bool TransformSink::fail(double distance) {
 void TransformSink::move(const Move& m, const BlockContext& at) {
     if (failed_) return;   // nothing of the program is driven behind what cannot be
     const Transformation& t = *transformation_;
+    if (m.beside) {   // an axis that the transformation leaves alone
+        for (unsigned i = 0; i < view_->axis_count; ++i)
+            if (m.moved >> i & 1u) axes_[i] = m.machine[i];
+        return next_->move(m, at);
+    }
     if (!t.active()) {
         for (unsigned i = 0; i < view_->axis_count; ++i) axes_[i] = m.machine[i];
         next_->move(m, at);

@@ -12,7 +12,7 @@
 //   Reference                     object: axis, 0 all
 //   FeedOverride, RapidOverride   channel, value: 1 is 100 %
 //   SpindleOverride               object: spindle (0 all), value: 1 is 100 %
-//   SingleBlock, OptionalStop, DryRun, MachineLock, IgnoreWaits, Retrace, RapidKey   channel, value: 1 on, 0 off
+//   SingleBlock, OptionalStop, DryRun, MachineLock, IgnoreWaits, Retrace, RapidKey, Superpose   channel, value: 1 on, 0 off
 //   BlockSkip                     channel, flags: level 1..9 (0 every level), value: 1 on, 0 off
 //   SetSignal, ReleaseSignal      object: slot, flags: 0 written by the NC, 1 by the PLC; value
 //   SetInput                      object: number of the input, value: 0 or 1; flags 1: given back to sensors and PLC

@@ -31,8 +31,12 @@ enum class RecordKind : std::uint8_t {
     Interrupts,    // M96, M97: code 1 on 0 off, mask InterruptBit
     Marker,        // SETM, CLEARM: code the marker (-1: all), value 1 set 0 cleared
     Flag,          // reserved for couplings and exchanges: value written to a signal
-    Beside,        // positioning axis: axis[0] goes to end[0] with v_max mm/s (0 rapid) beside the path; nobody waits
-    Await,         // stands until the positioning axes of mask[axis slots: axis[0..axis_count)] are there
+    Beside,        // positioning axis: axis[0] goes to end[0] with v_max mm/s (0 rapid; PerRevolution: mm a revolution of `spindle`) beside
+                   // the path; nobody waits
+    Await,         // stands until the positioning axes (kMaxAxes + spindle from 0: spindles) of axis[0..axis_count) are there
+    Torque,        // the drive of axis[0] may give only `value` thousandths of its torque, 0 all; shape[0] window of the fixed stop in mm
+                   // (0: PT_STOP_WINDOW)
+    Home,          // stands until the axes axis[0..axis_count) that have no reference point have found it
     ToolData,      // a value of a tool in path order: code index of the tool field, mask data number, plane[0] edge, value, text
     Parameter,     // text: a parameter line that the program gives (G10 L50), for the store
 };
@@ -51,6 +55,8 @@ enum RecordFlag : std::uint32_t {
     kThreadEnd = 1u << 10,   // last record of a thread: it may start once this one is in the ring
     kSkipMove = 1u << 11,    // ends when the skip input comes (a dwell too)
     kReference = 1u << 12,   // reported as a move of kind reference
+    kBesidePath = 1u << 13,  // nobody waits for what it causes: a spindle that is positioned, an M code that is finished later
+    kStopMustCome = 1u << 14,// kFixedStop: the end of the move without a stop is an alarm
     kTapping = 1u << 16,     // rigid tapping: the last slot is a spindle (axis[i] = kMaxAxes + spindle from 0), in revolutions
     kTapOut = 1u << 17,      // and this is the way out of the hole
     kMoreBefore = 1u << 19,  // a piece of a curve: its move has begun with an earlier one
@@ -134,6 +140,7 @@ enum class CommandKind : std::uint32_t {
     Sensor,          // a simulated touch or limit signal, see commands.hpp
     ReleaseStop,     // the emergency stop button is turned back
     RapidKey, WarmUp,
+    Superpose,       // a handwheel adds its way to the axes of a running program
 };
 
 // From power-on to ready (docs/design/power-on-to-ready.md); the same way back after a fault.
@@ -167,7 +174,7 @@ enum class OffsetTable : std::int32_t { Geometry = 0, Wear, SecondGeometry, Work
 enum class OffsetField : std::int32_t { X = 0, Y, Z, R, T };
 
 // Operator's switches of a channel; block skip 1 to 9 are bits 8 to 16.
-enum ChannelKey : std::uint32_t { kKeySingleBlock = 1u << 0, kKeyOptionalStop = 1u << 1, kKeyDryRun = 1u << 2, kKeyMachineLock = 1u << 3, kKeyFirstPart = 1u << 4, kKeyRapid = 1u << 5, kKeyBlockSkip1 = 1u << 8 };
+enum ChannelKey : std::uint32_t { kKeySingleBlock = 1u << 0, kKeyOptionalStop = 1u << 1, kKeyDryRun = 1u << 2, kKeyMachineLock = 1u << 3, kKeyFirstPart = 1u << 4, kKeyRapid = 1u << 5, kKeySuperpose = 1u << 6, kKeyBlockSkip1 = 1u << 8 };
 
 enum AxisFlag : std::uint32_t { kReferenced = 1u << 0, kInPos = 1u << 1, kMoving = 1u << 2, kExists = 1u << 3, kDriveFault = 1u << 4, kRotary = 1u << 5, kDiameter = 1u << 6 };
 

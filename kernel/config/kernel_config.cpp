@@ -57,6 +57,8 @@ AxisConfig read_axis(const p::Table& t, unsigned a) {
     for (unsigned n = 0; n < 8; ++n) axis.handle |= p::bit(t, p::n2400_handle_direction, a, n) ? 1u << n : 0u;
     axis.lubrication = p::get(t, p::n1273_lubrication_distance, a) * unit;
     axis.gear_retract = p::get(t, p::n1804_retr_dist, a) * unit;
+    axis.retract = p::get(t, p::pt_retract, a) * unit;
+    axis.counts_other_way = p::bit(t, p::n2105_composit_config, a, 0);
     axis.hypothetical = hypothetical;
     axis.measured_only = assigned == 99 || p::bit(t, p::n0106_axis_properties, a, 4);
     name_axis(t, a, axis);
@@ -78,6 +80,7 @@ ChannelConfig read_channel(const p::Table& t, unsigned l) {
     channel.surface_speed_axis = static_cast<std::uint32_t>(p::get(t, p::n0687_default_g96_axis, l));
     channel.surface_speed_min_rpm = static_cast<double>(p::get(t, p::n0688_min_spindle_speed_g96, l));
     channel.in_position_timeout_s = p::get(t, p::n1340_inpos_timeout, l);
+    channel.increments = p::get(t, p::n0105_increment_system, l);
     channel.wheel_time_s = p::get(t, p::pt_wheel_time, l);
     channel.feed_waits_for_spindle = p::get(t, p::pt_feed_waits, l) != 0;
     for (unsigned n = 0; n < 3; ++n) channel.aux_letters[n] = static_cast<char>(p::get(t, p::nth(p::n1333_aux_fu_addr1, n + 1), l));

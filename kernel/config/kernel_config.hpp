@@ -39,13 +39,15 @@ struct AxisConfig {
     std::uint32_t handle = 0;             // N2400
     double lubrication = 0;               // N1273, mm; 0: none
     double gear_retract = 0;              // N1804, mm with sign
+    double retract = 0;                   // PT_RETRACT, mm with sign; 0: none
+    bool counts_other_way = false;        // N2105 MMI: exchanged, its address counts against the drive
     bool measured_only = false, hypothetical = false, named = false;
     ShortName name{};                     // as programs call it; "A3" without a name
     AxisStroke stroke;                    // ranges that are watched once the axis is referenced
 };
 
 // What the death of a channel's process means for the others of its machine group (PT_PARTNER_DEATH).
-enum class PartnerDeath : std::uint8_t { GoOn, Hold, Reset };
+enum class PartnerDeath : std::uint8_t { GoOn, Hold, Reset, Retract };
 
 struct ChannelConfig {
     bool exists = false;
@@ -67,6 +69,7 @@ struct ChannelConfig {
     double parts_wanted = 0;              // N2308; 0: no end
     bool stops_at_wanted = true;          // PT_PARTS_STOP
     bool feed_waits_for_spindle = true;   // PT_FEED_WAITS
+    std::int64_t increments = 2;          // N0105
     double wheel_time_s = 0.02;           // PT_WHEEL_TIME: of the program, a click
     std::array<char, 3> aux_letters{};    // N1333 to N1335: whose values go to CN_AUX1C to CN_AUX3C
     ChannelStroke stroke;

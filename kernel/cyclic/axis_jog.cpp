@@ -4,7 +4,7 @@
 
 namespace polyturn::kernel {
 
-void AxisJog::start(double from, double sign, const Limits& limits, std::int64_t ticks, double distance, double room, double tick_s) noexcept {
+void AxisJog::start(double from, double sign, const Limits& limits, std::int64_t ticks, double distance, double room, double tick_s, bool may_wait) noexcept {
     from_ = from;
     sign_ = sign;
     limits_ = limits;
@@ -14,7 +14,7 @@ void AxisJog::start(double from, double sign, const Limits& limits, std::int64_t
     end_ = std::max(0.0, aims_ ? std::min(distance, room) : room);
     state_ = {};
     landing_now_ = false;
-    active_ = end_ > 0 && limits.speed > 0 && limits.acceleration > 0;
+    active_ = end_ > 0 && (limits.speed > 0 || may_wait) && limits.acceleration > 0;
 }
 
 double AxisJog::step(double tick_s) noexcept {

@@ -13,9 +13,13 @@ public:
         double speed = 0, acceleration = 0, jerk = 0;  // jerk may be infinite
     };
     // Away from `from` in the direction of `sign`: for `ticks` (then it brakes), or exactly `distance`; never beyond `room`.
-    void start(double from, double sign, const Limits& limits, std::int64_t ticks, double distance, double room, double tick_s) noexcept;
+    // `may_wait`: a speed of 0 waits for limit_speed().
+    void start(double from, double sign, const Limits& limits, std::int64_t ticks, double distance, double room, double tick_s, bool may_wait = false) noexcept;
     void stop() noexcept { ticks_ = 0, aims_ = false; }   // brakes
     bool active() const noexcept { return active_; }
+    void limit_speed(double speed) noexcept { limits_.speed = speed; }   // of what is still to be driven; 0: it stands and waits
+    bool stands() const noexcept { return state_.v == 0 && limits_.speed == 0; }
+    bool ran() const noexcept { return state_.s > 0; }
     void shift(double by) noexcept { from_ += by; }       // the axis' coordinate was moved
     // The position at the end of this tick.
     double step(double tick_s) noexcept;

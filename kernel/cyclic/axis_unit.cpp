@@ -122,7 +122,7 @@ void AxisUnit::exchange(double tick_s, bool powered) noexcept {
         const bool back = config_.servo.follow_up || requests.follow_up;
         if (back) way_back_ = kept_ - loop_.position();
         command_ = target_ = loop_.position();
-        own_command_ = own_target_ = command_ - added_;
+        own_command_ = own_target_ = command_ - added_ - overlay_;
         loop_.reset(command_);
         velocity_ = own_velocity_ = 0;
     }
@@ -167,7 +167,7 @@ void AxisUnit::exchange(double tick_s, bool powered) noexcept {
         uncounted_from_ = encoder;
         loop_.reset(encoder + origin_ - compensation_);
         // Switched off, the command waits for the machine to be switched on; an open loop never has one.
-        if (requests.open || config_.servo.open || detached) command_ = target_ = encoder + origin_ - compensation_, own_command_ = own_target_ = command_ - added_;
+        if (requests.open || config_.servo.open || detached) command_ = target_ = encoder + origin_ - compensation_, own_command_ = own_target_ = command_ - added_ - overlay_;
         error_ = 0;
     }
     moving_ = target_ != command_;

@@ -64,14 +64,20 @@ public:
     // Where the axis is to be at the end of this tick. Not called: it stays.
     void move_to(double position) noexcept {
         own_target_ = position;
-        target_ = position + added_;
+        target_ = position + added_ + overlay_;
     }
     // Coupled axes (couplings.hpp): what its channel commands, and what a master adds to it.
     void couple(double own_target, double added) noexcept {
         own_target_ = own_target;
         added_ = added;
-        target_ = own_target + added;
+        target_ = own_target + added + overlay_;
     }
+    double added() const noexcept { return added_; }
+    // A superposed handwheel: its way lies behind everything that programs command.
+    void overlay(double by) noexcept { target_ += by - overlay_, overlay_ = by; }
+    double overlay() const noexcept { return overlay_; }
+    // The superposed way becomes the axis' own: nothing moves.
+    void take_overlay() noexcept { own_command_ += overlay_, own_target_ += overlay_, overlay_ = 0; }
     double own() const noexcept { return own_command_; }          // at the start of this tick, without what a master adds
     double own_target() const noexcept { return own_target_; }
     bool beside = false;                                   // moved beside the path: no record moves it
@@ -111,7 +117,7 @@ private:
     void* drive_ = nullptr;
     PositionLoop loop_;
     double command_ = 0, target_ = 0, velocity_ = 0;
-    double own_command_ = 0, own_target_ = 0, own_velocity_ = 0, added_ = 0, shifted_ = 0;
+    double own_command_ = 0, own_target_ = 0, own_velocity_ = 0, added_ = 0, shifted_ = 0, overlay_ = 0;
     double error_ = 0, origin_ = 0;
     double pulses_per_unit_ = 1e6;
     double output_ = 0, remainder_ = 0;                    // remainder: of the speed command, thousandths of a pulse

@@ -3,28 +3,79 @@
 //
 //   AP_PAXR     ____/-----------\____     rising: to AP_PAXPOS with AP_PAXFEED; falling: it brakes
 //   AN_PAXA     _____/-----\__________     while it moves
+//
+// A positioning axis of a program obeys its channel: it stands in a hold and at override 0, goes on with the program, and ends
+// where it is with a reset or an alarm. Machine lock lets it be where it is to be without moving.
 #include <cmath>
 
 #include "kernel/cyclic/machine.hpp"
 
 namespace polyturn::kernel {
+namespace {
+constexpr double kComesToRestS = 1.0;   // an axis that its path has just left may take so long to stand
+}
 
-void Machine::start_beside(std::uint32_t a, double target, double speed, std::uint32_t channel) noexcept {
+bool Machine::start_beside(std::uint32_t a, const Core::BesideWish& wish) noexcept {
     AxisUnit& axis = core_.axes[a];
     const AxisConfig& config = core_.config.axes[a];
     const bool may = axis.exists() && core_.on() && !core_.all_stop && axis.referenced && !axis.bound() && !axis.detached && !axis.moving() && !jogs_[a].active() &&
-                     !homing_[a].active() && !to_reference_[a] && axis.closed();
+                     !homing_[a].active() && !to_reference_[a] && axis.closed() && !(config.on_spindle && !core_.shared_axes[a].has_drive);
     if (!may) {
         axis.beside = false;
-        if (channel) channels_[channel - 1]->fault(Alarm::BesideRefused, name_of('A', a).view(), 0);
+        if (wish.channel) channels_[wish.channel - 1]->fault(Alarm::BesideRefused, name_of('A', a).view(), 0);
         else core_.alarm(Alarm::BesideRefused, config.channel, name_of('A', a).view());
-        return;
+        return false;
     }
-    const double way = target - axis.own();
-    const double v = speed > 0 ? std::fmin(speed, config.rapid) : config.rapid;
-    core_.event(KernelEventKind::BesideBegin, config.channel, static_cast<std::int32_t>(a + 1), target);
+    beside_[a] = wish;
+    beside_[a].asked = true;
+    const double way = wish.target - axis.own();
+    const std::uint32_t l = wish.channel ? wish.channel : config.channel;
+    core_.event(KernelEventKind::BesideBegin, l, static_cast<std::int32_t>(a + 1), wish.target, wish.line);
     axis.beside = true;
-    if (way != 0) start_jog(a, way > 0 ? 1.0 : -1.0, v, std::fabs(way), 0.0);
+    if (wish.channel && (channels_[wish.channel - 1]->keys & kKeyMachineLock)) return true;
+    if (way == 0) return true;
+    start_jog(a, way > 0 ? 1.0 : -1.0, config.rapid, std::fabs(way), 0.0, true);
+    jogs_[a].limit_speed(beside_speed(a));
+    if (wish.channel && jogs_[a].active()) axis.owner = wish.channel;
+    if (wish.channel && std::fabs(way) > core_.stroke.room(core_, a, way)) channels_[wish.channel - 1]->fault(Alarm::StrokeLimit, name_of('A', a).view(), axis.own() + std::copysign(core_.stroke.room(core_, a, way), way));
+    return true;
+}
+
+// As fast as it may be in this tick: feed, override and hold of the channel whose program it is.
+double Machine::beside_speed(std::uint32_t a) const noexcept {
+    const Core::BesideWish& wish = beside_[a];
+    const AxisConfig& config = core_.config.axes[a];
+    double v = config.rapid;
+    if (wish.per_turn) v = wish.speed * (wish.spindle >= 1 && wish.spindle <= kMaxSpindles ? std::fabs(core_.spindle_rev_s[wish.spindle - 1]) : 0.0);
+    else if (wish.speed > 0) v = wish.speed;
+    if (wish.channel) {
+        const ChannelRunner& runner = *channels_[wish.channel - 1];
+        if (runner.holds_beside()) return 0.0;
+        v *= runner.wheel_share();
+        v *= wish.speed > 0 ? runner.feed_override : runner.rapid_override;
+    }
+    if (core_.signals.plc(signals::cp_setup(config.channel))) v = std::fmin(v, config.setup_feed);
+    if (!core_.axes[a].referenced && config.reference.rapid > 0) v = std::fmin(v, config.reference.rapid);
+    return std::fmin(v, config.rapid);
+}
+
+// It rests: says so. True when it did.
+bool Machine::end_beside(std::uint32_t a) noexcept {
+    AxisUnit& axis = core_.axes[a];
+    if (jogs_[a].active() || axis.moving()) return false;
+    const Core::BesideWish& wish = beside_[a];
+    const std::uint32_t l = wish.channel ? wish.channel : core_.config.axes[a].channel;
+    axis.beside = false;
+    core_.event(KernelEventKind::BesideEnd, l, static_cast<std::int32_t>(a + 1), axis.own(), wish.line);
+    if (wish.note)
+        if (KernelEvent* event = core_.log.claim(KernelEventKind::RecordEnd, l, core_.tick, 0)) {
+            event->note = wish.note;
+            event->line = wish.line;
+            event->code = static_cast<std::int32_t>(RecordKind::Beside);
+            core_.log.put();
+        }
+    beside_[a] = {};
+    return true;
 }
 
 void Machine::run_beside() noexcept {
@@ -32,23 +83,29 @@ void Machine::run_beside() noexcept {
         AxisUnit& axis = core_.axes[a];
         if (!axis.exists()) continue;
         const bool asked = core_.signals.plc(signals::ap_paxr(a + 1)) != 0;
-        if (axis.beside && !core_.beside[a].asked) {
-            if (beside_by_plc_[a] && !asked) jogs_[a].stop();
-            if (!jogs_[a].active() && !axis.moving()) {
-                axis.beside = beside_by_plc_[a] = false;
-                core_.event(KernelEventKind::BesideEnd, core_.config.axes[a].channel, static_cast<std::int32_t>(a + 1), axis.own());
-            }
+        if (beside_[a].asked) {
+            const std::uint32_t l = beside_[a].channel;
+            const bool over = l ? !channels_[l - 1]->program_runs() || channels_[l - 1]->breaks_off_beside() : !asked;
+            if (over) jogs_[a].stop();
+            else if (jogs_[a].active()) jogs_[a].limit_speed(beside_speed(a));
+            end_beside(a);
         }
-        if (core_.beside[a].asked) {
-            const Core::BesideWish wish = core_.beside[a];
-            core_.beside[a] = {};
-            start_beside(a, wish.target, wish.speed, wish.channel);
-        } else if (asked && !pax_request_[a]) {
+        Core::BesideWish& wish = core_.beside[a];
+        if (wish.asked && !beside_[a].asked) {
+            const bool waits = axis.moving() && static_cast<double>(core_.tick - wish.since) * core_.config.tick_s < kComesToRestS;
+            if (!channels_[wish.channel - 1]->program_runs()) axis.beside = false, wish = {};
+            else if (!waits) {
+                const Core::BesideWish now = wish;
+                wish = {};
+                start_beside(a, now);
+            }
+        } else if (asked && !pax_request_[a] && !wish.asked) {
             const double unit = core_.config.axes[a].inch ? 25.4 : 1.0;
             const double place = core_.signals.plc(signals::ap_paxpos(a + 1)) / 1000.0 * unit;
-            const double target = core_.signals.plc(signals::ap_paxinc(a + 1)) ? axis.own() + place : place;
-            beside_by_plc_[a] = true;
-            start_beside(a, target, core_.signals.plc(signals::ap_paxfeed(a + 1)) * unit / 60.0, 0);
+            Core::BesideWish plc;
+            plc.target = core_.signals.plc(signals::ap_paxinc(a + 1)) ? axis.own() + place : place;
+            plc.speed = core_.signals.plc(signals::ap_paxfeed(a + 1)) * unit / 60.0;
+            start_beside(a, plc);
         }
         pax_request_[a] = asked;
         core_.signals.set_nc(signals::an_paxa(a + 1), axis.beside);
@@ -64,7 +121,7 @@ void Machine::watch_contours() noexcept {
         double speed2 = 0, along = 0, error2 = 0;
         for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) {
             const AxisUnit& axis = core_.axes[a];
-            if (!axis.exists() || axis.owner != l || core_.config.axes[a].rotary) continue;
+            if (!axis.exists() || axis.owner != l || axis.beside || axis.requests.torque_limit != 0 || core_.config.axes[a].rotary) continue;
             speed2 += axis.velocity() * axis.velocity();
             along += axis.velocity() * axis.error();
             error2 += axis.error() * axis.error();

@@ -145,6 +145,8 @@ void ChannelRunner::finish_reset() noexcept {
     retract_.clear();
     jog_in_hold_ = begun_ = hold_ = interrupted_ = alarm_ = continue_ = released_ = passing_ = emergency_ = skipping_ = interrupts_on_ = interrupt_due_ = hold_later_ = unfinished_ = group_ended_ = false;
     control_ = 0;
+    release_stops();
+    superposed_from_ = 0;
     core_.stroke2_off &= ~(ChannelSet{1} << index_);
     change_due_ = asked_by_hand_ = start_wanted_ = held_mdi_ = program_left_ = false;
     question_ = 0;

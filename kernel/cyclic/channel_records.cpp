@@ -68,10 +68,9 @@ bool ChannelRunner::execute(const PathRecord& r, double& left) noexcept {
         case RecordKind::Wait: return arrive(r);
         case RecordKind::Barrier: return true;
         case RecordKind::Parameter: return core_.store.ask_parameter(text_of(r), core_.tick, core_.config.answer_ticks);
-        case RecordKind::Await:
-            for (std::uint32_t i = 0; i < r.axis_count; ++i)
-                if (r.axis[i] < kMaxAxes && core_.axes[r.axis[i]].beside) return false;
-            return true;
+        case RecordKind::Await: return await(r);
+        case RecordKind::Torque: return limit_torque(r);
+        case RecordKind::Home: return find_reference(r);
         case RecordKind::Stop: return stop(r);
         case RecordKind::Flag:   // the end of a group of blocks: single block stands behind it
             flag(r);
@@ -92,6 +91,9 @@ bool ChannelRunner::execute_instant(const PathRecord& r, double offset_s) noexce
             return core_.store.write(static_cast<StoreRequestKind>(q.kind), q.channel, q.number, q.field, q.value, {q.name.data(), ::strnlen(q.name.data(), q.name.size())});
         }
         case RecordKind::SpindleMode:
+            if (static_cast<SpindleModeCode>(r.code) == SpindleModeCode::Position) return (void)position_spindle(r), phase_ = Phase::None, true;   // nobody waits
+            spindle_mode(r);
+            return true;
         case RecordKind::SpindleSpeed: spindle_mode(r); return true;
         case RecordKind::Message: {
             if (KernelEvent* event = core_.log.claim(KernelEventKind::Message, number_, core_.tick, offset_s)) {
@@ -117,10 +119,7 @@ bool ChannelRunner::execute_instant(const PathRecord& r, double offset_s) noexce
             flag(r);
             return true;
         case RecordKind::Beside:
-            if (r.axis_count > 0 && r.axis[0] < kMaxAxes) {
-                core_.axes[r.axis[0]].beside = true;
-                core_.beside[r.axis[0]] = {true, r.end[0], r.v_max, number_};
-            }
+            begin_beside(r);
             return true;
         case RecordKind::Marker: core_.waits.mark(index_, r.code, r.value != 0.0); return true;
         case RecordKind::Wait:  // a flying wait that was let pass: it is an arrival like any other
@@ -215,7 +214,7 @@ bool ChannelRunner::handshake(const PathRecord& r) noexcept {
                                       : Lines{signals::cn_bstr, second, signals::cp_bfin};
     if (phase_ != Phase::Handshake) {
         if (unfinished_ && core_.signals.plc(lines.finished(number_)) != core_.signals.nc(lines.strobe(number_))) return false;   // the code before is still to be seen
-        unfinished_ = (control_ & kControlNoFinish) != 0;
+        unfinished_ = (control_ & kControlNoFinish) != 0 || (r.flags & kBesidePath) != 0;
         phase_ = Phase::Handshake;
         strobe_ = core_.signals.nc(lines.strobe(number_)) + 1;
         core_.signals.set_nc(lines.code(number_), static_cast<std::int32_t>(std::lround(r.value)));

@@ -83,6 +83,19 @@ public:
     bool wheel_blocked() const noexcept { return wheel_blocked_; }   // it cannot go further back
     void pass_waits(std::span<ChannelRunner* const> all) noexcept;
 
+    // --- axes beside the path (beside.cpp), superposed handwheel (superpose.cpp) ---
+    static constexpr double kOverlayShare = 0.2;   // of an axis' limits, that a path leaves to a superposed handwheel
+    bool holds_beside() const noexcept;
+    bool breaks_off_beside() const noexcept { return resetting_ || interrupted_ || dead_ || emergency_; }
+    double wheel_share() const noexcept { return wheel_ ? wheel_rate_ : 1.0; }
+    void superpose(bool on) noexcept;
+    bool superposes() const noexcept { return (pressed_keys & kKeySuperpose) != 0; }
+    bool leaves_room() const noexcept;               // the path that is driven was planned with the wheel superposed
+    void overlay_moves(std::uint32_t axis, bool moves) noexcept {
+        if (moves) overlays_ |= std::uint64_t{1} << (axis % 64);
+        else overlays_ &= ~(std::uint64_t{1} << (axis % 64));
+    }
+
     // --- for the clock ---
     // Virtual time may go on: enough records for the horizon, or the process has nothing more to say.
     bool supplied() noexcept;
@@ -109,7 +122,7 @@ public:
 
 private:
     // What the record that the path stands before is doing.
-    enum class Phase : std::uint8_t { None, Dwell, Handshake, Waiting, Stopped, Thread, Spindle };
+    enum class Phase : std::uint8_t { None, Dwell, Handshake, Waiting, Stopped, Thread, Spindle, Home, Released };
     static constexpr std::uint64_t kNoRecord = ~0ull;
 
     const PathRecord& record(std::uint64_t index) const noexcept { return segment_->path.slot(index); }
@@ -200,6 +213,14 @@ private:
     void spindle_mode(const PathRecord& r) noexcept;
     void refuse_bound(const PathRecord& r) noexcept;
     bool couple_spindle(const PathRecord& r) noexcept;
+    // channel_beside.cpp
+    void begin_beside(const PathRecord& r) noexcept;
+    bool await(const PathRecord& r) const noexcept;
+    bool limit_torque(const PathRecord& r) noexcept;
+    bool find_reference(const PathRecord& r) noexcept;
+    void release_stops() noexcept;
+    std::uint64_t superposed_from_ = 0;    // records from this one on leave room for the wheel
+    std::uint64_t overlays_ = 0;           // axes that it moves just now
     void part_made() noexcept;
     bool part_counter(std::string_view variable, double value) noexcept;
     void watch_production() noexcept;

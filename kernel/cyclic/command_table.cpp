@@ -36,7 +36,9 @@ void Machine::run_command(const Command& c) noexcept {
         case CommandKind::Reset:
             each_channel(c, [](ChannelRunner& r) { r.reset(); });
             reset_couplings(c.channel);
-            for (AxisJog& jog : jogs_) jog.stop();
+            for (std::uint32_t a = 0; a < kMaxAxes; ++a)   // positioning axes end with their own channel (beside.cpp)
+                if (!beside_[a].asked || beside_[a].channel == 0) jogs_[a].stop();
+            for (Overlay& overlay : overlays_) overlay.left = 0, overlay.jog.stop();
             wheel_left_.fill(0.0);
             stop_homing();
             reset_machine();
@@ -47,6 +49,7 @@ void Machine::run_command(const Command& c) noexcept {
             break;
         case CommandKind::ReleaseStop: release_stop(); break;
         case CommandKind::RapidKey: key(kKeyRapid); break;
+        case CommandKind::Superpose: each_channel(c, [&](ChannelRunner& r) { r.superpose(on); }); break;
         case CommandKind::WarmUp: each_channel(c, [&](ChannelRunner& r) { r.warm_up(c.value); }); break;
         case CommandKind::Mode: each_channel(c, [&](ChannelRunner& r) { r.set_mode(static_cast<ChannelMode>(static_cast<std::uint32_t>(c.value))); }); break;
         case CommandKind::Select: each_channel(c, [&](ChannelRunner& r) { r.select(text_of(c)); }); break;
@@ -150,7 +153,9 @@ void Machine::reset_machine() noexcept {
 void Machine::partner_death(unsigned index) noexcept {
     const ChannelConfig& dead = core_.config.channels[index];
     for (unsigned l = 0; l < kMaxChannels; ++l) {
-        if (l == index || core_.config.channels[l].group != dead.group) continue;
+        if (core_.config.channels[l].group != dead.group) continue;
+        if (dead.partner_death == PartnerDeath::Retract) retract_work(l + 1);
+        if (l == index) continue;
         if (dead.partner_death == PartnerDeath::Hold) channels_[l]->safe_hold();
         if (dead.partner_death == PartnerDeath::Reset) channels_[l]->reset();
     }

@@ -67,12 +67,21 @@ struct Core {
     // What programs ask of axes beside their path (beside.cpp); taken in the same tick.
     struct BesideWish {
         bool asked = false;
-        double target = 0, speed = 0;   // own coordinate; mm/s, 0 rapid
-        std::uint32_t channel = 0;      // from 1
+        double target = 0, speed = 0;   // own coordinate; mm/s (per_turn: mm a revolution of `spindle`), 0 rapid
+        bool per_turn = false;
+        std::uint32_t channel = 0, spindle = 0;   // from 1; channel 0: the PLC
+        std::uint64_t note = 0;                   // event note that ends with it
+        std::uint32_t line = 0;
+        std::int64_t since = 0;                   // tick at which it was asked
     };
     std::array<BesideWish, kMaxAxes> beside{};
     // What a move that ends at a torque allows its drives (G31 P98), thousandths; 0: no such move.
     std::array<std::uint16_t, kMaxAxes> move_torque{};
+    // What programs ask of the machine, axis by axis: torque on the way to a fixed stop (thousandths, 0 all), the window there
+    // (0: PT_STOP_WINDOW), a reference point that is to be found; and whether that could not be found.
+    std::array<std::uint16_t, kMaxAxes> program_torque{};
+    std::array<double, kMaxAxes> program_window{};
+    std::array<bool, kMaxAxes> home_wish{}, home_busy{}, home_failed{};
     SpindleCouplings* spindle_couplings = nullptr;   // the machine's
     ChannelSet jogging = 0;                // channels of which an axis is moved by hand
     std::array<double, kMaxSpindles> spindle_rev_s{};  // measured, for feed per revolution
@@ -102,6 +111,11 @@ struct Core {
         for (std::size_t l = 1; l <= kMaxChannels; ++l)
             if (signals.plc(polyturn::signals::cp_nowt(l))) set |= 1u << (l - 1);
         return set;
+    }
+    std::uint16_t torque_limit(std::uint32_t a) const noexcept {   // the PLC's or the program's, whichever is lower
+        const std::int32_t by_plc = signals.plc(polyturn::signals::ap_torq(a + 1));
+        const auto told = static_cast<std::uint16_t>(by_plc < 0 ? 0 : by_plc > 1000 ? 1000 : by_plc);
+        return program_torque[a] == 0 ? told : told == 0 || program_torque[a] < told ? program_torque[a] : told;
     }
     void event(KernelEventKind kind, std::uint32_t channel, std::int32_t code = 0, double value = 0, std::uint32_t line = 0, std::string_view text = {}) noexcept {
         KernelEvent* e = log.claim(kind, channel, tick);

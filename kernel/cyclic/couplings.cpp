@@ -107,7 +107,7 @@ void Couplings::switch_requests(Core& core, std::size_t a) noexcept {
         if (may_switch(core, a, m, link.add_since, "AP_SPRPNR")) {
             link.add.on = add;
             link.add.master_ref = core.axes[m].target();
-            if (!add) axis.couple(axis.target(), 0);   // its channel goes on from where the axis really is
+            if (!add) axis.couple(axis.target() - axis.overlay(), 0);   // its channel goes on from where the axis really is
         }
     } else {
         link.add_since = -1;
@@ -164,7 +164,7 @@ void Couplings::follow(Core& core, std::size_t a) noexcept {
     const bool loops_open = core.state == MachineState::Off || core.tick - powered_since_ < kFollowUpTicks;
     if (loops_open) {   // follow-up gives both axes new numbers: the distance between them is what they now have
         by.own_ref = axis.own_target();
-        by.master_ref = link.sync.on ? master : master - by.sign * (axis.target() - axis.own_target());
+        by.master_ref = link.sync.on ? master : master - by.sign * axis.added();
         return;
     }
     if (link.sync.on) {

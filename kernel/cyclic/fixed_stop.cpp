@@ -21,7 +21,7 @@ void Machine::watch_fixed_stop(std::uint32_t a) noexcept {
         if (limited && axis.torque_limited() && std::fabs(speed) < kRestingMmS && std::fabs(axis.error()) >= servo.stop_error) {
             axis.pressing = true;
             axis.pressed_at = axis.measured();
-            axis.leaves_stop = core_.move_torque[a] != 0;   // from now on: the move that ends here takes its limit away
+            axis.leaves_stop = core_.move_torque[a] != 0 && core_.program_torque[a] == 0;   // from now on: the move that ends here takes its limit away
             jogs_[a].stop();
         }
     } else if (!limited) {
@@ -29,12 +29,14 @@ void Machine::watch_fixed_stop(std::uint32_t a) noexcept {
         axis.pressing = false;
         const double back = axis.measured() - axis.own();
         if (core_.on() && back != 0 && !axis.moving()) start_jog(a, back > 0 ? 1.0 : -1.0, by_hand(a), std::fabs(back), 0.0);
-    } else if (std::fabs(axis.measured() - axis.pressed_at) > servo.stop_window) {
+        if (jogs_[a].active()) axis.beside = coming_back_[a] = true;   // no path moves it before it is there
+    } else if (std::fabs(axis.measured() - axis.pressed_at) > (core_.program_window[a] > 0 ? core_.program_window[a] : servo.stop_window)) {
         axis.pressing = false;
         core_.alarm(Alarm::FixedStopLost, core_.config.axes[a].channel, name_of('A', a).view(), std::fabs(axis.measured() - axis.pressed_at));
         if (const std::uint32_t l = core_.config.axes[a].channel; l && channels_[l - 1]->program_runs()) channels_[l - 1]->feed_hold();
     }
     if (axis.leaves_stop && !axis.pressing && !jogs_[a].active() && !axis.moving()) axis.leaves_stop = false;
+    if (coming_back_[a] && !jogs_[a].active() && !axis.moving()) axis.beside = coming_back_[a] = false;
     core_.signals.set_nc(signals::an_fixed(a + 1), axis.pressing);
 }
 

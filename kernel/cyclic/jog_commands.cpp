@@ -7,7 +7,6 @@
 
 namespace polyturn::kernel {
 namespace {
-constexpr double kWheelClick = 0.001;  // mm or degrees
 constexpr double kMmPerInch = 25.4;
 constexpr std::int64_t kByRegister = 1, kByParameter = 2;   // N0316; 3: the feed of the program
 
@@ -28,6 +27,7 @@ double feed_of_register(std::int32_t step, bool inch, bool rotary) {
 double Machine::jog_feed(std::uint32_t a) const noexcept {
     const AxisConfig& axis = core_.config.axes[a];
     const ChannelConfig& channel = core_.config.channels[axis.channel - 1];
+    if (channels_[axis.channel - 1]->keys & kKeyRapid) return by_hand(a);   // N0314
     double most = axis.jog_max_feed > 0 ? std::fmin(axis.jog_max_feed, axis.rapid) : axis.rapid;
     if (core_.signals.plc(signals::cp_setup(axis.channel))) most = std::fmin(most, axis.setup_feed);
     if (core_.signals.plc(signals::cp_tmeas(axis.channel))) return std::fmin(channel.measure_feed, most);   // towards the tool setter (N0319)
@@ -50,18 +50,25 @@ double Machine::by_hand(std::uint32_t a) const noexcept {
     return config.channel && core_.signals.plc(signals::cp_setup(config.channel)) ? std::fmin(most, config.setup_feed) : most;
 }
 
-bool Machine::may_be_moved(std::uint32_t a) noexcept {
+std::uint32_t Machine::behind_address(std::uint32_t a) const noexcept { return couplings_.route(a) ? couplings_.route(a) - 1u : a; }
+double Machine::address_sign(std::uint32_t a) const noexcept { return couplings_.route(a) && core_.config.axes[a].counts_other_way ? -1.0 : 1.0; }
+
+// `address`: as the operator names it; its channel asks. The axis is the one whose drive it has.
+bool Machine::may_be_moved(std::uint32_t address) noexcept {
+    const std::uint32_t a = behind_address(address), l = core_.config.axes[address].channel;
     const AxisUnit& axis = core_.axes[a];
-    const std::uint32_t l = core_.config.axes[a].channel;
     const auto refuse = [&](std::string_view why) {
         core_.alarm(Alarm::NotReady, l, why);
         return false;
     };
     if (!core_.on() || core_.all_stop) return refuse("axes are moved by hand only while the machine is on");
     if (l == 0) return refuse("the axis belongs to no channel");
+    if (!axis.exists()) return refuse("there is no drive behind this address: an axis must be exchanged onto it first");
     if (core_.door_open(l)) return refuse("the door is open: close it, or switch to setup mode");
     if (channels_[l - 1]->program_runs() && !channels_[l - 1]->jogs_in_hold())
         return refuse("axes are moved by hand only while no program of the channel runs, or in a hold after jog_in_hold");
+    if (const std::uint32_t owner = core_.config.axes[a].channel; owner != l && axis.owner == owner && channels_[owner - 1]->program_runs()) return refuse("a program of another channel moves the axis");
+    if (axis.beside) return refuse("the axis is moved beside the path");
     if (axis.bound()) {
         core_.alarm(Alarm::SlaveCommanded, l, name_of('A', a).view());
         return false;
@@ -70,54 +77,73 @@ bool Machine::may_be_moved(std::uint32_t a) noexcept {
         core_.alarm(Alarm::AxisDetached, l, name_of('A', a).view());
         return false;
     }
+    if (axis.config().on_spindle && !core_.shared_axes[a].has_drive) return refuse("the drive is the spindle's at present: stop the spindle");
+    if (homing_[a].active() || to_reference_[a]) return refuse("the axis is being referenced");
     if (way_back_[l - 1].going) return refuse("the axes are on their way back");
     if (channels_[l - 1]->jogs_in_hold() && way_back_[l - 1].count == WayBack::kMost) return refuse("the way back has become too long; press return");
     return true;
 }
 
-void Machine::start_jog(std::uint32_t a, double sign, double speed, double distance, double seconds) noexcept {
+void Machine::start_jog(std::uint32_t a, double sign, double speed, double distance, double seconds, bool by_key) noexcept {
     AxisUnit& axis = core_.axes[a];
     const AxisConfig& config = core_.config.axes[a];
     // Before it is referenced, no axis is faster than N0302 (5).
     if (!axis.referenced && config.reference.rapid > 0) speed = std::fmin(speed, config.reference.rapid);
     const double from = axis.own();
-    jogs_[a].start(from, sign, {speed, config.acceleration, config.jerk}, std::llround(seconds / core_.config.tick_s), distance, core_.stroke.room(core_, a, sign),
-                   core_.config.tick_s);
+    jogs_[a].start(from, sign, {std::fmin(speed, config.rapid), config.acceleration, config.jerk}, std::llround(seconds / core_.config.tick_s), distance, core_.stroke.room(core_, a, sign),
+                   core_.config.tick_s, by_key);
+    jog_address_[a] = 0;
     if (jogs_[a].active()) axis.owner = 0;
+}
+
+// One click: an increment of the channel (N0105) as often as the PLC's switch says.
+double Machine::wheel_click(std::uint32_t address) const noexcept {
+    const AxisConfig& axis = core_.config.axes[address];
+    const ChannelConfig& channel = core_.config.channels[axis.channel - 1];
+    const double digits = static_cast<double>(channel.increments) + (axis.inch ? 2.0 : 1.0);
+    const double times = std::max(1, core_.signals.plc(signals::cp_hwmul(axis.channel)));
+    return times * std::pow(10.0, -digits) * (axis.inch ? kMmPerInch : 1.0);
 }
 
 void Machine::jog_command(const Command& c) noexcept {
     if (static_cast<CommandKind>(c.kind) == CommandKind::Handwheel && c.object == 0) return turn_program(c.channel, c.value);
-    if (c.object == 0 || c.object > kMaxAxes || !core_.axes[c.object - 1].exists()) return;
-    const std::uint32_t a = c.object - 1;
+    if (c.object == 0 || c.object > kMaxAxes || core_.config.axes[c.object - 1].channel == 0) return;
+    const std::uint32_t address = c.object - 1, a = behind_address(address);
     AxisUnit& axis = core_.axes[a];
-    const AxisConfig& config = core_.config.axes[a];
+    const AxisConfig& config = core_.config.axes[address];
+    const std::uint32_t l = config.channel;
     const auto kind = static_cast<CommandKind>(c.kind);
-    double size = std::fabs(c.value), sign = c.value < 0 ? -1.0 : 1.0;
+    double size = std::fabs(c.value), sign = (c.value < 0 ? -1.0 : 1.0) * address_sign(address);
     if (kind == CommandKind::Jog && size == 0.0) return jogs_[a].stop();   // the key is let go
     // In reference mode the jog key of an axis references it (10.4).
-    if (kind == CommandKind::Jog && config.channel && channels_[config.channel - 1]->mode() == ChannelMode::Reference) {
+    if (kind == CommandKind::Jog && channels_[l - 1]->mode() == ChannelMode::Reference) {
         Command reference = c;
         reference.object = a + 1;
         return reference_command(reference);
     }
-    if (!may_be_moved(a)) return;
-    if (homing_[a].active() || to_reference_[a]) return;
     const std::uint32_t wheel = std::clamp<std::uint32_t>(c.flags, 1, 4) - 1;
-    if (kind == CommandKind::Handwheel && (config.handle >> wheel & 1u)) sign = -sign;
+    const bool by_wheel = kind == CommandKind::Handwheel;
+    if (by_wheel && (config.handle >> wheel & 1u)) sign = -sign;
+    if (by_wheel && channels_[l - 1]->superposes() && channels_[l - 1]->program_runs() && !channels_[l - 1]->jogs_in_hold()) return superpose(a, sign * size * wheel_click(address));
+    if (!may_be_moved(address)) return;
     if (axis.moving() || jogs_[a].active()) {
         // Pulses that come while it moves: collected, or lost with the wheel's N2400 HnM (part 2, 25).
-        if (kind == CommandKind::Handwheel && !(config.handle >> (4 + wheel) & 1u)) wheel_left_[a] += sign * size * kWheelClick;
+        if (by_wheel && !(config.handle >> (4 + wheel) & 1u)) wheel_left_[a] += sign * size * wheel_click(address);
+        else if (!by_wheel) core_.alarm(Alarm::NotReady, l, "the axis still moves");
         return;
     }
-    const std::uint32_t l = config.channel;
     if (channels_[l - 1]->jogs_in_hold()) {
         WayBack& way = way_back_[l - 1];
         way.axis[way.count] = static_cast<std::uint8_t>(a);
         way.from[way.count++] = axis.own();
     }
-    if (kind == CommandKind::Jog) start_jog(a, sign, jog_feed(a), 0.0, size);
-    else start_jog(a, sign, by_hand(a), kind == CommandKind::Step ? size : size * kWheelClick, 0.0);
+    if (kind == CommandKind::Jog) {
+        start_jog(a, sign, jog_feed(address), 0.0, size, true);
+        jog_address_[a] = address + 1;
+        if (!jogs_[a].active() && core_.stroke.room(core_, a, sign) <= 0) core_.alarm(Alarm::NotReady, l, "the axis is at the end of its stroke; the other direction is free");
+    } else {
+        start_jog(a, sign, by_hand(address), kind == CommandKind::Step ? size : size * wheel_click(address), 0.0);
+    }
 }
 
 // What the operator moved in the hold goes back the same way, the last move first.
@@ -152,7 +178,10 @@ void Machine::run_jogs() noexcept {
             if (core_.on() && !core_.all_stop) start_jog(a, left > 0 ? 1.0 : -1.0, by_hand(a), std::fabs(left), 0.0);
         }
         if (!jogs_[a].active()) continue;
-        core_.jogging |= ChannelSet{1} << (core_.config.axes[a].channel - 1);
+        const std::uint32_t address = jog_address_[a];   // a key: the feed as it is now
+        if (address) jogs_[a].limit_speed(std::fmin(jog_feed(address - 1), axis.referenced || core_.config.axes[a].reference.rapid <= 0 ? core_.config.axes[a].rapid : core_.config.axes[a].reference.rapid));
+        // A positioning axis belongs to its program, not to the operator's hand.
+        if (!beside_[a].asked || beside_[a].channel == 0) core_.jogging |= ChannelSet{1} << (core_.config.axes[address ? address - 1 : a].channel - 1);
         if (core_.state == MachineState::EmergencyStop) {
             if (!axis.brake(core_.config.tick_s)) jogs_[a] = {};
             wheel_left_[a] = 0;
@@ -160,6 +189,10 @@ void Machine::run_jogs() noexcept {
         }
         if (core_.all_stop) jogs_[a].stop();
         axis.move_to(jogs_[a].step(core_.config.tick_s));
+        if (address && !jogs_[a].active()) {
+            jog_address_[a] = 0;
+            if (!jogs_[a].ran()) core_.alarm(Alarm::JogNoFeed, core_.config.axes[address - 1].channel, name_of('A', address - 1).view());
+        }
     }
     go_back();
 }

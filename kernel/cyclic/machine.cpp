@@ -116,8 +116,10 @@ void Machine::tick() noexcept {
     run_channels();
     run_homing();
     run_gear_retracts();
+    run_retracts();
     run_beside();
     run_jogs();
+    run_overlays();
     run_spindles();
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
         if (const double by = core_.axes[a].take_shift(); by != 0) couplings_.shifted(a, by), spindle_couplings_.shifted(a, by);
@@ -165,6 +167,7 @@ void Machine::take_answers() noexcept {
 
 void Machine::supervise() noexcept {
     watch_stop_circuit();
+    watch_mains();
     watch_interlocks();
     for (unsigned l = 0; l < kMaxChannels; ++l)
         if (channels_[l]->silent_too_long()) {
@@ -205,7 +208,7 @@ void Machine::run_axes() noexcept {
         const bool was_faulted = axis.faulted();
         axis.requests = {core_.signals.plc(signals::ap_opnr(a + 1)) != 0, core_.signals.plc(signals::ap_efd(a + 1)) != 0,
                          core_.signals.plc(signals::ap_flwu(a + 1)) != 0, core_.signals.plc(signals::ap_end(a + 1)) != 0,
-                         static_cast<std::uint16_t>(std::clamp(core_.signals.plc(signals::ap_torq(a + 1)), 0, 1000))};
+                         core_.torque_limit(a)};
         axis.requests.seeks_stop = core_.move_torque[a] != 0;
         if (const std::uint16_t most = core_.move_torque[a]; most && (axis.requests.torque_limit == 0 || most < axis.requests.torque_limit)) axis.requests.torque_limit = most;
         attach_and_detach(a);
@@ -257,7 +260,7 @@ bool Machine::idle() noexcept {
     for (std::uint32_t s = 0; s < core_.config.spindle_count; ++s)
         if (core_.spindles[s].exists() && !core_.spindles[s].settled()) return false;
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
-        if (core_.axes[a].exists() && (core_.axes[a].moving() || jogs_[a].active() || to_reference_[a])) return false;
+        if (core_.axes[a].exists() && (core_.axes[a].moving() || (jogs_[a].active() && !(core_.axes[a].beside && jogs_[a].stands())) || overlays_[a].jog.active() || core_.beside[a].asked || to_reference_[a] || core_.home_wish[a])) return false;
     const double quiet_s = static_cast<double>(plc_.quiet_ticks()) * core_.config.tick_s;
     return !plc_.present() ? !handshake || plc_.dead() : quiet_s >= (handshake ? kHandshakeQuietS : kPlcQuietS);
 }

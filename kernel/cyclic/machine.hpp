@@ -73,7 +73,12 @@ private:
     double jog_feed(std::uint32_t axis) const noexcept;
     bool may_be_moved(std::uint32_t axis) noexcept;
     double by_hand(std::uint32_t axis) const noexcept;
-    void start_jog(std::uint32_t axis, double sign, double speed, double distance, double seconds) noexcept;
+    double wheel_click(std::uint32_t address) const noexcept;
+    void start_jog(std::uint32_t axis, double sign, double speed, double distance, double seconds, bool by_key = false) noexcept;
+    // The axis whose drive an address has, and 1 or -1: which way the address counts it (nct_parameters_part2 22.4).
+    std::uint32_t behind_address(std::uint32_t axis) const noexcept;
+    double address_sign(std::uint32_t axis) const noexcept;
+    std::array<std::uint32_t, kMaxAxes> jog_address_{};     // jogged by its key: address (from 1), whose feed it follows
     void go_back() noexcept;
     void turn_wheels() noexcept;
     void program_wheel(std::uint32_t channel, bool on) noexcept;
@@ -101,18 +106,38 @@ private:
     std::array<std::int32_t, kMaxChannels> chosen_spindle_{};   // CP_SSEL as it was
     void run_spindles() noexcept;
     void retract_gear(std::uint32_t channel) noexcept;
+    // retract.cpp: out of the work when a partner has died or the mains fail
+    void retract_work(std::uint32_t channel) noexcept;
+    void run_retracts() noexcept;
+    void watch_mains() noexcept;
+    enum class Retract : std::uint8_t { None, Stopping, Moving };
+    std::array<Retract, kMaxChannels> retracts_{};
+    bool mains_failed_ = false, power_was_out_ = false;
+    // superpose.cpp: a handwheel adds its way to axes of a running program
+    void superpose(std::uint32_t axis, double way) noexcept;
+    void run_overlays() noexcept;
+    struct Overlay {
+        AxisJog jog;
+        double left = 0;               // turned and not driven yet, mm
+    };
+    std::array<Overlay, kMaxAxes> overlays_{};
     void run_gear_retracts() noexcept;
     void reset_couplings(std::uint32_t channel) noexcept;
     void spindle_fault(std::uint32_t index) noexcept;
     void run_axes() noexcept;
     void axis_fault(std::size_t a) noexcept;
-    void start_beside(std::uint32_t axis, double target, double speed, std::uint32_t channel) noexcept;
+    // beside.cpp
+    bool start_beside(std::uint32_t axis, const Core::BesideWish& wish) noexcept;
+    bool end_beside(std::uint32_t axis) noexcept;
+    double beside_speed(std::uint32_t axis) const noexcept;
     void run_beside() noexcept;
+    std::array<Core::BesideWish, kMaxAxes> beside_{};   // what is being driven
     void watch_contours() noexcept;
-    std::array<bool, kMaxAxes> pax_request_{}, beside_by_plc_{};   // AP_PAXR as it was; who asked
+    std::array<bool, kMaxAxes> pax_request_{};              // AP_PAXR as it was
     void protect() noexcept;
     void watch_fixed_stop(std::uint32_t axis) noexcept;
     std::array<double, kMaxAxes> last_measured_{};
+    std::array<bool, kMaxAxes> coming_back_{};              // released from its fixed stop
     void supervise() noexcept;
     void publish() noexcept;
     void trace() noexcept;

@@ -24,6 +24,7 @@ void Machine::publish() noexcept {
         out.velocity = axis.velocity();
         out.error = axis.error();
         out.compensation = axis.compensation();
+        out.overlay = axis.overlay();
         out.torque = axis.torque();
         out.owner = axis.owner;
         out.skip = axis.skip;

@@ -34,11 +34,20 @@ void Machine::reference_axis(std::uint32_t a, bool alone) noexcept {
 }
 
 void Machine::run_homing() noexcept {
+    for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) {
+        if (!core_.home_wish[a]) continue;   // a program (record Home)
+        core_.home_wish[a] = false;
+        const AxisUnit& axis = core_.axes[a];
+        const bool may = core_.on() && !core_.all_stop && !axis.detached && !axis.bound() && !jogs_[a].active();
+        core_.home_failed[a] = !may;
+        to_reference_[a] = may;
+    }
     core_.jogging = 0;   // whoever moves an axis beside the path says so in this tick, here and in run_jogs
     // Whose turn is it? Axes of one order go together; the next order waits for them.
     std::uint32_t turn = ~0u;
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
         if (to_reference_[a] || homing_[a].active()) turn = std::min(turn, core_.config.axes[a].reference.order);
+    core_.home_busy.fill(false);
     if (turn == ~0u) return;
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) {
         AxisUnit& axis = core_.axes[a];
@@ -49,6 +58,7 @@ void Machine::run_homing() noexcept {
             axis.owner = 0;
             homing_[a].start(axis, ready, core_.config.tick_s);
         }
+        core_.home_busy[a] = to_reference_[a] || homing_[a].active();
         if (!homing_[a].active()) continue;
         core_.jogging |= ChannelSet{1} << (config.channel - 1);
         if (core_.state == MachineState::EmergencyStop) {
@@ -60,6 +70,8 @@ void Machine::run_homing() noexcept {
         if (core_.all_stop) homing_[a].stop();
         if (homing_[a].step(axis, core_.signals.plc(signals::ap_decsw(a + 1)) != 0, ready, core_.config.tick_s) == Homing::State::Failed) {
             core_.alarm(homing_[a].alarm(), config.channel, name_of(config));
+            core_.home_failed[a] = true;
+            for (std::uint32_t other = 0; other < core_.config.axis_count; ++other) core_.home_failed[other] = core_.home_failed[other] || to_reference_[other];
             to_reference_.fill(false);   // what was to follow waits for the operator
         }
     }

@@ -13,6 +13,9 @@ bool is_wall(const PathRecord& r) noexcept {
     if (is_motion(r)) return (r.flags & (kThread | kTapping | kSkipMove | kFixedStop)) != 0;
     switch (static_cast<RecordKind>(r.kind)) {
         case RecordKind::Aux:
+        case RecordKind::Beside:
+        case RecordKind::Torque:
+        case RecordKind::Home:
         case RecordKind::Wait:
         case RecordKind::Stop: return true;
         case RecordKind::SpindleMode: return static_cast<SpindleModeCode>(r.code) == SpindleModeCode::Position;

@@ -1,0 +1,104 @@
+// Records of what goes on beside the path of a program: positioning axes and spindles, waiting for them, torque limits, reference
+// points. Who is under way is kept here, so that no move of the path takes an axis that has not arrived, whatever the language.
+#include <algorithm>
+#include <charconv>
+
+#include "channels/process/record_sink.hpp"
+
+namespace polyturn::channels {
+namespace {
+
+void place(const BlockContext& at, PathRecord& r) {
+    r.file = at.file;
+    r.stack_depth = at.stack_depth;
+    r.line = at.line;
+    r.block = at.block;
+    r.serial = at.serial;
+    r.part = at.part;
+}
+
+}  // namespace
+
+void RecordSink::beside(const Move& move, const BlockContext& at) {
+    await_axes_of(move, at);   // the same axis again: one after the other
+    for (unsigned i = 0; i < view_->axis_count; ++i) {
+        if (!(move.moved >> i & 1u)) continue;
+        PathRecord r = event(RecordKind::Beside, at, note([&](Sink& sink) { sink.move(move, at); }));
+        const ChannelAxis& axis = view_->axes[i];
+        r.axis_count = 1;
+        r.axis[0] = axis.machine_axis;
+        r.start[0] = move.machine_start[i];
+        r.end[0] = move.machine[i];
+        r.feed_mode = static_cast<std::uint8_t>(move.feed_mode);
+        r.spindle = move.spindle;
+        if (move.feed_mode == FeedMode::PerRevolution) r.feed = move.feed;
+        if (move.feed_mode == FeedMode::PerMinute) r.v_max = std::min(move.feed, axis.max_feed_mm_min > 0 ? axis.max_feed_mm_min : move.feed) / 60.0;
+        under_way_.axis[axis.machine_axis] = true;
+        push(r, (last_moved_ >> i & 1u) != 0, false);   // behind a move of its own it begins from rest
+    }
+    last_ = at;
+}
+
+void RecordSink::await(const Outstanding& whom, const BlockContext& at) {
+    PathRecord r;
+    const auto put = [&] {
+        if (r.axis_count == 0) return;
+        r.kind = static_cast<std::uint8_t>(RecordKind::Await);
+        r.flags = kBlockBegin | kBlockEnd;
+        place(at, r);
+        push(r, true, false);
+        r = {};
+    };
+    const auto take = [&](std::size_t slot) {
+        r.axis[r.axis_count++] = static_cast<std::uint8_t>(slot);
+        if (r.axis_count == r.axis.size()) put();
+    };
+    const Outstanding wanted = whom;   // it may be under_way_ itself
+    for (std::size_t a = 0; a < kMaxAxes; ++a)
+        if (wanted.axis[a] && under_way_.axis[a]) under_way_.axis[a] = false, take(a);
+    for (std::size_t s = 0; s < kMaxSpindles; ++s)
+        if (wanted.spindle[s]) under_way_.spindle[s] = false, take(kMaxAxes + s);
+    put();
+}
+
+void RecordSink::await_axes_of(const Move& move, const BlockContext& at) {
+    Outstanding whom;
+    bool any = false;
+    for (unsigned i = 0; i < view_->axis_count; ++i)
+        if ((move.moved >> i & 1u) && under_way_.axis[view_->axes[i].machine_axis]) whom.axis[view_->axes[i].machine_axis] = any = true;
+    if (any) await(whom, at);
+}
+
+void RecordSink::await_spindles(const BlockContext& at) {
+    Outstanding whom;
+    whom.spindle = under_way_.spindle;
+    await(whom, at);
+}
+
+// HOME with a set of places; WINDOW<place> and TORQUE<place>.
+bool RecordSink::demand(std::string_view name, double value, const BlockContext& at) {
+    const auto place_in = [&](std::string_view word, unsigned& place_of) {
+        if (name.substr(0, word.size()) != word) return false;
+        const char* const end = name.data() + name.size();
+        return std::from_chars(name.data() + word.size(), end, place_of).ptr == end && place_of < view_->axis_count;
+    };
+    unsigned i = 0;
+    if (name == "HOME") {
+        PathRecord r = event(RecordKind::Home, at, 0);
+        for (unsigned k = 0; k < view_->axis_count && r.axis_count < r.axis.size(); ++k)
+            if (static_cast<AxisSet>(value) >> k & 1u) r.axis[r.axis_count++] = view_->axes[k].machine_axis;
+        push(r, true, false);
+        return true;
+    }
+    if (place_in("WINDOW", i)) return window_mm_[i] = value, true;
+    if (!place_in("TORQUE", i)) return false;
+    PathRecord r = event(RecordKind::Torque, at, 0);
+    r.axis_count = 1;
+    r.axis[0] = view_->axes[i].machine_axis;
+    r.value = value;
+    r.shape[0] = window_mm_[i];
+    push(r, true, false);
+    return true;
+}
+
+}  // namespace polyturn::channels

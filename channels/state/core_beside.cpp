@@ -1,0 +1,68 @@
+// What goes on beside the path of a program: positioning axes with their own feed, waiting for them and for positioned spindles,
+// torque limits of drives, reference points that a program finds.
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "channels/state/core.hpp"
+
+namespace polyturn::channels {
+
+bool Core::beside(unsigned place, const AxisValues& target, double feed, bool per_turn, std::uint16_t spindle) {
+    const ChannelAxis& axis = view_->axes[place];
+    const auto refuse = [&](std::string_view why) { return fail(Alarm::BesideRefused, axis.name[0], axis.name + ": " + std::string(why)); };
+    int p = -1, q = -1;
+    const AxisSet plane = plane_axes(p, q);
+    if (transformed() && path.transformation.uses(place)) return refuse("the transformation moves it");
+    if (compensating_ && (plane >> place & 1u)) return refuse("nose-radius compensation moves it");
+    if (!begin_move(target, feed > 0 ? MoveKind::Linear : MoveKind::Rapid)) return false;
+    if (move_.moved & ~(AxisSet{1} << place)) return refuse("the frame turns it: other axes would have to move too");
+    if (!move_.moved) return true;
+    move_.feed_mode = feed <= 0 ? FeedMode::Rapid : per_turn ? FeedMode::PerRevolution : FeedMode::PerMinute;
+    move_.feed = feed;
+    move_.feed_scale = 1.0;
+    move_.speed_limit = 0.0;
+    move_.spindle = spindle;
+    move_.beside = true;
+    deliver();
+    move_.beside = false;
+    accept(target);
+    return true;
+}
+
+void Core::arrive(AxisSet axes, std::uint32_t spindles) {
+    Wait told;
+    told.act = Wait::Act::Arrive;
+    told.axes = axes;
+    told.spindles = spindles;
+    emitted_ = true;
+    sink_->wait(told, at);
+}
+
+void Core::limit_torque(unsigned place, double thousandths, double window_mm) {
+    signal(fmt::format("WINDOW{}", place), window_mm);
+    signal(fmt::format("TORQUE{}", place), thousandths);
+}
+
+AxisSet Core::unreferenced(AxisSet which) const {
+    AxisSet out = 0;
+    for (AxisSet left = which; left; left &= left - 1) {
+        const auto i = static_cast<unsigned>(__builtin_ctz(left));
+        if (!view_->axes[i].referenced && !view_->axes[i].hypothetical) out |= 1u << i;
+    }
+    return out;
+}
+
+void Core::find_reference(AxisSet which) {
+    signal("HOME", static_cast<double>(which));
+    sink_->barrier(at);
+}
+
+void Core::take_positions(AxisSet which) {
+    for (AxisSet left = which; left; left &= left - 1) {
+        const auto i = static_cast<unsigned>(__builtin_ctz(left));
+        if (const auto there = port_->axis_command(view_->axes[i].machine_axis)) take_machine(i, *there);
+    }
+}
+
+}  // namespace polyturn::channels

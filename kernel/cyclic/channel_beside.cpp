@@ -1,0 +1,104 @@
+// What a program starts beside its path and later waits for: positioning axes, positioned spindles; torque limits for fixed
+// stops; reference points that a program finds (G28). And the room that a path leaves to a superposed handwheel.
+#include <algorithm>
+#include <cmath>
+
+#include "ipc/image/interrupt_inputs.hpp"
+#include "kernel/cyclic/channel_runner.hpp"
+
+namespace polyturn::kernel {
+
+void ChannelRunner::begin_beside(const PathRecord& r) noexcept {
+    if (r.axis_count == 0 || r.axis[0] >= kMaxAxes) return;
+    core_.axes[r.axis[0]].beside = true;
+    Core::BesideWish wish;
+    wish.asked = true;
+    wish.target = r.end[0];
+    wish.per_turn = static_cast<FeedMode>(r.feed_mode) == FeedMode::PerRevolution;
+    wish.speed = wish.per_turn ? r.feed : r.v_max;
+    wish.channel = number_;
+    wish.spindle = r.spindle;
+    wish.note = r.note;
+    wish.line = r.line;
+    wish.since = core_.tick;
+    core_.beside[r.axis[0]] = wish;
+}
+
+bool ChannelRunner::holds_beside() const noexcept {
+    const bool plc_stops = core_.signals.plc(signals::cp_stop(number_)) && !(control_ & kControlNoPlcStop);
+    return plc_stops || hold_ || state_ == ChannelState::Held || (wheel_ && wheel_rate_ <= 0);
+}
+
+// Axes rest at their targets; spindles are in position, or have the speed or the standstill that they were told.
+bool ChannelRunner::await(const PathRecord& r) const noexcept {
+    for (std::uint32_t i = 0; i < r.axis_count; ++i) {
+        if (r.axis[i] < kMaxAxes) {
+            if (core_.axes[r.axis[i]].beside) return false;
+            continue;
+        }
+        const std::uint32_t s = r.axis[i] - static_cast<std::uint32_t>(kMaxAxes);
+        if (s >= kMaxSpindles || !core_.spindles[s].exists()) continue;
+        // The PLC may still be at the code that positions it, and what it said acts with the next tick.
+        if (unfinished_ && core_.signals.plc(signals::cp_mfin(number_)) != core_.signals.nc(signals::cn_mstr(number_))) return false;
+        if (core_.tick < phase_since_ + 2) return false;
+        const SpindleUnit& spindle = core_.spindles[s];
+        const std::int32_t rotation = core_.signals.plc(signals::sp_rot(s + 1));
+        if (spindle.loop() == SpindleUnit::Loop::Approach || spindle.loop() == SpindleUnit::Loop::Searching) return false;
+        if (spindle.closed() ? !spindle.in_position() : rotation == 3 || rotation == 4 ? !spindle.at_speed(rotation) : !spindle.standing()) return false;
+    }
+    return true;
+}
+
+// A limit acts at once. Taken away, the command comes back to where the slide stands, and that is waited for.
+bool ChannelRunner::limit_torque(const PathRecord& r) noexcept {
+    if (r.axis_count == 0 || r.axis[0] >= kMaxAxes) return true;
+    const std::uint32_t a = r.axis[0];
+    if (phase_ != Phase::Released) {
+        core_.program_torque[a] = static_cast<std::uint16_t>(std::clamp(r.value, 0.0, 1000.0));
+        core_.program_window[a] = r.value > 0 ? r.shape[0] : 0.0;
+        if (core_.axes[a].pressing && r.shape[0] > 0) core_.axes[a].pressed_at = core_.axes[a].measured();   // a new window is around where it stands
+        if (r.value > 0) return true;
+        phase_ = Phase::Released;
+        return false;
+    }
+    return core_.tick > phase_since_ + 1 && !core_.axes[a].pressing && !core_.axes[a].beside && !core_.axes[a].moving();
+}
+
+void ChannelRunner::release_stops() noexcept {
+    for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
+        if (core_.config.axes[a].channel == number_) core_.program_torque[a] = 0, core_.program_window[a] = 0;
+}
+
+// Axes that have no reference point yet find it as reference mode would do it; the others stay where they are.
+bool ChannelRunner::find_reference(const PathRecord& r) noexcept {
+    const bool begins = phase_ != Phase::Home;
+    phase_ = Phase::Home;
+    bool all = true;
+    for (std::uint32_t i = 0; i < r.axis_count; ++i) {
+        const std::uint32_t a = r.axis[i];
+        if (a >= kMaxAxes || !core_.axes[a].exists()) continue;
+        if (begins) {
+            core_.home_failed[a] = false;
+            core_.home_wish[a] = !core_.axes[a].referenced;
+        }
+        if (core_.home_failed[a]) {
+            raise(Alarm::ReferenceRefused, name_of('A', a).view());
+            return false;
+        }
+        all = all && core_.axes[a].referenced && !core_.home_wish[a] && !core_.home_busy[a] && !core_.axes[a].moving();
+    }
+    return all;
+}
+
+void ChannelRunner::superpose(bool on) noexcept {
+    if (on && !superposes() && planner_) superposed_from_ = planner_->next_record();
+    pressed_keys = on ? pressed_keys | kKeySuperpose : pressed_keys & ~static_cast<std::uint32_t>(kKeySuperpose);
+}
+
+bool ChannelRunner::leaves_room() const noexcept {
+    if (!superposes() || thread_moving_ || phase_ == Phase::Thread) return false;
+    if (at_rest()) return cursor_ >= superposed_from_ || planner_->next_record() == cursor_;
+    return cursor_ >= superposed_from_ && !(cursor_ < visible_end_ && (record(cursor_).flags & (kThread | kTapping)));
+}
+
+}  // namespace polyturn::kernel
