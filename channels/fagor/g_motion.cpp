@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "channels/fagor/interpreter.hpp"
+#include "ipc/params/table.hpp"
 
 namespace polyturn::channels::fagor {
 namespace {
@@ -334,6 +335,10 @@ bool Interpreter::g_hard_stop(const GCode&) {
     if (modal_.inclined) return core_.fail(Alarm::FagorInclined, 'G', "G52");
     if (!read_point(target_, nullptr) || !set_feed(target_)) return false;
     modal_.motion = 1;
+    // Its drives get only the torque of PT_STOP_TORQUE on the way; what is pressed is let go behind it.
+    for (unsigned i = 0; i < core_.view().axis_count; ++i)
+        if (std::fabs(target_[i] - core_.path.programmed[i]) > 1e-9)
+            core_.limit_torque(i, static_cast<double>(params::get(core_.view().table(), params::pt_stop_torque, core_.view().axes[i].machine_axis + 1u)), 0.0);
     return start_probe("HARDSTOP", 52);
 }
 

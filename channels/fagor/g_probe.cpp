@@ -21,7 +21,7 @@ bool Interpreter::start_probe(std::string_view input, std::uint16_t code) {
         core_.path.override_locked = true;
         core_.path.feed_path.scale = 1.0;
     }
-    const bool good = core_.skip(target_, 0.0, core_.path.feed_mode, input, code == 76);
+    const bool good = code == 52 ? core_.fixed_stop(target_, 0.0, core_.path.feed_mode, false, input) : core_.skip(target_, 0.0, core_.path.feed_mode, input, code == 76);
     core_.path.override_locked = locked;
     if (!good) return false;
     if (core_.moves() != before) probing_ = wants_barrier_ = true;
@@ -38,7 +38,12 @@ Step Interpreter::finish_probe() {
     for (unsigned i = 0; i < core_.view().axis_count; ++i)
         if (early >> i & 1u) ways_.take_back(i, wished[i] - core_.path.machine[i]);
     state_changed_ = true;
-    if (early || probe_code_ == 52) return Step::Continue;
+    if (probe_code_ == 52) {
+        for (unsigned i = 0; i < core_.view().axis_count; ++i)
+            if (core_.skip_moved() >> i & 1u) core_.limit_torque(i, 0.0, 0.0);
+        return Step::AtBarrier;   // the command comes back to where the slides stand
+    }
+    if (early) return Step::Continue;
     if (settings_.probe_error && modal_.probe_mode == 0) return fault({Alarm::FagorProbe, 'G', static_cast<double>(probe_code_), 0.0, {}, {}});
     return Step::Continue;
 }

@@ -261,6 +261,7 @@ bool Interpreter::g_home(const GCode&) {
         machine[i] = view.axes[i].reference_mm[0] + params::get(view.table(), params::fg_refvalue, view.axes[i].machine_axis + 1u);
         if (!core_.reference(machine, 1u << i, MoveKind::Reference)) return false;
     }
+    wants_barrier_ = wants_barrier_ || core_.due_at_barrier();   // an axis finds its reference point
     return true;
 }
 

@@ -124,7 +124,9 @@ bool Interpreter::g_reference(const GCode& row) {
         const ChannelAxis& axis = core_.view().axes[i];
         if (named >> i & 1u) machine[i] = floating ? params::get(core_.view().table(), params::f1244, axis.machine_axis + 1u) : axis.reference_mm[position];
     }
-    return core_.reference(machine, named, MoveKind::Reference);
+    if (!core_.reference(machine, named, MoveKind::Reference)) return false;
+    wants_barrier_ = wants_barrier_ || core_.due_at_barrier();   // an axis finds its reference point
+    return true;
 }
 
 bool Interpreter::g_reference_check(const GCode& row) {

@@ -63,7 +63,8 @@ bool Interpreter::act() {
     for (auto& [command, call] : block_.procedures)
         if (!(this->*command->act)(call)) return false;
     AxisSet under_way = 0;
-    if (!start_positioning(under_way) || !motion() || !position_in_parts()) return false;
+    if (!begin_stops() || !start_positioning(under_way) || !motion() || !position_in_parts()) return false;
+    if (core_.due_at_barrier()) stop_reading();
     if (under_way) core_.arrive(under_way, 0);   // POS: the block ends when they are there
     return functions_after();
 }

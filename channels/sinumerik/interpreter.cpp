@@ -49,6 +49,7 @@ Result<void> Interpreter::start(FileId main) {
     core_.compensation_reset();
     settings_ = read_settings(core_.view().table(), core_.view());
     core_.path.spindle = {};
+    stops_on_ = stops_wanted_ = 0;
     reset_modal();
     levels_.clear();
     Level level;
@@ -290,6 +291,7 @@ Step Interpreter::after_block(bool ok) {
         for (auto undo = block_undo_.rbegin(); undo != block_undo_.rend(); ++undo) (*undo)();
         block_undo_.clear();
         written_.clear();
+        stops_wanted_ = 0;
         reread_ = true;
         live_value_barrier();
         return Step::AtBarrier;

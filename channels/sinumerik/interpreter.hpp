@@ -161,6 +161,10 @@ private:
     bool functions_before();
     bool motion();
     bool functions_after();
+    bool a_fixed_stop(const Word&), a_stop_torque(const Word&), a_stop_window(const Word&);
+    AxisSet stops_on_ = 0;            // FXS = 1: the drive holds its axis at the stop, or shall on the way there
+    AxisSet stops_wanted_ = 0;        // by this block
+    bool begin_stops();
     bool start_positioning(AxisSet& wait);
     bool position_in_parts();
     bool position_axis(const Word&);

@@ -61,6 +61,7 @@ struct Modal {
     AxisSet per_revolution = 0;       // FPRAON: FA counts revolutions
     std::array<std::uint16_t, kChannelAxes> axis_feed_spindle{};  // of that spindle
     AxisSet released = 0;             // RELEASE
+    AxisValues stop_torque{}, stop_window{};   // FXST percent, FXSW mm or degrees; 0: the parameters'
     std::vector<Trail> trails;        // TRAILON
     bool corner_feed_stale = false;   // FRCM belongs to another feed type
     std::map<std::uint16_t, SpindleState> spindles;   // of spindles that are not the master now

@@ -60,6 +60,10 @@ bool Interpreter::p_axis_per_revolution(Call& c) {   // FPRAON, FPRAOF
 // One straight move of one axis with its own feed; without FA that of MD32060, else in rapid.
 bool Interpreter::drive_positioning_axis(std::size_t i, const AxisValues& target) {
     double feed = modal_.axis_feed[i];
+    if (core_.meets_stop() >> i & 1u) {   // FXS: on the path, which waits for the stop
+        const double fast = feed > 0 ? feed : core_.view().axes[i].rapid_mm_min;
+        return core_.stop_alone(target, fast);
+    }
     if (feed <= 0) feed = params::get(core_.view().table(), params::md32060, core_.view().axes[i].machine_axis + 1u);
     const bool per_revolution = modal_.per_revolution >> i & 1u;
     return core_.beside(static_cast<unsigned>(i), target, feed, per_revolution, per_revolution ? modal_.axis_feed_spindle[i] : std::uint16_t{0});

@@ -41,7 +41,7 @@ bool Interpreter::is_system_variable(std::string_view name) const {
         "$P_MSNUM", "$P_CHANNO", "$P_PROG", "$P_LINENO", "$P_STACK", "$P_REPINF", "$P_ISTEST", "$P_SEARCH", "$P_AXN1", "$P_AXN2", "$P_AXN3", "$P_AD", "$P_DRYRUN",
         "$P_SVC", "$P_S_TYPE", "$PA_FGROUP", "$PA_FGREF", "$P_FGROUP_MASK", "$AC_FGROUP_MASK", "$AA_FGROUP", "$AA_FGREF", "$AC_TOFF", "$AC_TOFFL", "$AC_TOFFR", "$AC_FZ", "$AC_F_TYPE", "$AC_SVC", "$AC_S_TYPE",
         "$P_APR", "$P_AEP", "$P_APDV", "$P_PFRAME", "$P_ACTFRAME", "$P_IFRAME", "$P_ACTBFRAME", "$P_BFRAME", "$P_CHBFRAME", "$P_GFRAME", "$P_GFR", "$AC_LIFTFAST", "$AA_ACC",
-        "$AA_IM", "$AA_IW", "$AA_IB", "$AA_S", "$AC_MARKER", "$AC_PARAM", "$AC_TIME", "$A_YEAR", "$A_MONTH", "$A_DAY", "$A_HOUR", "$A_MINUTE", "$A_SECOND", "$A_IN", "$A_OUT",
+        "$AA_IM", "$AA_IW", "$AA_IB", "$AA_FXS", "$AA_S", "$AC_MARKER", "$AC_PARAM", "$AC_TIME", "$A_YEAR", "$A_MONTH", "$A_DAY", "$A_HOUR", "$A_MINUTE", "$A_SECOND", "$A_IN", "$A_OUT",
         "$AN_LANGUAGE_ON_HMI", "$P_ACTID", "$P_UIFR", "$P_UIFRNUM", "$P_NUM_SPINDLES"};
     for (const std::string_view known : kNames)
         if (known == name) return true;
@@ -100,6 +100,10 @@ bool Interpreter::system_value(Value& value) {
     if (name == "$P_EP") {
         if (place(0) < 0) return fail_at(Alarm::AxisArgumentMissing, from, length, name);
         return value = Value::of_real(shown(place(0), path.programmed[static_cast<std::size_t>(place(0))]) / unit()), true;
+    }
+    if (name == "$AA_FXS") {
+        if (place(0) < 0 || place(0) >= kSpindleAxis) return fail_at(Alarm::AxisArgumentMissing, from, length, name);
+        return value = Value::of_int(core_.stops_met() >> place(0) & 1u), true;
     }
     if (name == "$AA_IM" || name == "$AA_IW" || name == "$AA_IB") {
         if (place(0) < 0) return fail_at(Alarm::AxisArgumentMissing, from, length, name);

@@ -70,6 +70,7 @@ void Core::refresh_limits() {
         axis.limited = std::isfinite(allowed.low) && std::isfinite(allowed.high);
         if (axis.limited) axis.limit_max = allowed.high, axis.limit_min = allowed.low;
     }
+    take_due();
 }
 
 // I1 from the machine's side: the axis stands still, its programmed number follows.

@@ -217,15 +217,20 @@ public:
     bool skip(const AxisValues& target, double feed, FeedMode mode, std::string_view input, bool release = false, double torque = 0.0);
     // Towards something that the axes meet (Move::fixed_stop); a barrier follows, then take_skip().
     bool fixed_stop(const AxisValues& target, double feed, FeedMode mode, bool must_come, std::string_view input = {});
+    // The next linear or rapid move of one of these axes is such a one.
+    void meet_stop(AxisSet which) { stops_ = which; }
+    AxisSet meets_stop() const { return stops_; }
+    AxisSet stops_met() const { return stops_met_; }     // stand at a stop and press
+    bool stop_alone(const AxisValues& target, double feed) { return skip_due_ = true, fixed_stop(target, feed, FeedMode::PerMinute, true); }
     // --- beside the path (core_beside.cpp)
     // The axis goes to its target with its own feed (mm/min or deg/min, 0 rapid; per_turn: mm a revolution of `spindle`) and nobody waits.
     bool beside(unsigned place, const AxisValues& target, double feed, bool per_turn = false, std::uint16_t spindle = 0);
     void arrive(AxisSet axes, std::uint32_t spindles);    // stands until they are there
     // The axis' drive may give only so many thousandths of its torque; 0: all of it (a barrier, then take_positions).
     void limit_torque(unsigned place, double thousandths, double window_mm);
-    AxisSet unreferenced(AxisSet which) const;            // those of them that have no reference point
-    void find_reference(AxisSet which);                   // they find it; a barrier follows, then take_positions()
-    void take_positions(AxisSet which);                   // the axes stand where the machine says
+    // At the end of the block the program must stand at a barrier: what stands elsewhere then is taken over there.
+    bool due_at_barrier() const { return resync_ != 0 || skip_due_ || home_due_ != 0; }
+    AxisSet skip_moved() const { return skip_moved_; }    // axes of the last skip move
     AxisSet take_skip();    // axes stand where the signal stopped them; the set of those that ended before their target
     // Programmed coordinate at which the signal came (the axes brake behind it): for measuring.
     double skip_point(unsigned place) const { return skip_point_[place]; }
@@ -368,6 +373,13 @@ private:
     std::uint64_t moves_ = 0;
     bool warned_spindle_ = false, waits_for_spindle_ = false, spindle_beside_ = false;
     StrokeZones zones_;   // where the axes may be, as of the last barrier
+    void find_reference(AxisSet which, const AxisValues& then);
+    void take_due();
+    AxisSet resync_ = 0;                    // they stand somewhere else behind the next barrier
+    AxisSet home_due_ = 0;                  // they find their reference points before it, and go to home_then_ behind it
+    AxisValues home_then_{};
+    AxisSet stops_ = 0, stops_met_ = 0;     // meet_stop(); and those that met it
+    bool skip_due_ = false;
     double surface_zero_told_ = 0.0;
     AxisSet skip_moved_ = 0;
     AxisValues skip_target_{}, skip_point_{};

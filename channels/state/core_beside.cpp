@@ -1,6 +1,7 @@
 // What goes on beside the path of a program: positioning axes with their own feed, waiting for them and for positioned spindles,
 // torque limits of drives, reference points that a program finds.
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -42,26 +43,29 @@ void Core::arrive(AxisSet axes, std::uint32_t spindles) {
 void Core::limit_torque(unsigned place, double thousandths, double window_mm) {
     signal(fmt::format("WINDOW{}", place), window_mm);
     signal(fmt::format("TORQUE{}", place), thousandths);
+    if (thousandths == 0) resync_ |= 1u << place, stops_met_ &= ~(1u << place);
 }
 
-AxisSet Core::unreferenced(AxisSet which) const {
-    AxisSet out = 0;
-    for (AxisSet left = which; left; left &= left - 1) {
-        const auto i = static_cast<unsigned>(__builtin_ctz(left));
-        if (!view_->axes[i].referenced && !view_->axes[i].hypothetical) out |= 1u << i;
-    }
-    return out;
-}
-
-void Core::find_reference(AxisSet which) {
+void Core::find_reference(AxisSet which, const AxisValues& then) {
     signal("HOME", static_cast<double>(which));
-    sink_->barrier(at);
+    home_due_ |= which;
+    for (unsigned i = 0; i < view_->axis_count; ++i)
+        if (which >> i & 1u) home_then_[i] = then[i];
 }
 
-void Core::take_positions(AxisSet which) {
-    for (AxisSet left = which; left; left &= left - 1) {
+// Behind a barrier: axes stand where a stop, a release or their reference point has left them.
+void Core::take_due() {
+    if (std::exchange(skip_due_, false)) stops_met_ |= take_skip();
+    for (AxisSet left = resync_ | home_due_; left; left &= left - 1) {
         const auto i = static_cast<unsigned>(__builtin_ctz(left));
         if (const auto there = port_->axis_command(view_->axes[i].machine_axis)) take_machine(i, *there);
+    }
+    resync_ = 0;
+    if (const AxisSet homed = std::exchange(home_due_, 0)) {
+        AxisValues machine = path.machine;
+        for (unsigned i = 0; i < view_->axis_count; ++i)
+            if (homed >> i & 1u) machine[i] = home_then_[i];
+        (void)reference(machine, homed, MoveKind::Reference);
     }
 }
 

@@ -173,6 +173,7 @@ void Core::tell_feed_path() {
 
 bool Core::rapid(const AxisValues& target) {
     if (!begin_move(target, MoveKind::Rapid)) return false;
+    if (stops_ & move_.moved) return skip_due_ = true, fixed_stop(target, rapid_speed(), FeedMode::PerMinute, true);
     if (move_.moved) {
         move_.feed_mode = FeedMode::Rapid;
         move_.feed = 0.0;
@@ -200,6 +201,7 @@ double Core::rapid_speed() const {
 }
 
 bool Core::linear(const AxisValues& target) {
+    if (stops_) return skip_due_ = true, fixed_stop(target, 0.0, path.feed_mode, true);
     if (!begin_move(target, MoveKind::Linear)) return false;
     if (move_.moved) {
         if (!feed_ready()) return false;
@@ -238,6 +240,10 @@ bool Core::machine_rapid(const AxisValues& machine, AxisSet which) {
 
 bool Core::reference(const AxisValues& machine, AxisSet which, MoveKind kind) {
     if (reads_ahead()) suspend_compensation(which);
+    AxisSet without = 0;   // those that have no reference point find it
+    for (unsigned i = 0; i < view_->axis_count && kind == MoveKind::Reference; ++i)
+        if ((which >> i & 1u) && !view_->axes[i].referenced && !view_->axes[i].hypothetical) without |= 1u << i;
+    if (without) find_reference(without, machine), which &= ~without;
     const AxisValues target = programmed_at(machine, which);
     if (!begin_move(target, kind)) return false;
     if (move_.moved) {
@@ -279,6 +285,7 @@ bool Core::skip(const AxisValues& target, double feed, FeedMode mode, std::strin
 }
 
 bool Core::fixed_stop(const AxisValues& target, double feed, FeedMode mode, bool must_come, std::string_view input) {
+    stops_ = 0;
     move_.fixed_stop = true;
     move_.stop_must_come = must_come;
     const bool good = skip(target, feed, mode, input);

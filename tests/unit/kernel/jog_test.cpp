@@ -55,5 +55,64 @@ TEST(Jog, IsRefusedWhileAProgramRuns) {
     EXPECT_TRUE(rig.alarmed(Alarm::NotReady, 1));
 }
 
+// The PLC's first outputs come some ticks after the start: a key pressed before waits for them, and says so when they never come.
+TEST(Jog, WaitsForTheFeedThatThePlcSaysAndTellsWhenThereIsNone) {
+    for (const bool comes : {true, false}) {
+        TickRig rig;
+        rig.plc_program = [comes](const PlcInputs& in, PlcOutputs& out) {
+            TickRig::lathe(in, out);
+            if (!comes) out.signal[signals::cp_jogfd(1)] = 0;
+        };
+        rig.command(CommandKind::Jog, 0, 0.3, 0, 1);
+        rig.run(1000);
+        EXPECT_EQ(rig.position(1) > 1, comes);
+        EXPECT_EQ(rig.alarmed(Alarm::JogNoFeed, 1), !comes);
+    }
+}
+
+TEST(Jog, FollowsTheFeedSwitchWhileTheKeyIsHeld) {
+    TickRig rig;
+    int step = 15;
+    rig.plc_program = [&step](const PlcInputs& in, PlcOutputs& out) {
+        TickRig::lathe(in, out);
+        out.signal[signals::cp_jogfd(1)] = step;
+    };
+    rig.run(50);
+    rig.command(CommandKind::Jog, 0, 2, 0, 1);
+    rig.run(500);
+    EXPECT_NEAR(rig.speed_of(1), 1260.0 / 60, 0.01);
+    step = 10;
+    rig.run(300);
+    EXPECT_NEAR(rig.speed_of(1), 126.0 / 60, 0.01);
+}
+
+TEST(Jog, TheAddressOfAnExchangedAxisMovesTheDriveItHas) {
+    TickRig rig([](params::Table& t, RunOptions&) {
+        params::put(t, params::n2104_composit_axis, 3, 1);
+        params::put(t, params::n2105_composit_config, 1, 1);   // the two count against each other
+        params::put(t, params::n2105_composit_config, 1, 3);
+    });
+    rig.run(50);
+    rig.command(CommandKind::SetSignal, 0, 1, 0, signals::ap_mixr(1), 1);
+    rig.run(100);
+    ASSERT_EQ(rig.machine->core().signals.nc(signals::an_mixa(1)), 1);
+    rig.command(CommandKind::Step, 0, 4, 0, 1);
+    rig.run(500);
+    EXPECT_NEAR(rig.position(3), -4, 1e-9);
+    EXPECT_EQ(rig.position(1), 0);
+}
+
+TEST(Jog, AClickIsAnIncrementOfTheChannelAsOftenAsTheSwitchSays) {
+    TickRig rig([](params::Table& t, RunOptions&) { params::put(t, params::n0105_increment_system, 1, 1); });
+    rig.run(50);
+    rig.command(CommandKind::Handwheel, 0, 3, 0, 1, 1);
+    rig.run(300);
+    EXPECT_NEAR(rig.position(1), 0.03, 1e-9);
+    rig.command(CommandKind::SetSignal, 0, 10, 0, signals::cp_hwmul(1), 1);
+    rig.command(CommandKind::Handwheel, 0, -1, 0, 1, 2);
+    rig.run(300);
+    EXPECT_NEAR(rig.position(1), -0.07, 1e-9);
+}
+
 }  // namespace
 }  // namespace polyturn::kernel
