@@ -53,6 +53,7 @@ struct BlockContext {
     CompSide comp = CompSide::Off;
     AxisSet display_swapped = 0;   // axes that the program counts the other way than the machine shows them: radius, not diameter
     std::string_view cycle;        // name of the cycle that makes it; empty none
+    bool by_code = false;          // within a program that a code has called (N1338 DSM)
 };
 
 inline constexpr double kTorqueOfPlc = -1.0;

@@ -212,6 +212,7 @@ Step Interpreter::read_block() {
     BlockContext& at = core_.at;
     at.file = frame.file;
     at.stack_depth = static_cast<std::uint8_t>(frames_.size() - 1);
+    at.by_code = frames_.size() > 1 && std::any_of(frames_.begin() + 1, frames_.end(), [](const CallLevel& f) { return f.by_code; });
     at.line = source_->position().line;
     at.block = -1;
     at.cycle = finishing_.active ? finishing_.name : std::string_view{};

@@ -12,7 +12,8 @@ PathLimits path_limits(const MachineConfig& machine, const params::Table& parame
         if (!axis.exists()) continue;
         const AxisLimits& from = axis.limits;
         limits.axis[i] = {from.rapid_mm_s, from.max_feed_mm_s, from.accel_mm_s2, from.normal_accel_mm_s2, from.jerk_mm_s3,
-                          from.speed_step_mm_s, from.accel_step_mm_s2, from.accel_step_arc_mm_s2, axis.rotary};
+                          from.speed_step_mm_s, from.accel_step_mm_s2, from.accel_step_arc_mm_s2, axis.rotary,
+                          params::get(parameters, params::n0422_rapid_reduct_ratio, static_cast<unsigned>(i) + 1) / 100.0};
     }
     const ChannelConfig& own = machine.channel(channel);
     limits.tolerance = params::get(parameters, params::pt_path_tol, channel);

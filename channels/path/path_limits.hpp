@@ -14,6 +14,7 @@ struct PathAxis {
     double speed_step = 0;               // mm/s: N0309; 0 no ceiling
     double accel_step = 0, accel_step_arc = 0;  // mm/s2: N0403, N0404; 0 no ceiling
     bool rotary = false;
+    double overlap = 0.5;                // N0422: share of rapid below which the next rapid move may begin
 };
 
 struct PathLimits {

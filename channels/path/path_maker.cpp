@@ -153,12 +153,34 @@ bool PathMaker::must_stop(const PathRecord& a, const PathRecord& b) const {
     return has(a, kSkipMove) || has(b, kSkipMove);
 }
 
+// N0422: how far from its end a rapid move is when, braking, all its axes have come below their share of rapid traverse.
+double PathMaker::overlap_way(const Kept& of) const {
+    double speed = of.ceilings.v;
+    for (std::size_t k = 0; k < of.move.axis_count; ++k) {
+        const double t = std::abs(of.move.end[k] - of.move.start[k]) / of.move.length;
+        const PathAxis& axis = limits_->axis[of.move.axis[k]];
+        if (t > 1e-9) speed = std::min(speed, axis.overlap * axis.rapid / t);
+    }
+    const double a = of.ceilings.a, j = of.ceilings.j;
+    const double time = speed < a * a / j ? 2 * std::sqrt(speed / j) : speed / a + a / j;
+    return 0.5 * speed * time;
+}
+
 void PathMaker::join(Kept& a, Kept& b) {
     if (has(a.move, kThread) && !has(b.move, kThreadChained)) a.move.flags |= kThreadEnd;
     Junction junction = Junction::Stop;
-    if (!must_stop(a.move, b.move))
-        junction = make_blend(a.move, 0.5 * a.move.length, b.move, 0.5 * b.move.length,
-                              std::min(useful_speed(a.move, a.ceilings.v), useful_speed(b.move, b.ceilings.v)), *limits_, blend_);
+    if (!must_stop(a.move, b.move)) {
+        double before = 0.5 * a.move.length, after = 0.5 * b.move.length;
+        const double speed = std::min(useful_speed(a.move, a.ceilings.v), useful_speed(b.move, b.ceilings.v));
+        if (has(a.move, kRapid) && has(b.move, kRapid)) {   // they overlap: rounded as far as their braking lets them
+            PathLimits wide = *limits_;
+            wide.tolerance = 2.0 * (a.move.length + b.move.length);
+            before = std::min(before, overlap_way(a)), after = std::min(after, overlap_way(b));
+            junction = make_blend(a.move, before, b.move, after, speed, wide, blend_);
+        } else {
+            junction = make_blend(a.move, before, b.move, after, speed, *limits_, blend_);
+        }
+    }
     constexpr double kNoRule = std::numeric_limits<double>::infinity();
     Ceilings rules{kNoRule, kNoRule, kNoRule};
     if (junction == Junction::Blended) {

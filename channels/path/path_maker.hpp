@@ -9,7 +9,8 @@
 //   I3  One move is kept back, of a smooth run of short lines (spline_run.hpp) some dozens; all go out before flush() returns.
 //   I4  What is not motion leaves in its place: between the last record of the move before and the first of the next.
 // A stop instead of a blend: where it is faster (a sharp corner within 5 um is passed at about 1 mm/s), asked for (G9, G61), tolerance 0, a turn of more than 160 degrees, more than kMaxCurveAxes in
-// the corner, one side measured in degrees and the other in millimetres, a rapid move on either side unless N0421 ROL, a
+// the corner, one side measured in degrees and the other in millimetres, a rapid move on either side unless N0421 ROL (two rapid
+// moves then overlap as far as N0422 says, whatever the tolerance), a
 // thread begins or ends, the record between needs one.
 #pragma once
 #include <deque>
@@ -63,6 +64,7 @@ private:
     void close_chain();
     void join(Kept& a, Kept& b);
     bool must_stop(const PathRecord& a, const PathRecord& b) const;
+    double overlap_way(const Kept& of) const;
     bool stop_is_faster(const Kept& a, const Kept& b, const Ceilings& rules);
     void put_part(Kept& of, double to, bool last, bool stop);
     void put_pieces(Kept& of, const Blend& blend, std::size_t first, std::size_t end, const Ceilings& rules, bool last);

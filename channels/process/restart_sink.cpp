@@ -34,6 +34,7 @@ void RestartSink::search(std::int64_t block, std::uint32_t together) {
     block_ = block;
     together_ = together;
     from_ = position_ = view_->start;
+    macros_too_ = params::bit(view_->table(), params::n1338_block_no_search, view_->channel, 1);
     by_m6_ = params::bit(view_->table(), params::n1338_block_no_search, view_->channel, 0);
 }
 
@@ -70,6 +71,7 @@ int RestartSink::group_of(const Aux& a) const {
 
 void RestartSink::aux(const Aux& a, const BlockContext& at) {
     if (here(at)) return next_->aux(a, at);
+    if (at.by_code && !macros_too_) return;   // N1338 DSM
     const int group = group_of(a);
     // With M6 the tool that is loaded and the one that is prepared behind it are two: T M6 T.
     const bool change = group == kToolChange && by_m6_;
@@ -92,6 +94,7 @@ void RestartSink::aux(const Aux& a, const BlockContext& at) {
 
 void RestartSink::spindle(const Spindle& s, const BlockContext& at) {
     if (here(at)) return next_->spindle(s, at);
+    if (at.by_code && !macros_too_) return;
     std::erase_if(spindles_, [&](const Spindle& kept) { return excludes(s, kept); });
     spindles_.push_back(s);
     Spindle& kept = spindles_.back();

@@ -72,7 +72,7 @@ private:
     std::vector<KeptAux> aux_;         // in the order of the program
     std::vector<Spindle> spindles_;    // likewise
     Interrupts interrupts_;
-    bool interrupts_told_ = false, by_m6_ = false;
+    bool interrupts_told_ = false, by_m6_ = false, macros_too_ = false;
     std::vector<std::pair<std::string, double>> signals_;
 };
 

@@ -27,6 +27,18 @@ void check_homing(Report& report, unsigned a) {
     if (has(2) && get(report.table, n0905_basdist, a) <= 0) report.add(Alarm::ConfigHoming, type + " with coded marks, but " + report.line(n0905_basdist, a));
 }
 
+// A gantry's slave gets its reference point with its master's: one that must have it needs a master that is homed.
+void check_homing_order(Report& report, unsigned a) {
+    const auto order = get(report.table, pt_ref_order, a);
+    const auto master = get(report.table, n2101_synchronous_master, a);
+    const bool gantry = bit(report.table, n2102_synchron_config, a, 4);
+    if (gantry && master >= 1 && master <= static_cast<std::int64_t>(kMaxAxes) && master != static_cast<std::int64_t>(a)) {
+        const auto other = get(report.table, pt_ref_order, static_cast<unsigned>(master));
+        if (order != 0 && other == 0)
+            report.add(Alarm::ConfigHoming, report.line(pt_ref_order, a) + ", but its master's " + report.line(pt_ref_order, static_cast<unsigned>(master)));
+    }
+}
+
 // 7.9: two loops on one encoder would fight; a direct measuring device never gives commands.
 void check_loops(Report& report, unsigned a) {
     const auto other = [&](const auto& handle) {
@@ -67,6 +79,17 @@ void check_spindle_address(Report& report, unsigned s) {
             report.add(Alarm::ConfigSpindleName, report.line(n0817_spindle_axis_name1, k) + " and " + line + ": both are " + name);
 }
 
+// 8.1: a name of two or three characters belongs to one spindle; those that are only S are meant by N0604 and the PLC.
+void check_spindle_name(Report& report, unsigned s) {
+    const auto second = get(report.table, n0605_spindle_name2, s), third = second > 0 ? get(report.table, n0606_spindle_name3, s) : 0;
+    if (second <= 0) return;
+    for (unsigned k = 1; k < s; ++k) {
+        if (!report.machine.spindle(k).exists() || get(report.table, n0605_spindle_name2, k) != second) continue;
+        if (get(report.table, n0606_spindle_name3, k) == third)
+            report.add(Alarm::ConfigSpindleName, report.line(n0605_spindle_name2, k) + " and " + report.line(n0605_spindle_name2, s) + ": two spindles of one name");
+    }
+}
+
 }  // namespace
 
 void check_kinds(Report& report) {
@@ -74,10 +97,11 @@ void check_kinds(Report& report) {
         if (!x.exists()) continue;
         check_distances(report, x.number);
         check_homing(report, x.number);
+        check_homing_order(report, x.number);
         check_loops(report, x.number);
     }
     for (const SpindleConfig& s : report.machine.spindles)
-        if (s.exists()) check_spindle_address(report, s.number);
+        if (s.exists()) check_spindle_address(report, s.number), check_spindle_name(report, s.number);
 }
 
 }  // namespace polyturn::config

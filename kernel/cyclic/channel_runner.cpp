@@ -165,7 +165,7 @@ void ChannelRunner::run() noexcept {
     watch_interrupt();
     const bool back = trail_.active() || (wheel_ && wheel_drives_trail());
     if (back) {
-        if (!((interrupted_ || dead_ || jog_in_hold_ || !program_runs()) && at_rest())) drive_trail();
+        if (!((interrupted_ || dead_ || jog_in_hold_ || !drives_by_wheel()) && at_rest())) drive_trail();
         left = 0.0;
     }
     if (at_boundary_ && !back) execute_standing(left);
@@ -210,7 +210,7 @@ PathInput ChannelRunner::path_input() noexcept {
     input.rapid_override = rapid_override;
     input.speed_ceiling = setup_ceiling();
     input.spindle_rev_s = core_.spindle_rev_s.data();
-    input.hold = (core_.signals.plc(signals::cp_stop(number_)) && !(control_ & kControlNoPlcStop)) || hold_ || group_ended_ || resetting_ || dead_ || interrupted_ || core_.all_stop || !core_.on() || !program_runs();
+    input.hold = (core_.signals.plc(signals::cp_stop(number_)) && !(control_ & kControlNoPlcStop)) || hold_ || group_ended_ || resetting_ || dead_ || interrupted_ || core_.all_stop || !core_.on() || !drives_by_wheel();
     if (emergency_) input.emergency_dec = emergency_deceleration();
     return input;
 }
@@ -375,7 +375,7 @@ void ChannelRunner::finished(const PathRecord& r, std::uint64_t index, double of
     if (ends_with_part_ && (r.flags & kDrains)) resetting_ = true;
     last_serial_ = r.serial;
     last_part_ = r.part;
-    trail_.add(r, r.length, meeting_);
+    if (!(kind == RecordKind::Stop && state_ == ChannelState::Ended)) trail_.add(r, r.length, meeting_);   // an end can be taken back
     meeting_ = 0;
     if (r.flags & kDrains) {
         know_positions();

@@ -188,6 +188,8 @@ private:
     bool axes_are_on(const PathRecord& r, double s) const noexcept;
     bool start_retrace() noexcept;
     bool wheel_drives_trail() noexcept;
+    // A program runs; or it has ended, and the handwheel takes it back.
+    bool drives_by_wheel() const noexcept { return program_runs() || (wheel_ && state_ == ChannelState::Ended && !held_mdi_); }
     bool partners_let_through(std::span<ChannelRunner* const> all) const noexcept;
     void drive_trail() noexcept;
     void tell_obstacle() noexcept;

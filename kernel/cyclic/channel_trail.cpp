@@ -58,6 +58,7 @@ bool ChannelRunner::start_retrace() noexcept {
 
 // -1 .. 1: how fast the handwheel lets the programs of the group go; 0 they stand.
 void ChannelRunner::set_wheel(bool on, double rate) noexcept {
+    if (wheel_ && !on && trail_.active() && state_ == ChannelState::Ended) trail_.clear();   // the next start is a new one
     if (wheel_ && !on && trail_.active()) {   // back on the path by hand: cycle start goes there
         hold_ = true;
         retrace_ = 1;
@@ -71,7 +72,7 @@ void ChannelRunner::set_wheel(bool on, double rate) noexcept {
 // The wheel turns backwards, or the trail has been left already.
 bool ChannelRunner::wheel_drives_trail() noexcept {
     if (trail_.active()) return true;
-    if (wheel_rate_ >= 0 || !program_runs() || state_ == ChannelState::ProgramStop || !may_leave_path()) return false;
+    if (wheel_rate_ >= 0 || !drives_by_wheel() || state_ == ChannelState::ProgramStop || !may_leave_path()) return false;
     if (phase_ == Phase::Waiting) {
         if (released_) return false;
         core_.waits.leave(index_);   // it comes again

@@ -37,6 +37,9 @@ public:
     std::uint32_t superimposed_master(std::size_t a) const noexcept { return links_[a].add.on ? links_[a].add.master : 0; }
     std::uint32_t route(std::size_t a) const noexcept { return links_[a].route; }   // axis behind the address; 0: its own
     std::uint32_t master_of(std::size_t a) const noexcept { return links_[a].sync.on ? links_[a].sync.master : superimposed_master(a); }
+    // Axis (from 1) whose gantry slave it is; 0 none. And the way it counts against it.
+    std::uint32_t gantry_master(std::size_t a) const noexcept { return links_[a].gantry ? links_[a].sync.master : 0; }
+    double sense(std::size_t a) const noexcept { return links_[a].sync.sign; }
     // A gantry slave (from 1) that has gone too far from its master; 0 none. Asked once a tick.
     std::uint32_t torn_gantry() const noexcept { return torn_; }
 

@@ -95,6 +95,7 @@ private:
     void reference_command(const Command& command) noexcept;
     void reference_axis(std::uint32_t axis, bool alone) noexcept;
     void run_homing() noexcept;
+    void reference_gantry(std::uint32_t master) noexcept;
     void stop_homing() noexcept;
     void watch_drive_reference(std::uint32_t axis) noexcept;
     void guard_stroke(std::uint32_t axis) noexcept;

@@ -57,6 +57,7 @@ void Machine::run_homing() noexcept {
             to_reference_[a] = false;
             axis.owner = 0;
             homing_[a].start(axis, ready, core_.config.tick_s);
+            if (axis.referenced && !homing_[a].active()) reference_gantry(a);
         }
         core_.home_busy[a] = to_reference_[a] || homing_[a].active();
         if (!homing_[a].active()) continue;
@@ -68,12 +69,24 @@ void Machine::run_homing() noexcept {
             continue;
         }
         if (core_.all_stop) homing_[a].stop();
-        if (homing_[a].step(axis, core_.signals.plc(signals::ap_decsw(a + 1)) != 0, ready, core_.config.tick_s) == Homing::State::Failed) {
+        const Homing::State now = homing_[a].step(axis, core_.signals.plc(signals::ap_decsw(a + 1)) != 0, ready, core_.config.tick_s);
+        if (now == Homing::State::Done) reference_gantry(a);
+        if (now == Homing::State::Failed) {
             core_.alarm(homing_[a].alarm(), config.channel, name_of(config));
             core_.home_failed[a] = true;
             for (std::uint32_t other = 0; other < core_.config.axis_count; ++other) core_.home_failed[other] = core_.home_failed[other] || to_reference_[other];
             to_reference_.fill(false);   // what was to follow waits for the operator
         }
+    }
+}
+
+// The slaves of a gantry have come along: their reference point is their master's (nct_parameters_part2 22.3).
+void Machine::reference_gantry(std::uint32_t master) noexcept {
+    for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) {
+        AxisUnit& slave = core_.axes[a];
+        if (couplings_.gantry_master(a) != master + 1 || !slave.exists() || slave.referenced) continue;
+        slave.shift(couplings_.sense(a) * core_.axes[master].own() - slave.own());
+        slave.referenced = true;
     }
 }
 

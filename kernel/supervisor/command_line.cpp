@@ -3,45 +3,49 @@
 #include <iostream>
 
 #include "kernel/supervisor/options.hpp"
+#include "kernel/supervisor/phrases.hpp"
 #include "kernel/supervisor/version.hpp"
 
 namespace polyturn::supervisor {
 
 namespace {
 
+// In the reader's language (POLYTURN_LANG, LC_ALL ...).
+std::string tell(const char* english) { return std::string(say(english)); }
+
 constexpr const char* kExitStatus = "Exit status: 0 done; 1 the job ended with an alarm; 2 wrong usage or unreadable input.";
 
 // Each occurrence takes one argument, so that programs may follow it.
 CLI::Option* repeatable(CLI::App& app, const char* name, std::vector<std::string>& into, const char* text) {
-    return app.add_option(name, into, text)->allow_extra_args(false);
+    return app.add_option(name, into, tell(text))->allow_extra_args(false);
 }
 
 void add_job_options(CLI::App& app, JobOptions& job) {
-    app.add_option("PROGRAM", job.programs, "L=FILE (channel and file), FILE (the first for channel 1, and so on), or one NAME.job.toml")->required();
+    app.add_option("PROGRAM", job.programs, tell("L=FILE (channel and file), FILE (the first for channel 1, and so on), or one NAME.job.toml"))->required();
     repeatable(app, "--language", job.languages, "[L=]NAME: fanuc, nct, fagor, sinumerik or mefi; otherwise the machine says");
-    app.add_option("--machine", job.machine, "parameter file, or folder with machine.params; default: examples/machines/twin-turret");
+    app.add_option("--machine", job.machine, tell("parameter file, or folder with machine.params; default: examples/machines/twin-turret"));
     repeatable(app, "--set", job.sets, "one parameter: 'NAME [SCOPE]=VALUE', such as 'N1300 L1=5'; repeatable");
     repeatable(app, "--param-file", job.param_files, "file of such lines; repeatable");
-    app.add_option("--setup", job.setup, "what an operator would have entered: positions, zeros, offsets, variables, keys (TOML)");
-    app.add_option("--instance", job.instance, "name of the private controller");
-    app.add_option("--like", job.like, "copies offsets, tools, zeros and parameters of this running controller");
-    app.add_option("--store", job.store, "keeps what the programs write in this folder");
-    app.add_flag("--variables", job.variables, "also report every variable that a program writes");
-    app.add_flag("--quiet", job.quiet, "only alarms, messages and the summary");
-    app.add_option("--scenario", job.scenario, "what happens while it runs (TOML)");
+    app.add_option("--setup", job.setup, tell("what an operator would have entered: positions, zeros, offsets, variables, keys (TOML)"));
+    app.add_option("--instance", job.instance, tell("name of the private controller"));
+    app.add_option("--like", job.like, tell("copies offsets, tools, zeros and parameters of this running controller"));
+    app.add_option("--store", job.store, tell("keeps what the programs write in this folder"));
+    app.add_flag("--variables", job.variables, tell("also report every variable that a program writes"));
+    app.add_flag("--quiet", job.quiet, tell("only alarms, messages and the summary"));
+    app.add_option("--scenario", job.scenario, tell("what happens while it runs (TOML)"));
     repeatable(app, "--watch", job.watch, "report each change of this flag or register, such as 'CN_WTNG L1' (run); repeatable");
-    app.footer(kExitStatus);
+    app.footer(tell(kExitStatus));
 }
 
 void add_run_options(CLI::App& app, JobOptions& job) {
-    app.add_flag("--virtual", job.virtual_time, "virtual time: as fast as it goes, identical every time");
-    app.add_option("--trace", job.trace_file, "positions, speeds and states of each tick (CSV)");
-    app.add_option("--trace-every", job.trace_every, "a line each so many ticks")->check(CLI::Range(1u, 1'000'000u));
+    app.add_flag("--virtual", job.virtual_time, tell("virtual time: as fast as it goes, identical every time"));
+    app.add_option("--trace", job.trace_file, tell("positions, speeds and states of each tick (CSV)"));
+    app.add_option("--trace-every", job.trace_every, tell("a line each so many ticks"))->check(CLI::Range(1u, 1'000'000u));
     repeatable(app, "--override", job.overrides, "[L=]PERCENT: feed override at the start");
     repeatable(app, "--from", job.from, "L=N120: program restart at a block; repeatable");
-    app.add_option("--parts", job.parts, "parts to make (default 1)")->check(CLI::Range(1u, 1'000'000'000u));
-    app.add_option("--plot", job.plot_file, "tool paths and the channels' timeline (SVG)");
-    app.add_flag("--report", job.report, "print where the time went, for reading, after the events");
+    app.add_option("--parts", job.parts, tell("parts to make (default 1)"))->check(CLI::Range(1u, 1'000'000'000u));
+    app.add_option("--plot", job.plot_file, tell("tool paths and the channels' timeline (SVG)"));
+    app.add_flag("--report", job.report, tell("print where the time went, for reading, after the events"));
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -72,50 +76,51 @@ void take_words(const CLI::App& app, CommandLine& line) {
 }
 
 constexpr const char* kPressWords =
-    "What can be pressed:\n"
     "  cycle_start [L]   feed_hold [L]   reset [L]   emergency_stop   release_emergency_stop   machine_on\n"
     "  mode L1=auto|mdi|jog|handwheel|reference   select L1=FILE   select JOB   mdi L1 G0 X50.\n"
     "  jog A3+ 0.5s   step A3- 0.01   handwheel 1 A3 +120   reference A3|all\n"
     "  feed_override L1=50   rapid_override L1=25   spindle_override S1=80\n"
     "  single_block L1=on   optional_stop L1=on   block_skip L1=1   dry_run L1=on   machine_lock L1=on\n"
-    "  restart L1=N120 L2=N340   retrace L1=on   jog_in_hold L1   return L1   ignore_waits L2=on   stop_after_part\n  rapid_key L1=on   first_part L1=on   warm_up L1=600\n";
+    "  restart L1=N120 L2=N340   retrace L1=on   jog_in_hold L1   return L1   ignore_waits L2=on   stop_after_part\n  rapid_key L1=on   first_part L1=on   warm_up L1=600   program_wheel L1=on   superpose L1=on\n";
 
 }  // namespace
 
 CommandLine read_command_line(int argc, char** argv) {
     CommandLine line;
-    CLI::App app{"Polyturn: a multi-channel lathe controller", "polyturn"};
-    app.set_version_flag("--version", std::string("polyturn ") + kVersion);
-    app.footer(kExitStatus);
+    CLI::App app{tell("Polyturn: a multi-channel lathe controller"), "polyturn"};
+    app.set_help_flag("-h,--help", tell("Print this help message and exit"));
+    app.set_version_flag("--version", std::string("polyturn ") + kVersion, tell("Display program version information and exit"));
+    for (const char* label : {"Usage", "OPTIONS", "Options", "Positionals", "Subcommands", "SUBCOMMAND", "REQUIRED"}) app.get_formatter()->label(label, tell(label));
+    app.footer(tell(kExitStatus));
     app.require_subcommand(1);
 
-    CLI::App* check = app.add_subcommand("check", "Interprets programs and matches their waits; nothing moves");
+    CLI::App* check = app.add_subcommand("check", tell("Interprets programs and matches their waits; nothing moves"));
     add_job_options(*check, line.job);
-    CLI::App* run = app.add_subcommand("run", "Runs programs on a private machine, in real or virtual time");
+    CLI::App* run = app.add_subcommand("run", tell("Runs programs on a private machine, in real or virtual time"));
     add_job_options(*run, line.job);
     add_run_options(*run, line.job);
-    CLI::App* start = app.add_subcommand("start", "The controller; it stays in the foreground, SIGTERM is a controlled stop");
-    start->add_option("MACHINE", line.start.machine, "parameter file or folder; default: examples/machines/twin-turret");
-    start->add_option("--instance", line.start.instance, "its name; default polyturn");
-    start->add_option("--store", line.start.store, "folder of what must survive power-off; default $XDG_STATE_HOME/polyturn/NAME");
-    start->add_flag("--no-hmi", line.start.no_hmi, "without screens");
+    CLI::App* start = app.add_subcommand("start", tell("The controller; it stays in the foreground, SIGTERM is a controlled stop"));
+    start->add_option("MACHINE", line.start.machine, tell("parameter file or folder; default: examples/machines/twin-turret"));
+    start->add_option("--instance", line.start.instance, tell("its name; default polyturn"));
+    start->add_option("--store", line.start.store, tell("folder of what must survive power-off; default $XDG_STATE_HOME/polyturn/NAME"));
+    start->add_flag("--no-hmi", line.start.no_hmi, tell("without screens"));
     repeatable(*start, "--set", line.start.sets, "one parameter; repeatable");
     repeatable(*start, "--param-file", line.start.param_files, "file of parameter lines; repeatable");
 
-    CLI::App* press = app.add_subcommand("press", "What an operator does, on a running controller")->prefix_command();
-    press->footer(std::string(kPressWords) + kExitStatus);
-    CLI::App* set = app.add_subcommand("set", "Forces a PLC signal, register, input or drive fault, or sets a parameter: 'AP_SYNCR A3=1'")->prefix_command();
-    CLI::App* release = app.add_subcommand("release", "Gives a forced signal back to the PLC: 'AP_SYNCR A3'")->prefix_command();
-    for (CLI::App* one : {press, set, release}) one->add_option("--instance", line.instance, "the controller; default polyturn");
+    CLI::App* press = app.add_subcommand("press", tell("What an operator does, on a running controller"))->prefix_command();
+    press->footer(tell("What can be pressed:") + "\n" + kPressWords + tell(kExitStatus));
+    CLI::App* set = app.add_subcommand("set", tell("Forces a PLC signal, register, input or drive fault, or sets a parameter: 'AP_SYNCR A3=1'"))->prefix_command();
+    CLI::App* release = app.add_subcommand("release", tell("Gives a forced signal back to the PLC: 'AP_SYNCR A3'"))->prefix_command();
+    for (CLI::App* one : {press, set, release}) one->add_option("--instance", line.instance, tell("the controller; default polyturn"));
 
-    CLI::App* status = app.add_subcommand("status", "What runs, and what it does");
-    CLI::App* alarms = app.add_subcommand("alarms", "The alarms since the controller was started");
+    CLI::App* status = app.add_subcommand("status", tell("What runs, and what it does"));
+    CLI::App* alarms = app.add_subcommand("alarms", tell("The alarms since the controller was started"));
     for (CLI::App* one : {status, alarms}) {
-        one->add_option("--instance", line.instance, one == status ? "the controller; default: all that run" : "the controller; default polyturn");
-        one->add_flag("--json", line.json, "for programs");
+        one->add_option("--instance", line.instance, tell(one == status ? "the controller; default: all that run" : "the controller; default polyturn"));
+        one->add_flag("--json", line.json, tell("for programs"));
     }
 
-    CLI::App* params = app.add_subcommand("params", "Parameters of a running controller (--instance) or of a machine file");
+    CLI::App* params = app.add_subcommand("params", tell("Parameters of a running controller (--instance) or of a machine file"));
     params->require_subcommand(1);
     struct Action {
         const char *name, *text, *argument, *meaning;
@@ -132,23 +137,23 @@ CommandLine read_command_line(int argc, char** argv) {
     };
     std::vector<CLI::App*> actions;
     for (const Action& action : kActions) {
-        CLI::App* one = params->add_subcommand(action.name, action.text);
-        auto* argument = one->add_option(action.argument, line.params.arguments, action.meaning);
+        CLI::App* one = params->add_subcommand(action.name, tell(action.text));
+        auto* argument = one->add_option(action.argument, line.params.arguments, tell(action.meaning));
         if (!action.many) argument->expected(0, 1);
         if (action.needed) argument->required();
-        one->add_option("--instance", line.params.instance, "a running controller");
-        one->add_option("--machine", line.params.machine, "parameter file or folder; default: examples/machines/twin-turret");
+        one->add_option("--instance", line.params.instance, tell("a running controller"));
+        one->add_option("--machine", line.params.machine, tell("parameter file or folder; default: examples/machines/twin-turret"));
         if (std::string_view(action.name) == "list") {
-            one->add_flag("--unused", line.params.unused, "only those without effect, with the reason");
+            one->add_flag("--unused", line.params.unused, tell("only those without effect, with the reason"));
         } else if (std::string_view(action.name) == "export") {
-            one->add_flag("--all", line.params.all, "also what has its default");
+            one->add_flag("--all", line.params.all, tell("also what has its default"));
         }
-        one->footer(kExitStatus);
+        one->footer(tell(kExitStatus));
         actions.push_back(one);
     }
 
-    CLI::App* clean = app.add_subcommand("clean", "Removes what no living process holds: shared memory, sockets");
-    CLI::App* bench = app.add_subcommand("bench", "Runs the benchmarks of this build and prints their figures")->prefix_command();
+    CLI::App* clean = app.add_subcommand("clean", tell("Removes what no living process holds: shared memory, sockets"));
+    CLI::App* bench = app.add_subcommand("bench", tell("Runs the benchmarks of this build and prints their figures"))->prefix_command();
 
     try {
         app.parse(argc, argv);

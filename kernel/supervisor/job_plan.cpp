@@ -300,7 +300,7 @@ void print_alarm_event(std::string_view event_text, Dialect dialect) {
     const Tongue tongue = tongue_now();
     const std::string_view what = severity_word(event.value("ev", "") == "message" || severity == "message" ? Severity::Message : severity == "warning" ? Severity::Warning : Severity::Error, tongue);
     const auto told = retell(number, dialect, words, tongue);
-    out += fmt::format("{}{}{}{}: {}\n", out.empty() ? "" : ": ", what, number.empty() ? "" : " ", number, told ? told->text : words);
+    out += fmt::format("{}{}{}{}: {}\n", out.empty() ? "" : ": ", what, number.empty() ? "" : " ", number, told ? told->text : retold_restart(words));
     if (line)
         if (const auto content = text::read_text_file(file)) {
             out += fmt::format("{:5} | {}\n", line, text::line_of(*content, line));

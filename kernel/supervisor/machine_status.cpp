@@ -28,9 +28,26 @@ std::string_view mode_text(std::uint32_t mode) {
 }
 std::string_view machine_text(std::uint32_t state) { return state == 2 ? "on" : state == 1 ? "off" : "emergency_stop"; }
 // "ready", or what is to be done next.
-std::string step_line(const MachineStatus& status) {
+std::string step_line(const MachineStatus& status, bool for_people) {
     const MachineStepText& step = machine_step_text(status.step);
-    return std::string(step.text) + (step.next.empty() ? "" : ": " + std::string(step.next));
+    const auto shown = [&](std::string_view text) { return for_people ? say(text) : text; };
+    return std::string(shown(step.text)) + (step.next.empty() ? "" : ": " + std::string(shown(step.next)));
+}
+std::string_view restart_text(std::uint32_t restart) {
+    static constexpr std::string_view kNames[] = {"none", "searching", "at_block"};
+    return restart < std::size(kNames) ? kNames[restart] : "?";
+}
+// What else holds for a channel: driven backwards, by a handwheel, looking for the block of a restart.
+std::string special_text(const ChannelStatus& channel) {
+    std::string out;
+    const auto add = [&](std::string_view english) { out += "   ", out += say(english); };
+    if (channel.retrace < 0) add("drives backwards");
+    if (channel.retrace > 0) add("drives forwards again");
+    if (channel.wheel) add("driven by the handwheel");
+    if (channel.keys & kKeySuperpose) add("handwheel superposed");
+    if (channel.restart == static_cast<std::uint32_t>(RestartState::Searching)) add("looks for the block of the restart");
+    if (channel.restart == static_cast<std::uint32_t>(RestartState::AtBlock)) add("at the block of the restart: cycle start approaches");
+    return out;
 }
 
 // Everything that is shown, copied at one moment.
@@ -111,9 +128,9 @@ Result<std::string> status_json(const std::string& instance) {
         const AxisStatus& axis = p.status.axes[i];
         if (!config.exists()) continue;
         comma(axes);
-        axes += fmt::format("{{\"axis\":\"A{}\",\"name\":\"{}\",\"channel\":{},\"cmd\":{},\"act\":{},\"referenced\":{},\"moving\":{},\"fault\":{}}}", i + 1,
+        axes += fmt::format("{{\"axis\":\"A{}\",\"name\":\"{}\",\"channel\":{},\"cmd\":{},\"act\":{},\"referenced\":{},\"moving\":{},\"fault\":{},\"overlay\":{}}}", i + 1,
                             config.name_text(), config.channel, number(axis.cmd), number(axis.act), (axis.flags & kReferenced) != 0,
-                            (axis.flags & kMoving) != 0, (axis.flags & kDriveFault) != 0);
+                            (axis.flags & kMoving) != 0, (axis.flags & kDriveFault) != 0, number(axis.overlay));
     }
     for (std::size_t i = 0; i < p.machine.last_spindle; ++i) {
         if (!p.machine.spindles[i].exists()) continue;
@@ -128,9 +145,9 @@ Result<std::string> status_json(const std::string& instance) {
         comma(channels);
         channels += fmt::format(
             "{{\"ch\":{},\"state\":\"{}\",\"mode\":\"{}\",\"line\":{},\"feed_override\":{},\"rapid_override\":{},\"wait_code\":{},\"parts\":{},\"cycle\":{},"
-            "\"cutting\":{},\"rapid\":{},\"waiting\":{}",
+            "\"cutting\":{},\"rapid\":{},\"waiting\":{},\"retrace\":{},\"wheel\":{},\"superposed\":{},\"restart\":\"{}\"",
             i + 1, state_text(channel.state), mode_text(channel.mode), channel.line, number(channel.feed_override), number(channel.rapid_override),
-            channel.wait_code, channel.parts, number(channel.cycle_s), number(channel.cutting_s), number(channel.rapid_s), number(channel.waiting_s));
+            channel.wait_code, channel.parts, number(channel.cycle_s), number(channel.cutting_s), number(channel.rapid_s), number(channel.waiting_s), channel.retrace, channel.wheel != 0, (channel.keys & kKeySuperpose) != 0, restart_text(channel.restart));
         if (!p.program[i].empty()) channels += ",\"program\":", append_json_text(channels, p.program[i]);
         channels += '}';
     }
@@ -141,7 +158,7 @@ Result<std::string> status_json(const std::string& instance) {
     std::string out = "{\"instance\":";
     append_json_text(out, instance);
     out += fmt::format(",\"machine\":\"{}\",\"step\":\"{}\",\"step_text\":\"{}\",\"seconds\":{},\"alarms\":{},\"channels\":{}],\"axes\":{}],\"spindles\":{}],\"processes\":{}]}}",
-                       machine_text(p.status.machine_state), machine_step_text(p.status.step).name, step_line(p.status), number(static_cast<double>(p.status.tick) * p.tick_s), p.status.alarm_count, channels, axes,
+                       machine_text(p.status.machine_state), machine_step_text(p.status.step).name, step_line(p.status, false), number(static_cast<double>(p.status.tick) * p.tick_s), p.status.alarm_count, channels, axes,
                        spindles, processes);
     return out;
 }
@@ -152,14 +169,14 @@ Result<std::string> status_page(const std::string& instance) {
     const Picture& p = **taken;
     std::string out = fmt::format(fmt::runtime(say("{}: machine {}, {:.1f} s, {} alarms\n")), instance, say(machine_text(p.status.machine_state)),
                                   static_cast<double>(p.status.tick) * p.tick_s, p.status.alarm_count);
-    out += fmt::format("  {}\n", step_line(p.status));
+    out += fmt::format("  {}\n", step_line(p.status, true));
     for (std::size_t i = 0; i < p.machine.last_channel; ++i) {
         if (!p.machine.channels[i].exists()) continue;
         const ChannelStatus& channel = p.status.channels[i];
-        out += fmt::format("  L{:<2} {:<12} {:<10} {}{}{}\n", i + 1, say(channel.state == static_cast<std::uint32_t>(ChannelState::Waiting) ? "waits" : state_text(channel.state)), mode_text(channel.mode),
+        out += fmt::format("  L{:<2} {:<12} {:<10} {}{}{}{}\n", i + 1, say(channel.state == static_cast<std::uint32_t>(ChannelState::Waiting) ? "waits" : state_text(channel.state)), mode_text(channel.mode),
                            p.program[i].empty() ? std::string(say("no program")) : std::filesystem::path(p.program[i]).filename().string(),
                            channel.line ? fmt::format(":{}", channel.line) : std::string(),
-                           channel.wait_code ? fmt::format(fmt::runtime(say("   waits at {}")), channel.wait_code) : std::string());
+                           channel.wait_code ? fmt::format(fmt::runtime(say("   waits at {}")), channel.wait_code) : std::string(), special_text(channel));
     }
     for (std::size_t i = 0; i < p.machine.last_axis; ++i) {
         const AxisConfig& config = p.machine.axes[i];

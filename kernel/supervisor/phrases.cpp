@@ -9,10 +9,6 @@ namespace polyturn::supervisor {
 
 namespace {
 
-struct Phrase {
-    std::string_view english, russian, czech, hungarian;
-};
-
 constexpr auto kPhrases = std::to_array<Phrase>({
     // report of a run
     {"the run", "прогон", "běh", "a futás"},
@@ -89,8 +85,12 @@ constexpr auto kPhrases = std::to_array<Phrase>({
 std::string_view say(std::string_view english) {
     const Tongue tongue = tongue_now();
     if (tongue == Tongue::English) return english;
-    const auto found = std::find_if(kPhrases.begin(), kPhrases.end(), [&](const Phrase& p) { return p.english == english; });
-    if (found == kPhrases.end()) return english;
+    const auto is_it = [&](const Phrase& p) { return p.english == english; };
+    const Phrase* found = nullptr;
+    if (const auto in = std::find_if(kPhrases.begin(), kPhrases.end(), is_it); in != kPhrases.end()) found = &*in;
+    const auto help = help_phrases();
+    if (const auto in = std::find_if(help.begin(), help.end(), is_it); !found && in != help.end()) found = &*in;
+    if (!found) return english;
     return tongue == Tongue::Russian ? found->russian : tongue == Tongue::Czech ? found->czech : found->hungarian;
 }
 

@@ -1,7 +1,5 @@
 #include "kernel/supervisor/press_words.hpp"
 
-#include "ipc/machine/named_inputs.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,6 +12,7 @@
 #include "ipc/image/commands.hpp"
 #include "ipc/params/param_file.hpp"
 #include "ipc/text/job.hpp"
+#include "kernel/supervisor/press_targets.hpp"
 #include "kernel/supervisor/signal_words.hpp"
 #include "kernel/supervisor/store_words.hpp"
 
@@ -79,6 +78,7 @@ constexpr PressWord kWords[] = {
     {"jog_in_hold", CommandKind::JogInHold, Form::Channel, "jog_in_hold L1"},
     {"return", CommandKind::Return, Form::Channel, "return L1"},
     {"ignore_waits", CommandKind::IgnoreWaits, Form::ChannelOnOff, "ignore_waits L2=on"},
+    {"superpose", CommandKind::Superpose, Form::ChannelOnOff, "superpose L1=on (a handwheel adds its way to the running program)"},
     {"rapid_key", CommandKind::RapidKey, Form::ChannelOnOff, "rapid_key L1=on"},
     {"first_part", CommandKind::FirstPart, Form::ChannelOnOff, "first_part L1=on"},
     {"warm_up", CommandKind::WarmUp, Form::ChannelSeconds, "warm_up L1=600 (seconds; 0: none)"},
@@ -95,20 +95,6 @@ std::vector<std::string_view> split(std::string_view words) {
         words.remove_prefix(out.back().size());
     }
     return out;
-}
-
-std::optional<double> number_of(std::string_view word) {
-    if (!word.empty() && word[0] == '+') word.remove_prefix(1);
-    double value = 0;
-    const auto end = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (end.ec != std::errc() || end.ptr != word.data() + word.size() || !std::isfinite(value)) return std::nullopt;
-    return value;
-}
-
-std::optional<bool> on_off(std::string_view word) {
-    if (word == "on" || word == "1" || word == "true") return true;
-    if (word == "off" || word == "0" || word == "false") return false;
-    return std::nullopt;
 }
 
 Diagnosis fault(Alarm alarm, std::string detail) { return Diagnosis{alarm, {}, {}, std::move(detail)}; }
@@ -390,41 +376,6 @@ const PressWord* find_word(std::string_view name) {
     return found == std::end(kWords) ? nullptr : &*found;
 }
 
-// "input 5", "I5": the number of an input, -1 when it is none.
-int input_number(std::string_view words) {
-    for (const std::string_view prefix : {std::string_view("input "), std::string_view("I")})
-        if (words.substr(0, prefix.size()) == prefix) {
-            const auto number = number_of(trimmed(words.substr(prefix.size())));
-            if (number && *number >= 0 && *number < static_cast<double>(kInputs) && *number == std::floor(*number)) return static_cast<int>(*number);
-        }
-    // "SKIP", "XAE L2": inputs that every channel has
-    const auto blank = words.find_first_of(" \t");
-    const std::string_view name = words.substr(0, blank), scope = blank == std::string_view::npos ? std::string_view("L1") : trimmed(words.substr(blank));
-    if (std::find(kInputNames.begin(), kInputNames.end(), name) != kInputNames.end() && scope.size() > 1 && scope[0] == 'L')
-        if (const auto channel = number_of(scope.substr(1)); channel && *channel >= 1 && *channel <= static_cast<double>(kMaxChannels))
-            if (const auto input = input_by_name(name, static_cast<unsigned>(*channel))) return static_cast<int>(*input);
-    return -1;
-}
-
-Result<Commands> drive(std::string_view whom, std::string_view value, const MachineConfig& machine) {
-    Command command = command_of(CommandKind::DriveFault);
-    const char letter = whom.empty() ? '\0' : whom[0];
-    const double wanted = whom.size() > 1 ? number_of(whom.substr(1)).value_or(0.0) : 0.0;
-    const auto number = wanted >= 1 && wanted <= static_cast<double>(kMaxAxes) ? static_cast<std::size_t>(wanted) : std::size_t{0};
-    const bool good =
-        number != 0 && ((letter == 'A' && machine.axis(number).exists()) || (letter == 'S' && number <= kMaxSpindles && machine.spindle(number).exists()));
-    if (!good) return fault(Alarm::PressArgument, fmt::format("the machine has no drive {}", whom));
-    command.object = static_cast<std::uint32_t>(number);
-    command.flags = letter == 'S' ? 1 : 0;
-    if (value == "fault" || value == "1")
-        command.value = 1.0;
-    else if (value == "encoder" && letter == 'A')
-        command.value = 2.0;
-    else if (value != "ok" && value != "0")
-        return fault(Alarm::PressArgument, "a drive is set to fault or ok, that of an axis also to encoder");
-    return Commands{command};
-}
-
 }  // namespace
 
 bool put_text(Command& command, std::string_view words) {
@@ -457,7 +408,7 @@ Result<Commands> parse_set(std::string_view words, const MachineConfig& machine)
         const auto command = parse_store_value(name, value, machine);
         return command ? Result<Commands>(Commands{*command}) : Result<Commands>(command.diagnosis());
     }
-    if (name.substr(0, 6) == "drive ") return drive(trimmed(name.substr(6)), value, machine);
+    if (name.substr(0, 6) == "drive ") return drive_fault(trimmed(name.substr(6)), value, machine);
     // Overrides and keys are set as well as pressed.
     if (const PressWord* word = find_word(name.substr(0, name.find_first_of(" \t"))); word && name.find_first_of(" \t") != std::string_view::npos)
         return parse_press(words, machine);

@@ -208,6 +208,7 @@ void LathePlc::write_outputs(View view) const {
     }
     view.out.signal[message_slot_] = message;
     view.out.signal[stop_slot_] = missing(view, in_stop_);
+    view.out.signal[power_slot_] = missing(view, in_power_);
 }
 
 }  // namespace polyturn::plc

@@ -29,8 +29,8 @@
 // the other turret has started. Emergency stop and machine off stop everything; the turret halts between stations.
 // Lubrication: an impulse of PT_LUBE_TIME whenever an axis has travelled its distance (AN_LUBR).
 // Inputs that must be on, 0 for one that is not wired: door closed (PT_IN_DOOR), clamping pressure (PT_IN_CHUCK), lubricant
-// (PT_IN_LUBE), bar (PT_IN_BAR), emergency stop circuit (PT_IN_ESTOP). PT_IN_SETUP is on in setup mode. What they say, the kernel's interlocks judge: CP_DOOROPEN, SP_UNCLAMPED, CP_NOLUBE,
-// CP_BAREND, CP_TURRETOPEN, CP_TAILOPEN, PLC_ESTOP.
+// (PT_IN_LUBE), bar (PT_IN_BAR), emergency stop circuit (PT_IN_ESTOP), mains (PT_IN_POWER). PT_IN_SETUP is on in setup mode. What they say, the kernel's interlocks judge: CP_DOOROPEN, SP_UNCLAMPED, CP_NOLUBE,
+// CP_BAREND, CP_TURRETOPEN, CP_TAILOPEN, PLC_ESTOP; at PLC_POWER the axes leave the work.
 //
 // A refused code is not finished: the channel stands, PLC_ALARM names the reason, the channel's reset clears both.
 #pragma once
@@ -183,7 +183,7 @@ private:
     std::array<AxisCouplings, kAxes> couplings_{};
     std::array<std::int32_t, kAxes> lube_slot_{};
     std::array<std::uint32_t, kAxes> axis_channel_{};
-    std::int32_t machine_on_slot_ = 0, emergency_slot_ = 0, message_slot_ = 0, stop_slot_ = 0, in_stop_ = 0, group_stride_ = 0;
+    std::int32_t machine_on_slot_ = 0, emergency_slot_ = 0, message_slot_ = 0, stop_slot_ = 0, in_stop_ = 0, power_slot_ = 0, in_power_ = 0, group_stride_ = 0;
     double tick_s_ = 0.001;
     bool first_ = true;
 };

@@ -92,6 +92,8 @@ const char* LathePlc::resolve(const PolyturnPlcHost& host) {
     emergency_slot_ = f.nc("N_ESTOP", 1);
     in_stop_ = f.whole("PT_IN_ESTOP", 1);
     stop_slot_ = f.plc("PLC_ESTOP", 1);
+    in_power_ = f.whole("PT_IN_POWER", 1);
+    power_slot_ = f.plc("PLC_POWER", 1);
     message_slot_ = f.plc("PLC_ALARM", 1);
     tick_s_ = host.tick_s;
     return f.missing;

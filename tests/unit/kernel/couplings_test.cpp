@@ -187,6 +187,27 @@ TEST(Couplings, AGantryFollowsFromTheStartAndIsPulledOntoItsMaster) {
     EXPECT_FALSE(rig.alarmed(Alarm::GantryError));
 }
 
+TEST(Couplings, AGantrySlaveGetsItsReferencePointWithItsMasters) {
+    TickRig rig([](params::Table& t, RunOptions&) {
+        params::put(t, params::n2101_synchronous_master, 2, 4);
+        params::put(t, params::n2102_synchron_config, 16, 4);
+        params::put(t, params::n0522_synchr_k, 10, 4);
+        params::put(t, params::n0900_reference_type, 2, 2);   // the first zero pulse
+        params::put(t, params::n0904_zerodis, 5, 2);
+        params::put(t, params::n0303_ref_feed, 600, 2);
+        params::put(t, params::n0302_ref_rapid, 1200, 2);
+        params::put(t, params::n0200_reference_position1, 100, 2);
+    });
+    rig.machine->core().axes[1].referenced = rig.machine->core().axes[3].referenced = false;
+    rig.command(CommandKind::Reference, 0, 0, 0, 2);
+    rig.run(3000);
+    EXPECT_TRUE(rig.machine->core().axes[1].referenced);
+    EXPECT_TRUE(rig.machine->core().axes[3].referenced);
+    EXPECT_NEAR(rig.position(4), rig.position(2), 1e-6);
+    EXPECT_GT(rig.position(4), 90);
+    EXPECT_FALSE(rig.alarmed(Alarm::GantryError));
+}
+
 TEST(Couplings, ATornGantryStopsTheMachine) {
     CoupledRig rig([](params::Table& t, RunOptions& o) {
         params::put(t, params::n2101_synchronous_master, 2, 4);
