@@ -51,6 +51,10 @@ SpindleConfig read_spindle(const params::Table& t, unsigned s) {
     const auto is = [&](unsigned number) { return p::bit(t, p::n0607_spindle_config, s, number); };
     const auto encoder = [&](unsigned number) { return p::bit(t, p::n0609_spindle_encoder_config, s, number); };
     SpindleConfig c;
+    c.encoder_unwatched = encoder(6);
+    const double full_volts = p::get(t, p::n0682_spindle_analog_adjust, s);
+    if (full_volts >= 10.0) c.output_scale = 10.0 / full_volts;
+    c.output_offset = p::get(t, p::n0683_spindle_speed_offset, s) / 10.0;
     c.exists = is(0);
     c.can_orient = is(1);
     c.can_close = is(2);

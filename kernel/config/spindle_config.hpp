@@ -52,6 +52,8 @@ struct SpindleConfig {
     double tolerance_percent = 0, tolerance_rpm = 0, standstill_rpm = 0;   // N0627 to N0629
     double watch_time_s = 0, watch_start_percent = 0, watch_percent = 0, watch_rpm = 0;  // N0630 to N0633
     double grid_shift = 0;                 // N0684, rev
+    double output_scale = 1, output_offset = 0;   // N0682: 10 V over what full scale gives; N0683: share of full scale
+    bool encoder_unwatched = false;        // N0609 END
     double setup_rpm = std::numeric_limits<double>::infinity();   // PT_SETUP_SPEED
     double basic_angle = 0;                // N0822, rev; 0: none
     bool loop_stays_open = false;          // N0742 OPN

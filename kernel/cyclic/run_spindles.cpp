@@ -111,6 +111,8 @@ void Machine::run_spindles() noexcept {
         in.creep = plc(signals::sp_par) != 0;
         in.close_loop = plc(signals::sp_oreq) != 0;
         in.orient_switch = plc(signals::sp_osw) != 0;
+        in.unwatched = plc(signals::sp_send) != 0;
+        in.torque_limit = static_cast<std::uint16_t>(plc(signals::sp_torq) <= 0 || plc(signals::sp_torq) > 1000 ? 1000 : plc(signals::sp_torq));
         in.muted = plc(signals::sp_sdetchr) != 0 || (shared_drives_[s] && shared_drives_[s]->user() == SharedDrive::User::Axis);
         in.override_factor = spindle.override_locked && !spindle.config().override_in_thread ? 1.0 : spindle.override_factor;
         in.most_rpm = spindle.owner && core_.signals.plc(signals::cp_setup(spindle.owner)) ? spindle.config().setup_rpm : kUnlimited;

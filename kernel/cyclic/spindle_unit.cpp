@@ -222,12 +222,13 @@ void SpindleUnit::step(const SpindleInput& in) noexcept {
     }
     const double full = range().calibration / 60.0;
     if (full > 0) rev_s = std::clamp(rev_s, -full, full);   // a drive has no more to give
+    rev_s = rev_s * config_.output_scale + (in.powered && !in.muted ? config_.output_offset * full : 0.0);
     if (config_.output_inverted) rev_s = -rev_s;
     PolyturnDriveCommand out{};
     out.control = !in.powered || in.muted ? POLYTURN_DRIVE_SHUTDOWN : fault_ == Fault::Drive ? POLYTURN_DRIVE_FAULT_RESET : POLYTURN_DRIVE_ENABLE;
     out.mode = POLYTURN_DRIVE_MODE_VELOCITY;
     out.brake_release = 1;
-    out.torque_limit = 1000;
+    out.torque_limit = in.torque_limit;
     out.touch_probe = loop_ == Loop::Searching && config_.orient_by == OrientBy::Probe ? POLYTURN_DRIVE_MARK_ARMED : 0;
     const double exact = rev_s * config_.drive_counts * 1e3 + remainder_;
     out.target_velocity = static_cast<std::int64_t>(std::floor(exact + 0.5));
@@ -235,7 +236,8 @@ void SpindleUnit::step(const SpindleInput& in) noexcept {
     PolyturnDriveStatus status{};
     api_->exchange(drive_, &out, &status);
     read_encoder(in, status);
-    if (status.status == POLYTURN_DRIVE_FAULT) fault_ = Fault::Drive;
+    const bool encoder = (status.error_code & 0xFF00u) == 0x7300u;   // CiA 402: sensor
+    if (status.status == POLYTURN_DRIVE_FAULT && !(encoder && (config_.encoder_unwatched || in.unwatched))) fault_ = Fault::Drive;
     else if (fault_ == Fault::Drive && !in.powered) fault_ = Fault::None;
     if (coupled_) target_ = positioner_.speed() * 60.0;
     const double command = loop_ == Loop::Closed ? positioner_.speed() * 60.0 : target_;

@@ -35,6 +35,8 @@ struct SpindleInput {
     double most_rpm = std::numeric_limits<double>::infinity();   // setup mode
     double axis_position = 0;       // of the axis that surface speed follows
     bool powered = false, stop = false;   // stop: brake whatever is said
+    bool unwatched = false;         // SP_SEND
+    std::uint16_t torque_limit = 1000;   // SP_TORQ, thousandths
 };
 
 class SpindleUnit {

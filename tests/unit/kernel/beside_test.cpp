@@ -147,7 +147,7 @@ TEST(Beside, ASpindlePositionedBesideThePathIsWaitedForWhereTheProgramSays) {
     rig.push(1, await);
     rig.push(1, rig.line(1, {5, 0}, 100));
     rig.start(1);
-    rig.run(150);
+    rig.run(250);
     EXPECT_NEAR(rig.position(1), 5, 1e-9);   // it has not waited to begin
     EXPECT_FALSE(rig.machine->core().spindles[0].in_position());
     for (int i = 0; i < 20'000 && rig.position(1) < 5.001; ++i) rig.tick();

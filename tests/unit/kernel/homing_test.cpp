@@ -139,6 +139,28 @@ TEST(Homing, AnAbsoluteAxisIsReferencedAtOnceAndThatOfADriveWhenTheDriveSaysSo) 
     EXPECT_FALSE(drive.axis().referenced);
 }
 
+// Two neighbouring marks of a coded scale tell where the axis is, in either direction and wherever it begins.
+TEST(Homing, TwoCodedMarksTellThePlaceOfTheAxis) {
+    for (const int type : {0x04, 0x24})
+        for (const double wrong_by : {3.0, -41.5}) {
+            SCOPED_TRACE(testing::Message() << "type " << type << ", " << wrong_by);
+            Bench b(type, [](Table& t) {
+                params::put(t, params::n0904_zerodis, 20, 1);
+                params::put(t, params::n0905_basdist, 1000, 1);
+            });
+            b.rig.machine->core().axes[0].shift(wrong_by);   // what it is called now is wrong
+            b.press();
+            double before = b.rig.position(1), jump = 0;
+            for (int i = 0; i < 20'000 && !b.rig.machine->idle(); ++i) {
+                b.rig.tick();
+                if (std::fabs(b.rig.position(1) - before) > 1) jump = b.rig.position(1) - before;
+                before = b.rig.position(1);
+            }
+            EXPECT_TRUE(b.axis().referenced);
+            EXPECT_NEAR(jump, -wrong_by, 0.01);
+        }
+}
+
 TEST(Homing, AFloatingReferenceIsWhereItBegins) {
     Bench b(0x10);
     b.press();
