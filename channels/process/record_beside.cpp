@@ -23,7 +23,7 @@ void RecordSink::beside(const Move& move, const BlockContext& at) {
     await_axes_of(move, at);   // the same axis again: one after the other
     for (unsigned i = 0; i < view_->axis_count; ++i) {
         if (!(move.moved >> i & 1u)) continue;
-        PathRecord r = event(RecordKind::Beside, at, note([&](Sink& sink) { sink.move(move, at); }));
+        PathRecord r = event(RecordKind::Beside, at, note_move(move, at));
         const ChannelAxis& axis = view_->axes[i];
         r.axis_count = 1;
         r.axis[0] = axis.machine_axis;

@@ -43,6 +43,10 @@ std::uint64_t RecordSink::note(Call&& call) {
     return note_;
 }
 
+std::uint64_t RecordSink::note_move(const Move& move, const BlockContext& at) {
+    return note([&](Sink& sink) { sink.move(move, at); });
+}
+
 PathRecord RecordSink::event(RecordKind kind, const BlockContext& at, std::uint64_t note) const {
     PathRecord r;
     r.kind = code_of(kind);

@@ -72,6 +72,7 @@ private:
     PathRecord event(RecordKind kind, const BlockContext& at, std::uint64_t note) const;
     void push(PathRecord& record, bool stands, bool drains);
     template <class Call> std::uint64_t note(Call&& call);
+    std::uint64_t note_move(const Move&, const BlockContext&);
     // record_beside.cpp: what goes on beside the path, and waiting for it
     struct Outstanding {
         std::array<bool, kMaxAxes> axis{};

@@ -93,6 +93,7 @@ public:
     bool a_feed(const Word&), a_feed_tooth(const Word&), a_override(const Word&), a_feed_radius(const Word&);
     bool a_feed_limit(const Word&), a_axis_feed(const Word&), a_axis_diameter(const Word&), a_nothing(const Word&);
     bool a_cutting_speed(const Word&), a_surface_axis(const Word&), a_limit(const Word&), a_spindle_position(const Word&);
+    bool a_fixed_stop(const Word&), a_stop_torque(const Word&), a_stop_window(const Word&);
     bool a_tool_length_offset(const Word&), a_tool_axis_offset(const Word&), a_tool_radius_offset(const Word&);
 
     // --- statements (statements.cpp, control.cpp, calls.cpp)
@@ -161,7 +162,6 @@ private:
     bool functions_before();
     bool motion();
     bool functions_after();
-    bool a_fixed_stop(const Word&), a_stop_torque(const Word&), a_stop_window(const Word&);
     AxisSet stops_on_ = 0;            // FXS = 1: the drive holds its axis at the stop, or shall on the way there
     AxisSet stops_wanted_ = 0;        // by this block
     bool begin_stops();

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "ipc/machine/named_inputs.hpp"
-#include "ipc/params/param_file.hpp"
+#include "kernel/supervisor/signal_words.hpp"
 
 namespace polyturn::supervisor {
 
