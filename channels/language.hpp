@@ -3,6 +3,7 @@
 #pragma once
 #include <any>
 #include <memory>
+#include <string>
 #include <string_view>
 
 #include "channels/program_files.hpp"
@@ -31,6 +32,9 @@ public:
     virtual bool preset_tool(int, std::string_view) { return false; }
     virtual bool preset_edge(int, int, std::string_view, double) { return false; }
     virtual Core& core() = 0;
+
+    // The codes that hold behind the block read last, with blanks between them: for screens.
+    virtual void active_codes(std::string& /*out*/) const {}
 
     // Resume states (architecture 5.6): kept for blocks whose records are not all executed, when switched on.
     // BlockContext::serial counts the blocks of a run; records carry it back.

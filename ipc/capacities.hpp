@@ -15,6 +15,7 @@ inline constexpr std::size_t kMaxPathAxes = 8;      // axes that one record move
 inline constexpr std::size_t kMaxCurveAxes = 5;     // axes that a blend can bend; a corner of more is a stop
 inline constexpr std::size_t kKinematics = 16;       // transformations that a channel's records can name
 inline constexpr std::size_t kPathRing = 4096;      // records a channel can be ahead of the machine
+inline constexpr std::size_t kPictures = 2048;      // changes of what holds in a channel that screens can look up
 inline constexpr std::size_t kNoteRing = 1u << 20;  // bytes of event notes a channel can be ahead of its reader
 inline constexpr std::size_t kOffsets = 1000;       // offset numbers 0..999 of a channel; 0 is always zero
 inline constexpr std::size_t kWorkZeros = 320;      // zero offsets of a channel, see work_zero_index()

@@ -57,4 +57,21 @@ bool Interpreter::offsets_changed() {
     return true;
 }
 
+// Screens show the way of moving first, then everything else that holds.
+void Interpreter::active_codes(std::string& out) const {
+    const auto add = [&](unsigned number) {
+        if (!out.empty()) out += ' ';
+        out += 'G';
+        if (number < 10) out += '0';
+        out += std::to_string(number);
+    };
+    add(modal_.motion);
+    for (const unsigned code : {modal_.plane, modal_.corner, modal_.comp, modal_.feed_code, modal_.zero, modal_.zero_added})
+        if (code) add(code);
+    if (modal_.zero == 159) out += " N" + std::to_string(modal_.zero_number);
+    add(modal_.absolute ? 90 : 91);
+    add(modal_.inch ? 70 : 71);
+    if (modal_.scale != 1.0) add(72);
+}
+
 }  // namespace polyturn::channels::fagor

@@ -69,6 +69,7 @@ public:
     void barrier_done() override;
     bool preset_variable(std::string_view name, double value) override;
     Core& core() override { return core_; }
+    void active_codes(std::string& out) const override;
     void keep_resume_states(bool on) override;
     void executed(std::uint64_t serial) override;
     bool resume_at(std::uint64_t serial) override;

@@ -78,6 +78,18 @@ bool Interpreter::modal_variable(std::int64_t number, double& value) {
     }
 }
 
+// Screens show the way of moving first, then everything else that holds, in the order of execution.
+void Interpreter::active_codes(std::string& out) const {
+    if (motion_) out += motion_->name;
+    for (std::size_t group = 0; group < active_.size(); ++group) {
+        const GCode* row = active_[group];
+        if (!row || group == static_cast<std::size_t>(GGroup::Motion) || group == static_cast<std::size_t>(GGroup::OneShot)) continue;
+        if (group == static_cast<std::size_t>(GGroup::Drilling) && !drilling_) continue;
+        if (!out.empty()) out += ' ';
+        out += row->name;
+    }
+}
+
 VariableStatus Interpreter::read_system(std::int64_t number, double& value) {
     MachineView& view = core_.view();
     Port& port = core_.port();

@@ -39,7 +39,7 @@ ChannelProcess::ChannelProcess(PeerSegment<SupervisorSegment> supervisor, PeerSe
           own_->event_tail.tail.store(kernel_->events[channel - 1].head.load(std::memory_order_acquire), std::memory_order_relaxed);
           return {*kernel_, channel - 1, *own_};
       }()),
-      notes_(own_->notes, supervisor_->note_tail[channel - 1]), port_(*kernel_, channel) {
+      notes_(own_->notes, supervisor_->note_tail[channel - 1]), port_(*kernel_, channel), pictures_(*own_) {
     seen_event_ = own_->event_tail.tail.load(std::memory_order_relaxed);
     own_->quiet.store(seen_event_, std::memory_order_relaxed);
     own_->notes.head.store(supervisor_->note_tail[channel - 1].load(std::memory_order_acquire), std::memory_order_relaxed);
@@ -100,7 +100,7 @@ void ChannelProcess::act(const ChannelEvent& event) {
             break;
         case ChannelEventKind::Reset: reset(event); break;
         case ChannelEventKind::StoreChanged: store_changed_ = true; break;
-        case ChannelEventKind::SelectProgram: choice_.path = std::string(text_of(event)); break;
+        case ChannelEventKind::SelectProgram: choice_.path = std::string(text_of(event)), publish_choice(); break;
         case ChannelEventKind::Quit: quit_ = true; break;
         case ChannelEventKind::Interrupt: interrupt(event); break;
         case ChannelEventKind::Restart: restart(event); break;
@@ -182,6 +182,7 @@ void ChannelProcess::begin_program() {
     }
     run_ = services_.make_run(*view_, *restart_sink_, port_, running_);
     names_published_ = 0;
+    pictures_.begin();
     next_part_ = false;
     if (const auto started = run_->start(); !started) {
         fail(started.diagnosis());
@@ -231,7 +232,10 @@ void ChannelProcess::read_program() {
             restart_sink_->block_read(run_->at());
             if (step == Step::Ended) return fail({Alarm::RestartNoBlock, {running_.path, 0, 0, 0}, {}, "N" + std::to_string(restart_sink_->wanted())});
         }
-        if (!restart_sink_->searching()) port_.pretend({});
+        if (!restart_sink_->searching()) {
+            port_.pretend({});
+            show_block();
+        }
         switch (step) {
             case Step::Continue: break;
             case Step::AtBarrier:
@@ -306,6 +310,25 @@ void ChannelProcess::publish_names() {
         std::memcpy(&names.name[i * kNameSize], name.data(), std::min(name.size(), kNameSize - 1));
     }
     own_->programs.publish();
+}
+
+// A program is selected: screens show it before it is started.
+void ChannelProcess::publish_choice() {
+    ProgramNames& names = own_->programs.draft();
+    names.count = 1;
+    names.running = 0;
+    names.name.fill(0);
+    std::memcpy(names.name.data(), choice_.path.data(), std::min(choice_.path.size(), kNameSize - 1));
+    own_->programs.publish();
+    pictures_.begin();
+}
+
+void ChannelProcess::show_block() {
+    const Core* core = run_->core();
+    if (!core) return;
+    codes_.clear();
+    run_->active_codes(codes_);
+    pictures_.look(*core, codes_);
 }
 
 void ChannelProcess::put_note(std::uint64_t number, std::string_view text) {

@@ -23,6 +23,7 @@
 #include "channels/language.hpp"
 #include "channels/process/coupled_limits.hpp"
 #include "channels/process/operator_changes.hpp"
+#include "channels/process/picture_out.hpp"
 #include "channels/process/record_sink.hpp"
 #include "channels/process/restart_sink.hpp"
 #include "channels/process/resume_sink.hpp"
@@ -50,6 +51,8 @@ public:
     virtual bool resume_at(std::uint64_t /*serial*/) { return false; }
     virtual bool offsets_changed() { return true; }
     virtual BlockContext at() const { return {}; }                 // the block that was interpreted last
+    virtual const Core* core() const { return nullptr; }           // what holds behind that block
+    virtual void active_codes(std::string& /*out*/) const {}
     virtual void shown() {}                                        // it is the one whose blocks are described from now on
     virtual std::any carry() const { return {}; }
     virtual void take_carry(const std::any& /*before*/, bool /*after_reset*/) {}
@@ -101,6 +104,8 @@ private:
     bool take_store();
     void fail(const Diagnosis& diagnosis);
     void publish_names();
+    void publish_choice();
+    void show_block();
     void put_note(std::uint64_t number, std::string_view text);
 
     PeerSegment<SupervisorSegment> supervisor_;
@@ -124,6 +129,8 @@ private:
     std::unique_ptr<ResumeSink> resume_sink_;     // in front of sink_
     std::unique_ptr<RestartSink> restart_sink_;   // in front of both: what the program speaks to
     OperatorChanges changes_;
+    PictureOut pictures_;
+    std::string codes_;
     std::unique_ptr<ChannelStore> looked_at_;
     bool operator_changed_ = false;               // offsets or zeros; they act as soon as they can
     std::optional<std::int64_t> restart_to_;      // block; the next program is only interpreted until there

@@ -49,6 +49,8 @@ public:
     BlockContext at() const override { return language_->core().at; }
     std::size_t file_count() const override { return files_.count(); }
     std::string file_name(std::size_t index) const override { return files_.path(static_cast<FileId>(index)); }
+    const Core* core() const override { return language_ ? &language_->core() : nullptr; }
+    void active_codes(std::string& out) const override { if (language_) language_->active_codes(out); }
     void shown() override { if (*events_) (*events_)->set_files(&files_); }
 
 private:

@@ -39,6 +39,7 @@ public:
     bool preset_tool(int number, std::string_view name) override;
     bool preset_edge(int tool, int edge, std::string_view parameter, double value) override;
     Core& core() override { return core_; }
+    void active_codes(std::string& out) const override;
     void keep_resume_states(bool on) override;
     void executed(std::uint64_t serial) override;
     bool resume_at(std::uint64_t serial) override;

@@ -1,6 +1,8 @@
 // Resume states: see Language::resume_at. Variables, tools and zeros come back from the undo log.
 #include "channels/sinumerik/interpreter.hpp"
 
+#include <algorithm>
+
 namespace polyturn::channels::sinumerik {
 
 struct Interpreter::ResumeState {
@@ -56,6 +58,22 @@ bool Interpreter::offsets_changed() {
     core_.change_offsets([] {});
     state_changed_ = true;
     return true;
+}
+
+// Screens show the groups that every block depends on, and of the others what is not as delivered.
+void Interpreter::active_codes(std::string& out) const {
+    static constexpr std::array<unsigned, 9> kAlways{1, 6, 7, 8, 10, 13, 14, 15, 29};
+    const auto add = [&](unsigned group) {
+        const GCode* row = find_g(group, modal_.active[group]);
+        if (!row) return;
+        if (!out.empty()) out += ' ';
+        out += row->name;
+    };
+    for (const unsigned group : kAlways) add(group);
+    for (unsigned group = 1; group < kGroups; ++group) {
+        if (std::find(kAlways.begin(), kAlways.end(), group) != kAlways.end()) continue;
+        if (const GCode* row = find_g(group, modal_.active[group]); row && !row->preset) add(group);
+    }
 }
 
 }  // namespace polyturn::channels::sinumerik

@@ -143,6 +143,9 @@ enum class CommandKind : std::uint32_t {
     Superpose,       // a handwheel adds its way to the axes of a running program
 };
 
+// kPictureNoShift: a frame that turns, mirrors or scales, or a transformation, lies between programmed and machine coordinates.
+enum PictureFlag : std::uint32_t { kPictureNoShift = 1u << 0, kPictureCompLeft = 1u << 1, kPictureCompRight = 1u << 2 };
+
 // From power-on to ready (docs/design/power-on-to-ready.md); the same way back after a fault.
 enum class MachineStep : std::uint32_t { EmergencyStop = 0, Off, NotReferenced, Referencing, Ready, Stopped };
 

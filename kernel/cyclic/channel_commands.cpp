@@ -37,6 +37,8 @@ StartView ChannelRunner::start_view() const noexcept {
     return view;
 }
 
+std::uint32_t ChannelRunner::look_what_start_needs() noexcept { return start_missing_ = rows_missing_for_start(core_, start_view()); }
+
 void ChannelRunner::cycle_start() noexcept {
     if (state_ == ChannelState::Running || state_ == ChannelState::Waiting) {  // pressed hold and start before it came to rest
         hold_ = false;
@@ -80,7 +82,8 @@ void ChannelRunner::begin_program(ChannelEventKind how, double value, std::uint6
     hold_ = hold_later_ = change_due_ = group_ended_ = false;
     control_ = 0;   // what a program has put off holds to its end
     core_.stroke2_off &= ~(ChannelSet{1} << index_);
-    cutting_s_ = rapid_s_ = waiting_s_ = cycle_s_ = 0;
+    cutting_s_ = rapid_s_ = waiting_s_ = cycle_s_ = part_from_s_ = 0;
+    lap_ended_ = false;
     blocks_ = 0;
     trail_.clear();
     core_.totals.part_begins(index_);
@@ -175,6 +178,8 @@ void ChannelRunner::select(std::string_view file) noexcept {
         core_.alarm(Alarm::NotReady, number_, "another program is selected only in reset or after the end");
         return;
     }
+    cycles_ = 0;
+    cycles_s_ = last_cycle_s_ = 0;
     tell(ChannelEventKind::SelectProgram, cursor_, 0, file);
 }
 

@@ -10,6 +10,7 @@ namespace polyturn::kernel {
 // A Part record is executed: the counters go on (N2306, N2307), and the program may be at its end with it.
 void ChannelRunner::part_made() noexcept {
     ++parts_;
+    end_lap();
     core_.totals.part(index_);
     const ChannelConfig& config = core_.config.channels[index_];
     const bool enough = config.parts_wanted > 0 && core_.totals.machined(index_) >= config.parts_wanted;
@@ -20,6 +21,17 @@ void ChannelRunner::part_made() noexcept {
     }
     const bool last = std::exchange(stop_after_part_, false);
     ends_with_part_ = last || (enough && config.stops_at_wanted);   // if more is to follow: finished()
+}
+
+// A part, or a program that counts none, is over: how long it took.
+void ChannelRunner::end_lap() noexcept {
+    const double took_s = cycle_s_ - part_from_s_;
+    if (took_s <= 0 || mode_ == ChannelMode::Mdi) return;
+    lap_ended_ = true;
+    part_from_s_ = cycle_s_;
+    last_cycle_s_ = took_s;
+    cycles_s_ += took_s;
+    ++cycles_;
 }
 
 // #3901 and #3902 are N2307 and N2308 (nct_parameters_part2 24): a program that writes them sets the counters. True: it was one.

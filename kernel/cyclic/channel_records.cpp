@@ -275,6 +275,7 @@ bool ChannelRunner::stop(const PathRecord& r) noexcept {
                 stand(ChannelState::Held, StopReason::Held);
                 return true;
             }
+            if (!lap_ended_) end_lap();
             stand(ChannelState::Ended, reason);
             core_.event(KernelEventKind::CycleEnded, number_, r.code, cycle_s_, r.line);
             return true;

@@ -445,6 +445,10 @@ void ChannelRunner::publish(ChannelStatus& status) noexcept {
     status.skipped = skipped_ ? 1 : 0;
     status.retrace = trail_.active() ? (trail_.direction() < 0 ? -1 : 1) : 0;
     status.wheel = wheel_ ? 1 : 0;
+    status.start_missing = start_missing_;
+    status.cycles = cycles_;
+    status.last_cycle_s = last_cycle_s_;
+    status.mean_cycle_s = cycles_ ? cycles_s_ / cycles_ : 0.0;
     status.restart = static_cast<std::uint32_t>(restart_);
     core_.signals.set_nc(signals::cn_state(number_), static_cast<std::int32_t>(state_));
     core_.signals.set_nc(signals::cn_run(number_), state_ == ChannelState::Running || state_ == ChannelState::Waiting);

@@ -46,6 +46,7 @@ public:
 
     // --- commands, at a tick's start ---
     void cycle_start() noexcept;
+    std::uint32_t look_what_start_needs() noexcept;   // ChannelStatus::start_missing, now
     StartView start_view() const noexcept;   // what the start conditions must know of it
     void feed_hold() noexcept;      // the operator: a program may put it off (#3004)
     void safe_hold() noexcept;      // a door, a dead partner: nobody puts it off
@@ -224,6 +225,7 @@ private:
     std::uint64_t superposed_from_ = 0;    // records from this one on leave room for the wheel
     std::uint64_t overlays_ = 0;           // axes that it moves just now
     void part_made() noexcept;
+    void end_lap() noexcept;
     bool part_counter(std::string_view variable, double value) noexcept;
     void watch_production() noexcept;
     double setup_ceiling() const noexcept;
@@ -304,6 +306,10 @@ private:
     std::uint32_t parts_ = 0;
     double warm_up_s_ = 0;                 // of cycle time after which the program ends with its part; 0: none
     double cutting_s_ = 0, rapid_s_ = 0, waiting_s_ = 0, cycle_s_ = 0;
+    // Parts, or runs of programs that count none: how many since a program was selected, how long.
+    double part_from_s_ = 0, last_cycle_s_ = 0, cycles_s_ = 0;
+    std::uint32_t cycles_ = 0, start_missing_ = 0;
+    bool lap_ended_ = false;   // a part was made in this run
     std::uint64_t blocks_ = 0;
     std::unique_ptr<ProgramNames> names_;
     std::array<ChannelEvent, 16> outbox_{};

@@ -29,7 +29,7 @@ void Machine::watch_step() noexcept {
     const MachineStep now = step_now();
     core_.signals.set_nc(signals::n_ready(), now == MachineStep::Ready);
     for (unsigned l = 0; plc_.due() && l < kMaxChannels; ++l)
-        if (core_.config.channels[l].exists) core_.signals.set_nc(signals::cn_ready(l + 1), missing_for_start(core_, channels_[l]->start_view()).view().empty());
+        if (core_.config.channels[l].exists) core_.signals.set_nc(signals::cn_ready(l + 1), channels_[l]->look_what_start_needs() == 0);
     if (now == step_) return;
     step_ = now;
     core_.event(KernelEventKind::MachineState, 0, static_cast<std::int32_t>(now), static_cast<double>(core_.state));

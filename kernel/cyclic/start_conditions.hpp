@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "ipc/machine/start_words.hpp"
 #include "kernel/cyclic/core.hpp"
 
 namespace polyturn::kernel {
@@ -21,15 +22,15 @@ struct StartView {
 
 struct StartCondition {
     enum class Scope : std::uint8_t { Machine, Channel, Axis, Spindle };
-    std::string_view name;         // for tests and documents
+    std::string_view name;         // of its row in kStartWords, which has text and remedy
     Scope scope;
-    std::string_view text;         // what is missing; behind it stands which axis or spindle
-    std::string_view remedy;
     // Machine and Channel: not 0 when it is missing. Axis and Spindle: the next one that misses it, from 1, behind `after`; 0 none.
     std::uint32_t (*missing)(const Core& core, const StartView& view, std::uint32_t after);
 };
 
 [[nodiscard]] std::span<const StartCondition> start_conditions() noexcept;
+// Which rows fail, bit by bit.
+[[nodiscard]] std::uint32_t rows_missing_for_start(const Core& core, const StartView& view) noexcept;
 // All that is missing, as one text; empty: the program may start.
 [[nodiscard]] ShortText missing_for_start(const Core& core, const StartView& view) noexcept;
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -188,9 +189,27 @@ void StartSession::take(const KernelEvent& event) {
     }
 }
 
+// The wall's time, and how many resets its channel has had: an alarm stands until the next one.
+std::string StartSession::with_when(std::string event_text) const {
+    if (event_text.empty() || event_text.back() != '}') return event_text;
+    unsigned channel = 0;
+    if (const auto at = event_text.find("\"ch\":"); at != std::string::npos) channel = static_cast<unsigned>(std::strtoul(event_text.c_str() + at + 5, nullptr, 10));
+    event_text.pop_back();
+    auto inputs = std::make_unique<PlcInputs>();
+    if (channel >= 1 && channel <= kMaxChannels && controller_->kernel().plc_inputs.read(*inputs))
+        event_text += fmt::format(",\"resets\":{}", inputs->signal[signals::cn_reset(channel)]);
+    const std::time_t now = std::time(nullptr);
+    std::tm utc{};
+    gmtime_r(&now, &utc);
+    char written[32];
+    std::strftime(written, sizeof written, "%Y-%m-%dT%H:%M:%SZ", &utc);
+    return event_text + ",\"utc\":\"" + written + "\"}";
+}
+
 void StartSession::note_alarm(std::string event_text, Dialect language, bool tell) {
     if (tell) print_alarm_event(event_text, language);
-    alarms_.push_back(std::move(event_text));
+    alarms_.push_back(with_when(std::move(event_text)));
+    ++alarms_noted_;
     if (alarms_.size() > kKeptAlarms) alarms_.pop_front();
 }
 
@@ -255,9 +274,12 @@ void StartSession::handle(RequestServer::Client client, const std::string& line)
                 if (one.is_string()) lines.push_back(one.get<std::string>());
         return serve_parameters(client, lines, request.value("import", false));
     }
-    if (what == "alarms") {
-        std::string out = "{\"ok\":true,\"alarms\":[";
-        for (std::size_t i = 0; i < alarms_.size(); ++i) out += (i ? "," : "") + alarms_[i];
+    if (what == "alarms") {   // since: only those behind so many; `next` is what to ask with the next time
+        const std::uint64_t since = request.contains("since") && request["since"].is_number_unsigned() ? request["since"].get<std::uint64_t>() : 0;
+        const std::uint64_t first = alarms_noted_ - alarms_.size();
+        std::string out = "{\"ok\":true,\"next\":" + std::to_string(alarms_noted_) + ",\"alarms\":[";
+        const char* comma = "";
+        for (std::uint64_t i = std::max(since, first); i < alarms_noted_; ++i, comma = ",") out += comma + alarms_[i - first];
         return server_.answer(client, out + "]}");
     }
     if (what == "end") {

@@ -26,6 +26,7 @@ private:
     void loop();
     void drain();
     void take(const KernelEvent& event);
+    std::string with_when(std::string event_text) const;
     void note_alarm(std::string event_text, Dialect dialect, bool tell);
     void process_died(std::size_t slot, int status);
     void revive();
@@ -53,6 +54,7 @@ private:
     EventJoiner joiner_;
     std::uint64_t generation_ = 1, asked_ = 0;
     std::deque<std::string> alarms_;  // event objects, the newest last
+    std::uint64_t alarms_noted_ = 0;  // since this supervisor started
     std::deque<Waiting> waiting_;
     std::map<std::size_t, std::deque<std::chrono::steady_clock::time_point>> deaths_;
     std::vector<std::size_t> to_revive_;

@@ -1,0 +1,77 @@
+#include "channels/process/picture_out.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <utility>
+#include <string_view>
+
+namespace polyturn::channels {
+namespace {
+
+// A frame that only moves the zero is a part of the shift.
+bool only_moves(const Frame& frame) {
+    for (std::size_t row = 0; row < 3; ++row)
+        for (std::size_t column = 0; column < 3; ++column)
+            if (frame.linear[row][column] != (row == column ? 1.0 : 0.0)) return false;
+    return std::all_of(frame.scale.begin(), frame.scale.end(), [](double one) { return one == 1.0; });
+}
+
+template <std::size_t kSize>
+void put(std::array<char, kSize>& to, std::string_view text) {
+    to.fill(0);
+    text = text.substr(0, std::min(text.size(), kSize - 1));
+    std::memcpy(to.data(), text.data(), text.size());
+}
+
+}  // namespace
+
+void describe(const Core& core, BlockPicture& picture) {
+    const PathState& path = core.path;
+    picture.serial = core.at.serial;
+    picture.tool = path.tool.ref.number;
+    picture.offset = path.tool.ref.offset;
+    picture.edge = path.tool.ref.edge;
+    picture.geometry = path.tool.geometry;
+    picture.wear = path.tool.wear;
+    picture.zero_row = path.zero_row;
+    picture.flags = core.at.comp == CompSide::Left ? kPictureCompLeft : core.at.comp == CompSide::Right ? kPictureCompRight : 0u;
+    if (path.transformation.active() || (path.framed && !only_moves(path.frame))) picture.flags |= kPictureNoShift;
+    picture.feed_mode = static_cast<std::uint32_t>(path.feed_mode);
+    picture.feed = path.feed;
+    picture.spindle = path.spindle.spindle;
+    picture.spindle_mode = static_cast<std::uint32_t>(path.spindle.mode);
+    picture.speed = path.spindle.mode == SpindleModeCode::SurfaceSpeed ? path.spindle.surface_m_min
+                    : path.spindle.mode == SpindleModeCode::Position   ? path.spindle.angle_deg
+                                                                       : path.spindle.rpm;
+    picture.speed_limit = path.spindle.limit_rpm;
+    picture.tip = path.tool.tip;
+    picture.nose_radius = path.tool.nose_radius;
+    for (std::size_t i = 0; i < kChannelAxes; ++i) {
+        picture.shift[i] = path.machine[i] - path.programmed[i];
+        picture.tool_shift[i] = path.shift[i] + path.vector[i];
+    }
+    put(picture.tool_name, path.tool.ref.name);
+}
+
+void PictureOut::begin() {
+    own_->picture_first.store(own_->pictures.head.load(std::memory_order_relaxed), std::memory_order_release);
+    any_ = false;
+}
+
+void PictureOut::look(const Core& core, const std::string& codes) {
+    BlockPicture now{};
+    describe(core, now);
+    put(now.codes, codes);
+    // Sums of positions differ in their last bits from block to block.
+    for (std::size_t i = 0; any_ && i < kChannelAxes; ++i)
+        if (std::abs(now.shift[i] - last_.shift[i]) < 1e-7) now.shift[i] = last_.shift[i];
+    const std::uint64_t serial = std::exchange(now.serial, last_.serial);
+    if (any_ && serial >= last_.serial && std::memcmp(&now, &last_, sizeof now) == 0) return;
+    now.serial = serial;
+    last_ = now;
+    any_ = true;
+    push_picture(*own_, now);
+}
+
+}  // namespace polyturn::channels

@@ -1,0 +1,35 @@
+// What holds at a block that runs now: active codes, tool, feed, how far the workpiece system lies from the machine's. The channel
+// reads far ahead of the machine, so it keeps what has changed, block by block; screens look up the block that is executed.
+//
+// Invariants
+//   B1  Pictures from picture_first to head belong to the running program; the newest with a serial up to the block's holds.
+//       A program that was taken back has smaller serials behind larger ones: the newest still holds.
+//   B2  The channel writes slot head while head - kPictures is thereby lost: a copy counts when its index was not lost afterwards.
+#pragma once
+#include <cstring>
+
+#include "ipc/image/segments.hpp"
+
+namespace polyturn {
+
+// Writer: the draft holds from its serial on.
+inline void push_picture(ChannelSegment& channel, const BlockPicture& picture) noexcept {
+    const std::uint64_t head = channel.pictures.head.load(std::memory_order_relaxed);
+    channel.pictures.slot(head) = picture;
+    channel.pictures.head.store(head + 1, std::memory_order_release);
+}
+
+// Reader: false when nothing is known about that block.
+[[nodiscard]] inline bool find_picture(const ChannelSegment& channel, std::uint64_t serial, BlockPicture& out) noexcept {
+    const std::uint64_t first = channel.picture_first.load(std::memory_order_acquire), head = channel.pictures.head.load(std::memory_order_acquire);
+    for (std::uint64_t at = head; at > first && head - at < kPictures - 1; --at) {
+        const BlockPicture& slot = channel.pictures.slot(at - 1);
+        if (slot.serial > serial) continue;
+        std::memcpy(static_cast<void*>(&out), &slot, sizeof out);
+        std::atomic_thread_fence(std::memory_order_acquire);
+        return channel.pictures.head.load(std::memory_order_relaxed) - (at - 1) < kPictures && out.serial <= serial;   // B2
+    }
+    return false;
+}
+
+}  // namespace polyturn
