@@ -1,0 +1,47 @@
+// polyturn-hmi: the screens of one controller.
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QDir>
+#include <QStandardPaths>
+#include <cstdio>
+
+#include "hmi/app/main_window.hpp"
+#include "hmi/app/screenshots.hpp"
+
+int main(int argc, char** argv) {
+    QApplication app(argc, argv);
+    QApplication::setApplicationName("polyturn-hmi");
+    QCommandLineParser parser;
+    parser.setApplicationDescription("Polyturn: the screens of one controller.");
+    parser.addHelpOption();
+    parser.addOptions({{"instance", "the controller to show", "NAME", "polyturn"},
+                       {"lang", "en, ru, cs or hu", "LANGUAGE"},
+                       {"theme", "dark or light", "THEME"},
+                       {"size", "of the window, for example 1280x800", "WxH", "1280x800"},
+                       {"full-screen", "without a frame, on the whole panel"},
+                       {"screenshots", "save a picture of each screen, in each language and theme, in DIR and end", "DIR"}});
+    parser.process(app);
+    polyturn::hmi::Choices choices;
+    choices.instance = parser.value("instance").toStdString();
+    choices.language = parser.value("lang").toStdString();
+    choices.theme = parser.value("theme").toStdString();
+    const auto wrong = [](const QString& what) {
+        std::fprintf(stderr, "polyturn-hmi: %s\n", qPrintable(what));
+        return 2;
+    };
+    if (!polyturn::valid_instance(choices.instance)) return wrong(QString("%1 is no name of a controller").arg(parser.value("instance")));
+    if (!choices.language.empty() && !polyturn::tongue_of(choices.language)) return wrong("--lang is en, ru, cs or hu");
+    if (!choices.theme.empty() && choices.theme != "dark" && choices.theme != "light") return wrong("--theme is dark or light");
+    const QStringList size = parser.value("size").split('x');
+    if (size.size() != 2 || size[0].toInt() < 800 || size[1].toInt() < 600 || size[0].toInt() > 7680 || size[1].toInt() > 4320) return wrong("--size is at least 800x600");
+    const QSize wanted(size[0].toInt(), size[1].toInt());
+    if (parser.isSet("screenshots")) return polyturn::hmi::saveScreenshots(choices, wanted, parser.value("screenshots"));
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + "/polyturn";
+    QDir().mkpath(folder);
+    choices.keptIn = folder + "/hmi-" + QString::fromStdString(choices.instance) + ".ini";
+    polyturn::hmi::MainWindow window(choices);
+    window.resize(wanted);
+    if (parser.isSet("full-screen")) window.showFullScreen();
+    else window.show();
+    return app.exec();
+}

@@ -1,0 +1,316 @@
+#include "hmi/app/main_window.hpp"
+
+#include <QApplication>
+#include <QDateTime>
+#include <algorithm>
+
+#include "ipc/machine/machine_step.hpp"
+
+namespace polyturn::hmi {
+namespace {
+
+constexpr int kFrameMs = 16;
+constexpr qint64 kToldMs = 8'000, kLockMs = 30'000;
+enum TopHit { kHitAlarm, kHitTongue, kHitTheme, kHitLock };
+
+Sign signOf(MachineStep step) {
+    switch (step) {
+        case MachineStep::EmergencyStop: return Sign::Alarm;
+        case MachineStep::Off: return Sign::Off;
+        case MachineStep::NotReferenced: return Sign::Warning;
+        case MachineStep::Referencing: return Sign::Wait;
+        case MachineStep::Ready: return Sign::Good;
+        case MachineStep::Stopped: return Sign::Alarm;
+    }
+    return Sign::None;
+}
+
+QColor colourOf(MachineStep step) {
+    const Theme& t = theme();
+    if (step == MachineStep::Ready) return t.good;
+    return step == MachineStep::EmergencyStop || step == MachineStep::Stopped ? t.bad : step == MachineStep::Off ? t.dim : t.warn;
+}
+
+}  // namespace
+
+void Desk::choose(unsigned wanted) {
+    if (wanted == channel || std::find(live.channels().begin(), live.channels().end(), wanted) == live.channels().end()) return;
+    channel = wanted;
+    if (keysChanged) keysChanged();
+}
+
+MainWindow::MainWindow(Choices choices)
+    : choices_(std::move(choices)), kept_(choices_.keptIn.isEmpty() ? nullptr : std::make_unique<QSettings>(choices_.keptIn, QSettings::IniFormat)), live_(choices_.instance),
+      requests_(choices_.instance), alarms_(live_, requests_), desk_{live_, requests_, alarms_} {
+    const auto kept = [&](const char* key, const QString& otherwise) { return kept_ ? kept_->value(key, otherwise).toString() : otherwise; };
+    dark_ = (choices_.theme.empty() ? kept("theme", "dark") : QString::fromStdString(choices_.theme)) != "light";
+    dress(dark_);
+    live_.poll();
+    std::string language = choices_.language.empty() ? kept("language", "").toStdString() : choices_.language;
+    if (language.empty() && live_.connected()) language = std::string(params::get_text(live_.table(), params::pt_display_language));
+    speak(tongue_of(language).value_or(tongue_of_environment()));
+    desk_.channel = kept_ ? kept_->value("channel", 1).toUInt() : 1;
+    desk_.folder = kept("folder", "");
+    desk_.tell = [this](const QString& text, Told how) { tell(text, how); };
+    desk_.keysChanged = [this] { if (ready_) bar_->show(screen()->keys()), rail_->refresh(); };
+    desk_.show = [this](int number) { showScreen(number); };
+    requests_.onRefused = [this](const Answer& answer) { tell(answer.text + (answer.remedy.isEmpty() ? QString() : "  " + answer.remedy), Told::Refused); };
+
+    setWindowTitle("Polyturn");
+    setMinimumSize(800, 600);
+    top_ = new FreeSheet(this), rail_ = new FreeSheet(this), line_ = new FreeSheet(this), bar_ = new SoftKeyBar(this), stack_ = new QStackedWidget(this);
+    cover_ = new FreeSheet(this);
+    cover_->hide();
+    top_->onCompose = [this](Writer& w) { composeTop(w); };
+    top_->onTouched = [this](int number) { topTouched(number); };
+    rail_->onCompose = [this](Writer& w) { composeRail(w); };
+    rail_->onTouched = [this](int number) { showScreen(number); };
+    line_->onCompose = [this](Writer& w) { composeLine(w); };
+    cover_->onCompose = [this](Writer& w) { composeLock(w); };
+    build();
+    const QString wanted = kept("screen", "overview");
+    for (std::size_t i = 0; i < screens_.size(); ++i)
+        if (wanted == screens_[i]->name()) shown_ = static_cast<int>(i);
+    if (kept_)
+        for (Screen* one : screens_) one->restore(kept_->value(QString("screens/") + one->name()).toString());
+    ready_ = true;
+    showScreen(shown_);
+    qApp->installEventFilter(this);
+    QObject::connect(&timer_, &QTimer::timeout, this, [this] { frame(); });
+    timer_.start(kFrameMs);
+}
+
+MainWindow::~MainWindow() {
+    keep();
+    qApp->removeEventFilter(this);
+}
+
+void MainWindow::build() {
+    while (stack_->count()) {
+        QWidget* old = stack_->widget(0);
+        stack_->removeWidget(old);
+        delete old;
+    }
+    screens_ = makeScreens(desk_);
+    for (Screen* one : screens_) {
+        stack_->addWidget(one);
+        one->rebuilt();
+    }
+    shown_ = std::min(shown_, static_cast<int>(screens_.size()) - 1);
+}
+
+void MainWindow::showScreen(int number) {
+    if (number < 0 || number >= static_cast<int>(screens_.size())) return;
+    shown_ = number;
+    stack_->setCurrentIndex(number);
+    screen()->setFocus();
+    screen()->refresh();
+    bar_->show(screen()->keys());
+    top_->refresh(), rail_->refresh(), line_->refresh();
+    keep();
+}
+
+// What is on the screen now is there again after a restart.
+void MainWindow::keep() {
+    if (!kept_ || !ready_) return;
+    kept_->setValue("screen", screen()->name());
+    kept_->setValue("theme", dark_ ? "dark" : "light");
+    kept_->setValue("language", codeOf(spoken()));
+    kept_->setValue("channel", desk_.channel);
+    kept_->setValue("folder", desk_.folder);
+    for (const Screen* one : screens_) kept_->setValue(QString("screens/") + one->name(), one->state());
+    kept_->sync();
+}
+
+void MainWindow::setTongue(Tongue tongue) {
+    std::vector<QString> states;
+    for (const Screen* one : screens_) states.push_back(one->state());
+    speak(tongue);
+    alarms_.retold();
+    ready_ = false;
+    build();
+    for (std::size_t i = 0; i < states.size(); ++i) screens_[i]->restore(states[i]);
+    ready_ = true;
+    layOut();
+    showScreen(shown_);
+}
+
+void MainWindow::setDark(bool dark) {
+    dark_ = dark;
+    dress(dark);
+    setTongue(spoken());   // style sheets and pictures are made anew
+    for (Sheet* one : ownSheets()) one->update();
+}
+
+void MainWindow::frame() {
+    live_.poll();
+    alarms_.poll();
+    if (live_.generation() != generation_) {
+        generation_ = live_.generation();
+        if (live_.connected() && std::find(live_.channels().begin(), live_.channels().end(), desk_.channel) == live_.channels().end() && !live_.channels().empty())
+            desk_.channel = live_.channels().front();
+        for (Screen* one : screens_) one->rebuilt();
+    }
+    if (locked_ && QDateTime::currentMSecsSinceEpoch() > lockedUntil_) lock(false);
+    screen()->refresh();
+    bar_->show(screen()->keys());
+    top_->refresh(), line_->refresh();
+    if (locked_) cover_->refresh();
+}
+
+void MainWindow::resizeEvent(QResizeEvent*) { layOut(); }
+
+void MainWindow::layOut() {
+    setPanelScale(std::min(width() / 1280.0, height() / 800.0));
+    const int top = px(46), foot = px(82), line = px(30), rail = px(94);
+    top_->setGeometry(0, 0, width(), top);
+    rail_->setGeometry(0, top, rail, height() - top - foot);
+    stack_->setGeometry(rail, top, width() - rail, height() - top - foot - line);
+    line_->setGeometry(rail, height() - foot - line, width() - rail, line);
+    bar_->setGeometry(0, height() - foot, width(), foot);
+    cover_->setGeometry(rect());
+    for (Sheet* one : ownSheets()) one->refresh();
+}
+
+void MainWindow::composeTop(Writer& w) {
+    const Theme& t = theme();
+    const double h = height() ? top_->height() : 0, wide = top_->width();
+    w.fill(QRectF(0, 0, wide, h), t.bar);
+    const auto step = static_cast<MachineStep>(live_.status().step);
+    const QColor colour = live_.connected() ? colourOf(step) : t.bad;
+    w.sign(QRectF(px(14), px(11), px(24), px(24)), live_.connected() ? signOf(step) : Sign::Alarm, colour);
+    const QString state = live_.connected() ? word(machine_step_text(live_.status().step).text) : word("No controller answers");
+    w.text(QRectF(px(46), 0, px(330), h), state, lettering(16, true), colour);
+    double right = wide - px(8);
+    const auto button = [&](int hit, const QString& text, Sign sign, double units) {
+        const QRectF box(right - px(units), px(6), px(units), h - px(12));
+        w.fill(box, t.card, px(6));
+        w.sign(QRectF(box.left() + px(8), box.center().y() - px(9), px(18), px(18)), sign, t.dim);
+        w.text(QRectF(box.left() + px(31), box.top(), box.width() - px(36), box.height()), text, lettering(14), t.text);
+        w.hit(box, hit);
+        right = box.left() - px(6);
+    };
+    button(kHitLock, word("Lock"), Sign::Lock, 104);
+    button(kHitTheme, dark_ ? word("Light") : word("Dark"), dark_ ? Sign::Sun : Sign::Moon, 100);
+    button(kHitTongue, nameOf(spoken()), Sign::Tongue, 104);
+    w.text(QRectF(right - px(84), 0, px(78), h), QDateTime::currentDateTime().toString("HH:mm:ss"), lettering(15), t.dim, Qt::AlignRight | Qt::AlignVCenter);
+    right -= px(90);
+    const double left = px(384);
+    if (const AlarmEntry* alarm = live_.connected() ? alarms_.standing() : nullptr) {
+        const QRectF box(left, px(6), right - left, h - px(12));
+        w.fill(box, t.card, px(6));
+        w.frame(box, t.bad, px(6), 1);
+        w.sign(QRectF(left + px(8), px(14), px(18), px(18)), Sign::Alarm, t.bad);
+        const std::size_t more = alarms_.standingCount() - 1;
+        w.data(QRectF(left + px(34), 0, right - left - px(more ? 90 : 42), h),
+               (alarm->channel ? QString("L%1  ").arg(alarm->channel) : QString()) + alarm->number + "  " + alarm->text, lettering(14), t.text);
+        if (more) w.text(QRectF(right - px(52), 0, px(44), h), QString("+%1").arg(more), lettering(14, true), t.bad, Qt::AlignRight | Qt::AlignVCenter);
+        w.hit(box, kHitAlarm);
+    } else {
+        w.data(QRectF(left, 0, right - left, h), live_.connected() ? word(machine_step_text(live_.status().step).next) : QString::fromStdString(live_.whyNot()), lettering(14), t.dim);
+    }
+}
+
+void MainWindow::composeRail(Writer& w) {
+    const Theme& t = theme();
+    w.fill(QRectF(0, 0, rail_->width(), rail_->height()), t.bar);
+    const double gap = px(4), each = std::min<double>(px(84), (rail_->height() - gap) / static_cast<double>(std::max<std::size_t>(1, screens_.size())) - gap);
+    for (std::size_t i = 0; i < screens_.size(); ++i) {
+        const QRectF box(px(6), gap + static_cast<double>(i) * (each + gap), rail_->width() - px(12), each);
+        const bool here = static_cast<int>(i) == shown_;
+        w.fill(box, here ? t.mark : t.bar, px(8));
+        if (here) w.fill(QRectF(box.left(), box.top() + px(8), px(4), box.height() - px(16)), t.accent, px(2));
+        w.sign(QRectF(box.center().x() - px(13), box.top() + px(9), px(26), px(26)), screens_[i]->sign(), here ? t.accent : t.dim);
+        w.text(QRectF(box.left() + px(2), box.bottom() - px(31), box.width() - px(4), px(22)), screens_[i]->title(), lettering(13, here, Face::Condensed), here ? t.text : t.dim, Qt::AlignCenter);
+        w.text(QRectF(box.right() - px(17), box.top() + px(3), px(13), px(14)), QString::number(i + 1), lettering(11), t.faint, Qt::AlignRight | Qt::AlignVCenter);
+        w.hit(box, static_cast<int>(i));
+    }
+}
+
+void MainWindow::composeLine(Writer& w) {
+    const Theme& t = theme();
+    const bool fresh = QDateTime::currentMSecsSinceEpoch() < toldUntil_;
+    w.fill(QRectF(0, 0, line_->width(), line_->height()), t.window);
+    const QColor colour = how_ == Told::Refused ? t.bad : how_ == Told::Good ? t.good : t.accent;
+    w.sign(QRectF(px(10), px(6), px(18), px(18)), !fresh ? Sign::None : how_ == Told::Refused ? Sign::Warning : how_ == Told::Good ? Sign::Good : Sign::Note, colour);
+    w.data(QRectF(px(36), 0, line_->width() - px(46), line_->height()), fresh ? told_ : QString(), lettering(14.5), how_ == Told::Refused ? t.bad : t.text);
+}
+
+void MainWindow::composeLock(Writer& w) {
+    const Theme& t = theme();
+    w.fill(QRectF(0, 0, width(), height()), t.window);
+    w.sign(QRectF(width() / 2.0 - px(40), height() / 2.0 - px(110), px(80), px(80)), Sign::Lock, t.accent);
+    w.text(QRectF(0, height() / 2.0 - px(10), width(), px(50)), word("Locked for cleaning"), lettering(30, true), t.text, Qt::AlignCenter);
+    w.text(QRectF(0, height() / 2.0 + px(40), width(), px(36)), word("Touches and keys do nothing. The machine goes on.") + "  " + QString::number((lockedUntil_ - QDateTime::currentMSecsSinceEpoch()) / 1000 + 1) + " s",
+           lettering(18), t.dim, Qt::AlignCenter);
+}
+
+void MainWindow::lock(bool on) {
+    locked_ = on;
+    lockedUntil_ = QDateTime::currentMSecsSinceEpoch() + kLockMs;
+    cover_->setVisible(on);
+    if (on) cover_->raise(), cover_->refresh();
+}
+
+void MainWindow::topTouched(int number) {
+    switch (number) {
+        case kHitAlarm:
+            for (std::size_t i = 0; i < screens_.size(); ++i)
+                if (QString(screens_[i]->name()) == "alarms") showScreen(static_cast<int>(i));
+            break;
+        case kHitTongue: setTongue(kTongues[(static_cast<std::size_t>(spoken()) + 1) % std::size(kTongues)]); break;
+        case kHitTheme: setDark(!dark_); break;
+        case kHitLock: lock(true); break;
+        default: break;
+    }
+}
+
+void MainWindow::tell(const QString& text, Told how) {
+    told_ = text;
+    told_.replace('\n', "  ");
+    how_ = how;
+    toldUntil_ = QDateTime::currentMSecsSinceEpoch() + kToldMs;
+    if (ready_) line_->refresh();
+}
+
+bool MainWindow::keyPressed(QKeyEvent* event) {
+    const int key = event->key();
+    if (key >= Qt::Key_F1 && key <= Qt::Key_F10) {
+        if (!event->isAutoRepeat()) bar_->press(key - Qt::Key_F1);
+        return true;
+    }
+    if (key == Qt::Key_F11) return topTouched(kHitTongue), true;
+    if (key == Qt::Key_F12) return topTouched(kHitTheme), true;
+    if (event->modifiers() & Qt::AltModifier && key >= Qt::Key_1 && key <= Qt::Key_9) return showScreen(key - Qt::Key_1), true;
+    if (event->modifiers() & Qt::ControlModifier) {
+        if (key >= Qt::Key_1 && key <= Qt::Key_9) return desk_.choose(static_cast<unsigned>(key - Qt::Key_0)), screen()->refresh(), true;
+        if (key == Qt::Key_L) return lock(true), true;
+    }
+    const bool done = screen()->key(event);
+    if (done) bar_->show(screen()->keys());
+    return done;
+}
+
+bool MainWindow::keyReleased(QKeyEvent* event) {
+    if (event->key() < Qt::Key_F1 || event->key() > Qt::Key_F10 || event->isAutoRepeat()) return false;
+    bar_->letGo(event->key() - Qt::Key_F1);
+    return true;
+}
+
+bool MainWindow::eventFilter(QObject* object, QEvent* event) {
+    auto* widget = qobject_cast<QWidget*>(object);
+    if (!widget || widget->window() != this) return false;
+    const auto type = event->type();
+    if (locked_) {
+        switch (type) {
+            case QEvent::KeyPress: case QEvent::KeyRelease: case QEvent::MouseButtonPress: case QEvent::MouseButtonRelease: case QEvent::MouseButtonDblClick: case QEvent::Wheel:
+            case QEvent::TouchBegin: case QEvent::TouchUpdate: case QEvent::TouchEnd: return true;
+            default: return false;
+        }
+    }
+    if (type == QEvent::KeyPress) return keyPressed(static_cast<QKeyEvent*>(event));
+    if (type == QEvent::KeyRelease) return keyReleased(static_cast<QKeyEvent*>(event));
+    return false;
+}
+
+}  // namespace polyturn::hmi

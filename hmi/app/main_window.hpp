@@ -1,0 +1,77 @@
+// The frame around the screens: what the machine is like (top), the screens (left), their soft keys (foot), a line for the operator.
+//
+//   F1..F10 soft keys     Alt+1..9 screens     Ctrl+1..9 channels     F11 language     F12 theme     Ctrl+L lock for cleaning
+#pragma once
+#include <QSettings>
+#include <QStackedWidget>
+#include <QTimer>
+#include <memory>
+
+#include "hmi/widgets/soft_keys.hpp"
+
+namespace polyturn::hmi {
+
+struct Choices {
+    std::string instance = "polyturn";
+    std::string language;      // empty: as kept, or the machine's
+    std::string theme;         // dark, light; empty: as kept
+    QString keptIn;            // file of what is kept over a restart; empty: nothing is
+};
+
+class MainWindow : public QWidget {
+public:
+    explicit MainWindow(Choices choices);
+    ~MainWindow() override;
+
+    void frame();                          // one look at the machine; the timer calls it
+    void showScreen(int number);
+    void setTongue(Tongue tongue);
+    void setDark(bool dark);
+    const std::vector<Screen*>& screens() const { return screens_; }
+    int shown() const { return shown_; }
+    Screen* screen() const { return screens_[static_cast<std::size_t>(shown_)]; }
+    Desk& desk() { return desk_; }
+    SoftKeyBar& softKeys() { return *bar_; }
+    std::vector<Sheet*> ownSheets() const { return {top_, rail_, line_, bar_}; }
+    bool locked() const { return locked_; }
+
+protected:
+    void resizeEvent(QResizeEvent*) override;
+    bool eventFilter(QObject* object, QEvent* event) override;
+
+private:
+    void build();                          // screens, in the language of now
+    void layOut();
+    void composeTop(Writer& w);
+    void composeRail(Writer& w);
+    void composeLine(Writer& w);
+    void composeLock(Writer& w);
+    void topTouched(int number);
+    void tell(const QString& text, Told how);
+    void keep();
+    void lock(bool on);
+    bool keyPressed(QKeyEvent* event);
+    bool keyReleased(QKeyEvent* event);
+
+    Choices choices_;
+    std::unique_ptr<QSettings> kept_;
+    Live live_;
+    Requests requests_;
+    AlarmBook alarms_;
+    Desk desk_;
+    QTimer timer_;
+    FreeSheet *top_, *rail_, *line_, *cover_;
+    SoftKeyBar* bar_;
+    QStackedWidget* stack_;
+    std::vector<Screen*> screens_;
+    int shown_ = 0;
+    bool dark_ = true, locked_ = false, ready_ = false;
+    std::uint64_t generation_ = 0;
+    QString told_;
+    Told how_ = Told::Note;
+    qint64 toldUntil_ = 0, lockedUntil_ = 0;
+};
+
+std::vector<Screen*> makeScreens(Desk& desk);   // in the order of Alt+1, Alt+2 ...
+
+}  // namespace polyturn::hmi

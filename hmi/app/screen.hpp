@@ -1,0 +1,62 @@
+// One screen of the HMI, and what all screens share. A screen shows (refresh), offers soft keys (keys), takes keys of its own.
+#pragma once
+#include <QKeyEvent>
+#include <QString>
+#include <QWidget>
+#include <functional>
+#include <vector>
+
+#include "hmi/machine/alarm_book.hpp"
+#include "hmi/machine/live.hpp"
+#include "hmi/machine/requests.hpp"
+#include "hmi/text/tongues.hpp"
+#include "hmi/widgets/sheet.hpp"
+
+namespace polyturn::hmi {
+
+struct SoftKey {
+    QString text;                     // empty: no key here
+    std::function<void()> act;
+    Sign sign = Sign::None;
+    bool enabled = true;
+    bool on = false;                  // a switch that is on
+    bool danger = false;
+    QString confirm = {};             // not empty: the first press shows this, the second one acts
+    std::function<void()> release = {};   // acts while it is held: this ends it
+};
+
+enum class Told : std::uint8_t { Note, Good, Refused };
+
+// What every screen may use.
+struct Desk {
+    Live& live;
+    Requests& requests;
+    AlarmBook& alarms;
+    unsigned channel = 1;                                      // the one that keys speak to
+    std::function<void(const QString&, Told)> tell = {};       // a line for the operator
+    std::function<void()> keysChanged = {};
+    std::function<void(int)> show = {};                        // another screen, by its number
+    QString folder = {};                                       // of the programs shown last
+    void choose(unsigned wanted);                              // the channel, if there is such a one
+};
+
+class Screen : public QWidget {
+public:
+    explicit Screen(Desk& desk) : desk_(desk) {}
+    virtual QString title() const = 0;
+    virtual Sign sign() const = 0;
+    virtual const char* name() const = 0;                      // in what is kept over a restart
+    virtual std::vector<SoftKey> keys() = 0;
+    virtual void refresh() = 0;                                // each frame while it is shown
+    virtual void rebuilt() {}                                  // another machine, or none
+    virtual bool key(QKeyEvent*) { return false; }
+    virtual bool typing() const { return false; }              // digits and letters belong to a field now
+    virtual QString state() const { return {}; }               // where in the screen, to be kept
+    virtual void restore(const QString&) {}
+    virtual std::vector<Sheet*> sheets() { return {}; }        // for the test that looks for shortened words
+
+protected:
+    Desk& desk_;
+};
+
+}  // namespace polyturn::hmi

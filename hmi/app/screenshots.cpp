@@ -1,0 +1,49 @@
+#include "hmi/app/screenshots.hpp"
+
+#include <QApplication>
+#include <QDir>
+#include <QElapsedTimer>
+#include <cstdio>
+
+namespace polyturn::hmi {
+namespace {
+
+void letRun(int ms) {
+    QElapsedTimer time;
+    time.start();
+    while (time.elapsed() < ms) QApplication::processEvents(QEventLoop::AllEvents, 20);
+}
+
+}  // namespace
+
+int saveScreenshots(Choices choices, QSize size, const QString& folder) {
+    if (!QDir().mkpath(folder)) {
+        std::fprintf(stderr, "polyturn-hmi: cannot make the folder %s\n", qPrintable(folder));
+        return 1;
+    }
+    const auto language = tongue_of(choices.language);
+    const std::string dressed = choices.theme;
+    MainWindow window(choices);
+    window.resize(size);
+    window.show();
+    letRun(900);   // alarms have come, pictures have been read
+    for (const Tongue tongue : kTongues) {
+        if (!choices.language.empty() && language != tongue) continue;
+        window.setTongue(tongue);
+        for (const bool dark : {true, false}) {
+            if (!dressed.empty() && (dressed == "dark") != dark) continue;
+            window.setDark(dark);
+            for (std::size_t i = 0; i < window.screens().size(); ++i) {
+                window.showScreen(static_cast<int>(i));
+                letRun(60);
+                const QString file = QString("%1/%2-%3-%4.png").arg(folder, window.screen()->name(), codeOf(tongue), dark ? "dark" : "light");
+                if (window.grab().save(file)) continue;
+                std::fprintf(stderr, "polyturn-hmi: cannot write %s\n", qPrintable(file));
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+
+}  // namespace polyturn::hmi

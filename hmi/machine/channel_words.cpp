@@ -1,0 +1,108 @@
+#include "hmi/machine/channel_words.hpp"
+
+#include <cmath>
+
+#include "hmi/text/tongues.hpp"
+#include "ipc/machine/start_words.hpp"
+
+namespace polyturn::hmi {
+
+StateWords stateWords(const ChannelStatus& status) {
+    const Theme& t = theme();
+    switch (static_cast<ChannelState>(status.state)) {
+        case ChannelState::Running: return {word("Runs"), Sign::Run, t.good};
+        case ChannelState::Held: return {word("Held"), Sign::Hold, t.warn};
+        case ChannelState::Waiting: return {word("Waits"), Sign::Wait, t.wait};
+        case ChannelState::ProgramStop: return {word("Stopped"), Sign::Stop, t.warn};
+        case ChannelState::Ended: return {word("Ended"), Sign::Ended, t.accent};
+        case ChannelState::Interrupted: return {word("Interrupted"), Sign::Alarm, t.bad};
+        case ChannelState::Dead: return {word("Process dead"), Sign::Alarm, t.bad};
+        case ChannelState::Reset: return {word("Reset"), Sign::Reset, t.dim};
+        case ChannelState::Absent: break;
+    }
+    return {word("Absent"), Sign::Off, t.dim};
+}
+
+QString modeWord(std::uint32_t mode) {
+    switch (static_cast<ChannelMode>(mode)) {
+        case ChannelMode::Auto: return word("Automatic");
+        case ChannelMode::Mdi: return word("MDI");
+        case ChannelMode::Jog: return word("Jog");
+        case ChannelMode::Handwheel: return word("Handwheel");
+        case ChannelMode::Reference: return word("Reference");
+    }
+    return {};
+}
+
+QString waitWords(const Live& live, unsigned channel) {
+    const ChannelStatus& status = live.channel(channel);
+    if (status.wait_code == 0 && status.wait_missing == 0) return {};
+    QStringList missing;
+    for (unsigned other = 1; other <= kMaxChannels; ++other)
+        if (status.wait_missing >> (other - 1) & 1u) missing << QString("L%1").arg(other);
+    const QString since = timeText(live.seconds(live.status().tick - status.wait_since));
+    const QString code = status.wait_code > 0 ? QString("M%1").arg(status.wait_code) : word("a marker");
+    return missing.isEmpty() ? word("Waits at %1, all are there").arg(code) : word("Waits at %1 for %2, since %3").arg(code, missing.join(" "), since);
+}
+
+QStringList startNeeds(const Live& live, unsigned channel) {
+    QStringList out;
+    const std::uint32_t missing = live.channel(channel).start_missing;
+    for (std::size_t row = 0; row < kStartWords.size(); ++row) {
+        if (!(missing >> row & 1u)) continue;
+        QString which;
+        if (kStartWords[row].name == "referenced")
+            for (std::size_t a = 0; a < live.config().last_axis; ++a) {
+                const AxisConfig& axis = live.config().axes[a];
+                if (axis.exists() && axis.channel == channel && !(live.status().axes[a].flags & kReferenced) && !axis.on_spindle) which += fromView(axis.name_text()) + ' ';
+            }
+        out << which + word(kStartWords[row].text) + " (" + word(kStartWords[row].remedy) + ")";
+    }
+    return out;
+}
+
+Plight plight(const Live& live, const AlarmBook& alarms, unsigned channel) {
+    if (const AlarmEntry* alarm = alarms.standing(channel)) return {Plight::Kind::Alarm, alarm->number + "  " + alarm->text};
+    const ChannelStatus& status = live.channel(channel);
+    const auto state = static_cast<ChannelState>(status.state);
+    if (state == ChannelState::Waiting || status.wait_missing) return {Plight::Kind::Waits, waitWords(live, channel)};
+    if (state != ChannelState::Running && status.start_missing) return {Plight::Kind::Needs, word("A start needs:") + " " + startNeeds(live, channel).join("; ")};
+    if (state == ChannelState::Held || state == ChannelState::ProgramStop) {
+        switch (static_cast<StopReason>(status.stop_reason)) {
+            case StopReason::M00: return {Plight::Kind::Stands, word("Programmed stop M0: start goes on")};
+            case StopReason::M01: return {Plight::Kind::Stands, word("Optional stop M1: start goes on")};
+            case StopReason::SingleBlock: return {Plight::Kind::Stands, word("Single block: start does the next one")};
+            case StopReason::Restart: return {Plight::Kind::Stands, word("Restart: start makes the approach")};
+            case StopReason::FirstPart: return {Plight::Kind::Stands, word("First part: start goes on with this tool")};
+            case StopReason::Retrace: return {Plight::Kind::Stands, word("Retrace has come to its end")};
+            default: return {Plight::Kind::Stands, word("Feed hold: start goes on")};
+        }
+    }
+    return {};
+}
+
+QString timeText(double seconds) {
+    if (!(seconds >= 0) || seconds > 1e8) return QString::fromUtf8("–");
+    const auto whole = static_cast<long>(seconds);
+    if (whole < 3600) return QString("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QChar('0'));
+    return QString("%1:%2:%3").arg(whole / 3600).arg(whole / 60 % 60, 2, 10, QChar('0')).arg(whole % 60, 2, 10, QChar('0'));
+}
+
+QString lengthText(double value, unsigned decimals) {
+    if (!std::isfinite(value)) return QString::fromUtf8("–");
+    const QString out = QString::number(value, 'f', static_cast<int>(decimals));
+    return out.startsWith('-') && out.toDouble() == 0.0 ? out.mid(1) : out;   // no -0.000
+}
+
+double shown(const AxisConfig& axis, double trueValue) { return axis.diameter && !axis.rotary ? 2 * trueValue : trueValue; }
+
+unsigned decimalsOf(const MachineConfig& machine, const AxisConfig& axis) {
+    return axis.channel >= 1 && axis.channel <= kMaxChannels ? std::clamp(machine.channel(axis.channel).decimals(), 1u, 6u) : 3u;
+}
+
+QString channelTitle(const Live& live, unsigned channel) {
+    const QString number = QString("L%1").arg(channel), name = fromView(live.config().channel(channel).name_text());
+    return name.isEmpty() || name == number ? number : number + "  " + name;
+}
+
+}  // namespace polyturn::hmi

@@ -1,0 +1,32 @@
+// What a channel does and why it stands, in words and signs of the chosen language.
+#pragma once
+#include "hmi/machine/alarm_book.hpp"
+#include "hmi/widgets/theme.hpp"
+
+namespace polyturn::hmi {
+
+struct StateWords {
+    QString text;
+    Sign sign;
+    QColor colour;
+};
+StateWords stateWords(const ChannelStatus& status);
+QString modeWord(std::uint32_t mode);
+
+// The one thing that matters most now: the alarm that stands, what it waits for, what a start still needs, why it stands.
+struct Plight {
+    enum class Kind : std::uint8_t { None, Alarm, Waits, Needs, Stands } kind = Kind::None;
+    QString text;
+};
+Plight plight(const Live& live, const AlarmBook& alarms, unsigned channel);
+QString waitWords(const Live& live, unsigned channel);      // «Waits at M503 for L2, 12 s»; empty: it waits for nobody
+QStringList startNeeds(const Live& live, unsigned channel); // each with what to do
+
+QString timeText(double seconds);                           // 1:02:03, 2:03
+QString lengthText(double value, unsigned decimals);
+// As displays show an axis: X as a diameter on a diameter axis.
+double shown(const AxisConfig& axis, double trueValue);
+unsigned decimalsOf(const MachineConfig& machine, const AxisConfig& axis);
+QString channelTitle(const Live& live, unsigned channel);   // «L1», or with its name
+
+}  // namespace polyturn::hmi

@@ -1,0 +1,158 @@
+#include "hmi/machine/live.hpp"
+
+#include <cstring>
+
+namespace polyturn::hmi {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr auto kLookEvery = std::chrono::milliseconds(500);   // for processes that have come or gone
+
+std::string processName(std::size_t slot) {
+    static constexpr const char* kNames[] = {"kernel", "plc", "toolmgmt", "hmi", "cell"};
+    if (slot < std::size(kNames)) return kNames[slot];
+    return "channel " + std::to_string(slot - kProcessChannel + 1);
+}
+
+}  // namespace
+
+Live::Live(std::string instance)
+    : instance_(std::move(instance)), status_(std::make_unique<MachineStatus>()), config_(std::make_unique<MachineConfig>()), table_(std::make_unique<params::Table>()),
+      inputs_(std::make_unique<PlcInputs>()), outputs_(std::make_unique<PlcOutputs>()), names_(std::make_unique<ProgramNames>()) {
+    params::set_defaults(*table_);
+    for (auto& one : stores_) one = std::make_unique<ChannelStore>();
+}
+
+Live::~Live() = default;
+
+void Live::detach(std::string why) {
+    if (connected_) ++generation_;
+    connected_ = false;
+    whyNot_ = std::move(why);
+    supervisor_ = {}, kernel_ = {}, storeSegment_ = {};
+    for (auto& one : channelSegments_) one = {};
+    channels_.clear();
+    for (auto& one : views_) one = {};
+}
+
+void Live::attach() {
+    auto supervisor = PeerSegment<SupervisorSegment>::attach(instance_);
+    if (!supervisor) return detach(supervisor.diagnosis().text());
+    auto kernel = PeerSegment<KernelSegment>::attach(instance_);
+    if (!kernel) return detach(kernel.diagnosis().text());
+    auto store = PeerSegment<StoreSegment>::attach(instance_);
+    if (!store) return detach(store.diagnosis().text());
+    supervisor_ = std::move(*supervisor), kernel_ = std::move(*kernel), storeSegment_ = std::move(*store);
+    if (!peersLive()) return detach(Diagnosis{Alarm::SegmentMissing, {}, {}, instance_}.text());
+    connected_ = true;
+    whyNot_.clear();
+    ++generation_;
+    tickSeconds_ = static_cast<double>(kernel_->tick_ns.load(std::memory_order_acquire)) * 1e-9;
+    storeVersion_ = tableVersion_ = 0;
+    namesVersion_ = {};
+}
+
+// What a killed controller left behind says nothing about now.
+bool Live::peersLive() const {
+    return process_lives(supervisor_->header.writer_pid) && process_lives(kernel_->header.writer_pid) && supervisor_->header.generation == kernel_->header.generation;
+}
+
+void Live::attachChannels() {
+    for (const unsigned number : channels_) {
+        auto& segment = channelSegments_[number - 1];
+        if (segment.attached() && process_lives(segment->header.writer_pid)) continue;
+        auto found = PeerSegment<ChannelSegment>::attach(instance_, number);
+        if (!found || !process_lives((*found)->header.writer_pid)) continue;
+        segment = std::move(*found);
+        namesVersion_[number - 1] = 0;
+    }
+}
+
+void Live::readStore() {
+    const std::uint64_t version = storeSegment_->version.load(std::memory_order_acquire);
+    const std::uint64_t table = storeSegment_->parameters.version();
+    if (version == storeVersion_ && table == tableVersion_ && version != 0) return;
+    if (table != tableVersion_ || tableVersion_ == 0) {
+        if (!storeSegment_->parameters.read(*table_)) return;
+        tableVersion_ = table;
+        *config_ = derive_machine_config(*table_);
+        channels_.clear();
+        for (unsigned number = 1; number <= config_->last_channel; ++number)
+            if (config_->channel(number).exists()) channels_.push_back(number);
+    }
+    for (const unsigned number : channels_)
+        if (!storeSegment_->channels[number - 1].read(*stores_[number - 1])) return;
+    storeVersion_ = version;
+}
+
+void Live::poll() {
+    const auto now = Clock::now();
+    if (now >= nextLook_) {
+        nextLook_ = now + kLookEvery;
+        if (!connected_) attach();
+        else if (!peersLive()) detach(Diagnosis{Alarm::SegmentMissing, {}, {}, instance_}.text());
+        if (connected_) readStore(), attachChannels();
+    }
+    if (!connected_) return;
+    readStore();
+    (void)kernel_->status.read(*status_);
+    (void)kernel_->plc_inputs.read(*inputs_);
+    (void)kernel_->plc_seen.read(*outputs_);
+    for (std::size_t i = 0; i < tickCost_.size(); ++i) tickCost_[i] = kernel_->tick_cost[i].load(std::memory_order_relaxed);
+    for (const unsigned number : channels_) readChannel(number);
+}
+
+void Live::readChannel(unsigned number) {
+    ChannelView& view = views_[number - 1];
+    const auto& segment = channelSegments_[number - 1];
+    view.known = false;
+    view.moves.fill(false);
+    if (!segment.attached()) return;
+    if (const std::uint64_t version = segment->programs.version(); version != namesVersion_[number - 1] && segment->programs.read(*names_)) {
+        namesVersion_[number - 1] = version;
+        view.programs.clear();
+        for (std::size_t i = 0; i < names_->count && i < 32; ++i) view.programs.emplace_back(&names_->name[i * 256], ::strnlen(&names_->name[i * 256], 255));
+    }
+    const ChannelStatus& status = channel(number);
+    view.file = status.line && status.file < view.programs.size() ? status.file : 0;
+    // The running record, or the one executed last.
+    const std::uint64_t head = segment->path.head.load(std::memory_order_acquire);
+    if (head == 0) return;
+    const bool running = status.record < head;
+    const PathRecord first = segment->path.slot(running ? status.record : head - 1);
+    view.known = find_picture(*segment, first.serial, view.picture);
+    if (!running || status.state == static_cast<std::uint32_t>(ChannelState::Reset)) return;
+    // Its block may go on in the records behind it: the last one says where the axes end.
+    const ChannelConfig& config = config_->channel(number);
+    for (std::uint64_t at = status.record; at < head && at < status.record + 256; ++at) {
+        const PathRecord& record = segment->path.slot(at);
+        if (record.serial != first.serial || record.epoch != first.epoch || record.kind > static_cast<std::uint8_t>(RecordKind::Curve)) break;
+        if (record.transform) return;   // path coordinates are no axes
+        for (std::size_t i = 0; i < record.axis_count && i < kMaxPathAxes; ++i)
+            for (std::size_t place = 0; place < config.axis_count; ++place)
+                if (config.axes[place] == record.axis[i] + 1) view.moves[place] = true, view.end[place] = record.end[i];
+    }
+}
+
+bool Live::workpiece(unsigned channel, unsigned place, double machine, double& out) const {
+    const ChannelView& one = view(channel);
+    if (one.known) {
+        if (one.picture.flags & kPictureNoShift) return false;
+        out = machine - one.picture.shift[place];
+        return true;
+    }
+    return false;
+}
+
+std::vector<Live::Process> Live::processes() const {
+    std::vector<Process> out;
+    if (!connected_) return out;
+    for (std::size_t slot = 0; slot < kProcesses; ++slot) {
+        const ProcessEntry& entry = supervisor_->processes[slot];
+        const auto state = static_cast<ProcessState>(entry.state.load(std::memory_order_acquire));
+        if (state != ProcessState::Absent) out.push_back({processName(slot), entry.pid, state});
+    }
+    return out;
+}
+
+}  // namespace polyturn::hmi

@@ -1,0 +1,95 @@
+// The running machine as the screens see it: a copy of the image, made some times a second, and the names that belong to it.
+// Read-only mappings; nothing here waits for anybody. While there is no controller, or a new one has come, it attaches again.
+#pragma once
+#include <array>
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ipc/image/block_pictures.hpp"
+#include "ipc/machine/machine_config.hpp"
+#include "ipc/memory/segment.hpp"
+
+namespace polyturn::hmi {
+
+// What one channel does at the block that runs now.
+struct ChannelView {
+    std::vector<std::string> programs;      // paths, [0] the selected or running main program
+    std::uint32_t file = 0;                 // of them, the one that the running block stands in
+    bool known = false;                     // `picture` holds for the running block
+    BlockPicture picture{};
+    std::array<bool, kChannelAxes> moves{}; // by place: the running block moves the axis
+    std::array<double, kChannelAxes> end{}; // and where to, machine coordinate
+};
+
+class Live {
+public:
+    explicit Live(std::string instance);
+    ~Live();
+
+    // A fresh copy; cheap. Attaches when it is time to try again.
+    void poll();
+    // Everything has been replaced: another generation, or the controller has come or gone.
+    std::uint64_t generation() const { return generation_; }
+    bool connected() const { return connected_; }
+    const std::string& whyNot() const { return whyNot_; }
+    const std::string& instance() const { return instance_; }
+
+    const MachineStatus& status() const { return *status_; }
+    const MachineConfig& config() const { return *config_; }
+    const params::Table& table() const { return *table_; }
+    const ChannelView& view(unsigned channel) const { return views_[channel - 1]; }
+    const ChannelStatus& channel(unsigned number) const { return status_->channels[number - 1]; }
+    const std::vector<unsigned>& channels() const { return channels_; }   // that exist
+    double seconds(std::int64_t ticks) const { return static_cast<double>(ticks) * tickSeconds_; }
+    std::int32_t nc(std::uint32_t slot) const { return inputs_->signal[slot]; }
+    std::int32_t plc(std::uint32_t slot) const { return outputs_->signal[slot]; }
+    const PlcInputs& inputs() const { return *inputs_; }
+    const PlcOutputs& outputs() const { return *outputs_; }
+    // Offsets, zeros and kept variables; the version grows with each change of the store.
+    std::uint64_t storeVersion() const { return storeVersion_; }
+    const ChannelStore& store(unsigned channel) const { return *stores_[channel - 1]; }
+    const std::array<std::uint64_t, 64>& tickCost() const { return tickCost_; }
+    struct Process {
+        std::string name;
+        int pid = 0;
+        ProcessState state{};
+    };
+    std::vector<Process> processes() const;
+
+    // Of an axis of the channel by its place: what the workpiece system shows for a machine coordinate; false: it cannot be said.
+    bool workpiece(unsigned channel, unsigned place, double machine, double& out) const;
+
+private:
+    void attach();
+    void detach(std::string why);
+    bool peersLive() const;
+    void attachChannels();
+    void readChannel(unsigned number);
+    void readStore();
+
+    std::string instance_, whyNot_;
+    bool connected_ = false;
+    std::uint64_t generation_ = 0;
+    double tickSeconds_ = 0.001;
+    std::chrono::steady_clock::time_point nextLook_{};
+    PeerSegment<SupervisorSegment> supervisor_;
+    PeerSegment<KernelSegment> kernel_;
+    PeerSegment<StoreSegment> storeSegment_;
+    std::array<PeerSegment<ChannelSegment>, kMaxChannels> channelSegments_;
+    std::array<std::uint64_t, kMaxChannels> namesVersion_{};
+    std::unique_ptr<MachineStatus> status_;
+    std::unique_ptr<MachineConfig> config_;
+    std::unique_ptr<params::Table> table_;
+    std::unique_ptr<PlcInputs> inputs_;
+    std::unique_ptr<PlcOutputs> outputs_;
+    std::unique_ptr<ProgramNames> names_;
+    std::array<std::unique_ptr<ChannelStore>, kMaxChannels> stores_;
+    std::array<ChannelView, kMaxChannels> views_;
+    std::vector<unsigned> channels_;
+    std::array<std::uint64_t, 64> tickCost_{};
+    std::uint64_t storeVersion_ = 0, tableVersion_ = 0;
+};
+
+}  // namespace polyturn::hmi

@@ -1,0 +1,132 @@
+#include "hmi/machine/requests.hpp"
+
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <QDateTime>
+#include <QDir>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QSocketNotifier>
+#include <cerrno>
+#include <cstddef>
+#include <cstring>
+
+#include "hmi/text/tongues.hpp"
+
+namespace polyturn::hmi {
+namespace {
+
+constexpr qint64 kPatienceMs = 6'000;   // the store may take five seconds to say that its disk does not answer
+
+}  // namespace
+
+Requests::Requests(std::string instance) : instance_(std::move(instance)) {
+    patience_.setInterval(250);
+    QObject::connect(&patience_, &QTimer::timeout, [this] {
+        if (!waiting_.empty() && QDateTime::currentMSecsSinceEpoch() > waiting_.front().until_ms) close(word("The controller gave no answer."));
+        if (waiting_.empty()) patience_.stop();
+    });
+}
+
+Requests::~Requests() {
+    readable_.reset(), writable_.reset();
+    if (fd_ >= 0) ::close(fd_);
+}
+
+bool Requests::open() {
+    if (fd_ >= 0) return true;
+    const int fd = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+    if (fd < 0) return false;
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    const std::string name = "polyturn." + instance_;
+    if (name.size() + 1 > sizeof address.sun_path) return ::close(fd), false;
+    std::memcpy(address.sun_path + 1, name.data(), name.size());   // a leading zero byte: abstract, it lives and dies with the supervisor
+    const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
+    if (::connect(fd, reinterpret_cast<sockaddr*>(&address), size) != 0) return ::close(fd), false;
+    fd_ = fd;
+    readable_ = std::make_unique<QSocketNotifier>(fd, QSocketNotifier::Read);
+    writable_ = std::make_unique<QSocketNotifier>(fd, QSocketNotifier::Write);
+    writable_->setEnabled(false);
+    QObject::connect(readable_.get(), &QSocketNotifier::activated, [this] { read(); });
+    QObject::connect(writable_.get(), &QSocketNotifier::activated, [this] { flush(); });
+    return true;
+}
+
+void Requests::close(const QString& why) {
+    // A notifier may be the one that calls.
+    if (readable_) readable_->setEnabled(false), readable_.release()->deleteLater();
+    if (writable_) writable_->setEnabled(false), writable_.release()->deleteLater();
+    if (fd_ >= 0) ::close(fd_);
+    fd_ = -1;
+    in_.clear(), out_.clear();
+    std::deque<Waiting> left;
+    left.swap(waiting_);
+    for (Waiting& one : left) {
+        const Answer answer{false, why, word("Look whether the controller runs; try again."), {}};
+        if (one.done) one.done(answer);
+        if (onRefused && !one.quiet) onRefused(answer);
+    }
+}
+
+void Requests::press(const QString& words, Done done) { ask({{"do", "press"}, {"words", words}, {"folder", QDir::currentPath()}}, std::move(done)); }
+void Requests::set(const QString& words, Done done) { ask({{"do", "set"}, {"words", words}}, std::move(done)); }
+void Requests::parameter(const QString& line, Done done) { ask({{"do", "parameters"}, {"lines", QJsonArray{line}}}, std::move(done)); }
+
+void Requests::ask(const QJsonObject& request, Done done) {
+    const bool quiet = request.value("do").toString() == "alarms";
+    waiting_.push_back({std::move(done), QDateTime::currentMSecsSinceEpoch() + kPatienceMs, quiet});
+    if (!open()) return close(word("There is no connection to the controller."));
+    out_ += QJsonDocument(request).toJson(QJsonDocument::Compact) + '\n';
+    patience_.start();
+    flush();
+}
+
+void Requests::flush() {
+    while (!out_.isEmpty()) {
+        const auto wrote = ::send(fd_, out_.constData(), static_cast<std::size_t>(out_.size()), MSG_NOSIGNAL);
+        if (wrote < 0 && errno == EINTR) continue;
+        if (wrote < 0 && errno == EAGAIN) return writable_->setEnabled(true);
+        if (wrote <= 0) return close(word("There is no connection to the controller."));
+        out_.remove(0, static_cast<int>(wrote));
+    }
+    writable_->setEnabled(false);
+}
+
+void Requests::read() {
+    char block[65536];
+    for (;;) {
+        const auto got = ::read(fd_, block, sizeof block);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0 && errno == EAGAIN) break;
+        if (got <= 0) return close(word("There is no connection to the controller."));
+        in_.append(block, static_cast<int>(got));
+    }
+    for (int end = static_cast<int>(in_.indexOf('\n')); end >= 0 && fd_ >= 0; end = static_cast<int>(in_.indexOf('\n'))) {
+        const QByteArray line = in_.left(end);
+        in_.remove(0, end + 1);
+        answer(line);
+    }
+}
+
+void Requests::answer(const QByteArray& line) {
+    if (waiting_.empty()) return;
+    Waiting first = std::move(waiting_.front());
+    waiting_.pop_front();
+    Answer out;
+    out.object = QJsonDocument::fromJson(line).object();
+    out.ok = out.object.value("ok").toBool();
+    if (!out.ok) {
+        out.text = out.object.value("text").toString();
+        out.remedy = out.object.value("remedy").toString();
+        for (const auto& one : out.object.value("faults").toArray())
+            if (const QString text = one.toObject().value("text").toString(); text != out.text) out.text += "\n" + text;
+        if (out.text.isEmpty()) out.text = word("The controller refused.");
+    }
+    if (first.done) first.done(out);
+    if (!out.ok && onRefused && !first.quiet) onRefused(out);
+}
+
+}  // namespace polyturn::hmi

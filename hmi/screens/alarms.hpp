@@ -1,0 +1,54 @@
+// Alarms with cause, remedy and place, those that stand and the history; and diagnosis: signals by name, couplings, drives, processes.
+#pragma once
+#include "hmi/app/screen.hpp"
+#include "hmi/widgets/table.hpp"
+
+namespace polyturn::hmi {
+
+class Alarms : public Screen {
+public:
+    explicit Alarms(Desk& desk);
+    QString title() const override { return word("Alarms"); }
+    Sign sign() const override { return Sign::Bell; }
+    const char* name() const override { return "alarms"; }
+    std::vector<SoftKey> keys() override;
+    void refresh() override;
+    bool key(QKeyEvent* event) override;
+    bool typing() const override { return page_ == Page::Signals; }
+    QString state() const override { return QString::number(static_cast<int>(page_)); }
+    void restore(const QString& state) override;
+    std::vector<Sheet*> sheets() override { return {head_, table_, detail_}; }
+
+    enum class Page : std::uint8_t { Standing, History, Signals, Axes, Couplings, Processes };
+    void showPage(Page page);
+
+protected:
+    void resizeEvent(QResizeEvent*) override;
+
+private:
+    void layOut();
+    void fillAlarms();
+    void fillSignals();
+    void fillAxes();
+    void fillCouplings();
+    void fillProcesses();
+    void composeDetail(Writer& w);
+    void composeTicks(Writer& w);
+
+    FreeSheet* head_;
+    Table* table_;
+    FreeSheet* detail_;
+    Page page_ = Page::Standing;
+    std::vector<AlarmEntry> rows_;   // copies: the book goes on
+    std::uint64_t version_ = 0;
+    struct SignalLine {
+        QString name;
+        QString meaning;
+        std::uint32_t slot;
+        bool plc, isRegister;
+    };
+    std::vector<SignalLine> signals_, found_;
+    QString search_;
+};
+
+}  // namespace polyturn::hmi

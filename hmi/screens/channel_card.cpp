@@ -1,0 +1,266 @@
+#include "hmi/screens/channel_card.hpp"
+
+#include <QFileInfo>
+#include <cmath>
+
+#include "hmi/machine/channel_words.hpp"
+
+namespace polyturn::hmi {
+namespace {
+
+constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
+const QString kDash = QString::fromUtf8("–");
+
+// Writes the parts of a card one below the other.
+class Card {
+public:
+    Card(Writer& w, QSizeF size, const Desk& desk, unsigned channel, ProgramText& programs)
+        : w_(w), t_(theme()), live_(desk.live), alarms_(desk.alarms), channel_(channel), status_(live_.channel(channel)), view_(live_.view(channel)),
+          config_(live_.config().channel(channel)), programs_(programs), size_(size), focus_(desk.channel == channel && live_.channels().size() > 1) {
+        dense_ = size.height() < px(560);
+        left_ = px(dense_ ? 12 : 16);
+        wide_ = size.width() - 2 * left_;
+        y_ = px(dense_ ? 6 : 9);
+    }
+
+    void write() {
+        w_.fill(QRectF(QPointF(0, 0), size_), t_.window);
+        const QRectF all = QRectF(QPointF(0, 0), size_).adjusted(px(4), px(4), -px(4), -px(2));
+        w_.fill(all, t_.card, px(10));
+        w_.frame(all, focus_ ? t_.accent : t_.edge, px(10), focus_ ? px(2) : 1);
+        w_.hit(all, static_cast<int>(channel_));
+        header();
+        strip();
+        axes();
+        speeds();
+        tool();
+        program();
+        parts();
+    }
+
+private:
+    double gap() const { return px(dense_ ? 4 : 9); }
+    void below(double height) { y_ += height + gap(); }
+    void rule() { w_.line({left_, y_ - gap() / 2}, {left_ + wide_, y_ - gap() / 2}, t_.edge, 1); }
+
+    void header() {
+        const double h = px(dense_ ? 26 : 34);
+        const StateWords state = stateWords(status_);
+        w_.sign(QRectF(left_, y_ + (h - px(22)) / 2, px(22), px(22)), state.sign, state.colour);
+        const double mode = std::min<double>(wide_ * 0.3, px(110));
+        w_.data(QRectF(left_ + px(30), y_, wide_ * 0.4, h), channelTitle(live_, channel_), lettering(dense_ ? 17 : 21, true), t_.text);
+        w_.text(QRectF(left_ + wide_ - mode, y_, mode, h), modeWord(status_.mode), lettering(14.5), t_.dim, kRight);
+        w_.text(QRectF(left_ + wide_ * 0.4, y_, wide_ * 0.6 - mode - px(8), h), state.text, lettering(dense_ ? 15 : 18, true), state.colour, kRight);
+        below(h);
+    }
+
+    void strip() {
+        const double h = px(dense_ ? 36 : 42);
+        const QRectF box(left_, y_, wide_, h);
+        const Plight now = plight(live_, alarms_, channel_);
+        Sign sign = Sign::None;
+        QColor colour = t_.dim;
+        switch (now.kind) {
+            case Plight::Kind::Alarm: sign = Sign::Alarm, colour = t_.bad; break;
+            case Plight::Kind::Waits: sign = Sign::Wait, colour = t_.wait; break;
+            case Plight::Kind::Needs: sign = Sign::Warning, colour = t_.warn; break;
+            case Plight::Kind::Stands: sign = Sign::Hold, colour = t_.warn; break;
+            case Plight::Kind::None: break;
+        }
+        w_.fill(box, t_.raised, px(6));
+        if (now.kind != Plight::Kind::None) {
+            w_.fill(QRectF(box.left(), box.top(), px(4), h), colour, px(2));
+            w_.sign(QRectF(box.left() + px(12), box.center().y() - px(10), px(20), px(20)), sign, colour);
+            Item& item = w_.text(box.adjusted(px(40), px(1), -px(6), -px(1)), now.text, lettering(13.5), t_.text);
+            item.wraps = true, item.data = true;
+        } else {
+            QString switches;
+            const auto add = [&](bool on, const QString& text) { if (on) switches += (switches.isEmpty() ? "" : "   ") + text; };
+            add(status_.keys & kKeySingleBlock, word("Single block"));
+            add(status_.keys & kKeyOptionalStop, word("Optional stop"));
+            add(status_.keys & kKeyDryRun, word("Dry run"));
+            add(status_.keys & kKeyMachineLock, word("Machine lock"));
+            add(status_.keys & kKeyFirstPart, word("First part"));
+            add((status_.keys >> 8 & 0x1FFu) != 0, word("Block skip"));
+            w_.data(box.adjusted(px(12), 0, -px(6), 0), switches, lettering(13.5), t_.dim);
+        }
+        below(h);
+    }
+
+    void axes() {
+        const std::size_t count = config_.axis_count;
+        const double head = px(dense_ ? 14 : 17), row = px(dense_ ? 22 : count > 4 ? 26 : 35);
+        const double name = px(34), first = (wide_ - name) * 0.34, other = (wide_ - name - first) / 3;
+        const double at[] = {left_ + name, left_ + name + first, left_ + name + first + other, left_ + name + first + 2 * other};
+        const double wide[] = {first, other, other, other};
+        const QString heads[] = {word("Workpiece"), word("Machine"), word("To go"), word("Follow. error")};
+        for (int c = 0; c < 4; ++c) w_.text(QRectF(at[c], y_, wide[c], head), heads[c], lettering(11.5, false, Face::Condensed), t_.dim, kRight);
+        y_ += head;
+        for (std::size_t place = 0; place < count && y_ + row < size_.height(); ++place) {
+            const AxisConfig& axis = live_.config().axis(config_.axes[place]);
+            const AxisStatus& now = live_.status().axes[config_.axes[place] - 1u];
+            const unsigned decimals = decimalsOf(live_.config(), axis);
+            const bool referenced = (now.flags & kReferenced) != 0 || axis.on_spindle;
+            const bool moving = (now.flags & kMoving) != 0;
+            w_.text(QRectF(left_, y_, name, row), fromView(axis.name_text()), lettering(dense_ ? 15 : 19, true), moving ? t_.good : t_.text);
+            double workpiece = 0;
+            const bool known = live_.workpiece(channel_, static_cast<unsigned>(place), now.act, workpiece);
+            w_.text(QRectF(at[0], y_, wide[0], row), known ? lengthText(shown(axis, workpiece), decimals) : kDash, lettering(dense_ ? 16 : wide_ < px(330) ? 17 : 24, true), t_.text, kRight);
+            const QFont small = lettering(wide_ < px(330) ? 12.5 : dense_ ? 13.5 : 16);
+            w_.text(QRectF(at[1], y_, wide[1], row), referenced ? lengthText(shown(axis, now.act), decimals) : word("no ref."), small, referenced ? t_.text : t_.warn, kRight);
+            w_.text(QRectF(at[2], y_, wide[2], row), view_.moves[place] ? lengthText(shown(axis, view_.end[place] - now.cmd), decimals) : lengthText(0, decimals), small,
+                    view_.moves[place] ? t_.text : t_.faint, kRight);
+            w_.text(QRectF(at[3], y_, wide[3], row), lengthText(now.error, decimals), small, t_.dim, kRight);
+            y_ += row;
+        }
+        y_ += gap();
+    }
+
+    // Two tiles: feed and spindle, with what is commanded and the overrides.
+    void speeds() {
+        const double h = px(dense_ ? 44 : 74), half = (wide_ - px(8)) / 2;
+        tile(QRectF(left_, y_, half, h), Sign::Feed, QString::number(status_.path_speed * 60, 'f', 0), "mm/min", feedWords(), status_.feed_override,
+             QString("%1 %2 %").arg(word("Rapid")).arg(std::lround(status_.rapid_override * 100)));
+        const unsigned spindle = view_.known && view_.picture.spindle ? view_.picture.spindle : config_.default_spindle;
+        const QRectF right(left_ + half + px(8), y_, half, h);
+        if (spindle >= 1 && spindle <= kMaxSpindles) {
+            const SpindleStatus& now = live_.status().spindles[spindle - 1];
+            const QString turn = now.flags & 2u ? QString() : now.speed < 0 ? QString::fromUtf8("↺ ") : QString::fromUtf8("↻ ");
+            tile(right, Sign::Spindle, turn + QString::number(std::abs(now.speed), 'f', 0), "1/min", speedWords(spindle), now.override,
+                 fromView(live_.config().spindle(spindle).name_text()) + (now.owner && now.owner != channel_ ? QString("  L%1").arg(now.owner) : QString()));
+        } else {
+            w_.fill(right, t_.raised, px(7));
+        }
+        below(h);
+    }
+
+    void tile(const QRectF& box, Sign sign, const QString& value, const QString& unit, const QString& wanted, double override, const QString& note) {
+        w_.fill(box, t_.raised, px(7));
+        const double big = dense_ ? 16 : 25, line = dense_ ? px(22) : px(34);
+        w_.sign(QRectF(box.left() + px(9), box.top() + line / 2 - px(dense_ ? 5 : 7), px(18), px(18)), sign, t_.dim);
+        const double unitWide = box.width() > px(200) ? px(52) : 0;
+        w_.text(QRectF(box.left() + px(30), box.top() + px(3), box.width() - px(38) - unitWide, line), value, lettering(big, true), t_.text, kRight);
+        if (unitWide > 0) w_.text(QRectF(box.right() - unitWide - px(4), box.top() + px(3), unitWide, line), unit, lettering(12.5), t_.dim, kRight);
+        const double second = box.top() + line + px(2);
+        if (!dense_) w_.data(QRectF(box.left() + px(9), second, box.width() * 0.62, px(16)), wanted, lettering(12.5), t_.dim);
+        const bool changed = std::abs(override - 1.0) > 1e-6;
+        const QString percent = QString("%1 %").arg(std::lround(override * 100));
+        if (!dense_) w_.text(QRectF(box.left() + box.width() * 0.62, second, box.width() * 0.38 - px(9), px(16)), note, lettering(12.5, false, Face::Condensed), t_.dim, kRight);
+        const double bar = box.bottom() - px(dense_ ? 12 : 15);
+        w_.bar(QRectF(box.left() + px(10), bar + px(1), box.width() - px(70), px(7)), override / 1.5, changed ? t_.warn : t_.accent, t_.edge);
+        w_.text(QRectF(box.right() - px(56), bar - px(5), px(48), px(18)), percent, lettering(13, true), changed ? t_.warn : t_.text, kRight);
+    }
+
+    QString feedWords() const {
+        if (!view_.known) return {};
+        const BlockPicture& p = view_.picture;
+        switch (static_cast<FeedMode>(p.feed_mode)) {
+            case FeedMode::PerRevolution: return QString("F %1 mm/rev").arg(p.feed, 0, 'g', 5);
+            case FeedMode::PerMinute: return QString("F %1 mm/min").arg(p.feed, 0, 'g', 6);
+            case FeedMode::InverseTime: return QString("F %1 1/min").arg(p.feed, 0, 'g', 5);
+            default: return {};
+        }
+    }
+
+    QString speedWords(unsigned spindle) const {
+        const QString command = QString("S %1").arg(std::abs(live_.status().spindles[spindle - 1].command), 0, 'f', 0);
+        if (!view_.known || view_.picture.spindle != spindle) return command;
+        const BlockPicture& p = view_.picture;
+        const QString limit = p.speed_limit > 0 ? QString(QChar(0x2264)) + QString::number(p.speed_limit, 'f', 0) : QString();
+        if (static_cast<SpindleModeCode>(p.spindle_mode) == SpindleModeCode::SurfaceSpeed) return QString("S %1 m/min %2").arg(p.speed, 0, 'g', 5).arg(limit);
+        if (static_cast<SpindleModeCode>(p.spindle_mode) == SpindleModeCode::Position) return QString("%1%2").arg(p.speed, 0, 'f', 2).arg(QChar(0xB0));
+        return command;
+    }
+
+    void tool() {
+        const double h = px(dense_ ? 20 : 26);
+        const BlockPicture& p = view_.picture;
+        QString tool = word("no tool known"), offset;
+        if (view_.known && (p.tool > 0 || p.offset > 0 || p.geometry > 0)) {
+            tool = QString("T%1").arg(std::max<std::int64_t>(p.tool, 0));
+            const QString named = QString::fromUtf8(p.tool_name.data(), static_cast<int>(::strnlen(p.tool_name.data(), p.tool_name.size())));
+            if (!named.isEmpty()) tool += "  " + named;
+            offset = p.edge > 0 ? QString("D%1").arg(p.edge) : p.geometry > 0 ? QString("%1 %2").arg(word("Offset")).arg(p.geometry) : QString();
+            if (p.nose_radius > 0) offset += QString("  R%1").arg(p.nose_radius, 0, 'g', 4);
+            if (p.tip > 0) offset += QString("  %1 %2").arg(word("tip")).arg(p.tip);
+        }
+        w_.sign(QRectF(left_, y_ + h / 2 - px(9), px(18), px(18)), Sign::Tools, t_.dim);
+        w_.data(QRectF(left_ + px(26), y_, wide_ * 0.45, h), tool, lettering(dense_ ? 14 : 16, true), view_.known ? t_.text : t_.faint);
+        w_.data(QRectF(left_ + wide_ * 0.45, y_, wide_ * 0.55, h), offset, lettering(dense_ ? 12.5 : 14), t_.dim, kRight);
+        below(h);
+        if (dense_) return;
+        const double lines = px(37);
+        const QString codes = view_.known ? QString::fromUtf8(p.codes.data(), static_cast<int>(::strnlen(p.codes.data(), p.codes.size()))) : QString();
+        Item& item = w_.text(QRectF(left_, y_, wide_, lines), codes, lettering(13.5, false, Face::Condensed), t_.dim, Qt::AlignLeft | Qt::AlignTop);
+        item.wraps = true, item.data = true;
+        below(lines);
+    }
+
+    void program() {
+        const double room = size_.height() - y_ - px(dense_ ? 32 : 66);
+        const double head = px(dense_ ? 18 : 22), row = px(dense_ ? 18 : 21);
+        const int before = dense_ ? 1 : 2, wanted = dense_ ? 3 : 6, lines = std::clamp(static_cast<int>((room - head) / row), 1, wanted);
+        const std::string path = view_.file < view_.programs.size() ? view_.programs[view_.file] : std::string();
+        const QString file = QFileInfo(QString::fromStdString(path)).fileName();
+        rule();
+        w_.data(QRectF(left_, y_, wide_ * 0.72, head), file.isEmpty() ? word("no program") : file, lettering(dense_ ? 13 : 14.5, true), file.isEmpty() ? t_.faint : t_.text);
+        if (status_.line)
+            w_.text(QRectF(left_ + wide_ * 0.72, y_, wide_ * 0.28, head),
+                    status_.block >= 0 ? QString("N%1").arg(status_.block) : QString("%1 %2").arg(word("line")).arg(status_.line), lettering(13), t_.dim, kRight);
+        y_ += head;
+        const auto running = static_cast<int>(status_.line);
+        const int first = running ? std::max(1, running - std::min(before, lines - 1)) : 1;
+        for (int i = 0; i < lines; ++i) {
+            const int number = first + i;
+            const bool here = number == running;
+            const QRectF box(left_, y_ + i * row, wide_, row);
+            if (here) w_.fill(box.adjusted(-px(4), 0, px(4), 0), t_.mark, px(4));
+            if (here) w_.sign(QRectF(box.left(), box.center().y() - px(6), px(12), px(12)), Sign::Run, t_.accent);
+            w_.data(box.adjusted(px(18), 0, 0, 0), programs_.line(path, static_cast<std::uint32_t>(number)), lettering(dense_ ? 12 : 13.5, here, Face::Program), here ? t_.text : t_.dim);
+        }
+        y_ += lines * row + gap();
+    }
+
+    void parts() {
+        const double h = px(dense_ ? 22 : 48), top = size_.height() - h - px(dense_ ? 6 : 12);
+        if (top < y_ - gap()) return;
+        y_ = top;
+        rule();
+        const params::Table& table = live_.table();
+        const double made = params::get(table, params::n2307_no_of_machined_parts, channel_), wanted = params::get(table, params::n2308_no_of_parts_reqrd, channel_);
+        const bool runs = status_.state == static_cast<std::uint32_t>(ChannelState::Running) || status_.state == static_cast<std::uint32_t>(ChannelState::Waiting);
+        const double mean = status_.mean_cycle_s;
+        const double left = wanted > made && mean > 0 ? std::max(0.0, (wanted - made) * mean - (runs ? status_.cycle_s : 0.0)) : -1.0;
+        const QString values[] = {wanted > 0 ? QString("%1 / %2").arg(made, 0, 'f', 0).arg(wanted, 0, 'f', 0) : QString::number(made, 'f', 0), timeText(status_.cycle_s),
+                                  status_.cycles ? timeText(status_.last_cycle_s) : kDash, status_.cycles ? timeText(mean) : kDash, left >= 0 ? timeText(left) : kDash};
+        const QString heads[] = {word("Parts"), word("Cycle"), word("Last"), word("Mean"), word("Remaining")};
+        for (int i = 0; i < 5; ++i) {
+            const QRectF box(left_ + wide_ * i / 5, y_, wide_ / 5 - px(4), h);
+            if (dense_) {
+                w_.text(box, values[i], lettering(13, true), t_.text);
+                continue;
+            }
+            w_.text(QRectF(box.left(), box.top() + px(2), box.width(), px(17)), heads[i], lettering(12, false, Face::Condensed), t_.dim);
+            w_.text(QRectF(box.left(), box.top() + px(20), box.width(), px(26)), values[i], lettering(17, true), t_.text);
+        }
+    }
+
+    Writer& w_;
+    const Theme& t_;
+    const Live& live_;
+    const AlarmBook& alarms_;
+    unsigned channel_;
+    const ChannelStatus& status_;
+    const ChannelView& view_;
+    const ChannelConfig& config_;
+    ProgramText& programs_;
+    QSizeF size_;
+    bool focus_, dense_ = false;
+    double left_ = 0, wide_ = 0, y_ = 0;
+};
+
+}  // namespace
+
+void composeCard(Writer& w, QSizeF size, const Desk& desk, unsigned channel, ProgramText& programs) { Card(w, size, desk, channel, programs).write(); }
+
+}  // namespace polyturn::hmi

@@ -1,0 +1,106 @@
+#include "hmi/screens/overview.hpp"
+
+#include <cmath>
+
+#include "hmi/screens/channel_card.hpp"
+
+namespace polyturn::hmi {
+
+Overview::Overview(Desk& desk) : Screen(desk), empty_(new FreeSheet(this)) {
+    setFocusPolicy(Qt::StrongFocus);
+    empty_->onCompose = [this](Writer& w) {
+        const Theme& t = theme();
+        w.fill(QRectF(0, 0, empty_->width(), empty_->height()), t.window);
+        w.sign(QRectF(empty_->width() / 2.0 - px(32), empty_->height() / 2.0 - px(96), px(64), px(64)), Sign::Wait, t.dim);
+        w.text(QRectF(0, empty_->height() / 2.0 - px(16), empty_->width(), px(36)), word("Waiting for the controller"), lettering(24, true), t.text, Qt::AlignCenter);
+        w.data(QRectF(0, empty_->height() / 2.0 + px(24), empty_->width(), px(28)), QString::fromStdString(desk_.live.instance()), lettering(17), t.dim, Qt::AlignCenter);
+    };
+}
+
+void Overview::rebuilt() {
+    qDeleteAll(cards_);
+    cards_.clear();
+    for (const unsigned channel : desk_.live.channels()) {
+        auto* card = new FreeSheet(this);
+        card->onCompose = [this, card, channel](Writer& w) { composeCard(w, QSizeF(card->size()), desk_, channel, programs_); };
+        card->onTouched = [this, channel](int) { desk_.choose(channel), refresh(); };
+        card->show();
+        cards_.push_back(card);
+    }
+    empty_->setVisible(cards_.empty());
+    layOut();
+}
+
+void Overview::resizeEvent(QResizeEvent*) { layOut(); }
+
+void Overview::layOut() {
+    empty_->setGeometry(rect());
+    const int count = static_cast<int>(cards_.size());
+    if (!count) return;
+    const int rows = count <= 4 ? 1 : count <= 8 ? 2 : 3, columns = (count + rows - 1) / rows;
+    for (int i = 0; i < count; ++i) {
+        const int left = width() * (i % columns) / columns, right = width() * (i % columns + 1) / columns;
+        const int top = height() * (i / columns) / rows, bottom = height() * (i / columns + 1) / rows;
+        cards_[static_cast<std::size_t>(i)]->setGeometry(left, top, right - left, bottom - top);
+        cards_[static_cast<std::size_t>(i)]->refresh();
+    }
+}
+
+void Overview::refresh() {
+    for (FreeSheet* card : cards_) card->refresh();
+    if (cards_.empty()) empty_->refresh();
+}
+
+std::vector<Sheet*> Overview::sheets() {
+    if (cards_.empty()) return {empty_};
+    return {cards_.begin(), cards_.end()};
+}
+
+bool Overview::key(QKeyEvent* event) {
+    if (event->key() != Qt::Key_Left && event->key() != Qt::Key_Right) return false;
+    const auto& all = desk_.live.channels();
+    const auto here = std::find(all.begin(), all.end(), desk_.channel);
+    if (here == all.end()) return false;
+    if (event->key() == Qt::Key_Left && here != all.begin()) desk_.choose(*(here - 1));
+    if (event->key() == Qt::Key_Right && here + 1 != all.end()) desk_.choose(*(here + 1));
+    refresh();
+    return true;
+}
+
+std::vector<SoftKey> Overview::keys() {
+    const Live& live = desk_.live;
+    const bool there = live.connected() && !live.channels().empty();
+    const unsigned channel = desk_.channel;
+    const ChannelStatus& status = live.channel(channel);
+    const auto state = static_cast<ChannelState>(status.state);
+    const bool inProgram = state == ChannelState::Running || state == ChannelState::Held || state == ChannelState::Waiting || state == ChannelState::ProgramStop;
+    const QString name = QString("L%1").arg(channel);
+    const auto press = [this](const QString& words) { return [this, words] { desk_.requests.press(words); }; };
+    bool anyInProgram = false, allSingle = there;
+    for (const unsigned one : live.channels()) {
+        const auto other = static_cast<ChannelState>(live.channel(one).state);
+        anyInProgram |= other == ChannelState::Running || other == ChannelState::Held || other == ChannelState::Waiting || other == ChannelState::ProgramStop;
+        allSingle &= (live.channel(one).keys & kKeySingleBlock) != 0;
+    }
+    const bool single = (status.keys & kKeySingleBlock) != 0;
+    std::vector<SoftKey> keys{
+        {word("Start %1").arg(name), press("cycle_start " + name), Sign::Run, there},
+        {word("Hold %1").arg(name), press("feed_hold " + name), Sign::Hold, there},
+        {word("Reset %1").arg(name), press("reset " + name), Sign::Reset, there, false, true, inProgram ? word("Ends the program: press again") : QString()},
+        {word("Single block %1").arg(name), press(QString("single_block %1=%2").arg(name, single ? "off" : "on")), Sign::Stop, there, single},
+        {word("Start all"), press("cycle_start"), Sign::Run, there, false, false, anyInProgram ? QString() : word("Starts all channels: press again")},
+        {word("Hold all"), press("feed_hold"), Sign::Hold, there},
+        {word("Reset all"), press("reset"), Sign::Reset, there, false, true, anyInProgram ? word("Ends all programs: press again") : QString()},
+        {word("Single block all"), [this, allSingle] {
+             QStringList each;
+             for (const unsigned one : desk_.live.channels()) each << QString("L%1=%2").arg(one).arg(allSingle ? "off" : "on");
+             desk_.requests.press("single_block " + each.join(' '));
+         }, Sign::Stop, there, allSingle},
+        {word("Optional stop %1").arg(name), press(QString("optional_stop %1=%2").arg(name, status.keys & kKeyOptionalStop ? "off" : "on")), Sign::None, there,
+         (status.keys & kKeyOptionalStop) != 0},
+        {word("End with this part"), press("stop_after_part"), Sign::Ended, there},
+    };
+    return keys;
+}
+
+}  // namespace polyturn::hmi

@@ -1,0 +1,24 @@
+// The words of the HMI in four languages: English in the source, the others from translations/*.ts (Qt Linguist).
+//   word("Cycle start")      in the chosen language; every literal is collected by tools/update_translations.py
+//   WORD("Cycle start")      marks a literal that is translated later, by word(it)
+// Alarms and their remedies come from ipc/diagnosis in the same language.
+#pragma once
+#include <QString>
+#include <string_view>
+
+#include "ipc/diagnosis/tongue.hpp"
+
+#define WORD(text) text
+
+namespace polyturn::hmi {
+
+QString word(const char* english);
+QString word(std::string_view english);   // of a table of ipc
+// The language of everything from now on; screens are made anew.
+void speak(Tongue tongue);
+Tongue spoken();
+const char* codeOf(Tongue tongue);        // en, ru, cs, hu
+const char* nameOf(Tongue tongue);        // in itself: Čeština
+inline QString fromView(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<int>(text.size())); }
+
+}  // namespace polyturn::hmi

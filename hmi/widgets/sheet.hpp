@@ -1,0 +1,88 @@
+// A widget that is written anew at each frame and painted only where something has changed. A screen composes items (texts, areas,
+// signs, bars) in the same order each time; an item that differs from the one before at its place is painted again, nothing else.
+//
+// A text that does not fit its box is shortened with an ellipsis and remembered: fixed words that do not fit are a fault of ours,
+// which tests/unit/hmi finds in every language; data (names of files, programs) may be longer than any box.
+#pragma once
+#include <QWidget>
+#include <functional>
+#include <vector>
+
+#include "hmi/widgets/theme.hpp"
+
+namespace polyturn::hmi {
+
+struct Item {
+    enum class Kind : std::uint8_t { Text, Fill, Frame, Sign, Bar, Line } kind = Kind::Text;
+    QRectF box;
+    QString text;
+    QFont font;
+    QColor colour, second;
+    int align = Qt::AlignLeft | Qt::AlignVCenter;
+    double value = 0.0;        // Bar: part that is full; Fill, Frame: radius of the corners; Line: width
+    Sign sign = Sign::None;
+    bool data = false;         // Text: may be shortened
+    bool wraps = false;        // Text: on several lines
+    bool operator==(const Item& other) const;
+};
+
+class Sheet;
+
+// What a screen writes with.
+class Writer {
+public:
+    Writer(std::vector<Item>& items, std::vector<std::pair<QRectF, int>>& hits) : items_(&items), hits_(&hits) {}
+    Item& text(const QRectF& box, const QString& text, const QFont& font, const QColor& colour, int align = Qt::AlignLeft | Qt::AlignVCenter);
+    // A name from outside: may be shortened.
+    void data(const QRectF& box, const QString& text, const QFont& font, const QColor& colour, int align = Qt::AlignLeft | Qt::AlignVCenter);
+    void fill(const QRectF& box, const QColor& colour, double radius = 0);
+    void frame(const QRectF& box, const QColor& colour, double radius = 0, double width = 1);
+    void line(const QPointF& from, const QPointF& to, const QColor& colour, double width = 1);
+    void sign(const QRectF& box, Sign sign, const QColor& colour);
+    void bar(const QRectF& box, double part, const QColor& colour, const QColor& behind);
+    // A touch in this box is reported with this number; what is written later lies on top.
+    void hit(const QRectF& box, int number) { hits_->emplace_back(box, number); }
+
+private:
+    Item& add(Item::Kind kind, const QRectF& box);
+    std::vector<Item>* items_;
+    std::vector<std::pair<QRectF, int>>* hits_;
+};
+
+class Sheet : public QWidget {
+public:
+    explicit Sheet(QWidget* parent = nullptr);
+    void refresh();   // composes, and repaints what has changed
+    std::vector<QString> shortened() const;   // fixed words that do not fit
+    // Where a number of hit() lies, for tests; empty: nowhere.
+    QRectF boxOf(int number) const;
+
+protected:
+    virtual void compose(Writer& w) = 0;
+    virtual void touched(int /*number*/) {}
+    virtual void released(int /*number*/) {}
+    void paintEvent(QPaintEvent*) override;
+    void resizeEvent(QResizeEvent*) override;
+    void mousePressEvent(QMouseEvent*) override;
+    void mouseReleaseEvent(QMouseEvent*) override;
+
+private:
+    std::vector<Item> items_, next_;
+    std::vector<std::pair<QRectF, int>> hits_;
+    int pressed_ = -1;
+};
+
+// The Sheet of a function: for parts of a screen that are no class of their own.
+class FreeSheet : public Sheet {
+public:
+    using Sheet::Sheet;
+    std::function<void(Writer&)> onCompose;
+    std::function<void(int)> onTouched, onReleased;
+
+protected:
+    void compose(Writer& w) override { if (onCompose) onCompose(w); }
+    void touched(int number) override { if (onTouched) onTouched(number); }
+    void released(int number) override { if (onReleased) onReleased(number); }
+};
+
+}  // namespace polyturn::hmi

@@ -1,0 +1,71 @@
+#include "hmi/widgets/soft_keys.hpp"
+
+namespace polyturn::hmi {
+
+SoftKeyBar::SoftKeyBar(QWidget* parent) : Sheet(parent) {
+    forget_.setSingleShot(true);
+    forget_.setInterval(4'000);
+    QObject::connect(&forget_, &QTimer::timeout, this, [this] { asked_ = -1, refresh(); });
+}
+
+void SoftKeyBar::show(std::vector<SoftKey> keys) {
+    keys.resize(kKeys);
+    if (asked_ >= 0 && (asked_ >= static_cast<int>(keys.size()) || keys[static_cast<std::size_t>(asked_)].confirm.isEmpty() || !keys[static_cast<std::size_t>(asked_)].enabled)) asked_ = -1;
+    keys_ = std::move(keys);
+    refresh();
+}
+
+void SoftKeyBar::press(int number) {
+    if (number < 0 || number >= static_cast<int>(keys_.size())) return;
+    const SoftKey key = keys_[static_cast<std::size_t>(number)];   // what it does may show other keys
+    if (key.text.isEmpty() || !key.enabled) return;
+    if (!key.confirm.isEmpty() && asked_ != number) {
+        asked_ = number;
+        forget_.start();
+        refresh();
+        return;
+    }
+    asked_ = -1;
+    down_ = key.release ? number : -1;
+    if (key.act) key.act();
+    refresh();
+}
+
+void SoftKeyBar::letGo(int number) {
+    if (down_ != number || number < 0) return;
+    down_ = -1;
+    if (const auto release = keys_[static_cast<std::size_t>(number)].release) release();
+    refresh();
+}
+
+void SoftKeyBar::compose(Writer& w) {
+    const Theme& t = theme();
+    w.fill(QRectF(0, 0, width(), height()), t.bar);
+    const double gap = px(5), each = (width() - gap * (kKeys + 1)) / static_cast<double>(kKeys);
+    for (int i = 0; i < kKeys && i < static_cast<int>(keys_.size()); ++i) {
+        const SoftKey& key = keys_[static_cast<std::size_t>(i)];
+        const QRectF box(gap + i * (each + gap), gap, each, height() - 2 * gap);
+        if (key.text.isEmpty()) {
+            w.frame(box, t.raised, px(7), 1);
+            continue;
+        }
+        const bool asked = asked_ == i;
+        const QColor face = asked ? t.warn : down_ == i ? t.accent : key.on ? t.mark : t.card;
+        const QColor ink = !key.enabled ? t.faint : asked ? (t.dark ? QColor("#201400") : QColor("#ffffff")) : down_ == i ? t.onAccent : t.text;
+        w.fill(box, face, px(7));
+        w.frame(box, key.on ? t.accent : asked ? t.warn : t.edge, px(7), key.on ? px(2) : 1);
+        w.text(QRectF(box.right() - px(30), box.top() + px(3), px(25), px(15)), QString("F%1").arg(i + 1), lettering(11), !key.enabled ? t.faint : asked ? ink : t.dim,
+               Qt::AlignRight | Qt::AlignVCenter);
+        if (key.on) w.fill(QRectF(box.left() + px(8), box.bottom() - px(6), box.width() - px(16), px(3)), t.accent, px(1.5));
+        double left = box.left() + px(7);
+        if (key.sign != Sign::None) {
+            w.sign(QRectF(box.left() + px(6), box.top() + px(5), px(16), px(16)), key.sign, !key.enabled ? t.faint : asked ? ink : key.danger ? t.bad : key.sign == Sign::Run ? t.good : t.accent);
+        }
+        Item& label = w.text(QRectF(left, box.top() + px(19), box.right() - px(6) - left, box.height() - px(24)), asked ? key.confirm : key.text,
+                             lettering(14.5, false, Face::Condensed), ink, Qt::AlignHCenter | Qt::AlignVCenter);
+        label.wraps = true;
+        w.hit(box, i);
+    }
+}
+
+}  // namespace polyturn::hmi

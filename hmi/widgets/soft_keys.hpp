@@ -1,0 +1,30 @@
+// The row of keys at the foot of each screen: F1 to F10, or a touch. A key that can cost something wants a second press.
+#pragma once
+#include <QTimer>
+
+#include "hmi/app/screen.hpp"
+
+namespace polyturn::hmi {
+
+class SoftKeyBar : public Sheet {
+public:
+    static constexpr int kKeys = 10;
+    explicit SoftKeyBar(QWidget* parent);
+    void show(std::vector<SoftKey> keys);
+    void press(int key);     // from 0
+    void letGo(int key);
+    const std::vector<SoftKey>& keys() const { return keys_; }
+
+protected:
+    void compose(Writer& w) override;
+    void touched(int number) override { press(number); }
+    void released(int number) override { letGo(number); }
+
+private:
+    std::vector<SoftKey> keys_;
+    int asked_ = -1;         // waits for its second press
+    int down_ = -1;
+    QTimer forget_;
+};
+
+}  // namespace polyturn::hmi
