@@ -6,7 +6,7 @@
 //   Mode                          channel, value: ChannelMode
 //   Select                        channel, text: program file
 //   Mdi                           channel, text: the block
-//   Jog                           object: axis, value: seconds with the sign of the direction; 0 stops it
+//   Jog                           object: axis, value: seconds with the sign of the direction, from now on when it jogs already; 0 stops it
 //   Step                          object: axis, value: true mm or degrees, signed
 //   Handwheel                     object: axis (0: the time of the program of `channel`), flags: number of the wheel, value: clicks, signed
 //   Reference                     object: axis, 0 all

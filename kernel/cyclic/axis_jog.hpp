@@ -16,6 +16,10 @@ public:
     // `may_wait`: a speed of 0 waits for limit_speed().
     void start(double from, double sign, const Limits& limits, std::int64_t ticks, double distance, double room, double tick_s, bool may_wait = false) noexcept;
     void stop() noexcept { ticks_ = 0, aims_ = false; }   // brakes
+    // The key is still held: at least so many ticks more in that direction. A jog that has begun to brake stays at it.
+    void keep(std::int64_t ticks, double sign) noexcept {
+        if (active_ && !aims_ && sign == sign_ && ticks_ > 0 && ticks > ticks_) ticks_ = ticks;
+    }
     bool active() const noexcept { return active_; }
     void limit_speed(double speed) noexcept { limits_.speed = speed; }   // of what is still to be driven; 0: it stands and waits
     bool stands() const noexcept { return state_.v == 0 && limits_.speed == 0; }

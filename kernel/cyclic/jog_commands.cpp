@@ -127,6 +127,8 @@ void Machine::jog_command(const Command& c) noexcept {
     if (by_wheel && channels_[l - 1]->superposes() && channels_[l - 1]->program_runs() && !channels_[l - 1]->jogs_in_hold()) return superpose(a, sign * size * wheel_click(address));
     if (!may_be_moved(address)) return;
     if (axis.moving() || jogs_[a].active()) {
+        // A panel tells again and again that its key is held, so that an axis stops when the panel dies.
+        if (kind == CommandKind::Jog) jogs_[a].keep(std::llround(size / core_.config.tick_s), sign);
         // Pulses that come while it moves: collected, or lost with the wheel's N2400 HnM (part 2, 25).
         if (by_wheel && !(config.handle >> (4 + wheel) & 1u)) wheel_left_[a] += sign * size * wheel_click(address);
         else if (!by_wheel) core_.alarm(Alarm::NotReady, l, "the axis still moves");

@@ -44,6 +44,21 @@ TEST(Jog, RunsForItsTimeAndStopsBeforeTheEndOfTheStroke) {
     EXPECT_FALSE(rig.alarmed(Alarm::StrokeLimit));
 }
 
+TEST(Jog, GoesOnWhileThePanelTellsThatTheKeyIsHeldAndStopsWhenItTellsNothing) {
+    TickRig rig([](params::Table& t, RunOptions&) { params::put(t, params::n0315_jog_max_feed, 3000, 1); });
+    rig.run(25);
+    for (int told = 0; told < 5; ++told) {   // each for 0.3 s, told anew every 0.2 s: one motion without a stop between
+        rig.command(CommandKind::Jog, 0, 0.3, 0, 1);
+        const double before = rig.position(1);
+        rig.run(200);
+        EXPECT_GT(rig.position(1), before + 5) << told;
+    }
+    rig.command(CommandKind::Jog, 0, -5.0, 0, 1);   // the other direction does not keep it
+    const double last = rig.position(1);
+    rig.run_until_idle();
+    EXPECT_LT(rig.position(1) - last, 50 * 0.1 + 5);   // what was left of the 0.3 s, and the way to brake
+}
+
 TEST(Jog, IsRefusedWhileAProgramRuns) {
     TickRig rig;
     rig.push(1, rig.line(1, {0, -20}, 50));
