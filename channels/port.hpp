@@ -56,6 +56,8 @@ public:
     virtual StrokeFlags stroke_flags(unsigned machine_axis) = 0;
     // Machine spindle that the PLC has chosen for this channel (CP_SSEL); 0: it has chosen none.
     virtual unsigned selected_spindle() { return 0; }
+    // Machine axis (from 1) that this one (from 0) follows synchronously now; 0: it moves by itself.
+    virtual unsigned synchronous_master(unsigned /*machine_axis*/) { return 0; }
     // AP_DIARAD: a diameter axis is programmed and shown in radii now, a radius axis in diameters.
     virtual bool diameter_inverted(unsigned /*machine_axis*/) { return false; }
     // This program cuts per revolution on a spindle that it has not started itself. Has somebody else?

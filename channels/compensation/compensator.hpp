@@ -51,6 +51,7 @@ public:
     // vector that holds at its beginning; compensation goes on behind it.
     enum class Bypass : std::uint8_t { None, Plain, Shifted };
     void bypass(Bypass how);
+    void resume_at_vector() { if (state_ == State::Armed) state_ = State::Resuming; }
     void drop_vector();                      // G50: the held block ends where it is programmed
     // The block has been interpreted. counts: it is one of the blocks without movement where it made none.
     void block_done(bool counts);

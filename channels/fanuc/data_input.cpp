@@ -223,9 +223,9 @@ bool Interpreter::stroke_limits() {
         if (most <= least) return core_.fail(Alarm::CycleValueIllegal, greater, std::string(1, greater), block_.value(greater));
         const unsigned a = axis.machine_axis + 1u;
         if (!give_parameter(fmt::format("N1006 A{}={}", a, most), greater) || !give_parameter(fmt::format("N1007 A{}={}", a, least), smaller)) return false;
-        if (!params::bit(view.table(), params::n1000_range_enable, a, 1) && !give_parameter(fmt::format("N1000 A{}#1=1", a), greater)) return false;
+        if (!params::bit(view.table(), params::n1000_range_enable, a, 1) && !give_parameter(fmt::format("N1000#1 A{}=1", a), greater)) return false;
     }
-    if (!params::bit(view.table(), params::n1001_strkcont, view.channel, 1) && !give_parameter(fmt::format("N1001 L{}#1=1", view.channel), 'G')) return false;
+    if (!params::bit(view.table(), params::n1001_strkcont, view.channel, 1) && !give_parameter(fmt::format("N1001#1 L{}=1", view.channel), 'G')) return false;
     words_used_ = true;
     return true;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace polyturn::channels::fanuc {
 namespace {
@@ -90,6 +91,8 @@ Result<void> Interpreter::start(FileId main) {
     fresh_ = true;   // cycle start is a barrier
     program_number_ = 0;
     measuring_ = {};
+    barrier_fault_.reset();
+    synchronous_ = 0;
     remote_.active = external_.active = false;
     remote_.from.close();
     finishing_ = {};
@@ -114,6 +117,21 @@ void Interpreter::barrier_done() {
     core_.refresh_limits();
     for (unsigned i = 0; i < core_.view().axis_count; ++i)
         if (const auto now = core_.port().axis_command(core_.view().axes[i].machine_axis)) core_.take_machine(i, *now);
+    look_at_synchronous_axes();
+}
+
+// Simple synchronous control (F8311) must not begin while the slave's coordinates are shifted (fanuc_lathe 10.3).
+void Interpreter::look_at_synchronous_axes() {
+    const PathState& path = core_.path;
+    for (unsigned i = 0; i < core_.view().axis_count; ++i) {
+        const unsigned axis = core_.view().axes[i].machine_axis;
+        const bool follows = core_.port().synchronous_master(axis) != 0 && params::get(core_.view().table(), params::f8311, axis + 1) != 0;
+        const bool began = follows && !(synchronous_ >> i & 1u);
+        synchronous_ = (synchronous_ & ~(1u << i)) | (follows ? 1u << i : 0u);
+        const double shifts[] = {path.shift[i], path.vector[i], path.wanted[i], path.preset[i], path.local[i]};
+        if (began && std::any_of(std::begin(shifts), std::end(shifts), [](double by) { return by != 0; }))
+            barrier_fault_ = Fault{Alarm::SyncShifted, 0, 0.0, 0.0, std::string(core_.view().axes[i].name), std::nullopt};
+    }
 }
 
 Step Interpreter::fault_at(Alarm alarm, std::uint32_t column, std::uint32_t length, std::string detail, double v0, double v1) {
@@ -175,6 +193,7 @@ Step Interpreter::step() {
         if (!ended_ && !core_.compensation_failed()) return fault(core_.fault());
     }
     if (ended_) return Step::Ended;
+    if (barrier_fault_) return fault(*std::exchange(barrier_fault_, std::nullopt));
     if (measuring_.skipping) return finish_skip();
     if (remote_.active) return binary_step();
     if (external_.active) return external_step();

@@ -149,6 +149,7 @@ private:
     // reading and flow (interpreter.cpp)
     Step read_block();
     void live_value_barrier();
+    void look_at_synchronous_axes();
     Step fault(Fault fault);
     Step fault_at(Alarm alarm, std::uint32_t column, std::uint32_t length, std::string detail = {}, double v0 = 0, double v1 = 0);
     Step end_of_text();
@@ -171,6 +172,7 @@ private:
     struct Inherited;                 // inherited.cpp
     void keep_groups(const Inherited& was);
     void note_resume_point();
+    bool go_back_to(std::uint64_t serial, bool within_compensation);
     bool is_plain_move() const;
     struct Interrupting {             // M96 in force
         bool on = false;
@@ -450,6 +452,7 @@ private:
         bool again = false;           // the rest of the interrupted block is still to be driven
         AxisValues end{}, begin{};    // of the interrupted block, workpiece system
         PathState path;
+        CompSide side = CompSide::Off;   // compensation that goes on behind it
         std::array<double, 130> modal_variables{};
     } interruption_;
     std::shared_ptr<ResumeState> interrupted_;   // what held when the program was interrupted
@@ -472,6 +475,8 @@ private:
     std::uint32_t fault_column_ = 0, fault_length_ = 0;   // by the macro parser; 0: the letter tells
     Fault pending_fault_;
     bool has_pending_fault_ = false;
+    std::optional<Fault> barrier_fault_;   // what the world looks like behind a barrier is a mistake
+    AxisSet synchronous_ = 0;              // axes that follow a master (F8311)
     ResumePoints<ResumeState> points_;
     std::uint64_t serial_ = 0;
     bool keep_states_ = false, state_changed_ = true;

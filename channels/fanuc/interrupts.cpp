@@ -6,7 +6,7 @@
 //
 // The kernel stops the path, drops what was pushed and tells the first block that is not executed. Interpretation goes back
 // there, and the interrupt program is called as if it stood before that block. While it runs no signal counts; M99 switches
-// the watch on again, in path order.
+// the watch on again, in path order. Compensation rests meanwhile; behind M99 the path goes straight to the next vector.
 #include <algorithm>
 
 #include "channels/fanuc/resume_state.hpp"
@@ -76,7 +76,11 @@ bool Interpreter::interrupt(std::uint64_t serial, bool within, unsigned) {
     if (read_on) interruption_.end = point->programmed;
     else interruption_.end = core_.path.programmed;
     const std::uint64_t target = goes_on_behind ? (read_on ? serial + 1 : 0) : serial;
-    if (core_.compensating() || (target && !resume_at(target))) return false;
+    const bool compensating = core_.compensating();
+    if (target && !go_back_to(target, true)) return false;
+    if (compensating || core_.reads_ahead()) core_.compensation_reset();   // nothing that was held back is driven
+    GCode const*& comp = active_[static_cast<std::size_t>(GGroup::Comp)];
+    if (comp && comp->act == &Interpreter::g_comp_on) interruption_.side = comp->tenths == 410 ? CompSide::Left : CompSide::Right;
     ended_ = false;
     interrupting_ = watch;
     if (!within) interruption_.end = core_.path.programmed;
@@ -92,6 +96,7 @@ bool Interpreter::interrupt(std::uint64_t serial, bool within, unsigned) {
     interrupted_->modal = values_of(modal());
     interrupted_->modal_calls = modal_calls_;
     interruption_.running = interruption_.shows_end = true;
+    comp = table_.find(400);   // the interrupt program drives what it says
     modal_calls_.clear();
 
     CallLevel frame;
@@ -143,6 +148,8 @@ bool Interpreter::return_from_interrupt(bool has_target, std::int64_t target) {
         path.override_locked = before.path.override_locked;
         if (path.zero_row != before.path.zero_row) core_.select_zero(before.path.zero_row);
         if (interruption_.again) path.programmed = interruption_.begin;   // the block is read again: increments count from its start
+        // From where the tool is now straight to the vector at the end of the next block.
+        if (interruption_.side != CompSide::Off && core_.compensation(interruption_.side)) core_.compensation_resumes();
     }
     if (interrupting_.on) arm_interrupts(true);
     if (has_target) return jump_to(target);

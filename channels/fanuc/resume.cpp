@@ -37,8 +37,10 @@ void Interpreter::executed(std::uint64_t serial) {
     variables_.undo().executed(serial);
 }
 
-bool Interpreter::resume_at(std::uint64_t serial) {
-    const auto point = points_.back_to(core_, serial);
+bool Interpreter::resume_at(std::uint64_t serial) { return go_back_to(serial, false); }
+
+bool Interpreter::go_back_to(std::uint64_t serial, bool within_compensation) {
+    const auto point = points_.back_to(core_, serial, within_compensation);
     if (!point) return false;
     const ResumeState& state = *point->state;
     modal() = state.modal;

@@ -84,6 +84,8 @@ double RunPort::running_ms() {
 
 bool RunPort::diameter_inverted(unsigned machine_axis) { return plc_->signal[signals::ap_diarad(machine_axis + 1)] != 0; }
 
+unsigned RunPort::synchronous_master(unsigned machine_axis) { return static_cast<unsigned>(status_->axes[machine_axis].master); }
+
 StrokeFlags RunPort::stroke_flags(unsigned machine_axis) {
     const auto on = [&](const PlcSignal& signal, std::size_t instance) { return plc_->signal[signal(instance)] != 0; };
     using namespace signals;

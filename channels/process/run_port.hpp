@@ -37,6 +37,7 @@ public:
     bool axis_referenced(unsigned machine_axis) override { return pretended_ || (status_->axes[machine_axis].flags & (kReferenced | kExists)) != kExists; }
     StrokeFlags stroke_flags(unsigned machine_axis) override;
     bool diameter_inverted(unsigned machine_axis) override;
+    unsigned synchronous_master(unsigned machine_axis) override;
     bool second_geometry(unsigned axis) override;
     unsigned selected_spindle() override;
     // What the program prints goes to `device` (PT_PRINT_TO), or into a file beside it: <program>.L<channel>.print; without a

@@ -248,6 +248,7 @@ public:
     void compensation_options(const compensation::Options& options);
     void update_compensation(const compensation::Options& options);   // likewise, and from the next move on while it is on
     bool compensation(CompSide side);                     // G41, G42
+    void compensation_resumes();                          // the next move goes straight to the vector at its end
     bool compensation_off(double wish_p, double wish_q);  // G40; direction in which the contour would go on, 0 0 none
     void compensation_reset();                            // reset, cycle start: nothing is delivered any more
     bool compensating() const { return compensating_; }

@@ -96,6 +96,10 @@ bool Core::reserve_move() {
     return true;
 }
 
+void Core::compensation_resumes() {
+    if (compensating_) tell_comp([](compensation::Compensator& comp) { comp.resume_at_vector(); });
+}
+
 bool Core::compensation_off(double wish_p, double wish_q) {
     at.comp = comp_side_ = CompSide::Off;
     if (compensating_) tell_comp([wish_p, wish_q](compensation::Compensator& comp) { comp.cancel_towards({wish_p, wish_q}); });

@@ -65,9 +65,10 @@ public:
 
     // Takes the Core back to before block `serial` and forgets what came behind; nothing: the program cannot go on there.
     // The language puts back its own part of the state.
-    std::optional<Point> back_to(Core& core, std::uint64_t serial) {
+    // `within_compensation`: also where blocks were held back; compensation is off then, and the caller begins it again.
+    std::optional<Point> back_to(Core& core, std::uint64_t serial, bool within_compensation = false) {
         while (!points_.empty() && points_.back().serial > serial) points_.pop_back();
-        if (points_.empty() || points_.back().serial != serial || points_.back().compensated) return std::nullopt;
+        if (points_.empty() || points_.back().serial != serial || (points_.back().compensated && !within_compensation)) return std::nullopt;
         Point point = std::move(points_.back());
         points_.pop_back();
         core.compensation_reset();
