@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ipc/machine/compensation_tables.hpp"
+#include "ipc/machine/drive_sources.hpp"
 #include "ipc/machine/room.hpp"
 #include "ipc/memory/segment.hpp"
 #include "kernel/cyclic/attach.hpp"
@@ -23,6 +24,27 @@ constexpr auto kPatience = std::chrono::seconds(30);
 int fail(const Diagnosis& diagnosis) {
     std::fprintf(stderr, "polyturn-kernel: %s\n", render(diagnosis, Dialect::Polyturn, {}).c_str());
     return 2;
+}
+
+// What PT_DRIVE and PT_SPINDLE_DRIVE ask for beside the simulated drives.
+Result<void> take_drives(kernel::Machine& machine, const std::string& instance, const SupervisorSegment& supervisor) {
+    const params::Table& table = machine.core().table;
+    const DriveSources wanted = wanted_drives(table);
+    const PolyturnDriveApi* library = nullptr;
+    std::unique_ptr<kernel::SegmentDrives> process;
+    if (wanted.library) {
+        std::string reason;
+        const std::filesystem::path base = supervisor.options.machine_folder.data();
+        library = kernel::load_drive_library((base.parent_path() / "drive.so").string(), reason);
+        if (!library) machine.core().alarm(Alarm::DriveMissing, 0, "PT_DRIVE 1: " + reason);
+    }
+    if (wanted.process) {
+        auto made = kernel::SegmentDrives::create(instance, supervisor.options.virtual_time != 0);
+        if (!made) return made.diagnosis();
+        process = std::move(*made);
+    }
+    machine.take_drives(library, std::move(process));
+    return {};
 }
 
 int run(const std::string& instance) {
@@ -43,10 +65,12 @@ int run(const std::string& instance) {
         const std::string room = base + ".toml";
         machine->take_room(load_room(std::filesystem::exists(room, none) ? room : std::string(), derived, diagnoses), derived);
     }
+    if (auto taken = take_drives(*machine, instance, **supervisor); !taken) return fail(taken.diagnosis());
     machine->start();
     own->publish();
     kernel::Peers peers(instance, **supervisor);
     peers.attach_all(*machine);
+    if (kernel::SegmentDrives* drives = machine->segment_drives(); drives && !drives->attach(machine->core().config.tick_ns, kPatience)) machine->core().alarm(Alarm::DriveMissing, 0, "the process of the drives");
 
     if ((*supervisor)->options.virtual_time) {
         kernel::VirtualClock clock(*machine);

@@ -25,7 +25,7 @@ namespace polyturn {
 enum class SegmentKind : std::uint8_t { Supervisor, Kernel, Plc, Store, Channel };
 
 // Slots of SupervisorSegment::processes.
-inline constexpr std::size_t kProcessKernel = 0, kProcessPlc = 1, kProcessStore = 2, kProcessHmi = 3, kProcessCell = 4, kProcessChannel = 8;
+inline constexpr std::size_t kProcessKernel = 0, kProcessPlc = 1, kProcessStore = 2, kProcessHmi = 3, kProcessCell = 4, kProcessDrives = 5, kProcessChannel = 8;
 inline constexpr std::size_t kProcesses = kProcessChannel + kMaxChannels;
 
 struct ChannelSegment {

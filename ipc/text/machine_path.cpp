@@ -14,6 +14,7 @@ bool is_file(const fs::path& path) {
     std::error_code none;
     return fs::is_regular_file(path, none) || fs::is_character_file(path, none) || fs::is_fifo(path, none);
 }
+bool is_program(const fs::path& path) { return is_file(path) && access(path.c_str(), X_OK) == 0; }
 bool is_folder(const fs::path& path) {
     std::error_code none;
     return fs::is_directory(path, none);
@@ -23,8 +24,8 @@ Result<MachinePath> from_folder(const fs::path& folder) {
     const fs::path params = folder / "machine.params", room = folder / "machine.toml";
     if (!is_file(params))
         return Diagnosis{Alarm::FileUnreadable, Place{params.string(), 0, 0, 0}, {}, "a machine's folder holds its parameters in machine.params"};
-    const fs::path plc = fs::absolute(folder / "plc.so");
-    return MachinePath{params.string(), folder.string(), is_file(room) ? room.string() : std::string(), is_file(plc) ? plc.string() : std::string()};
+    const fs::path plc = fs::absolute(folder / "plc.so"), drives = fs::absolute(folder / "drives");
+    return MachinePath{params.string(), folder.string(), is_file(room) ? room.string() : std::string(), is_file(plc) ? plc.string() : std::string(), is_program(drives) ? drives.string() : std::string()};
 }
 }  // namespace
 
@@ -49,7 +50,7 @@ Result<MachinePath> resolve_machine(std::string_view option) {
     if (!option.empty()) {
         const fs::path path{option};
         if (is_folder(path)) return from_folder(path);
-        if (is_file(path)) return MachinePath{path.string(), {}, {}, {}};
+        if (is_file(path)) return MachinePath{path.string(), {}, {}, {}, {}};
         if (option.find('/') != std::string_view::npos)
             return Diagnosis{Alarm::FileUnreadable, Place{std::string(option), 0, 0, 0}, {}, "there is no such machine file or folder"};
     }

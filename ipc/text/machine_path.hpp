@@ -13,6 +13,7 @@ struct MachinePath {
     std::string folder;  // the machine's folder; empty when a single file was given
     std::string room;    // machine.toml: where axes, chucks and turrets stand; empty when there is none
     std::string plc;     // plc.so: the machine builder's PLC; empty: the built-in lathe PLC
+    std::string drives;  // drives: the machine builder's process of the drives (PT_DRIVE 2); empty: the emulator
 };
 
 Result<MachinePath> resolve_machine(std::string_view option);

@@ -133,6 +133,9 @@ void read_config(const params::Table& t, KernelConfig& config, bool first) {
     config.channel_timeout_s = p::get(t, p::pt_channel_timeout);
     config.supervisor_timeout_s = p::get(t, p::pt_supervisor_timeout);
     config.late_max_ticks = p::get(t, p::pt_late_max);
+    config.drive_lost = static_cast<std::uint16_t>(p::get(t, p::pt_drive_lost));
+    for (AxisConfig& axis : config.axes) axis.servo.drive_lost = config.drive_lost;
+    for (SpindleConfig& spindle : config.spindles) spindle.drive_lost = config.drive_lost;
     for (AxisConfig& axis : config.axes) axis.tick_s = config.tick_s;
     if (!first) return;
     const auto tick_us = p::get(t, p::n0005_nc_cycle_time);

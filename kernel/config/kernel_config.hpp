@@ -93,6 +93,7 @@ struct KernelConfig {
     std::int64_t answer_ticks = 10;
     double channel_timeout_s = 1.0, supervisor_timeout_s = 5.0;
     std::int64_t late_max_ticks = 5;
+    std::uint16_t drive_lost = 3;         // PT_DRIVE_LOST, cycles
     std::array<AxisConfig, kMaxAxes> axes{};
     std::array<SpindleConfig, kMaxSpindles> spindles{};
     std::array<ChannelConfig, kMaxChannels> channels{};

@@ -57,6 +57,8 @@ ServoConfig read_servo(const params::Table& t, unsigned a, double unit) noexcept
     s.error_seeking = get(t, n3019_servo_limit_during_torque_limit_skip, a) * unit;
     s.error_moving = get(t, n0520_serrl2, a) * unit;
     s.error_absolute = get(t, n0521_serrl3, a) * unit;
+    s.drive_source = static_cast<DriveSource>(get(t, pt_drive, a));
+    s.position_mode = get(t, pt_drive_mode, a) == 1;
     s.drive_hz = get(t, pt_drive_freq, a);
     s.drive_damping = get(t, pt_drive_damping, a);
     s.drive_backlash = get(t, pt_drive_backlash, a);

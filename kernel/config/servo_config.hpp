@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "ipc/params/table.hpp"
+#include "kernel/config/drive_source.hpp"
 
 namespace polyturn::kernel {
 
@@ -34,6 +35,9 @@ struct ServoConfig {
     // The simulated drive.
     double drive_hz = 60, drive_damping = 0.9;
     double drive_backlash = 0, drive_friction = 0, drive_drift = 0;     // mm, mm/s, mm/s
+    DriveSource drive_source = DriveSource::Simulated;
+    std::uint16_t drive_lost = 3;         // PT_DRIVE_LOST, cycles
+    bool position_mode = false;           // csp: the drive closes the position loop
     double drive_stop = 1e6;              // mm; 1e6: nothing stands there
     double stop_error = 1, stop_window = 1;   // PT_STOP_ERROR, PT_STOP_WINDOW
     bool drive_scale = false;             // measured behind the backlash

@@ -69,6 +69,7 @@ SpindleConfig read_spindle(const params::Table& t, unsigned s) {
     c.unsigned_speed = encoder(5);
     c.encoder_counts = static_cast<double>(p::get(t, p::n0608_spindle_encoder_counts, s));
     const auto simulated = static_cast<double>(p::get(t, p::pt_encoder_counts, s));
+    c.drive_source = static_cast<DriveSource>(p::get(t, p::pt_spindle_drive, s));
     c.drive_counts_fit = simulated <= 0;
     c.drive_counts = simulated > 0 ? simulated : c.encoder_counts > 0 ? std::fmin(c.encoder_counts, kLargestCounts) : 4096.0;
     c.speed_filter_s = p::get(t, p::n0610_spindle_n_time_constant, s);

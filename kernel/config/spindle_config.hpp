@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "ipc/params/table.hpp"
+#include "kernel/config/drive_source.hpp"
 
 namespace polyturn::kernel {
 
@@ -48,6 +49,8 @@ struct SpindleConfig {
     double encoder_counts = 0;             // N0608 a revolution; 0: no encoder
     double drive_counts = 4096;            // what the simulated encoder gives (PT_ENCODER_COUNTS, or as N0608)
     bool drive_counts_fit = true;          // it is on the spindle and gives N0608, whatever the range
+    DriveSource drive_source = DriveSource::Simulated;
+    std::uint16_t drive_lost = 3;          // PT_DRIVE_LOST, cycles
     double speed_filter_s = 0;             // N0610
     double tolerance_percent = 0, tolerance_rpm = 0, standstill_rpm = 0;   // N0627 to N0629
     double watch_time_s = 0, watch_start_percent = 0, watch_percent = 0, watch_rpm = 0;  // N0630 to N0633

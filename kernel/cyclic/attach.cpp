@@ -60,6 +60,8 @@ void Peers::watch(Machine& machine, const std::atomic<bool>& stop) {
                 if (!next) continue;
                 stores_.push_back(std::move(*next));
                 machine.core().next_store.store(&*stores_.back(), std::memory_order_release);
+            } else if (p == kProcessDrives) {
+                if (!machine.segment_drives() || !machine.segment_drives()->attach_successor(now)) continue;
             } else if (p >= kProcessChannel) {
                 const std::size_t index = p - kProcessChannel;
                 auto next = attach_to<ChannelSegment>(instance_, index + 1, entry);

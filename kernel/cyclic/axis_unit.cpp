@@ -6,6 +6,7 @@ namespace polyturn::kernel {
 namespace {
 constexpr double kIncrementsPerUnit = 1e6;  // nct_parameters_part1 3.3: 1e-6 mm or degree
 constexpr double kNoStop = 999'999.0;   // PT_DRIVE_STOP
+constexpr double kSwitchOnS = 1.0;     // a drive that is told to operate does so by then
 constexpr std::uint16_t kEncoderErrors = 0x7300, kEncoderErrorMask = 0xFF00;   // CiA 402: sensor
 }  // namespace
 
@@ -40,12 +41,18 @@ bool AxisUnit::open(unsigned number, const AxisConfig& config, double tick_s, do
     command_ = target_ = own_command_ = own_target_ = start;
     loop_.configure(servo, tick_s);
     loop_.reset(start);
+    status_.status = POLYTURN_DRIVE_SWITCHED_ON;   // until it has said something itself
     return drive_ != nullptr;
 }
 
 void AxisUnit::configure(const AxisConfig& config) noexcept {
     config_ = config;
-    if (drive_) loop_.configure(config.servo, config.tick_s);
+    if (!drive_) return;
+    // A full scale (N0505) that begins to limit acts from standstill: what is under way was planned without it.
+    ServoConfig servo = config.servo;
+    limit_waits_ = moving_;
+    if (moving_) servo.full_speed = 0;
+    loop_.configure(servo, config.tick_s);
 }
 
 bool AxisUnit::open_direct(unsigned number, const AxisConfig& device, double tick_s) {
@@ -109,6 +116,12 @@ double AxisUnit::units(std::int64_t pulses) const noexcept {
     return (config_.servo.input_inverted ? -increments : increments) / kIncrementsPerUnit;
 }
 
+// The encoder's pulses at a machine coordinate: units() backwards, to the nearest one.
+std::int64_t AxisUnit::pulses(double machine) const noexcept {
+    const double count = (machine - origin_) * pulses_per_unit_;
+    return std::llround(config_.servo.input_inverted ? -count : count);
+}
+
 bool AxisUnit::mark_seen(double& machine) const noexcept {
     if (!(status_.touch_probe & POLYTURN_DRIVE_MARK_SEEN)) return false;
     machine = units(status_.probe_position) + origin_;
@@ -137,12 +150,16 @@ void AxisUnit::exchange(double tick_s, bool powered) noexcept {
     const bool enabled = forwarded_ ? powered && !detached : closes;
     forwarded_ = false;
     PolyturnDriveCommand out{};
-    out.control = enabled && !faulted() ? POLYTURN_DRIVE_ENABLE : POLYTURN_DRIVE_SHUTDOWN;
+    out.control = polyturn_drive_next(status_.status, enabled && !faulted());
     // A reset is an edge: given again and again, as long as the drive keeps its fault.
-    resets_fault_ = status_.status == POLYTURN_DRIVE_FAULT && !faulted() && !resets_fault_;
+    const bool drive_fault = polyturn_drive_has_fault(status_.status) != 0;
+    resets_fault_ = drive_fault && !faulted() && !resets_fault_;
     if (resets_fault_) out.control = POLYTURN_DRIVE_FAULT_RESET;
-    else if (status_.status == POLYTURN_DRIVE_FAULT) out.control = POLYTURN_DRIVE_SHUTDOWN;
-    out.mode = POLYTURN_DRIVE_MODE_VELOCITY;
+    else if (drive_fault) out.control = POLYTURN_DRIVE_SHUTDOWN;
+    out.mode = config_.servo.position_mode ? POLYTURN_DRIVE_MODE_POSITION : POLYTURN_DRIVE_MODE_VELOCITY;
+    out.target_position = closes ? pulses(target_ + compensation_) : status_.position;
+    out.simulate = simulate;
+    const std::uint16_t was = status_.status;
     out.brake_release = enabled;
     out.torque_limit = requests.torque_limit ? requests.torque_limit : 1000;
     out.touch_probe = mark_armed_ ? POLYTURN_DRIVE_MARK_ARMED : 0;
@@ -171,16 +188,20 @@ void AxisUnit::exchange(double tick_s, bool powered) noexcept {
         error_ = 0;
     }
     moving_ = target_ != command_;
+    if (limit_waits_ && in_position()) loop_.configure(config_.servo, tick_s), limit_waits_ = false;
     still_ticks_ = moving_ ? 0 : still_ticks_ + 1;
     velocity_ = closes ? v : 0.0;
     command_ = target_;
     own_velocity_ = (own_target_ - own_command_) / tick_s;
     own_command_ = own_target_;
-    if (closes) supervise();
+    not_on_s_ = closes && !polyturn_drive_operates(was) && !polyturn_drive_has_fault(was) ? not_on_s_ + tick_s : 0.0;
+    if (closes) supervise(tick_s);
 }
 
-void AxisUnit::supervise() noexcept {
-    if (status_.status == POLYTURN_DRIVE_FAULT) {
+void AxisUnit::supervise(double tick_s) noexcept {
+    if (status_.lost > config_.servo.drive_lost) fault_ = Fault::Lost, fault_value_ = status_.lost;
+    if (!faulted() && not_on_s_ > kSwitchOnS + tick_s) fault_ = Fault::NotOn, fault_value_ = status_.status;
+    if (polyturn_drive_has_fault(status_.status)) {
         const bool encoder = (status_.error_code & kEncoderErrorMask) == kEncoderErrors;
         if (!(encoder && (config_.servo.encoder_unwatched || requests.unwatched))) fault_ = Fault::Drive;
     }
@@ -192,6 +213,7 @@ void AxisUnit::supervise() noexcept {
     }
     if (faulted() || pressing || requests.torque_limit != 0) return;   // a drive that may not push lags as it must
     const double following = std::fabs(error_), model = std::fabs(loop_.model_error());
+    if (not_on_s_ > 0) return;   // nothing holds it yet
     const auto fault = [&](Fault kind, double value) { fault_ = kind, fault_value_ = value; };
     if (servo.error_absolute > 0 && following > servo.error_absolute) return fault(Fault::FollowingError, error_);
     if (loop_.dual_differs()) return fault(Fault::DualDifference, loop_.model_error());

@@ -17,7 +17,7 @@ namespace polyturn::kernel {
 
 class AxisUnit {
 public:
-    enum class Fault : std::uint8_t { None, Drive, FollowingError, StandstillError, ModelError, DualDifference };
+    enum class Fault : std::uint8_t { None, Drive, FollowingError, StandstillError, ModelError, DualDifference, Lost, NotOn };
     // What the PLC says about the loop; it acts with the next exchange.
     struct Requests {
         bool open = false;          // AP_OPNR
@@ -47,7 +47,8 @@ public:
     double fault_value() const noexcept { return fault_value_; }
     void clear_fault() noexcept { fault_ = Fault::None; }
     // What its drive says while it is off and has been told to reset its fault.
-    bool drive_fault_stays() const noexcept { return status_.status == POLYTURN_DRIVE_FAULT; }
+    bool drive_fault_stays() const noexcept { return polyturn_drive_has_fault(status_.status) || status_.lost > config_.servo.drive_lost; }
+    std::uint16_t simulate = 0;                            // what its drive is to play, if it is a simulated one
     bool closed() const noexcept { return closed_; }       // the position loop
     double output_speed() const noexcept { return output_; }
     // What is owed after machine on with follow-up (N0514 FUP): the way back to the kept command; 0 none. Read once.
@@ -110,7 +111,8 @@ public:
     void* drive() const noexcept { return drive_; }
 
 private:
-    void supervise() noexcept;
+    void supervise(double tick_s) noexcept;
+    [[nodiscard]] std::int64_t pulses(double machine) const noexcept;
     [[nodiscard]] double units(std::int64_t pulses) const noexcept;
     AxisConfig config_;
     const PolyturnDriveApi* api_ = nullptr;
@@ -128,7 +130,8 @@ private:
     PolyturnDriveStatus direct_status_{};
     double uncounted_from_ = 0;                            // encoder when it stopped counting
     std::int64_t still_ticks_ = 2;
-    bool moving_ = false, forwarded_ = false, mark_armed_ = false, not_counting_ = false, resets_fault_ = false;
+    double not_on_s_ = 0;                                  // it should operate and does not
+    bool moving_ = false, forwarded_ = false, mark_armed_ = false, not_counting_ = false, resets_fault_ = false, limit_waits_ = false;
     bool closed_ = true;                                   // nothing to follow up at the start: command and drive agree
     Fault fault_ = Fault::None;
     PolyturnDriveStatus status_{};

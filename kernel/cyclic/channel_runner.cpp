@@ -90,7 +90,10 @@ bool ChannelRunner::supplied() noexcept {
 
 // Marks of the PLC that are keys of the operator (Fagor: BLKSKIP1 to BLKSKIP3, M01STOP, M5008).
 void ChannelRunner::take_keys() noexcept {
-    keys = pressed_keys;
+    // Machine lock changes while no program runs: an axis that is locked on its way would stop, one that is freed behind its
+    // path would jump.
+    const std::uint32_t lock = program_runs() || moving_ ? keys & kKeyMachineLock : pressed_keys & kKeyMachineLock;
+    keys = (pressed_keys & ~static_cast<std::uint32_t>(kKeyMachineLock)) | lock;
     const auto mark = [&](PlcSignal signal, std::uint32_t bit) {
         if (core_.signals.plc(signal(number_))) keys |= bit;
     };

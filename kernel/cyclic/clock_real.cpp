@@ -68,6 +68,7 @@ void RealClock::run() {
         supervise();
         machine_.tick();
         core.image.tick_cost[bucket(now_ns() - began, core.image.tick_cost.size())].fetch_add(1, std::memory_order_relaxed);
+        if (SegmentDrives* drives = machine_.segment_drives()) drives->wake();
         if (core.store.rang()) core.image.store_bell.ring();
         if (core.log.newest() != rung_ || core.supervisor.options.trace_every != 0) {
             rung_ = core.log.newest();

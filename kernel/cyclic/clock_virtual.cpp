@@ -54,6 +54,10 @@ void VirtualClock::participants() {
     }
     if (machine_.plc().due() && machine_.plc().present())
         await(core.plc_segment.load(std::memory_order_acquire)->bell, kProcessPlc, core.image.plc_bell, waits_.plc, [&] { return machine_.plc().answered(); });
+    if (SegmentDrives* drives = machine_.segment_drives()) {
+        const auto answers = [&] { return core.supervisor.processes[kProcessDrives].state.load(std::memory_order_acquire) == static_cast<std::uint32_t>(ProcessState::Running); };
+        while (!drives->answered() && answers()) drives->wake(), drives->await_answer(kLookAgainUs);
+    }
     if (core.store.answer_due(core.tick) || !core.store.has_room())
         await(machine_.store_segment().bell, kProcessStore, core.image.store_bell, waits_.store,
               [&] { return (!core.store.answer_due(core.tick) || core.store.answered()) && core.store.has_room(); });

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "kernel/cyclic/machine.hpp"
-#include "kernel/drives/simulated_drive.hpp"
 
 namespace polyturn::kernel {
 namespace {
@@ -29,7 +28,6 @@ void Machine::run_command(const Command& c) noexcept {
     const auto key = [&](std::uint32_t bits) {
         each_channel(c, [&](ChannelRunner& r) { r.pressed_keys = on ? r.pressed_keys | bits : r.pressed_keys & ~bits; });
     };
-    const auto failure = static_cast<SimulatedDrive::Failure>(static_cast<int>(c.value));   // DriveFault
     switch (static_cast<CommandKind>(c.kind)) {
         case CommandKind::CycleStart: each_channel(c, [](ChannelRunner& r) { r.cycle_start(); }); break;
         case CommandKind::FeedHold: each_channel(c, [](ChannelRunner& r) { r.feed_hold(); }); break;
@@ -89,11 +87,8 @@ void Machine::run_command(const Command& c) noexcept {
             if (c.object >= 1 && c.object <= kMaxAxes && c.flags < kInputs) core_.sensors.add({c.object - 1, c.flags, c.channel == 1 ? 1 : c.channel == 2 ? -1 : 0, c.value});
             break;
         case CommandKind::DriveFault:
-            if (!c.flags && c.object >= 1 && c.object <= kMaxAxes && core_.config.axes[c.object - 1].on_spindle)
-                core_.spindles[core_.config.axes[c.object - 1].on_spindle - 1].simulated()->fail(failure);
-            else if (!c.flags && c.object >= 1 && c.object <= kMaxAxes && core_.axes[c.object - 1].exists())
-                static_cast<SimulatedDrive*>(core_.axes[c.object - 1].drive())->fail(failure);
-            if (c.flags && c.object >= 1 && c.object <= kMaxSpindles && core_.spindles[c.object - 1].simulated()) core_.spindles[c.object - 1].simulated()->fail(failure);
+            if (!c.flags && c.object >= 1 && c.object <= kMaxAxes) core_.axes[c.object - 1].simulate = static_cast<std::uint16_t>(c.value);
+            if (c.flags && c.object >= 1 && c.object <= kMaxSpindles) core_.spindles[c.object - 1].simulate = static_cast<std::uint16_t>(c.value);
             break;
         case CommandKind::SetParameter: (void)core_.store.ask_parameter(text_of(c), core_.tick, core_.config.answer_ticks); break;
         case CommandKind::Watch:

@@ -109,6 +109,7 @@ void Machine::take_successors() noexcept {
 
 void Machine::tick() noexcept {
     if (!core_.virtual_time) take_successors();
+    if (segment_drives_) segment_drives_->begin();
     take_commands();
     take_answers();
     supervise();
@@ -128,6 +129,7 @@ void Machine::tick() noexcept {
     protect();
     compensation_.step(core_);
     run_axes();
+    if (segment_drives_) segment_drives_->end();
     position_signals();
     watch_step();
     core_.sensors.look(core_.axes, core_.signals, core_.config.axis_count, core_.tick);
@@ -231,7 +233,7 @@ void Machine::run_axes() noexcept {
 
 void Machine::axis_fault(std::size_t a) noexcept {
     const AxisUnit& axis = core_.axes[a];
-    static constexpr Alarm kReasons[] = {Alarm::DriveFault, Alarm::DriveFault, Alarm::FollowingError, Alarm::StandstillError, Alarm::ModelError, Alarm::DualDifference};
+    static constexpr Alarm kReasons[] = {Alarm::DriveFault, Alarm::DriveFault, Alarm::FollowingError, Alarm::StandstillError, Alarm::ModelError, Alarm::DualDifference, Alarm::DriveLost, Alarm::DriveNotOn};
     emergency_stop(kReasons[static_cast<std::size_t>(axis.fault())], axis.config().channel, name_of('A', a).view(), axis.fault_value());
 }
 
@@ -239,6 +241,7 @@ void Machine::emergency_stop(Alarm reason, std::uint32_t channel, std::string_vi
     core_.alarm(reason, channel, detail, value);
     for (auto& runner : channels_) runner->emergency();
     core_.all_stop = true;
+    release_waits_ = on_waits_ = false;
     if (core_.state != MachineState::EmergencyStop) set_state(MachineState::EmergencyStop);
 }
 

@@ -24,6 +24,7 @@
 #include "kernel/cyclic/homing.hpp"
 #include "kernel/cyclic/plc_link.hpp"
 #include "kernel/cyclic/spindle_couplings.hpp"
+#include "kernel/drives/segment_drives.hpp"
 #include "kernel/drives/shared_drive.hpp"
 
 namespace polyturn::kernel {
@@ -37,6 +38,9 @@ public:
 
     // Not in the cyclic thread.
     void start();                                             // reads parameters and options, opens the drives
+    // Before start(): where PT_DRIVE 1 and 2 find their drives. What is not given is missing.
+    void take_drives(const PolyturnDriveApi* library, std::unique_ptr<SegmentDrives> process) noexcept { drive_library_ = library, segment_drives_ = std::move(process); }
+    SegmentDrives* segment_drives() const noexcept { return segment_drives_.get(); }
     void attach_channel(unsigned index, const ChannelSegment& segment);
     void attach_plc(const PlcSegment& segment);
     void take_tables(CompensationTables tables);               // before start()
@@ -91,6 +95,7 @@ private:
     void run_jogs() noexcept;
     void open_spindle(unsigned index);
     void open_axis(unsigned index, double at);
+    const PolyturnDriveApi& drive_api(DriveSource source, char letter, std::size_t index) noexcept;
     void share_drives() noexcept;
     void reference_command(const Command& command) noexcept;
     void reference_axis(std::uint32_t axis, bool alone) noexcept;
@@ -154,6 +159,7 @@ private:
     void watch_stop_circuit() noexcept;
     MachineStep step_ = MachineStep::Off;
     std::int64_t switch_on_at_ = -1;                  // machine on was pressed: the tick at which it is on; -1: it was not
+    bool release_waits_ = false, on_waits_ = false;   // for the axes to rest: the emergency stop's release, and machine on behind it
     void show_free_parameters() noexcept;
     void count_totals() noexcept;
     void emergency_stop(Alarm reason, std::uint32_t channel, std::string_view detail, double value) noexcept;
@@ -171,6 +177,8 @@ private:
     std::array<std::unique_ptr<ChannelRunner>, kMaxChannels> channels_;
     std::array<ChannelRunner*, kMaxChannels> runners_{};
     std::array<AxisJog, kMaxAxes> jogs_{};
+    const PolyturnDriveApi* drive_library_ = nullptr;
+    std::unique_ptr<SegmentDrives> segment_drives_;   // PT_DRIVE 2
     std::array<std::unique_ptr<SharedDrive>, kMaxSpindles> shared_drives_{};
     Couplings couplings_;
     Compensation compensation_;

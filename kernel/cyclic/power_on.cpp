@@ -6,6 +6,9 @@
 //
 // Machine on after an emergency stop passes through off: the drives get their fault reset there, for one PLC cycle, and a
 // drive that keeps its fault, an open circuit or a PLC that does not answer refuses it by name.
+#include <algorithm>
+#include <utility>
+
 #include "kernel/cyclic/machine.hpp"
 
 namespace polyturn::kernel {
@@ -58,6 +61,9 @@ void Machine::release_stop() noexcept {
         core_.alarm(Alarm::MachineOnRefused, 0, "the emergency stop circuit is open: turn the button back");
         return;
     }
+    // Without power an axis that still brakes would stand at once: the release waits for its rest.
+    release_waits_ = std::any_of(core_.axes.begin(), core_.axes.end(), [](const AxisUnit& axis) { return axis.exists() && axis.moving(); });
+    if (release_waits_) return;
     for (AxisUnit& axis : core_.axes) axis.clear_fault();
     for (SpindleUnit& spindle : core_.spindles) spindle.clear_fault();
     set_state(MachineState::Off);
@@ -71,7 +77,8 @@ void Machine::press_machine_on() noexcept {
     const bool from_stop = core_.state == MachineState::EmergencyStop;
     if (from_stop) {
         release_stop();
-        if (core_.state == MachineState::EmergencyStop) return;   // refused, and said why
+        on_waits_ = release_waits_;
+        if (core_.state == MachineState::EmergencyStop) return;   // refused, and said why; or later
     }
     bool fault = from_stop;
     for (const AxisUnit& axis : core_.axes) fault = fault || (axis.exists() && axis.drive_fault_stays());
@@ -97,6 +104,10 @@ void Machine::switch_on() noexcept {
 // The emergency stop circuit as the PLC sees it (its relays act by themselves; the control follows).
 void Machine::watch_stop_circuit() noexcept {
     if (core_.signals.plc(signals::plc_estop()) && core_.state != MachineState::EmergencyStop) emergency_stop(Alarm::EmergencyStop, 0, {}, 0);
+    if (std::exchange(release_waits_, false)) {
+        const bool on = std::exchange(on_waits_, false);
+        on ? press_machine_on() : release_stop();
+    }
     switch_on();
 }
 

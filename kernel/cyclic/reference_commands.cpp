@@ -100,7 +100,8 @@ void Machine::open_direct_device(unsigned a) {
     const std::uint32_t number = core_.config.axes[a].servo.dual_axis;
     AxisUnit& axis = core_.axes[a];
     if (number < 1 || number > kMaxAxes || !axis.exists() || core_.config.axes[a].on_spindle) return;
-    if (axis.open_direct(number, core_.config.axes[number - 1], core_.config.tick_s))
+    const bool simulated = core_.config.axes[a].servo.drive_source == DriveSource::Simulated;
+    if (axis.open_direct(number, core_.config.axes[number - 1], core_.config.tick_s) && simulated)
         static_cast<SimulatedDrive*>(axis.direct_drive())->measure(*static_cast<SimulatedDrive*>(axis.drive()));
 }
 

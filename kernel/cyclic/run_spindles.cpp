@@ -11,15 +11,26 @@ constexpr double kDisplacedDeg = 1e-3;   // closer than that the C axis is where
 void Machine::open_spindle(unsigned index) {
     const SpindleConfig& config = core_.config.spindles[index];
     if (!config.exists || core_.spindles[index].exists()) return;   // or opened with its C axis
-    void* drive = SpindleUnit::open_drive(index + 1, config, core_.config.tick_s);
-    core_.spindles[index].open(config, core_.config.tick_s, simulated_drive_api(), drive, static_cast<SimulatedDrive*>(drive));
+    const PolyturnDriveApi& api = drive_api(config.drive_source, 'S', index);
+    void* drive = SpindleUnit::open_drive(index + 1, config, core_.config.tick_s, api);
+    core_.spindles[index].open(config, core_.config.tick_s, api, drive, config.drive_source == DriveSource::Simulated ? static_cast<SimulatedDrive*>(drive) : nullptr);
+}
+
+// A machine without one of its drives must not move: it keeps a fault, and the alarm says which is missing.
+const PolyturnDriveApi& Machine::drive_api(DriveSource source, char letter, std::size_t index) noexcept {
+    if (source == DriveSource::Simulated) return simulated_drive_api();
+    if (source == DriveSource::Library && drive_library_) return *drive_library_;
+    if (source == DriveSource::Process && segment_drives_) return letter == 'A' ? segment_drives_->axis_api() : segment_drives_->spindle_api();
+    core_.alarm(Alarm::DriveMissing, 0, name_of(letter, index).view());
+    return missing_drive_api();
 }
 
 // A C axis and its spindle get one drive between them.
 void Machine::open_axis(unsigned index, double at) {
     const AxisConfig& config = core_.config.axes[index];
+    const DriveSource source = config.servo.drive_source;
     if (!config.on_spindle) {
-        core_.axes[index].open(index + 1, config, core_.config.tick_s, at, simulated_drive_api());
+        core_.axes[index].open(index + 1, config, core_.config.tick_s, at, drive_api(source, 'A', index));
         return;
     }
     const unsigned s = config.on_spindle - 1;
@@ -31,10 +42,10 @@ void Machine::open_axis(unsigned index, double at) {
     setup.start_position = std::llround(at * 1e6);
     setup.frequency_hz = config.servo.drive_hz;
     setup.damping = config.servo.drive_damping;
-    shared_drives_[s] = std::make_unique<SharedDrive>(simulated_drive_api(), setup, spindle.drive_counts);
+    shared_drives_[s] = std::make_unique<SharedDrive>(drive_api(source, 'S', s), setup, spindle.drive_counts);
     shared_drives_[s]->hand_to_axis();
     core_.axes[index].open(index + 1, config, core_.config.tick_s, at, SharedDrive::axis_side());
-    core_.spindles[s].open(spindle, core_.config.tick_s, SharedDrive::spindle_side(), shared_drives_[s].get(), static_cast<SimulatedDrive*>(shared_drives_[s]->real()));
+    core_.spindles[s].open(spindle, core_.config.tick_s, SharedDrive::spindle_side(), shared_drives_[s].get(), source == DriveSource::Simulated ? static_cast<SimulatedDrive*>(shared_drives_[s]->real()) : nullptr);
     shared_drives_[s]->give_to(SharedDrive::User::Axis);
     core_.shared_axes[index].has_drive = true;
 }
@@ -141,6 +152,8 @@ void Machine::spindle_fault(std::uint32_t s) noexcept {
     const ShortText name = name_of('S', s);
     const double degrees = spindle.error() * 360.0;
     switch (spindle.fault()) {
+        case SpindleUnit::Fault::Lost: return emergency_stop(Alarm::DriveLost, spindle.owner, name.view(), spindle.lost());
+        case SpindleUnit::Fault::NotOn: return emergency_stop(Alarm::DriveNotOn, spindle.owner, name.view(), spindle.status_word());
         case SpindleUnit::Fault::Drive: return emergency_stop(Alarm::DriveFault, spindle.owner, name.view(), 0);
         case SpindleUnit::Fault::Standstill: return emergency_stop(Alarm::StandstillError, spindle.owner, name.view(), degrees);
         case SpindleUnit::Fault::Moving:

@@ -11,13 +11,14 @@ constexpr double kFrequencyHz = 15.0, kDamping = 1.0;
 constexpr double kDriveLagS = 2.0 * kDamping / (2.0 * kPi * kFrequencyHz);
 constexpr std::int32_t kRight = 3, kLeft = 4, kOrient = 19;
 constexpr double kSmallestDiameterMm = 1e-3;
+constexpr double kSwitchOnS = 1.0;           // a drive that is told to operate does so by then
 constexpr double kSearchTurns = 3.0;         // beyond N0752: so many revolutions without pulse or switch
 constexpr double kApproachBand = 0.05;       // the orientation speed counts as reached within this share of it
 
 double part_of_turn(double turns) noexcept { return turns - std::floor(turns); }
 }  // namespace
 
-void* SpindleUnit::open_drive(unsigned number, const SpindleConfig& config, double tick_s) {
+void* SpindleUnit::open_drive(unsigned number, const SpindleConfig& config, double tick_s, const PolyturnDriveApi& api) {
     PolyturnDriveSetup setup{};
     setup.version = POLYTURN_DRIVE_VERSION;
     setup.number = number;
@@ -26,7 +27,7 @@ void* SpindleUnit::open_drive(unsigned number, const SpindleConfig& config, doub
     setup.frequency_hz = kFrequencyHz;
     setup.damping = kDamping;
     setup.mark_distance = 1.0;   // the switch on the probe input: once a revolution
-    return simulated_drive_api().open(&setup);
+    return api.open(&setup);
 }
 
 void SpindleUnit::open(const SpindleConfig& config, double tick_s, const PolyturnDriveApi& api, void* drive, SimulatedDrive* simulated) {
@@ -36,6 +37,7 @@ void SpindleUnit::open(const SpindleConfig& config, double tick_s, const Polytur
     simulated_ = simulated;
     observer_.configure(tick_s, config.encoder_counts > 0 ? config.encoder_counts : config.drive_counts, tick_s);
     observer_.reset(0);
+    status_.status = POLYTURN_DRIVE_SWITCHED_ON;   // until it has said something itself
 }
 
 void SpindleUnit::close() {
@@ -44,8 +46,8 @@ void SpindleUnit::close() {
     simulated_ = nullptr;
 }
 
-double SpindleUnit::true_speed() const noexcept { return simulated_ ? simulated_->true_speed() * 60.0 : 0.0; }
-double SpindleUnit::true_angle() const noexcept { return simulated_ ? part_of_turn(simulated_->true_position()) * 360.0 : 0.0; }
+double SpindleUnit::true_speed() const noexcept { return simulated_ ? simulated_->true_speed() * 60.0 : measured_speed_; }
+double SpindleUnit::true_angle() const noexcept { return simulated_ ? part_of_turn(simulated_->true_position()) * 360.0 : angle_; }
 
 bool SpindleUnit::at_index() const noexcept {
     if (config_.basic_angle <= 0 || !config_.index_by_code || !closed()) return false;
@@ -225,7 +227,9 @@ void SpindleUnit::step(const SpindleInput& in) noexcept {
     rev_s = rev_s * config_.output_scale + (in.powered && !in.muted ? config_.output_offset * full : 0.0);
     if (config_.output_inverted) rev_s = -rev_s;
     PolyturnDriveCommand out{};
-    out.control = !in.powered || in.muted ? POLYTURN_DRIVE_SHUTDOWN : fault_ == Fault::Drive ? POLYTURN_DRIVE_FAULT_RESET : POLYTURN_DRIVE_ENABLE;
+    out.control = !in.powered || in.muted ? POLYTURN_DRIVE_SHUTDOWN : fault_ == Fault::Drive ? POLYTURN_DRIVE_FAULT_RESET : polyturn_drive_next(status_.status, 1);
+    out.simulate = simulate;
+    const std::uint16_t was = status_.status;
     out.mode = POLYTURN_DRIVE_MODE_VELOCITY;
     out.brake_release = 1;
     out.torque_limit = in.torque_limit;
@@ -233,11 +237,14 @@ void SpindleUnit::step(const SpindleInput& in) noexcept {
     const double exact = rev_s * config_.drive_counts * 1e3 + remainder_;
     out.target_velocity = static_cast<std::int64_t>(std::floor(exact + 0.5));
     remainder_ = exact - static_cast<double>(out.target_velocity);
-    PolyturnDriveStatus status{};
-    api_->exchange(drive_, &out, &status);
-    read_encoder(in, status);
-    const bool encoder = (status.error_code & 0xFF00u) == 0x7300u;   // CiA 402: sensor
-    if (status.status == POLYTURN_DRIVE_FAULT && !(encoder && (config_.encoder_unwatched || in.unwatched))) fault_ = Fault::Drive;
+    api_->exchange(drive_, &out, &status_);
+    read_encoder(in, status_);
+    const bool wanted_on = in.powered && !in.muted, has_fault = polyturn_drive_has_fault(status_.status) != 0;
+    const bool encoder = (status_.error_code & 0xFF00u) == 0x7300u;   // CiA 402: sensor
+    not_on_s_ = wanted_on && !polyturn_drive_operates(was) && !polyturn_drive_has_fault(was) ? not_on_s_ + in.tick_s : 0.0;
+    if (has_fault && !(encoder && (config_.encoder_unwatched || in.unwatched))) fault_ = Fault::Drive;
+    else if (wanted_on && status_.lost > config_.drive_lost) fault_ = Fault::Lost;
+    else if (wanted_on && not_on_s_ > kSwitchOnS) fault_ = Fault::NotOn;
     else if (fault_ == Fault::Drive && !in.powered) fault_ = Fault::None;
     if (coupled_) target_ = positioner_.speed() * 60.0;
     const double command = loop_ == Loop::Closed ? positioner_.speed() * 60.0 : target_;

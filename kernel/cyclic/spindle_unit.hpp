@@ -43,11 +43,11 @@ class SpindleUnit {
 public:
     enum class Mode : std::uint8_t { Speed, SurfaceSpeed };
     enum class Loop : std::uint8_t { Turning, Approach, Searching, Closed };
-    enum class Fault : std::uint8_t { None, Drive, Standstill, Moving, Absolute, NotOriented, NotInPosition };
+    enum class Fault : std::uint8_t { None, Drive, Standstill, Moving, Absolute, NotOriented, NotInPosition, Lost, NotOn };
 
     // Not in the cyclic thread. The drive is opened by the caller; `simulated` is what stands behind it (truth for the trace).
     void open(const SpindleConfig& config, double tick_s, const PolyturnDriveApi& api, void* drive, SimulatedDrive* simulated);
-    static void* open_drive(unsigned number, const SpindleConfig& config, double tick_s);
+    static void* open_drive(unsigned number, const SpindleConfig& config, double tick_s, const PolyturnDriveApi& api);
     void close();
     void configure(const SpindleConfig& config) noexcept { config_ = config; }
 
@@ -98,6 +98,8 @@ public:
     bool cannot_orient() const noexcept { return cannot_orient_; }
     Fault fault() const noexcept { return fault_; }
     double error() const noexcept { return loop_controller_.error(); }    // revolutions
+    std::uint16_t status_word() const noexcept { return status_.status; }
+    std::uint16_t lost() const noexcept { return status_.lost; }          // cycles without an answer
     void clear_fault() noexcept { fault_ = Fault::None; }
 
     // Interpolated with axes (rigid tapping): where it must be at this tick's end, revolutions.
@@ -118,6 +120,7 @@ public:
     double ceiling_rpm = std::numeric_limits<double>::infinity();    // what its followers can do: speed, and ramp in 1/min per s
     double ceiling_ramp = std::numeric_limits<double>::infinity();
     double override_factor = 1.0;
+    std::uint16_t simulate = 0;    // what its drive is to play, if it is a simulated one
     std::uint32_t owner = 0;       // channel that commands it
     std::uint32_t locked_by = 0;   // channel whose G96, thread or tap needs it; 0 none
     bool override_locked = false;  // in a thread (N0607 TOE)
@@ -168,6 +171,8 @@ private:
     bool interpolating_ = false, interpolated_before_ = false, tapping_ = false, tap_feedforward_ = false, switch_was_ = false, probe_armed_ = false;
     std::int64_t search_from_ = 0;
     Fault fault_ = Fault::None;
+    PolyturnDriveStatus status_{};
+    double not_on_s_ = 0;                   // it should operate and does not
 };
 
 }  // namespace polyturn::kernel

@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-#define POLYTURN_DRIVE_VERSION 3u
+#define POLYTURN_DRIVE_VERSION 4u
 
 /* Control word (object 6040h). */
 #define POLYTURN_DRIVE_SHUTDOWN 0x0006u
@@ -19,6 +19,7 @@ extern "C" {
 #define POLYTURN_DRIVE_ENABLE 0x000Fu
 #define POLYTURN_DRIVE_QUICK_STOP 0x000Bu   /* bit 2 low: stop by the drive's own ramp */
 #define POLYTURN_DRIVE_FAULT_RESET 0x0080u  /* rising edge */
+#define POLYTURN_DRIVE_START_HOMING 0x0010u /* mode homing; rising edge */
 
 /* Status word (object 6041h), under POLYTURN_DRIVE_STATE_MASK. */
 #define POLYTURN_DRIVE_STATE_MASK 0x006Fu
@@ -26,11 +27,16 @@ extern "C" {
 #define POLYTURN_DRIVE_READY 0x0021u
 #define POLYTURN_DRIVE_SWITCHED_ON 0x0023u
 #define POLYTURN_DRIVE_OPERATING 0x0027u
+#define POLYTURN_DRIVE_QUICK_STOPS 0x0007u
+#define POLYTURN_DRIVE_FAULT_REACTION 0x000Fu
 #define POLYTURN_DRIVE_FAULT 0x0008u
+#define POLYTURN_DRIVE_HOMED 0x1000u        /* mode homing: attained; position counts from there */
+#define POLYTURN_DRIVE_HOMING_FAILED 0x2000u
 
 /* Modes of operation (object 6060h). */
 #define POLYTURN_DRIVE_MODE_VELOCITY 9 /* cyclic synchronous velocity; the position loop is the kernel's */
 #define POLYTURN_DRIVE_MODE_POSITION 8 /* cyclic synchronous position */
+#define POLYTURN_DRIVE_MODE_HOMING 6   /* the drive finds its zero by itself (N0900 = 24) */
 
 /* Touch probe function (60B8h) and status (60B9h): bit 0 probe 1 armed / seen. */
 #define POLYTURN_DRIVE_PROBE_ARMED 0x0001u
@@ -38,6 +44,14 @@ extern "C" {
  * for the one exchange that follows its passing. */
 #define POLYTURN_DRIVE_MARK_ARMED 0x0004u
 #define POLYTURN_DRIVE_MARK_SEEN 0x0004u
+
+/* What a simulated drive is to play (`set drive A3=...`). */
+#define POLYTURN_SIMULATE_FAULT 1u
+#define POLYTURN_SIMULATE_ENCODER_FAULT 2u
+#define POLYTURN_SIMULATE_SILENCE 3u        /* it answers no more */
+#define POLYTURN_SIMULATE_DEAD 4u           /* no supply: it never gets beyond switch on disabled */
+#define POLYTURN_SIMULATE_DELAY 0x0100u     /* + n: its answers come n cycles late */
+#define POLYTURN_SIMULATE_LOSES 0x0200u     /* + n: each n-th answer is lost */
 
 typedef struct PolyturnDriveCommand {
     uint16_t control;
@@ -47,6 +61,8 @@ typedef struct PolyturnDriveCommand {
     uint16_t touch_probe;
     int64_t target_velocity;      /* thousandths of an increment per second */
     int64_t target_position;      /* increments; mode position only */
+    uint16_t simulate;            /* POLYTURN_SIMULATE_...; for simulated drives, a real one ignores it */
+    uint16_t reserved[3];
 } PolyturnDriveCommand;
 
 typedef struct PolyturnDriveStatus {
@@ -58,7 +74,8 @@ typedef struct PolyturnDriveStatus {
     int64_t position;             /* increments, latched as this exchange begins: used one tick later */
     int64_t probe_position;       /* increments */
     int16_t torque;               /* 6077h, thousandths of the rated torque */
-    int16_t reserved[3];
+    uint16_t lost;                /* cycles that this answer is old beyond the usual one: position is extrapolated. 0: fresh */
+    int16_t reserved[2];
 } PolyturnDriveStatus;
 
 typedef struct PolyturnDriveSetup {
@@ -88,6 +105,20 @@ typedef struct PolyturnDriveApi {
     void (*close)(void* drive);
     void (*exchange)(void* drive, const PolyturnDriveCommand* command, PolyturnDriveStatus* status);
 } PolyturnDriveApi;
+
+/* A fault, or on the way into it: bit 5 (quick stop) says nothing there. */
+static inline int polyturn_drive_has_fault(uint16_t status) { return (status & 0x004Fu) == POLYTURN_DRIVE_FAULT || (status & 0x004Fu) == POLYTURN_DRIVE_FAULT_REACTION; }
+static inline int polyturn_drive_operates(uint16_t status) { return (status & POLYTURN_DRIVE_STATE_MASK) == POLYTURN_DRIVE_OPERATING; }
+/* The next control word on the way to operation, a state at a time; off: voltage disabled by way of ready. */
+static inline uint16_t polyturn_drive_next(uint16_t status, int on) {
+    if (!on) return POLYTURN_DRIVE_SHUTDOWN;
+    switch (status & POLYTURN_DRIVE_STATE_MASK) {
+        case POLYTURN_DRIVE_READY: return POLYTURN_DRIVE_SWITCH_ON;
+        case POLYTURN_DRIVE_SWITCHED_ON:
+        case POLYTURN_DRIVE_OPERATING: return POLYTURN_DRIVE_ENABLE;
+        default: return POLYTURN_DRIVE_SHUTDOWN;
+    }
+}
 
 /* A builder's shared object exports this. */
 const PolyturnDriveApi* polyturn_drive_api(void);

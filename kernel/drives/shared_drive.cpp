@@ -38,8 +38,10 @@ SharedDrive::~SharedDrive() {
 }
 
 void SharedDrive::exchange(User user, const PolyturnDriveCommand& command, PolyturnDriveStatus& status) noexcept {
+    simulate_[static_cast<std::size_t>(user)] = command.simulate;
     if (user == user_) {
         PolyturnDriveCommand out = command;
+        out.simulate = simulate_[0] ? simulate_[0] : simulate_[1];
         if (user == User::Spindle) {
             const double scale = static_cast<double>(kFinePerRev) / counts_;
             out.target_velocity = static_cast<std::int64_t>(std::floor(static_cast<double>(command.target_velocity) * scale + 0.5));

@@ -5,6 +5,7 @@
 //                         | SharedDrive | --> drive       not given out; what is measured both see. Spindles come first
 //   axis    --exchange--> +-------------+                 in a tick: without the drive they see it one tick older.
 #pragma once
+#include <array>
 #include <memory>
 
 #include "kernel/drives/drive.h"
@@ -34,6 +35,7 @@ private:
     void* real_;
     double counts_;
     User user_ = User::Spindle;
+    std::array<std::uint16_t, 2> simulate_{};   // what each user's drive is to play
     PolyturnDriveStatus status_{};
 };
 

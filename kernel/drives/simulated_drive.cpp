@@ -5,6 +5,7 @@
 
 namespace polyturn::kernel {
 namespace {
+constexpr double kPositionGain = 100.0;    // 1/s, of a drive that closes its own loop
 constexpr double kTorqueOfError = 100.0;   // thousandths of the rated torque for each unit/s that is missing
 using Matrix4 = std::array<std::array<double, 4>, 4>;
 
@@ -60,6 +61,7 @@ SimulatedDrive::SimulatedDrive(const PolyturnDriveSetup& setup)
       sign_(setup.motor_reversed ? -1.0 : 1.0),
       encoder_sign_(setup.encoder_reversed ? -1.0 : 1.0),
       rounding_(setup.increments_per_unit > 1e5 ? 0.5 : 0.0),
+      tick_s_(setup.tick_s),
       at_slide_(setup.at_slide != 0),
       has_stop_(setup.has_stop != 0),
       stop_at_(setup.stop_at) {
@@ -115,10 +117,30 @@ bool SimulatedDrive::mark_between(double from, double to, double& at) const noex
     return false;
 }
 
+// csp: the way told for this tick as speed, and the gain on what was missed until now.
+double SimulatedDrive::positioned(const PolyturnDriveCommand& command, double feedback) noexcept {
+    const double wanted = encoder_sign_ * static_cast<double>(command.target_position) / increments_per_unit_;
+    const double before = positioning_ ? wanted_ : wanted;
+    wanted_ = wanted;
+    positioning_ = true;
+    return (wanted - before) / tick_s_ + kPositionGain * (before - feedback);
+}
+
 void SimulatedDrive::exchange(const PolyturnDriveCommand& command, PolyturnDriveStatus& status) noexcept {
     const bool reset = (command.control & POLYTURN_DRIVE_FAULT_RESET) && !(last_control_ & POLYTURN_DRIVE_FAULT_RESET);
     last_control_ = command.control;
-    if (failure_ != Failure::None) state_ = POLYTURN_DRIVE_FAULT;
+    if (command.simulate != simulate_) {
+        simulate_ = command.simulate;
+        failure_ = simulate_ == POLYTURN_SIMULATE_FAULT ? Failure::Drive : simulate_ == POLYTURN_SIMULATE_ENCODER_FAULT ? Failure::Encoder : Failure::None;
+    }
+    if (simulate_ == POLYTURN_SIMULATE_SILENCE) {   // nobody hears it, and its own watchdog stops it
+        if (status.lost < 0xFFFF) ++status.lost;
+        state_ = POLYTURN_DRIVE_SWITCH_ON_DISABLED;
+        step(0);
+        return;
+    }
+    if (simulate_ == POLYTURN_SIMULATE_DEAD) state_ = POLYTURN_DRIVE_SWITCH_ON_DISABLED;
+    else if (failure_ != Failure::None) state_ = POLYTURN_DRIVE_FAULT;
     else if (state_ == POLYTURN_DRIVE_FAULT) state_ = reset ? POLYTURN_DRIVE_SWITCH_ON_DISABLED : POLYTURN_DRIVE_FAULT;
     else if ((command.control & POLYTURN_DRIVE_ENABLE) == POLYTURN_DRIVE_ENABLE) state_ = POLYTURN_DRIVE_OPERATING;
     else if ((command.control & POLYTURN_DRIVE_SWITCH_ON) == POLYTURN_DRIVE_SWITCH_ON) state_ = POLYTURN_DRIVE_SWITCHED_ON;
@@ -131,7 +153,8 @@ void SimulatedDrive::exchange(const PolyturnDriveCommand& command, PolyturnDrive
     status.error_code = state_ != POLYTURN_DRIVE_FAULT ? 0 : failure_ == Failure::Encoder ? 0x7305 : 0x8611;
     status.touch_probe = 0;
     status.brake_open = command.brake_release;
-    status.reserved[0] = status.reserved[1] = status.reserved[2] = 0;
+    status.lost = 0;
+    status.reserved[0] = status.reserved[1] = 0;
     const double limit = static_cast<double>(command.torque_limit);
     torque_ = std::clamp(torque_, -limit, limit);
     status.torque = static_cast<std::int16_t>(std::lround(torque_));
@@ -145,7 +168,10 @@ void SimulatedDrive::exchange(const PolyturnDriveCommand& command, PolyturnDrive
     }
     last_seen_ = seen;
     const bool turns = state_ == POLYTURN_DRIVE_OPERATING;
-    double commanded = turns ? sign_ * static_cast<double>(command.target_velocity) * 1e-3 / increments_per_unit_ + drift_ : 0.0;
+    double commanded = 0;
+    if (turns && command.mode == POLYTURN_DRIVE_MODE_POSITION) commanded = positioned(command, seen) + drift_;
+    else if (turns) commanded = sign_ * static_cast<double>(command.target_velocity) * 1e-3 / increments_per_unit_ + drift_;
+    if (!turns || command.mode != POLYTURN_DRIVE_MODE_POSITION) positioning_ = false;
     if (friction_ > 0 && std::fabs(speed_) < 1e-3 * friction_ && std::fabs(commanded) < friction_) commanded = 0.0;
     step(commanded);
     // The speed controller asks for torque as long as the speed is not what it is told.

@@ -17,7 +17,7 @@ const PolyturnDriveApi& simulated_drive_api();
 // and a stiff drive (w T near 1) stays stable, which an Euler step would not.
 class SimulatedDrive {
 public:
-    enum class Failure : std::uint8_t { None, Drive, Encoder };
+    enum class Failure : std::uint8_t { None, Drive, Encoder };   // POLYTURN_SIMULATE_FAULT, POLYTURN_SIMULATE_ENCODER_FAULT
     explicit SimulatedDrive(const PolyturnDriveSetup& setup);
     void exchange(const PolyturnDriveCommand& command, PolyturnDriveStatus& status) noexcept;
     void fail(Failure how) noexcept { failure_ = how; }
@@ -32,6 +32,7 @@ public:
 
 private:
     void step(double commanded) noexcept;
+    double positioned(const PolyturnDriveCommand& command, double feedback) noexcept;
     [[nodiscard]] std::int64_t counted(double position) const noexcept;
     [[nodiscard]] bool mark_between(double from, double to, double& at) const noexcept;
     std::array<std::array<double, 3>, 3> a_{};
@@ -44,9 +45,11 @@ private:
     double last_seen_;   // encoder at the last exchange
     double sign_, encoder_sign_;
     double rounding_;  // fine scales are read to the nearest increment; coarse encoders count the lines passed
+    double tick_s_, wanted_ = 0;   // csp: the position told last
     const SimulatedDrive* other_ = nullptr;
     std::uint16_t state_ = POLYTURN_DRIVE_SWITCH_ON_DISABLED;
-    std::uint16_t last_control_ = 0;
+    std::uint16_t last_control_ = 0, simulate_ = 0;
+    bool positioning_ = false;
     bool at_slide_, has_stop_, jammed_ = false;
     double stop_at_, torque_ = 0;
     Failure failure_ = Failure::None;

@@ -48,7 +48,7 @@ void Child::close_all() {
 }
 
 Result<Child> Child::start(const std::string& program, const std::vector<std::string>& arguments, Pipes pipes) {
-    const std::string path = text::program_folder() + "/" + program;
+    const std::string path = program.front() == '/' ? program : text::program_folder() + "/" + program;
     const auto fault = [&](const char* what) { return Diagnosis{Alarm::ProcessStart, {}, {}, fmt::format("{} ({}: {})", path, what, std::strerror(errno))}; };
 
     std::vector<char*> argv;  // everything the child needs is made before fork: after it only async-signal-safe calls

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <atomic>
 
+#include "ipc/machine/drive_sources.hpp"
+
 namespace polyturn::supervisor {
 
 namespace {
@@ -28,6 +30,8 @@ std::string program_of(std::size_t slot) {
             return "polyturn-hmi";
         case kProcessCell:
             return "polyturn-cell";
+        case kProcessDrives:
+            return "polyturn-drives";
         default:
             return "polyturn-channel";
     }
@@ -93,6 +97,9 @@ Result<void> Controller::launch() {
     kernel_ = std::make_unique<PeerSegment<KernelSegment>>(std::move(*kernel));
     commands_ = std::make_unique<RingProducer<RingHead<Command, 1024>>>((*own_)->commands, (*kernel_)->command_tail);
 
+    const auto table = std::make_unique<params::Table>();
+    if ((*store_)->parameters.read(*table) && wanted_drives(*table).process)
+        if (auto done = spawn(kProcessDrives); !done) return done;
     if (auto done = spawn(kProcessPlc); !done) return done;
     for (const unsigned number : plan_.channels)
         if (auto done = spawn(kProcessChannel + number - 1); !done) return done;
@@ -115,7 +122,8 @@ Result<void> Controller::spawn(std::size_t slot) {
         arguments.insert(arguments.end(), {"--channel", std::to_string(slot - kProcessChannel + 1)});
         arguments.insert(arguments.end(), plan_.channel_arguments.begin(), plan_.channel_arguments.end());
     }
-    auto child = Child::start(program_of(slot), arguments);
+    const bool own_drives = slot == kProcessDrives && !plan_.drives_program.empty();
+    auto child = Child::start(own_drives ? plan_.drives_program : program_of(slot), arguments);
     if (!child) return child.diagnosis();
     const int pid = child->pid();
     children_.insert_or_assign(slot, std::move(*child));

@@ -24,6 +24,7 @@ struct ControllerPlan {
     std::vector<std::string> channel_arguments;  // --setup FILE, --variables
     std::vector<unsigned> channels;              // that get a process
     std::string plc_library;                     // empty: the built-in one
+    std::string drives_program;                  // of the machine's folder; empty: polyturn-drives
 };
 
 class Controller {

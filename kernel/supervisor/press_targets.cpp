@@ -51,12 +51,26 @@ Result<std::vector<Command>> drive_fault(std::string_view whom, std::string_view
     if (!good) return Diagnosis{Alarm::PressArgument, {}, {}, fmt::format("the machine has no drive {}", whom)};
     command.object = static_cast<std::uint32_t>(number);
     command.flags = letter == 'S' ? 1 : 0;
+    const auto cycles = [&](std::string_view word) {   // "delay 3"; 0: it is not that
+        if (value.substr(0, word.size()) != word) return 0.0;
+        const double n = number_of(trimmed(value.substr(word.size()))).value_or(0.0);
+        return n == std::floor(n) && n >= 1 && n <= 60 ? n : 0.0;
+    };
+    // The values of POLYTURN_SIMULATE_... (kernel/drives/drive.h).
     if (value == "fault" || value == "1")
         command.value = 1.0;
-    else if (value == "encoder" && letter == 'A')
+    else if (value == "encoder")
         command.value = 2.0;
+    else if (value == "silent")
+        command.value = 3.0;
+    else if (value == "dead")
+        command.value = 4.0;
+    else if (cycles("delay ") > 0)
+        command.value = 0x100 + cycles("delay ");
+    else if (cycles("loses ") > 0)
+        command.value = 0x200 + cycles("loses ");
     else if (value != "ok" && value != "0")
-        return Diagnosis{Alarm::PressArgument, {}, {}, "a drive is set to fault or ok, that of an axis also to encoder"};
+        return Diagnosis{Alarm::PressArgument, {}, {}, "a drive is set to fault, encoder, silent, dead, 'delay N' or 'loses N' (1 to 60 cycles) or ok"};
     return std::vector<Command>{command};
 }
 

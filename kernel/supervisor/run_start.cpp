@@ -47,6 +47,7 @@ Result<void> RunSession::start() {
     plan.machine_arguments = plan_.machine_arguments();
     if (const auto path = text::resolve_machine(plan_.source.machine)) {
         plan.plc_library = path->plc;
+        plan.drives_program = path->drives;
         tell_machine_files(path->params, plan.options);
     }
     for (const auto& [channel, program] : plan_.programs)

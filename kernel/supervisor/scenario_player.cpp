@@ -67,6 +67,7 @@ std::optional<std::size_t> process_slot(std::string_view words) {
     if (words == "toolmgmt") return kProcessStore;
     if (words == "hmi") return kProcessHmi;
     if (words == "cell") return kProcessCell;
+    if (words == "drives") return kProcessDrives;
     if (words.substr(0, 7) != "channel") return std::nullopt;
     words = trimmed(words.substr(7));
     if (!words.empty() && words[0] == 'L') words.remove_prefix(1);
@@ -77,7 +78,7 @@ std::optional<std::size_t> process_slot(std::string_view words) {
 }
 
 std::string process_name(std::size_t slot) {
-    static constexpr const char* kNames[] = {"kernel", "plc", "toolmgmt", "hmi", "cell"};
+    static constexpr const char* kNames[] = {"kernel", "plc", "toolmgmt", "hmi", "cell", "drives"};
     if (slot < std::size(kNames)) return kNames[slot];
     return fmt::format("channel {}", slot - kProcessChannel + 1);
 }
@@ -104,7 +105,7 @@ std::optional<ScenarioPlayer> ScenarioPlayer::make(const text::Scenario& scenari
                 const auto slot = process_slot(stimulus.words);
                 if (!slot) {
                     commands =
-                        Diagnosis{Alarm::PressArgument, {}, {}, fmt::format("'{}' is no process: channel L, plc, toolmgmt, hmi, cell, kernel", stimulus.words)};
+                        Diagnosis{Alarm::PressArgument, {}, {}, fmt::format("'{}' is no process: channel L, plc, toolmgmt, hmi, cell, drives, kernel", stimulus.words)};
                     break;
                 }
                 const bool kill = stimulus.kind == text::StimulusKind::Kill;

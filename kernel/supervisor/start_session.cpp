@@ -79,6 +79,7 @@ Result<void> StartSession::launch() {
     for (auto& factor : plan.options.feed_override) factor = 1.0;
     if (const auto path = text::resolve_machine(options_.machine)) {
         plan.plc_library = path->plc;
+        plan.drives_program = path->drives;
         tell_machine_files(path->params, plan.options);
     }
     if (!options_.machine.empty()) plan.machine_arguments = {"--machine", options_.machine};

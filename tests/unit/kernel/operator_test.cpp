@@ -121,6 +121,33 @@ TEST(Operator, StopsAfterEachBlockInSingleBlock) {
     EXPECT_EQ(rig.state(1), ChannelState::Ended);
 }
 
+// Pressed on the way it neither stops the axes at once nor, taken back, lets them jump to where the path has come.
+TEST(Operator, MachineLockActsFromOneProgramToTheNext) {
+    TickRig rig;
+    double fastest_change = 0, before = 0;
+    rig.on_tick = [&] {
+        const double v = rig.speed_of(1);
+        fastest_change = std::max(fastest_change, std::fabs(v - before) / 0.001);
+        before = v;
+    };
+    rig.push(1, rig.line(1, {20, 0}, 50));
+    rig.push(1, rig.stop(1, StopReason::M30));
+    rig.start(1);
+    rig.run(150);
+    rig.command(CommandKind::MachineLock, 1, 1);
+    rig.run_until_idle();
+    EXPECT_NEAR(rig.position(1), 20, 1e-9);
+    EXPECT_LE(fastest_change, TickRig::kAcceleration * 1.01);
+    rig.push(1, rig.line(1, {20, 0}, 50));
+    rig.push(1, rig.stop(1, StopReason::M30));
+    rig.start(1);
+    rig.run(150);
+    rig.command(CommandKind::MachineLock, 1, 0);
+    rig.run_until_idle();
+    EXPECT_NEAR(rig.position(1), 20, 1e-9) << "this program was locked when it began";
+    EXPECT_LE(fastest_change, TickRig::kAcceleration * 1.01);
+}
+
 TEST(Operator, AnswersProgrammedStopsWithStart) {
     for (const bool optional : {false, true}) {
         SCOPED_TRACE(optional);

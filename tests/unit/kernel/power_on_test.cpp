@@ -50,6 +50,29 @@ TEST(PowerOn, AfterAnEmergencyStopPassesThroughOffForAPlcCycle) {
     EXPECT_EQ(steps(rig), (Steps{"emergency_stop", "off", "ready"}));
 }
 
+TEST(PowerOn, WaitsUntilTheAxesHaveBrakedBeforeThePowerGoes) {
+    TickRig rig;
+    rig.push(1, rig.line(1, {200, 0}, 150));
+    rig.start(1);
+    rig.run(400);
+    ASSERT_GT(rig.speed_of(1), 100);
+    double fastest_change = 0, before = rig.speed_of(1);
+    rig.on_tick = [&] {
+        const double v = rig.speed_of(1);
+        fastest_change = std::max(fastest_change, std::fabs(v - before) / 0.001);
+        before = v;
+    };
+    rig.command(CommandKind::EmergencyStop);
+    rig.run(3);
+    rig.command(CommandKind::MachineOn);
+    rig.run(3);
+    EXPECT_GT(rig.speed_of(1), 1);
+    EXPECT_EQ(rig.machine->core().state, MachineState::EmergencyStop);
+    rig.run(100);
+    EXPECT_EQ(rig.machine->core().state, MachineState::On);
+    EXPECT_LE(fastest_change, 10'000 * 1.01) << "PT_ESTOP_DEC";
+}
+
 TEST(PowerOn, ReleasingTheButtonAloneDoesNotSwitchOn) {
     TickRig rig;
     rig.command(CommandKind::EmergencyStop);
