@@ -45,6 +45,7 @@ MainWindow::MainWindow(Choices choices)
     const auto kept = [&](const char* key, const QString& otherwise) { return kept_ ? kept_->value(key, otherwise).toString() : otherwise; };
     dark_ = (choices_.theme.empty() ? kept("theme", "dark") : QString::fromStdString(choices_.theme)) != "light";
     dress(dark_);
+    paintBehind();
     live_.poll();
     std::string language = choices_.language.empty() ? kept("language", "").toStdString() : choices_.language;
     if (language.empty() && live_.connected()) language = std::string(params::get_text(live_.table(), params::pt_display_language));
@@ -138,8 +139,17 @@ void MainWindow::setTongue(Tongue tongue) {
 void MainWindow::setDark(bool dark) {
     dark_ = dark;
     dress(dark);
+    paintBehind();
     setTongue(spoken());   // style sheets and pictures are made anew
     for (Sheet* one : ownSheets()) one->update();
+}
+
+// What lies between the sheets.
+void MainWindow::paintBehind() {
+    QPalette colours = palette();
+    colours.setColor(QPalette::Window, theme().window);
+    setPalette(colours);
+    setAutoFillBackground(true);
 }
 
 void MainWindow::frame() {
@@ -152,6 +162,7 @@ void MainWindow::frame() {
         for (Screen* one : screens_) one->rebuilt();
     }
     if (locked_ && QDateTime::currentMSecsSinceEpoch() > lockedUntil_) lock(false);
+    for (Screen* one : screens_) one->follow();
     screen()->refresh();
     bar_->show(screen()->keys());
     top_->refresh(), line_->refresh();

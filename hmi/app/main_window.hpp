@@ -42,6 +42,7 @@ protected:
 private:
     void build();                          // screens, in the language of now
     void layOut();
+    void paintBehind();
     void composeTop(Writer& w);
     void composeRail(Writer& w);
     void composeLine(Writer& w);

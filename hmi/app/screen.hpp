@@ -48,11 +48,15 @@ public:
     virtual const char* name() const = 0;                      // in what is kept over a restart
     virtual std::vector<SoftKey> keys() = 0;
     virtual void refresh() = 0;                                // each frame while it is shown
+    virtual void follow() {}                                   // each frame, shown or not
     virtual void rebuilt() {}                                  // another machine, or none
     virtual bool key(QKeyEvent*) { return false; }
     virtual bool typing() const { return false; }              // digits and letters belong to a field now
     virtual QString state() const { return {}; }               // where in the screen, to be kept
     virtual void restore(const QString&) {}
+    virtual int pages() const { return 1; }                    // for pictures of all of it
+    virtual void turnTo(int /*page*/) {}
+    virtual bool busy() const { return false; }                // what it shows is still being made
     virtual std::vector<Sheet*> sheets() { return {}; }        // for the test that looks for shortened words
 
 protected:

@@ -8,6 +8,8 @@
 namespace polyturn::hmi {
 namespace {
 
+constexpr int kMostWaitMs = 60'000;   // for a dry run
+
 void letRun(int ms) {
     QElapsedTimer time;
     time.start();
@@ -35,11 +37,19 @@ int saveScreenshots(Choices choices, QSize size, const QString& folder) {
             window.setDark(dark);
             for (std::size_t i = 0; i < window.screens().size(); ++i) {
                 window.showScreen(static_cast<int>(i));
-                letRun(60);
-                const QString file = QString("%1/%2-%3-%4.png").arg(folder, window.screen()->name(), codeOf(tongue), dark ? "dark" : "light");
-                if (window.grab().save(file)) continue;
-                std::fprintf(stderr, "polyturn-hmi: cannot write %s\n", qPrintable(file));
-                return 1;
+                const int pages = window.screen()->pages();
+                for (int page = 0; page < pages; ++page) {
+                    window.screen()->turnTo(page);
+                    letRun(60);
+                    for (int waited = 0; window.screen()->busy() && waited < kMostWaitMs; waited += 100) letRun(100);
+                    letRun(40);
+                    const QString number = page ? QString("-%1").arg(page + 1) : QString();
+                    const QString file = QString("%1/%2%3-%4-%5.png").arg(folder, window.screen()->name(), number, codeOf(tongue), dark ? "dark" : "light");
+                    if (window.grab().save(file)) continue;
+                    std::fprintf(stderr, "polyturn-hmi: cannot write %s\n", qPrintable(file));
+                    return 1;
+                }
+                window.screen()->turnTo(0);
             }
         }
     }

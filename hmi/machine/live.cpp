@@ -120,6 +120,7 @@ void Live::readChannel(unsigned number) {
     if (head == 0) return;
     const bool running = status.record < head;
     const PathRecord first = segment->path.slot(running ? status.record : head - 1);
+    view.rapid = (first.flags & kRapid) != 0;
     view.known = find_picture(*segment, first.serial, view.picture);
     if (!running || status.state == static_cast<std::uint32_t>(ChannelState::Reset)) return;
     // Its block may go on in the records behind it: the last one says where the axes end.

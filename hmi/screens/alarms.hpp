@@ -18,6 +18,8 @@ public:
     QString state() const override { return QString::number(static_cast<int>(page_)); }
     void restore(const QString& state) override;
     std::vector<Sheet*> sheets() override { return {head_, table_, detail_}; }
+    int pages() const override { return 6; }
+    void turnTo(int page) override { showPage(static_cast<Page>(page)); }
 
     enum class Page : std::uint8_t { Standing, History, Signals, Axes, Couplings, Processes };
     void showPage(Page page);

@@ -103,6 +103,13 @@ private:
             const bool referenced = (now.flags & kReferenced) != 0 || axis.on_spindle;
             const bool moving = (now.flags & kMoving) != 0;
             w_.text(QRectF(left_, y_, name, row), fromView(axis.name_text()), lettering(dense_ ? 15 : 19, true), moving ? t_.good : t_.text);
+            // Its drive belongs to the spindle just now: the axis is nowhere.
+            if (axis.on_spindle && live_.nc(signals::sn_axis(axis.on_spindle)) == 0) {
+                w_.text(QRectF(at[0], y_, wide[0], row), kDash, lettering(dense_ ? 16 : 20, true), t_.faint, kRight);
+                w_.text(QRectF(at[1], y_, at[3] + wide[3] - at[1], row), word("turns as spindle S%1").arg(axis.on_spindle), lettering(dense_ ? 12.5 : 14), t_.faint, kRight);
+                y_ += row;
+                continue;
+            }
             double workpiece = 0;
             const bool known = live_.workpiece(channel_, static_cast<unsigned>(place), now.act, workpiece);
             w_.text(QRectF(at[0], y_, wide[0], row), known ? lengthText(shown(axis, workpiece), decimals) : kDash, lettering(dense_ ? 16 : wide_ < px(330) ? 17 : 24, true), t_.text, kRight);

@@ -4,9 +4,44 @@
 <context>
     <name>hmi</name>
     <message>
+        <location filename="../screens/job_views.cpp"/>
+        <source>%1 in all</source>
+        <translation>összesen %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>%1 is selected in L%2</source>
+        <translation>%1 kiválasztva: L%2</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>%1 is selected in its channels</source>
+        <translation>%1 kiválasztva a csatornáiban</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>%1 s after the start of the controller</source>
+        <translation>%1 s a vezérlő indulása után</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>+ Input</source>
+        <translation>+ Bevitel</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>A block by hand (MDI)</source>
+        <translation>Mondat kézzel (MDI)</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>A start needs:</source>
         <translation>Az indításhoz kell:</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>A text: it is changed by polyturn params set</source>
+        <translation>Szöveg: a polyturn params set módosítja</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -14,14 +49,144 @@
         <translation>Nincs</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Active at the next T</source>
+        <translation>A következő T-től</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Active from the next blocks</source>
+        <translation>A következő mondatoktól</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.hpp"/>
+        <source>Alarms</source>
+        <translation>Riasztások</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>All</source>
+        <translation>Mind</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>All groups</source>
+        <translation>Minden csoport</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>All zeros together</source>
+        <translation>Nullpontok együtt</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Applied now</source>
+        <translation>Most érvényes</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>As held</source>
+        <translation>Nyomva</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Automatic</source>
         <translation>Automata</translation>
     </message>
     <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Axes</source>
+        <translation>Tengelyek</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Axes and drives</source>
+        <translation>Tengelyek és hajtások</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Axis</source>
+        <translation>Tengely</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Block skip</source>
         <translation>Mondatkihagyás</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Changed</source>
+        <translation>Módosítva</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Changed only</source>
+        <translation>Csak módosítottak</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Changes since the start of these screens</source>
+        <translation>Változások a képernyők indítása óta</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Channel</source>
+        <translation>Csatorna</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Check, waits</source>
+        <translation>Ellenőrzés, várakozások</translation>
+    </message>
+    <message>
+        <location filename="../widgets/number_pad.cpp"/>
+        <source>Choose a field</source>
+        <translation>Válasszon mezőt</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Choose a job or a program</source>
+        <translation>Válasszon munkát vagy programot</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Clear</source>
+        <translation>Törlés</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Clear search</source>
+        <translation>Keresés törlése</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Commanded</source>
+        <translation>Parancs</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Compensation</source>
+        <translation>Kompenzáció</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Computing time of ticks</source>
+        <translation>Ütemek számítási ideje</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Couplings</source>
+        <translation>Csatolások</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Couplings and exchanges</source>
+        <translation>Csatolások és cserék</translation>
+    </message>
+    <message>
+        <location filename="../screens/job_views.cpp"/>
+        <source>Cutting</source>
+        <translation>Forgácsolás</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -34,9 +199,44 @@
         <translation>Sötét</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Default</source>
+        <translation>Alapérték</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Default value</source>
+        <translation>Alapérték</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Depends on</source>
+        <translation>Mitől függ</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Drive fault</source>
+        <translation>Hajtáshiba</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Dry run</source>
         <translation>Próbafutás</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Dry run, timeline</source>
+        <translation>Próbafutás, idővonal</translation>
+    </message>
+    <message>
+        <location filename="../screens/job_views.cpp"/>
+        <source>Dwell</source>
+        <translation>Várakozási idő</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Emergency stop</source>
+        <translation>Vészstop</translation>
     </message>
     <message>
         <location filename="../screens/overview.cpp"/>
@@ -49,19 +249,39 @@
         <translation>Kész</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/alarms.cpp"/>
         <source>Ends all programs: press again</source>
         <translation>Mindet befejezi: újra</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/alarms.cpp"/>
         <source>Ends the program: press again</source>
         <translation>Befejezi a programot: újra</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Every axis and spindle is on its own: nothing is coupled, exchanged or followed.</source>
+        <translation>Minden tengely és orsó önálló: nincs csatolás, csere vagy követés.</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>External</source>
+        <translation>Külső</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Feed</source>
+        <translation>Előtolás</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Feed hold: start goes on</source>
         <translation>Előtolás-állj: a start folytatja</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Files</source>
+        <translation>Fájlok</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -74,9 +294,29 @@
         <translation>Első darab: a start ezzel a szerszámmal folytatja</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../screens/alarms.cpp"/>
         <source>Follow. error</source>
         <translation>Köv. hiba</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>From</source>
+        <translation>Forrás</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Geom.</source>
+        <translation>Geom.</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Geometry + wear</source>
+        <translation>Geometria + kopás</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Graphics</source>
+        <translation>Grafika</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -89,7 +329,12 @@
         <translation>Tartva</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/alarms.cpp"/>
+        <source>History</source>
+        <translation>Előzmények</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
         <source>Hold %1</source>
         <translation>Állj %1</translation>
     </message>
@@ -99,9 +344,34 @@
         <translation>Állj mind</translation>
     </message>
     <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>How</source>
+        <translation>Hogyan</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>In position</source>
+        <translation>Pozícióban</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Input</source>
+        <translation>Bevitel</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Interrupted</source>
         <translation>Megszakítva</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>It cannot be shown.</source>
+        <translation>Nem jeleníthető meg.</translation>
+    </message>
+    <message>
+        <location filename="../machine/dry_run.cpp"/>
+        <source>It gave no result.</source>
+        <translation>Nem adott eredményt.</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -109,9 +379,24 @@
         <translation>Kézi</translation>
     </message>
     <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Larger</source>
+        <translation>Nagyobb</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Last</source>
         <translation>Előző</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Leave the hold %1</source>
+        <translation>Elhagyás %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Level</source>
+        <translation>Szint</translation>
     </message>
     <message>
         <location filename="../app/main_window.cpp"/>
@@ -127,6 +412,11 @@
         <location filename="../app/main_window.cpp"/>
         <source>Locked for cleaning</source>
         <translation>Zárolva tisztításhoz</translation>
+    </message>
+    <message>
+        <location filename="../screens/job_views.cpp"/>
+        <source>Longest wait: L%1 stands %2 s at M%3 (line %4). Work moved from the channel that comes last to L%1 saves up to this time.</source>
+        <translation>Leghosszabb várakozás: L%1 %2 s-ot áll, M%3 (%4. sor). Az utolsónak érkező csatornától L%1-re áttett munka ennyit takaríthat meg.</translation>
     </message>
     <message>
         <location filename="../machine/requests.cpp"/>
@@ -149,9 +439,49 @@
         <translation>Géplezárás</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Machine on</source>
+        <translation>Gép be</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.hpp"/>
+        <source>Manual</source>
+        <translation>Kézi</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Mean</source>
         <translation>Átlag</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Meaning</source>
+        <translation>Jelentés</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Measured</source>
+        <translation>Mért</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Message</source>
+        <translation>Üzenet</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Moves</source>
+        <translation>Mozog</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Name</source>
+        <translation>Név</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>No alarm stands.</source>
+        <translation>Nincs fennálló riasztás.</translation>
     </message>
     <message>
         <location filename="../app/main_window.cpp"/>
@@ -159,9 +489,74 @@
         <translation>A vezérlő nem válaszol</translation>
     </message>
     <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>No faults found</source>
+        <translation>Nincs hiba</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>No job names the stock of the running program</source>
+        <translation>Egyik munka sem adja meg a nyersdarabot</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>No parameter has this in its number, name or meaning.</source>
+        <translation>Nincs paraméter ilyen számmal, névvel vagy jelentéssel.</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>No signal has this in its name or meaning.</source>
+        <translation>Nincs jel ilyen névvel vagy jelentéssel.</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>No.</source>
+        <translation>Sz.</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>None is known.</source>
+        <translation>Nem ismert.</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Not in position</source>
+        <translation>Nincs pozícióban</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Not in use by the running program</source>
+        <translation>A program nem használja</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Nothing has been told since the controller started.</source>
+        <translation>A vezérlő indulása óta nem volt üzenet.</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Nothing is missing</source>
+        <translation>Semmi nem hiányzik</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Number</source>
+        <translation>Szám</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Offset</source>
         <translation>Korrekció</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.hpp"/>
+        <source>Offsets</source>
+        <translation>Korrekciók</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Open folder</source>
+        <translation>Mappa megnyitása</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -179,9 +574,19 @@
         <translation>Feltételes megállás M1: a start folytatja</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Overrides</source>
+        <translation>Override-ok</translation>
+    </message>
+    <message>
         <location filename="../screens/overview.hpp"/>
         <source>Overview</source>
         <translation>Áttekintés</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Parameters</source>
+        <translation>Paraméterek</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -189,9 +594,29 @@
         <translation>Darab</translation>
     </message>
     <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Place</source>
+        <translation>Hely</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Process</source>
+        <translation>Folyamat</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Process dead</source>
         <translation>A folyamat leállt</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Processes</source>
+        <translation>Folyamatok</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Processes and ticks</source>
+        <translation>Folyamatok és ütemek</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -199,9 +624,34 @@
         <translation>Programozott megállás M0: a start folytatja</translation>
     </message>
     <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Programs</source>
+        <translation>Programok</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Programs and jobs</source>
+        <translation>Programok és munkák</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Radius</source>
+        <translation>Sugár</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Range</source>
+        <translation>Tartomány</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Rapid</source>
         <translation>Gyors</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Read again</source>
+        <translation>Újraolvasás</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -209,9 +659,19 @@
         <translation>Referencia</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Reference all</source>
+        <translation>Mind referencia</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Remaining</source>
         <translation>Hátravan</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Remedy</source>
+        <translation>Teendő</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -224,7 +684,12 @@
         <translation>Reset %1</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Reset L%1</source>
+        <translation>Reset L%1</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
         <source>Reset all</source>
         <translation>Reset mind</translation>
     </message>
@@ -239,9 +704,64 @@
         <translation>A visszakövetés a végére ért</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Return %1</source>
+        <translation>Vissza %1</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Runs</source>
         <translation>Fut</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Search</source>
+        <translation>Keresés</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Search: number, name or meaning</source>
+        <translation>Keresés: szám, név vagy jelentés</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Select in L%1</source>
+        <translation>Kiválasztás: L%1</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Select job</source>
+        <translation>Munka kiválasztása</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Sets the default: press again</source>
+        <translation>Alapérték: újra</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Sets the zero: press again</source>
+        <translation>Nullát állít: újra</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Signal</source>
+        <translation>Jel</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Signals</source>
+        <translation>Jelek</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Signals of NC and PLC</source>
+        <translation>NC és PLC jelei</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Since the start of these screens; tips as points, without width and radius</source>
+        <translation>A képernyők indítása óta; csúcsok pontként, szélesség és sugár nélkül</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -264,7 +784,22 @@
         <translation>Mondatonként: a start a következőt hajtja végre</translation>
     </message>
     <message>
-        <location filename="../screens/overview.cpp"/>
+        <location filename="../screens/programs.cpp"/>
+        <source>Size</source>
+        <translation>Méret</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Smaller</source>
+        <translation>Kisebb</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Spindle</source>
+        <translation>Orsó</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
         <source>Start %1</source>
         <translation>Start %1</translation>
     </message>
@@ -274,14 +809,39 @@
         <translation>Start mind</translation>
     </message>
     <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Starts</source>
+        <translation>Indul</translation>
+    </message>
+    <message>
         <location filename="../screens/overview.cpp"/>
         <source>Starts all channels: press again</source>
         <translation>Mindet indítja: újra</translation>
     </message>
     <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>State</source>
+        <translation>Állapot</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Stock</source>
+        <translation>Nyersdarab</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Stopped</source>
         <translation>Megállt</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Synchronised view</source>
+        <translation>Szinkron nézet</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Text</source>
+        <translation>Szöveg</translation>
     </message>
     <message>
         <location filename="../machine/requests.cpp"/>
@@ -294,9 +854,59 @@
         <translation>A vezérlő elutasította.</translation>
     </message>
     <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>The job is being driven in virtual time</source>
+        <translation>A munka virtuális időben fut</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>The machine works with it</source>
+        <translation>A gép ezzel dolgozik</translation>
+    </message>
+    <message>
+        <location filename="../machine/dry_run.cpp"/>
+        <source>The program polyturn is not beside the HMI.</source>
+        <translation>A polyturn program nincs a HMI mellett.</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>The programs are being read</source>
+        <translation>A programok olvasása folyik</translation>
+    </message>
+    <message>
         <location filename="../machine/requests.cpp"/>
         <source>There is no connection to the controller.</source>
         <translation>Nincs kapcsolat a vezérlővel.</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>This folder is empty.</source>
+        <translation>A mappa üres.</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>This is here</source>
+        <translation>Itt ennyi</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Time</source>
+        <translation>Idő</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Timeline</source>
+        <translation>Idővonal</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Tip</source>
+        <translation>Csúcs</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Tip is at this measure: press again</source>
+        <translation>A csúcs a méreten: újra</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -304,9 +914,59 @@
         <translation>Hátravan</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Tool offsets</source>
+        <translation>Korrekciók</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Tools that it needs</source>
+        <translation>Szükséges szerszámok</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Torque</source>
+        <translation>Nyomaték</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Touch the line, type, Enter starts it</source>
+        <translation>Érintse meg a sort, írjon, az Enter indítja</translation>
+    </message>
+    <message>
         <location filename="../app/main_window.cpp"/>
         <source>Touches and keys do nothing. The machine goes on.</source>
         <translation>Az érintés és a billentyűk hatástalanok. A gép megy tovább.</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Type a part of the name</source>
+        <translation>Írja be a név egy részét</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Undo</source>
+        <translation>Visszavonás</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Unit</source>
+        <translation>Egység</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Up</source>
+        <translation>Fel</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Value</source>
+        <translation>Érték</translation>
+    </message>
+    <message>
+        <location filename="../screens/job_views.cpp"/>
+        <source>Waiting</source>
+        <translation>Várakozás</translation>
     </message>
     <message>
         <location filename="../screens/overview.cpp"/>
@@ -329,14 +989,74 @@
         <translation>Vár itt: %1, mindenki itt van</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Wear</source>
+        <translation>Kopás</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Wear R</source>
+        <translation>Kopás R</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>What</source>
+        <translation>Mi</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>What stands</source>
+        <translation>Fennálló</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Without effect:</source>
+        <translation>Hatás nélkül:</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Work shift</source>
+        <translation>Eltolás</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Work zeros</source>
+        <translation>Nullpontok</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Workpiece</source>
         <translation>Munkadarab</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Zero</source>
+        <translation>Nullpont</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Zero here</source>
+        <translation>Nulla itt</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>a marker</source>
         <translation>jelölő</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>acts after a restart of the controller</source>
+        <translation>a vezérlő újraindítása után hat</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>acts at once</source>
+        <translation>azonnal hat</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>acts at the channel's next stop of reading</source>
+        <translation>a csatorna következő olvasási megállásánál hat</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/machine_step.hpp"/>
@@ -367,6 +1087,11 @@
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>axes were moved in the hold</source>
         <translation>a tengelyeket tartás közben elmozdították</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>bore</source>
+        <translation>furat</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -409,6 +1134,16 @@
         <translation>töltse fel az olajat</translation>
     </message>
     <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>follows it synchronously</source>
+        <translation>szinkronban követi</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>its way is added to the own one</source>
+        <translation>az útja hozzáadódik</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>line</source>
         <translation>sor</translation>
@@ -417,6 +1152,26 @@
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>load a new one</source>
         <translation>töltsön be újat</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>longest %1 of a tick of %2 µs</source>
+        <translation>leghosszabb %1, ütem %2 µs</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>maker</source>
+        <translation>gyártó</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>moves its drive: the axes are exchanged</source>
+        <translation>annak hajtását mozgatja: cserélt tengelyek</translation>
+    </message>
+    <message>
+        <location filename="../screens/job_views.cpp"/>
+        <source>never comes: %1</source>
+        <translation>sosem jön: %1</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -439,14 +1194,24 @@
         <translation>nincs szerszám</translation>
     </message>
     <message>
+        <location filename="../widgets/number_pad.cpp"/>
+        <source>not a number yet</source>
+        <translation>még nem szám</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/machine_step.hpp"/>
         <source>not all axes are referenced</source>
         <translation>nincs minden referencia</translation>
     </message>
     <message>
-        <location filename="../../ipc/machine/start_words.hpp"/>
+        <location filename="../screens/alarms.cpp"/>
         <source>not referenced</source>
         <translation>nincs referencia</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>operator</source>
+        <translation>kezelő</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/machine_step.hpp"/>
@@ -489,6 +1254,11 @@
         <translation>szüntesse meg az okát, majd reset</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>setter</source>
+        <translation>beállító</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>switch it on</source>
         <translation>kapcsolja be</translation>
@@ -522,6 +1292,11 @@
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>the lubrication is missing</source>
         <translation>nincs kenés</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>the machine</source>
+        <translation>a gép</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -567,6 +1342,16 @@
         <location filename="../../ipc/machine/machine_step.hpp"/>
         <source>turn the button back, then press machine on</source>
         <translation>oldja ki a gombot, majd gép be</translation>
+    </message>
+    <message>
+        <location filename="../screens/channel_card.cpp"/>
+        <source>turns as spindle S%1</source>
+        <translation>S%1 orsóként forog</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>turns with it, deviation %1°</source>
+        <translation>vele forog, eltérés %1°</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/machine_step.hpp"/>

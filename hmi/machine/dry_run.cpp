@@ -1,0 +1,125 @@
+#include "hmi/machine/dry_run.hpp"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTimer>
+
+#include "hmi/text/tongues.hpp"
+
+namespace polyturn::hmi {
+namespace {
+
+constexpr std::size_t kMostBlocks = 200'000;
+
+QString tell(QString english, const QString& number) {
+    const std::string plain = number.toStdString(), text = english.toStdString();
+    for (const Dialect dialect : {Dialect::Polyturn, Dialect::Fanuc, Dialect::Nct, Dialect::Fagor, Dialect::Sinumerik, Dialect::Mefi})
+        if (const auto found = retell(plain, dialect, text, spoken())) return QString::fromStdString(found->text);
+    return english;
+}
+
+}  // namespace
+
+DryRun::~DryRun() { stop(); }
+
+void DryRun::stop() {
+    if (!process_) return;
+    process_->disconnect();
+    process_->kill();
+    process_.release()->deleteLater();
+}
+
+void DryRun::start(How how, const QString& job, const QString& like) {
+    stop();
+    how_ = how, job_ = job, in_.clear(), failure_.clear(), channels_.clear(), faults_.clear();
+    ++version_;
+    process_ = std::make_unique<QProcess>();
+    process_->setStandardErrorFile(QProcess::nullDevice());
+    QStringList arguments = how == How::Check ? QStringList{"check", job} : QStringList{"run", "--virtual", job};
+    if (!like.isEmpty()) arguments << "--like" << like;
+    QObject::connect(process_.get(), &QProcess::readyReadStandardOutput, [this] { read(); });
+    QObject::connect(process_.get(), &QProcess::finished, [this] { QTimer::singleShot(0, process_.get(), [this] { finish(); }); });
+    QObject::connect(process_.get(), &QProcess::errorOccurred, [this](QProcess::ProcessError error) {
+        if (error == QProcess::FailedToStart) failure_ = word("The program polyturn is not beside the HMI."), finish();
+    });
+    process_->start(QCoreApplication::applicationDirPath() + "/polyturn", arguments);
+}
+
+void DryRun::read() {
+    in_ += process_->readAllStandardOutput();
+    int from = 0;
+    for (int end = static_cast<int>(in_.indexOf('\n')); end >= 0; end = static_cast<int>(in_.indexOf('\n', from))) {
+        take(in_.mid(from, end - from));
+        from = end + 1;
+    }
+    in_.remove(0, from);
+    ++version_;
+}
+
+void DryRun::take(const QByteArray& line) {
+    const QJsonObject event = QJsonDocument::fromJson(line).object();
+    const QString what = event.value("ev").toString();
+    const auto channel = static_cast<unsigned>(event.value("ch").toInt());
+    const RunLine at{event.value("file").toString().toStdString(), static_cast<std::uint32_t>(event.value("line").toInt())};
+    if (what == "alarm") {
+        const QJsonValue number = event.value("number");
+        const QString written = number.isDouble() ? QString::number(number.toInt()) : number.toString();
+        const QString place = at.line ? QString("%1:%2").arg(QFileInfo(event.value("file").toString()).fileName()).arg(at.line) : QString();
+        faults_.push_back({channel, event.value("severity").toString() != "warning", written, tell(event.value("text").toString(), written), place, at});
+        return;
+    }
+    if (channel == 0) return;
+    RunChannel& own = channels_[channel];
+    if (at.line && own.blocks.size() < kMostBlocks && (own.blocks.empty() || own.blocks.back().line != at.line || own.blocks.back().file != at.file)) own.blocks.push_back(at);
+    const double t = event.value("t").toDouble(-1), end = event.value("end").toDouble(t);
+    own.end = std::max(own.end, end);
+    if (what == "wait") {
+        RunWait wait;
+        wait.code = event.value("code").toInt();
+        for (const auto& one : event.value("channels").toArray()) wait.channels.push_back(static_cast<unsigned>(one.toInt()));
+        wait.at = at;
+        wait.before = own.blocks.size();
+        wait.from = t, wait.to = end;
+        own.waits.push_back(wait);
+    } else if ((what == "move" || what == "dwell") && t >= 0) {
+        const RunSpan::Kind kind = what == "dwell" ? RunSpan::Kind::Dwell : event.value("kind").toString() == "rapid" ? RunSpan::Kind::Rapid : RunSpan::Kind::Cutting;
+        if (own.spans.size() < kMostBlocks) own.spans.push_back({kind, t, end, at.line});
+    }
+}
+
+void DryRun::finish() {
+    if (!process_) return;
+    read();
+    if (channels_.empty() && faults_.empty() && failure_.isEmpty()) failure_ = word("It gave no result.");
+    process_->disconnect();
+    process_.release()->deleteLater();
+    // All channels of a wait leave it when the last one has come.
+    std::map<std::pair<int, std::vector<unsigned>>, std::vector<std::vector<RunWait*>>> meetings;
+    for (auto& [number, channel] : channels_) {
+        std::map<std::pair<int, std::vector<unsigned>>, std::size_t> count;
+        for (RunWait& wait : channel.waits) {
+            auto& list = meetings[{wait.code, wait.channels}];
+            const std::size_t turn = count[{wait.code, wait.channels}]++;
+            if (list.size() <= turn) list.resize(turn + 1);
+            list[turn].push_back(&wait);
+        }
+    }
+    for (auto& [key, list] : meetings)
+        for (auto& meeting : list) {
+            double last = 0;
+            for (const RunWait* wait : meeting) last = std::max(last, wait->from);
+            for (RunWait* wait : meeting) wait->to = std::max(wait->to, last);
+        }
+    ++version_;
+}
+
+double DryRun::end() const {
+    double out = 0;
+    for (const auto& [number, channel] : channels_) out = std::max(out, channel.end);
+    return out;
+}
+
+}  // namespace polyturn::hmi

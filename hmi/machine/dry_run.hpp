@@ -1,0 +1,72 @@
+// `polyturn check` or `polyturn run --virtual` beside the live machine, on a copy of its offsets, zeros and parameters (--like): what
+// the programs of a job will do. The process works; here its events are only collected, a piece at a time.
+#pragma once
+#include <QProcess>
+#include <QStringList>
+#include <functional>
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace polyturn::hmi {
+
+struct RunLine {          // one block, or a part of it
+    std::string file;
+    std::uint32_t line = 0;
+};
+struct RunWait {
+    int code = 0;
+    std::vector<unsigned> channels;
+    RunLine at;
+    std::size_t before = 0;   // blocks of the channel before it
+    double from = -1, to = -1;
+};
+struct RunSpan {
+    enum class Kind : std::uint8_t { Cutting, Rapid, Dwell } kind = Kind::Cutting;
+    double from = 0, to = 0;
+    std::uint32_t line = 0;
+};
+struct RunChannel {
+    std::vector<RunLine> blocks;    // in the order in which they are executed; a block after itself counts once
+    std::vector<RunWait> waits;
+    std::vector<RunSpan> spans;
+    double end = 0;
+};
+struct RunFault {
+    unsigned channel = 0;
+    bool error = true;
+    QString number, text, place;
+    RunLine at;
+};
+
+class DryRun {
+public:
+    enum class How : std::uint8_t { Check, Drive };
+    ~DryRun();
+    void start(How how, const QString& job, const QString& like);
+    void stop();
+    bool running() const { return process_ != nullptr; }
+    bool any() const { return !channels_.empty() || !faults_.empty(); }
+    const QString& job() const { return job_; }
+    How how() const { return how_; }
+    const QString& failure() const { return failure_; }   // the program could not be run at all
+    const std::map<unsigned, RunChannel>& channels() const { return channels_; }
+    const std::vector<RunFault>& faults() const { return faults_; }
+    double end() const;
+    std::uint64_t version() const { return version_; }
+
+private:
+    void read();
+    void take(const QByteArray& line);
+    void finish();
+
+    std::unique_ptr<QProcess> process_;
+    QByteArray in_;
+    QString job_, failure_;
+    How how_ = How::Check;
+    std::map<unsigned, RunChannel> channels_;
+    std::vector<RunFault> faults_;
+    std::uint64_t version_ = 0;
+};
+
+}  // namespace polyturn::hmi

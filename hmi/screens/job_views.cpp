@@ -1,0 +1,209 @@
+// The synchronised view and the timeline of a job (see Programs).
+#include <algorithm>
+#include <cmath>
+
+#include "hmi/machine/channel_words.hpp"
+#include "hmi/screens/programs.hpp"
+
+namespace polyturn::hmi {
+namespace {
+
+constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
+
+// One row of the synchronised view: a block of each channel beside those of the others, or a wait that joins some of them.
+struct Row {
+    std::map<unsigned, RunLine> lines;
+    const RunWait* wait = nullptr;
+    std::vector<unsigned> here;      // channels that come to it
+};
+
+// The rows: between two meetings blocks stand beside each other as they come, a meeting waits for all of its channels.
+std::vector<Row> align(const std::map<unsigned, RunChannel>& channels) {
+    struct At {
+        const RunChannel* channel;
+        std::size_t block = 0, wait = 0;
+    };
+    std::map<unsigned, At> at;
+    for (const auto& [number, channel] : channels) at[number] = {&channel};
+    std::vector<Row> rows;
+    for (bool any = true; any && rows.size() < 5'000;) {
+        any = false;
+        Row row;
+        for (auto& [number, now] : at) {
+            const std::size_t until = now.wait < now.channel->waits.size() ? now.channel->waits[now.wait].before : now.channel->blocks.size();
+            // the wait's own block is shown by the bridge
+            const bool own = now.wait < now.channel->waits.size();
+            if (now.block + (own ? 1 : 0) < until) row.lines[number] = now.channel->blocks[now.block++], any = true;
+        }
+        if (any) {
+            rows.push_back(std::move(row));
+            continue;
+        }
+        // Everybody stands at a wait or is at the end: the first meeting that is complete opens; without one, the first that waits is shown alone.
+        const RunWait* open = nullptr;
+        const RunWait* stuck = nullptr;
+        for (const auto& [number, now] : at) {
+            if (now.wait >= now.channel->waits.size()) continue;
+            const RunWait& wait = now.channel->waits[now.wait];
+            if (!stuck) stuck = &wait;
+            const bool complete = std::all_of(wait.channels.begin(), wait.channels.end(), [&](unsigned other) {
+                const auto found = at.find(other);
+                return found != at.end() && found->second.wait < found->second.channel->waits.size() && found->second.channel->waits[found->second.wait].code == wait.code;
+            });
+            if (complete && !open) open = &wait;
+        }
+        const RunWait* bridge = open ? open : stuck;
+        if (!bridge) break;
+        row.wait = bridge;
+        for (auto& [number, now] : at) {
+            if (now.wait >= now.channel->waits.size()) continue;
+            const RunWait& wait = now.channel->waits[now.wait];
+            if (&wait != bridge && !(open && wait.code == bridge->code && wait.channels == bridge->channels)) continue;
+            row.here.push_back(number);
+            now.block = wait.before;
+            ++now.wait;
+        }
+        any = true;
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+}  // namespace
+
+void Programs::composeTogether(Writer& w) {
+    const Theme& t = theme();
+    const double wide = view_->width(), high = view_->height(), foot = px(92);
+    w.fill(QRectF(0, 0, wide, high), t.window);
+    w.fill(QRectF(0, 0, wide, high - foot - px(6)), t.card, px(8));
+    w.fill(QRectF(0, high - foot, wide, foot), t.card, px(8));
+    composeFaults(w, QRectF(0, high - foot + px(6), wide, foot - px(8)));
+    const auto& channels = dry_.channels();
+    if (channels.empty()) return;
+    const double each = wide / static_cast<double>(channels.size()), head = px(34), row = px(24);
+    std::map<unsigned, double> left;
+    double x = 0;
+    for (const auto& [number, channel] : channels) {
+        left[number] = x;
+        w.text(QRectF(x + px(14), 0, px(70), head), QString("L%1").arg(number), lettering(18, true), t.accent);
+        if (!channel.blocks.empty()) w.data(QRectF(x + px(84), 0, each - px(98), head), QFileInfo(QString::fromStdString(channel.blocks.front().file)).fileName(), lettering(14), t.dim, kRight);
+        if (x > 0) w.line(QPointF(x, px(6)), QPointF(x, high - foot - px(14)), t.edge, 1);
+        x += each;
+    }
+    const std::vector<Row> rows = align(channels);
+    const int visible = static_cast<int>((high - foot - head - px(12)) / row);
+    scroll_ = std::clamp(scroll_, 0, std::max(0, static_cast<int>(rows.size()) - visible));
+    const auto faulty = [&](const RunLine& line) {
+        return std::any_of(dry_.faults().begin(), dry_.faults().end(), [&](const RunFault& fault) { return fault.at.line == line.line && fault.at.file == line.file; });
+    };
+    for (int i = 0; i < visible && scroll_ + i < static_cast<int>(rows.size()); ++i) {
+        const Row& one = rows[static_cast<std::size_t>(scroll_ + i)];
+        const double y = head + i * row;
+        if (one.wait) {
+            const bool all = one.here.size() == one.wait->channels.size();
+            const QColor colour = all ? t.wait : t.bad;
+            double from = wide, to = 0;
+            for (const unsigned number : one.here) from = std::min(from, left[number]), to = std::max(to, left[number] + each);
+            w.fill(QRectF(from + px(8), y + px(2), to - from - px(16), row - px(4)), t.mark, px(9));
+            w.frame(QRectF(from + px(8), y + px(2), to - from - px(16), row - px(4)), colour, px(9), px(1.5));
+            for (const unsigned number : one.here) w.sign(QRectF(left[number] + px(16), y + px(5), px(14), px(14)), all ? Sign::Wait : Sign::Alarm, colour);
+            QStringList missing;
+            for (const unsigned number : one.wait->channels)
+                if (std::find(one.here.begin(), one.here.end(), number) == one.here.end()) missing << QString("L%1").arg(number);
+            w.text(QRectF(from + px(40), y, to - from - px(80), row), QString("M%1").arg(one.wait->code) + (all ? QString() : "   " + word("never comes: %1").arg(missing.join(' '))), lettering(14.5, true),
+                   colour, Qt::AlignCenter);
+            continue;
+        }
+        for (const auto& [number, line] : one.lines) {
+            const bool bad = faulty(line);
+            const double at = left[number];
+            if (bad) w.fill(QRectF(at + px(4), y + 1, each - px(8), row - 2), t.raised, px(4)), w.sign(QRectF(at + each - px(26), y + px(4), px(16), px(16)), Sign::Alarm, t.bad);
+            w.text(QRectF(at + px(4), y, px(44), row), QString::number(line.line), lettering(12), t.faint, kRight);
+            w.data(QRectF(at + px(56), y, each - px(bad ? 88 : 66), row), texts_.line(line.file, line.line), lettering(13.5, bad, Face::Program), bad ? t.bad : t.text);
+        }
+    }
+}
+
+void Programs::composeTime(Writer& w) {
+    const Theme& t = theme();
+    const double wide = view_->width(), high = view_->height(), foot = px(150);
+    w.fill(QRectF(0, 0, wide, high), t.window);
+    w.fill(QRectF(0, 0, wide, high - foot - px(6)), t.card, px(8));
+    w.fill(QRectF(0, high - foot, wide, foot), t.card, px(8));
+    composeFaults(w, QRectF(0, high - px(84), wide, px(80)));
+    const double end = dry_.end();
+    const auto& channels = dry_.channels();
+    if (channels.empty() || end <= 0) return;
+    const double left = px(74), right = wide - px(200), top = px(54), each = std::min<double>(px(130), (high - foot - top - px(50)) / static_cast<double>(channels.size()));
+    const auto at = [&](double seconds) { return left + (right - left) * seconds / end; };
+    // what the lines mean
+    struct Key {
+        const char* text;
+        QColor colour;
+    };
+    const Key keys[] = {{WORD("Cutting"), t.good}, {WORD("Rapid"), t.accent}, {WORD("Dwell"), t.warn}, {WORD("Waiting"), t.wait}};
+    for (int i = 0; i < 4; ++i) {
+        w.fill(QRectF(left + i * px(150), px(18), px(26), px(12)), keys[i].colour, px(3));
+        w.text(QRectF(left + i * px(150) + px(34), px(10), px(112), px(28)), word(keys[i].text), lettering(14), t.dim);
+    }
+    w.text(QRectF(right + px(10), px(8), px(182), px(30)), word("%1 in all").arg(timeText(end)), lettering(17, true), t.text, kRight);
+    double y = top, longest = 0;
+    unsigned longestChannel = 0;
+    const RunWait* worst = nullptr;
+    for (const auto& [number, channel] : channels) {
+        const double bar = each * 0.46;
+        w.text(QRectF(px(14), y, px(56), bar), QString("L%1").arg(number), lettering(20, true), t.text);
+        w.fill(QRectF(left, y, right - left, bar), t.raised, px(3));
+        double cutting = 0, rapid = 0, waiting = 0;
+        // Spans narrower than a pixel are drawn together with their neighbours.
+        RunSpan joined{};
+        bool any = false;
+        const auto flush = [&] {
+            if (!any) return;
+            const QColor colour = joined.kind == RunSpan::Kind::Cutting ? t.good : joined.kind == RunSpan::Kind::Rapid ? t.accent : t.warn;
+            w.fill(QRectF(at(joined.from), y, std::max(1.0, at(joined.to) - at(joined.from)), bar), colour);
+        };
+        for (const RunSpan& span : channel.spans) {
+            (span.kind == RunSpan::Kind::Cutting ? cutting : rapid) += span.to - span.from;
+            if (any && span.kind == joined.kind && at(span.from) - at(joined.to) < 1.0) {
+                joined.to = span.to;
+                continue;
+            }
+            flush();
+            joined = span, any = true;
+        }
+        flush();
+        for (const RunWait& wait : channel.waits) {
+            const double lasts = wait.to - wait.from;
+            waiting += std::max(0.0, lasts);
+            w.fill(QRectF(at(wait.from), y + bar * 0.32, std::max(1.5, at(wait.to) - at(wait.from)), bar * 0.36), t.wait);
+            w.line({at(wait.to), y - px(4)}, {at(wait.to), y + bar + px(4)}, t.wait, 1);
+            if (lasts > longest) longest = lasts, longestChannel = number, worst = &wait;
+            if (at(wait.to) - at(wait.from) > px(44)) w.text(QRectF(at(wait.from), y + bar + px(2), at(wait.to) - at(wait.from), px(18)), QString("M%1").arg(wait.code), lettering(12.5), t.wait, Qt::AlignCenter);
+        }
+        w.text(QRectF(right + px(10), y - px(6), px(182), px(20)), QString("%1  %2 %").arg(word("Cutting")).arg(std::lround(100 * cutting / end)), lettering(13.5), t.good, kRight);
+        w.text(QRectF(right + px(10), y + px(13), px(182), px(20)), QString("%1  %2 %").arg(word("Rapid")).arg(std::lround(100 * rapid / end)), lettering(13.5), t.accent, kRight);
+        w.text(QRectF(right + px(10), y + px(32), px(182), px(20)), QString("%1  %2 %").arg(word("Waiting")).arg(std::lround(100 * waiting / end)), lettering(13.5), t.wait, kRight);
+        y += each;
+    }
+    // seconds
+    const double axis = high - foot - px(40);
+    double step = 1;
+    for (const double one : {1.0, 2.0, 5.0, 10.0, 20.0, 30.0, 60.0, 120.0, 300.0, 600.0, 1800.0, 3600.0})
+        if (end / one > 12) step = one * 2;
+    w.line({left, axis}, {right, axis}, t.edge, 1);
+    for (double s = 0; s <= end; s += step) {
+        w.line({at(s), axis}, {at(s), axis + px(5)}, t.edge, 1);
+        w.text(QRectF(at(s) - px(32), axis + px(7), px(64), px(18)), timeText(s), lettering(12), t.dim, Qt::AlignCenter);
+    }
+    if (worst && longest > 0.5) {
+        w.sign(QRectF(px(14), high - foot + px(14), px(24), px(24)), Sign::Note, t.accent);
+        Item& item = w.text(QRectF(px(50), high - foot + px(8), wide - px(64), px(52)),
+                            word("Longest wait: L%1 stands %2 s at M%3 (line %4). Work moved from the channel that comes last to L%1 saves up to this time.")
+                                .arg(longestChannel).arg(longest, 0, 'f', 1).arg(worst->code).arg(worst->at.line),
+                            lettering(15), t.text);
+        item.wraps = true;
+    }
+}
+
+}  // namespace polyturn::hmi

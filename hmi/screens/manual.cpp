@@ -1,0 +1,272 @@
+#include "hmi/screens/manual.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "hmi/machine/channel_words.hpp"
+
+namespace polyturn::hmi {
+namespace {
+
+constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
+constexpr std::array<const char*, 6> kSteps{"", "0.001", "0.01", "0.1", "1", "10"};
+constexpr int kTellMs = 120;
+constexpr const char* kHeldFor = "0.35s";   // when nothing is told any more, the axis stops after this
+
+// feed of all channels in focus, rapid, spindle: less and more
+enum Override { kFeedLess, kFeedMore, kRapidLess, kRapidMore, kSpindleLess, kSpindleMore };
+
+}  // namespace
+
+Manual::Manual(Desk& desk) : Screen(desk), axes_(new FreeSheet(this)), side_(new FreeSheet(this)) {
+    setFocusPolicy(Qt::StrongFocus);
+    axes_->onCompose = [this](Writer& w) { composeAxes(w); };
+    side_->onCompose = [this](Writer& w) { composeSide(w); };
+    axes_->onTouched = [this](int number) { press(number); };
+    axes_->onReleased = [this](int) { letGo(); };
+    side_->onTouched = [this](int number) { press(number); };
+    held_.setInterval(kTellMs);
+    QObject::connect(&held_, &QTimer::timeout, [this] { tellHeld(); });
+}
+
+void Manual::restore(const QString& state) {
+    const int step = state.toInt();
+    if (step >= 0 && step < static_cast<int>(kSteps.size())) step_ = step;
+}
+
+void Manual::tellHeld() {
+    if (heldWords_.isEmpty()) return held_.stop();
+    if (!isVisible() || !isActiveWindow()) return letGo();   // a key that was held must not go on behind another window
+    desk_.requests.press(QString("jog %1 %2").arg(heldWords_, kHeldFor));
+}
+
+void Manual::letGo() {
+    held_.stop();
+    if (heldWords_.isEmpty()) return;
+    desk_.requests.press(QString("jog %1 0s").arg(heldWords_));
+    heldWords_.clear();
+}
+
+void Manual::press(int number) {
+    const Live& live = desk_.live;
+    if (!live.connected()) return;
+    typing_ = number == kMdiHit;
+    const QString name = QString("L%1").arg(desk_.channel);
+    if (number >= kChannelHits) {
+        desk_.choose(static_cast<unsigned>(number - kChannelHits));
+    } else if (number >= kOverrideHits) {
+        const ChannelStatus& status = live.channel(desk_.channel);
+        const unsigned spindle = live.config().channel(desk_.channel).default_spindle;
+        const auto step = [](double now, bool more, double most) { return static_cast<int>(std::clamp(std::round(now * 10 + (more ? 1 : -1)) * 10, 0.0, most)); };
+        switch (number - kOverrideHits) {
+            case kFeedLess: case kFeedMore: desk_.requests.press(QString("feed_override %1=%2").arg(name).arg(step(status.feed_override, number - kOverrideHits == kFeedMore, 150))); break;
+            case kRapidLess: case kRapidMore: desk_.requests.press(QString("rapid_override %1=%2").arg(name).arg(step(status.rapid_override, number - kOverrideHits == kRapidMore, 100))); break;
+            default:
+                if (spindle)
+                    desk_.requests.press(QString("spindle_override S%1=%2").arg(spindle).arg(std::max(50, step(live.status().spindles[spindle - 1].override, number - kOverrideHits == kSpindleMore, 150))));
+        }
+    } else if (number == kMdiHit) {
+        mode("mdi");
+    } else if (number >= kStepHits) {
+        step_ = number - kStepHits;
+    } else {
+        const int axis = number / 10, what = number % 10;
+        if (what == 3) {
+            desk_.requests.press(QString("reference A%1").arg(axis));
+        } else if (what == 1 || what == 2) {
+            const QString words = QString("A%1%2").arg(axis).arg(what == 1 ? '+' : '-');
+            if (step_) {
+                desk_.requests.press(QString("step %1 %2").arg(words, kSteps[static_cast<std::size_t>(step_)]));
+            } else {
+                heldWords_ = words;
+                desk_.requests.press(QString("jog %1 %2").arg(words, kHeldFor));
+                held_.start();
+            }
+        }
+    }
+    refresh();
+    if (desk_.keysChanged) desk_.keysChanged();
+}
+
+void Manual::mode(const char* wanted) { desk_.requests.press(QString("mode L%1=%2").arg(desk_.channel).arg(wanted)); }
+
+void Manual::startMdi() {
+    if (mdi_.trimmed().isEmpty()) return;
+    desk_.requests.press(QString("mdi L%1 %2").arg(desk_.channel).arg(mdi_.trimmed()));
+}
+
+void Manual::resizeEvent(QResizeEvent*) { layOut(); }
+void Manual::layOut() {
+    const int side = px(390), edge = px(8);
+    axes_->setGeometry(edge, edge, width() - side - 3 * edge, height() - 2 * edge);
+    side_->setGeometry(width() - side - edge, edge, side, height() - 2 * edge);
+    for (Sheet* one : sheets()) one->refresh();
+}
+
+void Manual::composeAxes(Writer& w) {
+    const Theme& t = theme();
+    const double wide = axes_->width(), high = axes_->height();
+    w.fill(QRectF(0, 0, wide, high), t.window);
+    const Live& live = desk_.live;
+    if (!live.connected()) return;
+    const ChannelConfig& config = live.config().channel(desk_.channel);
+    // channels
+    double x = 0;
+    for (const unsigned channel : live.channels()) {
+        const bool here = channel == desk_.channel;
+        const QRectF box(x, 0, px(96), px(42));
+        w.fill(box, here ? t.mark : t.card, px(6));
+        w.frame(box, here ? t.accent : t.edge, px(6), here ? px(2) : 1);
+        w.sign(QRectF(box.left() + px(10), px(12), px(18), px(18)), stateWords(live.channel(channel)).sign, stateWords(live.channel(channel)).colour);
+        w.text(box.adjusted(px(34), 0, -px(4), 0), QString("L%1").arg(channel), lettering(18, here), t.text);
+        w.hit(box, kChannelHits + static_cast<int>(channel));
+        x += px(102);
+    }
+    const ChannelStatus& status = live.channel(desk_.channel);
+    const StateWords state = stateWords(status);
+    w.text(QRectF(x + px(8), 0, wide - x - px(8), px(42)), modeWord(status.mode) + QString::fromUtf8("  ·  ") + state.text, lettering(18, true), state.colour, kRight);
+    // axes, each with its keys
+    const std::size_t count = std::max<std::size_t>(config.axis_count, 1);
+    const double top = px(52), foot = px(64), row = std::min<double>(px(112), (high - top - foot) / static_cast<double>(count));
+    for (std::size_t place = 0; place < config.axis_count; ++place) {
+        const unsigned number = config.axes[place];
+        const AxisConfig& axis = live.config().axis(number);
+        const AxisStatus& now = live.status().axes[number - 1];
+        const unsigned decimals = decimalsOf(live.config(), axis);
+        const QRectF box(0, top + static_cast<double>(place) * row, wide, row - px(8));
+        w.fill(box, t.card, px(8));
+        w.frame(box, now.flags & kMoving ? t.good : t.edge, px(8), now.flags & kMoving ? px(2) : 1);
+        const double keyWide = px(92), keyHigh = std::min<double>(box.height() - px(16), px(80)), keyTop = box.center().y() - keyHigh / 2;
+        w.text(QRectF(box.left() + px(14), box.top(), px(60), box.height()), fromView(axis.name_text()), lettering(32, true), t.text);
+        for (const bool positive : {false, true}) {
+            const QRectF key(positive ? box.right() - keyWide - px(10) : box.left() + px(78), keyTop, keyWide, keyHigh);
+            const bool down = heldWords_ == QString("A%1%2").arg(number).arg(positive ? '+' : '-');
+            w.fill(key, down ? t.accent : t.raised, px(8));
+            w.frame(key, down ? t.accent : t.edge, px(8), 1);
+            w.text(key, fromView(axis.name_text()) + (positive ? QString("+") : QString::fromUtf8("−")), lettering(24, true), down ? t.onAccent : t.text, Qt::AlignCenter);
+            w.hit(key, jogHit(number, positive));
+        }
+        const double left = box.left() + px(78) + keyWide + px(10), room = box.width() - px(78) - 2 * keyWide - px(30);
+        if (axis.on_spindle && live.nc(signals::sn_axis(axis.on_spindle)) == 0) {
+            w.text(QRectF(left, box.top(), room, box.height()), word("turns as spindle S%1").arg(axis.on_spindle), lettering(17), t.dim, kRight);
+            continue;
+        }
+        double workpiece = 0;
+        const bool known = live.workpiece(desk_.channel, static_cast<unsigned>(place), now.act, workpiece);
+        const bool referenced = (now.flags & kReferenced) != 0 || axis.on_spindle;
+        w.text(QRectF(left, box.top() + px(6), room, box.height() * 0.55), lengthText(shown(axis, now.act), decimals), lettering(33, true), referenced ? t.text : t.warn, kRight);
+        const QString beneath = !referenced ? word("not referenced") : known ? word("Workpiece") + "  " + lengthText(shown(axis, workpiece), decimals) : word("Machine");
+        w.text(QRectF(left, box.top() + box.height() * 0.6, room - (axis.diameter ? px(26) : 0), box.height() * 0.32), beneath, lettering(15), referenced ? t.dim : t.warn, kRight);
+        if (axis.diameter) w.text(QRectF(left + room - px(20), box.top() + box.height() * 0.6, px(20), box.height() * 0.32), QString::fromUtf8("⌀"), lettering(16), t.dim, kRight);
+        w.text(QRectF(left, box.top() + box.height() * 0.6, px(120), box.height() * 0.32), QString("A%1   %2").arg(number).arg(now.velocity * 60, 0, 'f', 0), lettering(14), t.faint);
+    }
+    // steps
+    const double stepWide = (wide - px(6) * 5) / 6;
+    for (std::size_t i = 0; i < kSteps.size(); ++i) {
+        const QRectF box(static_cast<double>(i) * (stepWide + px(6)), high - px(54), stepWide, px(52));
+        const bool here = step_ == static_cast<int>(i);
+        w.fill(box, here ? t.mark : t.card, px(6));
+        w.frame(box, here ? t.accent : t.edge, px(6), here ? px(2) : 1);
+        w.text(box, i == 0 ? word("As held") : kSteps[i], lettering(17, here), t.text, Qt::AlignCenter);
+        w.hit(box, kStepHits + static_cast<int>(i));
+    }
+}
+
+void Manual::composeSide(Writer& w) {
+    const Theme& t = theme();
+    const double wide = side_->width(), high = side_->height();
+    w.fill(QRectF(0, 0, wide, high), t.window);
+    const Live& live = desk_.live;
+    if (!live.connected()) return;
+    const ChannelStatus& status = live.channel(desk_.channel);
+    const unsigned spindle = live.config().channel(desk_.channel).default_spindle;
+    w.fill(QRectF(0, 0, wide, px(244)), t.card, px(8));
+    w.text(QRectF(px(14), px(8), wide - px(28), px(26)), word("Overrides"), lettering(16, true), t.text);
+    struct Line {
+        const char* title;
+        double value;
+        int less;
+        double most;
+    };
+    const Line lines[] = {{WORD("Feed"), status.feed_override, kFeedLess, 1.5}, {WORD("Rapid"), status.rapid_override, kRapidLess, 1.0},
+                          {WORD("Spindle"), spindle ? live.status().spindles[spindle - 1].override : 0.0, kSpindleLess, 1.5}};
+    for (int i = 0; i < 3; ++i) {
+        const double top = px(40) + i * px(66);
+        w.text(QRectF(px(14), top, px(110), px(24)), word(lines[i].title), lettering(15), t.dim);
+        w.text(QRectF(px(130), top, wide - px(258), px(24)), QString("%1 %").arg(std::lround(lines[i].value * 100)), lettering(18, true), std::abs(lines[i].value - 1) > 1e-6 ? t.warn : t.text, kRight);
+        w.bar(QRectF(px(14), top + px(34), wide - px(142), px(9)), lines[i].value / lines[i].most, std::abs(lines[i].value - 1) > 1e-6 ? t.warn : t.accent, t.edge);
+        for (int more = 0; more < 2; ++more) {
+            const QRectF key(wide - px(118) + more * px(56), top, px(50), px(52));
+            w.fill(key, t.raised, px(6));
+            w.frame(key, t.edge, px(6), 1);
+            w.text(key, more ? QString("+") : QString::fromUtf8("−"), lettering(22, true), t.text, Qt::AlignCenter);
+            w.hit(key, kOverrideHits + lines[i].less + more);
+        }
+    }
+    // MDI
+    const double top = px(256);
+    w.fill(QRectF(0, top, wide, px(124)), t.card, px(8));
+    w.text(QRectF(px(14), top + px(8), wide - px(28), px(26)), word("A block by hand (MDI)"), lettering(16, true), t.text);
+    const QRectF line(px(12), top + px(42), wide - px(24), px(46));
+    w.fill(line, t.window, px(6));
+    w.frame(line, typing_ ? t.accent : t.edge, px(6), typing_ ? px(2) : 1);
+    w.data(line.adjusted(px(10), 0, -px(10), 0), mdi_ + (typing_ ? QString::fromUtf8("▏") : QString()), lettering(17, false, Face::Program), t.text);
+    w.hit(line, kMdiHit);
+    w.text(QRectF(px(14), top + px(94), wide - px(28), px(22)), word("Touch the line, type, Enter starts it"), lettering(13), t.dim);
+    // the way back out of a hold
+    const double hold = top + px(136);
+    w.fill(QRectF(0, hold, wide, high - hold), t.card, px(8));
+    const Plight now = plight(live, desk_.alarms, desk_.channel);
+    const QColor colour = now.kind == Plight::Kind::Alarm ? t.bad : now.kind == Plight::Kind::Waits ? t.wait : now.kind == Plight::Kind::None ? t.dim : t.warn;
+    w.sign(QRectF(px(14), hold + px(12), px(20), px(20)), now.kind == Plight::Kind::Alarm ? Sign::Alarm : now.kind == Plight::Kind::Waits ? Sign::Wait : now.kind == Plight::Kind::None ? Sign::Good : Sign::Warning, colour);
+    Item& words = w.text(QRectF(px(42), hold + px(10), wide - px(54), high - hold - px(20)), now.kind == Plight::Kind::None ? word("Nothing is missing") : now.text, lettering(15), t.text, Qt::AlignLeft | Qt::AlignTop);
+    words.wraps = true, words.data = true;
+}
+
+void Manual::refresh() {
+    for (Sheet* one : sheets()) one->refresh();
+}
+
+std::vector<SoftKey> Manual::keys() {
+    const Live& live = desk_.live;
+    const bool there = live.connected();
+    const ChannelStatus& status = live.channel(desk_.channel);
+    const auto mode_now = static_cast<ChannelMode>(status.mode);
+    const QString name = QString("L%1").arg(desk_.channel);
+    const auto press_words = [this](const QString& words) { return [this, words] { desk_.requests.press(words); }; };
+    const bool held = static_cast<ChannelState>(status.state) == ChannelState::Held;
+    const bool away = status.start_missing >> 7 & 1u;   // back_on_path
+    const bool on = live.status().machine_state == 2;
+    std::vector<SoftKey> keys{
+        {word("Automatic"), [this] { mode("auto"); }, Sign::None, there, mode_now == ChannelMode::Auto},
+        {word("Jog"), [this] { mode("jog"); }, Sign::Manual, there, mode_now == ChannelMode::Jog},
+        {word("MDI"), [this] { mode("mdi"), typing_ = true, refresh(); }, Sign::None, there, mode_now == ChannelMode::Mdi},
+        {word("Reference"), [this] { mode("reference"); }, Sign::None, there, mode_now == ChannelMode::Reference},
+        {word("Reference all"), press_words("reference all"), Sign::Offsets, there && on},
+        {word("Leave the hold %1").arg(name), press_words("jog_in_hold " + name), Sign::Hold, there && held && !away},
+        {word("Return %1").arg(name), press_words("return " + name), Sign::Left, there && away},
+        {word("Start %1").arg(name), [this, name, mode_now] { mode_now == ChannelMode::Mdi && !mdi_.trimmed().isEmpty() ? startMdi() : desk_.requests.press("cycle_start " + name); }, Sign::Run, there},
+        {word("Hold %1").arg(name), press_words("feed_hold " + name), Sign::Hold, there},
+        {on ? word("Emergency stop") : word("Machine on"),
+         [this, on] {
+             if (on) return desk_.requests.press("emergency_stop");
+             if (desk_.live.status().machine_state == 0) desk_.requests.press("release_emergency_stop");
+             desk_.requests.press("machine_on");
+         },
+         Sign::Off, there, false, on},
+    };
+    return keys;
+}
+
+bool Manual::key(QKeyEvent* event) {
+    if (!typing_) return false;
+    if (event->key() == Qt::Key_Escape) typing_ = false;
+    else if (event->key() == Qt::Key_Backspace) mdi_.chop(1);
+    else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) startMdi();
+    else if (!event->text().isEmpty() && event->text()[0].isPrint() && mdi_.size() < 150) mdi_ += event->text().toUpper();
+    else return false;
+    refresh();
+    return true;
+}
+
+}  // namespace polyturn::hmi

@@ -1,0 +1,50 @@
+// Moving by hand: jog keys that move as long as they are held, steps, reference points, leaving a hold and coming back, blocks by hand
+// (MDI), overrides, machine on.
+#pragma once
+#include "hmi/app/screen.hpp"
+
+namespace polyturn::hmi {
+
+class Manual : public Screen {
+public:
+    explicit Manual(Desk& desk);
+    ~Manual() override { letGo(); }
+    QString title() const override { return word("Manual"); }
+    Sign sign() const override { return Sign::Manual; }
+    const char* name() const override { return "manual"; }
+    std::vector<SoftKey> keys() override;
+    void refresh() override;
+    bool key(QKeyEvent* event) override;
+    bool typing() const override { return typing_; }
+    QString state() const override { return QString::number(step_); }
+    void restore(const QString& state) override;
+    std::vector<Sheet*> sheets() override { return {axes_, side_}; }
+    FreeSheet& axes() { return *axes_; }
+    FreeSheet& side() { return *side_; }
+    // Numbers of touches: axis (from 1) * 10, + 1 for the positive, + 2 for the negative key, + 3 for its reference point.
+    static int jogHit(unsigned axis, bool positive) { return static_cast<int>(axis) * 10 + (positive ? 1 : 2); }
+    static constexpr int kStepHits = 2000, kMdiHit = 2100, kOverrideHits = 2200, kChannelHits = 2300;
+    void typeMdi(const QString& text) { mdi_ = text, refresh(); }
+    void startMdi();
+
+protected:
+    void resizeEvent(QResizeEvent*) override;
+
+private:
+    void layOut();
+    void composeAxes(Writer& w);
+    void composeSide(Writer& w);
+    void press(int number);
+    void letGo();
+    void tellHeld();
+    void mode(const char* wanted);
+
+    FreeSheet *axes_, *side_;
+    QTimer held_;                 // tells the kernel that the key is still held
+    QString heldWords_;
+    int step_ = 0;                // 0: jog as long as the key is held; otherwise into kSteps
+    bool typing_ = false;
+    QString mdi_;
+};
+
+}  // namespace polyturn::hmi

@@ -1,0 +1,333 @@
+#include "hmi/screens/offsets.hpp"
+
+#include <cmath>
+
+#include "hmi/machine/channel_words.hpp"
+#include "ipc/machine/work_zeros.hpp"
+
+namespace polyturn::hmi {
+namespace {
+
+constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
+constexpr std::size_t kMostZeros = 48;   // of G54.1 P
+
+PlaneRole roleOf(char letter) { return letter == 'X' ? PlaneRole::BasicX : letter == 'Y' ? PlaneRole::BasicY : PlaneRole::BasicZ; }
+int placeOf(const Live& live, unsigned channel, char letter) {
+    const AxisConfig* axis = find_axis(live.config(), channel, roleOf(letter));
+    return axis && axis->slot != kNoSlot ? axis->slot : -1;
+}
+double cellValue(const OffsetCell& cell, char field) {
+    switch (field) {
+        case 'X': return cell.geometry[0];
+        case 'Y': return cell.geometry[1];
+        case 'Z': return cell.geometry[2];
+        case 'R': return cell.geometry_r;
+        case 'T': return cell.tip;
+        case 'x': return cell.wear[0];
+        case 'y': return cell.wear[1];
+        case 'z': return cell.wear[2];
+        case 'r': return cell.wear_r;
+        default: return 0;
+    }
+}
+const char* zeroTitle(const std::string& name) {
+    if (name == "external") return WORD("External");
+    if (name == "shift") return WORD("Work shift");
+    return nullptr;
+}
+
+}  // namespace
+
+Offsets::Offsets(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), side_(new FreeSheet(this)), table_(new Table(this)), pad_(new NumberPad(this)) {
+    setFocusPolicy(Qt::StrongFocus);
+    table_->byCell = true;
+    table_->rowUnits = 34;
+    head_->onCompose = [this](Writer& w) {
+        const Theme& t = theme();
+        w.fill(QRectF(0, 0, head_->width(), head_->height()), t.window);
+        w.text(QRectF(px(14), 0, head_->width() * 0.5, head_->height()), zeros_ ? word("Work zeros") : word("Tool offsets"), lettering(20, true), t.text);
+        const auto& all = desk_.live.channels();
+        double right = head_->width() - px(8);
+        for (auto channel = all.rbegin(); channel != all.rend(); ++channel) {
+            const bool here = *channel == desk_.channel;
+            const QRectF box(right - px(58), px(7), px(54), head_->height() - px(12));
+            w.fill(box, here ? t.mark : t.card, px(6));
+            w.frame(box, here ? t.accent : t.edge, px(6), here ? px(2) : 1);
+            w.text(box, QString("L%1").arg(*channel), lettering(16, here), t.text, Qt::AlignCenter);
+            w.hit(box, static_cast<int>(*channel));
+            right -= px(60);
+        }
+    };
+    head_->onTouched = [this](int channel) { desk_.choose(static_cast<unsigned>(channel)), refresh(); };
+    side_->onCompose = [this](Writer& w) { composeSide(w); };
+    table_->onChosen = [this] { pad_->clear(), side_->refresh(); };
+    table_->onActivated = [this] {};
+    pad_->field = [this]() -> std::optional<NumberPad::Field> {
+        const auto value = chosen();
+        if (!value) return std::nullopt;
+        return NumberPad::Field{value->title, value->angle ? QString::fromUtf8("°") : value->decimals ? QString("mm") : QString(), value->present, value->decimals};
+    };
+    pad_->onInput = [this](double now) {
+        if (const auto value = chosen()) put(*value, now);
+    };
+    build();
+}
+
+void Offsets::showZeros(bool zeros) {
+    if (zeros_ == zeros) return;
+    zeros_ = zeros;
+    build();
+    table_->choose(0, 1);
+}
+
+QString Offsets::state() const { return QString("%1 %2 %3").arg(zeros_ ? 1 : 0).arg(table_->row()).arg(table_->column()); }
+void Offsets::restore(const QString& state) {
+    const QStringList parts = state.split(' ');
+    if (parts.size() != 3) return;
+    showZeros(parts[0] == "1");
+    table_->choose(parts[1].toInt(), parts[2].toInt());
+}
+
+void Offsets::build() {
+    built_ = desk_.channel;
+    const Live& live = desk_.live;
+    table_->columns = {{zeros_ ? word("Zero") : word("No."), zeros_ ? 1.3 : 0.8}};
+    fields_ = {' '};
+    zeroRows_.clear();
+    if (!live.connected() || live.channels().empty()) {
+        table_->rows = [] { return 0; };
+        return;
+    }
+    const unsigned channel = desk_.channel;
+    if (zeros_) {
+        for (std::size_t row = 0; row < kWorkZeros; ++row)
+            if (!work_zero_name(row).empty() && (row <= kZeroShift || row - kZeroG541 <= kMostZeros || row > kZeroG541 + 300)) zeroRows_.push_back(row);
+        for (const std::uint16_t axis : live.config().channel(channel).axis_numbers()) table_->columns.push_back({fromView(live.config().axis(axis).name_text()), 1.2, kRight, true});
+        table_->rows = [this] { return static_cast<int>(zeroRows_.size()); };
+    } else {
+        const auto add = [&](const QString& title, char field, double share) { table_->columns.push_back({title, share, kRight, true}), fields_.push_back(field); };
+        for (const char letter : {'X', 'Y', 'Z'})
+            if (placeOf(live, channel, letter) >= 0) add(QString("%1 %2").arg(word("Geom.")).arg(letter), letter, 1.25);
+        add(word("Radius"), 'R', 1.0);
+        add(word("Tip"), 'T', 0.65);
+        for (const char letter : {'X', 'Y', 'Z'})
+            if (placeOf(live, channel, letter) >= 0) add(QString("%1 %2").arg(word("Wear")).arg(letter), static_cast<char>(letter + 32), 1.05);
+        add(word("Wear R"), 'r', 1.0);
+        table_->rows = [this] { return std::max<int>(0, desk_.live.config().channel(desk_.channel).offset_count); };
+    }
+    table_->cell = [this](int row, int column) -> Table::Cell {
+        const Theme& t = theme();
+        const ChannelView& view = desk_.live.view(desk_.channel);
+        const BlockPicture& p = view.picture;
+        const bool active = view.known && (zeros_ ? p.zero_row == static_cast<std::int32_t>(zeroRows_[static_cast<std::size_t>(row)]) : p.geometry == row + 1 || p.wear == row + 1);
+        if (column == 0) {
+            QString name = QString::number(row + 1);
+            if (zeros_) {
+                const std::string own = work_zero_name(zeroRows_[static_cast<std::size_t>(row)]);
+                const char* title = zeroTitle(own);
+                name = title ? word(title) : QString::fromStdString(own);
+            }
+            return {name, active ? t.good : t.dim, active ? Sign::Run : Sign::None, active};
+        }
+        const auto value = valueAt(row, column);
+        if (!value) return {};
+        double applied = 0, sum = 0;
+        const bool pending = active && appliedNow(*value, applied, sum) && std::abs(applied - sum) > 5e-7;
+        const bool wear = !zeros_ && fields_[static_cast<std::size_t>(column)] >= 'a';
+        return {lengthText(value->present, value->decimals), pending ? t.warn : value->present == 0 ? t.faint : wear ? t.accent : t.text, pending ? Sign::Wait : Sign::None, active};
+    };
+    if (table_->column() < 1 || table_->column() >= static_cast<int>(table_->columns.size())) table_->choose(table_->row(), 1);
+}
+
+std::optional<Offsets::Value> Offsets::valueAt(int row, int column) const {
+    const Live& live = desk_.live;
+    if (!live.connected() || built_ != desk_.channel || column < 1 || column >= static_cast<int>(table_->columns.size()) || row < 0 || row >= table_->rows()) return std::nullopt;
+    const unsigned channel = desk_.channel;
+    const ChannelStore& store = live.store(channel);
+    Value out;
+    if (zeros_) {
+        const ChannelConfig& config = live.config().channel(channel);
+        const std::size_t zero = zeroRows_[static_cast<std::size_t>(row)];
+        out.place = column - 1;
+        if (out.place >= config.axis_count) return std::nullopt;
+        const AxisConfig& axis = live.config().axis(config.axes[static_cast<std::size_t>(out.place)]);
+        const QString name = QString::fromStdString(work_zero_name(zero)), axisName = fromView(axis.name_text());
+        out.words = QString("zero L%1 %2 %3").arg(channel).arg(name, axisName);
+        const char* title = zeroTitle(name.toStdString());
+        out.title = QString("L%1  %2  %3").arg(channel).arg(title ? word(title) : name, axisName);
+        out.present = store.zeros[zero * kChannelAxes + static_cast<std::size_t>(out.place)];
+        out.decimals = decimalsOf(live.config(), axis);
+        out.angle = axis.rotary;
+        return out;
+    }
+    const char field = fields_[static_cast<std::size_t>(column)];
+    const bool wear = field >= 'a';
+    const char letter = static_cast<char>(wear ? field - 32 : field);
+    out.words = QString("offset L%1 %2 %3 %4").arg(channel).arg(row + 1).arg(wear ? "wear" : "geometry").arg(letter);
+    const QString column_title = letter == 'R' ? (wear ? word("Wear R") : word("Radius")) : letter == 'T' ? word("Tip") : QString("%1 %2").arg(wear ? word("Wear") : word("Geom.")).arg(letter);
+    out.title = QString("L%1  %2 %3  %4").arg(channel).arg(word("Offset")).arg(row + 1).arg(column_title);
+    out.present = cellValue(store.offsets[static_cast<std::size_t>(row) + 1], field);
+    out.decimals = letter == 'T' ? 0 : live.config().channel(channel).decimals();
+    out.place = letter == 'R' || letter == 'T' ? -1 : placeOf(live, channel, letter);
+    return out;
+}
+
+// What the running block works with, and what the table comes to now, both as the table shows it.
+bool Offsets::appliedNow(const Value& value, double& applied, double& sum) const {
+    const ChannelView& view = desk_.live.view(desk_.channel);
+    if (!view.known || value.place < 0) return false;
+    const BlockPicture& p = view.picture;
+    const auto place = static_cast<std::size_t>(value.place);
+    const AxisConfig& axis = desk_.live.config().axis(desk_.live.config().channel(desk_.channel).axes[place]);
+    const ChannelStore& store = desk_.live.store(desk_.channel);
+    if (zeros_) {
+        if (p.flags & kPictureNoShift) return false;
+        applied = shown(axis, p.shift[place] - p.tool_shift[place]);
+        sum = store.zeros[place] + store.zeros[static_cast<std::size_t>(p.zero_row) * kChannelAxes + place] + store.zeros[kZeroShift * kChannelAxes + place];
+        return true;
+    }
+    if (p.geometry <= 0 && p.wear <= 0) return false;
+    const std::size_t field = axis.role == PlaneRole::BasicX ? 0 : axis.role == PlaneRole::BasicY ? 1 : 2;
+    applied = shown(axis, p.tool_shift[place]);
+    sum = (p.geometry > 0 ? store.offsets[static_cast<std::size_t>(p.geometry)].geometry[field] : 0.0) + (p.wear > 0 ? store.offsets[static_cast<std::size_t>(p.wear)].wear[field] : 0.0);
+    return true;
+}
+
+void Offsets::put(const Value& value, double now, bool undone) {
+    const double old = value.present;
+    const QString number = QString::number(now, 'f', 9);
+    desk_.requests.set(value.words + "=" + number, [this, value, old, now, undone](const Answer& answer) {
+        if (!answer.ok) return;   // told already
+        changes_.push_back({QDateTime::currentDateTime(), value, old, now, undone});
+        desk_.tell(QString::fromUtf8("%1: %2 → %3").arg(value.title, lengthText(old, value.decimals), lengthText(now, value.decimals)), Told::Good);
+        refresh();
+    });
+}
+
+// The newest change that has not been taken back.
+void Offsets::undo() {
+    for (auto change = changes_.rbegin(); change != changes_.rend(); ++change) {
+        if (change->undone) continue;
+        change->undone = true;
+        Value value = change->value;
+        value.present = change->now;
+        put(value, change->old, true);
+        return;
+    }
+}
+
+void Offsets::enter(bool added) { pad_->enter(added); }
+
+// The tool's tip stands at a measured place: geometry (with the wear that there is) follows from where the axis is.
+void Offsets::measure() {
+    const auto value = chosen();
+    const auto typed = pad_->entry();
+    if (!value || !typed || zeros_ || value->place < 0) return;
+    const ChannelView& view = desk_.live.view(desk_.channel);
+    const auto place = static_cast<std::size_t>(value->place);
+    const AxisConfig& axis = desk_.live.config().axis(desk_.live.config().channel(desk_.channel).axes[place]);
+    const double machine = shown(axis, desk_.live.status().axes[axis.number - 1u].act);
+    const ChannelStore& store = desk_.live.store(desk_.channel);
+    const double zero = view.known && !(view.picture.flags & kPictureNoShift) ? shown(axis, view.picture.shift[place] - view.picture.tool_shift[place])
+                                                                              : store.zeros[place] + store.zeros[kZeroG54 * kChannelAxes + place] + store.zeros[kZeroShift * kChannelAxes + place];
+    const std::size_t field = axis.role == PlaneRole::BasicX ? 0 : axis.role == PlaneRole::BasicY ? 1 : 2;
+    const double wear = store.offsets[static_cast<std::size_t>(table_->row()) + 1].wear[field];
+    pad_->clear();
+    put(*value, machine - zero - typed->value - wear);
+}
+
+// What stands at the tool's tip is to be called so in this zero: its value follows from where the axis is.
+void Offsets::zeroHere() {
+    const auto value = chosen();
+    if (!value || !zeros_) return;
+    const auto typed = pad_->entry();
+    const ChannelView& view = desk_.live.view(desk_.channel);
+    const auto place = static_cast<std::size_t>(value->place);
+    const AxisConfig& axis = desk_.live.config().axis(desk_.live.config().channel(desk_.channel).axes[place]);
+    const double machine = shown(axis, desk_.live.status().axes[axis.number - 1u].act), tool = view.known ? shown(axis, view.picture.tool_shift[place]) : 0.0;
+    const ChannelStore& store = desk_.live.store(desk_.channel);
+    const std::size_t row = zeroRows_[static_cast<std::size_t>(table_->row())];
+    double others = 0;   // that act beside it
+    for (const std::size_t other : {kZeroExternal, kZeroShift})
+        if (other != row) others += store.zeros[other * kChannelAxes + place];
+    pad_->clear();
+    put(*value, machine - tool - others - (typed ? typed->value : 0.0));
+}
+
+void Offsets::resizeEvent(QResizeEvent*) { layOut(); }
+
+void Offsets::layOut() {
+    const int top = px(46), edge = px(8), side = px(330), pad = px(380);
+    head_->setGeometry(0, 0, width(), top);
+    table_->setGeometry(edge, top, width() - side - 3 * edge, height() - top - edge);
+    side_->setGeometry(width() - side - edge, top, side, height() - top - pad - 2 * edge);
+    pad_->setGeometry(width() - side - edge, height() - pad - edge, side, pad);
+    for (Sheet* one : sheets()) one->refresh();
+}
+
+void Offsets::composeSide(Writer& w) {
+    const Theme& t = theme();
+    const double wide = side_->width(), high = side_->height();
+    w.fill(QRectF(0, 0, wide, high), t.window);
+    w.fill(QRectF(0, 0, wide, high), t.card, px(8));
+    double y = px(8);
+    const auto line = [&](const QString& name, const QString& value, const QColor& colour) {
+        w.text(QRectF(px(12), y, wide * 0.5, px(22)), name, lettering(14), t.dim);
+        w.text(QRectF(wide * 0.5, y, wide * 0.5 - px(12), px(22)), value, lettering(15, true), colour, kRight);
+        y += px(23);
+    };
+    if (const auto value = chosen()) {
+        double applied = 0, sum = 0;
+        const ChannelView& view = desk_.live.view(desk_.channel);
+        const BlockPicture& p = view.picture;
+        const bool active = view.known && (zeros_ ? p.zero_row == static_cast<std::int32_t>(zeroRows_[static_cast<std::size_t>(table_->row())])
+                                                  : p.geometry == table_->row() + 1 || p.wear == table_->row() + 1);
+        if (active && appliedNow(*value, applied, sum)) {
+            const bool same = std::abs(applied - sum) <= 5e-7;
+            line(zeros_ ? word("All zeros together") : word("Geometry + wear"), lengthText(sum, value->decimals), t.text);
+            line(word("Applied now"), lengthText(applied, value->decimals), same ? t.good : t.warn);
+            w.sign(QRectF(px(12), y + px(2), px(16), px(16)), same ? Sign::Good : Sign::Wait, same ? t.good : t.warn);
+            w.text(QRectF(px(34), y, wide - px(44), px(22)), same ? word("The machine works with it") : zeros_ ? word("Active from the next blocks") : word("Active at the next T"), lettering(14), same ? t.good : t.warn);
+        } else {
+            w.text(QRectF(px(12), y, wide - px(24), px(22)), word("Not in use by the running program"), lettering(14), t.dim);
+        }
+        y += px(28);
+    }
+    w.line(QPointF(px(12), y), QPointF(wide - px(12), y), t.edge, 1);
+    y += px(4);
+    w.text(QRectF(px(12), y, wide - px(24), px(20)), word("Changes since the start of these screens"), lettering(12.5, false, Face::Condensed), t.dim);
+    y += px(21);
+    for (auto change = changes_.rbegin(); change != changes_.rend() && y + px(20) < high; ++change, y += px(20))
+        w.data(QRectF(px(12), y, wide - px(24), px(20)),
+               QString::fromUtf8("%1  %2: %3 → %4").arg(change->when.toString("HH:mm"), change->value.title, lengthText(change->old, change->value.decimals), lengthText(change->now, change->value.decimals)),
+               lettering(13, false, Face::Condensed), change->undone ? t.faint : t.text);
+}
+
+void Offsets::refresh() {
+    if (built_ != desk_.channel) build();
+    for (Sheet* one : sheets()) one->refresh();
+}
+
+std::vector<SoftKey> Offsets::keys() {
+    const bool ready = desk_.live.connected() && pad_->entry().has_value() && chosen().has_value();
+    const auto value = chosen();
+    bool any = false;
+    for (const Change& change : changes_) any |= !change.undone;
+    std::vector<SoftKey> keys{{word("Tool offsets"), [this] { showZeros(false); }, Sign::Tools, true, !zeros_}, {word("Work zeros"), [this] { showZeros(true); }, Sign::Offsets, true, zeros_}};
+    keys.resize(4);
+    keys.push_back({word("Input"), [this] { enter(false); }, Sign::None, ready});
+    keys.push_back({word("+ Input"), [this] { enter(true); }, Sign::None, ready});
+    if (zeros_)
+        keys.push_back({pad_->text().isEmpty() ? word("Zero here") : word("This is here"), [this] { zeroHere(); }, Sign::None, value.has_value() && (pad_->text().isEmpty() || ready), false, false, word("Sets the zero: press again")});
+    else
+        keys.push_back({word("Measured"), [this] { measure(); }, Sign::None, ready && value->place >= 0 && value->words.contains("geometry"), false, false, word("Tip is at this measure: press again")});
+    keys.push_back({word("Undo"), [this] { undo(); }, Sign::Left, any});
+    return keys;
+}
+
+bool Offsets::key(QKeyEvent* event) {
+    if (pad_->key(event)) return true;
+    return table_->key(event);
+}
+
+}  // namespace polyturn::hmi

@@ -1,0 +1,72 @@
+// Tool offsets and work zeros of a channel: the table's value beside what the machine works with now, input, +input, measured input,
+// zero here, undo. A value counts when the store has answered: it is on disk then.
+#pragma once
+#include "hmi/app/screen.hpp"
+#include "hmi/widgets/number_pad.hpp"
+#include "hmi/widgets/table.hpp"
+
+namespace polyturn::hmi {
+
+class Offsets : public Screen {
+public:
+    explicit Offsets(Desk& desk);
+    QString title() const override { return word("Offsets"); }
+    Sign sign() const override { return Sign::Offsets; }
+    const char* name() const override { return "offsets"; }
+    std::vector<SoftKey> keys() override;
+    void refresh() override;
+    void rebuilt() override { build(); }
+    bool key(QKeyEvent* event) override;
+    bool typing() const override { return true; }
+    QString state() const override;
+    void restore(const QString& state) override;
+    std::vector<Sheet*> sheets() override { return {head_, table_, side_, pad_}; }
+
+    int pages() const override { return 2; }
+    void turnTo(int page) override { showZeros(page == 1); }
+    void showZeros(bool zeros);
+    Table& table() { return *table_; }
+    NumberPad& pad() { return *pad_; }
+
+protected:
+    void resizeEvent(QResizeEvent*) override;
+
+private:
+    // One value of a table: how it is called in a request, and where it stands.
+    struct Value {
+        QString words;            // «offset L1 3 wear X»
+        QString title;
+        double present = 0;
+        unsigned decimals = 3;
+        bool angle = false;
+        int place = -1;           // of its axis in the channel; -1 none
+    };
+    struct Change {
+        QDateTime when;
+        Value value;
+        double old = 0, now = 0;
+        bool undone = false;
+    };
+    void layOut();
+    void build();
+    void composeSide(Writer& w);
+    std::optional<Value> valueAt(int row, int column) const;
+    std::optional<Value> chosen() const { return valueAt(table_->row(), table_->column()); }
+    void put(const Value& value, double now, bool undo = false);
+    void undo();
+    void measure();
+    void zeroHere();
+    void enter(bool added);
+    bool appliedNow(const Value& value, double& applied, double& tableSum) const;
+
+    FreeSheet *head_, *side_;
+    Table* table_;
+    NumberPad* pad_;
+    bool zeros_ = false;
+    unsigned built_ = 0;
+    std::vector<std::size_t> zeroRows_;
+    std::vector<char> fields_;                 // letter of each column of offsets: X Z R T, wear in lower case
+    std::vector<Change> changes_;
+};
+
+}  // namespace polyturn::hmi

@@ -1,0 +1,279 @@
+#include "hmi/screens/parameters.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ipc/params/unit.hpp"
+
+namespace polyturn::hmi {
+namespace {
+
+constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
+constexpr int kBitHits = 1;       // + number of the bit
+
+const char* effectWord(params::Effect effect) {
+    switch (effect) {
+        case params::Effect::Tick: return WORD("acts at once");
+        case params::Effect::Barrier: return WORD("acts at the channel's next stop of reading");
+        case params::Effect::Restart: return WORD("acts after a restart of the controller");
+    }
+    return "";
+}
+const char* levelWord(params::Protection level) {
+    switch (level) {
+        case params::Protection::Operator: return WORD("operator");
+        case params::Protection::Setter: return WORD("setter");
+        case params::Protection::Maker: return WORD("maker");
+    }
+    return "";
+}
+
+}  // namespace
+
+Parameters::Parameters(Desk& desk)
+    : Screen(desk), head_(new FreeSheet(this)), detail_(new FreeSheet(this)), groups_(new Table(this)), table_(new Table(this)), pad_(new NumberPad(this)) {
+    setFocusPolicy(Qt::StrongFocus);
+    names_ = {QString()};
+    for (const params::Row& row : params::rows()) {
+        const QString group = fromView(row.group);
+        if (std::find(names_.begin(), names_.end(), group) == names_.end()) names_.push_back(group);
+    }
+    groups_->columns = {{"", 1}};
+    groups_->rowUnits = 34;
+    groups_->textUnits = 14;
+    groups_->rows = [this] { return static_cast<int>(names_.size()); };
+    groups_->cell = [this](int row, int) -> Table::Cell { return {row == 0 ? word("All groups") : names_[static_cast<std::size_t>(row)], row == group_ ? theme().text : theme().dim, Sign::None, row == group_}; };
+    groups_->onChosen = [this] {
+        if (group_ == groups_->row()) return;
+        group_ = groups_->row();
+        search();
+    };
+    table_->columns = {{word("Number"), 1.7}, {word("Name"), 3}, {word("Value"), 1.6, kRight}, {word("Unit"), 1.6}};
+    table_->rowUnits = 34;
+    table_->nothing = word("No parameter has this in its number, name or meaning.");
+    table_->rows = [this] { return static_cast<int>(lines_.size()); };
+    table_->cell = [this](int row, int column) -> Table::Cell {
+        const Line& line = lines_[static_cast<std::size_t>(row)];
+        const Theme& t = theme();
+        const bool differ = differs(line);
+        switch (column) {
+            case 0: return {target(line), t.text, Sign::None, true, Face::Condensed};
+            case 1: return {fromView(line.row->name), line.row->acts == "yes" ? t.text : t.faint};
+            case 2: return {QString::fromStdString(params::value_text(*line.row, desk_.live.table(), line.instance, line.element)), differ ? t.accent : t.text, Sign::None, differ};
+            default: return {fromView(params::unit_of(*line.row, desk_.live.table(), line.instance)), t.dim, Sign::None, false, Face::Condensed};
+        }
+    };
+    table_->onChosen = [this] { pad_->clear(), detail_->refresh(); };
+    head_->onCompose = [this](Writer& w) {
+        const Theme& t = theme();
+        w.fill(QRectF(0, 0, head_->width(), head_->height()), t.window);
+        w.text(QRectF(px(14), 0, px(240), head_->height()), word("Parameters"), lettering(20, true), t.text);
+        const QRectF box(head_->width() - px(460), px(6), px(452), head_->height() - px(10));
+        w.fill(box, t.card, px(6));
+        w.frame(box, searching_ ? t.accent : t.edge, px(6), searching_ ? px(2) : 1);
+        w.data(box.adjusted(px(12), 0, -px(12), 0), search_.isEmpty() && !searching_ ? word("Search: number, name or meaning") : search_ + (searching_ ? QString::fromUtf8("▏") : QString()), lettering(15.5),
+               search_.isEmpty() && !searching_ ? t.dim : t.text);
+        w.hit(box, 1);
+        w.text(QRectF(head_->width() - px(600), 0, px(130), head_->height()), QString::number(lines_.size()), lettering(15), t.dim, kRight);
+    };
+    head_->onTouched = [this](int) { searching_ = !searching_, head_->refresh(); };
+    detail_->onCompose = [this](Writer& w) { composeDetail(w); };
+    detail_->onTouched = [this](int number) {
+        const Line* line = chosen();
+        if (!line || line->row->type != params::Type::Bits || number < kBitHits) return;
+        put(*line, static_cast<double>(static_cast<unsigned>(value(*line)) ^ 1u << (number - kBitHits)));
+    };
+    pad_->field = [this]() -> std::optional<NumberPad::Field> {
+        const Line* line = chosen();
+        if (!line || line->row->type == params::Type::Text || !desk_.live.connected()) return std::nullopt;
+        return NumberPad::Field{target(*line), fromView(params::unit_of(*line->row, desk_.live.table(), line->instance)), value(*line), line->row->type == params::Type::Real ? 4u : 0u};
+    };
+    pad_->onInput = [this](double now) {
+        if (const Line* line = chosen()) put(*line, now);
+    };
+    search();
+}
+
+void Parameters::restore(const QString& state) {
+    const int bar = static_cast<int>(state.indexOf('|'));
+    if (bar < 0) return;
+    group_ = std::clamp(state.left(bar).toInt(), 0, static_cast<int>(names_.size()) - 1);
+    search_ = state.mid(bar + 1);
+    groups_->choose(group_);
+    search();
+}
+
+// The instances that the machine has.
+void Parameters::search() {
+    const MachineConfig& machine = desk_.live.config();
+    lines_.clear();
+    if (desk_.live.connected())
+        for (const params::Row& row : params::rows()) {
+            if (group_ > 0 && fromView(row.group) != names_[static_cast<std::size_t>(group_)]) continue;
+            if (!search_.isEmpty() && !fromView(row.number).contains(search_, Qt::CaseInsensitive) && !fromView(row.name).contains(search_, Qt::CaseInsensitive) &&
+                !fromView(row.meaning).contains(search_, Qt::CaseInsensitive))
+                continue;
+            const unsigned count = params::instances(row.scope);
+            for (unsigned instance = 1; instance <= count; ++instance) {
+                if (row.scope == params::Scope::Channel && !machine.channel(instance).exists()) continue;
+                if (row.scope == params::Scope::Axis && !machine.axis(instance).exists()) continue;
+                if (row.scope == params::Scope::Spindle && !machine.spindle(instance).exists()) continue;
+                if (row.scope == params::Scope::Group && machine.channels_of_group(instance) == 0) continue;
+                for (unsigned element = 0; element < row.array; ++element) {
+                    const Line line{&row, instance, element};
+                    if (!changedOnly_ || differs(line)) lines_.push_back(line);
+                }
+            }
+        }
+    table_->choose(0);
+    head_->refresh();
+}
+
+const Parameters::Line* Parameters::chosen() const {
+    const int row = table_->row();
+    return row >= 0 && row < static_cast<int>(lines_.size()) ? &lines_[static_cast<std::size_t>(row)] : nullptr;
+}
+
+double Parameters::value(const Line& line) const {
+    if (line.row->type == params::Type::Text) return 0;
+    return desk_.live.table().numbers[line.row->first_slot + static_cast<std::size_t>(line.instance - 1) * line.row->array + line.element];
+}
+
+bool Parameters::differs(const Line& line) const {
+    if (line.row->type == params::Type::Text)
+        return params::text_at(desk_.live.table(), line.row->first_slot + static_cast<std::size_t>(line.instance - 1) * line.row->array + line.element) != line.row->default_text;
+    return value(line) != line.row->default_number(line.element);
+}
+
+QString Parameters::target(const Line& line) const {
+    params::Target target{line.row};
+    if (line.row->scope != params::Scope::Global) target.instance = line.instance;
+    if (line.row->array > 1) target.element = static_cast<int>(line.element);
+    return QString::fromStdString(params::target_text(target));
+}
+
+void Parameters::put(const Line& line, double now) {
+    const QString where = target(line), old = QString::fromStdString(params::value_text(*line.row, desk_.live.table(), line.instance, line.element));
+    QString written = line.row->type == params::Type::Real ? QString::number(now, 'g', 15) : QString::number(std::llround(now));
+    desk_.requests.parameter(where + "=" + written, [this, where, old, written](const Answer& answer) {
+        if (!answer.ok) return;
+        changes_.push_back({where, old, written});
+        desk_.tell(QString::fromUtf8("%1: %2 → %3").arg(where, old, written), Told::Good);
+        refresh();
+    });
+}
+
+void Parameters::undo() {
+    for (auto change = changes_.rbegin(); change != changes_.rend(); ++change) {
+        if (change->undone) continue;
+        change->undone = true;
+        const Change taken = *change;
+        desk_.requests.parameter(taken.target + "=" + taken.old, [this, taken](const Answer& answer) {
+            if (answer.ok) desk_.tell(QString::fromUtf8("%1: %2 → %3").arg(taken.target, taken.now, taken.old), Told::Good), refresh();
+        });
+        return;
+    }
+}
+
+void Parameters::resizeEvent(QResizeEvent*) { layOut(); }
+
+void Parameters::layOut() {
+    const int top = px(46), edge = px(8), groups = px(190), side = px(330), pad = px(346);
+    head_->setGeometry(0, 0, width(), top);
+    groups_->setGeometry(edge, top, groups, height() - top - edge);
+    table_->setGeometry(groups + 2 * edge, top, width() - groups - side - 4 * edge, height() - top - edge);
+    detail_->setGeometry(width() - side - edge, top, side, height() - top - pad - 2 * edge);
+    pad_->setGeometry(width() - side - edge, height() - pad - edge, side, pad);
+    for (Sheet* one : sheets()) one->refresh();
+}
+
+void Parameters::composeDetail(Writer& w) {
+    const Theme& t = theme();
+    const double wide = detail_->width(), high = detail_->height();
+    w.fill(QRectF(0, 0, wide, high), t.window);
+    w.fill(QRectF(0, 0, wide, high), t.card, px(8));
+    const Line* line = chosen();
+    if (!line) return;
+    const params::Row& row = *line->row;
+    double y = px(8);
+    w.data(QRectF(px(12), y, wide - px(24), px(24)), target(*line) + "  " + fromView(row.name), lettering(16, true), t.text);
+    y += px(26);
+    const bool bits = row.type == params::Type::Bits;
+    const double meaning = px(bits ? 40 : 96);
+    Item& text = w.text(QRectF(px(12), y, wide - px(24), meaning), fromView(row.meaning), lettering(13.5), t.dim, Qt::AlignLeft | Qt::AlignTop);
+    text.wraps = true, text.data = true;
+    y += meaning + px(2);
+    if (bits) {   // each bit with what it means on and off; a touch turns it over
+        const auto now = static_cast<unsigned>(value(*line));
+        const double each = std::min<double>(px(27), (high - y - px(22)) / std::max<std::size_t>(1, row.bits.size()));
+        for (const params::Bit& bit : row.bits) {
+            const bool on = now >> bit.number & 1u;
+            const QRectF box(px(8), y, wide - px(16), each - px(2));
+            w.fill(box, on ? t.mark : t.raised, px(4));
+            w.sign(QRectF(box.left() + px(5), box.center().y() - px(8), px(16), px(16)), on ? Sign::Good : Sign::None, t.good);
+            w.data(QRectF(box.left() + px(26), box.top(), px(62), box.height()), QString("#%1 %2").arg(bit.number).arg(fromView(bit.name)), lettering(12.5, true, Face::Condensed), t.text);
+            w.data(QRectF(box.left() + px(90), box.top(), box.width() - px(94), box.height()), fromView(bit.meaning), lettering(12.5, false, Face::Condensed), on ? t.text : t.dim);
+            w.hit(box, kBitHits + bit.number);
+            y += each;
+        }
+        return;
+    }
+    const auto fact = [&](const QString& name, const QString& what, const QColor& colour) {
+        if (y + px(20) > high) return;
+        w.text(QRectF(px(12), y, px(96), px(20)), name, lettering(13), t.dim);
+        w.data(QRectF(px(110), y, wide - px(122), px(20)), what, lettering(13.5, true), colour, kRight);
+        y += px(21);
+    };
+    if (row.type != params::Type::Text) {
+        fact(word("Range"), QString::fromUtf8("%1 … %2").arg(row.min, 0, 'g', 9).arg(row.max, 0, 'g', 9), t.text);
+        fact(word("Default"), QString::number(row.default_number(line->element), 'g', 12), differs(*line) ? t.accent : t.text);
+    } else {
+        fact(word("Default"), fromView(row.default_text), t.text);
+    }
+    fact(word("Level"), word(levelWord(row.protection)), t.text);
+    w.text(QRectF(px(12), y, wide - px(24), px(20)), word(effectWord(row.effect)), lettering(13), t.dim);
+    y += px(21);
+    if (row.acts != "yes" && y + px(34) < high) {
+        Item& why = w.text(QRectF(px(12), y, wide - px(24), px(36)), word("Without effect:") + " " + fromView(row.acts), lettering(13), t.warn, Qt::AlignLeft | Qt::AlignTop);
+        why.wraps = true, why.data = true;
+    }
+    if (row.type == params::Type::Text && y + px(34) < high) {
+        Item& how = w.text(QRectF(px(12), high - px(42), wide - px(24), px(38)), word("A text: it is changed by polyturn params set"), lettering(13), t.dim, Qt::AlignLeft | Qt::AlignTop);
+        how.wraps = true;
+    }
+}
+
+void Parameters::refresh() {
+    for (Sheet* one : sheets()) one->refresh();
+}
+
+std::vector<SoftKey> Parameters::keys() {
+    const bool ready = desk_.live.connected() && pad_->entry().has_value() && chosen() && chosen()->row->type != params::Type::Text;
+    bool any = false;
+    for (const Change& change : changes_) any |= !change.undone;
+    const Line* line = chosen();
+    std::vector<SoftKey> keys{{word("Search"), [this] { searching_ = !searching_, head_->refresh(); }, Sign::None, true, searching_},
+                              {word("Clear search"), [this] { search_.clear(), searching_ = false, search(); }, Sign::None, !search_.isEmpty()},
+                              {word("Changed only"), [this] { changedOnly_ = !changedOnly_, search(); }, Sign::None, desk_.live.connected(), changedOnly_},
+                              {},
+                              {word("Input"), [this] { pad_->enter(false); }, Sign::None, ready},
+                              {word("+ Input"), [this] { pad_->enter(true); }, Sign::None, ready},
+                              {word("Default value"), [this] { if (const Line* now = chosen()) put(*now, now->row->default_number(now->element)); }, Sign::None,
+                               line && line->row->type != params::Type::Text && differs(*line), false, false, word("Sets the default: press again")},
+                              {word("Undo"), [this] { undo(); }, Sign::Left, any}};
+    return keys;
+}
+
+bool Parameters::key(QKeyEvent* event) {
+    if (searching_) {
+        if (event->key() == Qt::Key_Escape || event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) searching_ = false, head_->refresh();
+        else if (event->key() == Qt::Key_Backspace) search_.chop(1), search();
+        else if (!event->text().isEmpty() && event->text()[0].isPrint()) search_ += event->text(), search();
+        else return table_->key(event);
+        return true;
+    }
+    if (pad_->key(event)) return true;
+    return table_->key(event);
+}
+
+}  // namespace polyturn::hmi

@@ -1,0 +1,99 @@
+#include "hmi/widgets/number_pad.hpp"
+
+#include <QKeyEvent>
+#include <array>
+
+#include "hmi/machine/channel_words.hpp"
+#include "hmi/text/tongues.hpp"
+
+namespace polyturn::hmi {
+namespace {
+
+constexpr int kColumns = 5;
+constexpr std::array<const char*, 20> kKeys{"7", "8", "9", "/", "<", "4", "5", "6", "*", "C", "1", "2", "3", "-", "(", "0", ".", "", "+", ")"};
+constexpr int kInput = 100, kAdd = 101;
+
+}  // namespace
+
+void NumberPad::clear() { text_.clear(), refresh(); }
+
+void NumberPad::type(const QString& text) {
+    if (text_.size() + text.size() <= 40) text_ += text;
+    refresh();
+}
+
+void NumberPad::enter(bool added) {
+    const auto now = field ? field() : std::nullopt;
+    const auto typed = entry();
+    if (!now || !typed || !onInput) return;
+    const double value = added ? now->present + typed->value : typed->over(now->present);
+    text_.clear();
+    onInput(value);
+    refresh();
+}
+
+bool NumberPad::key(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Backspace) return text_.chop(1), refresh(), true;
+    if (event->key() == Qt::Key_Escape && !text_.isEmpty()) return clear(), true;
+    if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && !text_.isEmpty()) return enter(false), true;
+    const QString text = event->text();
+    if (text.size() != 1 || !QString("0123456789.,+-*/()").contains(text[0])) return false;
+    type(text);
+    return true;
+}
+
+void NumberPad::touched(int number) {
+    if (number == kInput || number == kAdd) return enter(number == kAdd);
+    const QString key = kKeys[static_cast<std::size_t>(number)];
+    if (key == "C") clear();
+    else if (key == "<") text_.chop(1), refresh();
+    else type(key);
+}
+
+void NumberPad::compose(Writer& w) {
+    const Theme& t = theme();
+    const double wide = width(), high = height(), gap = px(6);
+    w.fill(QRectF(0, 0, wide, high), t.card, px(8));
+    const auto now = field ? field() : std::nullopt;
+    w.data(QRectF(px(12), px(6), wide - px(24), px(24)), now ? now->title : word("Choose a field"), lettering(15, true), now ? t.text : t.dim);
+    // typed, and what it comes to
+    const QRectF line(px(12), px(34), wide - px(24), px(44));
+    w.fill(line, t.window, px(6));
+    w.frame(line, text_.isEmpty() ? t.edge : t.accent, px(6), text_.isEmpty() ? 1 : px(2));
+    const auto typed = entry();
+    w.data(line.adjusted(px(10), 0, -px(10), 0), text_ + QString::fromUtf8("▏"), lettering(21, true), t.text, Qt::AlignRight | Qt::AlignVCenter);
+    const QRectF result(px(12), px(80), wide - px(24), px(24));
+    if (now && text_.isEmpty()) {
+        w.text(result, QString("%1 %2").arg(lengthText(now->present, now->decimals), now->unit), lettering(15), t.dim, Qt::AlignRight | Qt::AlignVCenter);
+    } else if (now && typed) {
+        w.text(result, QString::fromUtf8("%1 → %2 %3").arg(lengthText(now->present, now->decimals), lengthText(typed->over(now->present), now->decimals), now->unit), lettering(15, true), t.good,
+               Qt::AlignRight | Qt::AlignVCenter);
+    } else if (!text_.isEmpty()) {
+        w.text(result, word("not a number yet"), lettering(15), t.warn, Qt::AlignRight | Qt::AlignVCenter);
+    }
+    const double top = px(108), foot = px(54);
+    const int rows = static_cast<int>(kKeys.size()) / kColumns;
+    const double each = (wide - px(24) - gap * (kColumns - 1)) / kColumns, tall = (high - top - foot - px(10) - gap * rows) / rows;
+    for (std::size_t i = 0; i < kKeys.size(); ++i) {
+        const QString key = kKeys[i];
+        if (key.isEmpty()) continue;
+        const auto column = static_cast<double>(i % kColumns), row = static_cast<double>(i / kColumns);
+        const QRectF box(px(12) + column * (each + gap), top + row * (tall + gap), each, tall);
+        w.fill(box, t.raised, px(6));
+        w.frame(box, t.edge, px(6), 1);
+        w.text(box, key == "<" ? QString::fromUtf8("⌫") : key == "*" ? QString::fromUtf8("×") : key == "/" ? QString::fromUtf8("÷") : key == "-" ? QString::fromUtf8("−") : key, lettering(20, true),
+               key[0].isDigit() || key == "." ? t.text : t.accent, Qt::AlignCenter);
+        w.hit(box, static_cast<int>(i));
+    }
+    const bool ready = now && typed;
+    const double half = (wide - px(24) - gap) / 2;
+    for (int i = 0; i < 2; ++i) {
+        const QRectF box(px(12) + i * (half + gap), high - foot - px(6), half, foot);
+        w.fill(box, ready ? (i ? t.mark : t.accent) : t.raised, px(6));
+        w.frame(box, ready ? t.accent : t.edge, px(6), 1);
+        w.text(box, i ? word("+ Input") : word("Input"), lettering(17, true), ready ? (i ? t.text : t.onAccent) : t.faint, Qt::AlignCenter);
+        w.hit(box, i ? kAdd : kInput);
+    }
+}
+
+}  // namespace polyturn::hmi

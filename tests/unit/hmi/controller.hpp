@@ -1,0 +1,98 @@
+// A real controller for the HMI's tests, and an operator who counts what he does. Real time, on a computer that may be busy: the PLC
+// gets time, and what takes a while is waited for.
+#pragma once
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <QElapsedTimer>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest/QTest>
+#include <functional>
+
+#include "hmi/app/main_window.hpp"
+
+namespace polyturn::hmi {
+
+inline bool waitFor(const std::function<bool()>& condition, int seconds = 60) {
+    QElapsedTimer time;
+    time.start();
+    while (!condition()) {
+        if (time.elapsed() > seconds * 1000) return false;
+        QTest::qWait(20);
+    }
+    return true;
+}
+
+class Controller {
+public:
+    Controller() : name(QString("hmi-test-%1").arg(::getpid())) {
+        process_.setProcessChannelMode(QProcess::MergedChannels);
+        process_.setStandardOutputFile(folder.filePath("log"));
+        start();
+    }
+    ~Controller() {
+        stop();
+        run({"clean"});
+    }
+    void start() {
+        process_.start(program(), {"start", "--instance", name, "--store", folder.filePath("store"), "--no-hmi", "--set", "PT_PLC_CYCLE=100", "--set", "PT_LATE_MAX=1000"});
+        EXPECT_TRUE(waitFor([&] { return run({"status", "--instance", name}); }, 60));
+    }
+    void stop() {
+        process_.terminate();
+        if (!process_.waitForFinished(20'000)) process_.kill(), process_.waitForFinished();
+    }
+    bool run(const QStringList& arguments) { return QProcess::execute(program(), arguments) == 0; }
+    bool press(const QString& words) { return run(QStringList{"press", "--instance", name} << words.split(' ')); }
+    bool set(const QString& words) { return run({"set", "--instance", name, words}); }
+
+    QTemporaryDir folder;
+    QString name;
+
+private:
+    static QString program() { return QString(POLYTURN_BIN_DIR) + "/polyturn"; }
+    QProcess process_;
+};
+
+// Touches and keys only; each is an action, and so is typing one value.
+class Operator {
+public:
+    explicit Operator(MainWindow& window) : window_(window) {}
+    int actions = 0;
+
+    void touch(Sheet* sheet, int number) {
+        ++actions;
+        const QRectF box = sheet->boxOf(number);
+        ASSERT_FALSE(box.isEmpty()) << "there is nothing to touch: " << number;
+        QTest::mouseClick(sheet, Qt::LeftButton, {}, box.center().toPoint());
+    }
+    void touchCell(Table& table, int row, int column) {
+        ++actions;
+        const QRectF box = table.cellBox(row, column);
+        ASSERT_FALSE(box.isEmpty()) << "row " << row << " is not on the screen";
+        QTest::mouseClick(&table, Qt::LeftButton, {}, box.center().toPoint());
+    }
+    void key(Qt::Key key, Qt::KeyboardModifiers with = {}) { ++actions, QTest::keyClick(&window_, key, with); }
+    void type(const QString& text) { ++actions, QTest::keyClicks(&window_, text); }
+    // Screens by their name, soft keys by their text.
+    void screen(const char* name) {
+        for (std::size_t i = 0; i < window_.screens().size(); ++i)
+            if (QString(window_.screens()[i]->name()) == name) return key(static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(i)), Qt::AltModifier);
+        FAIL() << "there is no screen " << name;
+    }
+    void soft(const QString& text) {
+        const auto& keys = window_.softKeys().keys();
+        for (std::size_t i = 0; i < keys.size(); ++i)
+            if (keys[i].text == text) {
+                ASSERT_TRUE(keys[i].enabled) << text.toStdString();
+                return touch(&window_.softKeys(), static_cast<int>(i));
+            }
+        FAIL() << "there is no key " << text.toStdString();
+    }
+
+private:
+    MainWindow& window_;
+};
+
+}  // namespace polyturn::hmi

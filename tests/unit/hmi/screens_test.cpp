@@ -1,0 +1,92 @@
+// Screens without a controller: they come up at once, in four languages and two themes, remember where they were, and can be locked.
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+#include <QtTest/QTest>
+
+#include "hmi/app/screenshots.hpp"
+#include "tests/unit/hmi/screen_checks.hpp"
+
+namespace polyturn::hmi {
+namespace {
+
+Choices nobody() {
+    Choices choices;
+    choices.instance = "hmi-test-nobody";
+    choices.language = "en";
+    choices.theme = "dark";
+    return choices;
+}
+
+TEST(Screens, WaitForAControllerAndSaySo) {
+    QElapsedTimer time;
+    time.start();
+    MainWindow window(nobody());
+    window.resize(1280, 800);
+    window.show();
+    QTest::qWait(50);
+    EXPECT_FALSE(window.desk().live.connected());
+    EXPECT_FALSE(window.desk().live.whyNot().empty());
+    for (std::size_t i = 0; i < window.screens().size(); ++i) {
+        window.showScreen(static_cast<int>(i));
+        for (const SoftKey& key : window.screen()->keys())   // nothing that asks the machine may be offered
+            EXPECT_FALSE(key.sign == Sign::Run && key.enabled) << window.screen()->name() << ": " << key.text.toStdString();
+    }
+}
+
+TEST(Screens, NoWordIsShortenedOnAnyPanel) {
+    for (const QSize size : {QSize(1280, 800), QSize(1920, 1080), QSize(1024, 768)}) {
+        MainWindow window(nobody());
+        window.resize(size);
+        window.show();
+        noWordIsShortened(window);
+    }
+}
+
+TEST(Screens, ShowTheSameAfterARestart) {
+    QTemporaryDir folder;
+    Choices choices = nobody();
+    choices.language.clear(), choices.theme.clear();
+    choices.keptIn = folder.filePath("hmi.ini");
+    {
+        MainWindow window(choices);
+        window.show();
+        window.setTongue(Tongue::Czech);
+        window.setDark(false);
+        window.showScreen(2);
+    }
+    MainWindow window(choices);
+    EXPECT_EQ(window.shown(), 2);
+    EXPECT_EQ(spoken(), Tongue::Czech);
+    EXPECT_FALSE(theme().dark);
+    window.setTongue(Tongue::English);
+    window.setDark(true);
+}
+
+TEST(Screens, AreReachedByKeysAlone) {
+    MainWindow window(nobody());
+    window.show();
+    for (std::size_t i = 0; i < window.screens().size(); ++i) {
+        QTest::keyClick(&window, static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(i)), Qt::AltModifier);
+        EXPECT_EQ(window.shown(), static_cast<int>(i));
+    }
+}
+
+TEST(Screens, ALockedPanelTakesNoTouchAndNoKey) {
+    MainWindow window(nobody());
+    window.show();
+    window.showScreen(0);
+    QTest::keyClick(&window, Qt::Key_L, Qt::ControlModifier);
+    EXPECT_TRUE(window.locked());
+    QTest::keyClick(&window, Qt::Key_2, Qt::AltModifier);
+    EXPECT_EQ(window.shown(), 0);
+}
+
+TEST(Screens, SavePicturesOfThemselves) {
+    QTemporaryDir folder;
+    ASSERT_EQ(saveScreenshots(nobody(), QSize(1280, 800), folder.path()), 0);
+    EXPECT_GE(QDir(folder.path()).entryList({"*-en-dark.png"}).size(), 5);
+    EXPECT_NE(saveScreenshots(nobody(), QSize(1280, 800), "/proc/nowhere"), 0);
+}
+
+}  // namespace
+}  // namespace polyturn::hmi
