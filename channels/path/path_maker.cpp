@@ -169,10 +169,11 @@ double PathMaker::overlap_way(const Kept& of) const {
 void PathMaker::join(Kept& a, Kept& b) {
     if (has(a.move, kThread) && !has(b.move, kThreadChained)) a.move.flags |= kThreadEnd;
     Junction junction = Junction::Stop;
+    const bool overlap = has(a.move, kRapid) && has(b.move, kRapid);
     if (!must_stop(a.move, b.move)) {
         double before = 0.5 * a.move.length, after = 0.5 * b.move.length;
         const double speed = std::min(useful_speed(a.move, a.ceilings.v), useful_speed(b.move, b.ceilings.v));
-        if (has(a.move, kRapid) && has(b.move, kRapid)) {   // they overlap: rounded as far as their braking lets them
+        if (overlap) {   // they overlap: rounded as far as their braking lets them
             PathLimits wide = *limits_;
             wide.tolerance = 2.0 * (a.move.length + b.move.length);
             before = std::min(before, overlap_way(a)), after = std::min(after, overlap_way(b));
@@ -184,7 +185,7 @@ void PathMaker::join(Kept& a, Kept& b) {
     constexpr double kNoRule = std::numeric_limits<double>::infinity();
     Ceilings rules{kNoRule, kNoRule, kNoRule};
     if (junction == Junction::Blended) {
-        apply_junction_rules(blend_.sides, blend_.angle, *limits_, rules);
+        if (!overlap) apply_junction_rules(blend_.sides, blend_.angle, *limits_, rules);   // N0306 to N0309 speak of feeds
         if (blend_.angle > kStopMayBeFaster && stop_is_faster(a, b, rules)) junction = Junction::Stop;
     }
     if (junction != Junction::Blended) {

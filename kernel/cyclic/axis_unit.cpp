@@ -211,7 +211,7 @@ void AxisUnit::supervise(double tick_s) noexcept {
         fault_value_ = error_;
         return;
     }
-    if (faulted() || pressing || requests.torque_limit != 0) return;   // a drive that may not push lags as it must
+    if (faulted() || pressing || leaves_stop || requests.torque_limit != 0) return;   // a drive that may not push lags as it must
     const double following = std::fabs(error_), model = std::fabs(loop_.model_error());
     if (not_on_s_ > 0) return;   // nothing holds it yet
     const auto fault = [&](Fault kind, double value) { fault_ = kind, fault_value_ = value; };

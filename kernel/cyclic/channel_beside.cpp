@@ -58,6 +58,7 @@ bool ChannelRunner::limit_torque(const PathRecord& r) noexcept {
         core_.program_window[a] = r.value > 0 ? r.shape[0] : 0.0;
         if (core_.axes[a].pressing && r.shape[0] > 0) core_.axes[a].pressed_at = core_.axes[a].measured();   // a new window is around where it stands
         if (r.value > 0) return true;
+        allow_torque(nullptr);   // the move that ended here is over
         phase_ = Phase::Released;
         return false;
     }

@@ -68,6 +68,11 @@ Result<BuilderPlc> BuilderPlc::load(const std::string& library) {
         return fault(Alarm::PlcVersion, library, "built for interface " + std::to_string(out.plc_->api) + ", this is " + std::to_string(POLYTURN_PLC_API));
     if (!out.plc_->name || !out.plc_->init || !out.plc_->cycle || out.plc_->state_size > kLargestState)
         return fault(Alarm::PlcLoad, library, "its description is incomplete");
+    if (const auto keeps = reinterpret_cast<PolyturnPlcRetainedFunction>(dlsym(object, POLYTURN_PLC_RETAINED_SYMBOL)))
+        if (const PolyturnPlcRetained* what = keeps()) {
+            if (what->offset > out.plc_->state_size || what->size > out.plc_->state_size - what->offset) return fault(Alarm::PlcLoad, library, "what it wants kept does not lie in its state");
+            out.retained_ = *what;
+        }
     return out;
 }
 
@@ -86,6 +91,11 @@ Result<void> BuilderPlc::init(const params::Table& parameters, double tick_s) {
     asked_parameters = nullptr;
     if (status != 0) return fault(Alarm::PlcStart, library_, why ? why : "it gave no reason");
     return {};
+}
+
+std::span<std::byte> BuilderPlc::retained() const {
+    if (!state_ || retained_.size == 0) return {};
+    return {static_cast<std::byte*>(state_.get()) + retained_.offset, retained_.size};
 }
 
 void BuilderPlc::cycle(const PlcInputs& inputs, PlcOutputs& outputs) {

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "ipc/diagnosis/diagnosis.hpp"
@@ -19,12 +20,15 @@ public:
     Result<void> init(const params::Table& parameters, double tick_s);
     void cycle(const PlcInputs& inputs, PlcOutputs& outputs);
     const char* name() const { return plc_->name; }
+    // What of its state survives power-off; empty: nothing, or before init().
+    std::span<std::byte> retained() const;
 
 private:
     struct Free {
         void operator()(void* memory) const noexcept;
     };
     const PolyturnPlc* plc_ = nullptr;
+    PolyturnPlcRetained retained_{};
     std::string library_;
     std::unique_ptr<void, Free> state_;
 };

@@ -18,7 +18,8 @@ std::atomic<bool> stop{false};
 constexpr char kHelp[] =
     "polyturn-plc: the PLC process of a Polyturn controller; loads the machine builder's PLC and runs it every PT_PLC_CYCLE\n"
     "  --instance NAME   name of the controller\n"
-    "  --library FILE    the PLC: a shared object with the interface of plc_api.h (default: the built-in lathe)\n";
+    "  --library FILE    the PLC: a shared object with the interface of plc_api.h (default: the built-in lathe)\n"
+    "  --retained FILE   keeps what the PLC wants kept over power-off (N1274 #1)\n";
 
 std::string beside_this_program(const char* name) {
     std::error_code none;
@@ -33,12 +34,13 @@ int complain(const polyturn::Diagnosis& diagnosis) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::string instance, library = beside_this_program("liblathe_plc.so");
-    static const option kOptions[] = {{"instance", required_argument, nullptr, 'i'}, {"library", required_argument, nullptr, 'l'}, {"help", no_argument, nullptr, 'h'}, {}};
+    std::string instance, retained, library = beside_this_program("liblathe_plc.so");
+    static const option kOptions[] = {{"instance", required_argument, nullptr, 'i'}, {"library", required_argument, nullptr, 'l'}, {"retained", required_argument, nullptr, 'r'}, {"help", no_argument, nullptr, 'h'}, {}};
     for (int letter; (letter = getopt_long(argc, argv, "", kOptions, nullptr)) != -1;) {
         switch (letter) {
             case 'i': instance = optarg; break;
             case 'l': library = optarg; break;
+            case 'r': retained = optarg; break;
             case 'h': fmt::print("{}", kHelp); return 0;
             default: fmt::print(stderr, "{}", kHelp); return 2;
         }
@@ -58,7 +60,7 @@ int main(int argc, char** argv) {
     if (!plc) return complain(plc.diagnosis());
     polyturn::plc::cycle_watch::start();
     for (;;) {
-        const auto end = polyturn::plc::run_session(instance, *plc, stop);
+        const auto end = polyturn::plc::run_session(instance, *plc, stop, retained);
         if (!end) return complain(end.diagnosis());
         if (*end == polyturn::plc::SessionEnd::Asked) return 0;
     }

@@ -72,6 +72,14 @@ typedef struct PolyturnPlc {
 #define POLYTURN_PLC_SYMBOL "polyturn_plc"
 typedef const PolyturnPlc* (*PolyturnPlcFunction)(void);
 
+/* Optional: the bytes of `state` that survive power-off. While N1274 #1 is on, polyturn-plc keeps them in a file beside the
+ * machine's store when the controller is shut down, and puts them back behind init(), before the first cycle. */
+typedef struct PolyturnPlcRetained {
+    size_t offset, size;
+} PolyturnPlcRetained;
+#define POLYTURN_PLC_RETAINED_SYMBOL "polyturn_plc_retained"
+typedef const PolyturnPlcRetained* (*PolyturnPlcRetainedFunction)(void);
+
 #ifdef __cplusplus
 }
 #endif

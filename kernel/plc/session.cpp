@@ -1,6 +1,11 @@
 #include "kernel/plc/session.hpp"
 
+#include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "ipc/memory/segment.hpp"
 #include "kernel/plc/cycle_watch.hpp"
@@ -18,9 +23,32 @@ bool another_kernel(const std::string& instance, std::uint64_t generation) {
     return kernel && (*kernel)->header.generation != generation;
 }
 
+// A file of another size belongs to another PLC: it is left alone, and the PLC begins afresh.
+void put_back(const std::string& path, std::span<std::byte> state) {
+    std::ifstream file(path, std::ios::binary | std::ios::ate);
+    if (!file || static_cast<std::size_t>(file.tellg()) != state.size()) return;
+    std::vector<char> bytes(state.size());
+    file.seekg(0);
+    if (file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) std::memcpy(state.data(), bytes.data(), bytes.size());
+}
+
+// Whole or not at all: the old file stays until the new one is complete.
+void keep(const std::string& path, std::span<const std::byte> state) {
+    if (state.empty()) return;
+    const std::string fresh = path + ".new";
+    {
+        std::ofstream file(fresh, std::ios::binary | std::ios::trunc);
+        file.write(reinterpret_cast<const char*>(state.data()), static_cast<std::streamsize>(state.size()));
+        if (!file.flush()) return;
+    }
+    std::error_code none;
+    std::filesystem::rename(fresh, path, none);
+}
+
 }  // namespace
 
-Result<SessionEnd> run_session(const std::string& instance, BuilderPlc& plc, const std::atomic<bool>& stop) {
+Result<SessionEnd> run_session(const std::string& instance, BuilderPlc& plc, const std::atomic<bool>& stop, const std::string& retained) {
+    bool keeps = false;
     auto kernel_segment = PeerSegment<KernelSegment>::attach(instance, 0, kPatience);
     if (!kernel_segment) return kernel_segment.diagnosis();
     const KernelSegment& kernel = **kernel_segment;
@@ -32,6 +60,8 @@ Result<SessionEnd> run_session(const std::string& instance, BuilderPlc& plc, con
         while (!(*store)->parameters.read(*parameters)) sleep_ms(1);
         const double tick_s = static_cast<double>(kernel.tick_ns.load(std::memory_order_acquire)) * 1e-9;
         if (auto ready = plc.init(*parameters, tick_s); !ready) return ready.diagnosis();
+        keeps = !retained.empty() && params::bit(*parameters, params::n1274_plc_prgconfig, 1);
+        if (keeps) put_back(retained, plc.retained());
     }
     auto own = OwnSegment<PlcSegment>::create(instance, generation);
     if (!own) return own.diagnosis();
@@ -56,6 +86,7 @@ Result<SessionEnd> run_session(const std::string& instance, BuilderPlc& plc, con
         kernel.plc_bell.wait(rung, kLookRoundUs, kSpins);
         if (kernel.plc_bell.seen() == rung && another_kernel(instance, generation)) return SessionEnd::NewKernel;
     }
+    if (keeps) keep(retained, plc.retained());
     return SessionEnd::Asked;
 }
 

@@ -16,6 +16,7 @@ namespace polyturn::plc {
 enum class SessionEnd { Asked, NewKernel };
 
 // Runs until `stop`, or until another kernel has taken the instance over (then a new session begins with fresh state).
-Result<SessionEnd> run_session(const std::string& instance, BuilderPlc& plc, const std::atomic<bool>& stop);
+// retained: file of what the PLC keeps over power-off (N1274 #1); empty: nowhere.
+Result<SessionEnd> run_session(const std::string& instance, BuilderPlc& plc, const std::atomic<bool>& stop, const std::string& retained = {});
 
 }  // namespace polyturn::plc

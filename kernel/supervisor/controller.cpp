@@ -116,8 +116,10 @@ Result<void> Controller::spawn(std::size_t slot) {
     if (slot == kProcessStore) {
         arguments.insert(arguments.end(), plan_.store_arguments.begin(), plan_.store_arguments.end());
         arguments.insert(arguments.end(), plan_.machine_arguments.begin(), plan_.machine_arguments.end());
-    } else if (slot == kProcessPlc && !plan_.plc_library.empty()) {
-        arguments.insert(arguments.end(), {"--library", plan_.plc_library});
+    } else if (slot == kProcessPlc) {
+        if (!plan_.plc_library.empty()) arguments.insert(arguments.end(), {"--library", plan_.plc_library});
+        const auto store = std::find(plan_.store_arguments.begin(), plan_.store_arguments.end(), "--store");
+        if (store != plan_.store_arguments.end() && store + 1 != plan_.store_arguments.end()) arguments.insert(arguments.end(), {"--retained", *(store + 1) + "/plc.retained"});
     } else if (slot >= kProcessChannel) {
         arguments.insert(arguments.end(), {"--channel", std::to_string(slot - kProcessChannel + 1)});
         arguments.insert(arguments.end(), plan_.channel_arguments.begin(), plan_.channel_arguments.end());

@@ -19,6 +19,9 @@ void cycle(void* state, const PolyturnPlcInputs* inputs, PolyturnPlcOutputs* out
 
 const PolyturnPlc kLathe{POLYTURN_PLC_API, "Polyturn lathe", sizeof(LathePlc), init, cycle};
 
+const PolyturnPlcRetained kKept = LathePlc::retained();
+
 }  // namespace
 
+extern "C" __attribute__((visibility("default"))) const PolyturnPlcRetained* polyturn_plc_retained(void) { return &kKept; }
 extern "C" __attribute__((visibility("default"))) const PolyturnPlc* polyturn_plc(void) { return &kLathe; }

@@ -2,6 +2,8 @@
 #include "kernel/plc/lathe/lathe_plc.hpp"
 
 #include <cmath>
+#include <cstddef>
+#include <type_traits>
 
 namespace polyturn::plc {
 namespace {
@@ -14,6 +16,8 @@ std::int64_t LathePlc::ticks(double seconds) const { return static_cast<std::int
 void LathePlc::cycle(const PolyturnPlcInputs& in, PolyturnPlcOutputs& out) {
     const View view{in, out};
     const bool late_start = first_ && static_cast<double>(in.tick) * tick_s_ > kFreshMachineS;
+    if (first_ && kept_.used != 0)
+        for (std::size_t c = 0; c < kChannels; ++c) channels_[c].turret.station = channels_[c].turret.target = kept_.station[c];
     first_ = false;
     const bool live = in.signal[machine_on_slot_] != 0 && in.signal[emergency_slot_] == 0;
     if (!live) stop_everything();
@@ -40,6 +44,8 @@ void LathePlc::cycle(const PolyturnPlcInputs& in, PolyturnPlcOutputs& out) {
         move_turret(view, c);
         lubricate(view, c);
     }
+    kept_.used = 1;
+    for (std::size_t c = 0; c < kChannels; ++c) kept_.station[c] = channels_[c].turret.station;
     write_outputs(view);
 }
 
@@ -148,6 +154,11 @@ void LathePlc::watch_pending(View view, std::uint32_t channel) {
     const bool bar = pending.range == kThenBar;
     chuck(view, channel, spindle, true);
     if (bar && pending.task == Task::Chuck) pending.task = Task::BarOpen;
+}
+
+PolyturnPlcRetained LathePlc::retained() {
+    static_assert(std::is_standard_layout_v<LathePlc>);
+    return {offsetof(LathePlc, kept_), sizeof(Kept)};
 }
 
 void LathePlc::end_of_channel(std::uint32_t channel) {

@@ -71,6 +71,8 @@ public:
     // nullptr, or the name of the signal or parameter that is missing.
     const char* resolve(const PolyturnPlcHost& host);
     void cycle(const PolyturnPlcInputs& in, PolyturnPlcOutputs& out);
+    // What survives power-off: where the turrets stand.
+    static PolyturnPlcRetained retained();
 
 private:
     enum Rotation : std::int32_t { kRight = 3, kLeft = 4, kStop = 5, kOrient = 19 };
@@ -186,6 +188,10 @@ private:
     std::int32_t machine_on_slot_ = 0, emergency_slot_ = 0, message_slot_ = 0, stop_slot_ = 0, in_stop_ = 0, power_slot_ = 0, in_power_ = 0, group_stride_ = 0;
     double tick_s_ = 0.001;
     bool first_ = true;
+    struct Kept {
+        std::uint32_t used = 0;          // 0: nothing was kept
+        std::array<std::int32_t, kChannels> station{};
+    } kept_;
 };
 
 }  // namespace polyturn::plc

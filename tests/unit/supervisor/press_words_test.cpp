@@ -79,6 +79,7 @@ constexpr Row kPress[] = {
     {"return L1", CommandKind::Return, 1, 0, 0, 0, ""},
     {"ignore_waits L2=on", CommandKind::IgnoreWaits, 2, 0, 1, 0, ""},
     {"rapid_key L1=on", CommandKind::RapidKey, 1, 0, 1, 0, ""},
+    {"superpose L1=on", CommandKind::Superpose, 1, 0, 1, 0, ""},
     {"warm_up L1=600", CommandKind::WarmUp, 1, 0, 600, 0, ""},
     {"warm_up L2=90s", CommandKind::WarmUp, 2, 0, 90, 0, ""},
     {"stop_after_part", CommandKind::StopAfterPart, 0, 0, 1, 0, ""},

@@ -82,7 +82,7 @@ const Row kRows[] = {
     {{"N0106#3 A5=1", "N0110 A5=0"}, Alarm::ConfigIndex, "N0110 A5=0"},
     {{"N0900 A2=1", "N0901 A2=0"}, Alarm::ConfigHoming, "N0901 A2=0"},
     {{"N2101 A2=1", "N2102#4 A2=1", "PT_REF_ORDER A1=0"}, Alarm::ConfigHoming, "PT_REF_ORDER A1=0"},
-    {{"N0605 S3=50", "N0605 S4=50"}, Alarm::ConfigSpindleName, "N0605 S3=50"},
+    {{"N0605 S3=50"}, Alarm::ConfigSpindleName, "N0605 S2=50 and N0605 S3=50"},
     {{"N0900 A2=2", "N0904 A2=0"}, Alarm::ConfigHoming, "N0904 A2=0"},
     {{"N0900 A2=4", "N0904 A2=20", "N0905 A2=0"}, Alarm::ConfigHoming, "N0905 A2=0"},
     {{"N0533 A3=1"}, Alarm::ConfigLoop, "N0533 A3=1"},
