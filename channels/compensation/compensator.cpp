@@ -189,6 +189,8 @@ void Compensator::contour_block(const Move& m, const BlockContext& at) {
         }
         constexpr double kHalfTurn = 3.14159;
         drop_small(corner.vectors, options_.small_vector, next.arc && std::fabs(next.sweep) >= kHalfTurn);
+        if (before_ && leave_out_short(next, corner.vectors, m, at)) return;
+        if (failed_ || (before_ && !release_before())) return;
         if (too_short(next, corner)) {
             before_ = {block_, corner.vectors, {}};
             before_->trailing.append(trailing_);

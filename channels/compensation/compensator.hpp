@@ -129,6 +129,8 @@ private:
     bool release_before();
     bool too_short(const Element& next, const CornerResult& corner) const;
     bool leave_short_last(const Move& m, const BlockContext& at);
+    bool leave_out_short(const Element& next, const Vectors& corner, const Move& m, const BlockContext& at);
+    void drop_held();
     void leave_in_place();
     bool fail(Alarm alarm, bool this_block, const BlockContext& at);
     // one move in the plane from here_ to `to`

@@ -47,23 +47,6 @@ void add_outer(Vectors& list, const Element& a, const Element& b, Turn turn, con
 
 }  // namespace
 
-namespace {
-
-// Does the nose centre really pass this point on its way along the element?
-bool on_path(const Element& e, Vec point) {
-    if (!e.arc) {
-        const double along = dot(point - e.start, e.start_dir);
-        return along > -1e-9 && along < length(e.end - e.start) + 1e-9;
-    }
-    const Vec from = e.start - e.centre, to = point - e.centre;
-    double turned = std::atan2(cross(from, to), dot(from, to));
-    if (e.sweep < 0) turned = -turned;
-    if (turned < -1e-9) turned += 2 * std::numbers::pi;
-    return turned <= std::fabs(e.sweep) + 1e-9;
-}
-
-}  // namespace
-
 Turn classify(const Element& a, const Element& b) {
     const double t = cross(a.end_dir, b.start_dir), straight = dot(a.end_dir, b.start_dir);
     if (std::fabs(t) < kTangent && straight > 0) return Turn::Inner;
@@ -104,10 +87,11 @@ void add_tangent(Vectors& list, const Element& contour, Vec corner, Vec normal, 
 
 }  // namespace
 
-CornerResult start_corner(const Element& a, const Element& b, const Options& options) {
+CornerResult start_corner(const Element& a, const Element& next, const Options& options) {
+    Element b = next;    // a radius that changes with the contour's first element is reached at its end
+    b.nose = a.nose;
     Element entry = a;   // the beginning is judged as if it were compensated like the contour
     entry.side = b.side;
-    entry.nose = b.nose;
     const Turn turn = classify(entry, b);
     CornerResult result;
     Vectors& list = result.vectors;
@@ -136,7 +120,7 @@ CornerResult offset_corner(const Element& a, const Element& next, const Options&
     const bool straight_on = std::fabs(t) < kTangent && dot(a.end_dir, b.start_dir) > 0;
     if (a.side != b.side) {   // the nose crosses the contour: inner and outer mean nothing here
         const auto v = meeting_point(a, b);
-        if (options.sides_meet_on_paths && !(v && on_path(a, a.end + *v) && on_path(b, b.start + *v))) {
+        if (options.sides_meet_on_paths && !(v && on_nose_path(a, a.end + *v) && on_nose_path(b, b.start + *v))) {
             list.add(first_normal(a));
             list.add(second_normal(next));
             return result;

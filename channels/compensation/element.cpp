@@ -1,5 +1,7 @@
 #include "channels/compensation/element.hpp"
 
+#include <numbers>
+
 namespace polyturn::channels::compensation {
 namespace {
 
@@ -82,6 +84,31 @@ std::optional<Vec> meeting_point(const Element& a, const Element& b) {
     else points = a.arc ? meet(nb, b.start_dir, ca) : meet(na, a.end_dir, cb);
     if (points.count == 0) return std::nullopt;
     return length(points.at[0]) <= length(points.at[1]) ? points.at[0] : points.at[1];
+}
+
+Crossings crossings(const Element& a, const Element& b) {
+    const Vec na = a.start + a.nose * a.normal_at_start(), nb = b.start + b.nose * b.normal_at_start();
+    if (!a.arc && !b.arc) {
+        const double sine = cross(a.start_dir, b.start_dir);
+        if (std::fabs(sine) < kParallel) return {};
+        return {{na + (cross(nb - na, b.start_dir) / sine) * a.start_dir, {}}, 1};
+    }
+    const Circle ca{a.centre, a.nose_path_radius(a.end_radius)}, cb{b.centre, b.nose_path_radius(b.start_radius)};
+    if ((a.arc && ca.radius < 0) || (b.arc && cb.radius < 0)) return {};
+    const Points points = a.arc && b.arc ? meet(ca, cb) : a.arc ? meet(nb, b.start_dir, ca) : meet(na, a.start_dir, cb);
+    return {{points.at[0], points.at[1]}, points.count};
+}
+
+double way_to(const Element& e, Vec point) {
+    if (!e.arc) return dot(point - e.start, e.start_dir);
+    const Vec from = e.start - e.centre, to = point - e.centre;
+    const double turned = std::atan2(cross(from, to), dot(from, to)), forward = e.sweep < 0 ? -turned : turned;
+    return forward < -kTouch ? forward + 2.0 * std::numbers::pi : forward;
+}
+
+bool on_nose_path(const Element& e, Vec point) {
+    const double way = way_to(e, point);
+    return way > -kTouch && way < (e.arc ? std::fabs(e.sweep) : length(e.end - e.start)) + kTouch;
 }
 
 }  // namespace polyturn::channels::compensation

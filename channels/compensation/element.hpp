@@ -46,4 +46,14 @@ Element arc(Vec start, Vec end, Vec centre, double sweep);
 // that along b, both taken without ends; nothing where they do not meet.
 std::optional<Vec> meeting_point(const Element& a, const Element& b);
 
+// Where the nose centre's paths along two elements meet that need not be neighbours: points of the plane, both taken
+// without ends. on_nose_path: does the nose centre really pass the point between the normals at both ends of the element?
+struct Crossings {
+    Vec at[2];
+    int count = 0;
+};
+Crossings crossings(const Element& a, const Element& b);
+bool on_nose_path(const Element& e, Vec point);
+double way_to(const Element& e, Vec point);   // along the nose centre's path, from the normal at the start; arcs: in rad
+
 }  // namespace polyturn::channels::compensation

@@ -68,32 +68,94 @@ bool Compensator::release_before() {
 }
 
 // Begun at the corner and ended at its own normal, the next element would be driven backwards: it is shorter than the nose
-// needs there. Whether that matters the block behind it tells.
+// needs there. Whether that matters the block behind it tells. The first element of the contour may be too short as well,
+// for the corner behind it: then the way in waits for that (sinumerik_part2 11.4.2, 11.5).
 bool Compensator::too_short(const Element& next, const CornerResult& corner) const {
-    if (!options_.looks_back || before_ || next.arc || block_.element.arc || block_.role != Role::Contour || corner.vectors.count != 1) return false;
+    if (!options_.looks_back || before_ || next.arc) return false;
+    if (block_.role == Role::Begin) return options_.short_last != ShortLast::None && corner.vectors.count == 1;
+    if (block_.role != Role::Contour || corner.vectors.count != 1) return false;
     return interferes(next, corner.vectors.at[0], next.nose * next.normal_at_end());
 }
+
+// The held element is not driven: the nose stands where the one before it ends.
+void Compensator::drop_held() {
+    displacement_ = here_ - block_.element.end;
+    start_ = Vectors::one(displacement_ - block_.tip);
+    held_ = false;
+    ready_.append(trailing_);
+    pump();
+}
+
+namespace {
+
+// The point of `on` that the nose passes first (last) of those where it meets `other` between its normals.
+std::optional<Vec> meets_on(const Element& on, const Element& other, bool within_other, bool last) {
+    const Crossings points = crossings(on, other);
+    std::optional<Vec> found;
+    for (int i = 0; i < points.count; ++i) {
+        const Vec p = points.at[i];
+        if (!on_nose_path(on, p) || (within_other && !on_nose_path(other, p))) continue;
+        if (!found || (way_to(on, p) > way_to(on, *found)) == last) found = p;
+    }
+    return found;
+}
+
+// The circle of the nose's centre about a programmed point.
+Element circle_about(Vec centre, double radius) {
+    const Vec at = centre + Vec{radius, 0};
+    Element e = arc(at, at, centre, kTurn);
+    e.nose = 0;
+    return e;
+}
+
+}  // namespace
 
 // The last element is left out: the one before it ends where it meets the last one's lengthened equidistant, or the circle
 // about the last programmed point, and from there it goes straight out.
 bool Compensator::leave_short_last(const Move& m, const BlockContext& at) {
     const Element& a = before_->held.element;
     if (options_.short_last == ShortLast::Circle) {
-        const Vec on = a.start + a.nose * a.normal_at_start(), centre = block_.element.end;
-        const Vec foot = on + dot(centre - on, a.end_dir) * a.end_dir;
-        const double h = length(centre - foot), r = block_.element.nose;
-        if (h > r) return fail(Alarm::CompNoOffsetMeeting, false, block_.at);
-        const Vec point = foot - std::sqrt((r - h) * (r + h)) * a.end_dir;   // the first one on the way
-        if (dot(point - on, a.end_dir) < 0) return fail(Alarm::CompNoOffsetMeeting, false, block_.at);
-        before_->end = Vectors::one(point - a.end);
+        const auto point = meets_on(a, circle_about(block_.element.end, block_.element.nose), false, false);
+        if (!point) return fail(Alarm::CompNoOffsetMeeting, false, block_.at);
+        before_->end = Vectors::one(*point - a.end);
     }
     if (!release_before()) return false;
-    displacement_ = here_ - block_.element.end;
-    start_ = Vectors::one(displacement_ - block_.tip);
-    held_ = false;
-    ready_.append(trailing_);
-    pump();
+    drop_held();
     straight_to_programmed(m, at);
+    return true;
+}
+
+// The held element cannot be driven forwards between what stands before and behind it: it is left out. The one before it ends
+// where it meets the nose's path behind, an arc about the corner or the next element; the way in ends on the next element, as
+// the way out does mirrored.
+bool Compensator::leave_out_short(const Element& next, const Vectors& corner, const Move& m, const BlockContext& at) {
+    const Element& s = block_.element;
+    const bool way_in = before_->held.role == Role::Begin;
+    if (!interferes(s, before_->end.at[before_->end.count - 1], corner.at[0])) return false;
+    const bool round = corner.count > 1 && corner.by_arc[1];
+    Vec end = before_->held.element.end;
+    std::optional<Vec> point;
+    if (way_in) {
+        if (options_.short_last == ShortLast::Circle) point = meets_on(next, circle_about(s.start, s.nose), false, true);
+        else point = meets_on(next, s, false, true);
+        if (!point) {
+            fail(Alarm::CompNoOffsetMeeting, false, block_.at);
+            return false;
+        }
+    } else if (round) {
+        const Vec from = corner.at[0], to = corner.at[1];
+        Element way = arc(s.end + from, s.end + to, s.end, std::atan2(cross(from, to), dot(from, to)));
+        way.nose = 0;
+        point = meets_on(before_->held.element, way, true, false);
+    } else if (corner.count == 1) {
+        point = meets_on(before_->held.element, next, true, false);
+    }
+    if (!point) return false;   // judged as any other element
+    before_->end = Vectors::one(*point - end);
+    if (!release_before()) return true;
+    drop_held();
+    if (round) start_.add(corner.at[1], true);
+    hold(m, at, Role::Contour);
     return true;
 }
 
