@@ -131,6 +131,9 @@ ScanStop WordScanner::scan(std::string_view text, std::size_t from, Block& block
             }
             word.value = negative ? -value : value;
         } else {
+            const bool apart = q > p + 1 && (*p == '-' || *p == '+') && q != end && ((*q >= '0' && *q <= '9') || *q == '.');   // X - 5
+            const bool turned = apart && *p == '-';
+            if (apart) p = q;
             const ScannedNumber number = scan_number(p, end);
             word.from_expression = false;
             switch (number.status) {
@@ -146,7 +149,7 @@ ScanStop WordScanner::scan(std::string_view text, std::size_t from, Block& block
                 case ScannedNumber::Status::Ok: break;
             }
             word.has_point = number.has_point;
-            word.value = number.value;
+            word.value = turned ? -number.value : number.value;
         }
         word.column = static_cast<std::uint16_t>(begin - line + 1);
         word.length = static_cast<std::uint16_t>(p - begin);
