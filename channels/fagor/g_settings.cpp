@@ -238,6 +238,7 @@ bool Interpreter::g_dwell(const GCode&) {
     std::int64_t hundredths = 0;
     if (!whole(*number_word_, hundredths)) return false;
     if (hundredths > 99'999) return fail_word(*number_word_, Alarm::FagorValueRange, "K", static_cast<double>(hundredths));
+    core_.suspend_for(0);   // each G04 ends the block before it square, as if nothing followed (fagor_8037t part 1, 7.1)
     return core_.dwell(static_cast<double>(hundredths) / 100.0, false);
 }
 
