@@ -142,6 +142,7 @@ bool Interpreter::a_handwheel_feed(const Word& word) {
 // Shares of an axis' own limits in percent: ACC, VELOLIM, JERKLIM. The kernel keeps the limits themselves.
 bool Interpreter::a_axis_share(const Word& word) {
     if (word.number() < 1 || word.number() > 200) return fail_word(Alarm::ValueOutOfRange, word, std::string(word.address->name), word.number());
+    if (word.address->name == "ACC" && word.axis >= 0) modal_.acceleration[static_cast<std::size_t>(word.axis)] = word.number();
     return word.number() == 100 ? true : a_without_effect(word);
 }
 

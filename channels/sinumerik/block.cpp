@@ -8,7 +8,7 @@ namespace polyturn::channels::sinumerik {
 namespace {
 
 // Groups whose handler acts before tools and functions, in this order: units and plane first, since the words count in them.
-constexpr std::uint8_t kEarly[] = {13, 6, 14, 29, 4, 10, 11, 12, 19, 20, 21, 24, 26, 27, 28, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 41, 42, 45, 46, 47, 49,
+constexpr std::uint8_t kEarly[] = {13, 6, 14, 29, 4, 10, 11, 12, 19, 20, 21, 24, 25, 26, 27, 28, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 41, 42, 45, 46, 47, 49,
                                    50, 51, 52, 53, 54, 55, 56, 57, 59, 61, 62, 64, 16, 17, 18, 22, 23, 40, 43, 44, 48, 60, 15, 8};
 constexpr std::uint8_t kFrameGroup = 3, kSuppression = 9, kCompensation = 7, kMotion = 1, kOneShot = 2;
 

@@ -30,7 +30,7 @@ bool Interpreter::feed_value(const std::string& name, const std::vector<Value>& 
     const auto no_axis = [&] { return fail_at(Alarm::AxisArgumentMissing, from, length, name); };
     const auto no_element = [&](double n) { return fail_at(Alarm::ArrayIndexIllegal, from, length, name, n); };
     if (ours && (what == "TOFFL" || what == "TOFF" || what == "TOFFR" || what == "FZ" || what == "F_TYPE" || what == "SVC" || what == "S_TYPE" || what == "FGROUP" ||
-                 what == "FGREF" || what == "FGROUP_MASK" || name == "$AA_ACC")) {
+                 what == "FGREF" || what == "FGROUP_MASK" || name == "$AA_ACC" || name == "$P_GWPS")) {
         if (live && !need_fresh()) return false;
         if (what == "TOFFR") return value = Value::of_real(modal_.toff.radius_mm / unit()), true;
         if (what == "TOFFL") {
@@ -51,10 +51,11 @@ bool Interpreter::feed_value(const std::string& name, const std::vector<Value>& 
             const int type = !modal_.feed_revolution ? (inch ? 2 : 0) : modal_.feed_per_tooth > 0 ? (inch ? 33 : 11) : (inch ? 3 : 1);
             return value = Value::of_int(type), true;
         }
-        if (what == "SVC" || what == "S_TYPE") {
+        if (what == "SVC" || what == "S_TYPE" || what == "GWPS") {
             const double n = spindle();
             if (!(n >= 1 && n <= kMaxSpindles)) return no_element(n);
             const auto s = static_cast<std::size_t>(n);
+            if (what == "GWPS") return value = Value::of_bool(modal_.wheel_speeds >> (s - 1) & 1u), true;
             const bool by_tool = modal_.cutting_speeds >> (s - 1) & 1u;
             if (what == "SVC") value = Value::of_real(by_tool ? modal_.cutting_speed_m_min[s] / (active(13) == 3 ? 0.3048 : 1.0) : 0.0);
             else value = Value::of_int(by_tool ? 2 : 1);
@@ -69,7 +70,7 @@ bool Interpreter::feed_value(const std::string& name, const std::vector<Value>& 
         if (axis() < 0) return no_axis();
         const auto i = static_cast<std::size_t>(axis());
         if (what == "FGROUP") return value = Value::of_int(feed_counts(static_cast<unsigned>(i)) ? 1 : 0), true;
-        if (what == "ACC") return value = Value::of_real(100.0), true;
+        if (what == "ACC") return value = Value::of_real(modal_.acceleration[i] > 0 ? modal_.acceleration[i] : 100.0), true;
         const double radius = modal_.feed_radius[i] > 0 ? modal_.feed_radius[i] : 180.0 / std::numbers::pi;
         return value = Value::of_real(core_.view().axes[i].rotary ? radius / unit() : 1.0), true;
     }

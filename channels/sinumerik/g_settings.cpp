@@ -23,6 +23,7 @@ bool is_surface(unsigned number) { return number == 4 || number == 7 || number =
 }  // namespace
 
 bool Interpreter::g_nothing(const GCode&) { return true; }
+bool Interpreter::geo_not_built(const GCode& code) { return axis_words() == 0 || fail(Alarm::NotBuilt, std::string(code.name)); }
 bool Interpreter::g_units(const GCode&) { return true; }
 bool Interpreter::g_distance(const GCode&) { return true; }
 bool Interpreter::g_diameter(const GCode&) { return true; }

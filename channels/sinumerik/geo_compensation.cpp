@@ -46,6 +46,10 @@ bool Interpreter::tilted() {
 
 bool Interpreter::geo_compensation(const GCode& code) {
     modal_.geo.side_before = static_cast<std::uint8_t>(active(7));
+    const unsigned entry = active(17), kind = active(22);
+    const bool plane_only = kind <= 2 || kind == 9 || kind == 10;   // CUT2D CUT2DF CUT2DD CUT2DFD
+    if ((code.number != 1 || core_.compensating()) && (entry > 2 || !plane_only))
+        return fail(Alarm::NotBuilt, std::string(find_g(entry > 2 ? 17 : 22, entry > 2 ? entry : kind)->name));
     if (const GCode* soft = block_.coded[2]; code.number == 1 && soft && soft->number >= 14 && soft->number <= 16) return true;   // the retract ends it itself
     const GCode* motion = motion_code();
     const bool arc = motion && motion->group == 1 && motion->number > 2;

@@ -191,6 +191,40 @@ bool Interpreter::geo_frame(const GCode& code) {
     return true;
 }
 
+// TOROT, TOFRAME and their X and Y forms: the named axis of the workpiece system points along the tool, which stands square on
+// the plane; the programmable frame keeps where it is and its factors (13.9). TOROTOF takes the rotation back.
+bool Interpreter::g_tool_frame(const GCode& code) {
+    if (code.number == 1 && active(53) == 1) return true;
+    static constexpr std::size_t kApplicate[] = {2, 1, 0};
+    const std::size_t upright = kApplicate[static_cast<std::size_t>(core_.path.plane)];
+    const char letter = code.name.back();
+    const std::size_t named = letter == 'X' ? 0 : letter == 'Y' ? 1 : 2;
+    Frame rotation;
+    if (code.number != 1) {
+        Frame wanted, outer;
+        wanted.linear = {};
+        for (std::size_t k = 0; k < 3; ++k) wanted.linear[(upright + k) % 3][(named + k) % 3] = 1.0;
+        outer.linear = outer_frame().linear;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double length = std::sqrt(outer.linear[0][k] * outer.linear[0][k] + outer.linear[1][k] * outer.linear[1][k] + outer.linear[2][k] * outer.linear[2][k]);
+            for (auto& row : outer.linear) row[k] /= length;
+        }
+        rotation = outer.inverse() * wanted;
+    }
+    GeoModal& geo = modal_.geo;
+    const auto places = geometry(core_.view());
+    Frame turned_frame = geo.exact;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto i = static_cast<std::size_t>(places[k]);
+        const double factor = places[k] < 0 ? 1.0 : (geo.frame.scale[i] == 0 ? 1.0 : geo.frame.scale[i]) * (geo.frame.mirrored >> i & 1u ? -1.0 : 1.0);
+        for (std::size_t row = 0; row < 3; ++row) turned_frame.linear[row][k] = rotation.linear[row][k] * factor;
+    }
+    geo.exact = turned_frame;
+    geo.frame = components_of(turned_frame, geo.frame);
+    use_frame();
+    return true;
+}
+
 // G58, G59: coarse and fine translation of the named axes (13.4); on the 828D they are settable offsets.
 bool Interpreter::geo_partial_shift(const GCode& code) {
     if (!settings_.fine_translation) return fail(Alarm::FineTranslationOff, std::string(code.name));

@@ -1,4 +1,5 @@
-// Rows of the geometry: moves, frames, compensation, corner elements. A null handler: known, not built.
+// Rows of the geometry: moves, frames, compensation, corner elements. A null handler: known, not built. geo_not_built: the mode
+// can be chosen and read, its first move is refused; KONTT, KONTC and CUT3D are refused where compensation begins or ends.
 #include "channels/sinumerik/interpreter.hpp"
 
 namespace polyturn::channels::sinumerik {
@@ -12,15 +13,15 @@ constexpr GCode kCodes[] = {
     {"G2", 1, 3, true, false, &Interpreter::geo_arc, "axes I J K CR AR TURN AP RP RND CHF CHR FRC"},
     {"G3", 1, 4, true, false, &Interpreter::geo_arc, "axes I J K CR AR TURN AP RP RND CHF CHR FRC"},
     {"CIP", 1, 5, true, false, &Interpreter::geo_cip, "axes I1 J1 K1 TURN RND CHF CHR FRC"},
-    {"ASPLINE", 1, 6, true, false, nullptr},
-    {"BSPLINE", 1, 7, true, false, nullptr},
-    {"CSPLINE", 1, 8, true, false, nullptr},
-    {"POLY", 1, 9, true, false, nullptr},
+    {"ASPLINE", 1, 6, true, false, &Interpreter::geo_not_built, "axes"},
+    {"BSPLINE", 1, 7, true, false, &Interpreter::geo_not_built, "axes"},
+    {"CSPLINE", 1, 8, true, false, &Interpreter::geo_not_built, "axes"},
+    {"POLY", 1, 9, true, false, &Interpreter::geo_not_built, "axes"},
     {"G33", 1, 10, true, false, &Interpreter::geo_thread, "axes I J K AP RP"},
     {"G331", 1, 11, true, false, &Interpreter::geo_tap, "axes I J K"},
     {"G332", 1, 12, true, false, &Interpreter::geo_tap, "axes I J K"},
-    {"OEMIPO1", 1, 13, true, false, nullptr},
-    {"OEMIPO2", 1, 14, true, false, nullptr},
+    {"OEMIPO1", 1, 13, true, false, &Interpreter::geo_not_built, "axes"},
+    {"OEMIPO2", 1, 14, true, false, &Interpreter::geo_not_built, "axes"},
     {"CT", 1, 15, true, false, &Interpreter::geo_ct, "axes AP RP TURN RND CHF CHR FRC"},
     {"G34", 1, 16, true, false, &Interpreter::geo_thread, "axes I J K F AP RP"},
     {"G35", 1, 17, true, false, &Interpreter::geo_thread, "axes I J K F AP RP"},
@@ -80,23 +81,23 @@ constexpr GCode kCodes[] = {
     // group 17: Approach/retract response with tool radius compensation
     {"NORM", 17, 1, true, true, &Interpreter::geo_comp_option},
     {"KONT", 17, 2, true, false, &Interpreter::geo_comp_option},
-    {"KONTT", 17, 3, true, false, nullptr},
-    {"KONTC", 17, 4, true, false, nullptr},
+    {"KONTT", 17, 3, true, false, &Interpreter::geo_not_built},
+    {"KONTC", 17, 4, true, false, &Interpreter::geo_not_built},
     // group 18: Corner behaviour of tool offset
     {"G450", 18, 1, true, true, &Interpreter::geo_comp_option},
     {"G451", 18, 2, true, false, &Interpreter::geo_comp_option},
     // group 22: Tool offset type
     {"CUT2D", 22, 1, true, true, &Interpreter::geo_comp_kind},
     {"CUT2DF", 22, 2, true, false, &Interpreter::geo_comp_kind},
-    {"CUT3DC", 22, 3, true, false, nullptr},
-    {"CUT3DF", 22, 4, true, false, nullptr},
-    {"CUT3DFS", 22, 5, true, false, nullptr},
-    {"CUT3DFF", 22, 6, true, false, nullptr},
-    {"CUT3DCC", 22, 7, true, false, nullptr},
-    {"CUT3DCCD", 22, 8, true, false, nullptr},
+    {"CUT3DC", 22, 3, true, false, &Interpreter::geo_not_built},
+    {"CUT3DF", 22, 4, true, false, &Interpreter::geo_not_built},
+    {"CUT3DFS", 22, 5, true, false, &Interpreter::geo_not_built},
+    {"CUT3DFF", 22, 6, true, false, &Interpreter::geo_not_built},
+    {"CUT3DCC", 22, 7, true, false, &Interpreter::geo_not_built},
+    {"CUT3DCCD", 22, 8, true, false, &Interpreter::geo_not_built},
     {"CUT2DD", 22, 9, true, false, &Interpreter::geo_comp_kind},
     {"CUT2DFD", 22, 10, true, false, &Interpreter::geo_comp_kind},
-    {"CUT3DCD", 22, 11, true, false, nullptr},
+    {"CUT3DCD", 22, 11, true, false, &Interpreter::geo_not_built},
     // group 23: Collision monitoring on inner contours
     {"CDOF", 23, 1, true, true, &Interpreter::g_nothing},
     {"CDON", 23, 2, true, false, &Interpreter::g_nothing},

@@ -58,6 +58,10 @@ struct Modal {
     std::uint32_t closed_spindles = 0;   // bit n: spindle n is in position control (SPOS, M19, M70, G331)
     std::uint32_t cutting_speeds = 0;    // bit n: its speed comes from SVC
     std::array<double, kMaxSpindles + 1> cutting_speed_m_min{};   // SVC
+    std::uint32_t wheel_speeds = 0;      // bit n: GWPSON, its S is the speed of the wheel's rim
+    std::array<double, kMaxSpindles + 1> wheel_radius_mm{};
+    AxisValues acceleration{};        // ACC, percent as written; 0: 100
+    int sum_offset = 0;               // DL
     AxisSet per_revolution = 0;       // FPRAON: FA counts revolutions
     std::array<std::uint16_t, kChannelAxes> axis_feed_spindle{};  // of that spindle
     AxisSet released = 0;             // RELEASE

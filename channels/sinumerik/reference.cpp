@@ -23,7 +23,7 @@ std::string g_table() {
     std::map<unsigned, std::array<std::string, 3>> groups;
     const auto collect = [&](std::span<const GCode> rows) {
         for (const GCode& row : rows) {
-            std::string& text = groups[row.group][!row.act ? 2 : row.act == &Interpreter::g_nothing ? 1 : 0];
+            std::string& text = groups[row.group][!row.act || row.act == &Interpreter::geo_not_built ? 2 : row.act == &Interpreter::g_nothing ? 1 : 0];
             if (!text.empty()) text += ' ';
             text += row.modal ? std::string(row.name) : fmt::format("*{}*", row.name);
             if (row.preset) text += "\\*";

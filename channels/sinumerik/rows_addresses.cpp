@@ -14,7 +14,7 @@ constexpr Address kRows[] = {
     {"S", Index::Spindle, Use::Block, nullptr, false, true},
     {"T", Index::Spindle, Use::Block, nullptr, false},
     {"D", Index::None, Use::Block, nullptr, false},
-    {"DL", Index::None, Use::Refused},
+    {"DL", Index::None, Use::Setting, &Interpreter::a_sum_offset, false},
     {"L", Index::None, Use::Block, nullptr, false},
     {"P", Index::None, Use::Block, nullptr, false},
     {"F", Index::Number, Use::Block, nullptr, false, true},

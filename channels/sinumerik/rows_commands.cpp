@@ -87,6 +87,8 @@ constexpr Command kRows[] = {
     {"DELAYFSTOF", false, 0, 0, "", &I::p_without_effect},
     {"MMC", false, 1, 2, "sc", &I::p_without_effect},
     {"TMON", false, 0, 1, "r", &I::p_without_effect},
+    {"GWPSON", false, 0, 1, "r", &I::p_wheel_speed},
+    {"GWPSOF", false, 0, 1, "r", &I::p_wheel_speed},
     {"TMOF", false, 0, 1, "r", &I::p_without_effect},
     {"ACTBLOCNO", false, 0, 0, "", &I::p_nothing},
     {"WAITENC", false, 0, 0, "", &I::p_nothing},           // axes are referenced before a cycle start

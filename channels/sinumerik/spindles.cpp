@@ -47,6 +47,26 @@ bool Interpreter::refresh_cutting_speeds() {
     return true;
 }
 
+// GWPSON(t), GWPSOF(t): S of the master spindle is the speed of a grinding wheel's rim in m/s, n = S * 60000 / (2 pi R); t: a tool
+// that is not the active one (7.4). R is the edge's radius, or its length 1 where it has none.
+bool Interpreter::p_wheel_speed(Call& c) {
+    const bool on = block_.procedures.front().first->name == "GWPSON";
+    const std::uint16_t n = modal_.master_spindle;
+    if (n == 0 || n > kMaxSpindles) return fail(Alarm::SpindleMissing);
+    modal_.wheel_speeds &= ~(1u << (n - 1));
+    if (!on) return true;
+    const auto found = tools_.find(c.has(0) ? static_cast<std::int64_t>(c.value(0).number) : modal_.tool);
+    if (found == tools_.end() || found->second.edges.empty()) return fail(Alarm::ToolUnknown, c.has(0) ? to_text(c.value(0)) : "GWPSON");
+    const bool active_one = found->first == modal_.tool && modal_.edge_data;
+    const Edge& edge = active_one ? *modal_.edge_data : found->second.edges.begin()->second;
+    if (edge.dp[1] < 400 || edge.dp[1] >= 500) return fail(Alarm::ValueOutOfRange, "GWPSON: $TC_DP1", edge.dp[1]);
+    const double radius = edge.dp[6] > 0 ? edge.dp[6] + edge.dp[15] : edge.dp[3] + edge.dp[12];
+    if (!(radius > 0)) return fail(Alarm::ToolUnknown, "GWPSON: R = 0");
+    modal_.wheel_speeds |= 1u << (n - 1);
+    modal_.wheel_radius_mm[n] = radius;
+    return true;
+}
+
 // SCC[axis]: another geometry axis carries the radius of G96.
 bool Interpreter::a_surface_axis(const Word& word) {
     const PlaneRole role = core_.view().axes[static_cast<std::size_t>(word.axis)].role;

@@ -89,6 +89,7 @@ bool Interpreter::select_edge(int edge) {
         if (!found->second.edges.contains(edge)) return fail(Alarm::EdgeUnknown, std::to_string(modal_.tool), edge);
     }
     modal_.edge = edge;
+    modal_.sum_offset = 0;
     core_.path.tool.ref.edge = edge;
     modal_.edge_data = edge > 0 ? std::make_shared<const Edge>(found->second.edges.at(edge)) : nullptr;   // changed values wait for the next T or D
     modal_.teeth = modal_.edge_data ? modal_.edge_data->teeth : 0.0;
@@ -108,12 +109,14 @@ void Interpreter::apply_tool() {
     length_axes(assigned, plane, axes);
     static constexpr PlaneRole kRoles[] = {PlaneRole::BasicX, PlaneRole::BasicY, PlaneRole::BasicZ};
     AxisValues shift{};
+    const auto sum = static_cast<std::size_t>(modal_.sum_offset);   // DL
     const auto add = [&](int geometry, double mm) {
         if (geometry < 0) return;
         if (const int place = core_.view().axis_by_role(kRoles[geometry]); place >= 0) shift[static_cast<std::size_t>(place)] += mm;
     };
     for (std::size_t i = 0; i < 3; ++i) {
         modal_.length_mm[i] = edge ? edge->dp[3 + i] + edge->dp[12 + i] + edge->dp[21 + i] : 0.0;
+        if (edge && modal_.sum_offset > 0) modal_.length_mm[i] += edge->sum[sum][3 + i] + edge->setup[sum][3 + i];
         if (!edge) continue;
         add(axes[i], modal_.length_mm[i]);
         if (!modal_.toff_by_axis) add(axes[i], modal_.toff.length_mm[i]);
@@ -123,6 +126,7 @@ void Interpreter::apply_tool() {
     const bool tipped = type >= 400 && type < 600;   // turning and grinding: the edge has a position
     const bool wear_only = active(22) == 9 || active(22) == 10;   // CUT2DD CUT2DFD
     state.nose_radius = edge ? (wear_only ? 0.0 : edge->dp[6]) + edge->dp[15] + modal_.toff.radius_mm + modal_.geo.allowance : 0.0;
+    if (edge && modal_.sum_offset > 0) state.nose_radius += edge->sum[sum][6] + edge->setup[sum][6];
     state.geometry = edge ? 1 : 0;
     state.tip = edge && tipped ? static_cast<std::int32_t>(edge->dp[2]) : edge ? 9 : 0;
     state.nose_off = edge == nullptr;
@@ -154,6 +158,16 @@ bool Interpreter::a_tool_axis_offset(const Word& word) {
         return true;
     }
     return fail_word(Alarm::AxisKindWrong, word, axis_name(word.axis));
+}
+
+// DL: which of the edge's sum and set-up offsets ($TC_SCP, $TC_ECP) count beside its values; D takes it back.
+bool Interpreter::a_sum_offset(const Word& word) {
+    const double n = word.number();
+    if (n != std::floor(n) || n > 6) return fail_word(Alarm::ValueOutOfRange, word, "DL", n);
+    if (n > 0 && !modal_.edge_data) return fail_word(Alarm::EdgeUnknown, word, std::to_string(modal_.tool), modal_.edge);
+    modal_.sum_offset = static_cast<int>(n);
+    apply_tool();
+    return true;
 }
 
 bool Interpreter::a_tool_radius_offset(const Word& word) {

@@ -88,6 +88,7 @@ bool Interpreter::parse_word() {
         for (std::size_t k = 0; k < 3; ++k)
             if (word == settings_.corner_names[k]) symbol = find_symbol(kNames[k]);
     }
+    if (word == "ANG1" || word == "ANG2") symbol = find_symbol("ANG");   // the angles of two lines, each in its block (10.9.1)
     if (symbol.kind != Symbol::Kind::None) return parse_named_word(begin, word, symbol);
     // An axis of several letters, perhaps with a numeric extension.
     if (const int axis = find_axis(word); axis >= 0 && axis < kSpindleAxis) {
