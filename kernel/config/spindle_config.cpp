@@ -70,8 +70,10 @@ SpindleConfig read_spindle(const params::Table& t, unsigned s) {
     c.encoder_counts = static_cast<double>(p::get(t, p::n0608_spindle_encoder_counts, s));
     const auto simulated = static_cast<double>(p::get(t, p::pt_encoder_counts, s));
     c.drive_source = static_cast<DriveSource>(p::get(t, p::pt_spindle_drive, s));
-    c.drive_counts_fit = simulated <= 0;
-    c.drive_counts = simulated > 0 ? simulated : c.encoder_counts > 0 ? std::fmin(c.encoder_counts, kLargestCounts) : 4096.0;
+    const auto bits = static_cast<double>(p::get(t, p::n0691_endat_resolution, s));   // of an absolute encoder's turn
+    const double absolute = c.absolute && bits > 0 ? std::fmin(std::exp2(bits), kLargestCounts) : 0.0;
+    c.drive_counts_fit = simulated <= 0 && absolute <= 0;
+    c.drive_counts = simulated > 0 ? simulated : absolute > 0 ? absolute : c.encoder_counts > 0 ? std::fmin(c.encoder_counts, kLargestCounts) : 4096.0;
     c.speed_filter_s = p::get(t, p::n0610_spindle_n_time_constant, s);
     c.tolerance_percent = static_cast<double>(p::get(t, p::n0627_s_n, s));
     c.tolerance_rpm = static_cast<double>(p::get(t, p::n0628_s_nw, s));

@@ -201,7 +201,7 @@ void ChannelRunner::settle() noexcept {
         core_.waits.leave(index_);
         core_.event(KernelEventKind::Stopped, number_, static_cast<std::int32_t>(StopReason::Death), 0, line_);
     }
-    if (interrupted_ && state_ != ChannelState::Interrupted && !dead_) stand(ChannelState::Interrupted, StopReason::Alarm);
+    if (interrupted_ && state_ != ChannelState::Interrupted && !dead_) restart_ = RestartState::None, stand(ChannelState::Interrupted, StopReason::Alarm);
     if (hold_ && !interrupted_ && state_ == ChannelState::Running && phase_ != Phase::Handshake) stand(ChannelState::Held, StopReason::Held);
     if (state_ == ChannelState::Running && ((step_.stands == Stands::BlockEnd && (keys & kKeySingleBlock)) || std::exchange(group_ended_, false))) stand(ChannelState::ProgramStop, StopReason::SingleBlock);
 }
