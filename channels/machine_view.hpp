@@ -21,6 +21,7 @@ struct ChannelAxis {
     std::uint8_t home_axis = 0;     // from 0: its own one
     bool negated = false;           // exchanged, and the two move opposite ways (N2105 MMI)
     bool mirrored = false;          // exchanged, and programmed for the virtual side (N2105 MCO)
+    bool counts_on = false;         // has a factor: rolls over no more while it has it
     double mirror_at = 0.0;         // address coordinate of the workpiece zero, kept by Core
     bool turned_round() const { return negated || mirrored; }
     bool reversed() const { return negated != mirrored; }

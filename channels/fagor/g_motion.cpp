@@ -21,7 +21,7 @@ double Interpreter::largest_feed(const AxisValues& target) const {
         const double way = std::fabs(to[i] - from[i]), can = view.axes[i].max_feed_mm_min;
         length2 += way * way;
         if (can > 0) seconds = std::fmax(seconds, way / can);
-        if (can > 0 && (slowest == 0.0 || can < slowest) && (axis_words_[i] || way > kSame)) slowest = can;
+        if (can > 0 && (slowest == 0.0 || can < slowest) && !view.axes[i].rotary) slowest = can;
     }
     const double length = std::sqrt(length2);
     return seconds > 0 ? length / seconds : slowest > 0 ? slowest : 1.0;
@@ -33,6 +33,13 @@ bool Interpreter::set_feed(const AxisValues& target) {
     // An override of the program goes before that of the panel (11.2.6).
     path.feed_path.scale = modal_.override_program > 0 ? modal_.override_program / 100.0 : 1.0;
     path.override_locked = modal_.override_program > 0;
+    // Degrees count as millimetres; an axis that is positioned only arrives together with the others (5.2.1, 6.2).
+    path.feed_path.counted = 0;
+    path.feed_path.weight.fill(1.0);
+    for (unsigned i = 0; i < core_.view().axis_count; ++i) {
+        const int type = get_axis_type(i);
+        if (type != 1 && type < 3) path.feed_path.counted |= 1u << i;
+    }
     const double feed = modal_.feed_code == 94 ? modal_.feed_minute : modal_.feed_code == 95 ? modal_.feed_revolution : modal_.feed_inverse;
     if (feed > 0) {
         path.feed = feed;
@@ -41,6 +48,7 @@ bool Interpreter::set_feed(const AxisValues& target) {
         path.feed = largest_feed(target);
         path.feed_mode = FeedMode::PerMinute;
     }
+    path.feed_path.active = path.feed_mode != FeedMode::InverseTime;
     if (modal_.feed_code == 32 && feed > 0) {
         const AxisValues from = core_.framed(path.programmed), to = core_.framed(target);
         double length2 = 0.0;
@@ -51,6 +59,7 @@ bool Interpreter::set_feed(const AxisValues& target) {
             modal_.feed_of_block = most;
             path.feed = most;
             path.feed_mode = FeedMode::PerMinute;
+            path.feed_path.active = true;
         }
     }
     return true;
@@ -162,8 +171,6 @@ bool Interpreter::g_arc(const GCode& row) {
 bool Interpreter::drive_arc(const AxisValues& programmed, double cp, double cq, bool clockwise) {
     unsigned p = 0, q = 0;
     if (!plane_places(p, q)) return false;
-    const auto factor = [this](unsigned i) { return modal_.axis_scale[i] == 0.0 ? 1.0 : modal_.axis_scale[i]; };
-    if (factor(p) != factor(q) && !core_.reads_ahead() && !coded(GGroup::Element)) return drive_ellipse(programmed, cp, cq, clockwise, std::fmax(factor(p), factor(q)));
     AxisValues target = programmed;
     const bool left_out = !loops_.empty() && leave_out(target);
     if (!left_out && !element_at_end(false)) return false;
@@ -180,6 +187,7 @@ bool Interpreter::drive_arc(const AxisValues& programmed, double cp, double cq, 
         if (std::hypot(target[p] - now[p], target[q] - now[q]) < kSame) sweep = turn;
         core_.path.feed = modal_.feed_inverse;
         core_.path.feed_mode = FeedMode::InverseTime;
+        core_.path.feed_path.active = false;
         modal_.feed_of_block = modal_.feed_inverse * sweep * std::hypot(now[p] - cp, now[q] - cq);
     } else if (!set_feed(target)) {
         return false;
@@ -187,34 +195,6 @@ bool Interpreter::drive_arc(const AxisValues& programmed, double cp, double cq, 
     if (left_out ? !drive_left_out(target, false) : !core_.arc(target, call)) return false;
     if (!loops_.empty()) core_.path.programmed = programmed;   // the way may have ended elsewhere
     const double rp = programmed[p] - cp, rq = programmed[q] - cq;
-    note_direction(clockwise ? rq : -rq, clockwise ? -rp : rp);
-    if (settings_.polar_origin_moves) set_polar_origin(cp, cq);
-    return true;
-}
-
-// A factor of one axis makes an ellipse of the circle (7.6): it is driven in chords.
-bool Interpreter::drive_ellipse(const AxisValues& target, double cp, double cq, bool clockwise, double factor) {
-    constexpr double kSagitta = 0.001, kTurn = 2 * std::numbers::pi;   // mm
-    unsigned p = 0, q = 0;
-    if (!plane_places(p, q)) return false;
-    const AxisValues from = core_.path.programmed;
-    const double r0 = std::hypot(from[p] - cp, from[q] - cq), r1 = std::hypot(target[p] - cp, target[q] - cq);
-    if (std::fabs(r0 - r1) > settings_.arc_tolerance) return core_.fail(Alarm::ArcRadiusDiffers, 'I', {}, std::fabs(r0 - r1), settings_.arc_tolerance);
-    const double first = std::atan2(from[q] - cq, from[p] - cp), last = std::atan2(target[q] - cq, target[p] - cp);
-    double sweep = clockwise ? first - last : last - first;
-    sweep -= std::floor(sweep / kTurn) * kTurn;
-    if (sweep < 1e-9) sweep = kTurn;
-    const double radius = std::fmax(r0 * factor, 2 * kSagitta);
-    const int steps = 1 + static_cast<int>(sweep / (2 * std::acos(1 - kSagitta / radius)));
-    for (int k = 1; k <= steps; ++k) {
-        const double share = static_cast<double>(k) / steps, angle = first + (clockwise ? -sweep : sweep) * share, r = r0 + share * (r1 - r0);
-        AxisValues to = target;
-        for (unsigned i = 0; i < core_.view().axis_count; ++i) to[i] = from[i] + share * (target[i] - from[i]);
-        to[p] = k == steps ? target[p] : cp + r * std::cos(angle);
-        to[q] = k == steps ? target[q] : cq + r * std::sin(angle);
-        if (!straight(to, false)) return false;
-    }
-    const double rp = target[p] - cp, rq = target[q] - cq;
     note_direction(clockwise ? rq : -rq, clockwise ? -rp : rp);
     if (settings_.polar_origin_moves) set_polar_origin(cp, cq);
     return true;

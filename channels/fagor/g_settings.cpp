@@ -111,7 +111,10 @@ void Interpreter::refresh_frame() {
             default: frame = Frame::scaling(i, factor * modal_.scale) * frame; break;
         }
     }
-    core_.set_frame(Frame::scaling({factors[0], factors[1], factors[2]}) * frame);
+    // Those of single axes multiply what compensation has made of the path.
+    AxisValues behind{};
+    for (unsigned i = 0; i < view.axis_count; ++i) behind[i] = modal_.axis_scale[i] == 0.0 ? 1.0 : modal_.axis_scale[i];
+    core_.set_factors(behind, Frame::scaling({factors[0], factors[1], factors[2]}) * frame);
 }
 
 bool Interpreter::g_mirror(const GCode& row) {
@@ -148,6 +151,7 @@ bool Interpreter::g_scale(const GCode&) {
         return true;
     }
     if (!has_axes()) return core_.fail(Alarm::FagorMotionWord, 'G', "S or an axis", 72);
+    if (core_.reads_ahead()) return core_.fail(Alarm::FagorIncompatible, 'G', modal_.comp == 41 ? "G41 G72" : "G42 G72");
     for (unsigned i = 0; i < core_.view().axis_count; ++i) {
         if (!axis_words_[i]) continue;
         if (axis_words_[i]->value <= 0) return fail_word(*axis_words_[i], Alarm::FagorValueRange, core_.view().axes[i].name, axis_words_[i]->value);

@@ -59,7 +59,9 @@ void Interpreter::clear_modal() {
     core_.path.feed = 0.0;
     core_.path.exact_stop_mode = modal_.corner == 7;
     core_.path.override_locked = false;
-    core_.set_frame(Frame{});
+    AxisValues ones{};
+    ones.fill(1.0);
+    core_.set_factors(ones, Frame{});
 }
 
 void Interpreter::show_diameter() {

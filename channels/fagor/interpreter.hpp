@@ -153,7 +153,6 @@ private:
     double largest_feed(const AxisValues& target) const;
     bool arc_centre(const AxisValues& target, bool absolute, double& cp, double& cq);
     bool drive_arc(const AxisValues& programmed, double cp, double cq, bool clockwise);
-    bool drive_ellipse(const AxisValues& target, double cp, double cq, bool clockwise, double factor);
     bool begin_machine_block();
     char centre_letter(unsigned place) const;
     bool tangent_arc(const AxisValues& target), three_point_arc(const AxisValues& target);

@@ -72,7 +72,10 @@ CalendarTime RunPort::clock() {
         at.tm_isdst = -1;
         timegm(&at);   // brings seconds beyond 59 into minutes, hours, days
     } else {
-        const std::time_t now = std::time(nullptr);
+        // Goes on with the machine's time too, from what the computer's clock says at the first question.
+        const double running_s = running_ms() / 1000;
+        if (!clock_began_) clock_began_ = static_cast<double>(std::time(nullptr)) - running_s;
+        const auto now = static_cast<std::time_t>(*clock_began_ + running_s);
         localtime_r(&now, &at);
     }
     return {at.tm_year + 1900, at.tm_mon + 1, at.tm_mday, at.tm_hour, at.tm_min, at.tm_sec};

@@ -56,6 +56,7 @@ private:
     std::unique_ptr<MachineStatus> status_;
     std::unique_ptr<PlcOutputs> plc_;
     std::string print_path_;
+    std::optional<double> clock_began_;   // what the computer's clock said when the machine's time began, seconds
     ByteStream print_;
     std::function<double(unsigned)> pretended_;
 };

@@ -4,7 +4,8 @@
 
 #include <cmath>
 
-#include "channels/state/route_sink.hpp"   // likewise
+#include "channels/state/factor_sink.hpp"   // likewise
+#include "channels/state/route_sink.hpp"
 #include "channels/state/transform_sink.hpp"
 
 namespace polyturn::channels {
@@ -51,6 +52,7 @@ void Core::refresh_routes() {
     if (any && !routes_) routes_ = std::make_unique<RouteSink>(*outermost_, *view_);
     Sink* out = any ? static_cast<Sink*>(routes_.get()) : outermost_;
     if (transforms_) transforms_->next(*out), out = transforms_.get();
+    if (factors_) factors_->next(*out), out = factors_.get();
     if (out == out_) return;
     if (sink_ == out_) sink_ = out;   // compensation keeps what it has opened; switching codes stand outside of it
     out_ = out;

@@ -35,6 +35,7 @@ namespace polyturn::channels {
 enum class Plane : std::uint8_t { XY, ZX, YZ };   // G17 G18 G19: first axis, second axis
 
 namespace compensation { class Compensator; }
+class FactorSink;
 class RouteSink;
 class TransformSink;
 
@@ -87,6 +88,8 @@ struct PathState {
     std::int32_t zero_row = kZeroG54Row;    // row of ChannelStore::zeros
     bool framed = false;                    // `frame` is more than nothing; inverse belongs to it
     Frame frame, inverse;
+    bool factored = false;                  // some axes have a factor that acts behind compensation
+    AxisValues factor{};                    // by place, while there is one; `frame` has them too
     Transformation transformation;          // machine and programmed are coordinates of its path while it is on
     FeedMode feed_mode = FeedMode::PerMinute;
     double feed = 0.0;                      // mm/min, mm/rev
@@ -196,6 +199,9 @@ public:
     void take_wanted();                                   // the vector holds without a move: the programmed numbers change
     // The whole chain of programmable frames as one, invertible; Frame{} for none.
     void set_frame(const Frame& frame);
+    // Factors of single axes that multiply the motion behind compensation (fagor G72 X..); `frame` has them already. Not while
+    // blocks are read ahead.
+    void set_factors(const AxisValues& factor, const Frame& frame);
     Zeros zeros() const { return {path.external, path.work, path.preset, path.local, path.framed ? path.frame : Frame{}}; }
     void set_zeros(const Zeros& zeros);
     AxisValues framed(const AxisValues& programmed) const;      // frame(programmed)
@@ -321,6 +327,7 @@ private:
     void choose_withdrawal(const ThreadCall& call, unsigned along);
     bool within_stroke(const AxisValues& machine, AxisSet moved);
     bool zones_allow();                                   // move_ does not violate a guarded work zone
+    bool zones_allow(const Move& move);
     void deliver();
     bool stage_corners();
     void chain();
@@ -344,6 +351,12 @@ private:
     AxisValues programmed_at(const AxisValues& machine, AxisSet which) const;
     bool frame_reachable(const AxisValues& target);
     bool frame_arc(ArcCall& call, const AxisValues& target, unsigned& p, unsigned& q);
+    void show_factors();
+    AxisValues before_factors(AxisValues point) const;
+    double behind_factors(unsigned place, double machine, double offset) const;
+    Frame frame_before_factors() const;
+    void take_factors_off();
+    const AxisValues& move_end() const { return factors_off_ ? real_end_ : move_.machine; }
     Point3 geo_of(const AxisValues& values) const;
     void put_geo(AxisValues& values, const Point3& point) const;
     double surface_zero(int place) const;
@@ -357,6 +370,9 @@ private:
     Sink* outermost_;                       // behind RouteSink
     std::unique_ptr<RouteSink> routes_;     // while an address has another axis' drive
     std::array<double, 2> transformation_offsets_{};   // centre_offsets() when it was switched on
+    std::unique_ptr<FactorSink> factors_;   // in front of the following once an axis has had a factor
+    bool factors_off_ = false;              // move_ is what it is before the factors
+    AxisValues real_end_{};                 // where it ends then
     std::unique_ptr<TransformSink> transforms_;   // in front of it once a transformation has been on
     Port* port_;
     Move move_;

@@ -1,6 +1,7 @@
 // Nose-radius compensation as the channel's state sees it: when it stands between Core and the sink, and which nose cuts.
 #include "channels/compensation/compensator.hpp"
 #include "channels/state/core.hpp"
+#include "channels/state/factor_sink.hpp"
 #include "channels/state/route_sink.hpp"
 #include "channels/state/transform_sink.hpp"
 
@@ -61,6 +62,7 @@ void Core::select_side() {
 void Core::chain() {
     if (reads_ahead()) return;
     if (!comp_) comp_ = std::make_unique<compensation::Compensator>();
+    if (factors_) factors_->start(path.machine);
     comp_->open(*out_, 0, 1, comp_options_);
     sink_ = comp_.get();
 }
@@ -188,7 +190,8 @@ double Core::machine_now(unsigned i) const {
     if (!compensating_) return path.machine[i];
     plane_axes(p, q);
     const Vec d = comp_->displacement();
-    return path.machine[i] + (static_cast<int>(i) == p ? d.p : static_cast<int>(i) == q ? d.q : 0.0);
+    const double f = path.factored ? path.factor[i] : 1.0;
+    return path.machine[i] + f * (static_cast<int>(i) == p ? d.p : static_cast<int>(i) == q ? d.q : 0.0);
 }
 
 // G53, G28, G30: the vector of all axes goes as soon as one of the plane is named.
@@ -222,7 +225,8 @@ double Core::cut_shift(const AxisValues& a, const AxisValues& b, unsigned along,
     const ToolState& tool = path.tool;
     if (!compensating_ || p < 0 || q < 0 || (tool.geometry == 0 && tool.wear == 0) || tool.nose_off) return 0.0;
     const auto i = static_cast<std::size_t>(p), k = static_cast<std::size_t>(q);
-    const AxisValues from = path.framed ? framed(a) : a, to = path.framed ? framed(b) : b, out = path.framed ? framed(outside) : outside;
+    const auto around = [this](const AxisValues& point) { return path.framed ? before_factors(framed(point)) : point; };
+    const AxisValues from = around(a), to = around(b), out = around(outside);
     const Vec cut{to[i] - from[i], to[k] - from[k]};
     if (compensation::length(cut) == 0) return 0.0;
     Vec n = compensation::left_of(compensation::unit(cut));
@@ -231,7 +235,7 @@ double Core::cut_shift(const AxisValues& a, const AxisValues& b, unsigned along,
     if (path.framed) {   // the ends move along the programmed axis; the nose lies outside the frame
         AxisValues ahead = a;
         ahead[along] += 1.0;
-        const AxisValues there = framed(ahead);
+        const AxisValues there = around(ahead);
         share = compensation::dot(n, {there[i] - from[i], there[k] - from[k]});
     }
     if (std::fabs(share) < 1e-6) return 0.0;

@@ -110,9 +110,24 @@ bool Core::frame_reachable(const AxisValues& target) {
 
 // The arc as it is outside the frame: radius, centre, tolerance, sense, and the places of its plane's axes.
 bool Core::frame_arc(ArcCall& call, const AxisValues& target, unsigned& p, unsigned& q) {
+    if (path.plane_p >= 0) {   // a plane of any two axes: only frames that leave their directions alone are programmed with it
+        AxisValues centre = target;
+        centre[p] = call.centre_p, centre[q] = call.centre_q;
+        AxisValues ahead = centre;
+        ahead[p] += 1.0, ahead[q] += 1.0;
+        const AxisValues outside = before_factors(framed(centre)), there = before_factors(framed(ahead));
+        const double sp = there[p] - outside[p], sq = there[q] - outside[q], scale = std::fabs(sp);
+        if (std::fabs(scale - std::fabs(sq)) > kSmall * scale) return fail(Alarm::FrameArcDistorted);
+        call.centre_p = outside[p], call.centre_q = outside[q];
+        call.radius *= scale;
+        call.tolerance *= scale;
+        if (sp * sq < 0) call.clockwise = !call.clockwise;
+        return true;
+    }
     static constexpr std::size_t kPlane[3][2] = {{0, 1}, {2, 0}, {1, 2}};
     const auto [gp, gq] = kPlane[static_cast<std::size_t>(path.plane)];
-    const Point3 ep = path.frame.axis(static_cast<GeoAxis>(gp)), eq = path.frame.axis(static_cast<GeoAxis>(gq));
+    const Frame frame = frame_before_factors();
+    const Point3 ep = frame.axis(static_cast<GeoAxis>(gp)), eq = frame.axis(static_cast<GeoAxis>(gq));
     const auto dot = [](const Point3& a, const Point3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
     const double scale = std::sqrt(dot(ep, ep)), other = std::sqrt(dot(eq, eq));
     if (std::fabs(scale - other) > kSmall * scale || std::fabs(dot(ep, eq)) > kSmall * scale * scale) return fail(Alarm::FrameArcDistorted);
@@ -123,7 +138,7 @@ bool Core::frame_arc(ArcCall& call, const AxisValues& target, unsigned& p, unsig
     if (upright == 3) return fail(Alarm::FrameArcInclined);
     AxisValues centre = target;
     centre[p] = call.centre_p, centre[q] = call.centre_q;
-    const Point3 outside = path.frame.map(geo_of(centre));
+    const Point3 outside = frame.map(geo_of(centre));
     const std::size_t np = (upright + 1) % 3, nq = (upright + 2) % 3;   // right-handed: Y Z, Z X, X Y
     if (geo_[np] < 0 || geo_[nq] < 0) return fail(Alarm::PlaneAxisMissing);
     p = static_cast<unsigned>(geo_[np]), q = static_cast<unsigned>(geo_[nq]);

@@ -39,6 +39,7 @@ bool Core::begin_move(const AxisValues& target, MoveKind kind) {
     const unsigned count = view_->axis_count;
     AxisSet moved = forced_;
     forced_ = 0;
+    factors_off_ = false;
     if (path.framed && !frame_reachable(target)) return false;
     const AxisValues& point = path.framed ? framed_ = framed(target) : target;
     for (unsigned i = 0; i < count; ++i) {
@@ -77,9 +78,30 @@ bool Core::within_stroke(const AxisValues& machine, AxisSet moved) {
 
 // The zones hold for the tool's tip in the machine: its lengths are taken off (fagor_8037t part 1, 3.8).
 bool Core::zones_allow() {
+    if (!factors_off_) return zones_allow(move_);
+    // An arc with factors: its chords, where they really are.
+    constexpr int kChords = 90;
+    const unsigned p = move_.plane_p, q = move_.plane_q;
+    const double first = std::atan2(move_.machine_start[q] - move_.centre_q, move_.machine_start[p] - move_.centre_p);
+    Move chord = move_;
+    chord.kind = MoveKind::Linear;
+    chord.machine = path.machine;
+    for (int k = 1; k <= kChords; ++k) {
+        const double angle = first + move_.sweep * k / kChords;
+        chord.machine_start = chord.machine;
+        for (const unsigned i : {p, q}) {
+            const double plain = i == p ? move_.centre_p + move_.radius * std::cos(angle) : move_.centre_q + move_.radius * std::sin(angle);
+            chord.machine[i] = behind_factors(i, plain, path.zero[i] + path.shift[i] + path.wanted[i]);
+        }
+        if (!zones_allow(chord)) return false;
+    }
+    return true;
+}
+
+bool Core::zones_allow(const Move& move) {
     for (std::size_t n = 0; n < path.zones.size(); ++n) {
-        if (path.zones[n].guard == WorkZone::Guard::Off || !move_.moved) continue;
-        Move tip = move_;
+        if (path.zones[n].guard == WorkZone::Guard::Off || !move.moved) continue;
+        Move tip = move;
         for (unsigned i = 0; i < view_->axis_count; ++i) {
             tip.machine[i] -= path.wanted[i];
             tip.machine_start[i] -= path.vector[i];
@@ -95,6 +117,7 @@ bool Core::zones_allow() {
 }
 
 void Core::deliver() {
+    take_factors_off();
     move_.exact_stop = (exact_once_ || path.exact_stop_mode) && !path.exact_stop_off;
     move_.in_position = move_.exact_stop;
     move_.override_locked = path.override_locked;
@@ -122,7 +145,7 @@ void Core::accept(const AxisValues& target) {
     for (unsigned i = 0; i < view_->axis_count; ++i) {
         path.programmed[i] = target[i];
         path.vector[i] = path.wanted[i];
-        path.machine[i] = move_.machine[i];
+        path.machine[i] = move_end()[i];
         if (view_->axes[i].rollover && !path.framed) rebase(i);
     }
     if (path.framed) settle_turns();
@@ -277,7 +300,7 @@ bool Core::skip(const AxisValues& target, double feed, FeedMode mode, std::strin
     deliver();
     path.after_thread = false;
     skip_moved_ = move_.moved;
-    skip_target_ = move_.machine;
+    skip_target_ = move_end();
     (void)on_machine(skip_target_);
     accept(target);
     sink_->barrier(at);
@@ -362,7 +385,9 @@ bool Core::arc(const AxisValues& target, const ArcCall& programmed) {
     ArcCall call = programmed;
     if (path.framed && !frame_arc(call, target, p, q)) return false;
     bool moves = false;
-    if (!begin_move(target, call.clockwise ? MoveKind::ArcCw : MoveKind::ArcCcw) || !shape_arc(call, p, q, moves)) return false;
+    if (!begin_move(target, call.clockwise ? MoveKind::ArcCw : MoveKind::ArcCcw)) return false;
+    take_factors_off();
+    if (!shape_arc(call, p, q, moves)) return false;
     if (!moves) {
         accept(target);
         return true;
@@ -422,7 +447,10 @@ bool Core::shape_arc(ArcCall call, unsigned p, unsigned q, bool& moves) {
     for (int k = static_cast<int>(std::ceil(first / (kTurn / 4) - 1e-12)); k * (kTurn / 4) < first + sweep && k < 16; ++k) {
         extreme[p] = cp + (k & 1 ? 0.0 : (k & 2 ? -rs : rs));
         extreme[q] = cq + (k & 1 ? (k & 2 ? -rs : rs) : 0.0);
-        if (!within_stroke(extreme, (1u << p) | (1u << q))) {
+        AxisValues real = extreme;
+        if (factors_off_)
+            for (unsigned i = 0; i < view_->axis_count; ++i) real[i] = i == p ? behind_factors(p, extreme[p], to_machine_p) : i == q ? behind_factors(q, extreme[q], to_machine_q) : real_end_[i];
+        if (!within_stroke(real, (1u << p) | (1u << q))) {
             fault_.alarm = Alarm::MirrorOfStroke;
             return false;
         }
@@ -451,6 +479,7 @@ void Core::choose_withdrawal(const ThreadCall& call, unsigned along) {
 bool Core::thread(const AxisValues& target, const ThreadCall& call) {
     if (call.lead <= 0.0) return fail(Alarm::LeadMissing, 'F');
     if (!begin_move(target, MoveKind::Thread)) return false;
+    take_factors_off();
     move_.sweep = 0.0;
     if (call.arc) {
         int pi = -1, qi = -1;

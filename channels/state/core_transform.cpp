@@ -65,6 +65,7 @@ void Core::transform_off() {
 void Core::transformation_restored() {
     if (transforms_) transforms_->forget_failure();
     show_transformation();
+    show_factors();
 }
 
 // A rotary axis that takes part counts millimetres, and stands for Y where the transformation says so.

@@ -89,6 +89,7 @@ ChannelConfig read_channel(const p::Table& t, unsigned l) {
     channel.jog_feed_rev = p::get(t, p::n0318_jog_f_g95, l) * unit;
     channel.measure_feed = p::get(t, p::n0319_t_meas_feed, l) * unit / 60.0;
     channel.rapid_key_factor = p::get(t, p::n0313_feed_mult, l);
+    channel.feed_override_in_rapid = p::get(t, p::fg_rapidovr, l) != 0;
     channel.parts_wanted = p::get(t, p::n2308_no_of_parts_reqrd, l);
     channel.stops_at_wanted = p::get(t, p::pt_parts_stop, l) != 0;
     channel.default_feed = p::get(t, p::n0300_default_f_g94, l) * unit / 60.0;

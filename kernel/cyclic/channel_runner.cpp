@@ -211,6 +211,7 @@ PathInput ChannelRunner::path_input() noexcept {
     PathInput input;
     input.feed_override = (keys & kKeyRapid) ? feed_override * core_.config.channels[index_].rapid_key_factor : feed_override;   // N0313
     input.rapid_override = rapid_override;
+    if (core_.config.channels[index_].feed_override_in_rapid) input.rapid_override *= std::min(feed_override, 1.0);
     input.speed_ceiling = setup_ceiling();
     input.spindle_rev_s = core_.spindle_rev_s.data();
     input.hold = (core_.signals.plc(signals::cp_stop(number_)) && !(control_ & kControlNoPlcStop)) || hold_ || group_ended_ || resetting_ || dead_ || interrupted_ || core_.all_stop || !core_.on() || !drives_by_wheel();

@@ -45,6 +45,7 @@ TEST(MefiShift, MovesWhereTheTableSays) {
     const Row rows[] = {
         {"G00 X100", "140,0"},                                   // [3] whole millimetres; [5.5] G53 in force at program start
         {"G00 X.5 Z 200.", "40.5,170"},                          // [3] leading zero left out, trailing point
+        {"G00 X - 5 Z + 3\nZ-  .5", "35,-27 35,-30.5"},          // blanks behind the sign
         {"G54 G00 X0 Z0", "5,-50"},                              // [4.3] not added to G53
         {"G54\nG57\nG53\nG00 X0 Z0", "40,-30"},                  // [5.1] blocks with a shift alone move nothing
         {"G00 G56 X0 Z0\nG58 X0 Z0\nX1 Z1", "-2,12.5 1,300 -1,13.5"},   // [5.3]

@@ -1,0 +1,69 @@
+// Factors of single axes behind compensation: Core's positions have them (they are part of the frame), what it delivers has not,
+// FactorSink puts them on again.
+#include "channels/state/core.hpp"
+#include "channels/state/factor_sink.hpp"
+
+namespace polyturn::channels {
+
+void Core::set_factors(const AxisValues& factor, const Frame& frame) {
+    path.factor = factor;
+    path.factored = false;
+    for (unsigned i = 0; i < view_->axis_count; ++i) path.factored = path.factored || factor[i] != 1.0;
+    if (path.factored && !factors_) {
+        factors_ = std::make_unique<FactorSink>(*view_, path);
+        refresh_routes();
+    }
+    show_factors();
+    set_frame(frame);
+}
+
+// A rotary axis with a factor counts on and on, as a linear one does (the surface of a cylinder).
+void Core::show_factors() {
+    for (unsigned i = 0; i < view_->axis_count; ++i) {
+        ChannelAxis& axis = view_->axes[i];
+        const bool counts_on = path.factored && path.factor[i] != 1.0;
+        if (counts_on && axis.rollover) axis.rollover = false, axis.counts_on = true;
+        else if (!counts_on && axis.counts_on) axis.rollover = true, axis.counts_on = false;
+    }
+}
+
+// What the factors are not in yet, of a point in the system around the frame.
+AxisValues Core::before_factors(AxisValues point) const {
+    if (!path.factored) return point;
+    for (unsigned i = 0; i < view_->axis_count; ++i) point[i] /= path.factor[i];
+    return point;
+}
+
+double Core::behind_factors(unsigned i, double machine, double offset) const {
+    return path.factored ? offset + (machine - offset) * path.factor[i] : machine;
+}
+
+Frame Core::frame_before_factors() const {
+    Frame frame = path.frame;
+    if (!path.factored) return frame;
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (geo_[k] < 0) continue;
+        const double f = path.factor[static_cast<std::size_t>(geo_[k])];
+        for (double& share : frame.linear[k]) share /= f;
+        frame.shift[k] /= f;
+    }
+    return frame;
+}
+
+// move_ as it is before the factors; where it really ends stays in real_end_.
+void Core::take_factors_off() {
+    if (!path.factored || factors_off_) return;
+    factors_off_ = true;
+    real_end_ = move_.machine;
+    for (unsigned i = 0; i < view_->axis_count; ++i) {
+        const double f = path.factor[i];
+        if (f == 1.0) continue;
+        const double start = move_.machine_start[i] - path.turns_deg[i] - path.zero[i] - path.shift[i] - path.vector[i];
+        move_.machine_start[i] -= start - start / f;
+        move_.machine[i] -= move_.pos[i] - move_.pos[i] / f;
+        move_.pos[i] /= f;
+    }
+    if (!reads_ahead()) factors_->start(path.machine);
+}
+
+}  // namespace polyturn::channels
