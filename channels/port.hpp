@@ -54,6 +54,10 @@ public:
     // It has its reference point.
     virtual bool axis_referenced(unsigned /*machine_axis*/) { return true; }
     virtual StrokeFlags stroke_flags(unsigned machine_axis) = 0;
+    // The operator's overrides as of the last barrier, 1 is 100 %, and what a spindle turns at, 1/min; nothing: nobody drives.
+    virtual double feed_override() { return 1.0; }
+    virtual double spindle_override(unsigned /*spindle*/) { return 1.0; }
+    virtual std::optional<double> spindle_speed(unsigned /*spindle*/) { return std::nullopt; }
     // Machine spindle that the PLC has chosen for this channel (CP_SSEL); 0: it has chosen none.
     virtual unsigned selected_spindle() { return 0; }
     // Machine axis (from 1) that this one (from 0) follows synchronously now; 0: it moves by itself.

@@ -23,7 +23,7 @@ std::int64_t number_of_file(const std::string& path) {
 }  // namespace
 
 Interpreter::Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles& files)
-    : ways_(sink), core_(view, ways_, port), files_(&files), settings_(read_settings(view.table(), view.channel)), reader_(*this), expression_(*this) {
+    : spindles_(sink), ways_(spindles_), core_(view, ways_, port), files_(&files), settings_(read_settings(view.table(), view.channel)), reader_(*this), expression_(*this) {
     place_.fill(-1);
     for (unsigned i = 0; i < view.axis_count; ++i) {
         const std::string& name = view.axes[i].name;
@@ -59,6 +59,7 @@ void Interpreter::clear_modal() {
     core_.path.feed = 0.0;
     core_.path.exact_stop_mode = modal_.corner == 7;
     core_.path.override_locked = false;
+    spindles_.set(1.0, core_.at);
     AxisValues ones{};
     ones.fill(1.0);
     core_.set_factors(ones, Frame{});

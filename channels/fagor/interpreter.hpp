@@ -20,6 +20,7 @@
 #include "channels/fagor/modal.hpp"
 #include "channels/fagor/reader.hpp"
 #include "channels/fagor/settings.hpp"
+#include "channels/fagor/spindle_override.hpp"
 #include "channels/fagor/values.hpp"
 #include "channels/fagor/way_counter.hpp"
 #include "channels/language.hpp"
@@ -225,6 +226,7 @@ private:
     Access read_state(const Target& target, double& value);
     Access read_coordinate(const Target& target, double& value);
     Access read_feed_or_spindle(const Target& target, double& value);
+    double spindle_turns_at() const;
     Access plc_value(const Target& target, bool write, double& value);
     Access block_position(const Target& target, double& value);
     double* plc_cell(const Target& target);
@@ -247,6 +249,7 @@ private:
     void note_resume_point();
     bool is_plain_move() const;
 
+    SpindleOverride spindles_;       // behind the following
     WayCounter ways_;                // between Core and the machine: the way of each axis
     Core core_;
     ProgramFiles* files_;

@@ -35,8 +35,7 @@ Settings read_settings(const Table& t, unsigned l) {
     s.inclined_deg = get(t, fg_angantr, l);
     s.inclined_origin = get(t, fg_offangax, l);
     s.override_max = static_cast<double>(get(t, fg_maxfovr, l));
-    const auto entries = static_cast<unsigned>(get(t, fg_nmiscfun, l));
-    for (unsigned n = 0; n < fg_mfun.array && n < entries; ++n) {
+    for (unsigned n = 0; n < fg_mfun.array; ++n) {
         const auto code = static_cast<std::int32_t>(get(t, fg_mfun, l, n));
         if (code < 0) continue;
         const auto flags = static_cast<unsigned>(get(t, fg_mflags, l, n));

@@ -1,5 +1,6 @@
 // Values behind the names of variable_names.hpp: tables, zeros, states, coordinates (fagor_8037t part 2, 11.2).
 #include <cmath>
+#include <numbers>
 
 #include "channels/fagor/interpreter.hpp"
 #include "ipc/machine/work_zeros.hpp"
@@ -206,18 +207,25 @@ Access Interpreter::read_coordinate(const Target& target, double& value) {
 
 Access Interpreter::read_feed_or_spindle(const Target& target, double& value) {
     const SpindleState& s = core_.path.spindle;
-    const double panel = 100.0;
+    Port& port = core_.port();
+    const double panel = std::round(port.feed_override() * 100.0), spindle_panel = s.spindle ? std::round(port.spindle_override(s.spindle) * 100.0) : 100.0;
     switch (target.row->var) {
         case Var::Feed: value = from_length_plain(modal_.feed_code == 32 ? modal_.feed_of_block : modal_.feed_minute); break;
         case Var::FeedProgram: value = from_length_plain(modal_.feed_minute); break;
         case Var::FeedRev: case Var::FeedRevProgram: value = from_length_plain(modal_.feed_revolution); break;
         case Var::FeedInverse: value = modal_.feed_inverse; break;
-        case Var::Override: value = modal_.override_program > 0 ? modal_.override_program : panel; break;
+        case Var::Override: value = modal_.override_program > 0 ? modal_.override_program : std::fmin(panel, settings_.override_max); break;
         case Var::OverrideProgram: value = modal_.override_program; break;
-        case Var::OverridePanel: case Var::SpindleOverridePanel: value = panel; break;
-        case Var::SpindleOverride: value = modal_.spindle_override_program > 0 ? modal_.spindle_override_program : panel; break;
+        case Var::OverridePanel: value = panel; break;
+        case Var::SpindleOverridePanel: value = spindle_panel; break;
+        case Var::SpindleOverride: value = modal_.spindle_override_program > 0 ? modal_.spindle_override_program : spindle_panel; break;
         case Var::SpindleOverrideProgram: value = modal_.spindle_override_program; break;
-        case Var::SpindleReal: case Var::SpindleTheoretical: value = s.turn == SpindleTurn::Stop ? 0.0 : s.rpm; break;
+        case Var::SpindleReal: {
+            const auto turns = s.spindle ? port.spindle_speed(s.spindle) : std::nullopt;
+            value = turns ? *turns : spindle_turns_at();
+            break;
+        }
+        case Var::SpindleTheoretical: value = spindle_turns_at(); break;
         case Var::SpindleSpeed: case Var::SpindleProgram: value = s.rpm; break;
         case Var::SurfaceSpeed: case Var::SurfaceProgram: value = modal_.inch ? s.surface_m_min / 0.3048 : s.surface_m_min; break;
         case Var::SpindleLimit: value = modal_.speed_limit; break;
@@ -226,6 +234,20 @@ Access Interpreter::read_feed_or_spindle(const Target& target, double& value) {
         default: value = 0.0; break;   // nothing moves while a program reads it
     }
     return Access::Ok;
+}
+
+// 1/min that the commands come to: in G96 at the present diameter, with the override of the program.
+double Interpreter::spindle_turns_at() const {
+    const SpindleState& s = core_.path.spindle;
+    if (s.turn == SpindleTurn::Stop) return 0.0;
+    double rpm = s.rpm;
+    const int x = const_cast<Interpreter*>(this)->core_.view().axis_by_role(PlaneRole::BasicX);
+    if (s.mode == SpindleModeCode::SurfaceSpeed && x >= 0) {
+        const double radius = std::fabs(core_.framed(core_.path.programmed)[static_cast<std::size_t>(x)]);
+        rpm = radius > 0 ? 1000.0 * s.surface_m_min / (2 * std::numbers::pi * radius) : s.limit_rpm;
+    }
+    if (modal_.spindle_override_program > 0) rpm *= modal_.spindle_override_program / 100.0;
+    return s.limit_rpm > 0 ? std::fmin(rpm, s.limit_rpm) : rpm;
 }
 
 bool Interpreter::g_active(unsigned n) const {
@@ -267,8 +289,11 @@ double Interpreter::machine_parameter(const Target& target) const {
         switch (n) {
             case 8: return settings_.inch;
             case 35: case 36: case 37: case 38: return settings_.interrupt_subroutine[static_cast<std::size_t>(n - 35)];
+            case 73: return settings_.interpolation_period;
             case 119: return settings_.probe_error;
             case 123: return settings_.geometry_by_offset;
+            case 160: return settings_.look_ahead_kind;
+            case 189: return static_cast<double>(params::get(const_cast<Interpreter*>(this)->core_.view().table(), params::fg_mantfcon, const_cast<Interpreter*>(this)->core_.view().channel));
             default: return 0.0;
         }
     }

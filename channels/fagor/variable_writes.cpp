@@ -135,6 +135,8 @@ Access Interpreter::write_named(const Target& target, double value) {
         case Var::SpindleOverrideProgram:
             if (value < 0 || value > 255) return variable_fault(Alarm::FagorValueRange, "PRGSSO", value);
             modal_.spindle_override_program = value == 0 ? 0 : std::clamp(value, settings_.spindle_override_min, settings_.spindle_override_max);
+            spindles_.set(modal_.spindle_override_program > 0 ? modal_.spindle_override_program / 100.0 : 1.0, core_.at);
+            core_.mark_emitted();
             return Access::Ok;
         case Var::ProbeInput:
             if (value != 1 && value != 2) return variable_fault(Alarm::FagorValueRange, "SELPRO", value);

@@ -39,6 +39,9 @@ public:
     bool diameter_inverted(unsigned machine_axis) override;
     unsigned synchronous_master(unsigned machine_axis) override;
     bool second_geometry(unsigned axis) override;
+    double feed_override() override { return own().feed_override; }
+    double spindle_override(unsigned spindle) override { return status_->spindles[spindle - 1].override; }
+    std::optional<double> spindle_speed(unsigned spindle) override { return std::abs(status_->spindles[spindle - 1].speed); }
     unsigned selected_spindle() override;
     // What the program prints goes to `device` (PT_PRINT_TO), or into a file beside it: <program>.L<channel>.print; without a
     // program (MDI) nowhere.

@@ -49,9 +49,8 @@ ChannelConfig channel_config(const Table& t, unsigned l) noexcept {
 AxisLimits axis_limits(const Table& t, unsigned a, double unit) noexcept {
     const double per_minute = unit / 60.0;
     AxisLimits m{};
-    const auto lower = [&](double own, double fagor_mm_min) { return fagor_mm_min > 0 ? std::min(own, fagor_mm_min / 60.0) : own; };
-    m.rapid_mm_s = lower(get(t, n0304_rapid, a) * per_minute, get(t, fg_g00feed, a));
-    m.max_feed_mm_s = lower(get(t, n0305_max_feed, a) * per_minute, get(t, fg_maxfeed, a));
+    m.rapid_mm_s = get(t, n0304_rapid, a) * per_minute;
+    m.max_feed_mm_s = get(t, n0305_max_feed, a) * per_minute;
     m.manual_rapid_mm_s = get(t, n0314_manual_rapid, a) * per_minute;
     m.jog_feed_mm_s = get(t, n0315_jog_max_feed, a) * per_minute;
     m.ref_rapid_mm_s = get(t, n0302_ref_rapid, a) * per_minute;
