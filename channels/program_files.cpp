@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <fstream>
 
 namespace polyturn::channels {
 namespace {
@@ -111,6 +112,16 @@ void ProgramFiles::add_folders(std::string_view list, const std::string& from) {
         if (!one.empty()) folders_.push_back((fs::path(from) / one).string());   // an absolute path stands for itself
         list = colon == std::string_view::npos ? std::string_view{} : list.substr(colon + 1);
     }
+}
+
+bool ProgramFiles::keep(const std::string& name, std::string_view text) {
+    const fs::path path = fs::path(kept_) / name, beside = path.string() + ".new";
+    std::ofstream out(beside, std::ios::binary | std::ios::trunc);
+    out.write(text.data(), static_cast<std::streamsize>(text.size()));
+    out.close();
+    std::error_code error;
+    if (out) fs::rename(beside, path, error);
+    return out && !error;
 }
 
 const std::vector<std::string>& ProgramFiles::memory(std::string_view extension) {

@@ -23,6 +23,12 @@ public:
     // More folders, with : between; relative ones begin at `from`.
     void add_folders(std::string_view list, const std::string& from);
 
+    // Programs that programs write are kept in this folder; without one they live as long as the run.
+    void keep_in(const std::string& folder) { kept_ = folder; }
+    bool keeps() const { return !kept_.empty(); }
+    // The whole text or nothing is there afterwards. False: it could not be written.
+    bool keep(const std::string& name, std::string_view text);
+
     Result<FileId> open(const std::string& path);
     Result<FileId> open_text(std::string_view text, std::string_view name);   // the text must outlive this
     // The file of program `number`: a library file or a file of the folders whose name or first O word says so.
@@ -53,6 +59,7 @@ private:
 
     std::vector<std::unique_ptr<File>> files_;
     std::vector<std::string> library_, folders_;
+    std::string kept_;
     std::map<std::int64_t, FileId> by_number_;   // what find_number() has found
     std::vector<std::string> memory_;     // what memory() has found, for the extension memory_of_
     std::string memory_of_;

@@ -247,6 +247,8 @@ bool Interpreter::m_end(double code) {
     }
     // The end of the program stops the spindle and sets the initial state (5.5).
     if (core_.path.spindle.turn != SpindleTurn::Stop && !(core_.spindle_turn(SpindleTurn::Stop) && core_.commit_spindle())) return false;
+    if (!keep_written()) return false;
+    modal_.writing = -1;
     core_.sink().part(++modal_.parts, core_.at);
     finish(code == 2 ? StopReason::M02 : StopReason::M30);
     return true;

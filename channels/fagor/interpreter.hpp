@@ -7,6 +7,7 @@
 // Programmed numbers are X as the program writes it (diameter or radius); target_ is in true millimetres, X as a radius, before
 // mirror and scale, which are a frame of Core.
 #pragma once
+#include <any>
 #include <deque>
 #include <map>
 #include <memory>
@@ -65,6 +66,8 @@ public:
     bool may_resume_at(std::uint64_t serial) const override;
     bool offsets_changed() override;
     bool interrupt(std::uint64_t serial, bool within, unsigned input) override;
+    std::any carry() const override;
+    void take_carry(const std::any& before, bool after_reset) override;
 
     // --- handlers of g_codes.cpp
     bool g_units(const GCode&), g_x_format(const GCode&), g_plane(const GCode&), g_plane_of_axes(const GCode&), g_distance(const GCode&);
@@ -210,6 +213,7 @@ private:
     Flow execute(const char*& at, const char* end, bool modal);
     Flow open(const char*& at, const char* end), write(const char*& at, const char* end);
     Flow reposition(const char*& at, const char* end);
+    bool keep_written();
     Flow skip_definition(const char*& at, const char* end);
     Flow label_of_statement(const char*& at, const char* end, std::int64_t& label);
     Flow number_of_statement(const char*& at, const char* end, char letter, std::int64_t& number);
@@ -246,6 +250,7 @@ private:
 
     // resume states (resume.cpp)
     struct ResumeState;
+    struct Left;
     void note_resume_point();
     bool is_plain_move() const;
 
@@ -292,6 +297,7 @@ private:
     AxisValues interrupt_begin_{};                // its start
     AxisValues interrupt_left_{};                 // where the subroutine has left the axes ...
     bool interrupt_fill_ = false;                 // ... for those outside of the plane that the block read again does not name
+    bool first_run_ = true;          // FIRST
     double began_ms_ = 0.0;                       // CYTIME counts from here
     std::shared_ptr<ResumeState> interrupted_;    // what held there
     std::map<std::uint64_t, LoopPlan> loops_;     // by the serial of their blocks

@@ -1,5 +1,7 @@
 // Statements that run and write other texts: RPT, CALL, PCALL, MCALL, SUB, EXEC, MEXEC, OPEN, WRITE, REPOS
 // (fagor_8037t part 2, 12.4 to 12.7).
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "channels/fagor/interpreter.hpp"
@@ -159,12 +161,22 @@ Interpreter::Flow Interpreter::open(const char*& at, const char* end) {
         while (source.next(line) == LineSource::Status::Line) text.append(line) += '\n';
         source.seek(back);
     }
+    if (!keep_written()) return Flow::Fault;
     if (!written) written = &modal_.written.emplace_back(WrittenProgram{number, {}, {}});
     if (text.empty()) text = "%" + title + ",MX,\n";
     written->title = title;
     written->text = std::make_shared<const std::string>(std::move(text));
     modal_.writing = number;
     return Flow::Done;
+}
+
+// The program that was open is complete: it goes into the machine's program memory, where there is one.
+bool Interpreter::keep_written() {
+    if (modal_.writing < 0 || !files_->keeps() || reads_profile_ || scanning_) return true;
+    for (const WrittenProgram& program : modal_.written)
+        if (program.number == modal_.writing && !files_->keep(fmt::format("{:06}.PIT", program.number), *program.text))
+            return core_.fail(Alarm::FileUnreadable, 0, fmt::format("{:06}.PIT", program.number));
+    return true;
 }
 
 // ISO words take the values of their parameters; in a statement only parameters behind ? do.

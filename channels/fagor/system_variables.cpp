@@ -173,7 +173,7 @@ Access Interpreter::read_state(const Target& target, double& value) {
             return Access::Ok;
         }
         case Var::CycleTime: value = std::trunc((core_.port().running_ms() - began_ms_) / 10.0); return Access::Ok;
-        case Var::First: value = 1.0; return Access::Ok;
+        case Var::First: value = first_run_; return Access::Ok;
         case Var::ProbeInput: value = modal_.probe_input; return Access::Ok;
         case Var::Diameter: value = modal_.diameter; return Access::Ok;
         case Var::ProbeMode: value = modal_.probe_mode; return Access::Ok;

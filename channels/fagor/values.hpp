@@ -63,6 +63,15 @@ public:
         tools_ = other.tools_;
     }
 
+    // Everything of `other` but the local parameters and the undo log: for the next program.
+    void take_tables(const Values& other) {
+        global_ = other.global_, user_ = other.user_, maker_ = other.maker_;
+        tools_ = other.tools_;
+        marks_ = other.marks_, registers_ = other.registers_;
+        inputs_ = other.inputs_, outputs_ = other.outputs_, timers_ = other.timers_, counters_ = other.counters_;
+        kept_ = other.kept_;
+    }
+
     static constexpr std::size_t kMarks = 5958, kRegisters = 500, kPins = 513, kTimers = 513, kCounters = 257, kKeptRows = 200, kKeptPlaces = 18;
 
 private:

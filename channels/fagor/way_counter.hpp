@@ -12,6 +12,7 @@ public:
     explicit WayCounter(Sink& next) : ForwardingSink(&next) {}
 
     double way(unsigned place) const { return way_[place]; }          // mm (X as a radius) or degrees
+    void take_ways(const WayCounter& other) { way_ = other.way_; }
     // A move that the probe has ended `short_of` its end.
     void take_back(unsigned place, double short_of) { way_[place] -= std::fabs(short_of); }
 

@@ -23,7 +23,9 @@ public:
         for (const std::string& path : setup.channel(view.channel).subprograms) files_.add_library(path);
         const std::string folder = std::filesystem::path(choice.path).parent_path().string();
         if (!choice.path.empty()) files_.add_folder(folder);
-        files_.add_folders(params::get_text(view.table(), params::pt_program_folders, view.channel), folder);
+        const std::string_view memory = params::get_text(view.table(), params::pt_program_folders, view.channel);
+        files_.add_folders(memory, folder);
+        if (const std::string_view first = memory.substr(0, memory.find(':')); !first.empty()) files_.keep_in((std::filesystem::path(folder) / first).string());
         language_ = make_language(language, view, sink, port, files_);
     }
     Result<void> start() override {
