@@ -73,6 +73,11 @@ private:
     bool pass(double depth, double aside) {
         const double clear = t_->safety * away_, d = -away_ * depth;
         const double begin = s0_ + way_ * aside;
+        if (t_->exit != 0.0) {   // held in the thread: out as far as the safety level, along by the way of the exit
+            const auto x = static_cast<std::int8_t>(moves_->x()), z = static_cast<std::int8_t>(moves_->z());
+            call_.withdraw_axis = {t_->face ? z : x, t_->face ? x : z, -1};
+            call_.withdraw = {clear - d, way_ * std::fabs(t_->exit), 0.0};
+        }
         if (!rapid(s0_, h0_ + clear)) return false;
         if (t_->run_in) {
             // Into the part along one slope, so that the deepest pass needs just one lead.
