@@ -293,7 +293,6 @@ double Interpreter::machine_parameter(const Target& target) const {
             case 119: return settings_.probe_error;
             case 123: return settings_.geometry_by_offset;
             case 160: return settings_.look_ahead_kind;
-            case 189: return static_cast<double>(params::get(const_cast<Interpreter*>(this)->core_.view().table(), params::fg_mantfcon, const_cast<Interpreter*>(this)->core_.view().channel));
             default: return 0.0;
         }
     }
