@@ -4,6 +4,7 @@ from eight_channels import CHANNELS, axes
 
 REPAIR_EVERY_S = 9.0
 REPAIR_TAKES_S = 3.5
+LAST_S = 4.0
 
 
 class Stimuli:
@@ -29,7 +30,7 @@ class Stimuli:
     def build(self):
         t = 0.3
         repair = REPAIR_EVERY_S
-        while t < self.seconds - REPAIR_TAKES_S - 1:
+        while t < self.seconds - REPAIR_TAKES_S - LAST_S - 1:
             if t > repair:
                 t = self.repair(t)
                 repair = t + self.rng.uniform(0.4, 1.6) * REPAIR_EVERY_S
@@ -38,7 +39,8 @@ class Stimuli:
             t += self.rng.expovariate(1.0 / 0.35)
         if self.deaths:
             self.die()
-        self.last = self.repair(self.seconds - REPAIR_TAKES_S)
+        self.repair(self.seconds - REPAIR_TAKES_S - LAST_S)   # after all that, it can be brought to run again
+        self.add(self.seconds, "press", "reset")
         return self
 
     def repair(self, t):
@@ -165,4 +167,4 @@ class Stimuli:
             else:
                 self.add(t, "kill", who)
                 self.dead[who] = t
-            t = min(t + rng.uniform(0.0, 5.0), self.seconds - 5)
+            t = min(t + rng.uniform(0.0, 5.0), self.seconds - 9)
