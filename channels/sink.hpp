@@ -77,6 +77,8 @@ struct Move {
     double feed = 0.0;              // mm/min (deg/min), mm/rev, 1/min; 0 for rapid
     double feed_scale = 1.0;        // way along the path (linear axes; rotary ones when they are alone) in one unit of what the feed counts
     double speed_limit = 0.0;       // along the path, mm/min, whatever the feed; 0 none
+    // Inner corners are cut slowly: so many mm of the path at its beginning and at its end with this share of the feed.
+    double slow_head = 0.0, slow_tail = 0.0, slow_share = 1.0;
     // Arcs. The plane's axes are places in the channel; the others move in proportion to the angle.
     std::uint8_t plane_p = 0, plane_q = 0;        // G18: Z, X
     double centre_p = 0.0, centre_q = 0.0;        // machine coordinates

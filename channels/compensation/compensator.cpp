@@ -171,14 +171,17 @@ void Compensator::move(const Move& m, const BlockContext& at) {
 }
 
 void Compensator::hold(const Move& m, const BlockContext& at, Role role) {
-    block_ = {m, at, element_of(m), tip_, role};
+    block_ = {m, at, element_of(m), tip_, role, false, false};
     held_ = true;
     repeated_ = settled_ = false;
 }
 
 void Compensator::contour_block(const Move& m, const BlockContext& at) {
+    bool slow = false;   // the corner between the held element and this one
     if (held_) {
         const Element next = element_of(m);
+        slow = slow_corner(block_, m, next);
+        block_.slow_end = slow;
         CornerResult corner;
         if (repeated_) corner.vectors = Vectors::one(block_.element.nose * block_.element.normal_at_end());
         else if (block_.role == Role::Begin) corner = start_corner(from_nose(block_.element), next, options_);
@@ -195,6 +198,7 @@ void Compensator::contour_block(const Move& m, const BlockContext& at) {
             before_ = {block_, corner.vectors, {}};
             before_->trailing.append(trailing_);
             hold(m, at, Role::Contour);
+            block_.slow_begin = slow;
             return;
         }
         if (!finish(corner.vectors)) return;
@@ -209,6 +213,7 @@ void Compensator::contour_block(const Move& m, const BlockContext& at) {
     }
     const bool apart = !held_ && settled_ && options_.straight_after_halt;
     hold(m, at, Role::Contour);
+    block_.slow_begin = slow;
     if (!apart) return;
     start_.add(block_.element.nose * block_.element.normal_at_start());
     drop_small(start_, 0.0, false);

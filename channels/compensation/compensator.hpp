@@ -102,6 +102,7 @@ private:
         Element element;
         Vec tip;                // mm
         Role role = Role::Contour;
+        bool slow_begin = false, slow_end = false;   // at an inner corner that asks for less feed
     };
 
     // The element before a held one that is too short: it is not known yet where it ends.
@@ -128,6 +129,7 @@ private:
     Vectors before_rapid() const;
     bool release_before();
     bool too_short(const Element& next, const CornerResult& corner) const;
+    bool slow_corner(const Held& a, const Move& next_move, const Element& next) const;
     bool leave_short_last(const Move& m, const BlockContext& at);
     bool leave_out_short(const Element& next, const Vectors& corner, const Move& m, const BlockContext& at);
     void drop_held();

@@ -1,4 +1,6 @@
 // What the machine does in a block once the vectors at both its ends are known.
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "channels/compensation/compensator.hpp"
@@ -229,8 +231,20 @@ void Compensator::go(const Held& b, Vec to, bool by_arc, Vec about) {
     deliver(m, b.at);
 }
 
+// An inner corner of two cuts, sharper than the options say, is cut with less feed.
+bool Compensator::slow_corner(const Held& a, const Move& next_move, const Element& next) const {
+    const CornerFeed& feed = options_.corner_feed;
+    if (!(feed.before > 0 || feed.behind > 0) || a.role != Role::Contour || a.move.kind == MoveKind::Rapid || next_move.kind == MoveKind::Rapid) return false;
+    if (dot(a.element.normal_at_end(), next.start_dir) <= 0) return false;   // turns away from the nose
+    const double between = 180.0 - std::acos(std::clamp(dot(a.element.end_dir, next.start_dir), -1.0, 1.0)) * (180.0 / std::numbers::pi);
+    return between < feed.below_deg;
+}
+
 void Compensator::go_element(const Held& b, Vec to, bool as_line) {
     Move m = b.move;
+    m.slow_head = b.slow_begin ? options_.corner_feed.behind : 0.0;
+    m.slow_tail = b.slow_end ? options_.corner_feed.before : 0.0;
+    m.slow_share = options_.corner_feed.share;
     const Vec programmed{m.machine[p_], m.machine[q_]};
     m.machine_start[p_] = here_.p, m.machine_start[q_] = here_.q;
     m.machine[p_] = to.p, m.machine[q_] = to.q;

@@ -47,6 +47,14 @@ enum class ArcFeed : std::uint8_t {
     Inner,     // at the contour of inside arcs only: sinumerik CFIN
 };
 
+// Inner corners, where more of the nose cuts: the feed is reduced from `before` to `behind` the corner (nct part 1 15.4, N1407 to
+// N1410). The angle is the one between both elements on the nose's side.
+struct CornerFeed {
+    double before = 0.0, behind = 0.0;   // mm; both 0: off
+    double below_deg = 0.0;              // sharper corners only
+    double share = 1.0;                  // of the feed
+};
+
 struct Options {
     Entry entry = Entry::Around;
     bool leaves_direct = false;             // ends Direct at outer corners too, however it begins
@@ -67,6 +75,7 @@ struct Options {
     unsigned idle_blocks = 2;               // so many blocks without movement end the held one at its normal
     bool idle_is_fault = false;             // or are an alarm
     ArcFeed arc_feed = ArcFeed::Centre;
+    CornerFeed corner_feed;
     double inner_arc_feed_from = -1.0;      // inside arcs: feed in proportion to the radius, not below this share; < 0: as programmed
 };
 

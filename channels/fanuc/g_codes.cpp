@@ -79,7 +79,7 @@ constexpr auto kRows = std::to_array<GCode>({
     {"G59", 590, kM, G::Zero, &I::g_shift, "", false, "Zero shift 6, in its block"},
     {"G60", 600, kM, G::ExactStop, &I::g_exact_stop, "", false, "Exact stop mode"},
     {"G61", 610, kAll, G::ExactStop, &I::g_exact_stop, "", false, "Exact stop mode"},
-    {"G62", 620, kN, G::ExactStop, nullptr, "", false, "Corner override"},
+    {"G62", 620, kN, G::ExactStop, &I::g_exact_stop, "", false, "Corner override: inner corners of a compensated contour are cut with N1410"},
     {"G63", 630, kAll, G::ExactStop, &I::g_exact_stop, "", false, "Feed override off"},
     {"G64", 640, kShared, G::ExactStop, &I::g_exact_stop, "", true, "Cutting mode"},
     {"G65", 650, kAll, G::OneShot, &I::g_macro_call, "", false, "Macro call"},

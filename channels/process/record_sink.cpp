@@ -69,6 +69,7 @@ void RecordSink::move(const Move& move, const BlockContext& at) {
     last_moved_ = move.moved;
     if (move.kind == MoveKind::Thread && move.sweep != 0) thread_arc(move, at);
     else if (move.through) curve(move, at);
+    else if (move.slow_head > 0 || move.slow_tail > 0) slow_ends(move, at);
     else add(move, at, true);
 }
 
@@ -98,6 +99,47 @@ void RecordSink::curve(const Move& move, const BlockContext& at) {
         piece.machine = last ? move.machine : inner[k];
         if (last) piece.exact_stop = move.exact_stop, piece.in_position = move.in_position;
         add(piece, at, false, number, (k > 0 ? std::uint32_t{kMoreBefore} : 0u) | (last ? 0u : std::uint32_t{kMoreBehind}));
+    }
+}
+
+// A cut between inner corners: up to three pieces under one note, the outer ones with a share of the feed.
+//
+//   |--head--|-------- as programmed --------|--tail--|
+void RecordSink::slow_ends(const Move& move, const BlockContext& at) {
+    const bool arc = move.kind == MoveKind::ArcCw || move.kind == MoveKind::ArcCcw;
+    double length = 0.0;
+    if (arc) length = std::fabs(move.sweep) * move.radius;
+    else
+        for (unsigned i = 0; i < view_->axis_count; ++i) length = std::hypot(length, move.machine[i] - move.machine_start[i]);
+    if (!(length > 0) || move.feed_mode == FeedMode::InverseTime) return add(move, at, true);
+    // Shares of the way where the feed changes; where both slow ends meet, all of it is slow.
+    double from = std::fmin(move.slow_head / length, 1.0), to = 1.0 - std::fmin(move.slow_tail / length, 1.0);
+    if (from >= to) from = to = 1.0;
+    const double ends[] = {from, to, 1.0};
+    const double first = arc ? std::atan2(move.machine_start[move.plane_q] - move.centre_q, move.machine_start[move.plane_p] - move.centre_p) : 0.0;
+    const std::uint64_t number = note([&](Sink& sink) { sink.move(move, at); });   // told whole
+    Move piece = move;
+    piece.slow_head = piece.slow_tail = 0.0;
+    piece.exact_stop = piece.in_position = false;
+    double done = 0.0;
+    for (int k = 0; k < 3; ++k) {
+        if (ends[k] - done < 1e-9) continue;
+        const double share = ends[k];
+        const bool last = share >= 1.0;
+        if (done > 0) piece.machine_start = piece.machine;
+        for (unsigned i = 0; i < view_->axis_count; ++i) piece.machine[i] = last ? move.machine[i] : move.machine_start[i] + (move.machine[i] - move.machine_start[i]) * share;
+        if (arc) {
+            piece.sweep = move.sweep * (share - done);
+            const double radius = move.radius + (move.radius_end - move.radius) * share;
+            if (!last) piece.machine[move.plane_p] = move.centre_p + radius * std::cos(first + move.sweep * share), piece.machine[move.plane_q] = move.centre_q + radius * std::sin(first + move.sweep * share);
+            piece.radius = move.radius + (move.radius_end - move.radius) * done;
+            piece.radius_end = radius;
+            piece.turns = 0;
+        }
+        piece.feed = k == 1 ? move.feed : move.feed * move.slow_share;
+        if (last) piece.exact_stop = move.exact_stop, piece.in_position = move.in_position;
+        add(piece, at, false, number, (done > 0 ? std::uint32_t{kMoreBefore} : 0u) | (last ? 0u : std::uint32_t{kMoreBehind}));
+        done = share;
     }
 }
 

@@ -35,6 +35,7 @@ public:
     void add(const Move&, const BlockContext&, bool told, std::uint64_t number = 0, std::uint32_t flags = 0);
     void curve(const Move&, const BlockContext&);
     void thread_arc(const Move&, const BlockContext&);
+    void slow_ends(const Move&, const BlockContext&);
     void dwell(const Dwell&, const BlockContext&) override;
     void aux(const Aux&, const BlockContext&) override;
     void spindle(const Spindle&, const BlockContext&) override;
