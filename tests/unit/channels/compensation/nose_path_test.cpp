@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <tuple>
 #include <vector>
 
 #include "channels/compensation/compensator.hpp"
@@ -167,6 +168,49 @@ void judge(const Ways& ways, double radius, bool touches) {
         }
     }
     for (const double d : closest) RC_ASSERT(!touches || d <= radius + 1e-6);
+}
+
+// The nose lies above a cut towards -p; the next cut turns up, so that `between` degrees stay open for the nose.
+std::vector<Move> cut_corner(double between, bool inner, const CornerFeed& feed) {
+    Options options;
+    options.corner_feed = feed;
+    Recorder out;
+    Compensator nose;
+    nose.open(out, 0, 1, options);
+    const auto step = [&](Pt from, Pt to, MoveKind kind, std::int64_t block) {
+        Move m = line_to(from, to);
+        m.kind = kind;
+        BlockContext at;
+        at.block = block;
+        nose.nose(0.5, {}, true);
+        nose.move(m, at);
+        nose.block_done(true);
+    };
+    const double a = between * std::numbers::pi / 180;
+    const Pt far{-20 + 20 * std::cos(a), (inner ? 20 : -20) * std::sin(a)};
+    nose.select(-1);
+    step({20, 0}, {0, 0}, MoveKind::Rapid, 1);
+    step({0, 0}, {-20, 0}, MoveKind::Linear, 2);
+    step({-20, 0}, far, MoveKind::Linear, 3);
+    nose.cancel();
+    step(far, {far.p + 20 * std::cos(a), far.q * 2}, MoveKind::Linear, 4);
+    std::vector<Move> cuts;
+    for (std::size_t k = 0; k < out.moves.size(); ++k)
+        if (out.blocks[k] == 2 || out.blocks[k] == 3) cuts.push_back(out.moves[k]);
+    return cuts;
+}
+
+TEST(NosePath, SharpInnerCornersAreMarkedForLessFeed) {
+    const CornerFeed feed{2, 1, 90, 0.4};
+    const std::vector<Move> sharp = cut_corner(80, true, feed);
+    ASSERT_EQ(sharp.size(), 2u);
+    EXPECT_EQ(sharp[0].slow_head, 0);
+    EXPECT_EQ(sharp[0].slow_tail, 2);
+    EXPECT_EQ(sharp[0].slow_share, 0.4);
+    EXPECT_EQ(sharp[1].slow_head, 1);
+    EXPECT_EQ(sharp[1].slow_tail, 0) << "G40 leaves in line";
+    for (const auto& [between, inner, how] : {std::tuple{100.0, true, feed}, {80.0, false, feed}, {80.0, true, CornerFeed{}}})
+        for (const Move& m : cut_corner(between, inner, how)) EXPECT_EQ(m.slow_head + m.slow_tail, 0) << between << inner;
 }
 
 TEST(NosePath, KeepsItsDistanceAndTouchesEveryElement) {

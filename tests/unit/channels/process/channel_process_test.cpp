@@ -49,6 +49,33 @@ TEST_F(ChannelProcessTest, PushesAProgramFromCycleStartToItsEnd) {
     EXPECT_STREQ(names.name.data(), "O0001.nc");
 }
 
+// 30 mm: the first 2 after one inner corner and the last 5 before another at half the feed; one note, told once.
+TEST_F(ChannelProcessTest, InnerCornersAreCutWithTheirShareOfTheFeed) {
+    const ScriptedRun::Line cut = [this](Sink& sink, const MachineView& view, Port&) {
+        Move move = line_to(view, at, 0, 30);
+        move.slow_head = 2, move.slow_tail = 5, move.slow_share = 0.5;
+        ++block.line;
+        sink.move(move, block);
+        sink.block_end(block);
+        return Step::Continue;
+    };
+    rig.program = {cut, stop(StopReason::M30)};
+    rig.tell(ChannelEventKind::CycleStart);
+    rig.run_until_quiet();
+    rig.take_all();
+    double slow = 0, fast = 0;
+    unsigned noted = 0;
+    for (const PathRecord& r : rig.taken) {
+        if (kind_of(r) == RecordKind::Stop) continue;
+        if (r.feed == 5) slow += r.length;
+        if (r.feed == 10) fast += r.length;
+        noted += (r.flags & kBlockBegin) != 0;
+    }
+    EXPECT_NEAR(slow, 7, 0.05) << "blends round nothing: the pieces are in line";
+    EXPECT_NEAR(fast, 23, 0.05);
+    EXPECT_EQ(noted, 1u);
+}
+
 TEST_F(ChannelProcessTest, StandsAtABarrierUntilTheKernelHasAnswered) {
     rig.program = {line(10, 0), stop(StopReason::M00), line(0, 0)};
     rig.tell(ChannelEventKind::CycleStart);
