@@ -55,8 +55,9 @@ public:
 private:
     template <class Event>
     void put(const Event& event, const BlockContext& at) {
+        const std::size_t before = text_->size();
         append_event(*text_, scene_, event, at);
-        end();
+        if (text_->size() != before) end();   // some say nothing
     }
     void end() { if (separator_) *text_ += separator_; }
 
