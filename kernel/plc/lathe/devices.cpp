@@ -3,10 +3,28 @@
 
 namespace polyturn::plc {
 
+// Where a station lies on the turret's way round, in steps: with half stations the second half of the numbers lies between
+// the first.
+std::int32_t LathePlc::step_of(const ChannelSettings& set, std::int32_t station) const {
+    if (!set.half) return station - 1;
+    const std::int32_t full = (set.stations + 1) / 2;
+    return station <= full ? 2 * (station - 1) : 2 * (station - full - 1) + 1;
+}
+
+std::int32_t LathePlc::station_at(const ChannelSettings& set, std::int32_t step) const {
+    if (!set.half) return step + 1;
+    const std::int32_t full = (set.stations + 1) / 2;
+    return step % 2 == 0 ? step / 2 + 1 : full + step / 2 + 1;
+}
+
 void LathePlc::start_t(View view, std::uint32_t channel, std::int32_t code) {
     Channel& me = at(channel);
     Turret& turret = me.turret;
     const ChannelSettings& set = settings(channel);
+    // Tool management has found the place: the pot is the station, and another magazine than the turret's does not turn it.
+    const std::int32_t magazine = view.in.signal[slots(channel).magazine];
+    if (magazine != 0 && magazine != set.magazine) code = 0;
+    else if (magazine != 0) code = view.in.signal[slots(channel).pot] - set.first_pot + 1;
     const std::int32_t count = set.stations;
     me.t_pending = true;
     if (code < 0 || (count > 0 && code > count)) {
@@ -15,10 +33,11 @@ void LathePlc::start_t(View view, std::uint32_t channel, std::int32_t code) {
     }
     turret.target = code == 0 || count == 0 ? turret.station : code;
     if (turret.target == turret.station && turret.step == 0) return;  // move_turret finishes it in this cycle
-    const std::int32_t forward = (turret.target - turret.station + count) % count;
-    turret.step = set.forward_only || 2 * forward <= count ? 1 : -1;
+    const std::int32_t steps = set.half ? 2 * ((count + 1) / 2) : count;
+    const std::int32_t forward = (step_of(set, turret.target) - step_of(set, turret.station) + steps) % steps;
+    turret.step = set.forward_only || 2 * forward <= steps ? 1 : -1;
     turret.clamping = false;
-    turret.due_tick = view.in.tick + ticks(set.turret_time_s);
+    turret.due_tick = view.in.tick + ticks(step_time(set));
 }
 
 void LathePlc::move_turret(View view, std::uint32_t channel) {
@@ -31,9 +50,10 @@ void LathePlc::move_turret(View view, std::uint32_t channel) {
             turret.clamping = false;
             break;
         }
-        turret.station = (turret.station - 1 + turret.step + set.stations) % set.stations + 1;
+        const std::int32_t steps = set.half ? 2 * ((set.stations + 1) / 2) : set.stations;
+        turret.station = station_at(set, (step_of(set, turret.station) + turret.step + steps) % steps);
         turret.clamping = turret.station == turret.target;
-        turret.due_tick += ticks(turret.clamping ? set.turret_clamp_s : set.turret_time_s);
+        turret.due_tick += ticks(turret.clamping ? set.turret_clamp_s : step_time(set));
     }
     if (!me.t_pending || turret.step != 0 || me.message == kNoSuchStation) return;
     me.t_pending = false;

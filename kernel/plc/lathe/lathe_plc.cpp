@@ -218,6 +218,10 @@ void LathePlc::write_outputs(View view) const {
         output[kChuckOpen] = me.chuck_open;
     }
     view.out.signal[message_slot_] = message;
+    std::int32_t key = 0;   // the highest position whose input is on
+    for (std::int32_t n = 1; n <= 3 && in_key_ > 0; ++n)
+        if (view.in.input[in_key_ + n - 2]) key = n;
+    view.out.signal[key_slot_] = key;
     view.out.signal[stop_slot_] = missing(view, in_stop_);
     view.out.signal[power_slot_] = missing(view, in_power_);
 }

@@ -14,8 +14,9 @@
 //                   for a spindle that M5 stops, and is refused while it turns
 //   M13 M14 M15     driven tool of the channel's turret right, left, stop       at once
 //   T               turret goes the shorter way, or forwards only               PT_TURRET_TIME a station, then
-//                   (PT_TURRET_FORWARD), to the station of that number; T0      PT_TURRET_CLAMP; at once when there is
-//                   and the present station need no movement                    no movement
+//                   (PT_TURRET_FORWARD), to the station of that number, or      PT_TURRET_CLAMP; at once when there is
+//                   to CN_POTNO where tool management has found the tool in     no movement
+//                   its magazine (CN_MGZNO); T0 needs no movement
 //   M2 M30          the spindles that this channel started stop, its coolant    at once
 //                   and driven tool too; a reset does the same
 //   helpers         each has the codes n and n+1 that its parameter gives, 0:   after the time of the helper
@@ -30,7 +31,8 @@
 // Lubrication: an impulse of PT_LUBE_TIME whenever an axis has travelled its distance (AN_LUBR).
 // Inputs that must be on, 0 for one that is not wired: door closed (PT_IN_DOOR), clamping pressure (PT_IN_CHUCK), lubricant
 // (PT_IN_LUBE), bar (PT_IN_BAR), emergency stop circuit (PT_IN_ESTOP), mains (PT_IN_POWER). PT_IN_SETUP is on in setup mode. What they say, the kernel's interlocks judge: CP_DOOROPEN, SP_UNCLAMPED, CP_NOLUBE,
-// CP_BAREND, CP_TURRETOPEN, CP_TAILOPEN, PLC_ESTOP; at PLC_POWER the axes leave the work.
+// CP_BAREND, CP_TURRETOPEN, CP_TAILOPEN, PLC_ESTOP; at PLC_POWER the axes leave the work. PT_IN_KEY and the two
+// inputs behind it are the key switch (PLC_KEY).
 //
 // A refused code is not finished: the channel stands, PLC_ALARM names the reason, the channel's reset clears both.
 #pragma once
@@ -112,7 +114,7 @@ private:
         bool chuck_open = false, closes = false, creeps = false, automatic_range = false, is_axis = false;
     };
     struct ChannelSlots {
-        std::int32_t reset, m_strobe, m_code, s_strobe, s_code, t_strobe, t_code, b_strobe, selected;
+        std::int32_t reset, m_strobe, m_code, s_strobe, s_code, t_strobe, t_code, b_strobe, selected, magazine, pot;
         std::int32_t m_fin, s_fin, t_fin, b_fin, fin, active_tool, group, door_open, no_lube, bar_end, select, turret_open, tail_open, setup, jog_feed;
     };
     struct SpindleSlots {
@@ -123,7 +125,9 @@ private:
         std::array<double, kHelpers> time_s;
         std::array<std::int32_t, kHelpers> code;
         std::array<std::int32_t, kMGroups> group_low, group_high;
-        std::int32_t stations, first_spindle_code, in_door, in_setup, in_lube, in_bar;
+        std::int32_t stations, magazine, first_pot;   // turret: its magazine of tool management, 0 none
+        bool half;                       // it also stops between its stations
+        std::int32_t first_spindle_code, in_door, in_setup, in_lube, in_bar;
         std::uint32_t driven_spindle;    // from 1; 0 none
         bool forward_only;
     };
@@ -157,6 +161,10 @@ private:
     // devices.cpp
     void start_t(View view, std::uint32_t channel, std::int32_t code);
     void move_turret(View view, std::uint32_t channel);
+    std::int32_t step_of(const ChannelSettings& set, std::int32_t station) const;
+    std::int32_t station_at(const ChannelSettings& set, std::int32_t step) const;
+    // PT_TURRET_TIME is from one station to the next; a half station is half way.
+    static double step_time(const ChannelSettings& set) { return set.half ? set.turret_time_s / 2 : set.turret_time_s; }
     bool helper_code(View view, std::uint32_t channel, std::uint32_t selected, std::int32_t code);
     bool coupling_code(View view, std::uint32_t channel, std::int32_t code);
     bool bar_step(View view, std::uint32_t channel);
@@ -185,7 +193,7 @@ private:
     std::array<AxisCouplings, kAxes> couplings_{};
     std::array<std::int32_t, kAxes> lube_slot_{};
     std::array<std::uint32_t, kAxes> axis_channel_{};
-    std::int32_t machine_on_slot_ = 0, emergency_slot_ = 0, message_slot_ = 0, stop_slot_ = 0, in_stop_ = 0, power_slot_ = 0, in_power_ = 0, group_stride_ = 0;
+    std::int32_t machine_on_slot_ = 0, emergency_slot_ = 0, message_slot_ = 0, stop_slot_ = 0, in_stop_ = 0, power_slot_ = 0, in_power_ = 0, key_slot_ = 0, in_key_ = 0, group_stride_ = 0;
     double tick_s_ = 0.001;
     bool first_ = true;
     struct Kept {

@@ -42,7 +42,7 @@ const char* LathePlc::resolve(const PolyturnPlcHost& host) {
     if (host.channels < kChannels || host.spindles < kSpindles || host.axes < kAxes) return "the capacities of the image";
     for (std::uint32_t c = 1; c <= kChannels; ++c) {
         channel_slots_[c - 1] = {f.nc("CN_RESET", c), f.nc("CN_MSTR", c), f.nc("CN_MCODE", c), f.nc("CN_SSTR", c), f.nc("CN_SCODE", c), f.nc("CN_TSTR", c),
-                                 f.nc("CN_TCODE", c), f.nc("CN_BSTR", c), f.nc("CN_SSEL", c),
+                                 f.nc("CN_TCODE", c), f.nc("CN_BSTR", c), f.nc("CN_SSEL", c), f.nc("CN_MGZNO", c), f.nc("CN_POTNO", c),
                                  f.plc("CP_MFIN", c), f.plc("CP_SFIN", c), f.plc("CP_TFIN", c), f.plc("CP_BFIN", c), f.plc("CP_FIN", c), f.plc("CP_ACTT", c),
                                  f.plc("CP_MGR1", c), f.plc("CP_DOOROPEN", c), f.plc("CP_NOLUBE", c), f.plc("CP_BAREND", c), f.plc("CP_SSEL", c), f.plc("CP_TURRETOPEN", c), f.plc("CP_TAILOPEN", c), f.plc("CP_SETUP", c), f.plc("CP_JOGFD", c)};
         ChannelSettings& s = channel_settings_[c - 1];
@@ -50,6 +50,9 @@ const char* LathePlc::resolve(const PolyturnPlcHost& host) {
         s.turret_clamp_s = f.real("PT_TURRET_CLAMP", c);
         s.forward_only = f.real("PT_TURRET_FORWARD", c) != 0;
         s.stations = f.whole("PT_TURRET_STATIONS", c);
+        s.half = f.real("PT_TURRET_HALF", c) != 0;
+        s.magazine = f.whole("PT_TURRET_MAGAZINE", c);
+        s.first_pot = s.magazine ? static_cast<std::int32_t>(f.in_row(2906, static_cast<std::uint32_t>(s.magazine - 1), 1)) : 1;
         s.lube_time_s = f.real("PT_LUBE_TIME", c);
         static constexpr const char* kCodes[kHelpers] = {"PT_M_TAILSTOCK", "PT_M_BAR", "PT_M_CATCHER", "PT_M_DOOR"};
         static constexpr const char* kTimes[kHelpers] = {"PT_TAILSTOCK_TIME", "PT_BAR_TIME", "PT_CATCHER_TIME", "PT_DOOR_TIME"};
@@ -95,6 +98,8 @@ const char* LathePlc::resolve(const PolyturnPlcHost& host) {
     in_power_ = f.whole("PT_IN_POWER", 1);
     power_slot_ = f.plc("PLC_POWER", 1);
     message_slot_ = f.plc("PLC_ALARM", 1);
+    key_slot_ = f.plc("PLC_KEY", 1);
+    in_key_ = f.whole("PT_IN_KEY", 1);
     tick_s_ = host.tick_s;
     return f.missing;
 }

@@ -338,6 +338,50 @@ TEST_F(LatheRig, TurretTakesTheShorterWay) {
     }
 }
 
+// 24 positions: 1 to 12 are the stations, 13 to 24 lie behind them; half a station takes half the time.
+TEST_F(LatheRig, TurretStopsAtHalfStationsToo) {
+    parameters["PT_TURRET_HALF"] = 1, parameters["PT_TURRET_STATIONS"] = 24;
+    restart();
+    struct Row { int station; int half_steps; };   // from the row before
+    for (const Row& row : {Row{13, 1}, Row{2, 1}, Row{24, 3}, Row{1, 1}, Row{7, 12}}) {
+        SCOPED_TRACE(row.station);
+        t(row.station);
+        int cycles = 1;
+        for (; !t_done() && cycles < 1000; ++cycles) run();
+        EXPECT_EQ(cycles, 1 + 15 * row.half_steps);
+        EXPECT_EQ(plc("CP_ACTT"), row.station);
+    }
+}
+
+TEST_F(LatheRig, TurretGoesToThePotWhereToolManagementHasFoundTheTool) {
+    parameters["PT_TURRET_MAGAZINE"] = 2, parameters["N2907"] = 101;   // its pots count from 101
+    restart();
+    nc("CN_MGZNO") = 2, nc("CN_POTNO") = 104;
+    t(35);   // a type number, no station
+    run(90);
+    EXPECT_TRUE(t_done());
+    EXPECT_EQ(plc("CP_ACTT"), 4);
+    nc("CN_MGZNO") = 1, nc("CN_POTNO") = 7;   // stands elsewhere: the turret stays
+    t(36);
+    EXPECT_TRUE(t_done());
+    EXPECT_EQ(plc("CP_ACTT"), 4);
+    nc("CN_MGZNO") = 0;   // no tool management: T is the station
+    t(5);
+    run(30);
+    EXPECT_TRUE(t_done());
+    EXPECT_EQ(plc("CP_ACTT"), 5);
+}
+
+TEST_F(LatheRig, KeySwitchShowsItsHighestInput) {
+    parameters["PT_IN_KEY"] = 10;
+    restart();
+    EXPECT_EQ(plc("PLC_KEY"), 0);
+    input_[9] = 1, run();
+    EXPECT_EQ(plc("PLC_KEY"), 1);
+    input_[11] = 1, run();
+    EXPECT_EQ(plc("PLC_KEY"), 3);
+}
+
 TEST_F(LatheRig, TurretsOfTwoChannelsTurnIndependently) {
     t(2, 1);
     t(3, 2);
