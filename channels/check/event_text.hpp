@@ -40,7 +40,7 @@ public:
     void dwell(const Dwell& d, const BlockContext& at) override { put(d, at); }
     void aux(const Aux& a, const BlockContext& at) override { if (!a.silent) put(a, at); }
     void spindle(const Spindle& s, const BlockContext& at) override { if (!s.silent) put(s, at); }
-    void wait(const Wait& w, const BlockContext& at) override { put(w, at); }
+    void wait(const Wait& w, const BlockContext& at) override { if (w.act != Wait::Act::Arrive) put(w, at); }
     void variable(const Variable& v, const BlockContext& at) override { if (variables_) put(v, at); }
     void offset(const OffsetWrite& o, const BlockContext& at) override { put(o, at); }
     void stop(const Stop& s, const BlockContext& at) override { put(s, at); }
