@@ -199,6 +199,9 @@ bool Interpreter::give_parameter(const std::string& line, char letter) {
     if (!applied) return core_.fail(Alarm::ParameterInputIllegal, letter, applied.diagnosis().text());
     core_.mark_emitted();
     core_.sink().parameter(line, core_.at);
+    MachineView& view = core_.view();
+    for (unsigned i = 0; i < view.axis_count; ++i) view.axes[i].stroke = read_axis_stroke(view.table(), view.axes[i].machine_axis + 1u);
+    view.stroke = read_channel_stroke(view.table(), view.channel);
     reload_settings();
     return true;
 }
