@@ -38,7 +38,7 @@ constexpr auto kRows = std::to_array<GCode>({
     {"G28", 280, kAll, G::OneShot, &I::g_reference, "x", false, "To the reference position through a point"},
     {"G30", 300, kAll, G::OneShot, &I::g_reference, "xP", false, "To a further reference position through a point"},
     {"G30.1", 301, kAll, G::OneShot, &I::g_reference, "x", false, "To the floating reference position"},
-    {"G31", 310, kAll, G::OneShot, &I::g_skip, "xPQ", false, "Move until a signal; P1 to P4 which"},
+    {"G31", 310, kAll, G::OneShot, &I::g_skip, "xPQR", false, "Move until a signal; P1 to P4 which"},
     {"G32", 320, kA, G::Motion, &I::g_thread, "xQE", false, "Thread"},
     {"G33", 330, kBCNM, G::Motion, &I::g_thread, "xQE", false, "Thread"},
     {"G34", 340, kAll, G::Motion, &I::g_thread_variable, "xKQ", false, "Thread with changing lead"},

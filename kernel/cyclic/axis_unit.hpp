@@ -84,6 +84,7 @@ public:
     bool beside = false;                                   // moved beside the path: no record moves it
     bool pressing = false;                                 // stands at its fixed stop under a torque limit (fixed_stop.cpp)
     bool leaves_stop = false;                              // the limit was taken away: the command goes back to where the slide is
+    std::uint16_t stop_torque = 0;                         // what the move that ended there allowed, thousandths
     double pressed_at = 0;                                 // where
     bool slave = false;                                    // synchronous: nobody but its master may move it
     bool geared = false;                                   // it follows the turns of a spindle (spindle_couplings.hpp)

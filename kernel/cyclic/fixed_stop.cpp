@@ -16,7 +16,7 @@ void Machine::watch_fixed_stop(std::uint32_t a) noexcept {
     const ServoConfig& servo = core_.config.axes[a].servo;
     const double speed = (axis.measured() - last_measured_[a]) / core_.config.tick_s;
     last_measured_[a] = axis.measured();
-    const bool limited = axis.requests.torque_limit != 0 && axis.closed();
+    const bool limited = (axis.leaves_stop ? core_.move_torque[a] : axis.requests.torque_limit) != 0 && axis.closed();
     if (!axis.pressing) {
         if (limited && axis.torque_limited() && std::fabs(speed) < kRestingMmS && std::fabs(axis.error()) >= servo.stop_error) {
             axis.pressing = true;

@@ -212,7 +212,9 @@ void Machine::run_axes() noexcept {
                          core_.signals.plc(signals::ap_flwu(a + 1)) != 0, core_.signals.plc(signals::ap_end(a + 1)) != 0,
                          core_.torque_limit(a)};
         axis.requests.seeks_stop = core_.move_torque[a] != 0;
-        if (const std::uint16_t most = core_.move_torque[a]; most && (axis.requests.torque_limit == 0 || most < axis.requests.torque_limit)) axis.requests.torque_limit = most;
+        if (core_.move_torque[a]) axis.stop_torque = core_.move_torque[a];
+        // Until the command is back where the slide is, the drive presses no harder than the move has allowed.
+        if (const std::uint16_t most = axis.leaves_stop ? axis.stop_torque : core_.move_torque[a]; most && (axis.requests.torque_limit == 0 || most < axis.requests.torque_limit)) axis.requests.torque_limit = most;
         attach_and_detach(a);
         watch_drive_reference(a);
         guard_stroke(a);
