@@ -51,8 +51,8 @@ TEST(GoldenPrograms, HaveEveryCodeOfTheFanucTables) {
     const std::set<unsigned> fanuc = codes_below("fanuc"), nct = codes_below("nct");
     for (const fanuc::GCode& row : fanuc::g_codes()) {
         if (!row.act) continue;   // refused by name
-        if (row.systems & fanuc::kFanuc) EXPECT_TRUE(fanuc.contains(row.tenths)) << row.name << " has no program in tests/golden/fanuc";
-        if (row.systems & fanuc::kN) EXPECT_TRUE(nct.contains(row.tenths)) << row.name << " has no program in tests/golden/nct";
+        EXPECT_TRUE(!(row.systems & fanuc::kFanuc) || fanuc.contains(row.tenths)) << row.name << " has no program in tests/golden/fanuc";
+        EXPECT_TRUE(!(row.systems & fanuc::kN) || nct.contains(row.tenths)) << row.name << " has no program in tests/golden/nct";
     }
 }
 
