@@ -55,8 +55,13 @@ public:
             machine_->core().signals.force_plc(signals::sp_rot(s), 3);
             machine_->core().spindles[s - 1].demand_speed(1000);
         }
+        if (full)   // couplings change at standstill
+            for (int i = 0; i < 50; ++i) tick(), serve();
         for (unsigned l = 0; l < channels; ++l) send(CommandKind::CycleStart, l + 1);
         serve();
+        if (!full) return;
+        for (int i = 0; i < 50; ++i) tick(), serve();
+        move_plc_axes();
     }
 
     void tick() { machine_->tick(); }
@@ -84,7 +89,7 @@ public:
         bool all = true;
         for (unsigned l = 0; l < channels_; ++l) {
             const unsigned a = l * axes_each_;
-            all = all && std::fabs(core.axes[a].compensation()) > 0 && std::fabs(core.axes[a + 3].velocity()) > 0 && core.signals.nc(signals::an_paxa(a + 4)) != 0;
+            all = all && std::fabs(core.axes[a].compensation()) > 0 && machine_->channel(l).path_moves() && std::fabs(core.axes[a + 3].velocity()) > 0 && core.signals.nc(signals::an_paxa(a + 4)) != 0;
             all = all && core.signals.nc(signals::an_synca(a + 5)) != 0 && core.signals.nc(signals::an_sprpna(a + 6)) != 0;
         }
         return all;
@@ -141,13 +146,16 @@ private:
         for (unsigned a = 1; a <= channels_ * axes_each_; ++a) {
             const unsigned place = (a - 1) % axes_each_;
             signals.force_plc(signals::ap_temp(a), 500);
-            if (place == 3) {
-                signals.force_plc(signals::ap_paxpos(a), 1'900'000);
-                signals.force_plc(signals::ap_paxfeed(a), 2000);
-                signals.force_plc(signals::ap_paxr(a), 1);
-            }
             if (place == 4) signals.force_plc(signals::ap_syncr(a), 1);
             if (place == 5) signals.force_plc(signals::ap_sprpnr(a), 1);
+        }
+    }
+    void move_plc_axes() {   // once the programs run: a start wants all axes at rest
+        Signals& signals = machine_->core().signals;
+        for (unsigned a = 4; a <= channels_ * axes_each_; a += axes_each_) {
+            signals.force_plc(signals::ap_paxpos(a), 1'900'000);
+            signals.force_plc(signals::ap_paxfeed(a), 2000);
+            signals.force_plc(signals::ap_paxr(a), 1);
         }
     }
     void push(unsigned l) {
