@@ -222,7 +222,7 @@ Access Interpreter::read_feed_or_spindle(const Target& target, double& value) {
         case Var::SpindleOverrideProgram: value = modal_.spindle_override_program; break;
         case Var::SpindleReal: {
             const auto turns = s.spindle ? port.spindle_speed(s.spindle) : std::nullopt;
-            value = turns ? *turns : spindle_turns_at();
+            value = turns ? std::round(*turns * 10.0) / 10.0 : spindle_turns_at();   // beyond tenths an encoder tells noise
             break;
         }
         case Var::SpindleTheoretical: value = spindle_turns_at(); break;
