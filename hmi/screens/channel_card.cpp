@@ -11,6 +11,12 @@ namespace {
 constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
 const QString kDash = QString::fromUtf8("–");
 
+// A turning axis is somewhere within its turn, however often it has turned.
+double machineShown(const AxisConfig& axis, double place) {
+    const double turn = axis.rollover_deg > 0 ? axis.rollover_deg : 360.0;
+    return axis.rotary && (axis.rollover || axis.on_spindle) ? place - std::floor(place / turn) * turn : shown(axis, place);
+}
+
 // Writes the parts of a card one below the other.
 class Card {
 public:
@@ -114,7 +120,7 @@ private:
             const bool known = live_.workpiece(channel_, static_cast<unsigned>(place), now.act, workpiece);
             w_.text(QRectF(at[0], y_, wide[0], row), known ? lengthText(shown(axis, workpiece), decimals) : kDash, lettering(dense_ ? 16 : wide_ < px(330) ? 17 : 24, true), t_.text, kRight);
             const QFont small = lettering(wide_ < px(330) ? 12.5 : dense_ ? 13.5 : 16);
-            w_.text(QRectF(at[1], y_, wide[1], row), referenced ? lengthText(shown(axis, now.act), decimals) : word("no ref."), small, referenced ? t_.text : t_.warn, kRight);
+            w_.text(QRectF(at[1], y_, wide[1], row), referenced ? lengthText(machineShown(axis, now.act), decimals) : word("no ref."), small, referenced ? t_.text : t_.warn, kRight);
             w_.text(QRectF(at[2], y_, wide[2], row), view_.moves[place] ? lengthText(shown(axis, view_.end[place] - now.cmd), decimals) : lengthText(0, decimals), small,
                     view_.moves[place] ? t_.text : t_.faint, kRight);
             w_.text(QRectF(at[3], y_, wide[3], row), lengthText(now.error, decimals), small, t_.dim, kRight);

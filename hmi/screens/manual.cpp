@@ -124,7 +124,7 @@ void Manual::composeAxes(Writer& w) {
     }
     const ChannelStatus& status = live.channel(desk_.channel);
     const StateWords state = stateWords(status);
-    w.text(QRectF(x + px(8), 0, wide - x - px(8), px(42)), modeWord(status.mode) + QString::fromUtf8("  ·  ") + state.text, lettering(18, true), state.colour, kRight);
+    w.text(QRectF(x + px(8), 0, wide - x - px(18), px(42)), modeWord(status.mode) + QString::fromUtf8("  ·  ") + state.text, lettering(18, true), state.colour, kRight);
     // axes, each with its keys
     const std::size_t count = std::max<std::size_t>(config.axis_count, 1);
     const double top = px(52), foot = px(64), row = std::min<double>(px(112), (high - top - foot) / static_cast<double>(count));
@@ -154,7 +154,7 @@ void Manual::composeAxes(Writer& w) {
         double workpiece = 0;
         const bool known = live.workpiece(desk_.channel, static_cast<unsigned>(place), now.act, workpiece);
         const bool referenced = (now.flags & kReferenced) != 0 || axis.on_spindle;
-        w.text(QRectF(left, box.top() + px(6), room, box.height() * 0.55), lengthText(shown(axis, now.act), decimals), lettering(33, true), referenced ? t.text : t.warn, kRight);
+        w.text(QRectF(left, box.top() + px(6), room, box.height() * 0.55), lengthText(axis.rotary && axis.on_spindle ? now.act - std::floor(now.act / 360) * 360 : shown(axis, now.act), decimals), lettering(33, true), referenced ? t.text : t.warn, kRight);
         const QString beneath = !referenced ? word("not referenced") : known ? word("Workpiece") + "  " + lengthText(shown(axis, workpiece), decimals) : word("Machine");
         w.text(QRectF(left, box.top() + box.height() * 0.6, room - (axis.diameter ? px(26) : 0), box.height() * 0.32), beneath, lettering(15), referenced ? t.dim : t.warn, kRight);
         if (axis.diameter) w.text(QRectF(left + room - px(20), box.top() + box.height() * 0.6, px(20), box.height() * 0.32), QString::fromUtf8("⌀"), lettering(16), t.dim, kRight);

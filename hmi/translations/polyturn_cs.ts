@@ -86,7 +86,7 @@
     <message>
         <location filename="../screens/manual.cpp"/>
         <source>As held</source>
-        <translation>Po stisk</translation>
+        <translation>Při stisku</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
