@@ -82,6 +82,7 @@ public:
         FAIL() << "there is no screen " << name;
     }
     void soft(const QString& text) {
+        QTest::qWait(60);   // keys are shown anew with the next frame
         const auto& keys = window_.softKeys().keys();
         for (std::size_t i = 0; i < keys.size(); ++i)
             if (keys[i].text == text) {
