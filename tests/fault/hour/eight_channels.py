@@ -45,7 +45,7 @@ def machine_lines():
     for a in axes():
         n = a.number
         lines += [f"N0002 A{n}={a.channel}", f"N0100 A{n}={ord(a.name)}", f"N0103 A{n}={1 if a.name == 'X' else 3}", f"N0106 A{n}={1 if a.name == 'X' else 0}",
-                  f"N0302 A{n}={a.rapid / 4}", f"N0303 A{n}=300", f"N0304 A{n}={a.rapid}", f"N0305 A{n}={a.rapid / 2}", f"N0314 A{n}={a.rapid / 2}", f"N0315 A{n}={a.rapid / 4}",
+                  f"N0302 A{n}={a.rapid / 4}", f"N0303 A{n}=300", f"N0304 A{n}={a.rapid}", f"N0505 A{n}={a.rapid * 1.15}", f"N0305 A{n}={a.rapid / 2}", f"N0314 A{n}={a.rapid / 2}", f"N0315 A{n}={a.rapid / 4}",
                   f"N0400 A{n}={a.acceleration}", f"N0401 A{n}={a.rise}", f"N0504 A{n}=40", f"N0511 A{n}=1", f"N0515 A{n}=00000011", f"N0516 A{n}=0.005", f"N0518 A{n}=0.025",
                   f"N0519 A{n}=0.1", f"N0520 A{n}=1", f"N0521 A{n}=10", f"N1000 A{n}=00000001", f"N1002 A{n}={a.high}", f"N1003 A{n}={a.low}", f"N1004 A{n}={a.high - 5}", f"N1005 A{n}={a.low + 5}",
                   f"PT_ESTOP_DEC A{n}={a.estop}"]
