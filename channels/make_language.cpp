@@ -1,4 +1,5 @@
 #include "channels/fagor/interpreter.hpp"
+#include "channels/balance_sink.hpp"
 #include "channels/fanuc/angular_axis.hpp"
 #include "channels/fanuc/interpreter.hpp"
 #include "channels/language.hpp"
@@ -38,6 +39,23 @@ private:
     bool usable_;
 };
 
+// One that may cut in balance with another channel.
+struct BalanceWorld {
+    explicit BalanceWorld(Sink& sink) : balance_of(sink) {}
+    BalanceSink balance_of;
+};
+class BalanceInterpreter final : private BalanceWorld, public fanuc::Interpreter {
+public:
+    BalanceInterpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles& files)
+        : BalanceWorld(sink), fanuc::Interpreter(view, balance_of, port, files, &fanuc::fanuc_settings) {
+        balance_of.between(view.channel, static_cast<unsigned>(params::get(view.table(), params::pt_balance, view.channel)));
+    }
+    Result<void> start(FileId main) override {
+        balance_of.restart();
+        return fanuc::Interpreter::start(main);
+    }
+};
+
 }  // namespace
 
 std::unique_ptr<Language> make_fanuc(MachineView& view, Sink& sink, Port& port, ProgramFiles& files) {
@@ -45,6 +63,7 @@ std::unique_ptr<Language> make_fanuc(MachineView& view, Sink& sink, Port& port, 
     bool usable = true;
     const fanuc::AngularAxes angular = fanuc::angular_axes(view, usable);
     if (angular.on || !usable) return std::make_unique<AngularInterpreter>(view, sink, port, files, angular, usable);
+    if (params::get(view.table(), params::pt_balance, view.channel) != 0) return std::make_unique<BalanceInterpreter>(view, sink, port, files);
     return std::make_unique<fanuc::Interpreter>(view, sink, port, files, &fanuc::fanuc_settings);
 }
 

@@ -5,6 +5,9 @@
 #include <string>
 
 namespace polyturn::channels {
+namespace {
+constexpr double kNothingThere = 999'999.0;   // PT_DRIVE_STOP, PT_DRIVE_HELD
+}  // namespace
 
 bool CheckPort::block_skip(unsigned number) {
     for (const int level : own_->keys.block_skip)
@@ -29,6 +32,13 @@ void CheckPort::skip_move(const Move& move, const MachineView& view) {
         if (sensor.direction != 0 && (way > 0) != (sensor.direction > 0)) continue;
         const double here = (at - from) / way;
         share = std::fmin(share, here < 0 ? 0.0 : here);   // passed already: the signal is there at once
+    }
+    for (unsigned i = 0; i < view.axis_count && (move.skip_torque != 0 || move.fixed_stop); ++i) {   // what the simulated drives would meet
+        const unsigned axis = view.axes[i].machine_axis + 1u;
+        const double from = move.machine_start[i], way = move.machine[i] - from;
+        const double stop = params::get(view.table(), params::pt_drive_stop, axis), held = params::get(view.table(), params::pt_drive_held, axis);
+        if (way > 0 && stop < kNothingThere) share = std::fmin(share, std::fmax((stop - from) / way, 0.0));
+        if (way < 0 && held > -kNothingThere && from >= held) share = std::fmin(share, (held - from) / way);
     }
     for (unsigned i = 0; i < view.axis_count; ++i) {
         const double end = share <= 1.0 ? move.machine_start[i] + share * (move.machine[i] - move.machine_start[i]) : move.machine[i];

@@ -90,14 +90,24 @@ bool Interpreter::g_mirror(const GCode& row) {
     return true;
 }
 
-// G68 of a fanuc lathe: the turret on the other side works, X counts the other way.
+// G68 of a fanuc lathe: the turret on the other side works, X counts the other way. With PT_BALANCE it is the balance cut with
+// another channel instead (BalanceSink).
 bool Interpreter::g_turret_mirror(const GCode&) {
+    if (params::get(core_.view().table(), params::pt_balance, core_.view().channel) != 0) {
+        if (core_.reads_ahead()) return core_.fail(Alarm::TransformPlace, 'G', "G41 G42");
+        core_.signal("BALANCE", 1);
+        return wants_barrier_ = true;
+    }
     frames_of_.rotation = Frame::mirror(true, false, false);
     apply_frames();
     return true;
 }
 
 bool Interpreter::g_rotation(const GCode& row) {
+    if (row.tenths == 690 && params::get(core_.view().table(), params::pt_balance, core_.view().channel) != 0) {
+        core_.signal("BALANCE", 0);
+        wants_barrier_ = true;
+    }
     frames_of_.rotation = Frame{};
     if (row.tenths == 680 || row.tenths == 681) {
         words_used_ = true;

@@ -1,11 +1,27 @@
 // Length offsets by G codes (nct part 1 14.2 C08, 15.5 TCM, 15.6), and G5.1.
 #include "channels/fanuc/interpreter.hpp"
+#include "channels/state/tip_control.hpp"
 
 namespace polyturn::channels::fanuc {
 
-// G43 G44 H: the length of a milling offset; G43.7 H: all of a turning offset; G49: none.
+// G43 G44 H: the length of a milling offset; G43.7 H: all of a turning offset; G49: none. G43.4: the tip of the tool goes where the
+// program says while head and table turn (nct part 2 33), with H its length first; G49 ends it.
 bool Interpreter::g_length(const GCode& row) {
+    if (row.tenths == 434) {
+        if (core_.reads_ahead()) return core_.fail(Alarm::TransformPlace, 'G', "G41 G42");
+        if (drilling_ || polar_) return core_.fail(Alarm::TransformPlace, 'G', drilling_ ? "G80" : "G15");
+        if (core_.transformed() && !controls_tip(core_)) return core_.fail(Alarm::TransformPlace, 'G', std::string(row.name));
+        core_.transform_off();
+        if (block_.has('H')) {
+            GCode length = row;
+            length.tenths = core_.view().config().kind == ChannelKind::Mill ? 430 : 437;
+            if (!g_length(length)) return false;
+        }
+        return control_tip(core_);
+    }
     if (row.tenths == 490) {
+        if (controls_tip(core_)) core_.transform_off();
+        if (row.systems == kA) return true;   // offsets are the T code's
         length_ = {};
         return apply_tool_offsets();
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "channels/fanuc/interpreter.hpp"
+#include "channels/state/tip_control.hpp"
 
 namespace polyturn::channels::fanuc {
 namespace {
@@ -19,6 +20,8 @@ constexpr std::uint16_t kAllowed[] = {10, 20, 30, 40, 71, 90, 121, 131, 400, 410
 
 bool Interpreter::switches_transformation() const {
     if (coded_groups_ & (1u << static_cast<unsigned>(GGroup::Transform))) return true;
+    const bool length = (coded_groups_ & (1u << static_cast<unsigned>(GGroup::Length))) != 0;
+    if (length && controls_tip(const_cast<Interpreter*>(this)->core_)) return true;
     if (!(coded_groups_ & (1u << static_cast<unsigned>(GGroup::OneShot)))) return false;
     return coded_[static_cast<std::size_t>(GGroup::OneShot)]->act == &Interpreter::g_cylinder;
 }
@@ -119,7 +122,7 @@ bool Interpreter::g_cylinder(const GCode& row) {
 // What the block says while a transformation is on.
 bool Interpreter::transformation_allows() {
     const Transformation& t = core_.path.transformation;
-    if (!t.active()) return true;
+    if (!t.active() || controls_tip(core_)) return true;
     const bool cylinder = is_cylinder(t);
     const Alarm alarm = cylinder ? Alarm::CylinderCode : Alarm::TransformCode;
     for (unsigned k = 0; k < g_count_; ++k) {

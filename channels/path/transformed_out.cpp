@@ -10,6 +10,7 @@ namespace polyturn::channels {
 namespace {
 
 constexpr double kShortest = 1e-6;   // mm: no piece is cut shorter
+constexpr double kTurnOfPiece = 10.0;   // degrees of a rotary axis of head or table within a piece
 
 bool is_motion(const PathRecord& r) { return r.kind >= 1 && r.kind <= static_cast<std::uint8_t>(RecordKind::Curve); }
 
@@ -83,6 +84,14 @@ bool TransformedOut::through_pole(PathRecord& r) {
 
 double TransformedOut::piece_length(double from, double most) const {
     double length = most;
+    if (kind_of(kinematics_) == KinematicsKind::FiveAxis) {   // in proportion along the record
+        const auto slots = slots_of(record_, kinematics_);
+        double turn = 0;
+        for (std::size_t r = 3; r < kMaxRoles; ++r)
+            if (slots[r] < kMaxPathAxes) turn = std::max(turn, std::abs(record_.end[slots[r]] - record_.start[slots[r]]));
+        while (length > kShortest && turn * length > kTurnOfPiece * record_.length) length *= 0.5;
+        return length;
+    }
     const auto reach_at = [&](double s) {
         SlotVector position;
         position_at(record_, s, position);

@@ -1,5 +1,6 @@
 #include "channels/process/record_sink.hpp"
 
+#include "ipc/image/balance.hpp"
 #include "ipc/image/interrupt_inputs.hpp"
 
 #include <algorithm>
@@ -185,6 +186,10 @@ void RecordSink::use_transformation(const Move& move) {
     const Kinematics places = k;
     k.axis.fill(0xff);
     for (std::size_t r = 0; r < roles; ++r) {
+        if (places.axis[r] >= view_->axis_count) {   // no axis: it stands at its centre
+            k.sign[r] = 1.0, k.shift[r] = 0.0;
+            continue;
+        }
         const ChannelAxis& axis = view_->axes[places.axis[r]];
         k.axis[r] = axis.machine_axis;
         k.shift[r] = axis.to_drive(0.0);
@@ -392,7 +397,8 @@ void RecordSink::wait(const Wait& wait, const BlockContext& at) {
     r.mask = wait.channels;
     copy_text(wait.marker, r.text);
     if (wait.flying) r.flags |= kFlying;
-    push(r, true, true);
+    const bool in_passing = wait.flying && wait.code == kBalanceMeeting;   // between two moves of a block: nobody reads the world there
+    push(r, true, !in_passing);
 }
 
 void RecordSink::variable(const Variable& variable, const BlockContext& at) {
@@ -438,7 +444,8 @@ void RecordSink::signal(std::string_view name, double value, const BlockContext&
     }
     if (demand(name, value, at)) return;
     static constexpr std::pair<std::string_view, std::int32_t> kCodes[] = {
-        {"TAPPING", kFlagTapping}, {"CONTROL", kFlagControl}, {"STROKE2", kFlagStroke2}, {"CN_UOUT", kFlagOutputs}, {"CN_UOUTW", kFlagOutputsWide}};
+        {"TAPPING", kFlagTapping}, {"CONTROL", kFlagControl}, {"STROKE2", kFlagStroke2}, {"CN_UOUT", kFlagOutputs}, {"CN_UOUTW", kFlagOutputsWide},
+        {"CN_BALANCE", kFlagBalance}};
     for (const auto& [known, code] : kCodes) {
         if (name != known) continue;
         PathRecord r = event(RecordKind::Flag, at, 0);

@@ -41,7 +41,9 @@ double RunPort::interface_value(std::int32_t variable) {
     if (variable >= 1000 && variable < 1000 + static_cast<std::int32_t>(kInputs) && variable < 1100) {
         PlcInputs inputs;
         while (!kernel_->plc_inputs.read(inputs)) {}
-        return inputs.input[static_cast<std::size_t>(variable - 1000)];
+        const auto bit = static_cast<unsigned>(variable - 1000);   // a wire of the machine, or what the PLC says
+        const bool told = bit < 32 && (static_cast<std::uint32_t>(plc_->signal[PlcSignal{signals::cp_uin}(channel_)]) >> bit & 1u) != 0;
+        return inputs.input[bit] != 0 || told;
     }
     if (variable >= 1100 && variable < 1200) return plc_->output[static_cast<std::size_t>(variable - 1100)];
     return 0;

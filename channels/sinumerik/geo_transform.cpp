@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "channels/sinumerik/interpreter.hpp"
+#include "channels/state/tip_control.hpp"
 
 namespace polyturn::channels::sinumerik {
 namespace {
@@ -115,7 +116,19 @@ bool Interpreter::p_traang(Call& c) {
     return switch_transformation(wanted);
 }
 
-bool Interpreter::p_trafoof(Call&) {
+// TRAORI: the tip goes where the program says while head and table turn. What they are like is told once, for all languages, by
+// N3200 to N3224. Directions of the tool (A3=, ORI codes) are not known to it: the rotary axes are programmed by their angles.
+bool Interpreter::p_trafoof(Call& c) {
+    if (block_.procedures.front().first->name == "TRAORI") {
+        if (c.has(0) && c.number(0) != 1) return fail(Alarm::TransformNone, "TRAORI " + to_text(Value::of_int(c.number(0))));
+        if (c.has(1)) return fail(Alarm::TransformValue, "TRAORI");
+        if (params::get(core_.view().table(), params::n3200_mechanical_type, core_.view().channel) == 0) return fail(Alarm::TransformNone, "TRAORI");
+        if (core_.reads_ahead()) return fail(Alarm::TransformPlace, "G41, G42");
+        if (!need_fresh()) return false;
+        state_changed_ = true;
+        core_.transform_off();
+        return control_tip(core_);
+    }
     if (!core_.transformed()) return true;
     return switch_transformation({});
 }

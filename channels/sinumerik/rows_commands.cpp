@@ -112,7 +112,7 @@ constexpr Command kRows[] = {
     {"TRACYL", false, 1, 2, "r", &I::p_tracyl, true},
     {"TRAANG", false, 0, 2, "r", &I::p_traang, true},
     {"TRACON", false, 0, 10, "r", nullptr, true},
-    {"TRAORI", false, 0, 2, "r", nullptr, true},
+    {"TRAORI", false, 0, 2, "r", &I::p_trafoof, true},
     {"TRAFOOF", false, 0, 0, "", &I::p_trafoof, true},
     {"FGROUP", false, 0, 8, "a", &I::p_fgroup, true},
     {"DIAMCHAN", false, 0, 0, "", &I::p_diamchan},

@@ -6,6 +6,7 @@
 
 #include "channels/state/factor_sink.hpp"   // likewise
 #include "channels/state/route_sink.hpp"
+#include "channels/state/tip_control.hpp"
 #include "channels/state/transform_sink.hpp"
 
 namespace polyturn::channels {
@@ -33,6 +34,7 @@ void Core::take_machine(unsigned place, double drive) {
         places_to_path(path.transformation, axes);
         for (std::size_t r = 0; r < role_count(kind_of(path.transformation.kinematics)); ++r) {
             const unsigned i = path.transformation.kinematics.axis[r];
+            if (i == kNoPlace) continue;
             path.machine[i] = compensating_ ? axes[i] - (machine_now(i) - path.machine[i]) : axes[i];
             rebase(i);
         }

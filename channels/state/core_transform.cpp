@@ -23,9 +23,8 @@ bool Core::transform(const Transformation& wanted) {
     Kinematics& k = path.transformation.kinematics;
     k.sign.fill(1.0);
     k.shift.fill(0.0);
-    const std::array<double, 2> offsets = centre_offsets();
-    k.centre[0] += transformation_offsets_[0] = offsets[0];
-    k.centre[1] += transformation_offsets_[1] = offsets[1];
+    transformation_offsets_ = centre_offsets();
+    if (kind_of(k) != KinematicsKind::FiveAxis) k.centre[0] += transformation_offsets_[0], k.centre[1] += transformation_offsets_[1];
     show_transformation();
     AxisValues coordinates = axes;
     places_to_path(path.transformation, coordinates);
@@ -43,6 +42,11 @@ std::array<double, 2> Core::centre_offsets() const {
     const Transformation& t = path.transformation;
     const Kinematics& k = t.kinematics;
     std::array<double, 2> offsets{};
+    if (kind_of(k) == KinematicsKind::FiveAxis) {   // the tool's length is in its arms: any change of it shows in one of the two
+        constexpr double kApart = 0.70710678118654752;
+        const auto of = [&](std::size_t r) { return path.shift[k.axis[r]] + path.wanted[k.axis[r]]; };
+        return {of(0), of(2) + kApart * of(1)};
+    }
     if (kind_of(k) != KinematicsKind::Polar && kind_of(k) != KinematicsKind::Cylinder) return offsets;
     for (std::size_t r = 0; r < role_count(kind_of(k)); ++r) {
         const unsigned i = k.axis[r];

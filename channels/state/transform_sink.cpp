@@ -1,5 +1,7 @@
 #include "channels/state/transform_sink.hpp"
 
+#include "channels/state/tip_control.hpp"
+
 #include <cmath>
 #include <numbers>
 
@@ -11,22 +13,30 @@ constexpr double kSameAngle = 1e-7;     // degrees that the rotary axis need not
 
 bool is_arc(const Move& m) { return m.kind == MoveKind::ArcCw || m.kind == MoveKind::ArcCcw; }
 
+void take(const Transformation& t, const AxisValues& values, RoleValues& roles) {
+    for (std::size_t r = 0; r < role_count(kind_of(t.kinematics)); ++r)
+        roles[r] = t.kinematics.axis[r] == kNoPlace ? t.kinematics.centre[r] : values[t.kinematics.axis[r]];
+}
+
+void put(const Transformation& t, const RoleValues& roles, AxisValues& values) {
+    for (std::size_t r = 0; r < role_count(kind_of(t.kinematics)); ++r)
+        if (t.kinematics.axis[r] != kNoPlace) values[t.kinematics.axis[r]] = roles[r];
+}
+
 }  // namespace
 
 void places_to_path(const Transformation& t, AxisValues& values) {
     RoleValues from{}, to{};
-    const std::size_t roles = role_count(kind_of(t.kinematics));
-    for (std::size_t r = 0; r < roles; ++r) from[r] = values[t.kinematics.axis[r]];
+    take(t, values, from);
     to_path(t.kinematics, from, to);
-    for (std::size_t r = 0; r < roles; ++r) values[t.kinematics.axis[r]] = to[r];
+    put(t, to, values);
 }
 
 bool places_to_axes(const Transformation& t, const Branch& branch, AxisValues& values) {
     RoleValues from{}, to{};
-    const std::size_t roles = role_count(kind_of(t.kinematics));
-    for (std::size_t r = 0; r < roles; ++r) from[r] = values[t.kinematics.axis[r]];
+    take(t, values, from);
     if (!to_axes(t.kinematics, branch, from, to)) return false;
-    for (std::size_t r = 0; r < roles; ++r) values[t.kinematics.axis[r]] = to[r];
+    put(t, to, values);
     return true;
 }
 
@@ -55,7 +65,8 @@ void TransformSink::move(const Move& m, const BlockContext& at) {
     for (unsigned i = 0; i < view_->axis_count; ++i)
         if (!t.uses(i)) axes_[i] = m.machine_start[i];
     AxisSet roles = 0;
-    for (std::size_t r = 0; r < role_count(kind_of(t.kinematics)); ++r) roles |= 1u << t.kinematics.axis[r];
+    for (std::size_t r = 0; r < role_count(kind_of(t.kinematics)); ++r)
+        if (t.kinematics.axis[r] != kNoPlace) roles |= 1u << t.kinematics.axis[r];
     if (m.moved & roles) out_.moved |= roles;
     show_degrees();
     if (kind_of(t.kinematics) == KinematicsKind::Polar && (out_.moved & roles)) return polar(at);

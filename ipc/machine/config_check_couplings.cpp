@@ -1,5 +1,7 @@
 // Contradictions between coupled axes (nct_parameters_part2 22): rings of masters, slaves that are masters without N2102 SYM,
-// exchanges that have no drive or two partners.
+// exchanges that have no drive or two partners, balance cuts that one side knows nothing of; and barriers of a negative size.
+#include <array>
+
 #include "ipc/machine/config_report.hpp"
 
 namespace polyturn::config {
@@ -50,6 +52,24 @@ void check_exchange(Report& report, std::size_t a) {
     if (one.rotary != two.rotary) report.add(Alarm::ConfigCoupling, line + ": one of the two axes is rotary, the other linear");
 }
 
+// Both of a balance cut name each other.
+void check_balance(Report& report, unsigned l) {
+    const auto other = static_cast<unsigned>(get(report.table, pt_balance, l));
+    if (other == 0) return;
+    const std::string line = report.line(pt_balance, l);
+    if (other == l || get(report.table, n0000_machine_group, other) == 0) report.add(Alarm::ConfigCoupling, line + ": L" + std::to_string(other) + " is no other channel");
+    else if (static_cast<unsigned>(get(report.table, pt_balance, other)) != l) report.add(Alarm::ConfigCoupling, line + ": L" + std::to_string(other) + " does not name L" + std::to_string(l));
+}
+
+// Barriers around chucks and tailstocks (20): sizes are sizes.
+void check_barriers(Report& report, unsigned l) {
+    constexpr std::array kSizes{n1901_l1_length_of_jaws, n1902_w1_width_of_jaws, n1903_l2_holding_length_of_jaws, n1904_w2_holding_width_of_jaws,
+                                n1907_l1_length_of_tailstock, n1908_d1_diameter_of_tailstock, n1909_l2_length_of_tailstock, n1910_d2_diameter_of_tailstock,
+                                n1911_l3_length_of_tailstock, n1912_d3_diameter_of_tailstock, n1913_d4_diameter_of_tailstock};
+    for (const auto& size : kSizes)
+        if (!(get(report.table, size, l) >= 0)) report.add(Alarm::GuardConfig, report.line(size, l) + ": a size below 0");
+}
+
 }  // namespace
 
 void check_couplings(Report& report) {
@@ -59,6 +79,8 @@ void check_couplings(Report& report) {
         check_synchronous(report, x.number);
         check_exchange(report, x.number);
     }
+    for (unsigned l = 1; l <= kMaxChannels; ++l)
+        if (get(report.table, n0000_machine_group, l) != 0) check_balance(report, l), check_barriers(report, l);
 }
 
 }  // namespace polyturn::config

@@ -150,6 +150,7 @@ void ChannelRunner::finish_reset() noexcept {
     control_ = 0;
     release_stops();
     superposed_from_ = 0;
+    core_.signals.set_nc(signals::cn_balance(number_), 0);
     core_.stroke2_off &= ~(ChannelSet{1} << index_);
     change_due_ = asked_by_hand_ = start_wanted_ = held_mdi_ = program_left_ = false;
     question_ = 0;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ipc/machine/store_requests.hpp"
+#include "ipc/image/balance.hpp"
 #include "ipc/image/interrupt_inputs.hpp"
 #include "kernel/cyclic/channel_runner.hpp"
 #include "kernel/cyclic/spindle_couplings.hpp"
@@ -143,6 +144,7 @@ void ChannelRunner::flag(const PathRecord& r) noexcept {
             if (r.value != 0) core_.stroke2_off &= ~(ChannelSet{1} << index_);
             else core_.stroke2_off |= ChannelSet{1} << index_;
             break;
+        case kFlagBalance: core_.signals.set_nc(signals::cn_balance(number_), static_cast<std::int32_t>(r.value)); break;
         case kFlagOutputs: core_.signals.set_nc(signals::cn_uout(number_), static_cast<std::int32_t>(static_cast<std::uint32_t>(r.value))); break;
         case kFlagOutputsWide: core_.signals.set_nc(signals::cn_uoutw(number_), static_cast<std::int32_t>(r.value)); break;
         default: break;

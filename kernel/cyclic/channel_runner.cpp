@@ -373,6 +373,7 @@ void ChannelRunner::begin_record(const PathRecord& r, double offset_s) noexcept 
 
 void ChannelRunner::finished(const PathRecord& r, std::uint64_t index, double offset_s) noexcept {
     const auto kind = static_cast<RecordKind>(r.kind);
+    if (r.flags & kFixedStop) allow_torque(nullptr);   // what follows may stand: an M code that takes another limit away
     if (kind != RecordKind::Beside && (!is_motion(r) || (r.flags & kBlockEnd))) report(KernelEventKind::RecordEnd, r, offset_s);
     if ((r.flags & kStopMustCome) && !skipped_) raise(Alarm::FixedStopMissed, r.axis_count > 0 ? name_of('A', r.axis[0]).view() : std::string_view{}, r.end[0]);
     if (r.flags & kBlockEnd) ++blocks_;

@@ -2,6 +2,9 @@
 #include "kernel/cyclic/channel_runner.hpp"
 
 namespace polyturn::kernel {
+namespace {
+constexpr std::uint16_t kFullTorque = 1000;
+}  // namespace
 
 // A skip move (G31) ends where its signal comes: the path brakes, what is left of the record is dropped, and the channel,
 // which stands at the barrier behind it, goes on from where the axes are.
@@ -11,6 +14,12 @@ bool ChannelRunner::skip_signal() noexcept {
     const bool by_stop = (r.flags & kFixedStop) != 0;   // ended by what the drives feel
     allow_torque(by_stop ? &r : nullptr);
     const bool by_input = r.code >= 0 && static_cast<std::size_t>(r.code) < kInputs;
+    for (std::uint32_t i = 0; by_stop && !by_input && !interrupted_ && i < r.axis_count; ++i) {   // never with all that a drive can give
+        if (r.axis[i] >= kMaxAxes || r.end[i] == r.start[i]) continue;
+        if (const std::uint16_t limit = core_.torque_limit(r.axis[i]); r.value > 0 || (limit != 0 && limit < kFullTorque)) continue;
+        raise(Alarm::FixedStopNoLimit, name_of('A', r.axis[i]).view());
+        break;
+    }
     if (!(r.flags & kSkipMove) || (!by_stop && !by_input)) return skipping_ = false;
     if (by_stop && !skipping_) {
         for (std::uint32_t i = 0; i < r.axis_count; ++i)

@@ -21,7 +21,8 @@ void Machine::watch_fixed_stop(std::uint32_t a) noexcept {
         if (limited && axis.torque_limited() && std::fabs(speed) < kRestingMmS && std::fabs(axis.error()) >= servo.stop_error) {
             axis.pressing = true;
             axis.pressed_at = axis.measured();
-            axis.leaves_stop = core_.move_torque[a] != 0 && core_.program_torque[a] == 0;   // from now on: the move that ends here takes its limit away
+            // From now on: the move that ends here takes its limit away; one that program or PLC have set as well stays, and it presses on.
+            axis.leaves_stop = core_.move_torque[a] != 0 && core_.program_torque[a] == 0 && core_.signals.plc(signals::ap_torq(a + 1)) == 0;
             jogs_[a].stop();
         }
     } else if (!limited) {

@@ -9,11 +9,23 @@ namespace {
 
 using Act = Interlock::Act;
 
+bool unclamped(const Core& c, std::uint32_t s) noexcept { return c.signals.plc(signals::sp_unclamped(s)) != 0; }
+
+// Two spindles with one part between them (part transfer): the chuck of one may be open while the other one's holds. A follower's
+// jaws may turn open beside the part from the beginning; a master's may open when its follower runs in step with it.
+bool held_by_partner(const Core& c, std::uint32_t s) noexcept {
+    const auto master = static_cast<std::uint32_t>(c.signals.nc(signals::sn_follow(s)));
+    if (master != 0 && master <= kMaxSpindles && !unclamped(c, master)) return true;
+    for (std::uint32_t f = 1; f <= c.config.spindle_count; ++f)
+        if (c.signals.nc(signals::sn_follow(f)) == static_cast<std::int32_t>(s) && c.signals.nc(signals::sn_synca(f)) && !unclamped(c, f)) return true;
+    return false;
+}
+
 constexpr std::array<Interlock, 7> kInterlocks{{
     {"door", Act::Hold, "the door is open", "close it",
      [](const Core& c, const InterlockView& v) { return c.door_open(v.channel); }},
     {"chuck", Act::Stop, "the chuck opened or lost its pressure while its spindle turned", "look at chuck and workpiece",
-     [](const Core& c, const InterlockView& v) { return v.spindle && v.spindle_turns && c.signals.plc(signals::sp_unclamped(v.spindle)) != 0; }},
+     [](const Core& c, const InterlockView& v) { return v.spindle && v.spindle_turns && unclamped(c, v.spindle) && !held_by_partner(c, v.spindle); }},
     {"tailstock", Act::Stop, "the tailstock let go while the spindle turned", "look at tailstock and workpiece",
      [](const Core& c, const InterlockView& v) { return v.spindle_turns && c.signals.plc(signals::cp_tailopen(v.channel)) != 0; }},
     {"tool", Act::Stop, "the turret was unlocked while the axes moved", "bring a tool into place",
@@ -73,7 +85,7 @@ void Machine::watch_interlocks() noexcept {
 // opens. In a thread or a cut the axes come to rest first (rotation_for).
 bool Machine::spindle_may_turn(std::uint32_t s) noexcept {
     const std::uint32_t owner = core_.spindles[s].owner;
-    const bool open = core_.signals.plc(signals::sp_unclamped(s + 1)) != 0;
+    const bool open = unclamped(core_, s + 1) && !held_by_partner(core_, s + 1);
     const bool door = owner != 0 && core_.spindles[s].standing() && core_.door_open(owner);
     const bool refused = open || door;
     if (refused && !turn_refused_[s]) {

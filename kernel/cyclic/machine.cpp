@@ -191,7 +191,26 @@ void Machine::supervise() noexcept {
 void Machine::run_channels() noexcept {
     turn_wheels();
     for (auto& channel : channels_) channel->supply();
+    // Balance cut: both have said so and both programs are under way. The lower override counts for both, what holds one holds both.
+    struct Own {
+        double feed, rapid;
+    };
+    std::array<Own, kMaxChannels> own;
+    for (unsigned l = 0; l < kMaxChannels; ++l) own[l] = {channels_[l]->feed_override, channels_[l]->rapid_override};
+    const auto stands = [&](unsigned l) {
+        const ChannelState state = channels_[l]->state();
+        return state == ChannelState::Held || state == ChannelState::ProgramStop || state == ChannelState::Interrupted || core_.signals.plc(signals::cp_stop(l + 1)) ||
+               core_.signals.nc(signals::cn_hold(l + 1)) || core_.signals.nc(signals::cn_alarm(l + 1));
+    };
+    for (unsigned l = 0; l < kMaxChannels; ++l) {
+        const auto with = static_cast<unsigned>(core_.signals.nc(signals::cn_balance(l + 1)));
+        if (with == 0 || with > kMaxChannels || core_.signals.nc(signals::cn_balance(with)) != static_cast<std::int32_t>(l + 1) || channels_[l]->idle() || channels_[with - 1]->idle()) continue;
+        const bool held = stands(l) || stands(with - 1);
+        channels_[l]->feed_override = held ? 0.0 : std::min(own[l].feed, own[with - 1].feed);
+        channels_[l]->rapid_override = held ? 0.0 : own[l].rapid;
+    }
     for (auto& channel : channels_) channel->run();
+    for (unsigned l = 0; l < kMaxChannels; ++l) channels_[l]->feed_override = own[l].feed, channels_[l]->rapid_override = own[l].rapid;
     ChannelSet idle = 0;
     for (unsigned l = 0; l < channels_.size(); ++l) idle |= channels_[l]->idle() ? ChannelSet{1} << l : ChannelSet{0};
     core_.waits.idle(idle);

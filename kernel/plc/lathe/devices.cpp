@@ -112,6 +112,36 @@ bool LathePlc::coupling_code(View view, std::uint32_t channel, std::int32_t code
     return any;
 }
 
+// A limit is there at once; it is gone when nothing presses any more and the slide rests where it was met.
+bool LathePlc::torque_code(View view, std::uint32_t channel, std::int32_t code) {
+    for (std::size_t a = 0; a < kAxes; ++a) {
+        AxisTorque& axis = torque_[a];
+        if (axis.code <= 0 || (code != axis.code && code != axis.code + 1)) continue;
+        axis.on = code == axis.code;
+        at(channel).pending = {Task::Torque, 0, view.in.cycle + kCyclesUntilAnswer, view.in.tick + ticks(kSpindleTimeS), axis.on, static_cast<std::int32_t>(a)};
+        return true;
+    }
+    return false;
+}
+
+bool LathePlc::torque_step(View view, Pending& pending) const {
+    const AxisTorque& axis = torque_[static_cast<std::size_t>(pending.slot)];
+    return pending.range != 0 || (view.in.signal[axis.fixed] == 0 && view.in.signal[axis.moves] == 0);
+}
+
+std::int32_t LathePlc::program_inputs(View view, std::uint32_t channel) const {
+    constexpr std::size_t kShown = 8;   // spindles, and behind them axes
+    std::uint32_t bits = 0;
+    for (std::size_t s = 0; s < kShown; ++s) bits |= view.in.signal[spindle_slots_[s].synchronous] != 0 ? 1u << s : 0u;
+    std::size_t place = kShown;
+    for (std::size_t a = 0; a < kAxes && place < 2 * kShown; ++a) {
+        if (axis_channel_[a] != channel) continue;
+        bits |= view.in.signal[torque_[a].fixed] != 0 ? 1u << place : 0u;
+        ++place;
+    }
+    return static_cast<std::int32_t>(bits);
+}
+
 // Chuck open, bar forwards, chuck closed. True: done.
 bool LathePlc::bar_step(View view, std::uint32_t channel) {
     Channel& me = at(channel);

@@ -46,6 +46,7 @@ void LathePlc::cycle(const PolyturnPlcInputs& in, PolyturnPlcOutputs& out) {
     }
     kept_.used = 1;
     for (std::size_t c = 0; c < kChannels; ++c) kept_.station[c] = channels_[c].turret.station;
+    end_follow(view);
     write_outputs(view);
 }
 
@@ -79,7 +80,7 @@ void LathePlc::start_m(View view, std::uint32_t channel, std::int32_t code) {
     me.pending = {};
     me.m_code = code;
     // The helpers come first: their codes are chosen for this machine.
-    if (coupling_code(view, channel, code) || helper_code(view, channel, selected, code) || spindle_code(view, channel, selected, code)) return;
+    if (coupling_code(view, channel, code) || follow_code(view, channel, code) || torque_code(view, channel, code) || helper_code(view, channel, selected, code) || spindle_code(view, channel, selected, code)) return;
     if (code == 8 || code == 9) me.coolant = code == 8;
     if (code == 2 || code == 30) end_of_channel(channel);
     finish_m(view, channel);
@@ -119,6 +120,10 @@ void LathePlc::watch_pending(View view, std::uint32_t channel) {
         case Task::Coupled:
             if (view.in.signal[pending.slot] == pending.range) finish_m(view, channel);
             return;
+        case Task::Torque:
+            if (view.in.cycle >= pending.believe_cycle && torque_step(view, pending)) finish_m(view, channel);
+            else if (view.in.tick >= pending.due_tick) refuse(channel, kStillPressed);
+            return;
         case Task::BarOpen:
         case Task::BarFeed:
         case Task::BarClamp:
@@ -129,6 +134,12 @@ void LathePlc::watch_pending(View view, std::uint32_t channel) {
     if (view.in.cycle < pending.believe_cycle) return;
     const std::uint32_t spindle = pending.spindle;
     const auto& flags = spindle_slots_[spindle - 1];
+    if (pending.task == Task::Follow) {
+        const bool there = pending.range != 0 ? view.in.signal[flags.synchronous] != 0 : view.in.signal[flags.follows] == 0;
+        if (there) finish_m(view, channel);
+        else if (view.in.tick >= pending.due_tick) refuse(channel, kNotSynchronous);
+        return;
+    }
     if (pending.task == Task::Gear) {
         Spindle& s = spindles_[spindle - 1];
         if (pending.due_tick == 0) {   // creeping yet?
@@ -163,13 +174,14 @@ PolyturnPlcRetained LathePlc::retained() {
 
 void LathePlc::end_of_channel(std::uint32_t channel) {
     for (Spindle& s : spindles_)
-        if (s.started_by == channel) s.rotation = kStop, s.closes = s.creeps = false, s.started_by = 0;
+        if (s.started_by == channel) s.rotation = kStop, s.closes = s.creeps = false, s.started_by = 0, s.ends_follow = s.follow != 0;
     at(channel).coolant = false;
     at(channel).out[kBar] = false;
 }
 
 void LathePlc::stop_everything() {
-    for (Spindle& s : spindles_) s.rotation = kStop, s.closes = s.creeps = false, s.started_by = 0;
+    for (Spindle& s : spindles_) s.rotation = kStop, s.closes = s.creeps = s.ends_follow = false, s.started_by = 0, s.follow = 0;
+    for (AxisTorque& axis : torque_) axis.on = false;
     for (Channel& c : channels_) {
         c.coolant = c.out[kBar] = false;
         c.turret.step = 0;  // halts; the channel's T stays unanswered until its reset
@@ -192,6 +204,7 @@ void LathePlc::write_outputs(View view) const {
         view.out.signal[slot.tail_open] = me.pending.task == Task::Helper && set.code[kTailstock] > 0 && (me.m_code == set.code[kTailstock] || me.m_code == set.code[kTailstock] + 1);
         view.out.signal[slot.no_lube] = missing(view, set.in_lube);
         view.out.signal[slot.bar_end] = missing(view, set.in_bar);
+        view.out.signal[slot.inputs] = program_inputs(view, static_cast<std::uint32_t>(c + 1));
         view.out.signal[slot.select] = static_cast<std::int32_t>(me.selected);
         std::uint8_t* const output = view.out.output + c * kOutputsPerChannel;
         output[kCoolant] = me.coolant;
@@ -212,11 +225,15 @@ void LathePlc::write_outputs(View view) const {
         view.out.signal[slot.creep] = me.creeps;
         view.out.signal[slot.range] = me.range;
         view.out.signal[slot.detach] = me.is_axis;
+        view.out.signal[slot.follow] = me.follow != 0;
+        view.out.signal[slot.phase] = me.follow == 2;
         view.out.signal[slot.unclamped] = me.chuck_open || missing(view, spindle_settings_[s].in_chuck);
         std::uint8_t* const output = view.out.output + kFirstSpindleOutput + s * kOutputsPerSpindle;
         output[kChuckClamp] = !me.chuck_open;
         output[kChuckOpen] = me.chuck_open;
     }
+    for (const AxisTorque& axis : torque_)
+        if (axis.code > 0) view.out.signal[axis.request] = axis.on ? axis.limit : 0;
     view.out.signal[message_slot_] = message;
     std::int32_t key = 0;   // the highest position whose input is on
     for (std::int32_t n = 1; n <= 3 && in_key_ > 0; ++n)

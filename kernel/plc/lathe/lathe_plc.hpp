@@ -24,6 +24,9 @@
 //                   clamps), parts catcher out and in (PT_M_CATCHER), door open and closed (PT_M_DOOR), C axis and spindle
 //                   (PT_M_C_AXIS), and PT_M_SPINDLE + k makes S k+1 the spindle of the channel; axes are coupled
 //                   and set free again by PT_M_SYNC (AP_SYNCR), PT_M_MIX (AP_MIXR), PT_M_SUPER (AP_SPRPNR)
+//   PT_M_FOLLOW     n, n+1: the spindle follows its master, as it comes or with   when the NC says so (SN_SYNCA):
+//                   the phase N0685; n+2: it is free                              refused after kSpindleTimeS
+//   PT_M_TORQUE     the drive of the axis gives only PT_STOP_TORQUE; n+1: all     when the NC has let it go (AN_FIXED)
 //   S, B, other M   nothing                                                     at once
 //
 // Whose spindle: who gave the last M3, M4 or M19 to it. So the end of one turret's program leaves a spindle alone that
@@ -33,6 +36,11 @@
 // (PT_IN_LUBE), bar (PT_IN_BAR), emergency stop circuit (PT_IN_ESTOP), mains (PT_IN_POWER). PT_IN_SETUP is on in setup mode. What they say, the kernel's interlocks judge: CP_DOOROPEN, SP_UNCLAMPED, CP_NOLUBE,
 // CP_BAREND, CP_TURRETOPEN, CP_TAILOPEN, PLC_ESTOP; at PLC_POWER the axes leave the work. PT_IN_KEY and the two
 // inputs behind it are the key switch (PLC_KEY).
+//
+// Two spindles may hold one part: one that turns may open when its synchronous partner clamps, and clamp what turns along;
+// and a chuck that has been brought against a part (AN_FIXED) clamps only when its master stands or it runs with it.
+// A reset leaves them coupled until both stand. What a program can ask: #1000 + S - 1 spindle S is synchronous (S1 to S8),
+// #1008 + k the channel's axis k (from 0) presses against its fixed stop.
 //
 // A refused code is not finished: the channel stands, PLC_ALARM names the reason, the channel's reset clears both.
 #pragma once
@@ -45,6 +53,8 @@
 namespace polyturn::plc {
 
 inline constexpr double kSpindleTimeS = 15.0;
+// An output acts one PLC cycle later, and the flags that answer it come with the inputs after that.
+inline constexpr std::uint64_t kCyclesUntilAnswer = 3;
 inline constexpr std::int32_t kJogStep = 20;   // CP_JOGFD without a switch of its own: 12.6 m/min, so that N0315 decides
 inline constexpr std::size_t kChannels = 16, kSpindles = 32, kAxes = 96, kRanges = 8, kMGroups = 16;
 
@@ -61,6 +71,9 @@ enum Message : std::int32_t {
     kTailstockTurning = 8,   // the tailstock goes back while its spindle turns
     kNoPressure = 9,         // M3, M4, M19 without clamping pressure
     kBarEnd = 10,            // bar feed without a bar
+    kClampsTurning = 11,     // M10 while the spindle turns and holds nothing together with another
+    kNotSynchronous = 12,    // the spindle did not come to its master within kSpindleTimeS
+    kStillPressed = 13,      // the axis did not leave its fixed stop
 };
 
 // Digital outputs (from 0), for each channel and each spindle.
@@ -78,7 +91,7 @@ public:
 
 private:
     enum Rotation : std::int32_t { kRight = 3, kLeft = 4, kStop = 5, kOrient = 19 };
-    enum class Task : std::uint8_t { None, Coupled, Reversed, InPosition, Standstill, Chuck, Gear, Helper, BarOpen, BarFeed, BarClamp, Refused };
+    enum class Task : std::uint8_t { None, Coupled, Follow, Torque, Reversed, InPosition, Standstill, Chuck, Gear, Helper, BarOpen, BarFeed, BarClamp, Refused };
     enum Helper : std::uint8_t { kTailstock, kBar, kCatcher, kDoor, kHelpers };
     static constexpr std::int32_t kThenNothing = 0, kThenChuck = 1, kThenBar = 2, kThenHelper = 3;
     struct Pending {  // the M code that a channel waits for
@@ -112,13 +125,15 @@ private:
         std::uint32_t started_by = 0;    // channel from 1; 0 nobody
         std::int32_t range = 1;
         bool chuck_open = false, closes = false, creeps = false, automatic_range = false, is_axis = false;
+        std::uint8_t follow = 0;         // 1 its master, 2 with the phase
+        bool ends_follow = false;        // once it stands
     };
     struct ChannelSlots {
         std::int32_t reset, m_strobe, m_code, s_strobe, s_code, t_strobe, t_code, b_strobe, selected, magazine, pot;
-        std::int32_t m_fin, s_fin, t_fin, b_fin, fin, active_tool, group, door_open, no_lube, bar_end, select, turret_open, tail_open, setup, jog_feed;
+        std::int32_t m_fin, s_fin, t_fin, b_fin, fin, active_tool, group, door_open, no_lube, bar_end, select, turret_open, tail_open, setup, jog_feed, inputs;
     };
     struct SpindleSlots {
-        std::int32_t reached, stands, in_position, rotation, close_loop, creep, range, detach, unclamped;
+        std::int32_t reached, stands, in_position, rotation, close_loop, creep, range, detach, unclamped, synchronous, follows, follow, phase;
     };
     struct ChannelSettings {
         double turret_time_s, turret_clamp_s, lube_time_s;
@@ -134,7 +149,7 @@ private:
     struct SpindleSettings {
         double chuck_time_s, gear_time_s;
         std::array<double, kRanges> range_max;
-        std::int32_t ranges, closing_code, state_low, state_high, c_axis_code, in_chuck;
+        std::int32_t ranges, closing_code, state_low, state_high, c_axis_code, in_chuck, follow_code, master;
     };
     struct View {  // one cycle's inputs and outputs, by meaning
         const PolyturnPlcInputs& in;
@@ -157,6 +172,11 @@ private:
     void chuck(View view, std::uint32_t channel, std::uint32_t spindle, bool open);
     void change_gear(View view, std::uint32_t channel, std::uint32_t spindle, std::int32_t range);
     void choose_range(View view, std::uint32_t spindle, double rpm);
+    [[nodiscard]] bool presses(View view, std::uint32_t channel) const;
+    bool follow_code(View view, std::uint32_t channel, std::int32_t code);
+    void end_follow(View view);
+    // The spindle that holds the same part in step with this one and whose chuck is closed; 0 none.
+    [[nodiscard]] std::uint32_t partner(View view, std::uint32_t spindle) const;
     [[nodiscard]] Message why_not_turn(View view, std::uint32_t channel, std::uint32_t spindle) const;
     // devices.cpp
     void start_t(View view, std::uint32_t channel, std::int32_t code);
@@ -168,6 +188,9 @@ private:
     bool helper_code(View view, std::uint32_t channel, std::uint32_t selected, std::int32_t code);
     bool coupling_code(View view, std::uint32_t channel, std::int32_t code);
     bool bar_step(View view, std::uint32_t channel);
+    bool torque_code(View view, std::uint32_t channel, std::int32_t code);
+    [[nodiscard]] bool torque_step(View view, Pending& pending) const;
+    [[nodiscard]] std::int32_t program_inputs(View view, std::uint32_t channel) const;
     void lubricate(View view, std::uint32_t channel);
     [[nodiscard]] bool in_setup(View view, std::uint32_t channel) const {
         const std::int32_t input = channel_settings_[channel - 1].in_setup;
@@ -191,6 +214,11 @@ private:
         std::array<std::int32_t, kCouplings> code, request, answer;
     };
     std::array<AxisCouplings, kAxes> couplings_{};
+    struct AxisTorque {
+        std::int32_t code, limit, request, fixed, moves;
+        bool on;
+    };
+    std::array<AxisTorque, kAxes> torque_{};
     std::array<std::int32_t, kAxes> lube_slot_{};
     std::array<std::uint32_t, kAxes> axis_channel_{};
     std::int32_t machine_on_slot_ = 0, emergency_slot_ = 0, message_slot_ = 0, stop_slot_ = 0, in_stop_ = 0, power_slot_ = 0, in_power_ = 0, key_slot_ = 0, in_key_ = 0, group_stride_ = 0;

@@ -44,7 +44,8 @@ const char* LathePlc::resolve(const PolyturnPlcHost& host) {
         channel_slots_[c - 1] = {f.nc("CN_RESET", c), f.nc("CN_MSTR", c), f.nc("CN_MCODE", c), f.nc("CN_SSTR", c), f.nc("CN_SCODE", c), f.nc("CN_TSTR", c),
                                  f.nc("CN_TCODE", c), f.nc("CN_BSTR", c), f.nc("CN_SSEL", c), f.nc("CN_MGZNO", c), f.nc("CN_POTNO", c),
                                  f.plc("CP_MFIN", c), f.plc("CP_SFIN", c), f.plc("CP_TFIN", c), f.plc("CP_BFIN", c), f.plc("CP_FIN", c), f.plc("CP_ACTT", c),
-                                 f.plc("CP_MGR1", c), f.plc("CP_DOOROPEN", c), f.plc("CP_NOLUBE", c), f.plc("CP_BAREND", c), f.plc("CP_SSEL", c), f.plc("CP_TURRETOPEN", c), f.plc("CP_TAILOPEN", c), f.plc("CP_SETUP", c), f.plc("CP_JOGFD", c)};
+                                 f.plc("CP_MGR1", c), f.plc("CP_DOOROPEN", c), f.plc("CP_NOLUBE", c), f.plc("CP_BAREND", c), f.plc("CP_SSEL", c), f.plc("CP_TURRETOPEN", c), f.plc("CP_TAILOPEN", c), f.plc("CP_SETUP", c), f.plc("CP_JOGFD", c),
+                                 f.plc("CP_UIN", c)};
         ChannelSettings& s = channel_settings_[c - 1];
         s.turret_time_s = f.real("PT_TURRET_TIME", c);
         s.turret_clamp_s = f.real("PT_TURRET_CLAMP", c);
@@ -77,18 +78,23 @@ const char* LathePlc::resolve(const PolyturnPlcHost& host) {
         set.ranges = f.whole("PT_GEAR_RANGES", s);
         set.c_axis_code = f.whole("PT_M_C_AXIS", s);
         set.in_chuck = f.whole("PT_IN_CHUCK", s);
+        set.master = f.whole("PT_SPINDLE_MASTER", s);
+        if (set.master > static_cast<std::int32_t>(kSpindles)) set.master = 0;
+        set.follow_code = f.whole("PT_M_FOLLOW", s);
         set.closing_code = f.whole("N0823", s);
         set.state_low = f.whole("N0689", s);
         set.state_high = f.whole("N0690", s);
         for (std::uint32_t n = 0; n < kRanges; ++n) set.range_max[n] = f.in_row(650, n, s);
         spindle_slots_[s - 1] = {f.nc("SN_NS", s), f.nc("SN_N0", s), f.nc("SN_INPOS", s), f.plc("SP_ROT", s), f.plc("SP_OREQ", s), f.plc("SP_PAR", s),
-                                 f.plc("SP_RANGE", s), f.plc("SP_SDETCHR", s), f.plc("SP_UNCLAMPED", s)};
+                                 f.plc("SP_RANGE", s), f.plc("SP_SDETCHR", s), f.plc("SP_UNCLAMPED", s), f.nc("SN_SYNCA", s), f.nc("SN_FOLLOW", s),
+                                 f.plc("SP_SYNCR", s), f.plc("SP_PHASER", s)};
     }
     for (std::uint32_t a = 1; a <= kAxes; ++a) {
         lube_slot_[a - 1] = f.nc("AN_LUBR", a);
         couplings_[a - 1] = {{f.whole("PT_M_SYNC", a), f.whole("PT_M_MIX", a), f.whole("PT_M_SUPER", a)},
                              {f.plc("AP_SYNCR", a), f.plc("AP_MIXR", a), f.plc("AP_SPRPNR", a)},
                              {f.nc("AN_SYNCA", a), f.nc("AN_MIXA", a), f.nc("AN_SPRPNA", a)}};
+        torque_[a - 1] = {f.whole("PT_M_TORQUE", a), f.whole("PT_STOP_TORQUE", a), f.plc("AP_TORQ", a), f.nc("AN_FIXED", a), f.nc("AN_MOVE", a), false};
         axis_channel_[a - 1] = static_cast<std::uint32_t>(f.real("N0002", a));
     }
     machine_on_slot_ = f.nc("N_MACHINE_ON", 1);

@@ -3,8 +3,6 @@
 
 namespace polyturn::plc {
 namespace {
-// An output acts one PLC cycle later, and the flags that answer it come with the inputs after that.
-constexpr std::uint64_t kCyclesUntilAnswer = 3;
 constexpr std::int32_t kAutomaticRange = 40;
 }  // namespace
 
@@ -79,13 +77,64 @@ void LathePlc::turn(View view, std::uint32_t channel, std::uint32_t spindle, std
 void LathePlc::chuck(View view, std::uint32_t channel, std::uint32_t spindle, bool open) {
     if (spindle == 0) return refuse(channel, kNoSpindle);
     const Spindle& s = spindles_[spindle - 1];
+    if (const bool stands = view.in.signal[spindle_slots_[spindle - 1].stands] != 0; !stands && (s.rotation != kStop || s.follow != 0 || partner(view, spindle))) {
+        if (s.chuck_open != open && !partner(view, spindle)) return refuse(channel, open ? kChuckWhileTurning : kClampsTurning);
+        spindles_[spindle - 1].chuck_open = open;   // both hold the part, or both have let go of each other's
+        at(channel).pending = {Task::Chuck, spindle, 0, view.in.tick + ticks(spindle_settings_[spindle - 1].chuck_time_s), 0};
+        return;
+    }
     if (open && s.rotation != kStop) return refuse(channel, kChuckWhileTurning);
+    if (!open && s.chuck_open && presses(view, channel) && !partner(view, spindle)) {   // on a part that may turn: its spindle must run with it
+        const std::int32_t master = spindle_settings_[spindle - 1].master;
+        if (master > 0 && view.in.signal[spindle_slots_[master - 1].stands] == 0) return refuse(channel, kClampsTurning);
+    }
     Pending& pending = at(channel).pending;
     pending = {Task::Standstill, spindle, view.in.cycle + kCyclesUntilAnswer, view.in.tick + ticks(kSpindleTimeS), open ? kThenChuck : kThenNothing};
     if (open && view.in.signal[spindle_slots_[spindle - 1].stands] == 0) return;   // M5 has only just been given
     spindles_[spindle - 1].chuck_open = open;
     pending.task = Task::Chuck;
     pending.due_tick = view.in.tick + ticks(spindle_settings_[spindle - 1].chuck_time_s);
+}
+
+// An axis of the channel stands against its fixed stop.
+bool LathePlc::presses(View view, std::uint32_t channel) const {
+    for (std::size_t a = 0; a < kAxes; ++a)
+        if (axis_channel_[a] == channel && view.in.signal[torque_[a].fixed] != 0) return true;
+    return false;
+}
+
+std::uint32_t LathePlc::partner(View view, std::uint32_t spindle) const {
+    for (std::uint32_t other = 1; other <= kSpindles; ++other) {
+        if (other == spindle || spindles_[other - 1].chuck_open) continue;
+        const auto leads = [&](std::uint32_t master, std::uint32_t follower) {
+            const SpindleSlots& slot = spindle_slots_[follower - 1];
+            return view.in.signal[slot.follows] == static_cast<std::int32_t>(master) && view.in.signal[slot.synchronous] != 0;
+        };
+        if (leads(spindle, other) || leads(other, spindle)) return other;
+    }
+    return 0;
+}
+
+bool LathePlc::follow_code(View view, std::uint32_t channel, std::int32_t code) {
+    for (std::uint32_t n = 1; n <= kSpindles; ++n) {
+        const std::int32_t first = spindle_settings_[n - 1].follow_code;
+        if (first <= 0 || code < first || code > first + 2) continue;
+        Spindle& s = spindles_[n - 1];
+        s.follow = static_cast<std::uint8_t>(code == first + 2 ? 0 : code - first + 1);
+        s.ends_follow = false;
+        if (s.follow != 0) s.started_by = channel;
+        at(channel).pending = {Task::Follow, n, view.in.cycle + kCyclesUntilAnswer, view.in.tick + ticks(kSpindleTimeS), s.follow, 0};
+        return true;
+    }
+    return false;
+}
+
+// A program that has ended leaves two spindles with one part between them: they run down together and come apart when they stand.
+void LathePlc::end_follow(View view) {
+    for (std::uint32_t n = 1; n <= kSpindles; ++n) {
+        Spindle& s = spindles_[n - 1];
+        if (s.ends_follow && view.in.signal[spindle_slots_[n - 1].stands] != 0) s.ends_follow = false, s.follow = 0;
+    }
 }
 
 void LathePlc::change_gear(View view, std::uint32_t channel, std::uint32_t spindle, std::int32_t range) {
