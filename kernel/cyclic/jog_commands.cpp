@@ -163,10 +163,12 @@ void Machine::go_back() noexcept {
             channels_[l]->on_path_again();
             continue;
         }
-        --way.count;
-        const std::uint32_t a = way.axis[way.count];
-        const double left = way.from[way.count] - core_.axes[a].own();
-        if (left != 0) start_jog(a, left > 0 ? 1.0 : -1.0, by_hand(a), std::fabs(left), 0.0);
+        // A move counts when the axis is there: something may have stopped it on the way (the reset of another channel).
+        constexpr double kThere = 1e-6;   // mm, degrees
+        const std::uint32_t a = way.axis[way.count - 1];
+        const double left = way.from[way.count - 1] - core_.axes[a].own();
+        if (std::fabs(left) <= kThere) --way.count;
+        else start_jog(a, left > 0 ? 1.0 : -1.0, by_hand(a), std::fabs(left), 0.0);
     }
 }
 

@@ -127,6 +127,31 @@ TEST(JogInHold, GoesBackTheSameWayAndTheProgramEndsWhereItWould) {
     EXPECT_NEAR(rig.position(1), 50, 1e-9);
 }
 
+TEST(JogInHold, IsNotBackBeforeItIsThereThoughAnotherChannelIsReset) {
+    TickRig rig;
+    rig.push(1, rig.line(1, {50, 0}, 50));
+    rig.start(1);
+    rig.run(300);
+    rig.command(CommandKind::FeedHold, 1);
+    rig.run(100);
+    rig.command(CommandKind::JogInHold, 1);
+    rig.command(CommandKind::Step, 0, 20, 0, 1);
+    rig.run(1500);
+    double longest = 0, before = rig.position(1);
+    rig.on_tick = [&] {
+        longest = std::max(longest, std::fabs(rig.position(1) - before));
+        before = rig.position(1);
+    };
+    rig.command(CommandKind::Return, 1);
+    rig.run(60);
+    rig.command(CommandKind::Reset, 2);   // stops all that is moved by hand
+    rig.run(1500);
+    rig.start(1);
+    rig.run_until_idle();
+    EXPECT_NEAR(rig.position(1), 50, 1e-9);
+    EXPECT_LE(longest, TickRig::kVelocity * 0.001 * 1.01) << "it jumped onto the path";
+}
+
 TEST(Handwheel, IsReversedAndCollectsOrLosesPulsesAsN2400Says) {
     TickRig rig([](params::Table& t, RunOptions&) {
         params::put(t, params::n2400_handle_direction, 0x02, 1);   // wheel 2 reversed
