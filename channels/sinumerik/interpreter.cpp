@@ -62,6 +62,7 @@ Result<void> Interpreter::start(FileId main) {
     macros_.clear();
     channel_scope_->names.clear();
     routines_.clear();
+    std::erase_if(actions_, [](const SynchronizedAction& one) { return !one.is_static; });
     of_channel_ = false;
     ended_ = reread_ = jumped_ = needs_barrier_ = wants_barrier_ = called_ = false;
     fresh_ = true;   // cycle start is a barrier
@@ -258,7 +259,7 @@ bool Interpreter::read_line() {
         reading_ = !statement_->act ? true : reading_;
         ok = statement_->act ? run_statement() : fail_at(Alarm::NotBuilt, cursor_.at() - first.size(), first.size(), std::string(statement_->name));
     } else {
-        ok = parse_words() && check_block();
+        ok = parse_words() && check_block() && synchronized_actions();
         reading_ = false;
         if (ok) block_undo_.clear();
         ok = ok && act();

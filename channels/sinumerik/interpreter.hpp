@@ -21,6 +21,7 @@
 #include "channels/sinumerik/cursor.hpp"
 #include "channels/sinumerik/modal.hpp"
 #include "channels/sinumerik/settings.hpp"
+#include "channels/sinumerik/synchronized.hpp"
 #include "channels/sinumerik/text_index.hpp"
 #include "ipc/params/registry.hpp"
 
@@ -114,7 +115,8 @@ public:
     bool f_crots(Call&), f_addframe(Call&);
     bool a_lift_position(const Word&), a_handwheel_feed(const Word&), a_axis_share(const Word&), a_thread_ramp(const Word&);
     bool geo_involute(const GCode&), g_grinding(const GCode&), g_tool_frame(const GCode&), geo_not_built(const GCode&);
-    bool st_execstring(), st_setint();
+    bool st_execstring(), st_setint(), st_synchronized();
+    bool p_cancel(Call&), p_lock(Call&), p_unlock(Call&), p_action_reset(Call&), p_stop_reading_of(Call&);   // synchronized.cpp
     bool p_interrupts(Call&), p_without_effect(Call&), p_trail(Call&), p_wheel_speed(Call&), a_sum_offset(const Word&);
     bool p_msg(Call&), p_setal(Call&), p_stopre(Call&), p_setms(Call&), p_wait_marker(Call&), p_wait_end(Call&);
     bool p_set_marker(Call&), p_init(Call&), p_start(Call&), p_nothing(Call&), p_fgroup(Call&), p_diamchan(Call&);
@@ -332,6 +334,16 @@ private:
     std::map<int, Routine> routines_;                            // by input
     void arm_interrupts();
     bool interrupt_input(const Value& value, const char* at, int& input);
+
+    // synchronized actions (synchronized.cpp)
+    std::vector<SynchronizedAction> actions_;                    // in the order in which they were told
+    bool in_action_ = false;                                     // one is being read or done
+    bool synchronized_actions();
+    bool read_action(const SynchronizedAction& action);
+    bool do_action();
+    bool each_action(Call& c, const std::function<void(SynchronizedAction&)>& change);
+    bool only_in_action(std::string_view name);
+    static bool find_do(Cursor& at);
 
     // resume states (resume.cpp)
     struct ResumeState;

@@ -11,6 +11,7 @@ struct Interpreter::ResumeState {
     std::vector<Level> levels;
     std::map<std::string, std::string, std::less<>> macros;
     double parts = 0;
+    std::vector<SynchronizedAction> actions;
 };
 
 Interpreter::~Interpreter() = default;
@@ -21,7 +22,7 @@ void Interpreter::keep_resume_states(bool on) {
 }
 
 void Interpreter::note_resume_point() {
-    points_.note(core_, serial_, source_->next_position(), 0, state_changed_, [this] { return ResumeState{{}, modal_, levels_, macros_, parts_}; });
+    points_.note(core_, serial_, source_->next_position(), 0, state_changed_, [this] { return ResumeState{{}, modal_, levels_, macros_, parts_, actions_}; });
 }
 
 void Interpreter::executed(std::uint64_t serial) {
@@ -36,6 +37,8 @@ bool Interpreter::resume_at(std::uint64_t serial) {
     levels_ = point->state->levels;
     macros_ = point->state->macros;
     parts_ = point->state->parts;
+    actions_ = point->state->actions;
+    in_action_ = false;
     while (!undo_log_.empty() && undo_log_.back().first >= serial) {
         undo_log_.back().second();
         undo_log_.pop_back();

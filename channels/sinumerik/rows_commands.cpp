@@ -83,6 +83,13 @@ constexpr Command kRows[] = {
     {"ENABLE", false, 1, 1, "r", &I::p_interrupts, true},
     {"DISABLE", false, 1, 1, "r", &I::p_interrupts, true},
     {"CLRINT", false, 1, 1, "r", &I::p_interrupts, true},
+    {"CANCEL", false, 1, 16, "r", &I::p_cancel},
+    {"LOCK", false, 1, 16, "r", &I::p_lock},               // these in synchronized actions only
+    {"UNLOCK", false, 1, 16, "r", &I::p_unlock},
+    {"RESET", false, 1, 16, "r", &I::p_action_reset},
+    {"STOPREOF", false, 0, 0, "", &I::p_stop_reading_of},
+    {"RDISABLE", false, 0, 0, "", nullptr},
+    {"DELDTG", false, 0, 1, "a", nullptr},
     {"DELAYFSTON", false, 0, 0, "", &I::p_without_effect},
     {"DELAYFSTOF", false, 0, 0, "", &I::p_without_effect},
     {"MMC", false, 1, 2, "sc", &I::p_without_effect},

@@ -38,7 +38,13 @@ constexpr Statement kRows[] = {
     {"EXECSTRING", &Interpreter::st_execstring},
     {"ISOCALL", nullptr},
     {"SETINT", &Interpreter::st_setint},
-    {"DO", nullptr}, {"WHEN", nullptr}, {"WHENEVER", nullptr}, {"EVERY", nullptr}, {"FROM", nullptr}, {"ID", nullptr}, {"IDS", nullptr},
+    {"DO", &Interpreter::st_synchronized},
+    {"WHEN", &Interpreter::st_synchronized},
+    {"WHENEVER", &Interpreter::st_synchronized},
+    {"EVERY", &Interpreter::st_synchronized},
+    {"FROM", &Interpreter::st_synchronized},
+    {"ID", &Interpreter::st_synchronized},
+    {"IDS", &Interpreter::st_synchronized},
 };
 
 }  // namespace
