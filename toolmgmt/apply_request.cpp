@@ -160,6 +160,26 @@ Result<Applied> set_plain(const StoreRequest& request, StoreValues& values) {
 
 }  // namespace
 
+std::optional<Diagnosis> level_refusal(const StoreRequest& request) {
+    static constexpr const char* kNames[] = {"none", "operator", "setter", "maker"};
+    UserLevel least = UserLevel::None;
+    std::string what;
+    switch (static_cast<StoreRequestKind>(request.kind)) {
+        case StoreRequestKind::Parameter:
+            if (const Result<params::Assignment> assignment = params::parse_assignment(name_of(request)))
+                least = static_cast<UserLevel>(static_cast<std::uint32_t>(assignment->row->protection) + 1), what = assignment->row->number;
+            break;
+        case StoreRequestKind::OffsetValue:
+            least = static_cast<OffsetTable>(request.field / 256) == OffsetTable::Wear ? UserLevel::Operator : UserLevel::Setter, what = "offset";
+            break;
+        case StoreRequestKind::WorkZero: least = UserLevel::Setter, what = "zero"; break;
+        case StoreRequestKind::Variable: least = UserLevel::Operator, what = "variable"; break;
+        default: break;
+    }
+    if (static_cast<UserLevel>(request.level) >= least) return {};
+    return Diagnosis{Alarm::LevelTooLow, {}, {}, what + " (" + kNames[static_cast<std::size_t>(least)] + ")"};
+}
+
 Result<Applied> apply_request(const StoreRequest& request, Origin origin, const MachineConfig& machine, StoreValues& values) {
     switch (static_cast<StoreRequestKind>(request.kind)) {
         case StoreRequestKind::Parameter: return set_parameter(request, values);

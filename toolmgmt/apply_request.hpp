@@ -1,6 +1,7 @@
 // What one request does to the values: checked whole, then written, with the list of what changed for disk and kernel.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,10 @@ struct Applied {
     std::string answer;              // of a query
     bool until_power_off = false;    // not for the disk
 };
+
+// The level of whoever asks is too low for this request (parameters by their protection, wear the operator's, geometry and zeros
+// the setter's); nothing: it is not.
+[[nodiscard]] std::optional<Diagnosis> level_refusal(const StoreRequest& request);
 
 // Nothing is written when it is refused.
 [[nodiscard]] Result<Applied> apply_request(const StoreRequest& request, Origin origin, const MachineConfig& machine, StoreValues& values);

@@ -1,32 +1,18 @@
 #include "toolmgmt/database.hpp"
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
+#include <functional>
+#include <utility>
 
 #include "ipc/machine/shortest_text.hpp"
 #include "ipc/params/param_file.hpp"
+#include "toolmgmt/database_parts.hpp"
 #include "toolmgmt/schema.hpp"
 #include "toolmgmt/statement.hpp"
 
 namespace polyturn::toolmgmt {
-
-struct Database::Parts {
-    sqlite3* db = nullptr;
-    std::string path;
-    ~Parts() { sqlite3_close_v2(db); }
-
-    Diagnosis fault(Alarm alarm) const { return {alarm, {path, 0, 0, 0}, {}, sqlite3_errmsg(db)}; }
-    // What went wrong while the file was opened or read.
-    Diagnosis open_fault() const {
-        switch (sqlite3_errcode(db) & 0xff) {
-            case SQLITE_NOTADB:
-            case SQLITE_CORRUPT: return fault(Alarm::StoreDamaged);
-            case SQLITE_BUSY:
-            case SQLITE_LOCKED: return fault(Alarm::StoreBusy);
-            default: return fault(Alarm::StoreOpen);
-        }
-    }
-};
 
 Database::Database(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 Database::Database(Database&&) noexcept = default;
@@ -47,12 +33,33 @@ constexpr TableOf kTables[] = {
 constexpr const char* kSettings =
     "PRAGMA locking_mode=EXCLUSIVE; PRAGMA journal_mode=WAL; PRAGMA synchronous=FULL; PRAGMA wal_autocheckpoint=500; PRAGMA trusted_schema=OFF;";
 
-bool intact(sqlite3* db, std::string& what) {
-    Statement check(db, "PRAGMA quick_check(1)");
-    if (!check.row()) return false;
-    what = check.text(0);
-    return what == "ok";
+// Everything that acts. The history is looked at when it is read: a million rows of it must not delay the start.
+constexpr const char* kChecked[] = {"sqlite_schema", "migrations", "parameters", "offsets", "zeros", "variables", "counters", "positions", "records"};
+
+}  // namespace
+
+bool intact(sqlite3* db, int version, std::string& what) {
+    for (const char* table : kChecked) {
+        if (version < 2 && std::string_view(table) == "records") continue;
+        Statement check(db, ("PRAGMA quick_check('" + std::string(table) + "')").c_str());
+        if (!check.row()) return false;
+        what = check.text(0);
+        if (what != "ok") return false;
+    }
+    return true;
 }
+
+namespace {
+
+struct RecordKindName {
+    Kind kind;
+    const char* name;
+};
+constexpr RecordKindName kRecordKinds[] = {{Kind::Tool, "tool"},       {Kind::Edge, "edge"},           {Kind::Place, "place"},   {Kind::Work, "work"},
+                                           {Kind::User, "user"},       {Kind::Dimension, "dimension"}, {Kind::Pallet, "pallet"}, {Kind::Setting, "setting"}};
+static_assert(static_cast<std::size_t>(Kind::Setting) - static_cast<std::size_t>(Kind::Tool) + 1 == std::size(kRecordKinds));
+
+const char* name_of(Kind kind) { return kRecordKinds[static_cast<std::size_t>(kind) - static_cast<std::size_t>(Kind::Tool)].name; }
 
 std::string shown(double number, const std::string& text, bool is_text) {
     if (is_text) return text;
@@ -70,10 +77,44 @@ bool parameter_fits(const std::string& name, int instance, int element, double n
 }
 
 // What programs count in variables changes many times a second and tells nobody anything a year later.
-bool worth_history(const Key& key, std::string_view who) { return who != "program" || key.kind <= Kind::WorkZero; }
+bool worth_history(const Key& key, std::string_view who) {
+    if (key.kind == Kind::User && key.name == "hash") return false;
+    if (who != "program") return true;
+    return key.kind <= Kind::WorkZero || (key.kind == Kind::Tool && key.name != "counter");
+}
 
 // Enough for decades of an operator's entries; bounded, because measuring programs write offsets at every part.
-constexpr const char* kPrune = "DELETE FROM history WHERE id <= (SELECT max(id) FROM history) - 200000";
+constexpr const char* kPrune = "DELETE FROM history WHERE id <= (SELECT max(id) FROM history) - 1000000";
+
+
+// False: the file cannot be read.
+bool read_records(sqlite3* db, StoreValues& values, const std::function<void(const std::string&)>& left_out) {
+    for (const auto& [kind, name] : kRecordKinds) {
+        Statement rows(db, "SELECT scope, number, field, value, text FROM records WHERE kind = ?");
+        rows.bind(1, std::string_view(name));
+        while (rows.row()) {
+            Key key{kind, static_cast<std::int32_t>(rows.whole(0)), static_cast<std::int32_t>(rows.whole(1)), 0, rows.text(2)};
+            if (kind == Kind::Edge) key.field = std::atoi(std::exchange(key.name, {}).c_str());
+            const bool is_text = !rows.null(4);
+            if (!write_value(values, key, rows.number(3), rows.text(4), is_text)) left_out(describe(key) + "=" + shown(rows.number(3), rows.text(4), is_text));
+        }
+        if (!rows.done()) return false;
+    }
+    return true;
+}
+
+// A value that is gone leaves no row behind.
+bool write_record(sqlite3* db, const Change& change) {
+    const Key& key = change.key;
+    const bool gone = change.is_text ? change.text_after.empty() : std::isnan(change.after);
+    Statement row(db, gone ? "DELETE FROM records WHERE kind = ? AND scope = ? AND number = ? AND field = ?"
+                           : "INSERT OR REPLACE INTO records(kind, scope, number, field, value, text) VALUES(?, ?, ?, ?, ?, ?)");
+    row.bind(1, std::string_view(name_of(key.kind))).bind(2, std::int64_t{key.scope}).bind(3, std::int64_t{key.number});
+    row.bind(4, key.kind == Kind::Edge ? std::to_string(key.field) : key.name);
+    if (!gone && change.is_text) row.bind_null(5).bind(6, change.text_after);
+    else if (!gone) row.bind(5, change.after).bind_null(6);
+    return row.run();
+}
 
 }  // namespace
 
@@ -92,7 +133,7 @@ Result<Database> Database::open(const std::string& folder) {
     if (version > newest_schema_version())
         return Diagnosis{Alarm::StoreVersion, {parts->path, 0, 0, 0}, {}, "schema " + std::to_string(version) + ", known up to " + std::to_string(newest_schema_version())};
     std::string what;
-    if (version > 0 && !intact(parts->db, what)) return what.empty() ? parts->open_fault() : Diagnosis{Alarm::StoreDamaged, {parts->path, 0, 0, 0}, {}, what};
+    if (version > 0 && !intact(parts->db, version, what)) return what.empty() ? parts->open_fault() : Diagnosis{Alarm::StoreDamaged, {parts->path, 0, 0, 0}, {}, what};
     // Also an up-to-date file takes the write lock here, so that a second owner is refused at once.
     if (!migrate(parts->db) || !run(parts->db, kPrune)) return parts->open_fault();
     return Database(std::move(parts));
@@ -120,7 +161,7 @@ Result<void> Database::read_into(StoreValues& values, std::vector<Diagnosis>& wa
         }
         if (!rows.done()) return parts_->open_fault();
     }
-    return {};
+    return read_records(parts_->db, values, left_out) ? Result<void>() : parts_->open_fault();
 }
 
 Result<void> Database::commit(const std::vector<Change>& changes, std::string_view who) {
@@ -138,6 +179,8 @@ Result<void> Database::commit(const std::vector<Change>& changes, std::string_vi
             if (change.is_text) parameter.bind_null(4).bind(5, change.text_after);
             else parameter.bind(4, change.after).bind_null(5);
             good = parameter.run();
+        } else if (key.kind > Kind::Position) {
+            good = write_record(db, change);
         } else {
             const char* table = kTables[static_cast<std::size_t>(key.kind) - static_cast<std::size_t>(Kind::Offset)].name;
             Statement row(db, (std::string("INSERT OR REPLACE INTO ") + table + "(channel, number, field, value) VALUES(?, ?, ?, ?)").c_str());
@@ -151,6 +194,17 @@ Result<void> Database::commit(const std::vector<Change>& changes, std::string_vi
     if (!transaction.commit()) return parts_->fault(Alarm::StoreWrite);
     return {};
 }
+
+Result<std::vector<Database::Entry>> Database::history(std::string_view about, std::string_view who, std::int64_t most) {
+    Statement rows(parts_->db, "SELECT id, utc, who, what, old, new FROM history WHERE instr(what, ?) > 0 AND instr(who, ?) > 0 ORDER BY utc DESC, id DESC LIMIT ?");
+    rows.bind(1, about).bind(2, who).bind(3, most);
+    std::vector<Entry> entries;
+    while (rows.row()) entries.push_back({rows.whole(0), rows.text(1), rows.text(2), rows.text(3), rows.text(4), rows.text(5)});
+    if (!rows.done()) return parts_->open_fault();
+    return entries;
+}
+
+const std::string& Database::path() const { return parts_->path; }
 
 Result<std::vector<std::string>> Database::history(int most) {
     Statement rows(parts_->db, "SELECT utc, who, what, old, new FROM history ORDER BY id DESC LIMIT ?");

@@ -3,13 +3,15 @@
 //
 //   parameters  what was changed from the machine's file, by name: the slots of the table move between versions
 //   offsets, zeros, variables, counters, positions   by channel and number
-//   history     when (UTC), who, what, old, new; the newest 200 000
+//   records     tools, edges, places, users, dimensions, pallets: one row a value, by the name of its column
+//   history     when (UTC), who, what, old, new; the newest million
 //   migrations  which versions of this schema the file went through
 //
 // A file of an older version is brought up to date inside one transaction; one of a newer version is refused and left
 // as it is, a damaged one too.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -22,7 +24,7 @@ namespace polyturn::toolmgmt {
 
 class Database {
 public:
-    static constexpr int kVersion = 1;
+    static constexpr int kVersion = 2;
     static constexpr const char* kFile = "store.sqlite";
 
     // Makes folder and file where they are missing. Refuses a file that another process has open.
@@ -40,6 +42,26 @@ public:
 
     // Lines of the history, newest first: "2026-01-31T12:34:56.789Z operator N1600 L1: 2 -> 2.5".
     Result<std::vector<std::string>> history(int most);
+    struct Entry {
+        std::int64_t id = 0;
+        std::string utc, who, what, before, after;
+    };
+    // Newest first; `about` and `who` are parts of the texts, empty means all.
+    Result<std::vector<Entry>> history(std::string_view about, std::string_view who, std::int64_t most);
+
+    // A consistent copy of the whole file with the bytes of other files beside it, on disk when it returns well. Written under
+    // another name and renamed, so that a backup that stands there is a whole one.
+    struct File {
+        std::string name, path, bytes;   // name: what it is; path: where it goes back to
+    };
+    Result<void> backup(const std::string& file, const std::vector<File>& files);
+    // What a backup holds: its values on top of `values` (cleared by the caller), its files.
+    static Result<void> read_backup(const std::string& file, StoreValues& values, std::vector<File>& files, std::vector<Diagnosis>& warnings);
+    // Takes over the history of a backup, what is here already only once. Returns how many lines came.
+    Result<std::int64_t> merge_history(const std::string& file);
+    // The file of a store that does not run is replaced by a backup. Returns the name under which the old one was kept.
+    static Result<std::string> put_back(const std::string& folder, const std::string& file, std::vector<File>& files);
+    const std::string& path() const;
 
 private:
     struct Parts;

@@ -9,6 +9,7 @@
 
 #include "ipc/memory/segment.hpp"
 #include "toolmgmt/database.hpp"
+#include "toolmgmt/operations/backup_files.hpp"
 #include "toolmgmt/options.hpp"
 #include "toolmgmt/service.hpp"
 #include "toolmgmt/start_values.hpp"
@@ -33,12 +34,40 @@ void catch_signals() {
 
 void complain(const Diagnosis& diagnosis) { std::fprintf(stderr, "polyturn-toolmgmt: %s", render(diagnosis, Dialect::Polyturn, "").c_str()); }
 
+// A store that cannot be used any more comes back from a backup; nothing may run on it.
+int restore_offline(const Options& options) {
+    std::string file = options.restore;
+    if (file == "newest") {
+        auto newest = newest_good_backup(options.store);
+        if (!newest) return complain(newest.diagnosis()), 2;
+        file = *newest;
+    }
+    {
+        auto in_use = Database::open(options.store);
+        if (!in_use && in_use.diagnosis().alarm == Alarm::StoreBusy) return complain(in_use.diagnosis()), 2;
+    }
+    std::vector<Database::File> files;
+    const auto kept = Database::put_back(options.store, file, files);
+    if (!kept) return complain(kept.diagnosis()), 2;
+    std::printf("restored %s\n", file.c_str());
+    if (!kept->empty()) std::printf("the old store is kept as %s\n", kept->c_str());
+    for (const auto& one : files) {
+        const std::string target = target_of(one, options.machine_folder);
+        if (!differs_from_disk(one, target)) continue;
+        if (const Result<void> put = put_file(target, one.bytes); !put) return complain(put.diagnosis()), 2;
+        std::printf("restored %s\n", target.c_str());
+    }
+    return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     const Options options = read_options(argc, argv);
     if (options.exit_status >= 0) return options.exit_status;
     catch_signals();
+
+    if (!options.restore.empty()) return restore_offline(options);
 
     std::optional<Database> disk;
     if (!options.memory) {
@@ -58,7 +87,7 @@ int main(int argc, char** argv) {
     auto image = StoreImage::create(options.instance, (*supervisor)->header);
     if (!image) return complain(image.diagnosis()), 1;
 
-    Service service(options.instance, std::move(*supervisor), std::move(*image), *values, disk ? &*disk : nullptr);
+    Service service(options.instance, std::move(*supervisor), std::move(*image), *values, disk ? &*disk : nullptr, {options.machine_folder, options.memory ? std::string() : options.store});
     while (!stop)
         if (!service.step()) service.wait();
     service.finish();

@@ -28,6 +28,12 @@ constexpr std::array kSteps = {
                            PRIMARY KEY(channel, number, field)) WITHOUT ROWID;
     CREATE TABLE history(id INTEGER PRIMARY KEY, utc TEXT NOT NULL, who TEXT NOT NULL, what TEXT NOT NULL, old TEXT, new TEXT);
     )sql",
+    // Tools, edges, places, users and the like: a row for each value that was entered, its column by name.
+    R"sql(
+    CREATE TABLE records(kind TEXT NOT NULL, scope INTEGER NOT NULL, number INTEGER NOT NULL, field TEXT NOT NULL, value REAL, text TEXT,
+                         PRIMARY KEY(kind, scope, number, field)) WITHOUT ROWID;
+    CREATE INDEX history_utc ON history(utc);
+    )sql",
 };
 
 }  // namespace

@@ -3,9 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <utility>
 
 #include "ipc/machine/config_check.hpp"
 #include "ipc/params/registry.hpp"
+#include "toolmgmt/tools/places.hpp"
+#include "toolmgmt/tools/tool_requests.hpp"
 #include "toolmgmt/wait_any.hpp"
 
 namespace polyturn::toolmgmt {
@@ -14,6 +19,7 @@ namespace {
 constexpr std::uint64_t kMostPerStep = 1024;   // persist requests before somebody else is looked at
 constexpr std::chrono::seconds kRetry{1};      // after the disk refused
 constexpr std::size_t kMostImportLines = 100'000;
+constexpr std::size_t kAnswerPiece = sizeof(StoreAnswer{}.text) - 1;
 constexpr std::size_t kMostAtOnce = 4096;      // changes that the kernel takes in one tick; its ring holds twice as many
 
 void copy_text(auto& to, std::string_view from) {
@@ -27,20 +33,26 @@ std::string one_line(const Diagnosis& diagnosis) {
 
 }  // namespace
 
-Service::Service(std::string instance, PeerSegment<SupervisorSegment> supervisor, StoreImage image, StoreValues& values, Database* disk)
+Service::Service(std::string instance, PeerSegment<SupervisorSegment> supervisor, StoreImage image, StoreValues& values, Database* disk, Files files)
     : instance_(std::move(instance)), supervisor_(std::move(supervisor)), image_(std::move(image)), values_(values), disk_(disk),
-      machine_(derive_machine_config(values.parameters)) {
+      machine_(derive_machine_config(values.parameters)), files_(std::move(files)), places_(std::make_unique<ToolPlaceTable>()) {
     if (!disk_ && image_.taken_over()) {   // the image is all that there is
         image_.read_into(values_);
         machine_ = derive_machine_config(values_.parameters);
     }
     pending_index_ = image_.segment().persist_tail.tail.load();
     replay_from_ = image_.replay_from();
+    // The transaction may have been the last thing that the predecessor did: the file knows better than its image.
+    if (const Cell* done = values_.cell({Kind::Setting, 0, 0, 0, "persist"}); done && image_.taken_over()) {
+        const std::string own = std::to_string(supervisor_->processes[kProcessKernel].pid) + ":";
+        if (done->text.rfind(own, 0) == 0) replay_from_ = std::max<std::uint64_t>(replay_from_, std::strtoull(done->text.c_str() + own.size(), nullptr, 10));
+    }
     look_for_kernel();
     // Before anything is shown: the predecessor showed these values, and they must not seem to go back.
     replay();
     // Zeros that hold until power-off are in the image only, and the machine may be cutting by them.
     if (disk_ && image_.taken_over()) image_.read_zeros_into(values_);
+    derive_places(values_, *places_);
     image_.publish_all(values_);
 }
 
@@ -49,7 +61,9 @@ bool Service::step() {
     look_for_kernel();
     if (kernel_.attached()) kernel_seen_ = kernel_->store_bell.seen();
     bool worked = take_persist();
+    send_answers();
     worked |= take_requests();
+    back_up_when_due();
     const auto now = Clock::now();
     if (!pending_.empty() && now - pending_since_ >= kBatchMs && now >= next_try_) {
         if (const Result<void> done = commit_pending({}, "program"); !done) {
@@ -64,6 +78,7 @@ bool Service::step() {
 void Service::wait() {
     std::int64_t timeout_us = kernel_.attached() ? 100'000 : 4'000;   // a new kernel rings no bell of ours
     if (!pending_.empty()) timeout_us = 5'000;
+    if (!out_.empty()) timeout_us = 1'000;
     std::array<Watched, 2> bells{{{&supervisor_->store_bell, supervisor_seen_}, {nullptr, 0}}};
     std::size_t count = 1;
     if (kernel_.attached()) bells[count++] = {&kernel_->store_bell, kernel_seen_};
@@ -112,7 +127,8 @@ void Service::replay() {
         const StoreRequest request = kernel_->persist.slot(index);
         std::atomic_thread_fence(std::memory_order_acquire);
         if (kernel_->persist.head.load(std::memory_order_acquire) >= index + kCapacity) continue;
-        Result<Applied> applied = apply_request(request, Origin::Program, machine_, values_);
+        if (static_cast<StoreRequestKind>(request.kind) == StoreRequestKind::ToolCall) continue;   // answered before its tail moved
+        Result<Applied> applied = is_tool_request(request) ? apply_tool_request(request, values_) : apply_request(request, Origin::Program, machine_, values_);
         if (!applied) continue;
         if (applied->until_power_off) continue;   // the image has it
         refresh_machine(applied->changes);
@@ -131,7 +147,17 @@ bool Service::take_persist() {
     std::vector<Change> changes, passing;   // for the disk; until power-off
     for (; index < end; ++index) {
         const StoreRequest request = kernel_->persist.slot(index);
-        Result<Applied> applied = apply_request(request, Origin::Program, machine_, values_);
+        if (static_cast<StoreRequestKind>(request.kind) == StoreRequestKind::ToolCall) {
+            if (!answer_tool_call(request)) break;   // the kernel has left no room: again later
+            continue;
+        }
+        if (const auto low = request.level ? level_refusal(request) : std::nullopt) {   // an operator's, through the kernel
+            std::fprintf(stderr, "polyturn-toolmgmt: %s\n", one_line(*low).c_str());
+            continue;
+        }
+        Result<Applied> applied = is_tool_request(request) ? apply_tool_request(request, values_) : apply_request(request, Origin::Program, machine_, values_);
+        if (applied && static_cast<StoreRequestKind>(request.kind) == StoreRequestKind::OffsetValue && request.channel >= 1 && request.channel <= kMaxChannels)
+            look_at_wear(values_, request.channel, request.number, applied->changes);
         if (!applied) {
             std::fprintf(stderr, "polyturn-toolmgmt: %s\n", one_line(applied.diagnosis()).c_str());
             continue;
@@ -143,10 +169,10 @@ bool Service::take_persist() {
     keep_pending(changes);
     changes.insert(changes.end(), passing.begin(), passing.end());
     image_.publish(values_, changes);
-    pending_index_ = end;
-    own.persist_tail.tail.store(end, std::memory_order_release);   // the image is out: virtual time may go on
+    pending_index_ = index;
+    own.persist_tail.tail.store(index, std::memory_order_release);   // the image is out: virtual time may go on
     own.bell.ring();
-    if (pending_.empty()) own.on_disk.store(end, std::memory_order_release);
+    if (pending_.empty()) own.on_disk.store(index, std::memory_order_release);
     return true;
 }
 
@@ -156,11 +182,34 @@ bool Service::take_requests() {
     for (;;) {
         const auto index = own.request_tail.tail.load(std::memory_order_relaxed);
         if (index >= supervisor_->requests.head.load(std::memory_order_acquire)) return worked;
+        send_answers();
+        if (!out_.empty()) return worked;
         // Room for the answer first: an operator's change whose answer cannot be given must not be made.
         if (own.answers.head.load(std::memory_order_relaxed) - supervisor_->answer_tail.tail.load(std::memory_order_acquire) >= decltype(StoreSegment::answers)::capacity) return worked;
         const StoreRequest request = supervisor_->requests.slot(index);
         const bool parameter = static_cast<StoreRequestKind>(request.kind) == StoreRequestKind::Parameter;
         if (!parameter) import_.clear();   // its sender gave up: the lines of an import follow each other
+        if (static_cast<StoreRequestKind>(request.kind) == StoreRequestKind::Operation) {
+            // Pieces follow each other; `number` is where this one begins, so that a sender that gave up spoils nothing.
+            if (request.number == 0) operation_.clear();
+            if (operation_.size() == static_cast<std::size_t>(request.number)) operation_.append(request.name.data(), ::strnlen(request.name.data(), request.name.size()));
+            if (request.field != kMoreFollows) {
+                const std::string text = operate(std::exchange(operation_, {}), request);
+                for (std::size_t at = 0; at == 0 || at < text.size(); at += kAnswerPiece) {
+                    StoreAnswer piece{};
+                    piece.id = request.id;
+                    piece.ok = 1;
+                    piece.more = at + kAnswerPiece < text.size();
+                    copy_text(piece.text, std::string_view(text).substr(at, kAnswerPiece));
+                    out_.push_back(piece);
+                }
+            }
+            own.request_tail.tail.store(index + 1, std::memory_order_release);
+            send_answers();
+            own.bell.ring();
+            worked = true;
+            continue;
+        }
         Result<Applied> applied = Applied{{}, "more follows"};
         if (parameter && request.field == kMoreFollows) {
             if (import_.size() < kMostImportLines) import_.push_back(request);
@@ -188,12 +237,17 @@ Result<Applied> Service::apply_operator(const StoreRequest& request) {
         return out;
     };
     for (const StoreRequest& one : requests) {
+        if (const auto refused = has_users() ? level_refusal(one) : std::nullopt) {
+            undo(changes());
+            return *refused;
+        }
         Result<Applied> applied = apply_request(one, Origin::Operator, machine_, values_);
         if (!applied) {
             undo(changes());
             return applied;
         }
         answer = applied->answer;
+        if (static_cast<StoreRequestKind>(one.kind) == StoreRequestKind::OffsetValue) look_at_wear(values_, one.channel, one.number, applied->changes);
         for (Change& change : applied->changes) {
             const auto [at, fresh] = all.emplace(change.key, change);
             if (!fresh) at->second.after = change.after, at->second.text_after = change.text_after;
@@ -201,7 +255,7 @@ Result<Applied> Service::apply_operator(const StoreRequest& request) {
     }
     Applied done{changes(), std::move(answer)};
     // Also after a query: what it shows counts as written, so what came before it goes to the disk with it.
-    if (const Result<void> kept = commit_pending(done.changes, "operator"); !kept) {
+    if (const Result<void> kept = commit_pending(done.changes, user_name(request)); !kept) {
         undo(done.changes);
         return kept.diagnosis();
     }
@@ -275,7 +329,12 @@ Result<void> Service::commit_pending(const std::vector<Change>& more, std::strin
         std::vector<Change> batch;
         for (const auto& [key, change] : pending_) batch.push_back(change);
         if (!batch.empty())
+{
+            // How far the kernel's ring is on disk goes into the same transaction: life that was counted is not counted twice.
+            const Key key{Kind::Setting, 0, 0, 0, "persist"};
+            batch.push_back({key, 0, 0, {}, mark(), true});
             if (Result<void> done = disk_->commit(batch, "program"); !done) return done;
+        }
         pending_.clear();
     }
     image_.segment().on_disk.store(pending_index_, std::memory_order_release);
@@ -288,6 +347,10 @@ void Service::undo(const std::vector<Change>& changes) {
 }
 
 void Service::refresh_machine(const std::vector<Change>& changes) {
+    const bool places = std::any_of(changes.begin(), changes.end(), [](const Change& c) {
+        return c.key.kind == Kind::Parameter || c.key.kind == Kind::Place || (c.key.kind == Kind::Tool && (c.key.name == "magazine" || c.key.name == "pot" || c.key.name == "exists"));
+    });
+    if (places) derive_places(values_, *places_);
     const bool parameters = std::any_of(changes.begin(), changes.end(), [](const Change& c) { return c.key.kind == Kind::Parameter; });
     if (parameters) machine_ = derive_machine_config(values_.parameters);
 }

@@ -10,7 +10,9 @@
 
 #include <chrono>
 #include <cstdint>
+#include <deque>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,7 +31,11 @@ public:
     static constexpr std::chrono::milliseconds kBatchMs{40};   // architecture 9 allows 100
 
     // disk: nullptr keeps nothing. `values` are already what the image is to show.
-    Service(std::string instance, PeerSegment<SupervisorSegment> supervisor, StoreImage image, StoreValues& values, Database* disk);
+    struct Files {
+        std::string machine_folder;   // what a backup takes along; empty: none
+        std::string store_folder;     // for automatic backups
+    };
+    Service(std::string instance, PeerSegment<SupervisorSegment> supervisor, StoreImage image, StoreValues& values, Database* disk, Files files);
 
     // Looks once for work and does it; false when there was none.
     bool step();
@@ -46,6 +52,14 @@ private:
     bool take_persist();
     bool take_requests();
     Result<Applied> apply_operator(const StoreRequest& request);
+    bool answer_tool_call(const StoreRequest& request);
+    std::string operate(const std::string& text, const StoreRequest& request);
+    std::string user_name(const StoreRequest& request) const;
+    void send_answers();
+    void tell_kernel(const std::vector<Change>& changes);
+    void back_up_when_due();
+    bool has_users() const;                      // without any, everybody whom the socket lets in may do everything
+    std::string mark() const;                    // in the file: how far the kernel's ring is on disk
     void answer(const StoreRequest& request, const Result<Applied>& applied);
     void push_parameter_changes(const std::vector<Change>& changes);
     void keep_pending(const std::vector<Change>& changes);
@@ -67,6 +81,11 @@ private:
     std::uint64_t replay_from_ = 0;              // from here to the tail they were in the image of a dead predecessor only
     Clock::time_point pending_since_{}, next_try_{};
     std::uint32_t supervisor_seen_ = 0, kernel_seen_ = 0;
+    Files files_;
+    std::unique_ptr<ToolPlaceTable> places_;
+    std::string operation_;                      // pieces of one whose end has not come yet
+    std::deque<StoreAnswer> out_;                // answers for which there is no room yet
+    Clock::time_point next_backup_{};
 };
 
 }  // namespace polyturn::toolmgmt

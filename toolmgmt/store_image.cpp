@@ -5,7 +5,12 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
 #include <optional>
+
+#include "toolmgmt/tools/places.hpp"
 
 namespace polyturn::toolmgmt {
 
@@ -45,6 +50,8 @@ void StoreImage::read_into(StoreValues& values) const {
     values.counters = from.totals.published().counters;
     values.last_position = from.totals.published().last_position;
     for (std::size_t l = 0; l < kMaxChannels; ++l) values.channels[l] = from.channels[l].published();
+    values.tools = from.tools.published();
+    values.edges = from.edges.published();
 }
 
 void StoreImage::read_zeros_into(StoreValues& values) const {
@@ -56,6 +63,9 @@ void StoreImage::publish_all(const StoreValues& values) {
     to.parameters.write(values.parameters);
     for (std::size_t l = 0; l < kMaxChannels; ++l) to.channels[l].write(values.channels[l]);
     publish_totals(values);
+    all_written_ = true;
+    publish_tools(values, {});
+    publish_users(values);
     to.version.fetch_add(1, std::memory_order_release);
     to.header.writer_pid = getpid();   // whoever waits for this process sees only what it published
     own_.publish();
@@ -67,6 +77,81 @@ void StoreImage::publish_totals(const StoreValues& values) {
     draft.counters = values.counters;
     draft.last_position = values.last_position;
     own_->totals.publish();
+}
+
+// Only the rows that changed since this slot was filled last: life is counted many times a second.
+void StoreImage::publish_tools(const StoreValues& values, const std::vector<Change>& changes) {
+    std::vector<std::size_t> rows;
+    bool edges = all_written_, places = all_written_, more = all_written_, any = all_written_;
+    for (const Change& change : changes) {
+        const Key& key = change.key;
+        if (key.kind == Kind::Tool) {
+            if (rows.empty() || rows.back() != static_cast<std::size_t>(key.number - 1)) rows.push_back(static_cast<std::size_t>(key.number - 1));
+            places = places || key.name == "magazine" || key.name == "pot" || key.name == "exists";
+            more = more || key.name != "counter";
+        }
+        edges = edges || key.kind == Kind::Edge;
+        places = places || key.kind == Kind::Place || key.kind == Kind::Parameter;
+        any = any || key.kind == Kind::Tool || key.kind == Kind::Work;
+    }
+    more = more || edges || places;
+    StoreSegment& to = *own_;
+    if (any || more) {
+        ToolTable& draft = to.tools.draft();
+        if (all_written_) {
+            draft = values.tools;
+        } else {
+            for (const std::size_t row : written_) draft.rows[row] = values.tools.rows[row];
+            for (const std::size_t row : rows) draft.rows[row] = values.tools.rows[row];
+            draft.in_channel = values.tools.in_channel;
+            draft.next = values.tools.next;
+        }
+        if (more) ++tool_version_;
+        draft.version = tool_version_;
+        to.tools.publish();
+        // The slot that is now behind was filled before this one: what both publications wrote is missing there.
+        if (all_written_) {
+            to.tools.draft() = values.tools;
+            written_.clear();
+        } else {
+            written_ = std::move(rows);
+        }
+    }
+    if (edges) to.edges.write(values.edges);
+    if (places) {
+        derive_places(values, to.places.draft());
+        to.places.publish();
+    }
+    all_written_ = false;
+}
+
+void StoreImage::publish_users(const StoreValues& values) {
+    UserTable& table = own_->users.draft();
+    table = {};
+    const auto number = [&](std::int32_t user, const char* field, double otherwise) {
+        const Cell* cell = values.cell({Kind::User, 0, user, 0, field});
+        return cell ? cell->number : otherwise;
+    };
+    for (std::int32_t user = 1; user <= static_cast<std::int32_t>(kUsers); ++user) {
+        const Cell* name = values.cell({Kind::User, 0, user, 0, "name"});
+        if (!name) continue;
+        UserRow& row = table.rows[table.count++];
+        row.number = static_cast<std::uint32_t>(user);
+        row.level = static_cast<std::uint32_t>(number(user, "level", 0));
+        row.locked = number(user, "locked_until", 0) > 0;
+        row.uid = static_cast<std::int64_t>(number(user, "uid", -1));
+        std::copy_n(name->text.begin(), std::min(name->text.size(), row.name.size() - 1), row.name.begin());
+    }
+    own_->users.publish();
+}
+
+bool StoreImage::push(const ToolAnswer& answer, std::uint64_t taken) {
+    auto& ring = own_->tool_answers;
+    const auto head = ring.head.load(std::memory_order_relaxed);
+    if (head - taken >= std::remove_reference_t<decltype(ring)>::capacity) return false;
+    ring.slot(head) = answer;
+    ring.head.store(head + 1, std::memory_order_release);
+    return true;
 }
 
 void StoreImage::publish(const StoreValues& values, const std::vector<Change>& changes) {
@@ -82,8 +167,10 @@ void StoreImage::publish(const StoreValues& values, const std::vector<Change>& c
     if (totals) publish_totals(values);
     for (std::size_t l = 0; l < kMaxChannels; ++l)
         if (channels[l]) to.channels[l].write(values.channels[l]);
-    // Counters and positions are the kernel's own: nobody has to look because of them.
-    const bool news = std::any_of(changes.begin(), changes.end(), [](const Change& c) { return c.key.kind != Kind::Counter && c.key.kind != Kind::Position; });
+    publish_tools(values, changes);
+    if (std::any_of(changes.begin(), changes.end(), [](const Change& c) { return c.key.kind == Kind::User; })) publish_users(values);
+    // Counters, positions and the life of tools are the kernel's own: nobody has to look because of them.
+    const bool news = std::any_of(changes.begin(), changes.end(), [](const Change& c) { return c.key.kind <= Kind::Edge && c.key.kind != Kind::Counter && c.key.kind != Kind::Position && c.key.name != "counter"; });
     if (news) to.version.fetch_add(1, std::memory_order_release);
 }
 

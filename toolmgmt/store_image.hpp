@@ -27,10 +27,17 @@ public:
     void publish_all(const StoreValues& values);
     // What these changes touched; then `version` grows. The kernel's list of parameter changes is the caller's.
     void publish(const StoreValues& values, const std::vector<Change>& changes);
+    // False: the kernel has left no room.
+    bool push(const ToolAnswer& answer, std::uint64_t taken);
     StoreSegment& segment() { return *own_; }
 
 private:
     void publish_totals(const StoreValues& values);
+    void publish_tools(const StoreValues& values, const std::vector<Change>& changes);
+    void publish_users(const StoreValues& values);
+    std::vector<std::size_t> written_;   // tool rows of the last publication: the other slot has older ones
+    bool all_written_ = true;
+    std::uint64_t tool_version_ = 0;
     OwnSegment<StoreSegment> own_;
     std::uint64_t replay_from_ = 0;
     bool taken_over_ = false;

@@ -1,0 +1,181 @@
+// Operations of the store: all of it or nothing, every fault named.
+#include "../tools/tool_rig.hpp"
+
+#include <set>
+
+#include "toolmgmt/operations/restore_diff.hpp"
+
+namespace {
+
+using namespace polyturn;
+using polyturn::test::Json;
+using polyturn::test::ToolRig;
+
+std::string forty_rows() {
+    std::string text = "tool,name,type,life_kind,life,magazine,pot,D1.DP3\n";
+    for (int n = 1; n <= 40; ++n)
+        text += std::to_string(n) + ",TOOL" + std::to_string(n) + "," + std::to_string(n) + ",minutes,60," + (n <= 12 ? "1," + std::to_string(n) : "0,0") + ",12.5\n";
+    return text;
+}
+
+TEST(Import, OfAnErrorInRow37ChangesNothingAndNamesRowAndColumn) {
+    ToolRig rig;
+    std::string text = forty_rows();
+    const std::string good = "\n36,TOOL36,36,minutes,60,", bad = "\n36,TOOL36,36,minutes,-60,";   // the heading is row 1
+    text.replace(text.find(good), good.size(), bad);
+    EXPECT_FALSE(rig.run({{"do", "tools.import"}, {"text", text}}));
+    ASSERT_EQ(rig.faults.size(), 1u) << rig.said();
+    EXPECT_EQ(rig.faults[0].row, 37);
+    EXPECT_EQ(rig.faults[0].column, "life");
+    for (const ToolRow& row : rig.values->tools.rows) ASSERT_FALSE(row.used);
+    EXPECT_TRUE(rig.run({{"do", "tools.import"}, {"text", forty_rows()}})) << rig.said();
+    EXPECT_EQ(rig.values->tool(36)->life, 60);
+    EXPECT_EQ(rig.values->tool(12)->pot, 12);
+    EXPECT_EQ(toolmgmt::find_edge(*rig.values, 7, 1)->dp[3], 12.5);
+}
+
+TEST(Import, NamesEveryFaultAtOnce) {
+    ToolRig rig;
+    EXPECT_FALSE(rig.run({{"do", "tools.import"}, {"text", "tool,name,life,magazine,pot,weight\n"
+                                                          "1,A,ten,1,1,2\n"          // row 2: life
+                                                          "2,B,10,1,1,1\n"           // row 3: the place of tool 1
+                                                          "2,C,10,1,2,1\n"           // row 4: tool twice
+                                                          "4,D,10,9,1,1\n"           // row 5: no such magazine
+                                                          "5,E,10,1,3,5000\n"        // row 6: weight in grams?
+                                                          "6,F,10,1\n"}}));          // row 7: fields missing
+    std::set<int> rows;
+    for (const auto& fault : rig.faults) rows.insert(fault.row);
+    EXPECT_EQ(rows, (std::set<int>{2, 3, 4, 5, 6, 7})) << rig.said();
+    for (const ToolRow& row : rig.values->tools.rows) ASSERT_FALSE(row.used);
+}
+
+TEST(Export, AsCsvReadsInAgainToTheSameTools) {
+    ToolRig rig;
+    ASSERT_TRUE(rig.run({{"do", "tools.import"}, {"text", forty_rows()}})) << rig.said();
+    ASSERT_TRUE(rig.run({{"do", "tools.set"}, {"tool", 3}, {"fields", {{"outline", "X -60:0 Z -20:5"}, {"custom2", 4.25}, {"D2.DP6", 0.8}}}})) << rig.said();
+    ASSERT_TRUE(rig.run({{"do", "tools.export"}}));
+    const std::string text = rig.answer["text"];
+    ToolRig other;
+    ASSERT_TRUE(other.run({{"do", "tools.import"}, {"text", text}})) << other.said();
+    std::vector<toolmgmt::Change> left = toolmgmt::changes_between(*other.values, *rig.values);
+    for (const auto& change : left) ADD_FAILURE() << toolmgmt::describe(change.key);
+}
+
+TEST(Export, AsSinumerikProgramReadsInAgain) {
+    ToolRig rig;
+    rig.add({{"name", "ROUGH_80"}, {"duplo", 2}, {"life_kind", "minutes"}, {"life", 60}, {"counter", 12.5}, {"warning", 5}, {"locked", 1}, {"D1.DP1", 500}, {"D1.DP2", 3}, {"D1.DP6", 0.8}}, 1, 3);
+    ASSERT_TRUE(rig.run({{"do", "tools.export"}, {"format", "sinumerik"}}));
+    const std::string text = rig.answer["text"];
+    EXPECT_NE(text.find("$TC_TP2[1]=\"ROUGH_80\""), std::string::npos) << text;
+    EXPECT_NE(text.find("$TC_MPP6[1,3]=1"), std::string::npos) << text;
+    ToolRig other;
+    ASSERT_TRUE(other.run({{"do", "tools.import"}, {"format", "sinumerik"}, {"text", text}})) << other.said();
+    for (const auto& change : toolmgmt::changes_between(*other.values, *rig.values)) ADD_FAILURE() << toolmgmt::describe(change.key);
+    EXPECT_FALSE(other.run({{"do", "tools.import"}, {"format", "sinumerik"}, {"text", "$TC_TP1[1]=1\n$TC_XX9[1]=3\n"}}));
+    EXPECT_EQ(other.faults[0].row, 2);
+    EXPECT_EQ(other.faults[0].column, "$TC_XX9[1]");
+}
+
+TEST(Export, AsFanucProgramCarriesOffsetsAndLifeGroups) {
+    ToolRig rig;
+    ASSERT_TRUE(rig.run({{"do", "offsets.set"}, {"channel", 1}, {"number", 3}, {"field", "X"}, {"value", -12.3}})) << rig.said();
+    ASSERT_TRUE(rig.run({{"do", "offsets.set"}, {"channel", 1}, {"number", 3}, {"table", "wear"}, {"field", "X"}, {"value", 0.02}})) << rig.said();
+    rig.add(Json({{"type", 1}, {"group", 2}, {"h", 3}, {"d", 3}, {"life_kind", "minutes"}, {"life", 45}}));
+    ASSERT_TRUE(rig.run({{"do", "tools.export"}, {"format", "fanuc"}, {"channel", 1}})) << rig.said();
+    const std::string text = rig.answer["text"];
+    EXPECT_NE(text.find("G10 P10003 X-12.3"), std::string::npos) << text;
+    EXPECT_NE(text.find("G10 P3 X0.02"), std::string::npos) << text;
+    EXPECT_NE(text.find("P2 L45 Q2\nT0103"), std::string::npos) << text;
+    ToolRig other;
+    ASSERT_TRUE(other.run({{"do", "tools.import"}, {"format", "fanuc"}, {"channel", 1}, {"text", text}})) << other.said();
+    EXPECT_EQ(other.values->channels[0].offsets[3].geometry[0], -12.3);
+    EXPECT_EQ(other.values->tool(1)->group, 2);
+    EXPECT_EQ(other.values->tool(1)->life, 45);
+    EXPECT_FALSE(other.run({{"do", "tools.import"}, {"format", "fanuc"}, {"channel", 1}, {"text", "%\nG10 P3 X1.5\nG10 P3 K2.\nG1 X5.\n"}}));
+    EXPECT_EQ(other.faults.size(), 2u) << other.said();
+}
+
+TEST(Offsets, KeepToTheLimitsOfWear) {
+    ToolRig rig;
+    const Json set = {{"do", "offsets.set"}, {"channel", 1}, {"number", 3}, {"table", "wear"}, {"field", "X"}, {"value", 1.2}};
+    EXPECT_FALSE(rig.run(set));   // N1415 = 0: one millimetre
+    rig.set("N1415 L1=2");
+    EXPECT_TRUE(rig.run(set)) << rig.said();
+    rig.set("PT_WEAR_STEP L1=0.1");
+    Json step = set;
+    step["value"] = 0.2, step["incremental"] = true;
+    EXPECT_FALSE(rig.run(step));
+    step["value"] = -0.1;
+    EXPECT_TRUE(rig.run(step)) << rig.said();
+    EXPECT_NEAR(rig.values->channels[0].offsets[3].wear[0], 1.1, 1e-12);
+    Json geometry = set;
+    geometry["table"] = "geometry";
+    EXPECT_FALSE(rig.run(geometry, UserLevel::Operator));
+    EXPECT_EQ(rig.faults[0].diagnosis.alarm, Alarm::LevelTooLow);
+}
+
+TEST(MeasuredParts, ProposeALimitedCorrectionWithTrendAndWriteItOnlyWhenAccepted) {
+    ToolRig rig;
+    const int tool = rig.add({{"name", "FINISH"}, {"h", 3}}, 1, 3);
+    ASSERT_TRUE(rig.run({{"do", "parts.add"}, {"fields", {{"name", "bearing seat"}, {"nominal", 40}, {"upper", 0.02}, {"lower", -0.02}, {"tool", tool}, {"axis", "X"}, {"limit", 0.03}}}})) << rig.said();
+    for (const double value : {40.004, 40.008, 40.012}) ASSERT_TRUE(rig.run({{"do", "parts.measure"}, {"dimension", 1}, {"value", value}})) << rig.said();
+    EXPECT_NEAR(rig.answer["proposal"].get<double>(), -0.012, 1e-9);
+    EXPECT_NEAR(rig.answer["trend"].get<double>(), 0.004, 1e-9);
+    EXPECT_EQ(rig.answer["parts_to_limit"], 2);
+    EXPECT_EQ(rig.values->channels[0].offsets[3].wear[0], 0);   // it proposes only
+    ASSERT_TRUE(rig.run({{"do", "parts.accept"}, {"dimension", 1}})) << rig.said();
+    EXPECT_NEAR(rig.values->channels[0].offsets[3].wear[0], -0.012, 1e-9);
+    EXPECT_FALSE(rig.run({{"do", "parts.accept"}, {"dimension", 1}}));   // the next part first
+    ASSERT_TRUE(rig.run({{"do", "parts.measure"}, {"dimension", 1}, {"value", 39.5}}));
+    EXPECT_NEAR(rig.answer["proposal"].get<double>(), 0.03, 1e-9);
+    EXPECT_TRUE(rig.answer["limited"]);
+    EXPECT_EQ(rig.answer["verdict"], "too small");
+    EXPECT_FALSE(rig.run({{"do", "parts.measure"}, {"dimension", 1}, {"value", 400}}));
+}
+
+TEST(Users, AreLockedOutAfterWrongPasswordsAndKeepOneMaker) {
+    ToolRig rig;
+    EXPECT_FALSE(rig.run({{"do", "users.add"}, {"name", "anna"}, {"level", "setter"}, {"password", "secret1"}}));   // the first must be a maker
+    ASSERT_TRUE(rig.run({{"do", "users.add"}, {"name", "boss"}, {"level", "maker"}, {"password", "topsecret"}})) << rig.said();
+    ASSERT_TRUE(rig.run({{"do", "users.add"}, {"name", "anna"}, {"level", "setter"}, {"password", "secret1"}})) << rig.said();
+    EXPECT_FALSE(rig.run({{"do", "users.delete"}, {"name", "boss"}}));
+    ASSERT_TRUE(rig.run({{"do", "users.login"}, {"name", "anna"}, {"password", "secret1"}}));
+    EXPECT_EQ(rig.answer["level"], 2);
+    rig.set("PT_LOGIN_TRIES=3");
+    for (int i = 0; i < 3; ++i) EXPECT_FALSE(rig.run({{"do", "users.login"}, {"name", "anna"}, {"password", "guess" + std::to_string(i)}}));
+    EXPECT_FALSE(rig.run({{"do", "users.login"}, {"name", "anna"}, {"password", "secret1"}}));
+    EXPECT_EQ(rig.faults[0].diagnosis.alarm, Alarm::LoginLocked);
+    ASSERT_TRUE(rig.run({{"do", "users.password"}, {"name", "anna"}, {"new", "another1"}})) << rig.said();   // by a maker
+    EXPECT_TRUE(rig.run({{"do", "users.login"}, {"name", "anna"}, {"password", "another1"}}));
+    for (const auto& [key, cell] : rig.values->cells) EXPECT_EQ(cell.text.find("another1"), std::string::npos) << key.name;
+    EXPECT_FALSE(rig.run({{"do", "users.list"}}, UserLevel::Setter));
+}
+
+TEST(Pallets, StandInOnePlaceAndExchangeWithTheirPrograms) {
+    ToolRig rig;
+    EXPECT_FALSE(rig.run({{"do", "pallets.list"}}));
+    for (const char* line : {"N3300=00000011", "N3301=2", "N3302=2"}) rig.set(line);
+    ASSERT_TRUE(rig.run({{"do", "pallets.set"}, {"row", 1}, {"fields", {{"pallet", 7}, {"program", "1234"}, {"custom1", 5}}}})) << rig.said();
+    EXPECT_FALSE(rig.run({{"do", "pallets.set"}, {"row", 2}, {"fields", {{"pallet", 7}}}}));
+    EXPECT_FALSE(rig.run({{"do", "pallets.set"}, {"row", 2}, {"fields", {{"program", "12"}}}}));
+    EXPECT_FALSE(rig.run({{"do", "pallets.set"}, {"row", 5}, {"fields", {{"pallet", 8}}}}));
+    ASSERT_TRUE(rig.run({{"do", "pallets.exchange"}, {"row", 1}, {"with", 4}})) << rig.said();
+    ASSERT_TRUE(rig.run({{"do", "pallets.list"}}));
+    EXPECT_EQ(rig.answer["pallets"][3]["program"], "1234");
+    EXPECT_EQ(rig.answer["pallets"][3]["station"], "pool 2");
+    EXPECT_EQ(rig.answer["pallets"][0]["pallet"], 0);
+}
+
+TEST(Life, ForecastsWhatStopsTheMachineFirst) {
+    ToolRig rig;
+    const int slow = rig.add({{"type", 5}, {"life_kind", "minutes"}, {"life", 100}}, 1, 3);
+    const int fast = rig.add({{"type", 6}, {"life_kind", "pieces"}, {"life", 12}, {"counter", 2}}, 1, 4);
+    ASSERT_TRUE(rig.run({{"do", "life.reset"}, {"tools", {slow}}}));
+    rig.values->counters[0] = 20;         // total parts of L1
+    rig.values->tool(slow)->counter = 40;   // two minutes a part: 30 parts left
+    ASSERT_TRUE(rig.run({{"do", "life.report"}})) << rig.said();
+    EXPECT_EQ(rig.answer["stops_first"]["group"], "T6");
+    for (const auto& group : rig.answer["groups"]) EXPECT_EQ(group["parts_left"], group["group"] == "T5" ? 30 : fast ? 10 : 0) << group.dump();
+}
+
+}  // namespace

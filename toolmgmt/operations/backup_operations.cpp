@@ -1,0 +1,86 @@
+// backup.to and restore.from on a running store.
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "ipc/machine/load_machine.hpp"
+#include "ipc/machine/shortest_text.hpp"
+#include "toolmgmt/operations/backup_files.hpp"
+#include "toolmgmt/operations/operation.hpp"
+#include "toolmgmt/operations/restore_diff.hpp"
+#include "toolmgmt/tools/tool_requests.hpp"
+
+namespace polyturn::toolmgmt {
+namespace {
+
+constexpr std::size_t kMostShown = 5000;
+
+std::string shown(double number, const std::string& text, bool is_text) { return is_text ? text : std::isnan(number) ? std::string("-") : shortest_text(number); }
+
+Json back_up(const Json& request, Work& work) {
+    if (!work.disk) return work.fault(Alarm::StoreRequestBad, "this controller keeps nothing, so there is nothing to back up"), Json();
+    const std::string file = read_text(request, "file");
+    if (file.empty() || file.front() != '/') return work.fault(Alarm::StoreRequestBad, "file: a whole path is needed"), Json();
+    std::vector<Database::File> files = collect_files(work.machine_folder, work.instance);
+    if (const auto with = request.find("with"); with != request.end() && with->is_array())
+        for (const auto& one : *with)
+            if (!one.is_string() || !add_programs(one.get<std::string>(), files)) work.fault(Alarm::FileUnreadable, one.is_string() ? one.get<std::string>() : "with");
+    if (!work.good()) return {};
+    if (const Result<void> done = work.disk->backup(file, files); !done) return work.fault(done.diagnosis()), Json();
+    Json names = Json::array();
+    for (const auto& one : files) names.push_back(one.name);
+    std::error_code none;
+    return {{"file", file}, {"bytes", std::filesystem::file_size(file, none)}, {"files", std::move(names)}};
+}
+
+Json restore(const Json& request, Work& work) {
+    std::string file = read_text(request, "file");
+    if (file.empty() && work.disk) {
+        const auto newest = newest_good_backup(std::filesystem::path(work.disk->path()).parent_path().string());
+        if (!newest) return work.fault(newest.diagnosis()), Json();
+        file = *newest;
+    }
+    auto wanted = std::make_unique<StoreValues>();
+    clear(*wanted);
+    // What the backup does not name has the machine's value.
+    LoadedMachine base = load_machine_file(work.machine_folder);
+    wanted->parameters = base.ok() && !work.machine_folder.empty() ? *base.table : work.values.parameters;
+    std::vector<Database::File> files;
+    std::vector<Diagnosis> warnings;
+    if (const Result<void> read = Database::read_backup(file, *wanted, files, warnings); !read) return work.fault(read.diagnosis()), Json();
+    for (std::int32_t number = 0; number < kCounters; ++number)
+        if (std::isnan(wanted->counters[static_cast<std::size_t>(number)])) wanted->counters[static_cast<std::size_t>(number)] = work.values.counters[static_cast<std::size_t>(number)];
+    std::vector<Change> changes = changes_between(work.values, *wanted);
+    Json sections = Json::object(), list = Json::array(), file_list = Json::array(), notes = Json::array();
+    for (const Change& change : changes) {
+        const char* section = section_of(change.key.kind);
+        sections[section] = sections.value(section, 0) + 1;
+        if (list.size() >= kMostShown || change.key.name == "hash") continue;
+        list.push_back({{"what", describe(change.key)}, {"old", shown(change.before, change.text_before, change.is_text)}, {"new", shown(change.after, change.text_after, change.is_text)}});
+    }
+    for (const Diagnosis& warning : warnings) notes.push_back(warning.text());
+    for (auto& one : files) {
+        const std::string target = target_of(one, work.machine_folder);
+        if (!differs_from_disk(one, target)) continue;
+        file_list.push_back(target);
+        work.after.push_back([target, bytes = std::move(one.bytes)] { return put_file(target, bytes); });
+    }
+    for (const Change& change : changes)
+        if (write_value(work.values, change.key, change.after, change.text_after, change.is_text)) work.changes.push_back(change);
+    if (work.disk) work.after.push_back([disk = work.disk, file] {
+        const auto merged = disk->merge_history(file);
+        return merged ? Result<void>() : Result<void>(merged.diagnosis());
+    });
+    return {{"file", file}, {"sections", std::move(sections)}, {"changes", std::move(list)}, {"total", changes.size()}, {"files", std::move(file_list)}, {"warnings", std::move(notes)}};
+}
+
+}  // namespace
+
+Json backup_operation(std::string_view what, const Json& request, Work& work) {
+    if (what == "to") return back_up(request, work);
+    if (what == "from") return restore(request, work);
+    return work.fault(Alarm::StoreRequestBad, std::string(what)), Json();
+}
+
+}  // namespace polyturn::toolmgmt

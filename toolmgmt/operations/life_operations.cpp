@@ -1,0 +1,153 @@
+// Life of tools: report with forecast, reset after a new insert, correction of a count.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "ipc/machine/counters.hpp"
+#include "ipc/machine/tool_fields.hpp"
+#include "polyturn/parameter_handles.hpp"
+#include "toolmgmt/operations/operation.hpp"
+#include "toolmgmt/operations/tool_json.hpp"
+#include "toolmgmt/tools/search.hpp"
+#include "toolmgmt/tools/tool_requests.hpp"
+
+namespace polyturn::toolmgmt {
+namespace {
+
+std::string name_of(const ToolRow& row) { return tool_text(row, tool_field("name")); }
+
+// Tools that are each other's sisters, by what calls them.
+using Groups = std::map<std::string, std::vector<std::int32_t>>;
+Groups groups_of(const StoreValues& values) {
+    Groups out;
+    for (std::size_t i = 0; i < kTools; ++i) {
+        const ToolRow& row = values.tools.rows[i];
+        if (!row.used) continue;
+        const std::string key = row.type_number ? "T" + std::to_string(row.type_number) : !name_of(row).empty() ? name_of(row) : "tool " + std::to_string(i + 1);
+        out[key].push_back(static_cast<std::int32_t>(i + 1));
+    }
+    return out;
+}
+
+// What one part has taken of a tool's life on the average since the count began: from the counter itself, by the parts that
+// were made since the tool was reset. Nothing when none were.
+double per_part(const StoreValues& values, std::int32_t tool, double parts) {
+    const Cell* since = values.cell({Kind::Setting, 0, tool, 0, "parts at reset"});
+    const Cell* count = values.cell({Kind::Setting, 0, tool, 0, "counter at reset"});
+    const double made = parts - (since ? since->number : 0.0);
+    const double used = values.tool(tool)->counter - (count ? count->number : 0.0);
+    return made >= 1 && used > 0 ? used / made : 0.0;
+}
+
+double parts_made(const StoreValues& values) {
+    double most = 0;
+    for (unsigned l = 1; l <= kMaxChannels; ++l)
+        if (const double parts = values.counters[static_cast<std::size_t>(counter_number(Counter::TotalParts, l))]; !std::isnan(parts)) most = std::max(most, parts);
+    return most;
+}
+
+double minutes_per_part(const StoreValues& values) {
+    double most = 0;
+    for (unsigned l = 1; l <= kMaxChannels; ++l) {
+        const double parts = values.counters[static_cast<std::size_t>(counter_number(Counter::TotalParts, l))];
+        const double ms = values.counters[static_cast<std::size_t>(counter_number(Counter::OperationTime, l))];
+        if (parts >= 1 && ms > 0) most = std::max(most, ms / 60'000.0 / parts);
+    }
+    return most;
+}
+
+Json report(Work& work) {
+    const StoreValues& values = work.values;
+    const double parts = parts_made(values), minutes = minutes_per_part(values);
+    Json out = Json::array();
+    double first = std::numeric_limits<double>::infinity();
+    std::string stops, stops_tool;
+    for (const auto& [name, tools] : groups_of(values)) {
+        Json one = {{"group", name}}, list = Json::array();
+        double left_parts = 0, left = 0;
+        bool watched = false, known = true;
+        std::int32_t last = 0;
+        for (const std::int32_t number : tools) {
+            const ToolRow& row = *values.tool(number);
+            const double rest = life_left(row);
+            Json tool = {{"tool", number}, {"name", name_of(row)}, {"duplo", row.duplo}, {"usable", usable(row)}, {"worn", (row.state & kToolWorn) != 0}, {"warned", (row.state & kToolWarned) != 0},
+                         {"life_kind", tool_text(row, tool_field("life_kind"))}, {"unit", kLifeUnits[std::min<std::size_t>(row.life_kind, 5)]}, {"life", row.life}, {"counter", row.counter}};
+            if (std::isfinite(rest)) {
+                watched = true;
+                tool["left"] = rest;
+                if (usable(row)) {
+                    left += rest;
+                    last = number;
+                    const double each = per_part(values, number, parts);
+                    double rate = each;   // a sister that has not worked yet will wear like one that has
+                    for (const std::int32_t other : tools)
+                        if (rate <= 0) rate = per_part(values, other, parts);
+                    if (static_cast<LifeKind>(row.life_kind) == LifeKind::Pieces && rate <= 0) rate = 1;
+                    if (rate > 0) left_parts += std::floor(rest / rate + 1e-9);
+                    else known = false;
+                }
+            } else if (usable(row)) {
+                known = false, left = std::numeric_limits<double>::infinity();
+            }
+            list.push_back(std::move(tool));
+        }
+        one["tools"] = std::move(list);
+        if (watched && std::isfinite(left)) {
+            one["left"] = left;
+            one["unit"] = kLifeUnits[std::min<std::size_t>(values.tool(tools.front())->life_kind, 5)];
+            if (known) {
+                one["parts_left"] = left_parts;
+                if (minutes > 0) one["minutes_left"] = left_parts * minutes;
+                if (left_parts < first) first = left_parts, stops = name, stops_tool = last ? std::to_string(last) : std::string();
+            }
+        }
+        out.push_back(std::move(one));
+    }
+    Json answer = {{"groups", std::move(out)}};
+    if (minutes > 0) answer["minutes_per_part"] = minutes;
+    if (!stops.empty()) answer["stops_first"] = {{"group", stops}, {"tool", stops_tool}, {"parts_left", first}};
+    return answer;
+}
+
+Json reset(const Json& request, Work& work) {
+    Json tools = Json::array();
+    std::int64_t number = 0;
+    if (const auto list = request.find("tools"); list != request.end() && list->is_array()) tools = *list;
+    else if (read_whole(request, "tool", number, work)) tools.push_back(number);
+    const double parts = parts_made(work.values);
+    for (const auto& one : tools) {
+        const std::int64_t tool = one.is_number_integer() ? one.get<std::int64_t>() : 0;
+        const ToolRow* row = work.values.tool(tool);
+        if (!row || !row->used) {
+            work.fault(Alarm::ToolMissing, one.dump());
+            continue;
+        }
+        const auto n = static_cast<std::int32_t>(tool);
+        double counter = 0;
+        read_real(request, "counter", counter, work, false);
+        if (counter < 0) work.fault(Alarm::ToolValueBad, "counter: not below 0");
+        set_tool_number(work.values, n, "counter", counter, work.changes);
+        set_tool_number(work.values, n, "worn", 0, work.changes);
+        set_tool_number(work.values, n, "warned", 0, work.changes);
+        set_tool_number(work.values, n, "broken", 0, work.changes);
+        set_value(work.values, {Kind::Setting, 0, n, 0, "parts at reset"}, parts, work.changes);
+        set_value(work.values, {Kind::Setting, 0, n, 0, "counter at reset"}, counter, work.changes);
+        // A new insert has no wear: the offset cell says so unless it is asked to stay.
+        std::int64_t channel = 0;
+        if (read_whole(request, "channel", channel, work, false) && row->h_cell > 0 && channel >= 1 && channel <= static_cast<std::int64_t>(kMaxChannels))
+            for (int field = 0; field < 4; ++field)
+                set_value(work.values, {Kind::Offset, static_cast<std::int32_t>(channel), row->h_cell, 256 + field, {}}, 0, work.changes);
+    }
+    return {{"reset", tools.size()}};
+}
+
+}  // namespace
+
+Json life_operation(std::string_view what, const Json& request, Work& work) {
+    if (what == "report") return report(work);
+    if (what == "reset") return reset(request, work);
+    return work.fault(Alarm::StoreRequestBad, "life." + std::string(what)), Json();
+}
+
+}  // namespace polyturn::toolmgmt

@@ -1,0 +1,221 @@
+// Offsets as a setter enters them: absolute, incremental, measured, relative; undo; the history of everything.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "ipc/image/segments.hpp"
+#include "ipc/machine/machine_config.hpp"
+#include "ipc/machine/shortest_text.hpp"
+#include "ipc/machine/work_zeros.hpp"
+#include "polyturn/parameter_handles.hpp"
+#include "toolmgmt/operations/offset_rules.hpp"
+#include "toolmgmt/operations/operation.hpp"
+#include "toolmgmt/tools/tool_requests.hpp"
+
+namespace polyturn::toolmgmt {
+
+constexpr const char* kTables[] = {"geometry", "wear", "second"};   // order of OffsetTable
+constexpr std::string_view kFields = "XYZRT";                       // order of OffsetField
+
+bool enter_offset(Work& work, std::int32_t channel, std::int32_t number, int table, int field, double value) {
+    const Key key{Kind::Offset, channel, number, table * 256 + field, {}};
+    const auto refuse = [&](Alarm alarm, const std::string& why) { return work.fault(alarm, describe(key) + "=" + shortest_text(value) + ": " + why), false; };
+    const double* now = number_at(work.values, key);
+    if (!now || channel < 1 || channel > static_cast<std::int32_t>(kMaxChannels) || !work.machine.channel(static_cast<std::size_t>(channel)).exists()) return refuse(Alarm::StoreRequestBad, "there is no such offset");
+    const ChannelConfig& config = work.machine.channel(static_cast<std::size_t>(channel));
+    if (number > config.offset_count) return refuse(Alarm::StoreRequestBad, "channel L" + std::to_string(channel) + " has " + std::to_string(config.offset_count) + " (N1400)");
+    if (table != 1 && work.caller.level < UserLevel::Setter) return refuse(Alarm::LevelTooLow, "geometry is the setter's");
+    if (field == 4 && (value < 0 || value > 9 || value != std::trunc(value))) return refuse(Alarm::StoreRequestBad, "tip directions are 0 to 9");
+    if (table == 1 && field != 4) {
+        // N1415: 0 stands for one millimetre (part 1, 15.1).
+        const double stated = params::get(work.values.parameters, params::n1415_max_amount_of_wear_comp, config.number) * config.length_unit_mm();
+        const double most = stated > 0 ? stated : 1.0;
+        if (std::abs(value) > most) return refuse(Alarm::StoreRequestBad, "wear is " + shortest_text(most) + " mm at the most (N1415)");
+        const double step = params::get(work.values.parameters, params::pt_wear_step, config.number) * config.length_unit_mm();
+        if (step > 0 && std::abs(value - *now) > step * (1 + 1e-9)) return refuse(Alarm::StoreRequestBad, "one entry changes wear by " + shortest_text(step) + " mm at the most (PT_WEAR_STEP)");
+    }
+    set_value(work.values, key, value + 0.0, work.changes);
+    look_at_wear(work.values, static_cast<unsigned>(channel), number, work.changes);
+    return true;
+}
+
+namespace {
+
+struct Target {
+    std::int64_t channel = 1, number = 0;
+    int table = 0, field = 0;
+};
+
+bool read_target(const Json& request, Work& work, Target& out) {
+    read_whole(request, "channel", out.channel, work, false);
+    if (!read_whole(request, "number", out.number, work)) return false;
+    const std::string table = request.contains("table") ? read_text(request, "table") : "geometry", field = read_text(request, "field");
+    const auto at = std::find(std::begin(kTables), std::end(kTables), table);
+    const auto which = field.size() == 1 ? kFields.find(field[0]) : std::string_view::npos;
+    if (at == std::end(kTables)) return work.fault(Alarm::StoreRequestBad, "table " + table + ": geometry, wear or second", 0, "table"), false;
+    if (which == std::string_view::npos) return work.fault(Alarm::StoreRequestBad, "field " + field + ": X Y Z R or T", 0, "field"), false;
+    out.table = static_cast<int>(at - std::begin(kTables));
+    out.field = static_cast<int>(which);
+    return work.good();
+}
+
+// Where the axis stands, as the offset table shows it.
+bool position_now(Work& work, std::int64_t channel, int field, double& out, const AxisConfig*& axis) {
+    if (channel < 1 || channel > static_cast<std::int64_t>(kMaxChannels) || field > 2) return work.fault(Alarm::StoreRequestBad, "measuring needs a channel and X, Y or Z"), false;
+    axis = find_axis(work.machine, static_cast<unsigned>(channel), kFields.substr(static_cast<std::size_t>(field), 1));
+    if (!axis) return work.fault(Alarm::StoreRequestBad, "channel L" + std::to_string(channel) + " has no axis " + kFields[static_cast<std::size_t>(field)]), false;
+    const auto position = work.position ? work.position(axis->number) : std::nullopt;
+    if (!position) return work.fault(Alarm::StoreRequestBad, "the kernel does not say where the axis stands"), false;
+    out = *position * (axis->diameter ? 2.0 : 1.0);
+    return true;
+}
+
+Json set(const Json& request, Work& work) {
+    Target target;
+    double value = 0;
+    if (!read_target(request, work, target) || !read_real(request, "value", value, work)) return {};
+    const Key key{Kind::Offset, static_cast<std::int32_t>(target.channel), static_cast<std::int32_t>(target.number), target.table * 256 + target.field, {}};
+    const double* now = number_at(work.values, key);
+    const double before = now ? *now : 0.0;
+    if (request.value("incremental", false)) value += before;
+    enter_offset(work, key.scope, key.number, target.table, target.field, value);
+    return {{"what", describe(key)}, {"old", before}, {"new", value}};
+}
+
+// The tip stands where the workpiece measures `value` (diameter on a diameter axis): machine = zero + value + offset.
+Json measure(const Json& request, Work& work) {
+    Target target;
+    double value = 0, position = 0;
+    const AxisConfig* axis = nullptr;
+    if (!read_target(request, work, target) || !read_real(request, "value", value, work) || !position_now(work, target.channel, target.field, position, axis)) return {};
+    const std::string system = request.contains("zero") ? read_text(request, "zero") : "G54";
+    const auto row = work_zero_row(system);
+    if (!row) return work.fault(Alarm::StoreRequestBad, "there is no zero offset " + system, 0, "zero"), Json();
+    const auto& zeros = work.values.channels[static_cast<std::size_t>(target.channel - 1)].zeros;
+    const double zero = zeros[*row * kChannelAxes + axis->slot] + zeros[kZeroExternal * kChannelAxes + axis->slot];
+    const Key key{Kind::Offset, static_cast<std::int32_t>(target.channel), static_cast<std::int32_t>(target.number), target.table * 256 + target.field, {}};
+    const double* now = number_at(work.values, key);
+    const double before = now ? *now : 0.0;
+    // Wear stays what it is: what is measured is the sum of both.
+    const double wear = target.table == 0 && now ? work.values.channels[static_cast<std::size_t>(target.channel - 1)].offsets[static_cast<std::size_t>(target.number)].wear[static_cast<std::size_t>(target.field)] : 0.0;
+    const double fresh = position - zero - value - wear;
+    enter_offset(work, key.scope, key.number, target.table, target.field, std::round(fresh * 1e6) / 1e6);
+    return {{"what", describe(key)}, {"machine", position}, {"zero", zero}, {"old", before}, {"new", std::round(fresh * 1e6) / 1e6}, {"difference", std::round((fresh - before) * 1e6) / 1e6}};
+}
+
+// The relative counter begins to count here.
+Json origin(const Json& request, Work& work) {
+    std::int64_t channel = 1;
+    read_whole(request, "channel", channel, work, false);
+    Json out = Json::object();
+    for (int field = 0; field < 3; ++field) {
+        if (channel < 1 || channel > static_cast<std::int64_t>(kMaxChannels) || !find_axis(work.machine, static_cast<unsigned>(channel), kFields.substr(static_cast<std::size_t>(field), 1))) continue;
+        double position = 0;
+        const AxisConfig* axis = nullptr;
+        if (!position_now(work, channel, field, position, axis)) return {};
+        set_value(work.values, {Kind::Setting, static_cast<std::int32_t>(channel), field, 0, "relative origin"}, position, work.changes);
+        out[std::string(1, kFields[static_cast<std::size_t>(field)])] = position;
+    }
+    return {{"origin", std::move(out)}};
+}
+
+Json relative(const Json& request, Work& work) {
+    Target target;
+    double position = 0;
+    const AxisConfig* axis = nullptr;
+    if (!read_target(request, work, target) || !position_now(work, target.channel, target.field, position, axis)) return {};
+    const Cell* from = work.values.cell({Kind::Setting, static_cast<std::int32_t>(target.channel), target.field, 0, "relative origin"});
+    if (!from) return work.fault(Alarm::StoreRequestBad, "the relative counter has no origin yet: offsets origin"), Json();
+    const double value = std::round((position - from->number) * 1e6) / 1e6;
+    enter_offset(work, static_cast<std::int32_t>(target.channel), static_cast<std::int32_t>(target.number), target.table, target.field, value);
+    return {{"new", value}, {"machine", position}, {"origin", from->number}};
+}
+
+Json list(const Json& request, Work& work) {
+    std::int64_t channel = 1;
+    read_whole(request, "channel", channel, work, false);
+    if (channel < 1 || channel > static_cast<std::int64_t>(kMaxChannels) || !work.machine.channel(static_cast<std::size_t>(channel)).exists())
+        return work.fault(Alarm::StoreRequestBad, "channel L" + std::to_string(channel) + " does not exist"), Json();
+    Json out = Json::array();
+    const auto& cells = work.values.channels[static_cast<std::size_t>(channel - 1)].offsets;
+    for (int n = 1; n <= work.machine.channel(static_cast<std::size_t>(channel)).offset_count; ++n) {
+        const OffsetCell& cell = cells[static_cast<std::size_t>(n)];
+        out.push_back({{"number", n}, {"geometry", {{"X", cell.geometry[0]}, {"Y", cell.geometry[1]}, {"Z", cell.geometry[2]}, {"R", cell.geometry_r}, {"T", cell.tip}}},
+                       {"wear", {{"X", cell.wear[0]}, {"Y", cell.wear[1]}, {"Z", cell.wear[2]}, {"R", cell.wear_r}}},
+                       {"second", {{"X", cell.second[0]}, {"Y", cell.second[1]}, {"Z", cell.second[2]}}}});
+    }
+    return {{"channel", channel}, {"offsets", std::move(out)}};
+}
+
+// "L1 offset 3 wear X" back to its key.
+bool key_of(const std::string& what, Key& key) {
+    int channel = 0, number = 0, used = 0;
+    if (std::sscanf(what.c_str(), "L%d offset %d %n", &channel, &number, &used) != 2 || used == 0) return false;
+    const std::string rest = what.substr(static_cast<std::size_t>(used));
+    static constexpr const char* kNames[] = {"geometry ", "wear ", "second geometry "};   // as describe() writes them
+    for (int table = 0; table < 3; ++table) {
+        const std::string_view name = kNames[table];
+        if (rest.rfind(name, 0) != 0 || rest.size() != name.size() + 1) continue;
+        const auto field = kFields.find(rest.back());
+        if (field == std::string_view::npos) return false;
+        key = {Kind::Offset, channel, number, table * 256 + static_cast<int>(field), {}};
+        return true;
+    }
+    return false;
+}
+
+Json undo(const Json& request, Work& work) {
+    if (!work.disk) return work.fault(Alarm::StoreRequestBad, "this controller keeps no history"), Json();
+    std::int64_t channel = 0;
+    read_whole(request, "channel", channel, work, false);
+    const auto entries = work.disk->history(channel ? "L" + std::to_string(channel) + " offset" : " offset ", "", 2000);
+    if (!entries) return work.fault(entries.diagnosis()), Json();
+    int undone = 0;   // what was taken back already, newest first
+    for (const auto& entry : *entries) {
+        Key key;
+        if (entry.who == "program" || entry.who == "setup" || !key_of(entry.what, key)) continue;
+        if (entry.who.size() > 5 && entry.who.ends_with(" undo")) {
+            ++undone;
+            continue;
+        }
+        if (undone > 0) {
+            --undone;
+            continue;
+        }
+        const double* now = number_at(work.values, key);
+        const double before = std::strtod(entry.before.c_str(), nullptr), after = std::strtod(entry.after.c_str(), nullptr);
+        if (!now || *now != after) return work.fault(Alarm::StoreRequestBad, entry.what + " is " + (now ? shortest_text(*now) : "") + " now: something else has changed it since " + entry.utc), Json();
+        work.caller.name += " undo";
+        enter_offset(work, key.scope, key.number, key.field / 256, key.field % 256, before);
+        return {{"what", entry.what}, {"old", after}, {"new", before}, {"entered", entry.utc}, {"who", entry.who}};
+    }
+    return work.fault(Alarm::StoreRequestBad, "there is nothing to take back"), Json();
+}
+
+Json history(const Json& request, Work& work, const std::string& about) {
+    if (!work.disk) return work.fault(Alarm::StoreRequestBad, "this controller keeps no history"), Json();
+    std::int64_t most = 50;
+    read_whole(request, "most", most, work, false);
+    const auto entries = work.disk->history(about, read_text(request, "who"), std::clamp<std::int64_t>(most, 1, 100'000));
+    if (!entries) return work.fault(entries.diagnosis()), Json();
+    Json out = Json::array();
+    for (const auto& entry : *entries) out.push_back({{"utc", entry.utc}, {"who", entry.who}, {"what", entry.what}, {"old", entry.before}, {"new", entry.after}});
+    return {{"history", std::move(out)}};
+}
+
+}  // namespace
+
+Json offset_operation(std::string_view what, const Json& request, Work& work) {
+    if (what == "list" && read_text(request, "do") == "history.list") return history(request, work, read_text(request, "about"));
+    if (what == "list") return list(request, work);
+    if (what == "set") return set(request, work);
+    if (what == "measure") return measure(request, work);
+    if (what == "origin") return origin(request, work);
+    if (what == "relative") return relative(request, work);
+    if (what == "undo") return undo(request, work);
+    if (what == "history") return history(request, work, " offset ");
+    return work.fault(Alarm::StoreRequestBad, "offsets." + std::string(what)), Json();
+}
+
+}  // namespace polyturn::toolmgmt

@@ -1,0 +1,76 @@
+// What operator, screens and command line ask of the store beyond single values: one JSON object in, one out.
+//
+//   {"do":"tools.set","tool":5,"fields":{"life":"100"}}     ->  {"ok":true, ...}
+//                                                               {"ok":false,"faults":[{"number","text","remedy","row","column"}]}
+//
+// An operation changes the values as it goes and notes every change. When something is wrong it names all faults it can
+// find, and everything is taken back: all of it or nothing. What it changed is on disk before the answer says ok.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ipc/diagnosis/diagnosis.hpp"
+#include "ipc/machine/machine_config.hpp"
+#include "toolmgmt/database.hpp"
+#include "toolmgmt/store_values.hpp"
+
+namespace polyturn::toolmgmt {
+
+using Json = nlohmann::json;
+
+struct Fault {
+    Diagnosis diagnosis;
+    int row = 0;               // of a table, from 1; 0 none
+    std::string column;
+};
+
+struct Caller {
+    UserLevel level = UserLevel::Maker;
+    std::uint32_t user = 0;
+    std::string name;          // for the history
+};
+
+// One operation at work.
+struct Work {
+    StoreValues& values;
+    const MachineConfig& machine;
+    Database* disk;                                   // nullptr: nothing is kept
+    Caller caller;
+    std::string machine_folder;                       // files that a backup takes along; empty: none
+    std::string instance;
+    std::function<std::optional<double>(unsigned axis)> position;   // machine coordinate now (X as a radius) of an axis from 1
+    std::vector<Change> changes;
+    std::vector<Fault> faults;
+    bool keep = false;                                // what changed stays though the answer is a refusal (failed logins)
+    std::vector<std::function<Result<void>()>> after; // once the changes are on disk
+
+    void fault(Diagnosis diagnosis, int row = 0, std::string column = {}) { faults.push_back({std::move(diagnosis), row, std::move(column)}); }
+    void fault(Alarm alarm, std::string detail, int row = 0, std::string column = {}) { fault(Diagnosis{alarm, {}, {}, std::move(detail)}, row, std::move(column)); }
+    bool good() const { return faults.empty(); }
+};
+
+// The answer without "ok". What is wrong stands in work.faults.
+Json run_operation(const Json& request, Work& work);
+// The answer as text.
+std::string answer_text(const Json& answer, const std::vector<Fault>& faults);
+
+// Its parts, by the first word of "do".
+Json tool_operation(std::string_view what, const Json& request, Work& work);
+Json life_operation(std::string_view what, const Json& request, Work& work);
+Json table_operation(std::string_view what, const Json& request, Work& work);
+Json offset_operation(std::string_view what, const Json& request, Work& work);
+Json part_operation(std::string_view what, const Json& request, Work& work);
+Json user_operation(std::string_view what, const Json& request, Work& work);
+Json pallet_operation(std::string_view what, const Json& request, Work& work);
+Json backup_operation(std::string_view what, const Json& request, Work& work);
+
+// "what" or a fault that says which key is missing or of the wrong kind.
+bool read_whole(const Json& request, const char* key, std::int64_t& out, Work& work, bool needed = true);
+bool read_real(const Json& request, const char* key, double& out, Work& work, bool needed = true);
+std::string read_text(const Json& request, const char* key);
+
+}  // namespace polyturn::toolmgmt

@@ -1,0 +1,191 @@
+// Measured parts: dimensions with nominal and tolerance and the tool that makes them. A measured value proposes a correction
+// of that tool's wear; it is written only when somebody accepts it.
+//
+//   deviation   measured - nominal, of each part since the last correction
+//   proposal    -(mean of the newest `average` deviations) * share, at most `limit` up or down; added to the wear of the axis
+//   trend       straight line through the deviations since the last correction: mm a part, and after how many more parts the
+//               dimension leaves its tolerance at that rate
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "ipc/machine/shortest_text.hpp"
+#include "toolmgmt/operations/offset_rules.hpp"
+#include "toolmgmt/operations/operation.hpp"
+#include "toolmgmt/tools/tool_requests.hpp"
+
+namespace polyturn::toolmgmt {
+namespace {
+
+constexpr int kKept = 50;   // measured values of a dimension
+
+struct Column {
+    const char* name;
+    double least, most, fallback;
+    bool needed;
+};
+constexpr Column kColumns[] = {
+    {"nominal", -1e5, 1e5, 0, true}, {"upper", -1e3, 1e3, 0, true}, {"lower", -1e3, 1e3, 0, true}, {"tool", 1, 1000, 0, false}, {"channel", 1, 16, 1, false},
+    {"offset", 1, 999, 0, false},    {"factor", -10, 10, 1, false}, {"limit", 0, 10, 0.05, false}, {"share", 0, 100, 100, false}, {"average", 1, 20, 1, false},
+};
+
+Key key_of(std::int32_t number, std::string name) { return {Kind::Dimension, 0, number, 0, std::move(name)}; }
+double value_of(const StoreValues& values, std::int32_t number, const char* name, double otherwise) {
+    const Cell* cell = values.cell(key_of(number, name));
+    return cell && !cell->is_text ? cell->number : otherwise;
+}
+std::string text_of(const StoreValues& values, std::int32_t number, const char* name) {
+    const Cell* cell = values.cell(key_of(number, name));
+    return cell ? cell->text : std::string();
+}
+bool exists(const StoreValues& values, std::int32_t number) { return values.cell(key_of(number, "nominal")) != nullptr; }
+
+std::vector<double> deviations(const StoreValues& values, std::int32_t number) {
+    std::vector<double> out;
+    const auto count = static_cast<int>(value_of(values, number, "count", 0));
+    const double nominal = value_of(values, number, "nominal", 0);
+    for (int i = std::max(0, count - kKept); i < count; ++i) out.push_back(value_of(values, number, ("m" + std::to_string(i % kKept)).c_str(), nominal) - nominal);
+    return out;
+}
+
+int axis_of(const StoreValues& values, std::int32_t number) {
+    const std::string axis = text_of(values, number, "axis");
+    return axis == "Z" ? 2 : axis == "Y" ? 1 : 0;
+}
+
+std::int32_t cell_of(const StoreValues& values, std::int32_t number) {
+    if (const auto offset = static_cast<std::int32_t>(value_of(values, number, "offset", 0))) return offset;
+    const ToolRow* row = values.tool(static_cast<std::int64_t>(value_of(values, number, "tool", 0)));
+    return row && row->used ? row->h_cell : 0;
+}
+
+// Millimetres a part; 0 from less than two.
+double slope(const std::vector<double>& y) {
+    const auto n = static_cast<double>(y.size());
+    if (n < 2) return 0;
+    double sx = 0, sy = 0, sxy = 0, sxx = 0;
+    for (std::size_t i = 0; i < y.size(); ++i) {
+        const auto x = static_cast<double>(i);
+        sx += x, sy += y[i], sxy += x * y[i], sxx += x * x;
+    }
+    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+double rounded(double value) { return std::round(value * 1e6) / 1e6; }
+
+Json dimension(const StoreValues& values, std::int32_t number) {
+    Json out = {{"dimension", number}, {"name", text_of(values, number, "name")}, {"axis", std::string(1, "XYZ"[axis_of(values, number)])}, {"cell", cell_of(values, number)}};
+    for (const Column& column : kColumns) out[column.name] = value_of(values, number, column.name, column.fallback);
+    const auto all = deviations(values, number);
+    const double upper = value_of(values, number, "upper", 0), lower = value_of(values, number, "lower", 0);
+    out["measured"] = all.size();
+    if (all.empty()) return out;
+    const double last = all.back();
+    out["last"] = rounded(last + value_of(values, number, "nominal", 0));
+    out["deviation"] = rounded(last);
+    out["verdict"] = last > upper ? "too large" : last < lower ? "too small" : "good";
+    const auto window = std::min(all.size(), static_cast<std::size_t>(value_of(values, number, "average", 1)));
+    double mean = 0;
+    for (std::size_t i = all.size() - window; i < all.size(); ++i) mean += all[i] / static_cast<double>(window);
+    const double limit = value_of(values, number, "limit", 0.05);
+    const double wanted = -mean * value_of(values, number, "share", 100) / 100.0 * value_of(values, number, "factor", 1);
+    out["mean"] = rounded(mean);
+    out["proposal"] = rounded(std::clamp(wanted, -limit, limit));
+    out["limited"] = std::fabs(wanted) > limit;
+    const double rate = slope(all);
+    out["trend"] = rounded(rate);
+    const double way = rate > 0 ? upper - last : rate < 0 ? last - lower : 0;
+    if (std::fabs(rate) > 1e-9 && all.size() >= 3) out["parts_to_limit"] = std::max(0.0, std::floor(way / std::fabs(rate)));
+    return out;
+}
+
+bool read_fields(Work& work, const Json& request, std::int32_t number, bool fresh) {
+    const Json fields = request.value("fields", Json::object());
+    for (const auto& [name, value] : fields.items()) {
+        if (name == "name" || name == "axis") {
+            const std::string text = read_text(fields, name.c_str());
+            if (name == "axis" && text != "X" && text != "Y" && text != "Z") work.fault(Alarm::StoreRequestBad, "axis=" + text + ": X, Y or Z", 0, name);
+            else if (text.size() > 60) work.fault(Alarm::StoreRequestBad, "name: at most 60 characters", 0, name);
+            else set_text(work.values, key_of(number, name), text, work.changes);
+            continue;
+        }
+        const auto* column = std::find_if(std::begin(kColumns), std::end(kColumns), [&, wanted = name](const Column& c) { return wanted == c.name; });
+        double real = 0;
+        if (column == std::end(kColumns)) work.fault(Alarm::StoreRequestBad, "there is no column " + name, 0, name);
+        else if (read_real(fields, name.c_str(), real, work)) {
+            if (real < column->least || real > column->most) work.fault(Alarm::StoreRequestBad, name + "=" + shortest_text(real) + ": " + shortest_text(column->least) + " to " + shortest_text(column->most), 0, name);
+            else set_value(work.values, key_of(number, name), real, work.changes);
+        }
+    }
+    if (fresh)
+        for (const Column& column : kColumns)
+            if (column.needed && !fields.contains(column.name)) work.fault(Alarm::StoreRequestBad, std::string(column.name) + " is missing", 0, column.name);
+    if (value_of(work.values, number, "upper", 0) < value_of(work.values, number, "lower", 0)) work.fault(Alarm::StoreRequestBad, "upper lies below lower", 0, "upper");
+    return work.good();
+}
+
+void forget(Work& work, std::int32_t number) {
+    for (int i = 0; i < kKept; ++i) set_value(work.values, key_of(number, "m" + std::to_string(i)), std::nan(""), work.changes);
+    set_value(work.values, key_of(number, "count"), std::nan(""), work.changes);
+}
+
+}  // namespace
+
+Json part_operation(std::string_view what, const Json& request, Work& work) {
+    StoreValues& values = work.values;
+    if (what == "list") {
+        Json out = Json::array();
+        for (std::int32_t n = 1; n <= 999; ++n)
+            if (exists(values, n)) out.push_back(dimension(values, n));
+        return {{"dimensions", std::move(out)}};
+    }
+    std::int64_t asked = 0;
+    if (what == "add" && !request.contains("dimension")) for (asked = 1; asked <= 999 && exists(values, static_cast<std::int32_t>(asked));) ++asked;
+    else if (!read_whole(request, "dimension", asked, work)) return {};
+    if (asked < 1 || asked > 999) return work.fault(Alarm::StoreRequestBad, "dimensions are 1 to 999", 0, "dimension"), Json();
+    const auto number = static_cast<std::int32_t>(asked);
+    if (what == "add") {
+        if (exists(values, number)) return work.fault(Alarm::StoreRequestBad, "dimension " + std::to_string(number) + " exists"), Json();
+        if (!read_fields(work, request, number, true)) return {};
+        return dimension(values, number);
+    }
+    if (!exists(values, number)) return work.fault(Alarm::StoreRequestBad, "there is no dimension " + std::to_string(number)), Json();
+    if (what == "set") {
+        read_fields(work, request, number, false);
+    } else if (what == "delete") {
+        for (const Column& column : kColumns) set_value(values, key_of(number, column.name), std::nan(""), work.changes);
+        for (const char* name : {"name", "axis"}) set_text(values, key_of(number, name), {}, work.changes);
+        forget(work, number);
+        return {{"dimension", number}};
+    } else if (what == "measure") {
+        double value = 0;
+        if (!read_real(request, "value", value, work)) return {};
+        const double nominal = value_of(values, number, "nominal", 0);
+        if (std::fabs(value - nominal) > 10.0) return work.fault(Alarm::StoreRequestBad, shortest_text(value) + " is more than 10 mm from the nominal " + shortest_text(nominal) + ": another dimension or unit?"), Json();
+        const double count = value_of(values, number, "count", 0);
+        set_value(values, key_of(number, "m" + std::to_string(static_cast<int>(count) % kKept)), value, work.changes);
+        set_value(values, key_of(number, "count"), count + 1, work.changes);
+    } else if (what == "accept") {
+        const Json now = dimension(values, number);
+        double correction = now.value("proposal", 0.0);
+        if (!now.contains("proposal")) return work.fault(Alarm::StoreRequestBad, "nothing was measured since the last correction"), Json();
+        read_real(request, "value", correction, work, false);
+        const double limit = value_of(values, number, "limit", 0.05);
+        if (std::fabs(correction) > limit) return work.fault(Alarm::StoreRequestBad, "a correction of " + shortest_text(correction) + " mm: at most " + shortest_text(limit), 0, "value"), Json();
+        const auto channel = static_cast<std::int32_t>(value_of(values, number, "channel", 1));
+        const std::int32_t cell = cell_of(values, number);
+        if (cell == 0) return work.fault(Alarm::StoreRequestBad, "dimension " + std::to_string(number) + " names neither an offset nor a tool with one"), Json();
+        const int axis = axis_of(values, number);
+        const Key key{Kind::Offset, channel, cell, 256 + axis, {}};
+        const double* wear = number_at(values, key);
+        const double before = wear ? *wear : 0;
+        if (!enter_offset(work, channel, cell, 1, axis, rounded(before + correction))) return {};
+        forget(work, number);   // what was measured before the correction says nothing about the next part
+        return {{"what", describe(key)}, {"old", before}, {"new", rounded(before + correction)}};
+    } else {
+        return work.fault(Alarm::StoreRequestBad, "parts." + std::string(what)), Json();
+    }
+    return dimension(values, number);
+}
+
+}  // namespace polyturn::toolmgmt

@@ -1,0 +1,18 @@
+// What several operations do with tools: show one, write its columns, let it stand somewhere.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "toolmgmt/operations/operation.hpp"
+
+namespace polyturn::toolmgmt {
+
+std::int64_t table_length(const StoreValues& values);   // N2902
+Json tool_json(const StoreValues& values, std::int32_t number);
+// `row` of a table for the faults; 0 none. False: a fault was added.
+bool set_fields(Work& work, std::int32_t number, const Json& fields, int row);
+bool set_field(Work& work, std::int32_t number, const std::string& name, const std::string& text, int row);
+bool stand_at(Work& work, std::int32_t number, std::int32_t magazine, std::int32_t pot, int row);
+void remove_tool(Work& work, std::int32_t number);
+
+}  // namespace polyturn::toolmgmt

@@ -1,0 +1,118 @@
+// The store at work for operations (operations/operation.hpp) and for T calls of the kernel.
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "ipc/machine/config_check.hpp"
+#include "ipc/params/registry.hpp"
+#include "polyturn/parameter_handles.hpp"
+#include "toolmgmt/operations/backup_files.hpp"
+#include "toolmgmt/operations/operation.hpp"
+#include "toolmgmt/service.hpp"
+#include "toolmgmt/tools/tool_requests.hpp"
+
+namespace polyturn::toolmgmt {
+
+bool Service::answer_tool_call(const StoreRequest& request) {
+    const ToolAnswer answer = toolmgmt::answer_tool_call(request, values_, *places_);
+    return image_.push(answer, kernel_->tool_tail.tail.load(std::memory_order_acquire));
+}
+
+// Whoever resets the life of the tool that works just now means the kernel's count too.
+void Service::tell_kernel(const std::vector<Change>& changes) {
+    if (!kernel_.attached() || std::none_of(changes.begin(), changes.end(), [](const Change& c) { return c.key.kind == Kind::Tool; })) return;
+    for (const ToolAnswer& news : news_of_working_tools(values_, *places_, changes)) (void)image_.push(news, kernel_->tool_tail.tail.load(std::memory_order_acquire));
+}
+
+std::string Service::user_name(const StoreRequest& request) const {
+    if (request.user == 0) return "operator";
+    const Cell* name = values_.cell({Kind::User, 0, static_cast<std::int32_t>(request.user), 0, "name"});
+    return name ? name->text : "operator";
+}
+
+bool Service::has_users() const {
+    const auto first = values_.cells.lower_bound(Key{Kind::User, 0, 0, 0, {}});
+    return first != values_.cells.end() && first->first.kind == Kind::User;
+}
+
+// Of this kernel's ring: another kernel counts from 0 again.
+std::string Service::mark() const { return std::to_string(kernel_.attached() ? kernel_->header.writer_pid : 0) + ":" + std::to_string(pending_index_); }
+
+void Service::send_answers() {
+    auto& ring = image_.segment().answers;
+    bool sent = false;
+    while (!out_.empty()) {
+        const auto head = ring.head.load(std::memory_order_relaxed);
+        if (head - supervisor_->answer_tail.tail.load(std::memory_order_acquire) >= decltype(StoreSegment::answers)::capacity) break;
+        ring.slot(head) = out_.front();
+        ring.head.store(head + 1, std::memory_order_release);
+        out_.pop_front();
+        sent = true;
+    }
+    if (sent) image_.segment().bell.ring();
+}
+
+std::string Service::operate(const std::string& text, const StoreRequest& request) {
+    Work work{values_, machine_, disk_, {static_cast<UserLevel>(request.level), request.user, user_name(request)}, files_.machine_folder, instance_, {}, {}, {}, false, {}};
+    work.position = [this](unsigned axis) -> std::optional<double> {
+        if (!kernel_.attached() || axis < 1 || axis > kMaxAxes) return {};
+        const auto status = std::make_unique<MachineStatus>();
+        if (!kernel_->status.read(*status)) return {};
+        return status->axes[axis - 1].act;
+    };
+    const Json asked = Json::parse(text, nullptr, false);
+    // A predecessor that was killed behind its transaction had done it already: an id is done once.
+    const Key done_key{Kind::Setting, 0, 0, 0, "operation"};
+    const std::string done_text = std::to_string(supervisor_->header.writer_pid) + ":" + std::to_string(request.id);
+    if (const Cell* last = values_.cell(done_key); last && last->text == done_text) return answer_text({{"repeated", true}}, {});
+    if (asked.is_discarded() || !asked.is_object()) {
+        work.fault(Alarm::StoreRequestBad, "not a JSON object");
+        return answer_text({}, work.faults);
+    }
+    // What the operation copies or compares must be on disk.
+    if (const Result<void> kept = commit_pending({}, "program"); !kept) {
+        work.fault(kept.diagnosis());
+        return answer_text({}, work.faults);
+    }
+    Json answer = run_operation(asked, work);
+    const auto take_back = [&] {
+        for (auto at = work.changes.rbegin(); at != work.changes.rend(); ++at) write_value(values_, at->key, at->before, at->text_before, at->is_text);
+    };
+    if ((!work.good() && !work.keep) || asked.value("preview", false)) {
+        take_back();
+        return answer_text(answer, work.faults);
+    }
+    if (!work.changes.empty()) {
+        set_text(values_, done_key, done_text, work.changes);
+        if (const Result<void> kept = commit_pending(work.changes, work.caller.name); !kept) {
+            take_back();
+            work.fault(kept.diagnosis());
+            return answer_text({}, work.faults);
+        }
+        refresh_machine(work.changes);
+        image_.publish(values_, work.changes);
+        push_parameter_changes(work.changes);
+        tell_kernel(work.changes);
+    }
+    for (const auto& act : work.after)
+        if (const Result<void> done = act(); !done) work.fault(done.diagnosis());
+    if (work.good() && std::any_of(work.changes.begin(), work.changes.end(), [](const Change& c) { return c.key.kind == Kind::Parameter; }))
+        if (const auto wrong = check_machine_config(values_.parameters); !wrong.empty()) answer["warning"] = wrong.front().text();
+    return answer_text(answer, work.faults);
+}
+
+// Once when the controller has run for a minute, then every PT_BACKUP_EVERY hours.
+void Service::back_up_when_due() {
+    if (!disk_ || files_.store_folder.empty()) return;
+    const auto now = Clock::now();
+    if (next_backup_ == Clock::time_point{}) next_backup_ = now + std::chrono::minutes(1);
+    const double hours = params::get(values_.parameters, params::pt_backup_every);
+    if (hours <= 0 || now < next_backup_) return;
+    next_backup_ = now + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double, std::ratio<3600>>(hours));
+    const auto keep = static_cast<std::size_t>(params::get(values_.parameters, params::pt_backup_keep));
+    if (const Result<std::string> made = make_automatic_backup(*disk_, files_.store_folder, collect_files(files_.machine_folder, instance_), keep); !made)
+        std::fprintf(stderr, "polyturn-toolmgmt: %s\n", made.diagnosis().text().c_str());
+}
+
+}  // namespace polyturn::toolmgmt
