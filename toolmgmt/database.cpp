@@ -78,7 +78,7 @@ bool parameter_fits(const std::string& name, int instance, int element, double n
 
 // What programs count in variables changes many times a second and tells nobody anything a year later.
 bool worth_history(const Key& key, std::string_view who) {
-    if (key.kind == Kind::User && key.name == "hash") return false;
+    if (key.kind == Kind::Setting || key.kind == Kind::Work || (key.kind == Kind::User && key.name == "hash")) return false;
     if (who != "program") return true;
     return key.kind <= Kind::WorkZero || (key.kind == Kind::Tool && key.name != "counter");
 }
