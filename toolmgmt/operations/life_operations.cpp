@@ -35,6 +35,7 @@ Groups groups_of(const StoreValues& values) {
 double per_part(const StoreValues& values, std::int32_t tool, double parts) {
     const Cell* since = values.cell({Kind::Setting, 0, tool, 0, "parts at reset"});
     const Cell* count = values.cell({Kind::Setting, 0, tool, 0, "counter at reset"});
+    if (!since && !count) return 0.0;   // nobody knows since when it counts
     const double made = parts - (since ? since->number : 0.0);
     const double used = values.tool(tool)->counter - (count ? count->number : 0.0);
     return made >= 1 && used > 0 ? used / made : 0.0;
@@ -115,7 +116,6 @@ Json reset(const Json& request, Work& work) {
     std::int64_t number = 0;
     if (const auto list = request.find("tools"); list != request.end() && list->is_array()) tools = *list;
     else if (read_whole(request, "tool", number, work)) tools.push_back(number);
-    const double parts = parts_made(work.values);
     for (const auto& one : tools) {
         const std::int64_t tool = one.is_number_integer() ? one.get<std::int64_t>() : 0;
         const ToolRow* row = work.values.tool(tool);
@@ -131,8 +131,7 @@ Json reset(const Json& request, Work& work) {
         set_tool_number(work.values, n, "worn", 0, work.changes);
         set_tool_number(work.values, n, "warned", 0, work.changes);
         set_tool_number(work.values, n, "broken", 0, work.changes);
-        set_value(work.values, {Kind::Setting, 0, n, 0, "parts at reset"}, parts, work.changes);
-        set_value(work.values, {Kind::Setting, 0, n, 0, "counter at reset"}, counter, work.changes);
+        mark_life(work, n);
         // A new insert has no wear: the offset cell says so unless it is asked to stay.
         std::int64_t channel = 0;
         if (read_whole(request, "channel", channel, work, false) && row->h_cell > 0 && channel >= 1 && channel <= static_cast<std::int64_t>(kMaxChannels))
@@ -143,6 +142,15 @@ Json reset(const Json& request, Work& work) {
 }
 
 }  // namespace
+
+void mark_life(Work& work, std::int32_t tool) {
+    set_value(work.values, {Kind::Setting, 0, tool, 0, "parts at reset"}, parts_made(work.values), work.changes);
+    set_value(work.values, {Kind::Setting, 0, tool, 0, "counter at reset"}, work.values.tool(tool)->counter, work.changes);
+}
+
+void forget_life(Work& work, std::int32_t tool) {
+    for (const char* mark : {"parts at reset", "counter at reset"}) set_value(work.values, {Kind::Setting, 0, tool, 0, mark}, std::nan(""), work.changes);
+}
 
 Json life_operation(std::string_view what, const Json& request, Work& work) {
     if (what == "report") return report(work);

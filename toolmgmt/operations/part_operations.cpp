@@ -95,7 +95,7 @@ Json dimension(const StoreValues& values, std::int32_t number) {
     const double rate = slope(all);
     out["trend"] = rounded(rate);
     const double way = rate > 0 ? upper - last : rate < 0 ? last - lower : 0;
-    if (std::fabs(rate) > 1e-9 && all.size() >= 3) out["parts_to_limit"] = std::max(0.0, std::floor(way / std::fabs(rate)));
+    if (std::fabs(rate) > 1e-9 && all.size() >= 3) out["parts_to_limit"] = std::max(0.0, std::floor(way / std::fabs(rate) + 1e-6));
     return out;
 }
 

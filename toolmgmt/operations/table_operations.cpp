@@ -61,7 +61,7 @@ Json import_table(const Json& request, Work& work) {
         const auto tool = static_cast<std::int32_t>(entry.tool);
         tools.insert(tool);
         if (entry.field == "exists") {
-            if (set_tool_number(work.values, tool, "exists", 1, work.changes)) ++added;
+            if (set_tool_number(work.values, tool, "exists", 1, work.changes)) ++added, mark_life(work, tool);
         } else if (entry.field == "magazine" || entry.field == "pot") {
             const auto value = read_tool_value(tool_field(entry.field), entry.text);
             if (!value) work.fault(value.diagnosis(), entry.row, entry.column);

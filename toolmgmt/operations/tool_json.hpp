@@ -14,5 +14,8 @@ bool set_fields(Work& work, std::int32_t number, const Json& fields, int row);
 bool set_field(Work& work, std::int32_t number, const std::string& name, const std::string& text, int row);
 bool stand_at(Work& work, std::int32_t number, std::int32_t magazine, std::int32_t pot, int row);
 void remove_tool(Work& work, std::int32_t number);
+// The rate of the forecast is counted from here on; the mark goes with the tool.
+void mark_life(Work& work, std::int32_t tool);
+void forget_life(Work& work, std::int32_t tool);
 
 }  // namespace polyturn::toolmgmt

@@ -82,7 +82,7 @@ bool set_field(Work& work, std::int32_t number, const std::string& name, const s
     const auto value = read_tool_value(column, text);
     if (!value) return work.fault(value.diagnosis(), row, name), false;
     if (column.is_text()) set_tool_text(work.values, number, name, value->text, work.changes);
-    else set_tool_number(work.values, number, name, value->number, work.changes);
+    else if (set_tool_number(work.values, number, name, value->number, work.changes) && name == "counter") mark_life(work, number);   // entered by hand: the rate begins here
     return true;
 }
 
@@ -112,6 +112,7 @@ void remove_tool(Work& work, std::int32_t number) {
         if (field.is_text()) set_tool_text(work.values, number, field.name, {}, work.changes);
         else if (tool_number(*work.values.tool(number), field) != field.fallback) set_tool_number(work.values, number, field.name, std::nan(""), work.changes);
     }
+    forget_life(work, number);
     set_tool_number(work.values, number, "exists", std::nan(""), work.changes);
 }
 
@@ -193,6 +194,7 @@ Json add(const Json& request, Work& work) {
     }
     const auto tool = static_cast<std::int32_t>(number);
     set_tool_number(work.values, tool, "exists", 1, work.changes);
+    mark_life(work, tool);
     if (request.contains("fields")) set_fields(work, tool, request["fields"], 0);
     return {{"tool", number}};
 }

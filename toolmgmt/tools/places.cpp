@@ -164,8 +164,9 @@ const ToolPlace* nearest_free(const StoreValues& values, const ToolPlaceTable& p
     double best_way = 0;
     for (std::size_t i = 0; i < places.count; ++i) {
         const ToolPlace& place = places.places[i];
-        if (place.magazine != magazine || place.tool != 0 || !place_fits(values, places, tool, place)) continue;
-        if (!start) start = &place;
+        if (place.magazine != magazine) continue;
+        if (!start) start = &place;   // nobody said from where: from the first place
+        if (place.tool != 0 || !place_fits(values, places, tool, place)) continue;
         const double way = std::fabs(way_between(places, *start, place));
         if (!best || way < best_way) best = &place, best_way = way;
     }

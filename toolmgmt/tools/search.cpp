@@ -153,8 +153,8 @@ ToolAnswer find_tool(const StoreValues& values, const ToolPlaceTable& places, co
     const bool next_duplo = static_cast<int>(p::get(t, p::pt_tool_search, question.channel)) == 1;
     for (std::size_t i = 0; i < kTools; ++i) {
         const ToolRow& row = values.tools.rows[i];
+        typed = typed || (row.used && row.type_number != 0);   // one of another channel tells too what T means on this machine
         if (!row.used || !reaches(t, question.channel, row)) continue;
-        typed = typed || row.type_number != 0;
         const bool meant = !question.name.empty() ? name_of(row) == question.name : question.by == ToolCallBy::Group ? row.group == whole : row.type_number == whole;
         if (!meant) continue;
         any = true;

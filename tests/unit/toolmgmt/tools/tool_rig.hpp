@@ -51,7 +51,7 @@ struct ToolRig {
         return out;
     }
     int add(const Json& fields, int magazine = 0, int pot = 0) {
-        EXPECT_TRUE(run({{"do", "tools.add"}, {"fields", fields}})) << said();
+        EXPECT_TRUE(run({{"do", "tools.add"}, {"fields", fields.is_null() ? Json::object() : fields}})) << said();
         const int tool = answer.value("tool", 0);
         if (magazine) { EXPECT_TRUE(run({{"do", "tools.load"}, {"tool", tool}, {"magazine", magazine}, {"pot", pot}})) << said(); }
         return tool;
