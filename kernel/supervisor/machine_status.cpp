@@ -128,9 +128,9 @@ Result<std::string> status_json(const std::string& instance) {
         const AxisStatus& axis = p.status.axes[i];
         if (!config.exists()) continue;
         comma(axes);
-        axes += fmt::format("{{\"axis\":\"A{}\",\"name\":\"{}\",\"channel\":{},\"cmd\":{},\"act\":{},\"referenced\":{},\"moving\":{},\"fault\":{},\"overlay\":{}}}", i + 1,
+        axes += fmt::format("{{\"axis\":\"A{}\",\"name\":\"{}\",\"channel\":{},\"cmd\":{},\"act\":{},\"referenced\":{},\"moving\":{},\"fault\":{},\"overlay\":{},\"compensation\":{}}}", i + 1,
                             config.name_text(), config.channel, number(axis.cmd), number(axis.act), (axis.flags & kReferenced) != 0,
-                            (axis.flags & kMoving) != 0, (axis.flags & kDriveFault) != 0, number(axis.overlay));
+                            (axis.flags & kMoving) != 0, (axis.flags & kDriveFault) != 0, number(axis.overlay), number(axis.compensation));
     }
     for (std::size_t i = 0; i < p.machine.last_spindle; ++i) {
         if (!p.machine.spindles[i].exists()) continue;
