@@ -65,6 +65,7 @@ ServoConfig read_servo(const params::Table& t, unsigned a, double unit) noexcept
     s.drive_friction = get(t, pt_drive_friction, a);
     s.drive_drift = get(t, pt_drive_drift, a);
     s.drive_stop = get(t, pt_drive_stop, a);
+    s.drive_held = get(t, pt_drive_held, a);
     s.stop_error = get(t, pt_stop_error, a) * unit;
     s.stop_window = get(t, pt_stop_window, a) * unit;
     s.drive_scale = get(t, pt_drive_scale, a) != 0;

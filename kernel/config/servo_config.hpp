@@ -38,6 +38,7 @@ struct ServoConfig {
     DriveSource drive_source = DriveSource::Simulated;
     std::uint16_t drive_lost = 3;         // PT_DRIVE_LOST, cycles
     bool position_mode = false;           // csp: the drive closes the position loop
+    double drive_held = -1e6;             // mm; -1e6: nothing holds it
     double drive_stop = 1e6;              // mm; 1e6: nothing stands there
     double stop_error = 1, stop_window = 1;   // PT_STOP_ERROR, PT_STOP_WINDOW
     bool drive_scale = false;             // measured behind the backlash

@@ -31,6 +31,8 @@ bool AxisUnit::open(unsigned number, const AxisConfig& config, double tick_s, do
     setup.at_slide = servo.drive_scale;
     setup.has_stop = servo.drive_stop < kNoStop;
     setup.stop_at = servo.drive_stop;
+    setup.has_hold = servo.drive_held > -kNoStop;
+    setup.hold_at = servo.drive_held;
     setup.motor_reversed = servo.output_inverted;
     setup.encoder_reversed = servo.input_inverted;
     // A simulated machine is built so that referencing it finds the coordinates that it has: its marks count from there.

@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-#define POLYTURN_DRIVE_VERSION 4u
+#define POLYTURN_DRIVE_VERSION 5u
 
 /* Control word (object 6040h). */
 #define POLYTURN_DRIVE_SHUTDOWN 0x0006u
@@ -93,10 +93,11 @@ typedef struct PolyturnDriveSetup {
     double mark_periods;          /* coded scale: signal periods between two fixed marks; 0: not coded */
     double mark_origin;           /* position of a mark, units; of the scale's zero */
     double stop_at;               /* something stands there that the slide cannot push away going up; 0 with has_stop 0 */
+    double hold_at;               /* once the slide was above it, something holds it there going down; 0 with has_hold 0 */
     uint8_t at_slide;             /* 1: measured behind the play */
     uint8_t motor_reversed, encoder_reversed;  /* wired so: the kernel's signs undo it */
-    uint8_t has_stop;
-    uint8_t reserved[4];
+    uint8_t has_stop, has_hold;
+    uint8_t reserved[3];
 } PolyturnDriveSetup;
 
 typedef struct PolyturnDriveApi {

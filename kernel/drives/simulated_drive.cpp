@@ -64,7 +64,9 @@ SimulatedDrive::SimulatedDrive(const PolyturnDriveSetup& setup)
       tick_s_(setup.tick_s),
       at_slide_(setup.at_slide != 0),
       has_stop_(setup.has_stop != 0),
-      stop_at_(setup.stop_at) {
+      has_hold_(setup.has_hold != 0),
+      stop_at_(setup.stop_at),
+      hold_at_(setup.hold_at) {
     const double w = 2.0 * 3.14159265358979323846 * setup.frequency_hz, t = setup.tick_s;
     // In the units (w p, v, a / w) and time w t every entry is near 1. The held input is a fourth state with derivative 0:
     // one exponential gives A and B.
@@ -89,6 +91,8 @@ void SimulatedDrive::step(double commanded) noexcept {
     acceleration_ = a_[2][1] * v + a_[2][2] * a + b_[2] * commanded;
     if (jammed_) position_ = slide_, speed_ = acceleration_ = 0;
     if (has_stop_ && position_ >= stop_at_ && (speed_ > 0 || commanded > 0)) position_ = stop_at_, speed_ = acceleration_ = 0;
+    caught_ |= has_hold_ && position_ > hold_at_;
+    if (caught_ && position_ <= hold_at_ && (speed_ < 0 || commanded < 0)) position_ = hold_at_, speed_ = acceleration_ = 0;
     // The motor pushes the slide with one flank of the play: upwards with its lower end, downwards with its upper one.
     if (position_ > slide_) slide_ = position_;
     else if (position_ + backlash_ < slide_) slide_ = position_ + backlash_;

@@ -50,8 +50,8 @@ private:
     std::uint16_t state_ = POLYTURN_DRIVE_SWITCH_ON_DISABLED;
     std::uint16_t last_control_ = 0, simulate_ = 0;
     bool positioning_ = false;
-    bool at_slide_, has_stop_, jammed_ = false;
-    double stop_at_, torque_ = 0;
+    bool at_slide_, has_stop_, has_hold_, caught_ = false, jammed_ = false;
+    double stop_at_, hold_at_, torque_ = 0;
     Failure failure_ = Failure::None;
 };
 

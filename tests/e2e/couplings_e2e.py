@@ -167,6 +167,13 @@ class Transfer(Coupled):
                     self.assertIn(number, [str(a["number"]) for a in done.alarms], done.said())
 
 
+    def test_a_part_that_is_not_cut_off_holds_the_slide(self):
+        done = self.job("PT_DRIVE_HELD A5=445", status=1)
+        self.assertIn("3003", [str(a["number"]) for a in done.alarms], done.said())
+        trace = read_trace(self.folder / "trace.csv")
+        self.assertGreater(trace["A5.act"][-1], 444.5, "the slide stays where the bar holds the part")
+
+
 class HeadAndTable(Coupled):
     """Tool tip control: a B head about Y and the C spindle as a table about Z, against rotation matrices written down here."""
     AXES = ("N0002 A8=1", "N0100 A8=66", "N0103 A8=0", "N0106 A8=2", "N0302 A8=6000", "N0304 A8=12000", "N0305 A8=12000", "N0314 A8=6000", "N0315 A8=6000",

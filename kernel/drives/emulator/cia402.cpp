@@ -144,6 +144,8 @@ void Cia402::turn(double wanted) {
         position_ += h * speed_;
     }
     if (setup_.has_stop && position_ >= setup_.stop_at && (speed_ > 0 || wanted > 0)) position_ = setup_.stop_at, speed_ = acceleration_ = 0;
+    caught_ = caught_ || (setup_.has_hold && position_ > setup_.hold_at);
+    if (caught_ && position_ <= setup_.hold_at && (speed_ < 0 || wanted < 0)) position_ = setup_.hold_at, speed_ = acceleration_ = 0;
     slide_ = std::clamp(slide_, position_, position_ + setup_.backlash);
 }
 

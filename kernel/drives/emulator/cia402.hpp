@@ -37,6 +37,7 @@ private:
     [[nodiscard]] bool find_mark(double from, double to, double& at) const;
 
     PolyturnDriveSetup setup_;
+    bool caught_ = false;   // the slide was above hold_at
     State state_ = State::SwitchOnDisabled;
     double position_, speed_ = 0, acceleration_ = 0;   // motor: units, units/s, units/s2
     double slide_, told_ = 0, ramp_ = 0;               // told_: csp, last target; ramp_: speed while it brakes by itself
