@@ -4,6 +4,8 @@
 
 #include "ipc/machine/compensation_tables.hpp"
 #include "ipc/machine/config_check.hpp"
+#include "ipc/machine/machine_config.hpp"
+#include "ipc/machine/room.hpp"
 #include "ipc/params/param_file.hpp"
 #include "ipc/text/machine_path.hpp"
 #include "ipc/text/read_file.hpp"
@@ -68,6 +70,8 @@ LoadedMachine load_machine(const MachineSource& source) {
         const std::string file = compensation_file_of(loaded.params_file);
         check_compensation_tables(*loaded.table, load_compensation(file, loaded.diagnoses), file, loaded.diagnoses);
     }
+    // Bodies that cannot be are refused here, for the kernel would guard against others than the machine has.
+    if (loaded.ok()) (void)load_room(loaded.room_file, derive_machine_config(*loaded.table), loaded.diagnoses);
     return loaded;
 }
 

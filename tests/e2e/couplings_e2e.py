@@ -304,6 +304,14 @@ class Shapes(Coupled):
         self.assertLess(upper - (-50.0), 46.0)
         self.assertEqual(self.meet(self.machine({"L1": body, "L2": body}), "N2000 L2=0").status, 0)
 
+    def test_a_shape_that_cannot_be_is_refused_with_its_place(self):
+        for lines in ("body = [{ X = [20.0, -20.0], Z = [-30.0, 30.0] }]", 'body = [{ X = "wide", Z = [-30.0, 30.0] }]', "body = 5"):
+            with self.subTest(lines=lines):
+                done = self.meet(self.machine({"L1": lines}))
+                self.assertEqual(done.status, 1, done.said())
+                self.assertIn("PT0921", done.out + done.err)
+                self.assertIn("machine.toml", done.out + done.err)
+
     def test_a_barrier_of_a_negative_size_is_refused(self):
         for line in ("N1902 L1=-5", "N1901 L1=-1"):
             done = self.meet(self.machine({}), line)
