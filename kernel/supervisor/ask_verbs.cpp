@@ -8,6 +8,7 @@
 
 #include "ipc/diagnosis/tongue.hpp"
 #include "ipc/memory/segment.hpp"
+#include "kernel/supervisor/access.hpp"
 #include "kernel/supervisor/job_plan.hpp"
 #include "kernel/supervisor/machine_status.hpp"
 #include "kernel/supervisor/phrases.hpp"
@@ -32,7 +33,11 @@ std::string told(const std::string& number, std::string english) {
 }  // namespace
 
 bool ask(const std::string& instance, const std::string& request, std::string* answer) {
-    const auto got = ask_controller(instance, request);
+    // Whoever has logged in says so.
+    std::string line = request;
+    if (const std::string token = kept_token(instance); !token.empty())
+        if (Json with = Json::parse(request, nullptr, false); with.is_object()) with["token"] = token, line = with.dump(-1, ' ', false, Json::error_handler_t::replace);
+    const auto got = ask_controller(instance, line);
     if (!got) {
         print_diagnosis(got.diagnosis(), Dialect::Polyturn);
         return false;
@@ -42,7 +47,13 @@ bool ask(const std::string& instance, const std::string& request, std::string* a
         if (answer) *answer = *got;
         return true;
     }
-    const auto shown = [](const Json& one) { return fmt::format("alarm {}: {}\n   {}\n", one.value("number", ""), one.value("text", ""), one.value("remedy", "")); };
+    const auto shown = [](const Json& one) {
+        std::string place;
+        if (one.contains("row")) place += fmt::format(fmt::runtime(say("row {}, ")), one.value("row", 0));
+        if (one.contains("column")) place += fmt::format(fmt::runtime(say("column {}: ")), one.value("column", ""));
+        else if (!place.empty()) place.replace(place.size() - 2, 2, ": ");
+        return fmt::format("{}alarm {}: {}\n   {}\n", place, one.value("number", ""), one.value("text", ""), one.value("remedy", ""));
+    };
     std::string words;
     if (reply.is_discarded()) words = *got;
     else if (const auto faults = reply.find("faults"); faults != reply.end() && faults->is_array())

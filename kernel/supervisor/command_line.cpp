@@ -4,6 +4,7 @@
 
 #include "kernel/supervisor/options.hpp"
 #include "kernel/supervisor/phrases.hpp"
+#include "kernel/supervisor/store_command_line.hpp"
 #include "kernel/supervisor/version.hpp"
 
 namespace polyturn::supervisor {
@@ -152,6 +153,7 @@ CommandLine read_command_line(int argc, char** argv) {
         actions.push_back(one);
     }
 
+    add_store_verbs(app, line);
     CLI::App* clean = app.add_subcommand("clean", tell("Removes what no living process holds: shared memory, sockets"));
     CLI::App* bench = app.add_subcommand("bench", tell("Runs the benchmarks of this build and prints their figures"))->prefix_command();
 
@@ -163,6 +165,7 @@ CommandLine read_command_line(int argc, char** argv) {
         return line;
     }
 
+    if (!line.store.group.empty()) line.verb = Verb::Store;
     if (*check) line.verb = Verb::Check;
     if (*run) line.verb = Verb::Run;
     if (*start) line.verb = Verb::Start;

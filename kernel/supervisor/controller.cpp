@@ -196,8 +196,9 @@ void Controller::end_batch() {
 
 bool Controller::ask_store(const StoreRequest& request) {
     StoreRequest copy = request;
-    copy.id = ++request_;
+    copy.id = request_ + 1;
     if (!requests_->push(copy)) return false;
+    ++request_;
     own().store_bell.ring();
     return true;
 }

@@ -8,6 +8,7 @@
 #include "kernel/supervisor/params_verb.hpp"
 #include "kernel/supervisor/run.hpp"
 #include "kernel/supervisor/start.hpp"
+#include "kernel/supervisor/store_verb.hpp"
 
 int main(int argc, char** argv) {
     using namespace polyturn::supervisor;
@@ -34,8 +35,9 @@ int main(int argc, char** argv) {
             return params_verb(line.params);
         case Verb::Bench:
             return run_benchmarks(line.rest);
+        case Verb::Store:
+            return store_verb(line.store, line.json);
         case Verb::None:
-        case Verb::Tools:
             break;
     }
     return line.exit_status;

@@ -32,7 +32,17 @@ struct ParamsOptions {
     bool unused = false, all = false;
 };
 
-enum class Verb { None, Check, Run, Start, Press, Set, Release, Status, Alarms, Params, Clean, Bench, Tools };
+// Verbs that ask the store: tools, offsets, parts, pallets, users, history, login, backup, restore.
+struct StoreOptions {
+    std::string group, action;            // "tools", "load"
+    std::vector<std::string> words;
+    std::string instance, format = "csv", store, machine, who, zero, name;
+    std::vector<std::string> with;
+    int channel = 0, magazine = -1, type = -1, most = 50;
+    bool incremental = false, preview = false, yes = false;
+};
+
+enum class Verb { None, Check, Run, Start, Press, Set, Release, Status, Alarms, Params, Clean, Bench, Store };
 
 struct CommandLine {
     Verb verb = Verb::None;
@@ -40,6 +50,7 @@ struct CommandLine {
     JobOptions job;
     StartOptions start;
     ParamsOptions params;
+    StoreOptions store;
     std::string instance;           // press, set, alarms: empty means polyturn; status: all
     std::string words;              // press, set, release: the rest of the line
     std::vector<std::string> rest;  // bench

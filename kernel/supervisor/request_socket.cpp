@@ -26,10 +26,10 @@ socklen_t address_of(const std::string& instance, sockaddr_un& address) {
     return static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
 }
 
-bool may_ask(int fd) {
+std::int64_t asker(int fd) {
     ucred who{};
     socklen_t size = sizeof who;
-    return getsockopt(fd, SOL_SOCKET, SO_PEERCRED, &who, &size) == 0 && (who.uid == geteuid() || who.uid == 0);
+    return getsockopt(fd, SOL_SOCKET, SO_PEERCRED, &who, &size) == 0 ? static_cast<std::int64_t>(who.uid) : -1;
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ Result<RequestServer> RequestServer::open(const std::string& instance) {
 }
 
 RequestServer::RequestServer(RequestServer&& other) noexcept
-    : fd_(std::exchange(other.fd_, -1)), next_(other.next_), connections_(std::move(other.connections_)) {
+    : fd_(std::exchange(other.fd_, -1)), next_(other.next_), connections_(std::move(other.connections_)), guests_(std::move(other.guests_)) {
     other.connections_.clear();
 }
 
@@ -60,11 +60,15 @@ void RequestServer::accept_all() {
     for (;;) {
         const int fd = accept4(fd_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
         if (fd < 0) return;
-        if (!may_ask(fd) || connections_.size() >= kMostClients) {
+        const std::int64_t uid = asker(fd);
+        const bool may = uid >= 0 && (uid == static_cast<std::int64_t>(geteuid()) || uid == 0 || (guests_ && guests_(uid)));
+        if (!may || connections_.size() >= kMostClients) {
             close(fd);
             continue;
         }
-        connections_[next_++].fd = fd;
+        Connection& fresh = connections_[next_++];
+        fresh.fd = fd;
+        fresh.uid = uid;
     }
 }
 
@@ -110,6 +114,11 @@ void RequestServer::serve(int timeout_ms, const Handler& handler) {
         connections_.erase(clients[i]);
     }
     if (fds[0].revents & POLLIN) accept_all();
+}
+
+std::int64_t RequestServer::uid_of(Client client) const {
+    const auto found = connections_.find(client);
+    return found == connections_.end() ? -1 : found->second.uid;
 }
 
 void RequestServer::answer(Client client, std::string line) {

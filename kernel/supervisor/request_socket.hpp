@@ -1,12 +1,14 @@
 // The one door through which short-lived programs ask a running controller for something: a Unix socket, one JSON object a
 // line each way. The socket is abstract ("@polyturn.NAME"): it goes with the supervisor and leaves no file behind. Who
-// asks is told by the kernel of the operating system (SO_PEERCRED): the owner of the controller and root may.
+// asks is told by the kernel of the operating system (SO_PEERCRED): the owner of the controller and root may, and
+// users of the controller who are known by their number in the operating system.
 #pragma once
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ipc/diagnosis/diagnosis.hpp"
@@ -29,12 +31,17 @@ public:
     // Waits at most so long for somebody, takes what has come.
     void serve(int timeout_ms, const Handler& handler);
     void answer(Client client, std::string line);
+    // The operating system's user who asks; -1 when he has gone.
+    std::int64_t uid_of(Client client) const;
+    // Whom to let in besides the owner of the controller and root.
+    void set_guests(std::function<bool(std::int64_t uid)> guests) { guests_ = std::move(guests); }
 
 private:
     struct Connection {
         int fd = -1;
         std::string in, out;
         bool closing = false;
+        std::int64_t uid = -1;
     };
     RequestServer() = default;
     void accept_all();
@@ -43,6 +50,7 @@ private:
     int fd_ = -1;
     Client next_ = 1;
     std::map<Client, Connection> connections_;
+    std::function<bool(std::int64_t)> guests_;
 };
 
 // Sends one line to the controller and returns its answer.

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ipc/diagnosis/tongue.hpp"
+#include "ipc/machine/command_levels.hpp"
 #include "ipc/machine/config_check.hpp"
 #include "ipc/machine/machine_step.hpp"
 #include "ipc/machine/store_requests.hpp"
@@ -18,7 +19,9 @@
 #include "kernel/supervisor/start_position.hpp"
 #include "kernel/supervisor/event_text.hpp"
 #include "kernel/supervisor/job_plan.hpp"
+
 #include "kernel/supervisor/phrases.hpp"
+#include "kernel/supervisor/refusal.hpp"
 #include "kernel/supervisor/press_words.hpp"
 #include "kernel/supervisor/store_words.hpp"
 
@@ -40,24 +43,6 @@ std::string default_store(const std::string& instance) {
 }
 
 void tell(const std::string& words) { std::fwrite(words.data(), 1, words.size(), stderr); }
-
-std::string refusal(const Diagnosis& diagnosis) {
-    Json out;
-    out["ok"] = false;
-    out["number"] = std::string(alarm_number(diagnosis.alarm, Dialect::Polyturn));
-    out["text"] = text_in(diagnosis, tongue_now());
-    out["remedy"] = std::string(alarm_text(diagnosis.alarm, tongue_now()).remedy);
-    return out.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
-// Of several, each is named.
-std::string refusal(const std::vector<Diagnosis>& diagnoses) {
-    if (diagnoses.size() == 1) return refusal(diagnoses.front());
-    Json out = Json::parse(refusal(diagnoses.front()));
-    out["faults"] = Json::array();
-    for (const Diagnosis& diagnosis : diagnoses) out["faults"].push_back(Json::parse(refusal(diagnosis)));
-    return out.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
 
 }  // namespace
 
@@ -111,6 +96,12 @@ int StartSession::run() {
     }
     tell(fmt::format(fmt::runtime(say("polyturn: the controller \"{}\" runs with {} channels, {} axes, {} spindles. End it with Ctrl-C or SIGTERM.\n")), options_.instance,
                      machine_.channel_count, machine_.axis_count, machine_.spindle_count));
+    server_.set_guests([this](std::int64_t uid) {
+        const auto users = std::make_unique<UserTable>();
+        if (!controller_->store().users.read(*users)) return false;
+        const UserRow* const begin = users->rows.data();
+        return std::any_of(begin, begin + std::min<std::size_t>(users->count, kUsers), [&](const UserRow& row) { return row.uid == uid; });
+    });
     loop();
     controller_->stop(5'000);
     tell(fmt::format(fmt::runtime(say("polyturn: the controller \"{}\" has ended.\n")), options_.instance));
@@ -257,23 +248,36 @@ void StartSession::handle(RequestServer::Client client, const std::string& line)
         return server_.answer(client, refusal({Alarm::PressUnknown, {}, {}, line.substr(0, 100)}));
     const std::string what = request["do"];
     const auto text_at = [&](const char* key) { return request.contains(key) && request[key].is_string() ? request[key].get<std::string>() : std::string(); };
-    if (what == "press") return serve_commands(client, parse_press(text_at("words"), machine_, text_at("folder")));
-    if (what == "release") return serve_commands(client, parse_release(text_at("words"), machine_));
+    const Who who = who_asks(client, text_at("token"));
+    if (what == "store") {
+        const auto op = request.find("op");
+        const std::string name = op != request.end() && op->is_object() && op->contains("do") && (*op)["do"].is_string() ? (*op)["do"].get<std::string>() : std::string();
+        return serve_operation(client, op != request.end() ? op->dump(-1, ' ', false, Json::error_handler_t::replace) : "{}", name == "users.login", who);
+    }
+    if (what == "logout") return server_.answer(client, access_.close(text_at("token")) ? R"({"ok":true})" : R"({"ok":true,"nobody":true})");
+    if (what == "who") {
+        static constexpr const char* kLevels[] = {"none", "operator", "setter", "maker"};
+        return server_.answer(client, Json{{"ok", true}, {"name", who.name}, {"level", kLevels[static_cast<std::size_t>(who.level)]}}.dump());
+    }
+    if (what == "set" || what == "release" || what == "parameters")
+        if (!may(client, who, UserLevel::Operator, what)) return;
+    if (what == "press") return serve_commands(client, parse_press(text_at("words"), machine_, text_at("folder")), who);
+    if (what == "release") return serve_commands(client, parse_release(text_at("words"), machine_), who);
     if (what == "set") {
         const auto commands = parse_set(text_at("words"), machine_);
         // A parameter is set when it is on disk, not when the kernel has heard of it.
         if (commands && commands->size() == 1 && commands->front().kind == static_cast<std::uint32_t>(CommandKind::SetParameter))
-            return serve_parameters(client, {text_at("words")}, false);
+            return serve_parameters(client, {text_at("words")}, false, who);
         if (commands && commands->size() == 1 && commands->front().kind == static_cast<std::uint32_t>(CommandKind::StoreValue))
-            return serve_value(client, store_request_of(commands->front()));
-        return serve_commands(client, commands);
+            return serve_value(client, store_request_of(commands->front()), who);
+        return serve_commands(client, commands, who);
     }
     if (what == "parameters") {
         std::vector<std::string> lines;
         if (request.contains("lines") && request["lines"].is_array())
             for (const auto& one : request["lines"])
                 if (one.is_string()) lines.push_back(one.get<std::string>());
-        return serve_parameters(client, lines, request.value("import", false));
+        return serve_parameters(client, lines, request.value("import", false), who);
     }
     if (what == "alarms") {   // since: only those behind so many; `next` is what to ask with the next time
         const std::uint64_t since = request.contains("since") && request["since"].is_number_unsigned() ? request["since"].get<std::uint64_t>() : 0;
@@ -284,23 +288,32 @@ void StartSession::handle(RequestServer::Client client, const std::string& line)
         return server_.answer(client, out + "]}");
     }
     if (what == "end") {
+        if (!may(client, who, UserLevel::Setter, what)) return;
         ask_to_end_ = true;
         return server_.answer(client, "{\"ok\":true}");
     }
     server_.answer(client, refusal({Alarm::PressUnknown, {}, {}, what}));
 }
 
-void StartSession::serve_commands(RequestServer::Client client, const Result<std::vector<Command>>& commands) {
+void StartSession::serve_commands(RequestServer::Client client, const Result<std::vector<Command>>& commands, const Who& who) {
     if (!commands) return server_.answer(client, refusal(commands.diagnosis()));
-    for (const Command& command : *commands) controller_->send(command);
+    for (const Command& command : *commands)
+        if (const UserLevel least = level_of(command); !may(client, who, least, std::string(level_words(command)))) return;
+    for (Command command : *commands) {
+        command.level = static_cast<std::uint32_t>(who.level);
+        command.user = who.user;
+        controller_->send(command);
+    }
     server_.answer(client, "{\"ok\":true}");
 }
 
 // An offset or a zero: set when it is on disk.
-void StartSession::serve_value(RequestServer::Client client, const StoreRequest& request) {
+void StartSession::serve_value(RequestServer::Client client, StoreRequest request, const Who& who) {
+    request.level = static_cast<std::uint32_t>(who.level);
+    request.user = who.user;
     if (!controller_->running(kProcessStore)) return server_.answer(client, refusal({Alarm::NotServed, {}, {}, "the store does not run"}));
     if (!controller_->ask_store(request)) return server_.answer(client, refusal({Alarm::NotServed, {}, {}, "the store does not answer"}));
-    waiting_.push_back({client, ++asked_, {}});
+    waiting_.push_back({client, ++asked_, {}, false, false, {}});
 }
 
 // Everything that is wrong with the lines; of an import also what they would make contradict itself.
@@ -330,32 +343,17 @@ std::vector<Diagnosis> StartSession::faults_of(const std::vector<std::string>& l
     return out;
 }
 
-void StartSession::serve_parameters(RequestServer::Client client, const std::vector<std::string>& lines, bool import) {
+void StartSession::serve_parameters(RequestServer::Client client, const std::vector<std::string>& lines, bool import, const Who& who) {
     if (const auto faults = faults_of(lines, import); !faults.empty()) return server_.answer(client, refusal(faults));   // all or none
     if (!controller_->running(kProcessStore)) return server_.answer(client, refusal({Alarm::NotServed, {}, {}, "the store does not run"}));
     for (const std::string& words : lines) {
-        const auto until = Clock::now() + std::chrono::seconds(5);
-        while (!controller_->ask_store(parameter_request(words, &words != &lines.back()))) {  // the ring is full: let the store work
-            take_answers();
-            if (Clock::now() > until) return server_.answer(client, refusal({Alarm::NotServed, {}, {}, "the store does not answer"}));
-            sleep_ms(1);
-        }
-        ++asked_;
+        StoreRequest request = parameter_request(words, &words != &lines.back());
+        request.level = static_cast<std::uint32_t>(who.level);
+        request.user = who.user;
+        if (!push_request(request)) return server_.answer(client, refusal({Alarm::NotServed, {}, {}, "the store does not answer"}));
     }
     if (lines.empty()) return server_.answer(client, "{\"ok\":true}");
-    waiting_.push_back({client, asked_, {}});
-}
-
-void StartSession::take_answers() {
-    StoreAnswer answer;
-    while (controller_->next_answer(answer)) {
-        if (waiting_.empty()) continue;
-        Waiting& first = waiting_.front();
-        if (!answer.ok && first.refused.empty()) first.refused = answer.text.data();
-        if (answer.id < first.last_id) continue;
-        server_.answer(first.client, first.refused.empty() ? std::string("{\"ok\":true}") : refusal({Alarm::NotServed, {}, {}, first.refused}));
-        waiting_.pop_front();
-    }
+    waiting_.push_back({client, asked_, {}, false, false, {}});
 }
 
 }  // namespace polyturn::supervisor

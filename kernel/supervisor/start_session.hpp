@@ -9,6 +9,7 @@
 
 #include "ipc/machine/load_machine.hpp"
 #include "ipc/machine/machine_config.hpp"
+#include "kernel/supervisor/access.hpp"
 #include "kernel/supervisor/controller.hpp"
 #include "kernel/supervisor/event_joiner.hpp"
 #include "kernel/supervisor/options.hpp"
@@ -31,9 +32,15 @@ private:
     void process_died(std::size_t slot, int status);
     void revive();
     void handle(RequestServer::Client client, const std::string& line);
-    void serve_commands(RequestServer::Client client, const Result<std::vector<Command>>& commands);
-    void serve_parameters(RequestServer::Client client, const std::vector<std::string>& lines, bool import);
-    void serve_value(RequestServer::Client client, const StoreRequest& request);
+    void serve_commands(RequestServer::Client client, const Result<std::vector<Command>>& commands, const Who& who);
+    void serve_parameters(RequestServer::Client client, const std::vector<std::string>& lines, bool import, const Who& who);
+    void serve_value(RequestServer::Client client, StoreRequest request, const Who& who);
+    // start_session_store.cpp: operations of the store (tools, offsets, users, backups), logins.
+    Who who_asks(RequestServer::Client client, const std::string& token);
+    bool may(RequestServer::Client client, const Who& who, UserLevel least, const std::string& what);
+    void serve_operation(RequestServer::Client client, const std::string& operation, bool login, const Who& who);
+    bool push_request(const StoreRequest& request);
+    void forget_requests();
     std::vector<Diagnosis> faults_of(const std::vector<std::string>& lines, bool import) const;
     void take_answers();
     Dialect dialect(unsigned channel) const;
@@ -43,6 +50,8 @@ private:
         RequestServer::Client client = 0;
         std::uint64_t last_id = 0;
         std::string refused;
+        bool operation = false, login = false;
+        std::string text;        // of the answer so far
     };
 
     const StartOptions& options_;
@@ -52,6 +61,7 @@ private:
     std::unique_ptr<Controller> controller_;
     std::unique_ptr<RingConsumer<RingHead<KernelEvent, 16384>>> log_;
     EventJoiner joiner_;
+    Access access_;
     std::uint64_t generation_ = 1, asked_ = 0;
     std::deque<std::string> alarms_;  // event objects, the newest last
     std::uint64_t alarms_noted_ = 0;  // since this supervisor started

@@ -16,6 +16,19 @@
 namespace polyturn::toolmgmt {
 namespace {
 
+// Values that differ afterwards: a tool that leaves its place and comes back has not changed.
+std::size_t differing(const std::vector<Change>& changes) {
+    std::map<Key, std::pair<const Change*, const Change*>> ends;
+    for (const Change& one : changes)
+        if (one.key.kind != Kind::Setting) ends.try_emplace(one.key, &one, &one).first->second.second = &one;
+    std::size_t out = 0;
+    for (const auto& [key, both] : ends) {
+        const double was = std::isnan(both.first->before) ? 0.0 : both.first->before, is = std::isnan(both.second->after) ? 0.0 : both.second->after;
+        if (was != is || both.first->text_before != both.second->text_after) ++out;
+    }
+    return out;
+}
+
 constexpr std::size_t kMostFaults = 200;
 
 void enter_cell(Work& work, std::int64_t channel, const TableEntry& entry) {
@@ -95,7 +108,7 @@ Json import_table(const Json& request, Work& work) {
         if (stand.column.rfind("$TC_", 0) == 0)
             for (std::size_t i = before; i < work.faults.size(); ++i) work.faults[i].column = stand.column;
     }
-    return {{"tools", tools.size()}, {"added", added}, {"changes", work.changes.size()}};
+    return {{"tools", tools.size()}, {"added", added}, {"changes", differing(work.changes)}};
 }
 
 std::string quoted(const std::string& text) {

@@ -1,0 +1,44 @@
+"""The setup technician's guide does what it says: all its blocks of commands run, in order, in one folder."""
+import os
+import pathlib
+import re
+import subprocess
+import tempfile
+import unittest
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+POLYTURN = pathlib.Path(os.environ["POLYTURN"]).resolve()
+
+
+class SetupGuide(unittest.TestCase):
+    def test_every_command_runs(self):
+        text = (SOURCE / "docs" / "setup.md").read_text(encoding="utf-8")
+        script = "set -e\ntrap 'kill $(jobs -p) 2> /dev/null' EXIT\n"
+        for number, block in enumerate(re.findall(r"^```sh\n(.*?)^```$", text, re.M | re.S), 1):
+            script += f"echo '--- block {number}'\n{block}\n"
+        # Instances are shared by the whole computer: this run has one of its own.
+        script = script.replace("--instance shop", f"--instance shop-{os.getpid()}")
+        with tempfile.TemporaryDirectory() as folder:
+            environment = dict(os.environ, PATH=f"{POLYTURN.parent}:{os.environ['PATH']}", XDG_RUNTIME_DIR=folder, LC_ALL="C")
+            done = subprocess.run(["bash", "-c", script], cwd=folder, env=environment, capture_output=True, text=True, timeout=400)
+        out = done.stdout + done.stderr
+        self.assertEqual(done.returncode, 0, out)
+        block = {int(n): words for n, words in re.findall(r"--- block (\d+)\n(.*?)(?=--- block|\Z)", done.stdout, re.S)}
+        self.assertIn("turret", block[1])
+        self.assertIn("magazine 1 pot 3", block[2])
+        self.assertIn("row 3, column life: alarm PT0411", done.stderr)                # the wrong table
+        self.assertIn("3 tools, 0 of them new, 0 values changed", block[3])            # what was exported reads in again
+        self.assertRegex(block[5], r"wear X.*(?s:.)*0\.02")
+        self.assertIn("PT0404", done.stderr)                                           # wear of 1.5 mm
+        self.assertIn("of 45 min", block[6])                                           # the unit is always shown
+        self.assertIn("-0.0100 mm", block[8])                                          # mean of +0.008 and +0.012
+        self.assertIn("tool 2 exists", block[9])                                      # the preview
+        self.assertRegex(block[9].split("Restored.")[1], r"2 +1 +2 +ROUGH_80")
+        self.assertIn("PT0401", block[10])                                             # the damaged file
+        self.assertIn("FINISH_35", block[10])
+        self.assertIn("PT0432", done.stderr)                                           # the operator and the life
+        self.assertRegex(block[11], r"anna +L1 offset 3 wear Z")
+
+
+if __name__ == "__main__":
+    unittest.main()
