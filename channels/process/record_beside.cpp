@@ -31,8 +31,9 @@ void RecordSink::beside(const Move& move, const BlockContext& at) {
         r.end[0] = move.machine[i];
         r.feed_mode = static_cast<std::uint8_t>(move.feed_mode);
         r.spindle = move.spindle;
-        if (move.feed_mode == FeedMode::PerRevolution) r.feed = move.feed;
-        if (move.feed_mode == FeedMode::PerMinute) r.v_max = std::min(move.feed, axis.max_feed_mm_min > 0 ? axis.max_feed_mm_min : move.feed) / 60.0;
+        const double feed = move.feed * shares_.beside[i];
+        if (move.feed_mode == FeedMode::PerRevolution) r.feed = feed;
+        if (move.feed_mode == FeedMode::PerMinute) r.v_max = std::min(feed, axis.max_feed_mm_min > 0 ? axis.max_feed_mm_min * shares_.velocity[i] : feed) / 60.0;
         under_way_.axis[axis.machine_axis] = true;
         push(r, (last_moved_ >> i & 1u) != 0, false);   // behind a move of its own it begins from rest
     }

@@ -177,7 +177,7 @@ void RecordSink::use_transformation(const Move& move) {
         if (entry_ == 0 && !limits_forgotten_) return;
         limits_forgotten_ = false;
         maker_->flush();
-        maker_->use_limits(*drives_);
+        maker_->use_limits(limits_of_path());
         entry_ = 0;
         return;
     }
@@ -345,6 +345,7 @@ void RecordSink::spindle(const Spindle& spindle, const BlockContext& at) {
     r.spindle = spindle.spindle;
     r.code = static_cast<std::int32_t>(spindle.mode);
     r.value = spindle.value;
+    if ((spindle.mode == SpindleModeCode::Rpm || spindle.mode == SpindleModeCode::SurfaceSpeed) && spindle.spindle <= kMaxSpindles) r.value *= shares_.spindle[spindle.spindle];
     r.shape[0] = spindle.limit;
     if (spindle.css_axis >= 0) {
         r.axis[0] = view_->axes[static_cast<std::size_t>(spindle.css_axis)].machine_axis;
@@ -442,7 +443,7 @@ void RecordSink::signal(std::string_view name, double value, const BlockContext&
         maker_->smooth(smoothing_of(view_->table(), view_->machine, view_->channel, static_cast<int>(value)));
         return;
     }
-    if (demand(name, value, at)) return;
+    if (takes_share(name, value) || demand(name, value, at)) return;
     static constexpr std::pair<std::string_view, std::int32_t> kCodes[] = {
         {"TAPPING", kFlagTapping}, {"CONTROL", kFlagControl}, {"STROKE2", kFlagStroke2}, {"CN_UOUT", kFlagOutputs}, {"CN_UOUTW", kFlagOutputsWide},
         {"CN_BALANCE", kFlagBalance}};

@@ -87,6 +87,16 @@ private:
     Outstanding under_way_;        // told beside the path and not waited for yet
     AxisSet last_moved_ = 0;       // by the last move of the path
     std::array<double, kChannelAxes> window_mm_{};
+    // Shares of their own limits that the program allows its axes; what a positioning axis and a spindle have of their speed.
+    struct Shares {
+        std::array<double, kChannelAxes> velocity, acceleration, jerk, beside;
+        std::array<double, kMaxSpindles + 1> spindle;
+        Shares() { velocity.fill(1.0), acceleration.fill(1.0), jerk.fill(1.0), beside.fill(1.0), spindle.fill(1.0); }
+    };
+    Shares shares_;
+    PathLimits shared_limits_;
+    bool takes_share(std::string_view name, double value);
+    const PathLimits& limits_of_path();
     void use_transformation(const Move& move);
     void fill_retract(const Move& move, PathRecord& record) const;
     void fill_arc(const Move& move, PathRecord& record) const;

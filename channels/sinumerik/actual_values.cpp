@@ -139,11 +139,32 @@ bool Interpreter::a_handwheel_feed(const Word& word) {
     return a_without_effect(word);
 }
 
-// Shares of an axis' own limits in percent: ACC, VELOLIM, JERKLIM. The kernel keeps the limits themselves.
+// Shares in percent: ACC, VELOLIM, JERKLIM of an axis' own limits, OVRA of a positioning axis' feed or a spindle's speed.
 bool Interpreter::a_axis_share(const Word& word) {
-    if (word.number() < 1 || word.number() > 200) return fail_word(Alarm::ValueOutOfRange, word, std::string(word.address->name), word.number());
-    if (word.address->name == "ACC" && word.axis >= 0) modal_.acceleration[static_cast<std::size_t>(word.axis)] = word.number();
-    return word.number() == 100 ? true : a_without_effect(word);
+    const std::string_view name = word.address->name;
+    if (word.number() < 1 || word.number() > 200) return fail_word(Alarm::ValueOutOfRange, word, std::string(name), word.number());
+    const double share = word.number() / 100.0;
+    if (word.axis < 0 || word.axis >= kSpindleAxis) return name == "OVRA" ? spindle_share(word, share) : share == 1.0 || a_without_effect(word);
+    if (name == "ACC") modal_.acceleration[static_cast<std::size_t>(word.axis)] = word.number();
+    const std::string_view kind = name == "ACC" ? "ACC" : name == "VELOLIM" ? "VELO" : name == "JERKLIM" ? "JERK" : "OVRA";
+    core_.signal(std::string(kind) + std::to_string(word.axis), share);
+    return true;
+}
+
+// The kernel has the product; events and $P_S say what the program has said.
+bool Interpreter::spindle_share(const Word& word, double share) {
+    return with_spindle(word.index > 0 ? static_cast<std::uint16_t>(word.index) : 0, [&] {
+        const SpindleState& now = core_.path.spindle;
+        if (now.spindle == 0) return fail_word(Alarm::SpindleMissing, word, "OVRA");
+        core_.signal("OVRS" + std::to_string(now.spindle), share);
+        Spindle again;
+        again.spindle = now.spindle;
+        again.mode = now.mode;
+        again.value = now.mode == SpindleModeCode::SurfaceSpeed ? now.surface_m_min : now.rpm;
+        again.speed_changed = again.silent = true;
+        if (now.mode == SpindleModeCode::Rpm && again.value > 0) core_.sink().spindle(again, core_.at);
+        return true;
+    });
 }
 
 // DITS, DITE: -1, 0 or a way; kept as setting data.

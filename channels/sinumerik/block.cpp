@@ -62,6 +62,8 @@ bool Interpreter::act() {
     if (!settings_and_tools() || !functions_before()) return false;
     for (auto& [command, call] : block_.procedures)
         if (!(this->*command->act)(call)) return false;
+    for (const Written& one : written_) report_variable(one.name, one.value);   // what they have given back
+    written_.clear();
     AxisSet under_way = 0;
     if (!begin_stops() || !start_positioning(under_way) || !motion() || !position_in_parts()) return false;
     if (core_.due_at_barrier()) stop_reading();

@@ -295,8 +295,6 @@ bool Interpreter::f_stringis(Call& c) {
     return true;
 }
 
-bool Interpreter::f_isfile(Call& c) { return c.result = Value::of_bool(files_->find_name(program_of_path(c.value(0).text)).has_value()), true; }
-
 // The circle through three points, or the best one through four (least squares would be another thing: the fourth must lie on it).
 bool Interpreter::f_calcdat(Call& c) {
     Variable& points = *c.arguments[0].reference.variable;

@@ -116,6 +116,7 @@ public:
     bool a_lift_position(const Word&), a_handwheel_feed(const Word&), a_axis_share(const Word&), a_thread_ramp(const Word&);
     bool geo_involute(const GCode&), g_grinding(const GCode&), g_tool_frame(const GCode&), geo_not_built(const GCode&);
     bool st_execstring(), st_setint(), st_synchronized();
+    bool p_write(Call&), p_read(Call&), p_delete(Call&), p_file_size(Call&);   // files.cpp
     bool p_cancel(Call&), p_lock(Call&), p_unlock(Call&), p_action_reset(Call&), p_stop_reading_of(Call&);   // synchronized.cpp
     bool p_interrupts(Call&), p_without_effect(Call&), p_trail(Call&), p_wheel_speed(Call&), a_sum_offset(const Word&);
     bool p_msg(Call&), p_setal(Call&), p_stopre(Call&), p_setms(Call&), p_wait_marker(Call&), p_wait_end(Call&);
@@ -195,6 +196,7 @@ private:
     bool select_edge(int edge);
     void apply_tool();
     bool spindle_words();
+    bool spindle_share(const Word& word, double share);
     bool spindle_closed(std::uint16_t spindle) const { return modal_.closed_spindles >> (spindle - 1) & 1u; }
     void close_spindle(bool told, bool beside = false);                             // position control, by the PLC's M19
     bool with_spindle(std::uint16_t spindle, const std::function<bool()>& act);
@@ -344,6 +346,11 @@ private:
     bool each_action(Call& c, const std::function<void(SynchronizedAction&)>& change);
     bool only_in_action(std::string_view name);
     static bool find_do(Cursor& at);
+
+    // text files (files.cpp)
+    std::map<std::string, std::optional<std::string>, std::less<>> written_files_;   // nullopt: deleted
+    bool text_of_file(const std::string& name, std::string& text);
+    void change_file(const std::string& name, std::optional<std::string> text);
 
     // resume states (resume.cpp)
     struct ResumeState;

@@ -54,6 +54,11 @@ constexpr Command kRows[] = {
     {"NEWT", true, 1, 2, "sr", &I::f_newt},
     {"GETDNO", true, 2, 2, "r", &I::f_getdno},
     {"DELT", false, 1, 2, "sr", &I::p_delt, true},
+    // text files
+    {"WRITE", false, 3, 4, "vs*", &I::p_write, true},
+    {"READ", false, 5, 5, "vsrrv", &I::p_read, true},
+    {"DELETE", false, 2, 2, "vs", &I::p_delete, true},
+    {"FILESIZE", false, 3, 3, "vsv", &I::p_file_size, true},
     // operator and channel
     {"MSG", false, 0, 2, "*r", &I::p_msg},
     {"WRTPR", false, 1, 2, "*r", &I::p_wrtpr},

@@ -72,7 +72,7 @@ constexpr Row kRows[] = {
     {"ISVAR(\"R5\")", "1"},
     {"GETVARTYP(\"R1\")", "4"},
     {"STRINGIS(\"G1\")", "200"},
-    {"STRINGIS(\"TRAORI\")", "100"},
+    {"STRINGIS(\"TRACON\")", "100"},
     {"STRINGIS(\"NOBODY\")", "0"},
 };
 

@@ -1,0 +1,42 @@
+// Shares of an axis' own limits: VELO<place>, ACC<place>, JERK<place> for the path, OVRA<place> for the feed beside it, OVRS<number> for
+// the speed of a spindle; 1 is all of it. They hold from the next move on, until the program ends.
+#include <algorithm>
+#include <charconv>
+
+#include "channels/process/record_sink.hpp"
+
+namespace polyturn::channels {
+
+bool RecordSink::takes_share(std::string_view name, double value) {
+    const auto number_behind = [&](std::string_view word, unsigned& number) {
+        if (name.substr(0, word.size()) != word) return false;
+        const char* const end = name.data() + name.size();
+        return std::from_chars(name.data() + word.size(), end, number).ptr == end;
+    };
+    unsigned i = 0;
+    if (number_behind("OVRS", i) && i <= kMaxSpindles) return shares_.spindle[i] = value, true;
+    if (number_behind("OVRA", i) && i < view_->axis_count) return shares_.beside[i] = value, true;
+    for (const auto& [word, shares] : {std::pair{std::string_view("VELO"), &shares_.velocity}, std::pair{std::string_view("ACC"), &shares_.acceleration},
+                                       std::pair{std::string_view("JERK"), &shares_.jerk}}) {
+        if (!number_behind(word, i) || i >= view_->axis_count) continue;
+        (*shares)[i] = value;
+        limits_forgotten_ = true;   // taken over with the next move of the path
+        return true;
+    }
+    return false;
+}
+
+// No axis becomes faster than the machine lets it; a transformation keeps the machine's limits.
+const PathLimits& RecordSink::limits_of_path() {
+    shared_limits_ = *drives_;
+    for (unsigned i = 0; i < view_->axis_count; ++i) {
+        PathAxis& axis = shared_limits_.axis[view_->axes[i].machine_axis];
+        const double v = std::min(1.0, shares_.velocity[i]);
+        axis.rapid *= v, axis.feed *= v;
+        axis.accel *= shares_.acceleration[i], axis.normal *= shares_.acceleration[i];
+        axis.jerk *= shares_.jerk[i];
+    }
+    return shared_limits_;
+}
+
+}  // namespace polyturn::channels
