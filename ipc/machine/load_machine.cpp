@@ -64,14 +64,15 @@ void apply_overrides(const MachineSource& source, params::Table& table, std::vec
 
 LoadedMachine load_machine(const MachineSource& source) {
     LoadedMachine loaded = load_machine_file(source.machine);
+    // Bodies that cannot be are refused here, for the kernel would guard against others than the machine has. They are judged by the
+    // machine's own file: an axis that one run takes away leaves its place in the room empty.
+    if (loaded.ok()) (void)load_room(loaded.room_file, derive_machine_config(*loaded.table), loaded.diagnoses);
     apply_overrides(source, *loaded.table, loaded.diagnoses);
     if (loaded.ok()) append(loaded.diagnoses, check_machine_config(*loaded.table));
     if (loaded.ok()) {
         const std::string file = compensation_file_of(loaded.params_file);
         check_compensation_tables(*loaded.table, load_compensation(file, loaded.diagnoses), file, loaded.diagnoses);
     }
-    // Bodies that cannot be are refused here, for the kernel would guard against others than the machine has.
-    if (loaded.ok()) (void)load_room(loaded.room_file, derive_machine_config(*loaded.table), loaded.diagnoses);
     return loaded;
 }
 
