@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <memory>
 
 #include "channels/check/check_port.hpp"
@@ -89,6 +90,7 @@ BENCHMARK(PlainG1Blocks)->Unit(benchmark::kMillisecond);
 void CompensatedBlocks(benchmark::State& state) {
     const std::string path = (std::filesystem::temp_directory_path() / "polyturn_compensated_bench.nc").string();
     std::ofstream out(path);
+    out << std::fixed << std::setprecision(3);   // with a point, always: whole numbers count micrometres
     out << "O1\nG18 G98\nT0101\n#1=0\nN1 G42 G1 X60. Z5. F500\n";
     for (int k = 1; k <= 1000; ++k) out << "X" << 60 + 10 * std::sin(k * 0.02) << " Z-" << k * 0.5 << "\n";
     out << "G40 X90.\nG0 Z10.\n#1=#1+1\nIF [#1 LT 100] GOTO 1\nM30\n";
