@@ -27,8 +27,8 @@ const char* SpindleCouplings::text(Refusal why) noexcept {
 }
 
 const SpindleCouplings::Link* SpindleCouplings::find(std::uint32_t follower) const noexcept {
-    for (const Link& link : links_)
-        if (link.used && link.wish.follower == follower) return &link;
+    for (std::size_t k = 0; k < end_; ++k)
+        if (links_[k].used && links_[k].wish.follower == follower) return &links_[k];
     return nullptr;
 }
 
@@ -45,8 +45,8 @@ double SpindleCouplings::deviation(std::uint32_t follower) const noexcept {
     return link ? link->deviation * kTurn : 0.0;
 }
 std::uint32_t SpindleCouplings::gear_of(std::uint32_t channel) const noexcept {
-    for (const Link& link : links_)
-        if (link.used && !link.ending && link.wish.gear && link.wish.channel == channel) return link.wish.follower;
+    for (std::size_t k = 0; k < end_; ++k)
+        if (const Link& link = links_[k]; link.used && !link.ending && link.wish.gear && link.wish.channel == channel) return link.wish.follower;
     return kNobody;
 }
 
@@ -119,9 +119,10 @@ SpindleCouplings::Refusal SpindleCouplings::couple(Core& core, const Wish& wish)
     // A phase holds for any turn of the follower that belongs to some turn of the master.
     const double period = 1.0 / wish.master_turns;
     fresh.follower.begin(now, line, limits, wish.phased ? LineFollower::Aim::Period : LineFollower::Aim::Anywhere, period, core.config.tick_s);
-    for (Link& link : links_)
-        if (!link.used) {
-            link = fresh;
+    for (std::size_t k = 0; k < links_.size(); ++k)
+        if (!links_[k].used) {
+            links_[k] = fresh;
+            end_ = std::max(end_, k + 1);
             return Refusal::None;
         }
     return Refusal::Busy;
@@ -234,8 +235,9 @@ void SpindleCouplings::step(Core& core) noexcept {
         spindle.ceiling_rpm = spindle.ceiling_ramp = kUnlimited;
         if (spindle.exists()) obey_plc(core, s);
     }
-    for (Link& link : links_)
-        if (link.used) drive(core, link);
+    for (std::size_t k = 0; k < end_; ++k)
+        if (links_[k].used) drive(core, links_[k]);
+    while (end_ > 0 && !links_[end_ - 1].used) --end_;
     for (std::uint32_t s = 0; s < core.config.spindle_count; ++s) {
         if (!core.spindles[s].exists()) continue;
         const auto follower = static_cast<std::uint32_t>(kMaxAxes) + s;

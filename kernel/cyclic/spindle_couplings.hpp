@@ -67,6 +67,7 @@ private:
     static LineFollower::Limits limits_of(const Core& core, std::uint32_t follower) noexcept;
 
     std::array<Link, kMaxSpindles> links_{};
+    std::size_t end_ = 0;   // none is used from here on: a tick without couplings looks at none
     std::array<bool, kMaxSpindles> told_{};            // of a refusal; until the request goes
     std::uint32_t torn_ = kNobody;
 };
