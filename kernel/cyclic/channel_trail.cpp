@@ -140,7 +140,9 @@ void ChannelRunner::drive_trail() noexcept {
     const bool drives = trail_.tick(input);
     if (drives && was_at_rest && !trail_.at_rest() && !axes_are_on(trail_.record(), trail_.s()) && !on_trail_) {
         // The first step is one tick long: what is further off than that has been moved by hand or by another program.
+        // The trail stands from here: the next tick would otherwise find it under way and set the axes onto it.
         raise(Alarm::RecordInvalid, "the axes are not on the path that is to be driven back");
+        trail_.turn(0, false);
         return;
     }
     on_trail_ = drives && !trail_.at_rest();
