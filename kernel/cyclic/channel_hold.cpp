@@ -8,8 +8,7 @@ namespace polyturn::kernel {
 ChannelRunner::Place ChannelRunner::place_now() const noexcept {
     if (cursor_ >= segment_->path.head.load(std::memory_order_acquire) || record(cursor_).epoch != epoch_) return {};
     const PathRecord& r = record(cursor_);
-    const bool ended = step_.ended_to > step_.record;
-    const bool within = begun_ || (!ended && step_.s > 0 && step_.record == cursor_);
+    const bool within = begun_ || (!step_.over && step_.s > 0 && step_.record == cursor_);
     return {r.serial, r.part, within || (last_serial_ == r.serial && last_part_ == r.part)};
 }
 
@@ -66,7 +65,7 @@ void ChannelRunner::take_answer() noexcept {
 
 // What was pushed and is not executed is void.
 void ChannelRunner::discard() noexcept {
-    if (cursor_ < visible_end_ && is_motion(record(cursor_)) && !(step_.ended_to > step_.record) && step_.s > 0 && step_.record == cursor_)
+    if (cursor_ < visible_end_ && is_motion(record(cursor_)) && !step_.over && step_.s > 0 && step_.record == cursor_)
         trail_.add(record(cursor_), step_.s, 0);
     ++epoch_;
     cursor_ = segment_->path.head.load(std::memory_order_acquire);

@@ -37,8 +37,7 @@ bool ChannelRunner::stands_for_interrupt() noexcept {
     if (phase_ != Phase::None && !dwells) return false;   // a function or a wait is finished first
     if (!(interrupt_bits_ & kInterruptAtBlockEnd)) return true;
     if (dwells || begun_) return false;
-    const bool ended = step_.ended_to > step_.record;
-    if (!ended && step_.s > 0) return false;              // braked within a block for another reason
+    if (!step_.over && step_.s > 0) return false;              // braked within a block for another reason
     if (cursor_ >= visible_end_) return true;
     if (record(cursor_).serial != last_serial_) return true;
     planner_->step_block();                               // a further move of the same block, as in a cycle
@@ -47,14 +46,13 @@ bool ChannelRunner::stands_for_interrupt() noexcept {
 
 void ChannelRunner::break_off() noexcept {
     const bool any = cursor_ < visible_end_;
-    const bool ended = step_.ended_to > step_.record;
     bool within = false;
     std::uint64_t serial = 0;
     if (any) {
         const PathRecord& r = record(cursor_);
         serial = r.serial;
-        within = begun_ || (!ended && step_.s > 0 && step_.record == cursor_) || serial == last_serial_;
-        if (begun_ || (!ended && step_.s > 0 && is_motion(r))) report(KernelEventKind::RecordEnd, r, 0);
+        within = begun_ || (!step_.over && step_.s > 0 && step_.record == cursor_) || serial == last_serial_;
+        if (begun_ || (!step_.over && step_.s > 0 && is_motion(r))) report(KernelEventKind::RecordEnd, r, 0);
     }
     discard();
     interrupts_on_ = interrupt_due_ = false;   // none is accepted until the interrupt program is over

@@ -220,7 +220,7 @@ PathInput ChannelRunner::path_input() noexcept {
 }
 
 void ChannelRunner::drive() noexcept {
-    if (!interrupted_ && program_runs() && planner_->at_rest() && cursor_ < planner_->next_record()) refuse_bound(record(cursor_));
+    if (!interrupted_ && state_ == ChannelState::Running && planner_->at_rest() && cursor_ < planner_->next_record()) refuse_bound(record(cursor_));
     if (flying_ != kNoRecord && planner_->next_record() > flying_) {
         const PathRecord& r = record(flying_);
         if (core_.waits.open_for(index_, r.code, r.mask, core_.no_wait())) planner_->let_pass(flying_), flying_ = kNoRecord;
@@ -231,7 +231,7 @@ void ChannelRunner::drive() noexcept {
     if (skip_signal() || breaks_off) input.hold = true;
     input.single_block = (keys & kKeySingleBlock) != 0 || ends_block;
     input.in_position = axes_in_position();
-    if (waits_for_drive()) input.hold = true;
+    if (state_ == ChannelState::Running && waits_for_drive()) input.hold = true;
     if (wheel_) {
         input.hold = input.hold || wheel_rate_ <= 0;
         input.feed_override *= std::max(wheel_rate_, 0.0);
@@ -248,17 +248,17 @@ void ChannelRunner::drive() noexcept {
         at_boundary_ = false;
         return;
     }
-    const bool ended = step_.ended_to > step_.record;  // it stands at the end of that record
-    cursor_ = ended ? step_.record + 1 : step_.record;
+    cursor_ = step_.over ? step_.record + 1 : step_.record;
     moving_ = step_.speed > 0 || step_.ended_to > step_.ended_from;
     // The boundary is free when nothing but the record behind it keeps the path: not in position, not single block.
     at_boundary_ = step_.stands == Stands::BeforeRecord || step_.stands == Stands::NoRecord;
     if (step_.stands == Stands::NoRecord) cursor_ = planner_->next_record();
-    if (step_.stands == Stands::Moving && ended && planner_->at_rest()) {
+    if (step_.stands == Stands::Moving && step_.over && planner_->at_rest()) {
         const PathRecord& last = record(step_.record);
         at_boundary_ = !(last.flags & kInPosition) && !(input.single_block && (last.flags & kBlockEnd));
     }
-    if (ended || cursor_ >= planner_->next_record()) return;
+    if (step_.stands == Stands::InPosition) watch_standstill(record(step_.record));
+    if (step_.over || cursor_ >= planner_->next_record()) return;
     const PathRecord& r = record(cursor_);
     if (!is_motion(r) || (r.flags & kThread)) return;
     moving_rapid_ = (r.flags & kRapid) != 0;
@@ -428,7 +428,7 @@ void ChannelRunner::publish(ChannelStatus& status) noexcept {
     status.rapid_override = rapid_override;
     status.path_speed = moving_ ? step_.speed : 0.0;
     const bool motion = segment_ && cursor_ < visible_end_ && is_motion(record(cursor_));
-    status.path_left = motion ? record(cursor_).length - step_.s : 0.0;
+    status.path_left = motion ? record(cursor_).length - (step_.record == cursor_ && !step_.over ? step_.s : 0.0) : 0.0;
     status.record = cursor_;
     status.line = line_;
     status.file = file_;

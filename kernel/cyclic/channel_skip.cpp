@@ -57,7 +57,7 @@ bool ChannelRunner::leaves_stop() const noexcept {
 
 void ChannelRunner::end_skipped_move() noexcept {
     skipping_ = false;
-    if (step_.ended_to > step_.record) return;  // it came to its end all the same
+    if (step_.over) return;  // it came to its end all the same
     const PathRecord& r = record(step_.record);
     if (!(r.flags & kSkipMove)) return;
     if (step_.s == 0) {  // the signal was on before: nothing is driven, but the block has been
@@ -69,6 +69,7 @@ void ChannelRunner::end_skipped_move() noexcept {
     planner_->skip(step_.record + 1);
     step_.ended_from = step_.record;
     step_.ended_to = step_.record + 1;
+    step_.over = true;
     step_.stands = Stands::Moving;
 }
 

@@ -32,8 +32,7 @@ void ChannelRunner::retrace(bool on) noexcept {
 
 // The axes of the piece that is left here are where the path left them.
 bool ChannelRunner::leave_path() noexcept {
-    const bool ended = step_.ended_to > step_.record;
-    const bool within = cursor_ < visible_end_ && is_motion(record(cursor_)) && !begun_ && !ended && step_.s > 0 && step_.record == cursor_;
+    const bool within = cursor_ < visible_end_ && is_motion(record(cursor_)) && !begun_ && !step_.over && step_.s > 0 && step_.record == cursor_;
     trail_.enter(within ? &record(cursor_) : nullptr, within ? step_.s : 0.0);
     return true;
 }

@@ -227,6 +227,7 @@ PathStep PathPlanner::tick(const PathInput& input) noexcept {
     step.s = state_.s;
     step.speed = state_.v;
     step.acceleration = state_.a;
+    step.over = done_;
     return step;
 }
 

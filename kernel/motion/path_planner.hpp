@@ -81,6 +81,7 @@ struct PathStep {
     double acceleration = 0;         // mm/s2
     std::uint64_t began_from = 0, began_to = 0;
     std::uint64_t ended_from = 0, ended_to = 0;
+    bool over = false;               // the path stands at the end of `record`, which has ended in this tick or an earlier one
     Stands stands = Stands::NoRecord;
 };
 

@@ -64,6 +64,24 @@ TEST(Hold, AsksWithThePlaceAndGoesBackWhenTheChannelCan) {
     EXPECT_NEAR(rig.position(2), 0.5, 1e-9);
 }
 
+// At the stop behind a block the next one is asked for, however long the stop lasts: the block before it is over.
+TEST(Hold, AsksForTheNextBlockWhereSingleBlockStands) {
+    Held rig;
+    rig.push(1, rig.numbered(rig.line(1, {10, 0}, 50), 1, 1));
+    rig.push(1, rig.numbered(rig.line(1, {20, 0}, 50), 2, 1));
+    rig.push(1, rig.numbered(rig.stop(1, StopReason::M30), 3, 1));
+    rig.command(CommandKind::SingleBlock, 1, 1);
+    rig.start(1);
+    rig.run_until_idle();
+    rig.run(50);
+    ASSERT_EQ(rig.state(1), ChannelState::ProgramStop);
+    rig.machine->channel(0).store_changed();
+    rig.run(3);
+    ASSERT_TRUE(rig.asked());
+    EXPECT_EQ(rig.asked()->value, 2) << "serial";
+    EXPECT_EQ(rig.asked()->record, 1u) << "its first part, not begun";
+}
+
 TEST(Hold, StartsAfterTheAnswerWhenItWasPressedBefore) {
     Held rig;
     rig.hold_in_second_block();

@@ -104,6 +104,60 @@ TEST(Retrace, EndsAtAFunction) {
     EXPECT_NEAR(rig.position(1), 20, 1e-9);
 }
 
+// At the stop behind a block that block is over: it lies on the way back once, not once more as the part that was driven.
+TEST(Retrace, ABlockThatSingleBlockHasEndedIsDrivenBackOnce) {
+    TickRig rig;
+    push_path(rig);
+    rig.command(CommandKind::SingleBlock, 1, 1);
+    rig.start(1);
+    rig.run_until_idle();
+    rig.start(1);
+    rig.run_until_idle();
+    ASSERT_EQ(rig.state(1), ChannelState::ProgramStop);
+    ASSERT_NEAR(rig.position(2), -20, 1e-9);
+    Path path(rig);
+    rig.command(CommandKind::Retrace, 1, 1);
+    rig.start(1);
+    rig.run_until_idle();
+    EXPECT_FALSE(rig.alarmed(Alarm::RecordInvalid, 1));
+    EXPECT_NEAR(rig.position(1), 0, 1e-9);
+    EXPECT_NEAR(rig.position(2), 0, 1e-9);
+    rig.command(CommandKind::SingleBlock, 1, 0);
+    rig.command(CommandKind::Retrace, 1, 0);
+    rig.start(1);
+    rig.run_until_idle();
+    EXPECT_EQ(rig.state(1), ChannelState::Ended);
+    EXPECT_NEAR(rig.position(1), 30, 1e-9);
+    double worst = 0, longest = 0;
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+        worst = std::fmax(worst, off_path(path.points[i]));
+        if (i > 0) longest = std::fmax(longest, std::hypot(path.points[i][0] - path.points[i - 1][0], path.points[i][1] - path.points[i - 1][1]));
+    }
+    EXPECT_LT(worst, 1e-6);
+    EXPECT_LT(longest, 0.051) << "50 mm/s are 0.05 mm a tick";
+}
+
+// What the wheel takes back at such a stop, it takes back once too.
+TEST(ProgramWheel, TakesABlockBackOnceThatSingleBlockHasEnded) {
+    TickRig rig;
+    push_path(rig);
+    rig.command(CommandKind::SingleBlock, 1, 1);
+    rig.start(1);
+    rig.run_until_idle();
+    rig.start(1);
+    rig.run_until_idle();
+    rig.command(CommandKind::ProgramWheel, 1, 1);
+    rig.command(CommandKind::Handwheel, 1, -500, 0, 0, 1);
+    rig.start(1);
+    Path path(rig);
+    rig.run_until_idle();
+    EXPECT_FALSE(rig.alarmed(Alarm::RecordInvalid, 1));
+    EXPECT_NEAR(rig.position(1), 0, 1e-6);
+    EXPECT_NEAR(rig.position(2), 0, 1e-6);
+    for (std::size_t i = 1; i < path.points.size(); ++i)
+        ASSERT_LT(std::hypot(path.points[i][0] - path.points[i - 1][0], path.points[i][1] - path.points[i - 1][1]), 0.051);
+}
+
 TEST(Retrace, IsRefusedWhileTheProgramRuns) {
     TickRig rig;
     push_path(rig);
@@ -113,6 +167,29 @@ TEST(Retrace, IsRefusedWhileTheProgramRuns) {
     rig.run_until_idle();
     EXPECT_TRUE(rig.alarmed(Alarm::RetraceRefused, 1));
     EXPECT_EQ(rig.state(1), ChannelState::Ended);
+}
+
+// Whatever has moved the axes off the path: they are not set onto it, the way back is refused.
+TEST(Retrace, IsRefusedWhereTheAxesAreNotOnThePathAnyMore) {
+    TickRig rig;
+    push_path(rig);
+    rig.command(CommandKind::SingleBlock, 1, 1);
+    rig.start(1);
+    rig.run_until_idle();
+    ASSERT_EQ(rig.state(1), ChannelState::ProgramStop);
+    const double z = rig.position(2);
+    for (int i = 1; i <= 100; ++i) {
+        rig.machine->core().axes[1].move_to(z + i * 0.01);
+        rig.run(1);
+    }
+    ASSERT_NEAR(rig.position(2), z + 1, 1e-9);
+    rig.command(CommandKind::Retrace, 1, 1);
+    rig.start(1);
+    double last = rig.position(2), step = 0;
+    rig.on_tick = [&] { step = std::fmax(step, std::fabs(rig.position(2) - last)), last = rig.position(2); };
+    rig.run(300);
+    EXPECT_TRUE(rig.alarmed(Alarm::RecordInvalid, 1));
+    EXPECT_EQ(step, 0);
 }
 
 TEST(Retrace, ForgetsWithAReset) {
