@@ -148,7 +148,8 @@ void AxisUnit::exchange(double tick_s, bool powered) noexcept {
     closed_ = closes;
     if (!closes) target_ = command_, own_target_ = own_command_;
     const double v = (target_ - command_) / tick_s;
-    if (!forwarded_) output_ = closes ? loop_.speed(target_, rapid) + compensation_speed_ : 0.0;
+    if (!forwarded_) output_ = closes ? loop_.speed(target_, rapid) + compensation_speed_ + pull_ : 0.0;
+    pull_ = 0;
     const bool enabled = forwarded_ ? powered && !detached : closes;
     forwarded_ = false;
     PolyturnDriveCommand out{};

@@ -92,6 +92,8 @@ public:
     // What measured errors add behind the command (compensation.hpp), and how fast that changes.
     void compensate(double by, double speed) noexcept { compensation_ = by, compensation_speed_ = speed; }
     double compensation() const noexcept { return compensation_; }
+    // What its drive gets beside its own loop in the next exchange: a coupled slide goes after its master's deviation (N0522).
+    void pull(double speed) noexcept { pull_ = speed; }
     double torque() const noexcept { return status_.torque; }   // thousandths of the rated one
     bool torque_limited() const noexcept { return status_.limited != 0; }
     // Own braking at PT_ESTOP_DEC, away from any path (emergency stop, drive fault). True while it still moves.
@@ -124,7 +126,7 @@ private:
     double error_ = 0, origin_ = 0;
     double pulses_per_unit_ = 1e6;
     double output_ = 0, remainder_ = 0;                    // remainder: of the speed command, thousandths of a pulse
-    double compensation_ = 0, compensation_speed_ = 0;
+    double compensation_ = 0, compensation_speed_ = 0, pull_ = 0;
     double kept_ = 0, way_back_ = 0, fault_value_ = 0;
     void* direct_drive_ = nullptr;
     double direct_units_ = 0;                              // of a pulse of the direct device

@@ -7,6 +7,7 @@ namespace polyturn::kernel {
 namespace p = params;
 namespace {
 constexpr double kShare = 0.02;          // of rapid and acceleration that compensation may use
+constexpr double kJerkShare = 0.05;      // of the jerk
 constexpr double kFollow = 100;          // 1/s, how fast the sum is followed
 constexpr double kReversal = 2e-3;       // mm, degrees: less is noise, or a drive that comes to rest
 constexpr double kThere = 1e-9;          // mm
@@ -114,7 +115,7 @@ void Compensation::configure(const p::Table& t, const KernelConfig& config) noex
             axes_[grid.axis[n] - 1].used = true;
         }
     }
-    for (const Axis& axis : axes_) any_ = any_ || axis.used || axis.now != 0;
+    for (const Axis& axis : axes_) any_ = any_ || axis.used || axis.now.s != 0;
 }
 
 // Eight corners around the point, each weighted with how near it is.
@@ -148,6 +149,26 @@ void Compensation::add_grid(const Core& core, std::size_t l) noexcept {
         if (grid.axis[n]) axes_[grid.axis[n] - 1].wanted += sum[n];
 }
 
+// One tick towards the sum: not faster than it can be stopped on what is left. With the acceleration A and the jerk J of the share,
+// a stop from v takes v^2/(2A) + vA/(2J) at the most; solved for v. Half of A there leaves time for A to rise.
+void Compensation::follow(Axis& axis, const AxisConfig& config, double dt) noexcept {
+    const double left = axis.wanted - axis.now.s, most = kShare * config.rapid, rise = kShare * config.acceleration;
+    if (std::fabs(left) < kThere && std::fabs(axis.now.v) < kThere / dt && axis.now.a == 0) {
+        axis.now = {axis.wanted, left / dt, 0};
+        return;
+    }
+    const double jerk = kJerkShare * config.jerk, brakes = rise / 2;
+    if (!std::isfinite(jerk) || jerk <= 0) {
+        const double v = std::copysign(std::min({kFollow * std::fabs(left), most, std::sqrt(2 * brakes * std::fabs(left))}), left), step = rise * dt;
+        axis.now.v = std::clamp(v, axis.now.v - step, axis.now.v + step);
+        axis.now.s += axis.now.v * dt;
+        return;
+    }
+    const double b = brakes * brakes / (2 * jerk);
+    const double v = std::copysign(std::min({kFollow * std::fabs(left), most, std::sqrt(b * b + 2 * brakes * std::fabs(left)) - b}), left);
+    axis.now = towards_speed(axis.now, v, rise, jerk, dt);
+}
+
 void Compensation::step(Core& core) noexcept {
     if (!any_) return;
     const double dt = core.config.tick_s;
@@ -179,17 +200,9 @@ void Compensation::step(Core& core) noexcept {
     for (std::size_t l = 0; l < kMaxChannels; ++l) add_grid(core, l);
     for (std::uint32_t a = 0; a < core.config.axis_count; ++a) {
         Axis& axis = axes_[a];
-        if (!axis.used && axis.now == 0) continue;
-        const AxisConfig& config = core.config.axes[a];
-        const double most = kShare * config.rapid, step = kShare * config.acceleration * dt;
-        const double left = axis.wanted - axis.now;
-        // Not faster than it can still be stopped on what is left.
-        const double brakes = std::sqrt(kShare * config.acceleration * std::fabs(left));
-        const double v = std::copysign(std::min({kFollow * std::fabs(left), most, brakes}), left);
-        axis.speed = std::clamp(v, axis.speed - step, axis.speed + step);
-        if (std::fabs(left) < kThere) axis.speed = left / dt;
-        axis.now += axis.speed * dt;
-        core.axes[a].compensate(axis.now, axis.speed);
+        if (!axis.used && axis.now.s == 0 && axis.now.v == 0) continue;
+        follow(axis, core.config.axes[a], dt);
+        core.axes[a].compensate(axis.now.s, axis.now.v);
     }
 }
 

@@ -9,7 +9,7 @@
 //         |--*            '*--
 //         +--10499--10500--10501---> L
 //
-// The sum is not given out as it is: it is followed within a share of the axis' speed and acceleration, so that switching a
+// The sum is not given out as it is: it is followed within a share of the axis' speed, acceleration and jerk, so that switching a
 // table on, a reversal with two tables, or a sensor that jumps makes no step. Only a referenced axis is compensated; others
 // fade to 0. Tables are loaded before the cyclic thread begins; a tick looks up, it never searches.
 // Cost: a few multiplications for each axis that is compensated at all.
@@ -19,6 +19,7 @@
 
 #include "ipc/machine/compensation_tables.hpp"
 #include "kernel/cyclic/core.hpp"
+#include "kernel/motion/jerk_profile.hpp"
 
 namespace polyturn::kernel {
 
@@ -28,7 +29,7 @@ public:
     void configure(const params::Table& table, const KernelConfig& config) noexcept;
     // Before the drives are spoken to.
     void step(Core& core) noexcept;
-    double of(std::size_t axis) const noexcept { return axes_[axis].now; }
+    double of(std::size_t axis) const noexcept { return axes_[axis].now.s; }
 
 private:
     struct Curve {                       // four points
@@ -60,9 +61,11 @@ private:
         double temp_shift = 0, temp_slope = 0, temp_zero = 0;
         bool negative = false;           // direction of travel
         double turned_at = 0;
-        double wanted = 0, now = 0, speed = 0;
+        double wanted = 0;
+        PathState now;                   // given out: mm, mm/s, mm/s2
     };
     double cell_value(const Pitch& layout, double position, bool second) const noexcept;
+    static void follow(Axis& axis, const AxisConfig& config, double dt) noexcept;
     void add_grid(const Core& core, std::size_t channel) noexcept;
 
     CompensationTables tables_;

@@ -1,5 +1,6 @@
 #include "kernel/cyclic/couplings.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace polyturn::kernel {
@@ -32,7 +33,7 @@ void Couplings::configure(const p::Table& t, const KernelConfig& config) noexcep
         link.sync.sign = p::bit(t, p::n2102_synchron_config, n, 0) ? -1.0 : 1.0;
         link.add.sign = p::bit(t, p::n2108_superimposed_config, n, 0) ? -1.0 : 1.0;
         link.gantry = link.sync.master && p::bit(t, p::n2102_synchron_config, n, 4);
-        link.gantry_gain = p::get(t, p::n0522_synchr_k, n);
+        link.pull_gain = std::fmax(0.0, p::get(t, p::n0522_synchr_k, n));
         link.gantry_limit = p::get(t, p::n2103_synchron_error, n);
         if (!link.route) {   // one of the two may be hypothetical: no drive, but an address
             const auto other = p::get(t, p::n2104_composit_axis, n);
@@ -147,12 +148,22 @@ double Couplings::gantry_pull(Core& core, Link& link, std::size_t a) noexcept {
     const AxisConfig& limits = core.config.axes[a];
     const double most = kGantryPullOfRapid * limits.rapid, dt = core.config.tick_s;
     const double left = link.sync.sign * master.target() - (link.sync.own_ref + link.sync.sign * (master.target() - link.sync.master_ref));
-    double v = std::fmax(-most, std::fmin(most, link.gantry_gain * left));
+    double v = std::fmax(-most, std::fmin(most, link.pull_gain * left));
     const double step = limits.acceleration * dt;
     v = std::fmax(link.pull_v - step, std::fmin(link.pull_v + step, v));
     if (std::fabs(v * dt) > std::fabs(left)) v = left / dt;
     link.pull_v = v;
     return v * dt;
+}
+
+// Both slides deviate from what they are told, the heavier one more. N0522 also lets the slave go after what its master has not
+// reached yet: their difference is corrected by the loops' gain and N0522 together, what they have in common by the loops alone.
+void Couplings::pull_after_master(Core& core, const Link& link, std::size_t a) noexcept {
+    AxisUnit& axis = core.axes[a];
+    const AxisUnit& master = core.axes[link.sync.master - 1];
+    if (!(link.pull_gain > 0) || !axis.closed() || !master.closed() || axis.pressing || master.pressing) return;
+    const double most = kGantryPullOfRapid * core.config.axes[a].rapid;
+    axis.pull(std::clamp(link.pull_gain * (axis.error() - link.sync.sign * master.error()), -most, most));
 }
 
 void Couplings::follow(Core& core, std::size_t a) noexcept {
@@ -170,6 +181,8 @@ void Couplings::follow(Core& core, std::size_t a) noexcept {
     if (link.sync.on) {
         if (link.gantry) by.own_ref += gantry_pull(core, link, a);
         axis.couple(by.own_ref + by.sign * (master - by.master_ref), 0);
+        axis.rapid = core.axes[by.master - 1].rapid;
+        pull_after_master(core, link, a);
     } else {
         axis.couple(axis.own_target(), by.sign * (master - by.master_ref));
     }

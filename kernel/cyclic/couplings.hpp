@@ -53,7 +53,7 @@ private:
     struct Link {
         Follow sync, add;
         bool gantry = false;
-        double gantry_gain = 0, gantry_limit = 0, pull_v = 0;
+        double pull_gain = 0, gantry_limit = 0, pull_v = 0;
         std::uint32_t exchange_with = 0;   // N2104
         std::uint32_t route = 0;
         std::int64_t sync_since = -1, add_since = -1, mix_since = -1;   // request that waits for standstill
@@ -65,6 +65,7 @@ private:
     void exchange(Core& core, std::size_t a) noexcept;
     void follow(Core& core, std::size_t a) noexcept;
     double gantry_pull(Core& core, Link& link, std::size_t a) noexcept;
+    void pull_after_master(Core& core, const Link& link, std::size_t a) noexcept;
 
     std::array<Link, kMaxAxes> links_{};
     std::array<std::uint8_t, kMaxAxes> order_{};   // axes with a link, masters first

@@ -7,12 +7,18 @@
 namespace polyturn::kernel {
 namespace p = params;
 namespace {
-constexpr int kSamples = 8;              // of a braking way
+constexpr std::size_t kSamples = 8;      // of a braking way
 constexpr double kReserve = 1.1;         // of it: the planner brakes a little later than a parabola
 constexpr double kTowards = 1e-7;        // mm: nearer than that in one tick is no approach
 constexpr double kBehindFace = 1000;     // mm of spindle head behind a chuck's face
 constexpr double kFarAway = 1e9;
 constexpr double kMmPerInch = 25.4;
+
+// Of two rectangles, the second moved by (dx, dz): negative when they overlap.
+double gap_of(double x_first_above, double x_second_above, double z_first_above, double z_second_above, double dx, double dz) noexcept {
+    const double x = std::max(x_first_above - dx, x_second_above + dx), z = std::max(z_first_above - dz, z_second_above + dz);
+    return x > 0 && z > 0 ? std::sqrt(x * x + z * z) : std::max(x, z);
+}
 }  // namespace
 
 void Guard::take_room(const Room& room, const MachineConfig& machine) {
@@ -21,10 +27,11 @@ void Guard::take_room(const Room& room, const MachineConfig& machine) {
     has_room_ = true;
 }
 
-Guard::Body& Guard::add_body(std::string_view name) {
+Guard::Body& Guard::add_body(std::string_view name, Kind kind) {
     Body& body = bodies_[std::min(body_count_, kBodies - 1)];
     body = {};
     std::copy_n(name.begin(), std::min(name.size(), body.name.size() - 1), body.name.begin());
+    body.kind = kind;
     body.first = box_count_;
     if (body_count_ < kBodies - 1) ++body_count_;
     return body;
@@ -59,7 +66,7 @@ void Guard::configure(const p::Table& t, const KernelConfig& config) {
         if (p::bit(t, p::n2000_check_config, l, 0)) {
             const auto turret = room_.turrets.find(l);
             std::snprintf(name, sizeof name, "tool carrier of L%u", l);
-            Body& body = add_body(name);
+            Body& body = add_body(name, Kind::Carrier);
             body.channel = l;
             body.in_z = p::bit(t, p::n2000_check_config, l, 1);
             body.without_tool = p::bit(t, p::n2000_check_config, l, 2);
@@ -100,7 +107,7 @@ void Guard::configure(const p::Table& t, const KernelConfig& config) {
         const double jaws = length(p::n1901_l1_length_of_jaws), width = length(p::n1902_w1_width_of_jaws);
         if (jaws > 0 && width > 0) {
             std::snprintf(name, sizeof name, "chuck of L%u", l);
-            Body& body = add_body(name);
+            Body& body = add_body(name, Kind::Chuck);
             const double face = length(p::n1906_chuck_position_z), centre = length(p::n1905_chuck_position_x);
             const double grip = length(p::n1903_l2_holding_length_of_jaws), held = length(p::n1904_w2_holding_width_of_jaws);
             barrier(body, face - kBehindFace, face, width, centre);
@@ -111,7 +118,7 @@ void Guard::configure(const p::Table& t, const KernelConfig& config) {
         const double l1 = length(p::n1907_l1_length_of_tailstock), d1 = length(p::n1908_d1_diameter_of_tailstock);
         if (l1 > 0 && d1 > 0) {
             std::snprintf(name, sizeof name, "tailstock of L%u", l);
-            Body& body = add_body(name);
+            Body& body = add_body(name, Kind::Tailstock);
             const double tip = length(p::n1914_tailstock_position_z), l2 = length(p::n1909_l2_length_of_tailstock), l3 = length(p::n1911_l3_length_of_tailstock);
             const double centre = length(p::n1905_chuck_position_x);
             barrier(body, tip, tip + l3, length(p::n1912_d3_diameter_of_tailstock) / 2, centre);
@@ -124,7 +131,7 @@ void Guard::configure(const p::Table& t, const KernelConfig& config) {
         if (!(chuck.diameter > 0)) continue;
         char name[32];
         std::snprintf(name, sizeof name, "chuck of S%u", s);
-        Body& body = add_body(name);
+        Body& body = add_body(name, Kind::Chuck);
         const double sense = chuck.direction.z < 0 ? -1.0 : 1.0;
         const double back = chuck.origin.z - sense * chuck.length, front = chuck.origin.z + sense * chuck.jaws;
         add_box(body, {chuck.origin.x - chuck.diameter / 2, chuck.origin.x + chuck.diameter / 2, std::min(back, front), std::max(back, front), 0});
@@ -138,7 +145,7 @@ void Guard::configure(const p::Table& t, const KernelConfig& config) {
         if (!(tail.diameter > 0)) continue;
         char name[32];
         std::snprintf(name, sizeof name, "tailstock %u", n);
-        Body& body = add_body(name);
+        Body& body = add_body(name, Kind::Tailstock);
         const double sense = tail.direction.z < 0 ? -1.0 : 1.0, back = tail.origin.z - sense * tail.length;
         add_box(body, {tail.origin.x - tail.diameter / 2, tail.origin.x + tail.diameter / 2, std::min(back, tail.origin.z), std::max(back, tail.origin.z), 0});
     }
@@ -186,6 +193,7 @@ void Guard::place(const Core& core, Body& body) noexcept {
         body.bend = {(ax - along * v.x) * way * way / 2, (az - along * v.z) * way * way / 2};
     }
     body.velocity = v;
+    body.way_left = std::sqrt(body.rest.x * body.rest.x + body.rest.z * body.rest.z) + std::sqrt(body.bend.x * body.bend.x + body.bend.z * body.bend.z);
     const bool carrier = body.channel != 0;
     bool watched = known;
     if (carrier) {
@@ -196,23 +204,48 @@ void Guard::place(const Core& core, Body& body) noexcept {
     body.watched = watched;
 }
 
-// Of two bodies at these places: negative when they overlap. Ends early once it is clear that it is more than `least`.
-double Guard::gap(const Body& a, const Vector& at_a, const Body& b, const Vector& at_b, double least) const noexcept {
-    double nearest = kFarAway;
-    for (std::size_t i = a.first; i < a.first + a.count; ++i) {
-        const Box& p1 = boxes_[i];
-        if (p1.station && a.channel && p1.station != station_[a.channel - 1]) continue;
-        for (std::size_t k = b.first; k < b.first + b.count; ++k) {
-            const Box& p2 = boxes_[k];
-            if (p2.station && b.channel && p2.station != station_[b.channel - 1]) continue;
-            const double x = std::max((p1.x_low + at_a.x) - (p2.x_high + at_b.x), (p2.x_low + at_b.x) - (p1.x_high + at_a.x));
-            const double z = a.in_z && b.in_z ? std::max((p1.z_low + at_a.z) - (p2.z_high + at_b.z), (p2.z_low + at_b.z) - (p1.z_high + at_a.z)) : -kFarAway;
-            const double both = x > 0 && z > 0 ? std::hypot(x, z) : std::max(x, z);
-            nearest = std::min(nearest, both);
-            if (nearest < -least) return nearest;
+// The boxes that count now, where they are now, and what is around all of them.
+void Guard::show(Body& body) noexcept {
+    body.shown = shown_count_;
+    body.shown_count = 0;
+    body.outline = {kFarAway, -kFarAway, kFarAway, -kFarAway, 0};
+    for (std::size_t i = body.first; i < body.first + body.count; ++i) {
+        const Box& own = boxes_[i];
+        if (own.station && body.channel && own.station != station_[body.channel - 1]) continue;
+        const Box box{own.x_low + body.at.x, own.x_high + body.at.x, own.z_low + body.at.z, own.z_high + body.at.z, own.station};
+        body.outline = {std::min(body.outline.x_low, box.x_low), std::max(body.outline.x_high, box.x_high), std::min(body.outline.z_low, box.z_low), std::max(body.outline.z_high, box.z_high), 0};
+        shown_[shown_count_++] = box;
+        ++body.shown_count;
+    }
+}
+
+// The distance now, and in `then` that of each point looked at, but only of what may come nearer than kept: `reach` is as far as
+// both ways and PT_GUARD_DISTANCE lead.
+double Guard::gaps(const Body& a, const Body& b, double reach, const Relative& way, std::array<double, 8>& then) const noexcept {
+    const bool flat = !a.in_z || !b.in_z;   // Z does not separate them
+    const auto z_gap = [flat](double gap) { return flat ? -kFarAway : gap; };
+    const auto outside = [&](const Box& p, const Box& q) { return gap_of(p.x_low - q.x_high, q.x_low - p.x_high, z_gap(p.z_low - q.z_high), z_gap(q.z_low - p.z_high), 0, 0); };
+    double now = kFarAway;
+    for (std::size_t i = a.shown; i < a.shown + a.shown_count; ++i) {
+        const Box& p = shown_[i];
+        if (const double least = outside(p, b.outline); least > reach && least >= now) continue;
+        for (std::size_t k = b.shown; k < b.shown + b.shown_count; ++k) {
+            const Box& q = shown_[k];
+            const double x1 = p.x_low - q.x_high, x2 = q.x_low - p.x_high, z1 = z_gap(p.z_low - q.z_high), z2 = z_gap(q.z_low - p.z_high);
+            const double gap = gap_of(x1, x2, z1, z2, 0, 0);
+            now = std::min(now, gap);
+            if (gap > reach) continue;
+            for (std::size_t n = 0; n < kSamples; ++n) then[n] = std::min(then[n], gap_of(x1, x2, z1, z2, way.x[n], way.z[n]));
         }
     }
-    return nearest;
+    return now;
+}
+
+// The PLC takes barriers away for the channel whose carrier comes near.
+bool Guard::off(const Core& core, const Body& a, const Body& b) const noexcept {
+    const std::uint32_t channel = std::max(a.channel, b.channel);
+    if ((a.kind == Kind::Chuck || b.kind == Kind::Chuck) && core.signals.plc(signals::cp_chuckoff(channel))) return true;
+    return (a.kind == Kind::Tailstock || b.kind == Kind::Tailstock) && core.signals.plc(signals::cp_tailoff(channel));
 }
 
 Guard::Finding Guard::step(const Core& core) noexcept {
@@ -220,26 +253,31 @@ Guard::Finding Guard::step(const Core& core) noexcept {
     Finding found{kNone, kNone, 0};
     if (!any()) return found;
     for (std::uint32_t l = 0; l < kMaxChannels; ++l) station_[l] = static_cast<std::uint32_t>(std::max(core.signals.nc(signals::cn_tcode(l + 1)), 0));
-    for (std::size_t i = 0; i < body_count_; ++i) place(core, bodies_[i]);
+    shown_count_ = 0;
+    for (std::size_t i = 0; i < body_count_; ++i) place(core, bodies_[i]), show(bodies_[i]);
     for (std::uint32_t i = 0; i < body_count_; ++i) {
         const Body& a = bodies_[i];
         for (std::uint32_t k = i + 1; k < body_count_; ++k) {
             const Body& b = bodies_[k];
             if ((!a.moving && !b.moving) || !a.watched || !b.watched || (!a.channel && !b.channel)) continue;
-            if (core.signals.plc(signals::cp_chuckoff(std::max(a.channel, b.channel))) && (a.name[0] == 'c' || b.name[0] == 'c')) continue;
-            if (core.signals.plc(signals::cp_tailoff(std::max(a.channel, b.channel))) && (std::string_view(a.name.data()).starts_with("tails") || std::string_view(b.name.data()).starts_with("tails"))) continue;
-            const double now = gap(a, a.at, b, b.at, kFarAway);
-            if (now < nearest_.distance) nearest_ = {i, k, now};
-            const double reach = std::hypot(a.rest.x, a.rest.z) + std::hypot(b.rest.x, b.rest.z) + std::hypot(a.bend.x, a.bend.z) + std::hypot(b.bend.x, b.bend.z);
-            if (now > reach + distance_) continue;
-            for (int n = 1; n <= kSamples; ++n) {
-                const double s = static_cast<double>(n) / kSamples;
-                const auto moved = [&](const Body& body) { return Vector{body.at.x + s * body.rest.x + s * s * body.bend.x, body.at.z + s * body.rest.z + s * s * body.bend.z}; };
-                const double then = gap(a, moved(a), b, moved(b), kFarAway);
-                if (then >= distance_ || then >= now - kTowards) continue;
-                if (found.first == kNone || now < found.distance) found = {i, k, now};
-                break;
+            const double reach = a.way_left + b.way_left + distance_;
+            const bool flat = !a.in_z || !b.in_z;
+            const Box &p = a.outline, &q = b.outline;
+            const double outside = gap_of(p.x_low - q.x_high, q.x_low - p.x_high, flat ? -kFarAway : p.z_low - q.z_high, flat ? -kFarAway : q.z_low - p.z_high, 0, 0);
+            if ((outside > reach && outside >= nearest_.distance) || off(core, a, b)) continue;
+            Relative way;
+            const Vector rest{b.rest.x - a.rest.x, b.rest.z - a.rest.z}, bend{b.bend.x - a.bend.x, b.bend.z - a.bend.z};
+            for (std::size_t n = 0; n < kSamples; ++n) {
+                const double s = static_cast<double>(n + 1) / kSamples;
+                way.x[n] = s * rest.x + s * s * bend.x;
+                way.z[n] = s * rest.z + s * s * bend.z;
             }
+            std::array<double, 8> then;
+            then.fill(kFarAway);
+            const double now = gaps(a, b, reach, way, then);
+            if (now < nearest_.distance) nearest_ = {i, k, now};
+            const bool meets = std::any_of(then.begin(), then.end(), [&](double gap) { return gap < distance_ && gap < now - kTowards; });
+            if (meets && (found.first == kNone || now < found.distance)) found = {i, k, now};
         }
     }
     return found;
@@ -254,11 +292,8 @@ void Guard::publish(GuardStatus& out) const noexcept {
     for (std::uint32_t n = 0; n < body_count_; ++n) {
         const Body& body = bodies_[n];
         std::copy(body.name.begin(), body.name.end(), out.names.begin() + static_cast<std::ptrdiff_t>(n) * 32);
-        for (std::size_t i = body.first; i < body.first + body.count && out.count < out.boxes.size(); ++i) {
-            if (boxes_[i].station && body.channel && boxes_[i].station != station_[body.channel - 1]) continue;
-            GuardBox& box = out.boxes[out.count++];
-            box = {boxes_[i].x_low + body.at.x, boxes_[i].x_high + body.at.x, boxes_[i].z_low + body.at.z, boxes_[i].z_high + body.at.z, n, 0};
-        }
+        for (std::size_t i = body.shown; i < body.shown + body.shown_count && out.count < out.boxes.size(); ++i)
+            out.boxes[out.count++] = {shown_[i].x_low, shown_[i].x_high, shown_[i].z_low, shown_[i].z_high, n, 0};
     }
 }
 

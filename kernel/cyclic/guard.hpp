@@ -8,7 +8,10 @@
 //                 | B |
 //                 +---+     The way of a path bends as it has bent in the last tick.
 //
-// Cost: a few comparisons for each pair of which one moves; pairs that are far apart are left out by their outlines.
+// Only the relative way of two bodies counts, so the eight points are found once for a pair, and a box pair adds four subtractions
+// to each. Pairs, and boxes of them, that are too far apart for both ways are left out by their outlines.
+//
+// Cost: eight carriers around one part, all moving, some microseconds (tests/bench/guard_bench.cpp).
 #pragma once
 #include <array>
 #include <cstdint>
@@ -44,8 +47,10 @@ private:
         double x_low, x_high, z_low, z_high;
         std::uint32_t station;             // only while it is in work; 0 always
     };
+    enum class Kind : std::uint8_t { Carrier, Chuck, Tailstock };
     struct Body {
         std::array<char, 32> name{};
+        Kind kind = Kind::Carrier;
         std::uint32_t channel = 0;         // a tool carrier's; 0: a chuck, a tailstock
         std::array<std::uint32_t, kCarriers> axis{};   // from 0
         std::array<Vector, kCarriers> way{};
@@ -55,19 +60,28 @@ private:
         bool in_z = true, by_hand = true, without_tool = true;
         // now
         Vector at, velocity, before, rest, bend;
+        double way_left = 0;               // mm until it rests
         bool moving = false, watched = false;
+        std::size_t shown = 0, shown_count = 0;   // boxes of now, in the room
+        Box outline{};
+    };
+    struct Relative {                      // way of the second body against the first at the points looked at
+        std::array<double, 8> x{}, z{};
     };
     void add_box(Body& body, const Box& box);
-    Body& add_body(std::string_view name);
+    Body& add_body(std::string_view name, Kind kind);
     void add_carrier(Body& body, unsigned axis_number);
     void place(const Core& core, Body& body) noexcept;
-    double gap(const Body& a, const Vector& at_a, const Body& b, const Vector& at_b, double least) const noexcept;
+    void show(Body& body) noexcept;
+    bool off(const Core& core, const Body& a, const Body& b) const noexcept;
+    double gaps(const Body& a, const Body& b, double reach, const Relative& way, std::array<double, 8>& then) const noexcept;
 
     Room room_;
     bool has_room_ = false, watched_ = false;
     MachineConfig machine_;
     std::array<Body, kBodies> bodies_{};
-    std::array<Box, kBoxes> boxes_{};
+    std::array<Box, kBoxes> boxes_{}, shown_{};
+    std::size_t shown_count_ = 0;
     std::array<std::uint32_t, kMaxChannels> station_{};   // in work
     std::size_t body_count_ = 0, box_count_ = 0;
     double distance_ = 1;
