@@ -146,7 +146,7 @@ bool Interpreter::code_calls(bool& called) {
         } else if (word.address == 'M') {
             for (const CodeCall& call : settings_.m_calls)
                 if (call.code == static_cast<std::int32_t>(word.value)) {
-                    if (block_.words[0].address != 'N' && k > 0 && call.macro && !settings_.nct) continue;   // must be the first word
+                    if (call.macro && !settings_.nct && k > (block_.words[0].address == 'N' ? 1u : 0u)) continue;   // must be the first word
                     return use(call, call.program);
                 }
         } else {

@@ -38,6 +38,7 @@ public:
     // The number of a variable behind '#', for an assignment.
     Status variable_number(const char*& at, const char* end, std::int64_t& number);
     const ExpressionFault& fault() const { return fault_; }
+    void round_to(double step) { round_step_ = step; }   // of ROUND; 1 outside addresses
 
 private:
     bool comparison(double& value), sum(double& value), product(double& value), factor(double& value), bracket(double& value);
@@ -54,6 +55,7 @@ private:
     const char* p_ = nullptr;
     const char* end_ = nullptr;
     unsigned depth_ = 0;
+    double round_step_ = 1.0;
     bool needs_barrier_ = false;
     ExpressionFault fault_;
 };

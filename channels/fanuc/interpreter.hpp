@@ -296,6 +296,7 @@ private:
     bool binary_block(const unsigned char* bytes, unsigned axes, bool& ends);
 
     // macro (macro.cpp, calls.cpp)
+    double rounding_step(char address) const;
     Step macro_statement(std::size_t at);
     enum class Flow : std::uint8_t { Done, NeedsBarrier, Fault };
     Flow run_statement(const char*& at, const char* end);

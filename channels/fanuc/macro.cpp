@@ -13,14 +13,22 @@ void blanks(const char*& at, const char* end) {
     while (at != end && (*at == ' ' || *at == '\t')) ++at;
 }
 
-// Takes the word at `at` if it is `name` (letters up to a character that is none).
+// Takes the word at `at` if it is `name`, or two and more of its first letters where no further letter stands (WH for WHILE).
 bool take(const char*& at, const char* end, std::string_view name) {
     blanks(at, end);
     const char* p = at;
-    for (const char c : name)
-        if (p == end || capital(*p++) != c) return false;
+    std::size_t letters = 0;
+    while (letters < name.size() && p != end && capital(*p) == name[letters]) ++p, ++letters;
+    if (letters < name.size() && (letters < 2 || (p != end && is_letter(*p)))) return false;
     at = p;
     return true;
+}
+
+// Word of output statements and names that `letters` is, or is the beginning of.
+std::string_view statement_name(std::string_view letters) {
+    for (const std::string_view name : {"POPEN", "PCLOS", "DPRNT", "BPRNT", "SETVN"})
+        if (letters.size() >= 2 && name.starts_with(letters)) return name;
+    return {};
 }
 
 // The text of a comment that begins at `at`, for #3000=1(TEXT).
@@ -61,8 +69,15 @@ ScanHook::Read Interpreter::read_value(const char*& at, const char* end, double&
         fault_length_ = 1;
         return Read::Fault;
     }
-    switch (expression_.operand(at, end, value)) {
-        case Expression::Status::Ok: return is_null(value) ? Read::Null : Read::Value;
+    // The word that is being read stands behind the last one counted.
+    const char address = block_.count < Block::kMaxWords ? block_.words[block_.count].address : '\0';
+    expression_.round_to(settings_.nct ? 1.0 : rounding_step(address));
+    const Expression::Status status = expression_.operand(at, end, value);
+    expression_.round_to(1.0);
+    switch (status) {
+        case Expression::Status::Ok:
+            if (!settings_.nct && (address == 'G' || address == 'M' || address == 'T')) value = std::round(value);   // whole codes (fanuc_lathe 6.1)
+            return is_null(value) ? Read::Null : Read::Value;
         case Expression::Status::NeedsBarrier: return Read::NeedsBarrier;
         case Expression::Status::Fault: break;
     }
@@ -72,6 +87,18 @@ ScanHook::Read Interpreter::read_value(const char*& at, const char* end, double&
     fault_column_ = static_cast<std::uint32_t>(f.at - line_.data()) + 1;
     fault_length_ = 1;
     return Read::Fault;
+}
+
+// What ROUND rounds to within an address: the least increment of it (fanuc_lathe 6.4).
+double Interpreter::rounding_step(char address) const {
+    constexpr std::uint32_t kLengths = letter_set("IJKREF");
+    if (address < 'A' || address > 'Z') return 1.0;
+    const auto letter = static_cast<std::size_t>(address - 'A');
+    const int place = absolute_axis_[letter] >= 0 ? absolute_axis_[letter] : incremental_axis_[letter];
+    if (place < 0 && !(kLengths & letter_bit(address))) return 1.0;
+    if (address == 'F') return core_.path.feed_mode == FeedMode::PerRevolution ? (inch_ ? 1e-6 : 1e-4) : 1.0;
+    const ChannelAxis& axis = const_cast<Interpreter*>(this)->core_.view().axes[place < 0 ? 0 : static_cast<std::size_t>(place)];
+    return axis.increment * (inch_ && !axis.rotary ? 0.1 : 1.0);
 }
 
 Step Interpreter::macro_statement(std::size_t from) {
@@ -170,11 +197,12 @@ Interpreter::Flow Interpreter::run_statement(const char*& at, const char* end) {
         line_left_ = false;
         return Flow::Done;
     }
-    std::string name;
-    for (const char* p = at; p != end && is_letter(*p); ++p) name += *p;
-    if (name == "POPEN" || name == "PCLOS" || name == "DPRNT" || name == "BPRNT") return print_statement(name, at, end);
-    if (name == "SETVN") return flow_fault(Alarm::NotBuilt, at, name);
-    return flow_fault(Alarm::WordUnknown, at, name);
+    std::string letters;
+    for (const char* p = at; p != end && is_letter(*p); ++p) letters += capital(*p);
+    const std::string_view name = statement_name(letters);
+    if (name == "SETVN") return flow_fault(Alarm::NotBuilt, at, letters);
+    if (name.empty()) return flow_fault(Alarm::WordUnknown, at, letters);
+    return print_statement(name, at, end);
 }
 
 Interpreter::Flow Interpreter::condition(const char*& at, const char* end, bool& holds) {

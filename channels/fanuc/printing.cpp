@@ -68,7 +68,7 @@ Interpreter::Flow Interpreter::print_item(bool binary, const char*& at, const ch
 
 Interpreter::Flow Interpreter::print_statement(std::string_view name, const char*& at, const char* end) {
     const char* const begin = at;
-    at += name.size();
+    while (at != end && ((*at >= 'A' && *at <= 'Z') || (*at >= 'a' && *at <= 'z'))) ++at;   // the word, or its beginning
     if (name == "POPEN") {
         if (!printing_ && !reads_contour_ && !core_.port().print(core_.view(), "\x12", true)) return flow_fault(Alarm::OutputFile, begin, "POPEN");   // DC2
         printing_ = true;
@@ -106,7 +106,7 @@ Interpreter::Flow Interpreter::print_statement(std::string_view name, const char
     core_.mark_emitted();
     core_.sink().print(shown, core_.at);
     text += settings_.print_line_end;
-    if (settings_.print_parity)   // even parity in the highest bit
+    if (settings_.print_parity && name[0] == 'D')   // even parity in the highest bit
         for (char& c : text) c = static_cast<char>(static_cast<unsigned char>(c) | (__builtin_popcount(static_cast<unsigned char>(c) & 0x7Fu) & 1 ? 0x80u : 0u));
     if (!reads_contour_ && !core_.port().print(core_.view(), text, false)) return flow_fault(Alarm::OutputFile, begin, std::string(name));
     return Flow::Done;
