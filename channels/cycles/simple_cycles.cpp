@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "channels/cycles/thread_passes.hpp"
+
 namespace polyturn::channels::cycles {
 namespace {
 
@@ -81,22 +83,24 @@ bool thread(Core& core, const SimpleCycle& cycle) {
     if (!core.rapid(point)) return false;
     const double dz = cycle.end[at.z] - point[at.z], dx = cycle.end[at.x] - point[at.x];
     const double run_out = std::fmin(cycle.chamfer, std::fabs(dz));
+    ThreadCall pass = cycle.thread;
+    withdraw_to(pass, at.x, start[at.x], point[at.x], cycle.end[at.x]);
     if (run_out > 0) {
         // The last part of the thread leaves the work towards the start diameter.
         const double share = (std::fabs(dz) - run_out) / std::fabs(dz);
         AxisValues leave = cycle.end;
         leave[at.z] = point[at.z] + dz * share;
         leave[at.x] = point[at.x] + dx * share;
-        if (share > 0 && !core.thread(leave, cycle.thread)) return false;
+        if (share > 0 && !core.thread(leave, pass)) return false;
         const double lift = run_out * std::tan(cycle.chamfer_angle * std::numbers::pi / 180.0);
         const double away = start[at.x] - leave[at.x];
         AxisValues out = cycle.end;
         out[at.x] = leave[at.x] + std::copysign(std::fmin(lift, std::fabs(away)), away);
-        ThreadCall call = cycle.thread;   // the lead still counts along Z
+        ThreadCall call = pass;   // the lead still counts along Z
         call.by_axis = true;
         call.axis = static_cast<std::uint8_t>(at.z);
         if (!core.thread(out, call)) return false;
-    } else if (!core.thread(cycle.end, cycle.thread)) {
+    } else if (!core.thread(cycle.end, pass)) {
         return false;
     }
     point = core.path.programmed;

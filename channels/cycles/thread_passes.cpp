@@ -14,6 +14,14 @@ double tan_deg(double angle) { return std::tan(angle * std::numbers::pi / 180.0)
 
 }  // namespace
 
+void withdraw_to(ThreadCall& call, unsigned x_place, double clear, double from, double to) {
+    if (call.own_withdrawal || call.withdraw_axis[0] >= 0) return;
+    const double a = clear - from, b = clear - to;
+    if (a * b <= 0.0) return;
+    call.withdraw_axis[0] = static_cast<std::int8_t>(x_place);
+    call.withdraw[0] = std::fabs(a) < std::fabs(b) ? a : b;
+}
+
 std::vector<double> thread_depths(const ThreadPasses& cycle) {
     std::vector<double> depths;
     const double rough = cycle.height - cycle.allowance;
@@ -56,9 +64,11 @@ bool cut_thread(Core& core, const ThreadPasses& cycle) {
         const auto x_at = [&](double at) { return x_end + slope * (cycle.end.z - at); };
         if (!moves.rapid({z, start.x}) || !moves.rapid({z, x_at(z)})) return false;
         const double leave = cycle.end.z - way * run_out;
-        if (std::fabs(leave - z) > kSame && !moves.thread({leave, x_at(leave)}, cycle.thread)) return false;
+        ThreadCall pass = cycle.thread;
+        withdraw_to(pass, moves.x(), start.x, x_at(z), x_at(leave));
+        if (std::fabs(leave - z) > kSame && !moves.thread({leave, x_at(leave)}, pass)) return false;
         if (run_out > kSame) {
-            ThreadCall call = cycle.thread;   // the lead still counts along Z
+            ThreadCall call = pass;   // the lead still counts along Z
             call.by_axis = true;
             call.axis = static_cast<std::uint8_t>(moves.z());
             const double lift = std::fmin(run_out * tan_deg(cycle.chamfer_angle_deg), std::fabs(start.x - x_at(leave)));

@@ -31,6 +31,8 @@ struct ThreadPasses {
     char height_letter = 'P', first_letter = 'Q';   // to point at
 };
 
+// A pass of a cycle that is held leaves the thread as far as the cycle's own start point stands clear of it, and repeats.
+void withdraw_to(ThreadCall& call, unsigned x_place, double clear, double from, double to);
 // Depths of all passes; empty: a value makes them endless.
 std::vector<double> thread_depths(const ThreadPasses& cycle);
 bool cut_thread(Core& core, const ThreadPasses& cycle);
