@@ -3,21 +3,9 @@
 #include <algorithm>
 #include <charconv>
 
-#include "channels/process/record_sink.hpp"
+#include "channels/process/record_place.hpp"
 
 namespace polyturn::channels {
-namespace {
-
-void place(const BlockContext& at, PathRecord& r) {
-    r.file = at.file;
-    r.stack_depth = at.stack_depth;
-    r.line = at.line;
-    r.block = at.block;
-    r.serial = at.serial;
-    r.part = at.part;
-}
-
-}  // namespace
 
 void RecordSink::beside(const Move& move, const BlockContext& at) {
     await_axes_of(move, at);   // the same axis again: one after the other

@@ -1,3 +1,4 @@
+#include "channels/process/record_place.hpp"
 #include "channels/process/record_sink.hpp"
 
 #include "ipc/image/balance.hpp"
@@ -16,15 +17,6 @@ namespace {
 void copy_text(std::string_view from, std::array<char, 48>& to) {
     to.fill(0);
     std::memcpy(to.data(), from.data(), std::min(from.size(), to.size() - 1));
-}
-
-void place(const BlockContext& at, PathRecord& r) {
-    r.file = at.file;
-    r.stack_depth = at.stack_depth;
-    r.line = at.line;
-    r.block = at.block;
-    r.serial = at.serial;
-    r.part = at.part;
 }
 
 std::uint8_t code_of(RecordKind kind) { return static_cast<std::uint8_t>(kind); }

@@ -28,18 +28,6 @@ double LineFollower::fitting_time(double e, double e1, double e2, double line_sp
     return time;
 }
 
-void LineFollower::close_gap(double e, double e1, double e2, double t) noexcept {
-    const double t2 = t * t;
-    gap_[0] = e;
-    gap_[1] = e1;
-    gap_[2] = e2 / 2;
-    gap_[3] = -(20 * e + 12 * e1 * t + 3 * e2 * t2) / (2 * t2 * t);
-    gap_[4] = (30 * e + 16 * e1 * t + 3 * e2 * t2) / (2 * t2 * t2);
-    gap_[5] = -(12 * e + 6 * e1 * t + e2 * t2) / (2 * t2 * t2 * t);
-    gap_time_ = 0;
-    gap_left_ = t;
-}
-
 void LineFollower::begin(const PathState& now, const PathState& line, const Limits& limits, Aim aim, double period, double dt) noexcept {
     limits_ = limits;
     limits_.jerk = std::min(limits.jerk, 100 * limits.acceleration / dt);
@@ -54,29 +42,18 @@ void LineFollower::begin(const PathState& now, const PathState& line, const Limi
     offset_ = aim == Aim::Anywhere ? ideal : aim == Aim::Period && period > 0 ? std::round(ideal / period) * period : 0.0;
     const double e = now.s - line.s - offset_;
     if (e == 0 && e1 == 0 && e2 == 0) {
-        gap_left_ = 0;
+        gap_.clear();
         return;
     }
-    close_gap(e, e1, e2, fitting_time(e, e1, e2, line.v));
+    gap_.begin({e, e1, e2}, fitting_time(e, e1, e2, line.v));
 }
 
 PathState LineFollower::tick(const PathState& line, double dt) noexcept {
-    double e1 = 0, e2 = 0;
-    e_ = 0;
-    if (gap_left_ > 0) {
-        gap_time_ += dt;
-        const double t = gap_time_;
-        if (t >= gap_left_) {
-            gap_left_ = 0;
-        } else {
-            e_ = gap_[0] + t * (gap_[1] + t * (gap_[2] + t * (gap_[3] + t * (gap_[4] + t * gap_[5]))));
-            e1 = gap_[1] + t * (2 * gap_[2] + t * (3 * gap_[3] + t * (4 * gap_[4] + t * 5 * gap_[5])));
-            e2 = 2 * gap_[2] + t * (6 * gap_[3] + t * (12 * gap_[4] + t * 20 * gap_[5]));
-        }
-    }
+    const ClosingGap::Value gap = gap_.tick(dt);
+    e_ = gap.e;
     // Where it would be at the tick's end without jerk, and what is then left.
     const PathState free = advanced(state_, 0, dt);
-    const double d = line.s + offset_ + e_ - free.s, d1 = line.v + e1 - free.v, d2 = line.a + e2 - free.a;
+    const double d = line.s + offset_ + e_ - free.s, d1 = line.v + gap.e1 - free.v, d2 = line.a + gap.e2 - free.a;
     // The line's acceleration may step; the answer to it, 4 p d'', must stay within the jerk or the whole would swing.
     const double p = std::min(kPole, limits_.jerk / (5.0 * kStepShare * limits_.acceleration));
     const double limit = 0.99 * limits_.jerk, most = limits_.acceleration;

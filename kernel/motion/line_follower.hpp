@@ -14,6 +14,7 @@
 // Share    Closing uses a part of the limits, the rest is the line's own motion.
 // Cost     A search of at most 64 steps in the tick in which it begins; then some ten multiplications a tick.
 #pragma once
+#include "kernel/motion/closing_gap.hpp"
 #include "kernel/motion/jerk_profile.hpp"
 
 namespace polyturn::kernel {
@@ -31,7 +32,7 @@ public:
     // Leaves the line: one tick of braking to rest.
     PathState brake(double dt) noexcept;
 
-    [[nodiscard]] bool on_line() const noexcept { return gap_left_ <= 0; }
+    [[nodiscard]] bool on_line() const noexcept { return !gap_.open(); }
     [[nodiscard]] double offset() const noexcept { return offset_; }
     [[nodiscard]] double gap() const noexcept { return e_; }              // that it is meant to have at this tick's end
     [[nodiscard]] const PathState& state() const noexcept { return state_; }
@@ -40,10 +41,10 @@ public:
 
 private:
     double fitting_time(double e, double e1, double e2, double line_speed) const noexcept;
-    void close_gap(double e, double e1, double e2, double time) noexcept;
     Limits limits_;
     PathState state_;
-    double offset_ = 0, gap_[6] = {}, gap_time_ = 0, gap_left_ = 0, e_ = 0, sum_ = 0;
+    ClosingGap gap_;
+    double offset_ = 0, e_ = 0, sum_ = 0;
     bool too_slow_ = false;
 };
 

@@ -15,7 +15,7 @@ void ThreadFollower::clear(std::uint64_t first) noexcept {
     length_ = 0;
     state_ = {};
     phase_ = ThreadPhase::Idle;
-    gap_time_ = gap_left_ = 0;
+    gap_.clear();
     deviation_ = sum_ = 0;
     began_ = false;
 }
@@ -68,19 +68,6 @@ double ThreadFollower::run_in(double spindle_speed) const noexcept {
     return v * closing_time(v, a_max_, j_max_, 1.5, 6) / 2;
 }
 
-// Quintic from (e, e', e'') to rest on the line.
-void ThreadFollower::close_gap(double e, double e1, double e2, double time) noexcept {
-    const double t = time, t2 = t * t;
-    gap_[0] = e;
-    gap_[1] = e1;
-    gap_[2] = e2 / 2;
-    gap_[3] = -(20 * e + 12 * e1 * t + 3 * e2 * t2) / (2 * t2 * t);
-    gap_[4] = (30 * e + 16 * e1 * t + 3 * e2 * t2) / (2 * t2 * t2);
-    gap_[5] = -(12 * e + 6 * e1 * t + e2 * t2) / (2 * t2 * t2 * t);
-    gap_time_ = 0;
-    gap_left_ = time;
-}
-
 // True when the axis must begin to move in this tick.
 bool ThreadFollower::wait_for_angle(const ThreadInput& input, ThreadStep& step) noexcept {
     const double speed = std::abs(input.speed), v = pieces_[0].lead * speed / 360;
@@ -102,7 +89,7 @@ bool ThreadFollower::wait_for_angle(const ThreadInput& input, ThreadStep& step) 
     if (over >= speed * dt_) return false;  // the next tick is early enough
     const double ahead = need + over;       // degrees until the start angle: the line is that far behind s = 0
     origin_ = angle + sense_ * ahead;
-    close_gap(v * ahead / speed, -v, 0, 2 * ahead / speed);
+    gap_.begin({v * ahead / speed, -v, 0}, 2 * ahead / speed);
     line_piece_ = 0;
     return true;
 }
@@ -114,25 +101,14 @@ PathState ThreadFollower::follow(const ThreadInput& input, ThreadStep& step) noe
         const double jump = state_.v - line.v;
         if (std::abs(jump) > 0.02 * a_max_ * dt_) {
             const double time = closing_time(std::abs(jump), a_max_, j_max_, 4, 36) + dt_;
-            close_gap(state_.s + state_.v * dt_ - line.s, jump, state_.a - line.a, time);
+            gap_.begin({state_.s + state_.v * dt_ - line.s, jump, state_.a - line.a}, time);
         }
     }
-    double e = 0, e1 = 0, e2 = 0;
-    if (gap_left_ > 0) {
-        gap_time_ += dt_;
-        const double t = gap_time_;
-        if (t >= gap_left_) {
-            gap_left_ = 0;
-        } else {
-            e = gap_[0] + t * (gap_[1] + t * (gap_[2] + t * (gap_[3] + t * (gap_[4] + t * gap_[5]))));
-            e1 = gap_[1] + t * (2 * gap_[2] + t * (3 * gap_[3] + t * (4 * gap_[4] + t * 5 * gap_[5])));
-            e2 = 2 * gap_[2] + t * (6 * gap_[3] + t * (12 * gap_[4] + t * 20 * gap_[5]));
-        }
-    }
-    phase_ = gap_left_ > 0 ? ThreadPhase::Closing : ThreadPhase::OnLine;
+    const ClosingGap::Value gap = gap_.tick(dt_);
+    phase_ = gap_.open() ? ThreadPhase::Closing : ThreadPhase::OnLine;
     // Where the path would be at the tick's end without jerk, and what is then left.
     const PathState free = advanced(state_, 0, dt_);
-    const double d = line.s + e - free.s, d1 = line.v + e1 - free.v, d2 = line.a + e2 - free.a;
+    const double d = line.s + gap.e - free.s, d1 = line.v + gap.e1 - free.v, d2 = line.a + gap.e2 - free.a;
     constexpr double p = kPole;
     double j = p * p * p * (p * sum_ + 4 * d) + 6 * p * p * d1 + 4 * p * d2;
     const double limit = 0.99 * j_max_;

@@ -26,6 +26,7 @@
 #include <array>
 #include <cstdint>
 
+#include "kernel/motion/closing_gap.hpp"
 #include "kernel/motion/landing.hpp"
 #include "polyturn/image_structs.hpp"
 
@@ -76,7 +77,6 @@ private:
     struct Line { double s, v, a; std::uint32_t piece; };
     [[nodiscard]] Line line_at(double angle, double speed, double acceleration) const noexcept;
     [[nodiscard]] static double closing_time(double speed_step, double a_max, double j_max, double peak_a, double peak_j) noexcept;
-    void close_gap(double e, double e1, double e2, double time) noexcept;
     [[nodiscard]] bool wait_for_angle(const ThreadInput& input, ThreadStep& step) noexcept;
     [[nodiscard]] PathState follow(const ThreadInput& input, ThreadStep& step) noexcept;
     void report(double moved_from, ThreadStep& step) noexcept;
@@ -92,8 +92,7 @@ private:
     double a_max_ = 0, j_max_ = 0, v_max_ = 0, length_ = 0;  // least of the pieces; whole length
     ThreadPhase phase_ = ThreadPhase::Idle;
     PathState state_;                      // s along the whole thread
-    double gap_[6] = {};                   // e(t) = sum gap_[i] t^i
-    double gap_time_ = 0, gap_left_ = 0;
+    ClosingGap gap_;
     double deviation_ = 0, sum_ = 0;       // off the line now, mm; and its integral, mm s
     bool began_ = false;
     Landing landing_;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "ipc/machine/store_requests.hpp"
 #include "ipc/machine/work_zeros.hpp"
 #include "ipc/params/param_file.hpp"
+#include "kernel/supervisor/press_targets.hpp"
 #include "kernel/supervisor/press_words.hpp"
 
 namespace polyturn::supervisor {
@@ -21,14 +21,6 @@ namespace {
 constexpr std::string_view kTables[] = {"geometry", "wear", "second"};   // order of OffsetTable
 constexpr std::string_view kFields = "XYZRT";                            // order of OffsetField
 constexpr std::string_view kShape = "offset L1 3 wear X=0.05 or zero L1 G54 Z=-150";
-
-std::optional<double> number_of(std::string_view word) {
-    if (!word.empty() && word[0] == '+') word.remove_prefix(1);
-    double value = 0;
-    const auto end = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (end.ec != std::errc() || end.ptr != word.data() + word.size() || !std::isfinite(value)) return std::nullopt;
-    return value;
-}
 
 std::vector<std::string_view> split(std::string_view words) {
     std::vector<std::string_view> out;

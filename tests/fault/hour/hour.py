@@ -26,7 +26,7 @@ JUDGE = pathlib.Path(os.environ["HOUR_JUDGE"]).resolve()
 RUN_S = float(os.environ.get("HOUR_RUN_SECONDS", "60"))
 PATIENCE_S = 25.0
 INTERRUPTED, DEAD = 7, 8
-NEVER = ("FollowingError", "StandstillError", "ModelError", "DualDifference", "NoProgress", "TickLate", "ChannelInvariant", "AxisDisplaced")
+NEVER = ("FollowingError", "StandstillError", "ModelError", "DualDifference", "NoProgress", "TickLate", "ChannelInvariant", "AxisDisplaced", "RecordInvalid")
 
 
 def alarm_rows():

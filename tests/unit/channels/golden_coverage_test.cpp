@@ -3,24 +3,17 @@
 
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <set>
 #include <sstream>
 
 #include "channels/fanuc/g_codes.hpp"
 #include "ipc/diagnosis/diagnosis.hpp"
+#include "tests/unit/channels/file_content.hpp"
 
 namespace polyturn::channels {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string content(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::stringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
 
 fs::path folder_of(const char* language) { return fs::path(POLYTURN_SOURCE_DIR) / "tests/golden" / language; }
 

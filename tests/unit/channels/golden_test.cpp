@@ -9,18 +9,12 @@
 #include <sstream>
 
 #include "channels/check/check_mode.hpp"
+#include "tests/unit/channels/file_content.hpp"
 
 namespace polyturn::channels {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string content(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::stringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
 
 struct GoldenCase {
     fs::path folder;
