@@ -59,8 +59,9 @@ bool Interpreter::classify() {
             axis_words_[axis_word_count_++] = static_cast<std::uint8_t>(i);
         }
     }
-    // H behind G43, G44, G43.7 is an offset number, not the increment of an axis.
-    if ((coded_groups_ & bit_of(GGroup::Length)) && block_.has('H') && absolute_axis_['H' - 'A'] < 0) {
+    // H behind G43, G44, G43.7, G43.4 is an offset number, not the increment of an axis.
+    const bool tip_control = (coded_groups_ & bit_of(GGroup::Transform)) && coded_[static_cast<std::size_t>(GGroup::Transform)]->tenths == 434;
+    if (((coded_groups_ & bit_of(GGroup::Length)) || tip_control) && block_.has('H') && absolute_axis_['H' - 'A'] < 0) {
         unsigned kept = 0;
         for (unsigned k = 0; k < axis_word_count_; ++k)
             if (block_.words[axis_words_[k]].axis >= 0 || block_.words[axis_words_[k]].address != 'H') axis_words_[kept++] = axis_words_[k];

@@ -81,7 +81,8 @@ bool control_tip(Core& core) {
         // From the pivot to the tip: the pivot as seen from the holder, the other way round, and on by the tool, whose tip lies
         // against its offset. A point of a table in carrier coordinates lies ahead of the tip by the same.
         const double arm = -pivot[r] - tool[r];
-        k.value[f::kFirstPoint + r] = type == 1 ? -outer[r] : type == 3 ? arm : table[r] + tool[r];
+        // A head with one axis alone carries the tool itself.
+        k.value[f::kFirstPoint + r] = type == 1 ? (f::exists(k, f::kSecondDirection) ? -outer[r] : arm - outer[r]) : type == 3 ? arm : table[r] + tool[r];
         k.value[f::kSecondPoint + r] = type == 1 ? arm : type == 3 ? table[r] + tool[r] : table[r] + second_table[r] + tool[r];
     }
     return core.transform(wanted);
