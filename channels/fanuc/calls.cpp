@@ -47,11 +47,18 @@ bool Interpreter::gather_arguments(LocalSet& arguments, std::size_t from_word) {
     return true;
 }
 
+// L of a call: 1 to 9999 (fanuc_lathe 6.9.2).
+bool Interpreter::call_count(std::int64_t& repeats) {
+    repeats = 1;
+    if (!block_.has('L')) return true;
+    if (!whole('L', repeats)) return false;
+    return repeats <= 9999 ? true : core_.fail(Alarm::DigitsTooMany, 'L', "L");
+}
+
 bool Interpreter::macro_words(std::int64_t& program, std::int64_t& repeats, LocalSet& arguments) {
     if (!block_.has('P')) return core_.fail(Alarm::SubprogramWordMissing, 'G');
     if (!whole('P', program)) return false;
-    repeats = 1;
-    if (block_.has('L') && !whole('L', repeats)) return false;
+    if (!call_count(repeats)) return false;
     std::size_t from = 0;
     for (std::size_t k = 0; k < block_.count; ++k)
         if (block_.words[k].address == 'G' && block_.words[k].value >= 65 && block_.words[k].value < 67) from = k + 1;
@@ -114,7 +121,7 @@ bool Interpreter::code_calls(bool& called) {
         const auto use = [&](const CodeCall& call, std::int32_t program) {
             LocalSet arguments = empty_locals();
             std::int64_t repeats = 1;
-            if (block_.has('L') && !whole('L', repeats)) return false;
+            if (!call_count(repeats)) return false;
             if (!call.macro) return later(program, repeats, block_.has('L'));
             called = called_ = true;
             // Every other word of the block is an argument.

@@ -259,7 +259,7 @@ bool Interpreter::sub_call(bool external) {
             number %= 10000;
         }
     }
-    if (block_.has('L') && !whole('L', repeats)) return false;
+    if (block_.has('L') && !call_count(repeats)) return false;
     called_ = true;
     if (external) return external_call(number, repeats);
     if (!call_program(number, repeats, nullptr, false, false, 'P')) return false;

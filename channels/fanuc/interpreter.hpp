@@ -319,6 +319,7 @@ private:
     Flow jump(const char*& at, const char* end);
     bool written(std::int64_t number, double value, std::string_view comment);
     bool gather_arguments(LocalSet& arguments, std::size_t from_word);
+    bool call_count(std::int64_t& repeats);
     bool macro_words(std::int64_t& program, std::int64_t& repeats, LocalSet& arguments);
     bool g10_offset(), g10_zero(), g10_parameter_block();
     bool give_parameter(const std::string& line, char letter);

@@ -96,7 +96,7 @@ VariableStatus Interpreter::read_system(std::int64_t number, double& value) {
     std::int32_t offset = 0;
     if (const OffsetRange* range = find_range(number, offset)) {
         if (offset > view.config().offset_count) return VariableStatus::Unknown;
-        value = offset_value(view.store->offsets[offset], *range);
+        value = offset_value(view.store->offsets[offset], *range) / (range->field == OffsetField::T ? 1.0 : unit_);   // in the unit of the program
         return VariableStatus::Ok;
     }
     const double programmed_unit = 1.0 / unit_;
@@ -246,7 +246,7 @@ VariableStatus Interpreter::write_system(std::int64_t number, double value) {
     std::int32_t offset = 0;
     if (const OffsetRange* range = find_range(number, offset)) {
         if (offset > view.config().offset_count) return VariableStatus::Unknown;
-        write_offset(range->table, offset, range->field, is_null(value) ? 0.0 : value);
+        write_offset(range->table, offset, range->field, (is_null(value) ? 0.0 : value) * (range->field == OffsetField::T ? 1.0 : unit_));
         return VariableStatus::Ok;
     }
     if (number >= 5201 && number < 5340) {

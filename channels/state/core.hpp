@@ -325,6 +325,7 @@ private:
     void tell_feed_path();
     bool spindle_ready(Alarm otherwise);
     void choose_withdrawal(const ThreadCall& call, unsigned along);
+    double picked_up(const ThreadCall& call, unsigned along) const;
     bool within_stroke(const AxisValues& machine, AxisSet moved);
     bool zones_allow();                                   // move_ does not violate a guarded work zone
     bool zones_allow(const Move& move);

@@ -476,6 +476,25 @@ void Core::choose_withdrawal(const ThreadCall& call, unsigned along) {
     move_.withdraw[0] = -distance * path.last_way[static_cast<std::size_t>(across)];
 }
 
+// A part that was clamped again: where the tool stood in its groove, and the spindle with it, tells the angle at which the
+// record begins on that groove. Turns between: s = u (lead + change u / 2).
+double Core::picked_up(const ThreadCall& call, unsigned along) const {
+    const params::Table& t = view_->table();
+    const unsigned l = view_->channel;
+    if (params::get(t, params::pt_thread_pickup, l) == 0 || move_.thread_chained) return call.start_angle;
+    const double unit = params::bit(t, params::n0104_unit_of_measure, l, 0) ? 25.4 : 1.0;
+    const double from = move_.machine_start[along];
+    const double way = (view_->axes[along].from_drive(params::get(t, params::pt_thread_at, l) * unit) - from) * (move_.machine[along] < from ? -1.0 : 1.0);
+    double turns = way / call.lead;
+    if (call.lead_change != 0) {
+        const double square = call.lead * call.lead + 2 * call.lead_change * way;
+        if (square <= 0) return call.start_angle;   // this thread never comes there
+        turns = (std::sqrt(square) - call.lead) / call.lead_change;
+    }
+    const double sense = path.spindle.turn == SpindleTurn::Ccw ? -1.0 : 1.0;
+    return wrapped(params::get(t, params::pt_thread_angle, l) - sense * 360.0 * turns + call.start_angle, 360.0);
+}
+
 bool Core::thread(const AxisValues& target, const ThreadCall& call) {
     if (call.lead <= 0.0) return fail(Alarm::LeadMissing, 'F');
     if (!begin_move(target, MoveKind::Thread)) return false;
@@ -531,7 +550,7 @@ bool Core::thread(const AxisValues& target, const ThreadCall& call) {
     move_.lead = call.lead;
     move_.lead_path = lead_path;
     move_.lead_change = call.lead_change;
-    move_.start_angle = call.start_angle;
+    move_.start_angle = picked_up(call, along);
     move_.starts = call.starts;
     choose_withdrawal(call, along);
     deliver();

@@ -22,6 +22,7 @@
 
 #include "kernel/supervisor/phrases.hpp"
 #include "kernel/supervisor/refusal.hpp"
+#include "kernel/supervisor/teach_thread.hpp"
 #include "kernel/supervisor/press_words.hpp"
 #include "kernel/supervisor/store_words.hpp"
 
@@ -261,6 +262,11 @@ void StartSession::handle(RequestServer::Client client, const std::string& line)
     }
     if (what == "set" || what == "release" || what == "parameters")
         if (!may(client, who, UserLevel::Operator, what)) return;
+    if (what == "press" && is_teach_thread(text_at("words"))) {
+        if (!may(client, who, UserLevel::Operator, what)) return;
+        const auto lines = teach_thread(text_at("words"), options_.instance);
+        return lines ? serve_parameters(client, *lines, false, who) : server_.answer(client, refusal(lines.diagnosis()));
+    }
     if (what == "press") return serve_commands(client, parse_press(text_at("words"), machine_, text_at("folder")), who);
     if (what == "release") return serve_commands(client, parse_release(text_at("words"), machine_), who);
     if (what == "set") {
