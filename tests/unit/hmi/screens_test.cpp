@@ -38,8 +38,19 @@ TEST(Screens, NoWordIsShortenedOnAnyPanel) {
         MainWindow window(nobody());
         window.resize(size);
         window.show();
+        EXPECT_GE(window.screens().size(), 5u);
         noWordIsShortened(window);
     }
+}
+
+// That the test above can see one: a panel far too small for the words.
+TEST(Screens, ShortenedWordsAreFound) {
+    MainWindow window(nobody());
+    window.setMinimumSize(1, 1);
+    window.resize(260, 200);
+    window.show();
+    int looked = 0;
+    EXPECT_FALSE(shortenedWords(window, looked).empty());
 }
 
 TEST(Screens, ShowTheSameAfterARestart) {
