@@ -1,8 +1,11 @@
-// Where in a program a record comes from: file, line, block, and the place that a resume goes back to (serial, part).
+// What every record carries: its kind, and where in a program it comes from (file, line, block, and the place that a resume goes
+// back to: serial, part).
 #pragma once
 #include "channels/process/record_sink.hpp"
 
 namespace polyturn::channels {
+
+inline std::uint8_t code_of(RecordKind kind) { return static_cast<std::uint8_t>(kind); }
 
 inline void place(const BlockContext& at, PathRecord& r) {
     r.file = at.file;
