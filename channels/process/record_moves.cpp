@@ -6,6 +6,7 @@
 
 #include "channels/process/record_place.hpp"
 #include "channels/process/record_sink.hpp"
+#include "ipc/machine/named_inputs.hpp"
 
 namespace polyturn::channels {
 
