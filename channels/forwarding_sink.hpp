@@ -22,6 +22,8 @@ public:
     void print(std::string_view text, const BlockContext& at) override { next_->print(text, at); }
     void signal(std::string_view name, double value, const BlockContext& at) override { next_->signal(name, value, at); }
     void parameter(std::string_view line, const BlockContext& at) override { next_->parameter(line, at); }
+    void tool_write(const ToolWrite& w, const BlockContext& at) override { next_->tool_write(w, at); }
+    void life_group(const LifeGroup& g, const BlockContext& at) override { next_->life_group(g, at); }
     void barrier(const BlockContext& at) override { next_->barrier(at); }
     void block_end(const BlockContext& at) override { next_->block_end(at); }
 

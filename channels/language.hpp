@@ -31,6 +31,9 @@ public:
     // A tool and one of its edges, as languages with such tables keep them: parameter DPn has the value. False: no such table.
     virtual bool preset_tool(int, std::string_view) { return false; }
     virtual bool preset_edge(int, int, std::string_view, double) { return false; }
+    // The tools of the store that this channel sees (PT_TOOL_UNIT), before the setup's; languages without a tool table of their own
+    // need none.
+    virtual void preset_stored(const ToolTable&, const ToolEdgeTable&, int /*unit*/) {}
     virtual Core& core() = 0;
 
     // The codes that hold behind the block read last, with blanks between them: for screens.

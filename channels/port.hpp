@@ -10,6 +10,11 @@
 #include "ipc/capacities.hpp"
 #include "ipc/path/stroke_zones.hpp"
 
+namespace polyturn {
+struct ToolTable;
+struct ToolEdgeTable;
+}
+
 namespace polyturn::channels {
 
 struct MachineView;
@@ -64,6 +69,16 @@ public:
     virtual unsigned synchronous_master(unsigned /*machine_axis*/) { return 0; }
     // AP_DIARAD: a diameter axis is programmed and shown in radii now, a radius axis in diameters.
     virtual bool diameter_inverted(unsigned /*machine_axis*/) { return false; }
+    // The tool that works, as tool management has answered: a turret's since its T has been executed (which must be drained),
+    // a spindle's since the tool change; -1: the program is only interpreted, nobody knows. Nothing: check mode.
+    struct ToolAtWork {
+        std::int32_t number = 0;                    // data number; 0: an empty place
+        std::int32_t offset = 0, radius_offset = 0; // its cells in the offset table
+    };
+    virtual std::optional<ToolAtWork> tool_at_work() { return std::nullopt; }
+    // The tools of the store as of the last barrier; null: no tool management, or check mode.
+    virtual const ToolTable* tool_table() { return nullptr; }
+    virtual const ToolEdgeTable* tool_edges() { return nullptr; }
     // This program cuts per revolution on a spindle that it has not started itself. Has somebody else?
     enum class Turning : unsigned char { No, Unknown, Watched };   // Watched: the kernel sees to it, nothing to say here
     virtual Turning started_by_others(unsigned spindle) = 0;

@@ -126,6 +126,8 @@ struct Aux {
     bool drained = false;           // nothing behind it is read before it has been executed
     bool silent = false;            // for the PLC only, no event: the program did not write it
     bool beside = false;            // the program does not wait until the PLC has finished it; the next code does
+    ToolCallBy by = ToolCallBy::Type;   // T: how it names the tool
+    std::string_view name;          // T by name
 };
 
 enum class SpindleTurn : std::int8_t { Stop = 0, Cw = 1, Ccw = -1 };
@@ -184,6 +186,26 @@ struct OffsetWrite {
     double value = 0.0;             // as the table shows it (X as a diameter on a diameter axis)
 };
 
+// A value of the tool table that the program writes ($TC_..., TLFR): a column of the tool, or of its edge the parameter DP.
+struct ToolWrite {
+    std::int32_t tool = 0;          // data number
+    std::string_view field;         // ipc/machine/tool_fields.hpp; empty: `dp` of `edge`
+    std::int32_t edge = 0, dp = 0;
+    double value = 0.0;
+    std::string_view text;          // of a text column
+};
+
+// One step of registering tool life groups (G10 L3 ... G11), in the order of the program:
+//   ForgetAll (G10 L3), Forget group, Open group with its life, then its tools in the order in which they are to be used.
+struct LifeGroup {
+    LifeGroupStep step = LifeGroupStep::Open;
+    std::int32_t group = 0;         // all but ForgetAll
+    LifeKind kind = LifeKind::Uses; // Open: Uses or Minutes
+    double life = 0.0;              // Open
+    std::int32_t station = 0;       // Tool: of the channel's turret
+    std::int32_t offset = 0;        // Tool: its offset number
+};
+
 // From here on a signal interrupts the program (M96), or no more (M97).
 struct Interrupts {
     bool on = false;
@@ -215,6 +237,8 @@ public:
     virtual void print(std::string_view, const BlockContext&) {}   // sent to an external device by the program
     virtual void parameter(std::string_view /*line*/, const BlockContext&) {}   // the program gives a parameter a value: a line of a parameter file
     virtual void signal(std::string_view /*name*/, double /*value*/, const BlockContext&) {}   // a flag of the channel, in path order
+    virtual void tool_write(const ToolWrite&, const BlockContext&) {}
+    virtual void life_group(const LifeGroup&, const BlockContext&) {}
     virtual void barrier(const BlockContext&) = 0;                 // everything before must be executed; the runner stands AtBarrier
     virtual void block_end(const BlockContext&) = 0;
 };

@@ -53,6 +53,10 @@ Result<Applied> set_offset(const StoreRequest& request, Origin origin, const Mac
         const double most = stated > 0 ? stated : 1.0;
         if (table == OffsetTable::Wear && field != OffsetField::T && std::abs(request.value) > most)
             return refused(describe(key) + "=" + shortest_text(request.value) + ": wear is " + shortest_text(most) + " mm at the most (N1415)");
+        const double step = params::get(values.parameters, params::pt_wear_step, channel.number) * channel.length_unit_mm();
+        const double* now = number_at(values, key);
+        if (table == OffsetTable::Wear && field != OffsetField::T && step > 0 && now && std::abs(request.value - *now) > step * (1 + 1e-9))
+            return refused(describe(key) + "=" + shortest_text(request.value) + ": one entry changes wear by " + shortest_text(step) + " mm at the most (PT_WEAR_STEP)");
     }
     return set_number(values, key, request.value);
 }
@@ -195,6 +199,8 @@ Result<Applied> apply_request(const StoreRequest& request, Origin origin, const 
         case StoreRequestKind::ToolChanged:
         case StoreRequestKind::ToolLife:
         case StoreRequestKind::ToolValue:
+        case StoreRequestKind::EdgeValue:
+        case StoreRequestKind::LifeGroup:
         case StoreRequestKind::Operation:
         case StoreRequestKind::None: break;
     }

@@ -67,7 +67,7 @@ bool Service::step() {
     const auto now = Clock::now();
     if (!pending_.empty() && now - pending_since_ >= kBatchMs && now >= next_try_) {
         if (const Result<void> done = commit_pending({}, "program"); !done) {
-            std::fprintf(stderr, "polyturn-toolmgmt: %s\n", one_line(done.diagnosis()).c_str());
+            if (disk_refuses_.empty()) std::fprintf(stderr, "polyturn-toolmgmt: %s\n", one_line(done.diagnosis()).c_str());
             next_try_ = now + kRetry;
         }
         worked = true;
@@ -164,6 +164,9 @@ bool Service::take_persist() {
         }
         refresh_machine(applied->changes);
         push_parameter_changes(applied->changes);
+        // What the kernel counts itself is no news to it.
+        if (const auto kind = static_cast<StoreRequestKind>(request.kind); kind != StoreRequestKind::ToolLife && kind != StoreRequestKind::ToolInPlace && kind != StoreRequestKind::ToolChanged)
+            tell_kernel(applied->changes, request.id);
         std::move(applied->changes.begin(), applied->changes.end(), std::back_inserter(applied->until_power_off ? passing : changes));
     }
     keep_pending(changes);
@@ -262,6 +265,7 @@ Result<Applied> Service::apply_operator(const StoreRequest& request) {
     refresh_machine(done.changes);
     image_.publish(values_, done.changes);
     push_parameter_changes(done.changes);
+    tell_kernel(done.changes, 0);
     return done;
 }
 
@@ -328,12 +332,13 @@ Result<void> Service::commit_pending(const std::vector<Change>& more, std::strin
     if (disk_) {
         std::vector<Change> batch;
         for (const auto& [key, change] : pending_) batch.push_back(change);
-        if (!batch.empty())
-{
+        if (!batch.empty()) {
             // How far the kernel's ring is on disk goes into the same transaction: life that was counted is not counted twice.
             const Key key{Kind::Setting, 0, 0, 0, "persist"};
             batch.push_back({key, 0, 0, {}, mark(), true});
-            if (Result<void> done = disk_->commit(batch, "program"); !done) return done;
+            Result<void> done = disk_->commit(batch, "program");
+            disk_refuses_ = done ? std::string() : done.diagnosis().text();
+            if (!done) return done;
         }
         pending_.clear();
     }

@@ -56,7 +56,7 @@ private:
     std::string operate(const std::string& text, const StoreRequest& request);
     std::string user_name(const StoreRequest& request) const;
     void send_answers();
-    void tell_kernel(const std::vector<Change>& changes);
+    void tell_kernel(const std::vector<Change>& changes, std::uint64_t request);
     void back_up_when_due();
     bool has_users() const;                      // without any, everybody whom the socket lets in may do everything
     std::string mark() const;                    // in the file: how far the kernel's ring is on disk
@@ -84,6 +84,7 @@ private:
     Files files_;
     std::unique_ptr<ToolPlaceTable> places_;
     std::string operation_;                      // pieces of one whose end has not come yet
+    std::string disk_refuses_;                   // why nothing that programs write reaches the disk; empty: it does
     std::deque<StoreAnswer> out_;                // answers for which there is no room yet
     Clock::time_point next_backup_{};
 };

@@ -15,14 +15,24 @@
 namespace polyturn::toolmgmt {
 
 bool Service::answer_tool_call(const StoreRequest& request) {
-    const ToolAnswer answer = toolmgmt::answer_tool_call(request, values_, *places_);
+    ToolAnswer answer = toolmgmt::answer_tool_call(request, values_, *places_);
+    // What a tool has done could not be kept: no tool is changed until the disk takes it again.
+    if (!disk_refuses_.empty()) {
+        answer.alarm = static_cast<std::int32_t>(Alarm::ToolsUnserved);
+        answer.text.fill(0);
+        std::copy_n(disk_refuses_.begin(), std::min(disk_refuses_.size(), answer.text.size() - 1), answer.text.begin());
+    }
     return image_.push(answer, kernel_->tool_tail.tail.load(std::memory_order_acquire));
 }
 
-// Whoever resets the life of the tool that works just now means the kernel's count too.
-void Service::tell_kernel(const std::vector<Change>& changes) {
+// Whoever resets the life of the tool that works just now means the kernel's count too. `request`: of the kernel's ring, 0 an
+// operator's.
+void Service::tell_kernel(const std::vector<Change>& changes, std::uint64_t request) {
     if (!kernel_.attached() || std::none_of(changes.begin(), changes.end(), [](const Change& c) { return c.key.kind == Kind::Tool; })) return;
-    for (const ToolAnswer& news : news_of_working_tools(values_, *places_, changes)) (void)image_.push(news, kernel_->tool_tail.tail.load(std::memory_order_acquire));
+    for (ToolAnswer& news : news_of_working_tools(values_, *places_, changes)) {
+        news.id = request;
+        (void)image_.push(news, kernel_->tool_tail.tail.load(std::memory_order_acquire));
+    }
 }
 
 std::string Service::user_name(const StoreRequest& request) const {
@@ -54,12 +64,25 @@ void Service::send_answers() {
 }
 
 std::string Service::operate(const std::string& text, const StoreRequest& request) {
-    Work work{values_, machine_, disk_, {static_cast<UserLevel>(request.level), request.user, user_name(request)}, files_.machine_folder, instance_, {}, {}, {}, false, {}};
+    Work work{values_, machine_, disk_, {static_cast<UserLevel>(request.level), request.user, user_name(request)}, files_.machine_folder, instance_, {}, {}, {}, {}, false, {}};
     work.position = [this](unsigned axis) -> std::optional<double> {
         if (!kernel_.attached() || axis < 1 || axis > kMaxAxes) return {};
         const auto status = std::make_unique<MachineStatus>();
         if (!kernel_->status.read(*status)) return {};
         return status->axes[axis - 1].act;
+    };
+    work.touch = [this](unsigned channel) -> std::optional<Touch> {
+        const auto status = std::make_unique<MachineStatus>();
+        const auto plc = std::make_unique<PlcOutputs>();
+        if (!kernel_.attached() || !kernel_->status.read(*status) || !kernel_->plc_seen.read(*plc)) return {};
+        const ChannelStatus& own = status->channels[channel - 1];
+        Touch out;
+        out.axis = static_cast<unsigned>(std::abs(own.touched));
+        out.negative = own.touched < 0;
+        out.setter = own.touched_at;
+        if (out.axis >= 1 && out.axis <= kMaxAxes) out.at = status->axes[out.axis - 1].skip;
+        out.plc_offset = plc->signal[PlcSignal{signals::cp_offsno}(channel)];
+        return out;
     };
     const Json asked = Json::parse(text, nullptr, false);
     // A predecessor that was killed behind its transaction had done it already: an id is done once.
@@ -93,7 +116,7 @@ std::string Service::operate(const std::string& text, const StoreRequest& reques
         refresh_machine(work.changes);
         image_.publish(values_, work.changes);
         push_parameter_changes(work.changes);
-        tell_kernel(work.changes);
+        tell_kernel(work.changes, 0);
     }
     for (const auto& act : work.after)
         if (const Result<void> done = act(); !done) work.fault(done.diagnosis());

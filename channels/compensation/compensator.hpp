@@ -79,6 +79,8 @@ public:
     void message(std::string_view text, const BlockContext& at) override { queue().message(text, at), pump(); }
     void print(std::string_view text, const BlockContext& at) override { queue().print(text, at), pump(); }
     void parameter(std::string_view line, const BlockContext& at) override { queue().parameter(line, at), pump(); }
+    void tool_write(const ToolWrite& w, const BlockContext& at) override { queue().tool_write(w, at), pump(); }
+    void life_group(const LifeGroup& g, const BlockContext& at) override { queue().life_group(g, at), pump(); }
     void signal(std::string_view name, double value, const BlockContext& at) override { queue().signal(name, value, at), pump(); }
     void interrupts(const Interrupts& i, const BlockContext& at) override { queue().interrupts(i, at), pump(); }
     void stop(const Stop&, const BlockContext&) override;

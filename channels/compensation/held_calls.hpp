@@ -16,7 +16,7 @@ class HeldCalls {
 public:
     void move(const Move& m, const BlockContext& at) { calls_.push_back({m, own(at), {}, {}, {}}); }
     void dwell(const Dwell& d, const BlockContext& at) { calls_.push_back({d, own(at), {}, {}, {}}); }
-    void aux(const Aux& a, const BlockContext& at) { calls_.push_back({a, own(at), std::string(a.text), {}, {}}); }
+    void aux(const Aux& a, const BlockContext& at) { calls_.push_back({a, own(at), std::string(a.text), std::string(a.name), {}}); }
     void spindle(const Spindle& s, const BlockContext& at) { calls_.push_back({s, own(at), {}, {}, {}}); }
     void wait(const Wait& w, const BlockContext& at) { calls_.push_back({w, own(at), std::string(w.marker), {}, {}}); }
     void variable(const Variable& v, const BlockContext& at) { calls_.push_back({v, own(at), std::string(v.name), {}, {}}); }
@@ -26,6 +26,8 @@ public:
     void message(std::string_view text, const BlockContext& at) { calls_.push_back({Message{}, own(at), std::string(text), {}, {}}); }
     void print(std::string_view text, const BlockContext& at) { calls_.push_back({Print{}, own(at), std::string(text), {}, {}}); }
     void parameter(std::string_view line, const BlockContext& at) { calls_.push_back({Parameter{}, own(at), std::string(line), {}, {}}); }
+    void tool_write(const ToolWrite& w, const BlockContext& at) { calls_.push_back({w, own(at), std::string(w.field), std::string(w.text), {}}); }
+    void life_group(const LifeGroup& g, const BlockContext& at) { calls_.push_back({g, own(at), {}, {}, {}}); }
     void signal(std::string_view name, double value, const BlockContext& at) { calls_.push_back({Signal{value}, own(at), std::string(name), {}, {}}); }
     void interrupts(const Interrupts& i, const BlockContext& at) { calls_.push_back({i, own(at), {}, {}, {}}); }
     void stop(const Stop& s, const BlockContext& at) { calls_.push_back({s, own(at), {}, {}, {}}); }
@@ -58,7 +60,7 @@ private:
     struct Barrier {};
     struct BlockEnd {};
     struct Call {
-        std::variant<Move, Dwell, Aux, Spindle, Wait, Variable, OffsetWrite, Message, Print, Parameter, Signal, Interrupts, Stop, Part, Barrier, BlockEnd, std::function<void()>> what;
+        std::variant<Move, Dwell, Aux, Spindle, Wait, Variable, OffsetWrite, ToolWrite, LifeGroup, Message, Print, Parameter, Signal, Interrupts, Stop, Part, Barrier, BlockEnd, std::function<void()>> what;
         BlockContext at;
         std::string text, second, third;
     };

@@ -69,6 +69,8 @@ public:
     void message(std::string_view text, const BlockContext& at) override { holding_ ? waiting_.message(text, at) : down_->message(text, at); }
     void print(std::string_view text, const BlockContext& at) override { holding_ ? waiting_.print(text, at) : down_->print(text, at); }
     void parameter(std::string_view line, const BlockContext& at) override { holding_ ? waiting_.parameter(line, at) : down_->parameter(line, at); }
+    void tool_write(const ToolWrite& w, const BlockContext& at) override { holding_ ? waiting_.tool_write(w, at) : down_->tool_write(w, at); }
+    void life_group(const LifeGroup& g, const BlockContext& at) override { holding_ ? waiting_.life_group(g, at) : down_->life_group(g, at); }
     void signal(std::string_view name, double value, const BlockContext& at) override { holding_ ? waiting_.signal(name, value, at) : down_->signal(name, value, at); }
     void interrupts(const Interrupts& i, const BlockContext& at) override { holding_ ? waiting_.interrupts(i, at) : down_->interrupts(i, at); }
     void part(double count, const BlockContext& at) override { holding_ ? waiting_.part(count, at) : down_->part(count, at); }

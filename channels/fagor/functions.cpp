@@ -85,12 +85,14 @@ bool Interpreter::tool_words() {
     if (has('T')) {
         if (!whole(*word('T'), tool)) return false;
         if (tool > 255) return fail_word(*word('T'), Alarm::FagorValueRange, "T", static_cast<double>(tool));
+        const bool told = managed_serial_ == core_.at.serial;   // tool management has chosen (managed_tools.cpp)
+        if (told) tool = core_.port().tool_at_work().value_or(Port::ToolAtWork{}).number;
         // An expended tool gives way to another one of its family that is not (11.2.2).
         const auto expended = [this](std::int64_t n) {
             const double life = values_.tool(ToolField::Life, static_cast<std::size_t>(n));
             return life > 0 && values_.tool(ToolField::Used, static_cast<std::size_t>(n)) >= life;
         };
-        if (tool > 0 && expended(tool)) {
+        if (!told && tool > 0 && expended(tool)) {
             const double family = values_.tool(ToolField::Family, static_cast<std::size_t>(tool));
             std::int64_t other = 0;
             for (std::size_t pocket = 1; pocket < kTools && !other; ++pocket) {
@@ -100,14 +102,14 @@ bool Interpreter::tool_words() {
             if (!other) return fail_word(*word('T'), Alarm::FagorToolExpended, {}, static_cast<double>(tool));
             tool = other;
         }
-        offset = static_cast<std::int64_t>(values_.tool(ToolField::Offset, static_cast<std::size_t>(tool)));
+        offset = told ? core_.port().tool_at_work().value_or(Port::ToolAtWork{}).offset : static_cast<std::int64_t>(values_.tool(ToolField::Offset, static_cast<std::size_t>(tool)));
     }
     if (has('D')) {
         if (!whole(*word('D'), offset)) return false;
     }
     const std::int64_t most = std::min<std::int64_t>(settings_.offsets, static_cast<std::int64_t>(kOffsets) - 1);
     if (offset > most) return fail_word(has('D') ? *word('D') : *word('T'), Alarm::OffsetNumberIllegal, {}, static_cast<double>(offset), static_cast<double>(most));
-    if (has('T')) core_.aux('T', static_cast<double>(tool), fmt::format("T{}", tool), false);
+    if (has('T') && managed_serial_ != core_.at.serial) core_.aux('T', static_cast<double>(tool), fmt::format("T{}", tool), false);
     if (has('T') && settings_.change_by_m06) {
         modal_.next_tool = tool;
         modal_.next_offset = offset;

@@ -91,6 +91,7 @@ Result<void> Interpreter::start(FileId main) {
     source_ = &files_->source(main);
     source_->seek({0, 1});
     ended_ = reread_ = probing_ = interrupt_fill_ = false;
+    managed_serial_ = 0;
     began_ms_ = core_.port().running_ms();
     fresh_ = true;   // cycle start is a barrier
     serial_ = 0;
@@ -271,7 +272,12 @@ Step Interpreter::iso_block() {
         core_.sink().barrier(core_.at);
         return Step::AtBarrier;
     }
+    if (asks_for_tool()) {
+        reread_ = true;
+        return Step::AtBarrier;
+    }
     if (!(check_words() && act())) return fault(core_.fault());
+    if (managed_serial_ == core_.at.serial) core_.mark_emitted();   // its T came before the barrier
     if (core_.transformation_failed()) return fault(core_.fault());
     if (!called_) modal_.m_done = -1;
     if (scan_due_ || (scanned_to_ && serial_ >= scanned_to_)) {

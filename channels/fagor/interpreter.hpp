@@ -58,6 +58,7 @@ public:
     Step step() override;
     void barrier_done() override;
     bool preset_variable(std::string_view name, double value) override;
+    void preset_stored(const ToolTable& tools, const ToolEdgeTable& edges, int unit) override;
     Core& core() override { return core_; }
     void active_codes(std::string& out) const override;
     void keep_resume_states(bool on) override;
@@ -127,6 +128,9 @@ private:
     double from_length(double true_mm, int place) const;    // as the program would write it
     double from_length_plain(double mm) const;
     bool feed_word(), spindle_word(), tool_words(), m_before(), m_after();
+    bool managed() { return core_.port().tool_table() != nullptr; }   // tool management answers T
+    bool asks_for_tool();              // the T of this block is executed first; true: it was told just now
+    void tell_tool(ToolField field, std::size_t n, double value);
 
     // tool, spindle, auxiliary functions (functions.cpp)
     bool change_tool(std::int64_t tool, std::int64_t offset);
@@ -289,6 +293,7 @@ private:
     bool title_allowed_ = false;                  // the line is the first of its text
     bool wants_barrier_ = false, ended_ = false, jumped_ = false, called_ = false;
     bool reread_ = false, fresh_ = false;
+    std::uint64_t managed_serial_ = 0;   // of the block whose T has been executed before the rest of it
     bool probing_ = false;                        // a probe move stands before its barrier
     std::uint16_t probe_code_ = 75;
     int inclined_place_ = -1, orthogonal_place_ = -1;

@@ -44,6 +44,7 @@ bool Interpreter::interrupt(std::uint64_t serial, bool within, unsigned input) {
     source_->seek(begin);
     frames_.push_back(frame);
     ended_ = reread_ = probing_ = false;
+    managed_serial_ = 0;
     fresh_ = state_changed_ = true;
     return true;
 }

@@ -42,6 +42,7 @@ bool Interpreter::resume_at(std::uint64_t serial) {
     source_->seek(point->position);
     serial_ = serial - 1;
     ended_ = reread_ = jumped_ = called_ = probing_ = false;
+    managed_serial_ = 0;
     fresh_ = true;
     state_changed_ = true;
     show_diameter();

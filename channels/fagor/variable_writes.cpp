@@ -51,7 +51,14 @@ Access Interpreter::table_value(const Target& target, double& value) {
             if (values_.tool(ToolField::Pocket, pocket) == index) value = static_cast<double>(pocket);
         return Access::Ok;
     }
-    value = values_.tool(static_cast<ToolField>(target.row->sub), n);
+    const auto field = static_cast<ToolField>(target.row->sub);
+    if (field == ToolField::Used && n >= 1 && managed()) {   // it is counted elsewhere while the tool cuts
+        if (!fresh_) return Access::NeedsBarrier;
+        const ToolRow& row = core_.port().tool_table()->rows[n - 1];
+        value = static_cast<LifeKind>(row.life_kind) == LifeKind::Minutes ? std::nearbyint(row.counter * 100.0) : row.counter;
+        return Access::Ok;
+    }
+    value = values_.tool(field, n);
     if (target.row->var == Var::NoseWidth) value = from_length_plain(value);
     return Access::Ok;
 }
@@ -83,6 +90,7 @@ Access Interpreter::write_table(const Target& target, double value) {
     if (field == ToolField::Family && (value < 0 || value > 255)) return variable_fault(Alarm::FagorValueRange, target_name(target), value);
     if (field == ToolField::NoseWidth) value *= unit();
     values_.write(values_.tool(field, static_cast<std::size_t>(index)), value);
+    tell_tool(field, static_cast<std::size_t>(index), value);
     return Access::Ok;
 }
 

@@ -132,6 +132,19 @@ Step Interpreter::nc_block() {
             return Step::AtBarrier;
         }
     }
+    if (!calls && !core_.reads_ahead() && block_.has('T') && managed_serial_ != core_.at.serial && waits_for_tool()) {
+        if (!classify() || !call_managed_tool()) return fault(core_.fault());
+        managed_serial_ = core_.at.serial;
+        reread_ = true;
+        line_left_ = false;
+        return Step::AtBarrier;
+    }
+    if (!calls && !fresh_ && names_managed_offset() && !core_.reads_ahead()) {
+        reread_ = true;
+        line_left_ = false;
+        live_value_barrier();
+        return Step::AtBarrier;
+    }
     if (!calls && !(classify() && transformation_allows() && (is_macro_call() ? macro_call() : check_words() && act()))) return fault(core_.fault());
     b_.single_before = b_.single_now;
     if (core_.transformation_failed()) return fault(core_.fault());
@@ -149,6 +162,7 @@ Step Interpreter::nc_block() {
         if (!core_.end_compensated_block(counts, wants_barrier_, ended_)) return fault(core_.fault());
         if (core_.transformation_failed()) return fault(core_.fault());
     }
+    if (managed_serial_ == core_.at.serial) core_.mark_emitted();   // its T came before the barrier
     if (core_.emitted()) {
         fresh_ = false;
         core_.end_block();

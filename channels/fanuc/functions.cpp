@@ -46,6 +46,14 @@ bool Interpreter::tool_word() {
     std::int64_t value = 0;
     if (!whole('T', value)) return false;
     const ToolCode& code = settings_.tool;
+    const ToolWish wish = tool_wish();
+    if (wish == ToolWish::Place) {   // its offset stays
+        core_.path.tool.ref.number = last_t_ = value;
+        core_.at.tool = core_.path.tool.ref;
+        core_.aux('T', static_cast<double>(value), fmt::format("T{:08}", value), settings_.t_drains, false, ToolCallBy::Place);
+        if (settings_.t_drains) wants_barrier_ = true;
+        return true;
+    }
     if (settings_.offsets_by_g) {   // T is the tool alone; offsets come by G codes
         core_.path.tool.ref.number = last_t_ = value;
         core_.at.tool = core_.path.tool.ref;
@@ -55,11 +63,16 @@ bool Interpreter::tool_word() {
     }
     const std::int64_t modulus = power_of_ten(code.offset_digits);
     const std::int64_t tool = value / modulus;
-    const auto offset = static_cast<std::int32_t>(value % modulus);
+    auto offset = static_cast<std::int32_t>(value % modulus);
+    const bool called = managed_serial_ == core_.at.serial && waits_for_tool();   // the T has been executed
+    if (called) {
+        std::int64_t own = 0;
+        if (!managed_offset(false, own)) return false;
+        offset = static_cast<std::int32_t>(own);
+    }
+    if (!called && settings_.group_calls && code.offset_digits >= 2 && offset == 8 * (modulus - 1) / 9) offset = 0;
     ToolState& state = core_.path.tool;
     const int limit = core_.view().config().offset_count;
-    if (settings_.managed_offset_code != 0 && offset == settings_.managed_offset_code)
-        return core_.fail(Alarm::NotBuilt, 'T', "N2923: the offset of the managed tool in the spindle");
     std::int64_t geometry = code.geometry_by_tool ? tool : offset;
     if (code.offset_digits == 0) geometry = code.geometry_by_tool ? tool : state.geometry;
     if (offset == 0 && code.offset_digits != 0) {
@@ -75,8 +88,8 @@ bool Interpreter::tool_word() {
     last_t_ = value;
     core_.at.tool = state.ref;
     const std::string text = fmt::format("T{:0{}}", value, code.offset_digits == 2 ? 4 : code.offset_digits + 1);   // T0303, T33, T3003: as they are written
-    core_.aux('T', static_cast<double>(tool), text, settings_.t_drains);  // the PLC's turret wants the tool; the event shows the word
-    if (settings_.t_drains) wants_barrier_ = true;
+    if (!called) core_.aux('T', static_cast<double>(tool), text, settings_.t_drains);  // the PLC's turret wants the tool; the event shows the word
+    if (settings_.t_drains && !called) wants_barrier_ = true;
     if (!apply_tool_offsets()) return false;
     // A T word alone travels the change of the vector at once, unless it waits for the next move (5002#6).
     constexpr std::uint32_t kMoving = (1u << static_cast<unsigned>(GGroup::OneShot));

@@ -28,6 +28,7 @@ bool Interpreter::g_length(const GCode& row) {
     std::int64_t number = 0;
     if (!block_.has('H') || (axis_letters_ & letter_bit('H') && incremental_axis_['H' - 'A'] < 0 && absolute_axis_['H' - 'A'] >= 0)) return core_.fail(Alarm::CycleWordMissing, 'G', "H");
     if (!whole('H', number)) return false;
+    if (settings_.managed_offset_code != 0 && number == settings_.managed_offset_code && !managed_offset(false, number)) return false;
     const int limit = core_.view().config().offset_count;
     if (number > limit) return core_.fail(Alarm::OffsetNumberIllegal, 'H', {}, static_cast<double>(number), limit);
     const params::Table& t = core_.view().table();
@@ -65,6 +66,7 @@ bool Interpreter::g_length(const GCode& row) {
 bool Interpreter::radius_offset() {
     std::int64_t number = 0;
     if (!whole('D', number)) return false;
+    if (settings_.managed_offset_code != 0 && number == settings_.managed_offset_code && !managed_offset(true, number)) return false;
     const int limit = core_.view().config().offset_count;
     if (number > limit) return core_.fail(Alarm::OffsetNumberIllegal, 'D', {}, static_cast<double>(number), limit);
     length_.radius = static_cast<std::int32_t>(number);

@@ -88,6 +88,7 @@ Result<void> Interpreter::start(FileId main) {
     source_ = &files_->source(main);
     source_->seek({0, 1});
     line_left_ = tape_begun_ = blocks_begun_ = ended_ = reread_ = false;
+    managed_serial_ = 0;
     fresh_ = true;   // cycle start is a barrier
     program_number_ = 0;
     measuring_ = {};

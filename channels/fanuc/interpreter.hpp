@@ -321,6 +321,13 @@ private:
     bool gather_arguments(LocalSet& arguments, std::size_t from_word);
     bool call_count(std::int64_t& repeats);
     bool macro_words(std::int64_t& program, std::int64_t& repeats, LocalSet& arguments);
+    // managed_tool.cpp
+    enum class ToolWish : std::uint8_t { Plain, OwnOffset, Group, Place };
+    ToolWish tool_wish() const;        // what the T of the block asks of tool management
+    bool waits_for_tool() const;       // ... whose offset is known only behind it
+    bool call_managed_tool();
+    bool names_managed_offset() const; // H or D with the code of N2923
+    bool managed_offset(bool radius, std::int64_t& offset);
     bool g10_offset(), g10_zero(), g10_parameter_block();
     bool give_parameter(const std::string& line, char letter);
     bool stroke_limits();
@@ -468,6 +475,7 @@ private:
     bool print_blanks_ = false;
     std::int64_t sub_program_ = -1, sub_repeats_ = 1;   // called by a code of this block when the block has acted
     bool polygon_on_ = false;
+    std::uint64_t managed_serial_ = 0;   // of the block whose T has been executed before the rest of it
     bool wants_barrier_ = false, ended_ = false, jumped_ = false, called_ = false;
     bool reread_ = false;             // the block stands before a barrier and is read again behind it
     bool fresh_ = false;              // live values are those of the barrier just passed

@@ -115,6 +115,7 @@ bool Interpreter::interrupt(std::uint64_t serial, bool within, unsigned) {
     source_->seek(frame.begin);
     frames_.push_back(std::move(frame));
     blocks_begun_ = line_left_ = reread_ = false;
+    managed_serial_ = 0;
     fresh_ = state_changed_ = true;
     measuring_ = {};
     return true;

@@ -88,6 +88,7 @@ Settings fanuc_settings(const Table& t, unsigned l) {
     s.shared_500 = get(t, f6037, l);
     s.print_compact = bit(t, f6001, l, 1);
     if (const auto device = get(t, f0020, l); device <= 2) s.print_line_end = bit(t, device == 0 ? f0103 : device == 1 ? f0113 : f0123, l, 3) ? "\n\r" : "\n";
+    s.managed_tools = s.group_calls = bit(t, n2900_tool_m_config, 0);
     s.t_calls = bit(t, f6001, l, 5);
     if (s.t_calls) s.letter_calls.push_back({'T', 9000, 149});
     for (unsigned n = 0; n < 10; ++n) {

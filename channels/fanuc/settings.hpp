@@ -68,7 +68,10 @@ struct Settings {
     unsigned hidden_programs = 0;        // N1756: single block does not stop in bit 0 O8000 to O8999, bit 1 O9000 to O9999
     bool positions_programmed = false;   // N1755#5 PCS: #5041, #5061 in the programming system
     bool positions_with_length = false;  // N1755#6 TLC = 0: with the tool's lengths
-    std::int64_t managed_offset_code = 0;   // N2923; 0 none
+    bool managed_tools = false;             // N2900 TMU
+    std::int64_t managed_offset_code = 0;   // N2923: this offset number is that of the tool that works; 0 none
+    std::int64_t place_code = 0;            // N2924: the M code with which T names a place; 0 none
+    bool group_calls = false;               // T with an offset of nines calls a tool life group, with eights cancels the offset
     bool offsets_by_g = false;           // nct N1414#0, milling channels: T is the tool alone
     bool second_geometry = false;        // nct N1414#4
     bool milling_drills = false;         // G73 G74 G76 are drilling cycles

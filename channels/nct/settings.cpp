@@ -87,7 +87,9 @@ fanuc::Settings nct_settings(const Table& t, unsigned l) {
     s.shared_500 = get(t, n1701_no_of_common_500);
     s.print_compact = bit(t, n1757_print_contr, l, 0);
     s.print_parity = true;
-    s.managed_offset_code = get(t, n2923_no_of_offset_code, l);
+    s.managed_tools = bit(t, n2900_tool_m_config, 0);
+    s.managed_offset_code = s.managed_tools ? get(t, n2923_no_of_offset_code, l) : 0;
+    s.place_code = s.managed_tools ? get(t, n2924_m_code_of_particular_t, l) : 0;
     s.sub_levels = 16;
     s.common_last = 499;
     s.angle_positive = false;

@@ -153,6 +153,7 @@ void ChannelProcess::begin_program() {
     view_.reset(new MachineView(make_machine_view(*table, channel_)));   // made in place: its names point into itself
     if (!take_store()) return;
     port_.configure(view_->machine, services_.setup);
+    port_.tools_from(params::bit(*table, params::n2900_tool_m_config, 0) ? &*store_ : nullptr);
     port_.print_beside(running_.path, params::get_text(*table, params::pt_print_to, channel_));
     port_.pretend({});
     port_.look();

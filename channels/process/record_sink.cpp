@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 
 #include "ipc/machine/named_inputs.hpp"
+#include "ipc/machine/tool_fields.hpp"
 
 namespace polyturn::channels {
 namespace {
@@ -71,7 +73,9 @@ void RecordSink::aux(const Aux& aux, const BlockContext& at) {
     r.code = aux.letter;
     r.value = aux.value;
     if (aux.beside) r.flags |= kBesidePath;
-    copy_text(aux.text, r.text);
+    r.plane[0] = static_cast<std::uint8_t>(aux.by);
+    copy_text(aux.name.empty() ? aux.text : aux.name, r.text);
+    r.plane[1] = !aux.name.empty();
     push(r, true, aux.drained);
 }
 
@@ -190,6 +194,40 @@ void RecordSink::signal(std::string_view name, double value, const BlockContext&
         r.value = value;
         push(r, false, false);
     }
+}
+
+// A column or tool parameter that does not exist is the language's mistake, told before it comes here.
+void RecordSink::tool_write(const ToolWrite& write, const BlockContext& at) {
+    PathRecord r = event(RecordKind::ToolData, at, 0);
+    r.mask = static_cast<std::uint32_t>(write.tool);
+    r.value = write.value;
+    if (write.field.empty()) {
+        r.plane[0] = static_cast<std::uint8_t>(write.edge);
+        r.code = write.dp;
+    } else {
+        const auto field = find_tool_field(write.field);
+        if (!field) return;
+        r.code = static_cast<std::int32_t>(*field);
+    }
+    copy_text(write.text, r.text);
+    push(r, false, false);
+}
+
+void RecordSink::life_group(const LifeGroup& group, const BlockContext& at) {
+    PathRecord r = event(RecordKind::LifeGroup, at, 0);
+    r.code = static_cast<std::int32_t>(group.step);
+    r.mask = static_cast<std::uint32_t>(group.group);
+    r.plane[0] = static_cast<std::uint8_t>(group.kind);
+    r.value = group.step == LifeGroupStep::Tool ? group.station : group.life;
+    // Each tool carries the life of its group, its place in the order and its offset.
+    if (group.step == LifeGroupStep::Open) group_ = group, group_order_ = 0;
+    if (group.step == LifeGroupStep::Tool) {
+        r.plane[0] = static_cast<std::uint8_t>(group_.kind);
+        char text[sizeof r.text];
+        std::snprintf(text, sizeof text, "%d %d %.6g", group.offset, ++group_order_, group_.life);
+        copy_text(text, r.text);
+    }
+    push(r, false, false);
 }
 
 void RecordSink::parameter(std::string_view line, const BlockContext& at) {

@@ -45,6 +45,8 @@ public:
     void message(std::string_view text, const BlockContext&) override;
     void interrupts(const Interrupts& interrupts, const BlockContext& at) override;
     void parameter(std::string_view line, const BlockContext& at) override;
+    void tool_write(const ToolWrite&, const BlockContext&) override;
+    void life_group(const LifeGroup&, const BlockContext&) override;
     void signal(std::string_view name, double value, const BlockContext& at) override;
     void print(std::string_view text, const BlockContext& at) override;
     void stop(const Stop&, const BlockContext&) override;
@@ -84,6 +86,8 @@ private:
     void await_axes_of(const Move&, const BlockContext&);
     void await_spindles(const BlockContext&);
     bool demand(std::string_view name, double value, const BlockContext&);
+    LifeGroup group_{};            // that was opened last
+    int group_order_ = 0;
     Outstanding under_way_;        // told beside the path and not waited for yet
     AxisSet last_moved_ = 0;       // by the last move of the path
     std::array<double, kChannelAxes> window_mm_{};

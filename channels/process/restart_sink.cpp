@@ -89,7 +89,7 @@ void RestartSink::aux(const Aux& a, const BlockContext& at) {
     } else {
         std::erase_if(aux_, [&](const KeptAux& k) { return k.group == group; });
     }
-    aux_.push_back({group, a.letter, a.value, std::string(a.text)});
+    aux_.push_back({group, a.letter, a.value, std::string(a.text), a.by, std::string(a.name)});
 }
 
 void RestartSink::spindle(const Spindle& s, const BlockContext& at) {
@@ -150,7 +150,7 @@ void RestartSink::arrive(const BlockContext& at, const Move* first) {
     next_->stop({StopReason::Restart}, at);
     for (const bool tools : {true, false})
         for (const KeptAux& kept : aux_)
-            if ((kept.group == kToolChange) == tools) next_->aux({kept.letter, kept.value, kept.text, false}, at);
+            if ((kept.group == kToolChange) == tools) next_->aux({.letter = kept.letter, .value = kept.value, .text = kept.text, .by = kept.by, .name = kept.name}, at);
     // Limits before the speeds that they limit.
     for (const bool limits : {true, false})
         for (const Spindle& s : spindles_)

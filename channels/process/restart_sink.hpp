@@ -46,6 +46,8 @@ public:
     void interrupts(const Interrupts& i, const BlockContext& at) override;
     void print(std::string_view text, const BlockContext& at) override { if (here(at)) next_->print(text, at); }
     void parameter(std::string_view line, const BlockContext& at) override { (void)here(at), next_->parameter(line, at); }
+    void tool_write(const ToolWrite& w, const BlockContext& at) override { (void)here(at), next_->tool_write(w, at); }
+    void life_group(const LifeGroup& g, const BlockContext& at) override { (void)here(at), next_->life_group(g, at); }
     void signal(std::string_view name, double value, const BlockContext& at) override;
     void barrier(const BlockContext& at) override { next_->barrier(at); }
     void block_end(const BlockContext& at) override { if (!searching_) next_->block_end(at); }
@@ -56,6 +58,8 @@ private:
         char letter = 'M';
         double value = 0;
         std::string text;
+        ToolCallBy by = ToolCallBy::Type;
+        std::string name;
     };
     bool here(const BlockContext& at, const Move* first = nullptr);   // the block has been reached: everything passes
     void arrive(const BlockContext& at, const Move* first);

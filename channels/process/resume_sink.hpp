@@ -38,6 +38,8 @@ public:
     void interrupts(const Interrupts& i, const BlockContext& at) override { pass(at, [&](const BlockContext& c) { next_->interrupts(i, c); }); }
     void print(std::string_view text, const BlockContext& at) override { pass(at, [&](const BlockContext& c) { next_->print(text, c); }); }
     void parameter(std::string_view line, const BlockContext& at) override { pass(at, [&](const BlockContext& c) { next_->parameter(line, c); }); }
+    void tool_write(const ToolWrite& w, const BlockContext& at) override { pass(at, [&](const BlockContext& c) { next_->tool_write(w, c); }); }
+    void life_group(const LifeGroup& g, const BlockContext& at) override { pass(at, [&](const BlockContext& c) { next_->life_group(g, c); }); }
     void signal(std::string_view name, double value, const BlockContext& at) override { pass(at, [&](const BlockContext& c) { next_->signal(name, value, c); }); }
     void barrier(const BlockContext& at) override { next_->barrier(at); }   // no part: whether there is one may change
     void block_end(const BlockContext& at) override { next_->block_end(at); }

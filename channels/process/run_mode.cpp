@@ -19,7 +19,7 @@ std::string language_of(const RunModeOptions& options, const MachineView& view) 
 class LanguageRun : public ProgramRun {
 public:
     LanguageRun(MachineView& view, Sink& sink, Port& port, const ProgramChoice& choice, const text::Setup& setup, const std::string& language, EventSink*& events)
-        : view_(&view), choice_(choice), setup_(&setup), events_(&events), name_(language) {
+        : view_(&view), port_(&port), choice_(choice), setup_(&setup), events_(&events), name_(language) {
         for (const std::string& path : setup.channel(view.channel).subprograms) files_.add_library(path);
         const std::string folder = std::filesystem::path(choice.path).parent_path().string();
         if (!choice.path.empty()) files_.add_folder(folder);
@@ -35,6 +35,8 @@ public:
         if (!main) return main.diagnosis();
         if (auto started = language_->start(*main); !started) return started.diagnosis();
         language_->core().start_at_machine(view_->start);
+        if (const ToolTable* tools = port_->tool_table())
+            language_->preset_stored(*tools, *port_->tool_edges(), static_cast<int>(params::get(view_->table(), params::pt_tool_unit, view_->channel)));
         preset(*language_, setup_->channel(view_->channel));
         return {};
     }
@@ -57,6 +59,7 @@ public:
 
 private:
     MachineView* view_;
+    Port* port_;
     ProgramChoice choice_;
     const text::Setup* setup_;
     EventSink** events_;   // the describing sink of the running program

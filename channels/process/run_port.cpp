@@ -3,6 +3,7 @@
 #include <ctime>
 
 #include "ipc/machine/named_inputs.hpp"
+#include "ipc/memory/segment.hpp"
 
 namespace polyturn::channels {
 
@@ -10,6 +11,7 @@ RunPort::RunPort(const KernelSegment& kernel, unsigned channel)
     : kernel_(&kernel), channel_(channel), status_(std::make_unique<MachineStatus>()), plc_(std::make_unique<PlcOutputs>()) {}
 
 void RunPort::look() {
+    tools_read_ = edges_read_ = false;
     // A reader that is overtaken 64 times tries again: the picture must be whole, and the kernel never waits for it.
     while (!kernel_->status.read(*status_)) {}
     while (!kernel_->plc_seen.read(*plc_)) {}
@@ -123,6 +125,34 @@ bool RunPort::print(const MachineView&, std::string_view bytes, bool control) {
 unsigned RunPort::selected_spindle() {
     const std::int32_t number = plc_->signal[PlcSignal{signals::cp_ssel}(channel_)];
     return number > 0 && number <= static_cast<std::int32_t>(kMaxSpindles) ? static_cast<unsigned>(number) : 0u;
+}
+
+// A program that is only interpreted (restart at a block) calls none of the tools it passes.
+std::optional<Port::ToolAtWork> RunPort::tool_at_work() {
+    if (pretended_) return ToolAtWork{-1, 0, 0};
+    return ToolAtWork{own().tool, own().tool_offset, own().tool_radius_offset};
+}
+
+// What the kernel has told the store up to this barrier is in the table: two virtual runs read the same.
+void RunPort::await_store() const {
+    constexpr int kMostMs = 200;   // a store that has died is no reason to stand
+    for (int ms = 0; ms < kMostMs && store_->persist_tail.tail.load(std::memory_order_acquire) < kernel_->persist.head.load(std::memory_order_acquire); ++ms) sleep_ms(1);
+}
+
+const ToolTable* RunPort::tool_table() {
+    if (!store_) return nullptr;
+    if (!tools_read_) await_store();
+    if (!tools_) tools_ = std::make_unique<ToolTable>();
+    while (!tools_read_) tools_read_ = store_->tools.read(*tools_);
+    return tools_.get();
+}
+
+const ToolEdgeTable* RunPort::tool_edges() {
+    if (!store_) return nullptr;
+    if (!edges_read_) await_store();
+    if (!edges_) edges_ = std::make_unique<ToolEdgeTable>();
+    while (!edges_read_) edges_read_ = store_->edges.read(*edges_);
+    return edges_.get();
 }
 
 Port::Turning RunPort::started_by_others(unsigned) { return Turning::Watched; }

@@ -43,6 +43,10 @@ public:
     double spindle_override(unsigned spindle) override { return status_->spindles[spindle - 1].override; }
     std::optional<double> spindle_speed(unsigned spindle) override { return std::abs(status_->spindles[spindle - 1].speed); }
     unsigned selected_spindle() override;
+    std::optional<ToolAtWork> tool_at_work() override;
+    const ToolTable* tool_table() override;
+    const ToolEdgeTable* tool_edges() override;
+    void tools_from(const StoreSegment* store) { store_ = store; }   // null: there is no tool management
     // What the program prints goes to `device` (PT_PRINT_TO), or into a file beside it: <program>.L<channel>.print; without a
     // program (MDI) nowhere.
     void print_beside(const std::string& program, std::string_view device);
@@ -51,9 +55,14 @@ public:
     const MachineStatus& picture() const { return *status_; }
 
 private:
+    void await_store() const;
     const ChannelStatus& own() const { return status_->channels[channel_ - 1]; }
     const KernelSegment* kernel_;
     unsigned channel_;
+    const StoreSegment* store_ = nullptr;
+    std::unique_ptr<ToolTable> tools_;        // read when somebody asks
+    std::unique_ptr<ToolEdgeTable> edges_;
+    bool tools_read_ = false, edges_read_ = false;
     const MachineConfig* machine_ = nullptr;
     const text::Setup* setup_ = nullptr;
     std::unique_ptr<MachineStatus> status_;

@@ -118,7 +118,8 @@ bool Interpreter::functions_before() {
                 });
                 if (!ok) return false;
             }
-            if (!is_spindle_function(m)) m_to_plc(word, m);
+            const bool told = settings_.tool_by_m6 && m == settings_.tool_change_m && managed_serial_ == core_.at.serial;   // before the barrier
+            if (!is_spindle_function(m) && !told) m_to_plc(word, m);
         }
     }
     return true;

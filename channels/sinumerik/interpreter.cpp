@@ -65,6 +65,7 @@ Result<void> Interpreter::start(FileId main) {
     std::erase_if(actions_, [](const SynchronizedAction& one) { return !one.is_static; });
     of_channel_ = false;
     ended_ = reread_ = jumped_ = needs_barrier_ = wants_barrier_ = called_ = false;
+    managed_serial_ = 0;
     fresh_ = true;   // cycle start is a barrier
     serial_ = 0;
     points_.clear();
@@ -259,7 +260,7 @@ bool Interpreter::read_line() {
         reading_ = !statement_->act ? true : reading_;
         ok = statement_->act ? run_statement() : fail_at(Alarm::NotBuilt, cursor_.at() - first.size(), first.size(), std::string(statement_->name));
     } else {
-        ok = parse_words() && check_block() && synchronized_actions();
+        ok = parse_words() && check_block() && managed_tool() && synchronized_actions();
         reading_ = false;
         if (ok) block_undo_.clear();
         ok = ok && act();
@@ -304,6 +305,7 @@ Step Interpreter::after_block(bool ok) {
         if (!core_.end_compensated_block(counts, wants_barrier_, ended_)) return fault(core_.fault());
         if (core_.transformation_failed()) return fault(core_.fault());
     }
+    if (managed_serial_ == core_.at.serial) core_.mark_emitted();   // its T came before the barrier
     if (core_.emitted()) {
         fresh_ = false;
         core_.end_block();

@@ -39,6 +39,7 @@ public:
     bool preset_text(std::string_view name, std::string_view value) override;
     bool preset_tool(int number, std::string_view name) override;
     bool preset_edge(int tool, int edge, std::string_view parameter, double value) override;
+    void preset_stored(const polyturn::ToolTable& tools, const polyturn::ToolEdgeTable& edges, int unit) override;
     Core& core() override { return core_; }
     void active_codes(std::string& out) const override;
     void keep_resume_states(bool on) override;
@@ -121,6 +122,7 @@ public:
     bool p_interrupts(Call&), p_without_effect(Call&), p_trail(Call&), p_wheel_speed(Call&), a_sum_offset(const Word&);
     bool p_msg(Call&), p_setal(Call&), p_stopre(Call&), p_setms(Call&), p_wait_marker(Call&), p_wait_end(Call&);
     bool p_set_marker(Call&), p_init(Call&), p_start(Call&), p_nothing(Call&), p_fgroup(Call&), p_diamchan(Call&);
+    bool p_reset_monitoring(Call& c);
     bool p_spindle_control(Call&), p_wait_axis(Call&), p_wait_spindle(Call&), p_delt(Call&), p_wrtpr(Call&);
     bool p_transmit(Call&), p_tracyl(Call&), p_traang(Call&), p_trafoof(Call&);   // geo_transform.cpp
     bool transformation_data(std::int64_t kind, const Call& c, std::size_t number_at, std::array<int, 3>& axes);
@@ -192,6 +194,13 @@ private:
     bool tool_words();
     bool changes_tool() const;
     bool select_tool(const Word& word);
+    // managed_tools.cpp
+    bool managed();                       // tool management answers T
+    bool managed_tool();                  // the T or tool change of this block has been executed; false: it is read again behind it
+    bool monitoring(const std::string& name, const std::vector<Value>& indices, const char* from, std::size_t length, std::string& field, double& value);
+    void tell_tool(const std::string& name, const Value& value);
+    bool write_monitoring(const std::string& name, const std::vector<Value>& indices, const char* from, std::size_t length, const Value& value);
+
     bool change_tool();
     bool select_edge(int edge);
     void apply_tool();
@@ -379,6 +388,7 @@ private:
     // the block
     bool wants_barrier_ = false, ended_ = false, jumped_ = false, reread_ = false, fresh_ = true, needs_barrier_ = false;
     bool called_ = false;
+    std::uint64_t managed_serial_ = 0;                           // of the block whose T has been executed before the rest of it
     std::uint64_t moves_before_ = 0;
     std::size_t fault_column_ = 0, fault_length_ = 0;
     unsigned depth_ = 0;                                         // of nested brackets

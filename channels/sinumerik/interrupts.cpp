@@ -100,6 +100,7 @@ bool Interpreter::interrupt(std::uint64_t serial, bool, unsigned input) {
     levels_.back().interrupt = true;
     levels_.back().begin_of_block = begin;
     called_ = jumped_ = reread_ = false;
+    managed_serial_ = 0;
     fresh_ = state_changed_ = true;
     return true;
 }

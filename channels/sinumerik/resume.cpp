@@ -47,6 +47,7 @@ bool Interpreter::resume_at(std::uint64_t serial) {
     source_->seek(point->position);
     serial_ = serial - 1;
     ended_ = reread_ = jumped_ = called_ = wants_barrier_ = needs_barrier_ = false;
+    managed_serial_ = 0;
     block_undo_.clear();
     fresh_ = true;
     state_changed_ = true;

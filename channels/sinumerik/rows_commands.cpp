@@ -54,6 +54,7 @@ constexpr Command kRows[] = {
     {"NEWT", true, 1, 2, "sr", &I::f_newt},
     {"GETDNO", true, 2, 2, "r", &I::f_getdno},
     {"DELT", false, 1, 2, "sr", &I::p_delt, true},
+    {"RESETMON", false, 2, 4, "vrrr", &I::p_reset_monitoring, true},
     // text files
     {"WRITE", false, 3, 4, "vs*", &I::p_write, true},
     {"READ", false, 5, 5, "vsrrv", &I::p_read, true},

@@ -45,7 +45,7 @@ bool Interpreter::is_system_variable(std::string_view name) const {
         "$AN_LANGUAGE_ON_HMI", "$P_ACTID", "$P_UIFR", "$P_UIFRNUM", "$P_NUM_SPINDLES"};
     for (const std::string_view known : kNames)
         if (known == name) return true;
-    return name.starts_with("$TC_DP") || name == "$TC_TP2" || name == "$TC_TP_MAX_VELO";
+    return name.starts_with("$TC_DP") || name.starts_with("$TC_MOP") || name == "$TC_TP9" || name == "$TC_TP2" || name == "$TC_TP_MAX_VELO";
 }
 
 bool Interpreter::system_value(Value& value) {
@@ -149,6 +149,12 @@ bool Interpreter::system_value(Value& value) {
 // $TC_DPx[t,d], $TC_DPNT[t,d], $TC_SCPxy, $TC_ECPxy[t,d], $TC_TP2[t], $TC_TP_MAX_VELO[t]
 bool Interpreter::tool_value(const std::string& name, const std::vector<Value>& indices, const char* from, std::size_t length, Value& value) {
     const auto tool_number = indices.empty() ? -1 : static_cast<std::int64_t>(indices[0].number);
+    if (name.starts_with("$TC_MOP") || name == "$TC_TP9") {
+        std::string field;
+        double now = 0;
+        if (!monitoring(name, indices, from, length, field, now)) return false;
+        return value = name == "$TC_TP9" ? Value::of_int(now) : Value::of_real(now), true;
+    }
     const auto found = tools_.find(tool_number);
     if (name == "$TC_TP2") return value = Value::of_text(found == tools_.end() ? std::string() : found->second.name), true;
     if (name == "$TC_TP_MAX_VELO") return value = Value::of_real(found == tools_.end() ? 0.0 : found->second.max_velocity), true;
@@ -216,6 +222,10 @@ bool Interpreter::parse_system_assignment() {
         if (name == "$TC_TP2") tools_[number].name = value.text;
         else tools_[number].max_velocity = value.number;
         return true;
+    }
+    if (name.starts_with("$TC_MOP") || name == "$TC_TP9") {
+        if (!convert(value, Type::Real)) return fail_at(Alarm::ConversionImpossible, at, 1, name);
+        return write_monitoring(name, indices, from, length, value);
     }
     if (name.starts_with("$TC_")) {
         double* cell = nullptr;

@@ -45,6 +45,10 @@ bool Interpreter::changes_tool() const {
 
 bool Interpreter::select_tool(const Word& word) {
     std::int64_t number = 0;
+    if (managed()) {   // T has been told already (managed_tools.cpp); with M6 the tool is known behind the change
+        modal_.tool_selected = settings_.tool_by_m6 ? 0 : core_.port().tool_at_work().value_or(Port::ToolAtWork{}).number;
+        return settings_.tool_by_m6 ? true : change_tool();
+    }
     if (word.value.type == Type::String) {
         for (const auto& [n, tool] : tools_)
             if (tool.name == word.value.text && !word.value.text.empty()) {
@@ -65,6 +69,7 @@ bool Interpreter::select_tool(const Word& word) {
 
 bool Interpreter::change_tool() {
     if (modal_.tool_selected < 0) return true;
+    if (managed()) modal_.tool_selected = core_.port().tool_at_work().value_or(Port::ToolAtWork{}).number;
     modal_.tool = modal_.tool_selected;
     modal_.tool_selected = -1;
     const auto found = tools_.find(modal_.tool);

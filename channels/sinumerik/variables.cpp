@@ -196,6 +196,7 @@ bool Interpreter::assignment(const Reference& reference) {
 }
 
 void Interpreter::report_variable(const std::string& name, const Value& value) {
+    if (name.starts_with("$TC_")) tell_tool(name, value);
     core_.mark_emitted();
     core_.sink().variable({name, value.type <= Type::Real ? value.number : std::numeric_limits<double>::quiet_NaN(), -1}, core_.at);
 }

@@ -218,9 +218,9 @@ bool Core::dwell(double value, bool revolutions, std::string_view until) {
     return true;
 }
 
-void Core::aux(char letter, double value, std::string_view text, bool drained, bool silent) {
+void Core::aux(char letter, double value, std::string_view text, bool drained, bool silent, ToolCallBy by, std::string_view name) {
     emitted_ = true;
-    sink_->aux({letter, value, text, drained, silent}, at);
+    sink_->aux({.letter = letter, .value = value, .text = text, .drained = drained, .silent = silent, .by = by, .name = name}, at);
 }
 
 }  // namespace polyturn::channels

@@ -287,7 +287,7 @@ public:
     // --- everything else
     bool dwell(double value, bool revolutions, std::string_view until = {});   // until: a signal that ends it early
     void signal(std::string_view name, double value) { emitted_ = true, sink_->signal(name, value, at); }
-    void aux(char letter, double value, std::string_view text, bool drained, bool silent = false);
+    void aux(char letter, double value, std::string_view text, bool drained, bool silent = false, ToolCallBy by = ToolCallBy::Type, std::string_view name = {});
     // What a block says about the spindle is gathered and told once, by commit_spindle().
     bool spindle_speed(double value);                     // S word: 1/min, or m/min with G96
     bool spindle_turn(SpindleTurn turn);

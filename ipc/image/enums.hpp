@@ -37,8 +37,11 @@ enum class RecordKind : std::uint8_t {
     Torque,        // the drive of axis[0] may give only `value` thousandths of its torque, 0 all; shape[0] window of the fixed stop in mm
                    // (0: PT_STOP_WINDOW)
     Home,          // stands until the axes axis[0..axis_count) that have no reference point have found it
-    ToolData,      // a value of a tool in path order: code index of the tool field, mask data number, plane[0] edge, value, text
+    ToolData,      // a value of a tool in path order: mask data number, plane[0] edge, value; code: index of the tool field (of an edge:
+                   // tool parameter DP); text of a text field
     Parameter,     // text: a parameter line that the program gives (G10 L50), for the store
+    LifeGroup,     // a step of registering tool life groups (G10 L3): code LifeGroupStep, mask group, plane[0] LifeKind, value life;
+                   // Tool: value station, text: offset, place in the order, life
 };
 
 enum RecordFlag : std::uint32_t {
@@ -157,6 +160,8 @@ enum class StoreRequestKind : std::uint32_t {
     ToolLife,      // number: data number, field: LifeKind, value: what was used up
     ToolValue,     // number: data number, field: index of the tool field, value; written by a program in path order
     ToolChanged,   // the tool change code (M06) is finished: what was called before works now
+    EdgeValue,     // number: data number, field: edge * 100 + tool parameter (DP), value; written by a program in path order
+    LifeGroup,     // number: group, field: LifeGroupStep + 16 * LifeKind, value: life or station, name of a tool: "offset order life"
 };
 // How a T call names its tool: StoreRequest::field and PathRecord::plane[0] of an Aux T.
 enum class ToolCallBy : std::int32_t {
@@ -166,9 +171,13 @@ enum class ToolCallBy : std::int32_t {
     Name,          // text: name; sisters by search strategy
     Forced,        // text or value: this very tool, whatever its state
     Location,      // value: pot of the channel's turret; its name is then searched for (Sinumerik T=5)
+    Substitute,    // value: data number; when its life is over another tool of its type number (Fagor's families)
 };
 enum ToolState : std::uint32_t { kToolActive = 1u << 0, kToolEnabled = 1u << 1, kToolLocked = 1u << 2, kToolWorn = 1u << 3, kToolWarned = 1u << 4, kToolBroken = 1u << 5,
                                  kToolFixedPlace = 1u << 6, kToolUsed = 1u << 7, kToolMeasured = 1u << 8 };
+inline constexpr std::int32_t kToolNews = -2;   // ToolAnswer::alarm: about the tool that works; `id`: the request that it comes from, 0 an operator's
+// Registering tool life groups, step by step (G10 L3 ... G11).
+enum class LifeGroupStep : std::int32_t { ForgetAll = 0, Forget, Open, Tool };
 enum class LifeKind : std::uint32_t { None = 0, Minutes, Pieces, Uses, Metres, Wear };
 enum class PlaceKind : std::uint32_t { Chain = 0, Matrix, Turret, Spindle, Arm };
 enum PlaceState : std::uint32_t { kPlaceLocked = 1u << 0, kPlaceHalf = 1u << 1 };

@@ -1,5 +1,7 @@
 #include "kernel/cyclic/attach.hpp"
 
+#include <cstring>
+
 namespace polyturn::kernel {
 namespace {
 ProcessState state_of(const ProcessEntry& entry) { return static_cast<ProcessState>(entry.state.load(std::memory_order_acquire)); }
@@ -43,8 +45,22 @@ void Peers::watch(Machine& machine, const std::atomic<bool>& stop) {
     constexpr int kLookMs = 20;
     std::array<int, kProcesses> pid{};
     for (std::size_t p = 0; p < kProcesses; ++p) pid[p] = supervisor_.processes[p].pid;
+    const StoreSegment* store = &machine.store_segment();
+    std::uint64_t shown = store->tools.version();
     while (!stop.load(std::memory_order_acquire)) {
         sleep_ms(kLookMs);
+        // A longer tool guards from the next tick on that finds it here. Life that is counted changes the table too: only other
+        // outlines are news.
+        if (const std::uint64_t now = store->tools.version(); now != shown && machine.core().next_shapes.load(std::memory_order_acquire) == nullptr) {
+            ToolShapes& fresh = shapes_[next_shapes_];
+            if (read_tool_shapes(*store, machine.core().table, fresh)) {
+                shown = now;
+                if (std::memcmp(&fresh, &shapes_[next_shapes_ ^ 1u], sizeof fresh) != 0) {
+                    machine.core().next_shapes.store(&fresh, std::memory_order_release);
+                    next_shapes_ ^= 1u;
+                }
+            }
+        }
         for (std::size_t p = 0; p < kProcesses; ++p) {
             const ProcessEntry& entry = supervisor_.processes[p];
             const int now = entry.pid;
@@ -59,6 +75,8 @@ void Peers::watch(Machine& machine, const std::atomic<bool>& stop) {
                 auto next = attach_to<StoreSegment>(instance_, 0, entry);
                 if (!next) continue;
                 stores_.push_back(std::move(*next));
+                store = &*stores_.back();
+                shown = 0;
                 machine.core().next_store.store(&*stores_.back(), std::memory_order_release);
             } else if (p == kProcessDrives) {
                 if (!machine.segment_drives() || !machine.segment_drives()->attach_successor(now)) continue;

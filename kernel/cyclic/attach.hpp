@@ -28,6 +28,8 @@ private:
     std::vector<PeerSegment<ChannelSegment>> old_channels_;
     std::vector<PeerSegment<PlcSegment>> old_plcs_;
     std::vector<PeerSegment<StoreSegment>> stores_;
+    std::array<ToolShapes, 2> shapes_{};   // the one that was handed over last, and the one that is read next
+    unsigned next_shapes_ = 0;
     std::optional<PeerSegment<PlcSegment>> plc_;
     std::array<std::optional<PeerSegment<ChannelSegment>>, kMaxChannels> channels_;
 };

@@ -23,6 +23,7 @@ public:
     bool active() const noexcept { return active_; }
     void limit_speed(double speed) noexcept { limits_.speed = speed; }   // of what is still to be driven; 0: it stands and waits
     bool stands() const noexcept { return state_.v == 0 && limits_.speed == 0; }
+    double sign() const noexcept { return sign_; }
     bool ran() const noexcept { return state_.s > 0; }
     void shift(double by) noexcept { from_ += by; }       // the axis' coordinate was moved
     // The position at the end of this tick.

@@ -132,6 +132,7 @@ void ChannelRunner::reset() noexcept {
 // The path rests: what was pushed and not executed is void, the channel begins again behind it.
 void ChannelRunner::finish_reset() noexcept {
     resetting_ = false;
+    core_.tools.forget(index_);
     core_.waits.leave(index_);
     const bool ran = program_runs() || state_ == ChannelState::Interrupted;
     ++epoch_;

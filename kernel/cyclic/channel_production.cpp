@@ -12,6 +12,7 @@ void ChannelRunner::part_made() noexcept {
     ++parts_;
     end_lap();
     core_.totals.part(index_);
+    core_.tools.part(core_, index_);
     const ChannelConfig& config = core_.config.channels[index_];
     const bool enough = config.parts_wanted > 0 && core_.totals.machined(index_) >= config.parts_wanted;
     if (enough) {

@@ -15,6 +15,8 @@ namespace polyturn::kernel {
 namespace {
 constexpr int kStandingPerTick = 64;  // bounds the work of a tick; more standing records go on with the next one
 constexpr double kStandingRevS = 1e-3;
+constexpr double kToolChangeCode = 6;   // M06
+constexpr double kToolPatienceS = 5;    // a store that died is started again meanwhile
 
 std::string_view text_of(const PathRecord& r) noexcept { return {r.text.data(), ::strnlen(r.text.data(), r.text.size())}; }
 }  // namespace
@@ -85,11 +87,22 @@ bool ChannelRunner::execute(const PathRecord& r, double& left) noexcept {
 
 bool ChannelRunner::execute_instant(const PathRecord& r, double offset_s) noexcept {
     switch (static_cast<RecordKind>(r.kind)) {
+        case RecordKind::ToolData: {
+            const bool edge = r.plane[0] != 0;
+            return core_.store.ask_tool(edge ? StoreRequestKind::EdgeValue : StoreRequestKind::ToolValue, number_, static_cast<std::int32_t>(r.mask), edge ? r.plane[0] * 100 + r.code : r.code,
+                                        r.value, edge ? std::string_view{} : text_of(r), core_.tick, core_.config.answer_ticks);
+        }
+        case RecordKind::LifeGroup:
+            return core_.store.ask_tool(StoreRequestKind::LifeGroup, number_, static_cast<std::int32_t>(r.mask), r.code + 16 * r.plane[0], r.value, text_of(r), core_.tick, core_.config.answer_ticks);
         case RecordKind::Variable:
         case RecordKind::Offset: {
             if (static_cast<RecordKind>(r.kind) == RecordKind::Variable && part_counter(text_of(r), r.value)) return true;
             const StoreRequest q = request_of_record(number_, r);
-            return core_.store.write(static_cast<StoreRequestKind>(q.kind), q.channel, q.number, q.field, q.value, {q.name.data(), ::strnlen(q.name.data(), q.name.size())});
+            const auto kind = static_cast<StoreRequestKind>(q.kind);
+            const std::string_view name(q.name.data(), ::strnlen(q.name.data(), q.name.size()));
+            // A tool's life may be its wear: then there is news of it.
+            if (kind == StoreRequestKind::OffsetValue && ToolDesk::managed(core_)) return core_.store.ask_tool(kind, q.channel, q.number, q.field, q.value, name, core_.tick, core_.config.answer_ticks);
+            return core_.store.write(kind, q.channel, q.number, q.field, q.value, name);
         }
         case RecordKind::SpindleMode:
             if (static_cast<SpindleModeCode>(r.code) == SpindleModeCode::Position) return (void)position_spindle(r), phase_ = Phase::None, true;   // nobody waits
@@ -214,17 +227,51 @@ bool ChannelRunner::handshake(const PathRecord& r) noexcept {
                       : r.code == 'T' ? Lines{signals::cn_tstr, signals::cn_tcode, signals::cp_tfin}
                       : r.code == 'M' ? Lines{signals::cn_mstr, signals::cn_mcode, signals::cp_mfin}
                                       : Lines{signals::cn_bstr, second, signals::cp_bfin};
+    const bool managed = r.code == 'T' && ToolDesk::managed(core_);
+    if (managed && phase_ != Phase::Handshake && !tool_is_known(r)) return false;
     if (phase_ != Phase::Handshake) {
         if (unfinished_ && core_.signals.plc(lines.finished(number_)) != core_.signals.nc(lines.strobe(number_))) return false;   // the code before is still to be seen
         unfinished_ = (control_ & kControlNoFinish) != 0 || (r.flags & kBesidePath) != 0;
         phase_ = Phase::Handshake;
         strobe_ = core_.signals.nc(lines.strobe(number_)) + 1;
+        if (managed) core_.tools.show(core_, index_);
+        else if (r.code == 'T') core_.signals.set_nc(signals::cn_mgzno(number_), 0);
         core_.signals.set_nc(lines.code(number_), static_cast<std::int32_t>(std::lround(r.value)));
         core_.signals.set_nc(lines.strobe(number_), strobe_);
         return false;
     }
     if (!unfinished_ && core_.signals.plc(lines.finished(number_)) != strobe_) return false;
-    if (r.code == 'T') core_.signals.set_nc(signals::cn_potno(number_), static_cast<std::int32_t>(std::lround(r.value)));
+    if (managed) {
+        if (!core_.tools.in_place(core_, index_)) return false;   // the store's ring is full
+        core_.tools.forget(index_);
+    } else if (r.code == 'T') {
+        core_.signals.set_nc(signals::cn_potno(number_), static_cast<std::int32_t>(std::lround(r.value)));
+    } else if (r.code == 'M' && r.value == kToolChangeCode && ToolDesk::managed(core_)) {
+        return core_.tools.changed(core_, index_);
+    }
+    return true;
+}
+
+// Which tool it is, and where it stands: asked of the store before the PLC hears of the T.
+bool ChannelRunner::tool_is_known(const PathRecord& r) noexcept {
+    switch (core_.tools.call(index_)) {
+        case ToolDesk::Call::None:
+            (void)core_.tools.ask(core_, index_, r);
+            return false;
+        case ToolDesk::Call::Asked:
+            if (core_.store_dead && core_.tick - core_.tools.asked_at(index_) > static_cast<std::int64_t>(kToolPatienceS / core_.config.tick_s)) {
+                core_.tools.forget(index_);
+                raise(Alarm::ToolsUnserved, "the store does not run");
+            }
+            return false;
+        case ToolDesk::Call::Refused: {
+            const ToolAnswer answer = core_.tools.answer(index_);
+            core_.tools.forget(index_);
+            raise(static_cast<Alarm>(answer.alarm), {answer.text.data(), ::strnlen(answer.text.data(), answer.text.size())});
+            return false;
+        }
+        case ToolDesk::Call::Answered: return true;
+    }
     return true;
 }
 

@@ -53,6 +53,8 @@ bool ChannelRunner::stops_path(const PathRecord& r) noexcept {
         case RecordKind::Curve: return (r.flags & kThread) != 0;
         case RecordKind::Variable:
         case RecordKind::Offset:
+        case RecordKind::ToolData:
+        case RecordKind::LifeGroup:
         case RecordKind::SpindleMode: {
             const auto mode = static_cast<SpindleModeCode>(r.code);
             if (mode == SpindleModeCode::Position && (r.flags & kBesidePath)) return false;
@@ -433,6 +435,7 @@ void ChannelRunner::publish(ChannelStatus& status) noexcept {
     status.line = line_;
     status.file = file_;
     status.block = block_;
+    core_.tools.publish(index_, status);
     const auto& arrival = core_.waits.at(index_);
     status.wait_code = arrival.here ? arrival.code : 0;
     status.wait_set = arrival.here ? arrival.set : 0;

@@ -108,6 +108,7 @@ public:
     bool cuts() const noexcept { return operates() && moving_ && !moving_rapid_; }
     std::uint32_t number() const noexcept { return number_; }
     bool path_moves() const noexcept { return moving_; }
+    double path_speed() const noexcept { return moving_ ? step_.speed : 0.0; }   // mm/s
     bool in_handshake() const noexcept { return phase_ == Phase::Handshake; }
 
     ChannelState state() const noexcept { return state_; }
@@ -143,6 +144,7 @@ private:
     bool leaves_stop() const noexcept;
     bool execute_instant(const PathRecord& r, double offset_s) noexcept;
     bool handshake(const PathRecord& r) noexcept;
+    bool tool_is_known(const PathRecord& r) noexcept;
     void flag(const PathRecord& r) noexcept;
     bool dwell(const PathRecord& r, double& left) noexcept;
     bool arrive(const PathRecord& r) noexcept;

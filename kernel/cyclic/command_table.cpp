@@ -1,6 +1,7 @@
 // What each command does, at the start of its tick.
 #include <algorithm>
 
+#include "ipc/machine/command_levels.hpp"
 #include "kernel/cyclic/machine.hpp"
 
 namespace polyturn::kernel {
@@ -18,7 +19,14 @@ void Machine::take_commands() noexcept {
     commands_.drain(core_.tick);
     while (const Command* command = commands_.next_due(core_.tick)) {
         const Command due = *command;  // an action may bring further commands into the queue
+        // The supervisor has asked already; a kernel that trusts nobody asks again. Level 0: the machine's own.
+        if (due.level != 0 && due.level - 1 < static_cast<std::uint32_t>(level_of(due))) {
+            core_.alarm(Alarm::LevelTooLow, due.channel, level_words(due));
+            continue;
+        }
+        core_.store.set_asker(due.level ? due.level - 1 : 0, due.user);
         run_command(due);
+        core_.store.set_asker(0, 0);
         plc_.touched();  // it may have changed what the PLC will see
     }
 }

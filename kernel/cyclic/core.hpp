@@ -13,6 +13,8 @@
 #include "kernel/cyclic/spindle_unit.hpp"
 #include "kernel/cyclic/store_link.hpp"
 #include "kernel/cyclic/stroke_guard.hpp"
+#include "kernel/cyclic/tool_desk.hpp"
+#include "kernel/cyclic/tool_shapes.hpp"
 #include "kernel/cyclic/totals.hpp"
 #include "kernel/cyclic/waits.hpp"
 
@@ -35,6 +37,7 @@ struct Core {
     std::array<std::atomic<const ChannelSegment*>, kMaxChannels> next_channel{};
     std::atomic<const PlcSegment*> next_plc{nullptr};
     std::atomic<const StoreSegment*> next_store{nullptr};
+    std::atomic<const ToolShapes*> next_shapes{nullptr};   // outlines of tools have changed; valid until the next but one
 
     params::Table table{};
     KernelConfig config{};
@@ -51,6 +54,7 @@ struct Core {
     Sensors sensors;
     StoreLink store;
     Totals totals;
+    ToolDesk tools;
     std::array<AxisUnit, kMaxAxes> axes{};
     std::array<SpindleUnit, kMaxSpindles> spindles{};
     WaitBoard waits;

@@ -84,8 +84,11 @@ void Guard::configure(const p::Table& t, const KernelConfig& config) {
             if (turret != room_.turrets.end()) {
                 for (const RoomBox& b : turret->second.body) add(b, 0);
                 for (const auto& [station, boxes] : turret->second.tools)
-                    for (const RoomBox& b : boxes) add(b, station);
+                    for (const RoomBox& b : boxes)
+                        if (!shapes_.has(l, station)) add(b, station);
             }
+            for (std::size_t i = 0; i < shapes_.count; ++i)
+                if (const ToolShape& s = shapes_.shapes[i]; s.channel == l) add({s.x_low, s.x_high, s.z_low, s.z_high}, s.station);
             if (body.count == 0) add({-1e-6, 1e-6, -1e-6, 1e-6}, 0);   // the tool carrier's point itself
             watched_ = true;
         }
@@ -252,7 +255,11 @@ Guard::Finding Guard::step(const Core& core) noexcept {
     nearest_ = {kNone, kNone, kFarAway};
     Finding found{kNone, kNone, 0};
     if (!any()) return found;
-    for (std::uint32_t l = 0; l < kMaxChannels; ++l) station_[l] = static_cast<std::uint32_t>(std::max(core.signals.nc(signals::cn_tcode(l + 1)), 0));
+    // Tool management has said where the tool stands; without it T is the station.
+    for (std::uint32_t l = 0; l < kMaxChannels; ++l) {
+        const bool managed = core.signals.nc(signals::cn_mgzno(l + 1)) != 0;
+        station_[l] = static_cast<std::uint32_t>(std::max(core.signals.nc(managed ? signals::cn_potno(l + 1) : signals::cn_tcode(l + 1)), 0));
+    }
     shown_count_ = 0;
     for (std::size_t i = 0; i < body_count_; ++i) place(core, bodies_[i]), show(bodies_[i]);
     for (std::uint32_t i = 0; i < body_count_; ++i) {

@@ -17,6 +17,7 @@
 #include <cstdint>
 
 #include "ipc/machine/room.hpp"
+#include "kernel/cyclic/tool_shapes.hpp"
 #include "kernel/cyclic/core.hpp"
 
 namespace polyturn::kernel {
@@ -25,6 +26,7 @@ class Guard {
 public:
     void take_room(const Room& room, const MachineConfig& machine);            // not in the cyclic thread
     void configure(const params::Table& table, const KernelConfig& config);    // likewise, or at a tick start: allocates nothing
+    void take_tools(const ToolShapes& shapes) noexcept { shapes_ = shapes; }   // instead of what the room says of their stations; then configure()
     // Two bodies that would come too near; first is kNone when none do. Before the drives are spoken to.
     struct Finding {
         std::uint32_t first, second;
@@ -79,6 +81,7 @@ private:
     Room room_;
     bool has_room_ = false, watched_ = false;
     MachineConfig machine_;
+    ToolShapes shapes_;
     std::array<Body, kBodies> bodies_{};
     std::array<Box, kBoxes> boxes_{}, shown_{};
     std::size_t shown_count_ = 0;

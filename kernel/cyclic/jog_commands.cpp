@@ -126,6 +126,12 @@ void Machine::jog_command(const Command& c) noexcept {
     if (by_wheel && (config.handle >> wheel & 1u)) sign = -sign;
     if (by_wheel && channels_[l - 1]->superposes() && channels_[l - 1]->program_runs() && !channels_[l - 1]->jogs_in_hold()) return superpose(a, sign * size * wheel_click(address));
     if (!may_be_moved(address)) return;
+    if (touches_setter(l, a, sign)) {
+        const bool again = static_cast<double>(core_.tick - setters_[l - 1].told) * core_.config.tick_s < 1.0;
+        setters_[l - 1].told = core_.tick;
+        if (!again) core_.alarm(Alarm::NotReady, l, "the tool touches the setter: move it away");
+        return;
+    }
     if (axis.moving() || jogs_[a].active()) {
         // A panel tells again and again that its key is held, so that an axis stops when the panel dies.
         if (kind == CommandKind::Jog) jogs_[a].keep(std::llround(size / core_.config.tick_s), sign);
@@ -173,6 +179,7 @@ void Machine::go_back() noexcept {
 }
 
 void Machine::run_jogs() noexcept {
+    look_at_setters();
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) {
         AxisUnit& axis = core_.axes[a];
         if (!axis.exists()) continue;

@@ -61,6 +61,7 @@ void Machine::start() {
     show_free_parameters();
     core_.totals.start(core_.table);
     store_version_ = store_segment_->version.load(std::memory_order_acquire);
+    core_.tools.start(core_.image, *store_segment_);
     core_.stroke.update(core_);
     set_state(options.ready ? MachineState::On : MachineState::Off);
     step_ = step_now();   // a start is no change
@@ -97,7 +98,13 @@ void Machine::take_successors() noexcept {
         if (const StoreSegment* segment = core_.next_store.exchange(nullptr, std::memory_order_acquire)) {
             store_segment_ = segment;
             core_.store.rebind(core_.image, *segment);
+            core_.tools.rebind(core_.image, *segment);
             core_.store_dead = false;
+        }
+    if (core_.next_shapes.load(std::memory_order_relaxed) != nullptr)
+        if (const ToolShapes* shapes = core_.next_shapes.exchange(nullptr, std::memory_order_acquire)) {
+            guard_.take_tools(*shapes);
+            guard_.configure(core_.table, core_.config);
         }
     // What operators change in the store (offsets, zeros) the channels take over at their next barrier.
     const std::uint64_t version = store_segment_->version.load(std::memory_order_acquire);
@@ -159,6 +166,7 @@ void Machine::adopt_parameters() noexcept {
 
 void Machine::take_answers() noexcept {
     if (core_.store.take_changes(core_.table, core_.tick, core_.virtual_time)) adopt_parameters();
+    core_.tools.take_answers(core_);
     if (core_.store.value_taken())
         for (auto& channel : channels_) channel->store_changed();
     // Said once; the machine stays stopped until a reset finds the PLC answering again.

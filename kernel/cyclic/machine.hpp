@@ -45,6 +45,7 @@ public:
     void attach_plc(const PlcSegment& segment);
     void take_tables(CompensationTables tables);               // before start()
     void take_room(const Room& room, const MachineConfig& machine) { guard_.take_room(room, machine); }
+    void take_tool_shapes(const ToolShapes& shapes) { guard_.take_tools(shapes); }   // before the first tick; later by Core::next_shapes
 
     void tick() noexcept;
     bool ended() const noexcept { return core_.end_run; }
@@ -75,6 +76,16 @@ private:
     void run_channels() noexcept;
     void jog_command(const Command& command) noexcept;
     double jog_feed(std::uint32_t axis) const noexcept;
+    // tool_setter.cpp
+    void look_at_setters() noexcept;
+    bool touches_setter(std::uint32_t channel, std::uint32_t axis, double sign) const noexcept;   // it must not be moved further that way
+    struct Setter {
+        std::array<bool, 2> on{};        // of spindle 1, 2
+        std::int32_t touched = 0;        // axis (from 1), negative: travelling in its negative direction
+        std::uint32_t at = 0;            // setter of spindle 1 or 2
+        std::int64_t told = -1'000'000;  // tick of the last refusal: a panel tells again and again that its key is held
+    };
+    std::array<Setter, kMaxChannels> setters_{};
     bool may_be_moved(std::uint32_t axis) noexcept;
     double by_hand(std::uint32_t axis) const noexcept;
     double wheel_click(std::uint32_t address) const noexcept;

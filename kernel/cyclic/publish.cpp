@@ -46,7 +46,7 @@ void Machine::publish() noexcept {
         out.flags = (spindle.reached() ? 1u : 0u) | (spindle.standing() ? 2u : 0u) | (spindle.mode() == SpindleUnit::Mode::SurfaceSpeed ? 4u : 0u);
     }
     for (unsigned l = 0; l < kMaxChannels; ++l)
-        if (core_.config.channels[l].exists || channels_[l]->attached()) channels_[l]->publish(status.channels[l]);
+        if (core_.config.channels[l].exists || channels_[l]->attached()) channels_[l]->publish(status.channels[l]), status.channels[l].touched = setters_[l].touched, status.channels[l].touched_at = setters_[l].at;
     for (std::size_t a = 0; a < kMaxAxes; ++a) status.route[a] = static_cast<std::uint8_t>(couplings_.route(a));
     core_.image.status.publish();
     core_.image.tick.store(static_cast<std::uint64_t>(core_.tick), std::memory_order_release);

@@ -13,6 +13,8 @@ bool StoreLink::write(StoreRequestKind kind, std::uint32_t channel, std::int32_t
     request->number = number;
     request->field = field;
     request->value = value;
+    request->level = level_;
+    request->user = user_;
     copy_text(request->name, name);
     persist_.commit();
     written_ = true;
@@ -34,8 +36,17 @@ bool StoreLink::ask_value(StoreRequestKind kind, std::uint32_t channel, std::int
     return true;
 }
 
+bool StoreLink::ask_tool(StoreRequestKind kind, std::uint32_t channel, std::int32_t number, std::int32_t field, double value, std::string_view name, std::int64_t tick,
+                         std::int64_t answer_ticks) noexcept {
+    if (due_count_ == due_.size()) return false;
+    if (!write(kind, channel, number, field, value, name)) return false;
+    due_[due_count_++] = {tick + answer_ticks, persist_.head(), false};
+    return true;
+}
+
 void StoreLink::drop_due() noexcept {
     value_taken_ = value_taken_ || due_[0].value;
+    last_answer_ = due_[0].request;
     for (std::size_t i = 1; i < due_count_; ++i) due_[i - 1] = due_[i];
     --due_count_;
 }

@@ -30,8 +30,14 @@ public:
     }
     // False when the ring is full: the record that writes waits.
     [[nodiscard]] bool write(StoreRequestKind kind, std::uint32_t channel, std::int32_t number, std::int32_t field, double value, std::string_view name) noexcept;
+    // Whose command what follows comes from; 0: a program's, or the machine's own.
+    void set_asker(std::uint32_t level, std::uint32_t user) noexcept { level_ = level, user_ = user; }
     // A parameter line; its answer is due `answer_ticks` later.
     [[nodiscard]] bool ask_parameter(std::string_view line, std::int64_t tick, std::int64_t answer_ticks) noexcept;
+
+    // About a tool: a T call, or a write whose answer is news of the tool that works (StoreSegment::tool_answers).
+    [[nodiscard]] bool ask_tool(StoreRequestKind kind, std::uint32_t channel, std::int32_t number, std::int32_t field, double value, std::string_view name, std::int64_t tick,
+                                std::int64_t answer_ticks) noexcept;
 
     // Likewise an offset or a zero.
     [[nodiscard]] bool ask_value(StoreRequestKind kind, std::uint32_t channel, std::int32_t number, std::int32_t field, double value, std::string_view name, std::int64_t tick,
@@ -53,6 +59,7 @@ public:
     // open that is not due yet, then nothing is taken before its tick.
     bool take_changes(params::Table& table, std::int64_t tick, bool virtual_time) noexcept;
     std::uint64_t id() const noexcept { return persist_.head(); }
+    std::uint64_t last_answer() const noexcept { return last_answer_; }   // number of the last question whose answer acts
     bool rang() noexcept { return std::exchange(written_, false); }
 
 private:
@@ -67,6 +74,8 @@ private:
     std::array<Due, 64> due_{};
     std::size_t due_count_ = 0;
     bool written_ = false, value_taken_ = false;
+    std::uint32_t level_ = 0, user_ = 0;
+    std::uint64_t last_answer_ = 0;
     void drop_due() noexcept;
 };
 

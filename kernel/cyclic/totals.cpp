@@ -71,6 +71,14 @@ void Machine::count_totals() noexcept {
         const Totals::Activity activity{channels_[l]->operates(), channels_[l]->cuts(), core_.signals.plc(signals::cp_tmren(l + 1)) != 0};
         totals.spend(l, activity, ms);
         if (ran && !activity.operates) totals.timers_due();
+        const bool cuts = activity.cuts && (channels_[l]->keys & (kKeyDryRun | kKeyMachineLock)) == 0;
+        core_.tools.spend(core_, l, cuts, core_.config.tick_s, channels_[l]->path_speed() * core_.config.tick_s);
+        if ((ran && !activity.operates) || core_.end_run) (void)core_.tools.flush(core_, l);
+        switch (core_.tools.take_end(l)) {
+            case ToolDesk::End::StopAfterPart: channels_[l]->stop_after_part(true); break;
+            case ToolDesk::End::Hold: channels_[l]->safe_hold(); break;
+            case ToolDesk::End::Nothing: break;
+        }
         rests = rests && !activity.operates;
     }
     totals.power_on(ms);

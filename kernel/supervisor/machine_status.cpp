@@ -148,6 +148,8 @@ Result<std::string> status_json(const std::string& instance) {
             "\"cutting\":{},\"rapid\":{},\"waiting\":{},\"retrace\":{},\"wheel\":{},\"superposed\":{},\"restart\":\"{}\"",
             i + 1, state_text(channel.state), mode_text(channel.mode), channel.line, number(channel.feed_override), number(channel.rapid_override),
             channel.wait_code, channel.parts, number(channel.cycle_s), number(channel.cutting_s), number(channel.rapid_s), number(channel.waiting_s), channel.retrace, channel.wheel != 0, (channel.keys & kKeySuperpose) != 0, restart_text(channel.restart));
+        if (channel.tool) channels += fmt::format(",\"tool\":{},\"tool_offset\":{}", channel.tool, channel.tool_offset);   // of tool management
+        if (channel.touched) channels += fmt::format(",\"touched\":\"A{}{}\",\"setter\":{}", std::abs(channel.touched), channel.touched < 0 ? '-' : '+', channel.touched_at);
         if (!p.program[i].empty()) channels += ",\"program\":", append_json_text(channels, p.program[i]);
         channels += '}';
     }

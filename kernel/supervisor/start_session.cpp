@@ -306,7 +306,7 @@ void StartSession::serve_commands(RequestServer::Client client, const Result<std
     for (const Command& command : *commands)
         if (const UserLevel least = level_of(command); !may(client, who, least, std::string(level_words(command)))) return;
     for (Command command : *commands) {
-        command.level = static_cast<std::uint32_t>(who.level);
+        command.level = static_cast<std::uint32_t>(who.level) + 1;
         command.user = who.user;
         controller_->send(command);
     }

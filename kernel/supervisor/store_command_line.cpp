@@ -28,10 +28,13 @@ constexpr Action kActions[] = {
     {"offsets", "list", "The offset table of a channel", "[L]", 0, 1},
     {"offsets", "set", "Values of one offset", "L NUMBER geometry|wear|second X=1.5 ...", 4, -1},
     {"offsets", "measure", "The tip stands where the workpiece measures this", "L NUMBER geometry X=40", 4, 4},
+    {"offsets", "touch", "The tool has touched the setter: shows old, new and difference; with --yes writes", "L [NUMBER [geometry|wear]]", 1, 3},
     {"offsets", "origin", "The relative counter begins here", "[L]", 0, 1},
     {"offsets", "relative", "The relative counter becomes the offset", "L NUMBER geometry X", 4, 4},
     {"offsets", "undo", "Takes the last entry back", "[L]", 0, 1},
     {"offsets", "history", "Who entered what", "", 0, 0},
+    {"presetter", "calibrate", "Scale, tilt and place of the camera by a gauge pin; x and z are the offsets that the middle of its end has, x as a radius", "IMAGE diameter=6 x=50 z=30 [mirrored=1]", 4, 5},
+    {"presetter", "measure", "X, Z, nose radius, tip number and angles of the tool in the picture; with L and NUMBER what would be entered, with --yes enters it", "IMAGE [L NUMBER]", 1, 3},
     {"parts", "list", "Dimensions, what was measured, what is proposed", "", 0, 0},
     {"parts", "add", "A dimension: nominal= upper= lower= tool= channel= axis= limit= share= average= name=", "[NUMBER] COLUMN=VALUE ...", 1, -1},
     {"parts", "set", "Columns of a dimension", "DIMENSION COLUMN=VALUE ...", 2, -1},
@@ -79,6 +82,9 @@ void add(CLI::App& parent, const Action& action, const std::string& name, Comman
     }
     if (which == "set" && group == "offsets") one->add_flag("--incremental", store.incremental, "added to what is there");
     if (which == "measure" && group == "offsets") one->add_option("--zero", store.zero, "zero offset of the workpiece; default G54");
+    if (group == "presetter") one->add_option("--calibration", store.name, "file of the calibration; default presetter.json");
+    if (group == "presetter" && which == "measure") one->add_flag("--yes", store.yes, "write it");
+    if (which == "touch") one->add_flag("--yes", store.yes, "write it");
     if (group == "history" || which == "history") {
         one->add_option("--most", store.most, "lines")->check(CLI::Range(1, 100'000));
         one->add_option("--who", store.who, "only of this user");
@@ -97,7 +103,7 @@ void add(CLI::App& parent, const Action& action, const std::string& name, Comman
 }  // namespace
 
 void add_store_verbs(CLI::App& app, CommandLine& line) {
-    static constexpr const char* kTexts[][2] = {{"tools", "Tools, magazines, life"}, {"offsets", "Tool offsets of a running controller"}, {"parts", "Measured parts and the corrections they propose"},
+    static constexpr const char* kTexts[][2] = {{"tools", "Tools, magazines, life"}, {"offsets", "Tool offsets of a running controller"}, {"presetter", "Tools measured in pictures of their shadow"}, {"parts", "Measured parts and the corrections they propose"},
                                                 {"pallets", "The pallet table"},     {"users", "Logins and levels"}};
     for (const auto& [group, text] : kTexts) {
         CLI::App* parent = app.add_subcommand(group, text);

@@ -190,6 +190,8 @@ std::string store_table(const std::string& what, const Json& answer, bool done) 
     if (answer.contains("old") && answer.contains("new")) {
         std::string out = fmt::format("{}: {} -> {}", cell(answer, "what"), cell(answer, "old"), cell(answer, "new"));
         if (answer.contains("difference")) out += fmt::format(" ({:+})", answer.value("difference", 0.0));
+        if (answer.contains("contact")) out += fmt::format(fmt::runtime(say("\n  touched at {} mm, the setter stands at {} mm\n")), cell(answer, "machine"), cell(answer, "contact"));
+        if (what == "offsets.touch") return out + std::string(say(done ? "Written.\n" : "Nothing was changed yet: say --yes to do it.\n"));
         return out + "\n";
     }
     std::string out;

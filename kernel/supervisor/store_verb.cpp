@@ -17,6 +17,7 @@
 #include "kernel/supervisor/child.hpp"
 #include "kernel/supervisor/job_plan.hpp"
 #include "kernel/supervisor/phrases.hpp"
+#include "kernel/supervisor/presetter_verb.hpp"
 #include "kernel/supervisor/store_tables.hpp"
 
 namespace polyturn::supervisor {
@@ -118,6 +119,12 @@ Json offsets_operation(const StoreOptions& o, std::string& wrong) {
     Json op = {{"do", "offsets." + o.action}};
     if (!w.empty()) op["channel"] = channel_of(w[0]);
     if (o.action == "history") op["most"] = o.most, op["who"] = o.who;
+    if (o.action == "touch") {
+        if (w.size() > 1) op["number"] = w[1];
+        if (w.size() > 2) op["table"] = w[2];
+        op["preview"] = !o.yes;
+        return op;
+    }
     if (w.size() < 4) return op;
     op["number"] = w[1], op["table"] = w[2];
     std::string name, value;
@@ -210,6 +217,7 @@ int store_verb(const StoreOptions& options, bool json) {
     const std::string instance = options.instance.empty() ? "polyturn" : options.instance;
     if (options.group == "login") return log_in(instance, options);
     if (options.group == "restore" && !options.store.empty()) return restore_offline(options);
+    if (options.group == "presetter") return presetter_verb(options, instance, json);
     if (options.group == "logout" || options.group == "who") {
         std::string text;
         if (!ask(instance, Json{{"do", options.group}}.dump(), &text)) return 2;

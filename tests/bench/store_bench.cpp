@@ -1,4 +1,4 @@
-// libs: polyturn_toolmgmt
+// libs: polyturn_toolmgmt GTest::gtest
 // The store's figures (issue 6): a T call among 1000 tools under 200 us; an offset change on disk under 10 ms; 10 000 life
 // updates a second; a start with 1000 tools and a million lines of history under 1 s.
 #include <benchmark/benchmark.h>
@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "../unit/toolmgmt/store_rig.hpp"
 #include "ipc/machine/load_machine.hpp"
 #include "ipc/params/param_file.hpp"
 #include "toolmgmt/database.hpp"
@@ -112,6 +113,105 @@ void BM_Start(benchmark::State& state) {
     }
 }
 BENCHMARK(BM_Start)->Unit(benchmark::kMillisecond)->Iterations(5);
+
+// --- through the real process, as the kernel sees it
+
+const std::string kMachine = std::string(POLYTURN_SOURCE_DIR) + "/examples/machines/twin-turret";
+
+// A store on disk with 1000 tools in magazine 1, and its process.
+struct Running {
+    test::StoreRig rig{"bench"};
+    bool good = false;
+    explicit Running(int history = 0) {
+        fs::create_directories(rig.folder + "/store");
+        {
+            Shop shop;
+            auto disk = Database::open(rig.folder + "/store");
+            if (!disk || !disk->commit(shop.changes, "setup")) return;
+        }
+        if (history > 0) {
+            sqlite3* db = nullptr;
+            sqlite3_open((rig.folder + "/store/" + Database::kFile).c_str(), &db);
+            const std::string fill = "PRAGMA synchronous=OFF; WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < " + std::to_string(history) +
+                                     ") INSERT INTO history(utc, who, what, old, new) SELECT '2026-01-31T12:34:56.789Z', 'operator', 'L1 offset ' || (i % 32) || ' wear X', '0.01', '0.02' FROM n";
+            sqlite3_exec(db, fill.c_str(), nullptr, nullptr, nullptr);
+            sqlite3_close(db);
+        }
+        rig.make_kernel();
+        good = start();
+    }
+    bool start() {
+        return rig.start({"--store", rig.folder + "/store", "--machine", kMachine, "--set", "N2900=00000001", "--set", "N2902=1000", "--set", "PT_TURRET_MAGAZINE L1=0", "--set", "N2910=1000",
+                          "--set", "N2901 L1=00000100"});
+    }
+    std::uint64_t push(StoreRequest request) {
+        const auto index = rig.push(request);
+        (*rig.kernel)->store_bell.ring();
+        return index;
+    }
+    void await(std::uint64_t index) {
+        while ((*rig.store)->persist_tail.tail.load(std::memory_order_acquire) < index) {}
+        (*rig.kernel)->tool_tail.tail.store((*rig.store)->tool_answers.head.load());
+    }
+};
+
+void BM_ToolCallOfTheProcess(benchmark::State& state) {
+    Running running;
+    if (!running.good) return state.SkipWithError("the store does not start");
+    StoreRequest call{};
+    call.kind = static_cast<std::uint32_t>(StoreRequestKind::ToolCall);
+    call.channel = 1;
+    int n = 0;
+    for (auto _ : state) {
+        call.value = 1 + (n++ * 7) % 250;
+        running.await(running.push(call));
+    }
+}
+BENCHMARK(BM_ToolCallOfTheProcess)->Unit(benchmark::kMicrosecond)->UseRealTime()->Iterations(2000);
+
+// An operator's change: asked, on disk, answered.
+void BM_OffsetOfTheProcess(benchmark::State& state) {
+    Running running;
+    if (!running.good) return state.SkipWithError("the store does not start");
+    double value = 0;
+    for (auto _ : state) {
+        value = value > 0.9 ? 0.001 : value + 0.001;
+        const auto answer = running.rig.ask(offset_request(1, 3, OffsetTable::Wear, OffsetField::X, value));
+        if (!answer || !answer->ok) return state.SkipWithError("refused");
+    }
+}
+BENCHMARK(BM_OffsetOfTheProcess)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(300);
+
+// 10 000 life updates: the kernel only writes into its ring; how long until the store has them in its image.
+void BM_TenThousandLifeUpdates(benchmark::State& state) {
+    Running running;
+    if (!running.good) return state.SkipWithError("the store does not start");
+    StoreRequest use{};
+    use.kind = static_cast<std::uint32_t>(StoreRequestKind::ToolLife);
+    use.field = static_cast<std::int32_t>(LifeKind::Minutes), use.value = 1e-9, use.channel = 1;
+    for (auto _ : state) {
+        std::uint64_t last = 0;
+        for (int i = 0; i < 10'000; ++i) {
+            while ((*running.rig.kernel)->persist.head.load() - (*running.rig.store)->persist_tail.tail.load() >= 8000) {}
+            use.number = 1 + i % 1000;
+            last = running.push(use);
+        }
+        running.await(last);
+    }
+}
+BENCHMARK(BM_TenThousandLifeUpdates)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(5);
+
+void BM_StartOfTheProcess(benchmark::State& state) {
+    Running running(1'000'000);
+    if (!running.good) return state.SkipWithError("the store does not start");
+    for (auto _ : state) {
+        state.PauseTiming();
+        running.rig.kill_now();
+        state.ResumeTiming();
+        if (!running.start()) return state.SkipWithError("the store does not start");
+    }
+}
+BENCHMARK(BM_StartOfTheProcess)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(5);
 
 }  // namespace
 }  // namespace polyturn::toolmgmt

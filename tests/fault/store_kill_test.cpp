@@ -6,7 +6,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <random>
+#include <set>
+#include <tuple>
 
 #include "../unit/toolmgmt/store_rig.hpp"
 
@@ -94,6 +97,98 @@ TEST(StoreKilled, LosesNothingThatWasAcknowledged) {
     }
     EXPECT_GT(acknowledged, 100u);
     RecordProperty("acknowledged", static_cast<int>(acknowledged));
+}
+
+// Tools that are set and moved, life that is counted, all at once: what was acknowledged is there after each kill, and no two tools
+// ever stand in one place.
+TEST(StoreKilled, LosesNothingOfToolsAndLife) {
+    using Json = nlohmann::json;
+    StoreRig rig("kill-tools");
+    rig.make_kernel();
+    const std::vector<std::string> arguments = {"--store", rig.folder + "/store", "--machine", kMachine, "--set", "N2900=00000001"};
+    std::mt19937 random(77);
+    const auto send = [&](const Json& operation) {
+        const std::string text = operation.dump();
+        constexpr std::size_t kPiece = sizeof(StoreRequest{}.name) - 1;
+        std::uint64_t last = 0;
+        for (std::size_t at = 0; at < text.size(); at += kPiece) {
+            StoreRequest request = store_request(StoreRequestKind::Operation, 0, static_cast<std::int32_t>(at), at + kPiece < text.size() ? kMoreFollows : 0, 0);
+            request.level = static_cast<std::uint32_t>(UserLevel::Maker);
+            put_name(request, std::string_view(text).substr(at, kPiece));
+            last = rig.send(request);
+        }
+        return last;
+    };
+    constexpr int kMany = 5;
+    std::map<int, Cell> life, pot;
+    std::map<std::uint64_t, std::tuple<bool, int, double>> open;   // request -> is it a move, tool, value
+    std::map<std::uint64_t, std::string> pieces;
+    double pieces_sent = 0;
+    std::uint64_t last_use = 0;
+    std::size_t acknowledged = 0;
+    const auto collect = [&] {
+        while (const auto answer = rig.take_answer()) {
+            const auto found = open.find(answer->id);
+            if (found == open.end()) continue;
+            pieces[answer->id] += answer->text.data();
+            if (answer->more) continue;
+            const auto [moves, tool, value] = found->second;
+            const Json told = Json::parse(pieces[answer->id], nullptr, false);
+            const bool good = told.is_object() && told.value("ok", false);
+            Cell& cell = moves ? pot[tool] : life[tool];
+            const auto at = std::find(cell.asked.begin(), cell.asked.end(), value);
+            if (good && at != cell.asked.end()) cell.acknowledge(value), ++acknowledged;
+            else if (at != cell.asked.end()) cell.asked.erase(at);   // the place was taken
+            open.erase(found);
+        }
+    };
+    ASSERT_TRUE(rig.start(arguments)) << rig.messages();
+    for (int tool = 1; tool <= kMany; ++tool) {
+        life[tool].asked.push_back(1000), pot[tool].asked.push_back(tool);
+        open[send({{"do", "tools.add"}, {"tool", tool}, {"fields", {{"type", tool}, {"life_kind", tool == 5 ? "pieces" : "minutes"}, {"life", 1000}}}})] = {false, tool, 1000};
+        open[send({{"do", "tools.load"}, {"tool", tool}, {"magazine", 1}, {"pot", tool}})] = {true, tool, tool};
+    }
+    for (int ms = 0; ms < 5000 && !open.empty(); ++ms) collect(), sleep_ms(1);
+    ASSERT_TRUE(open.empty());
+    for (unsigned round = 0; round < rounds(); ++round) {
+        SCOPED_TRACE("round " + std::to_string(round));
+        const auto until = std::chrono::steady_clock::now() + std::chrono::microseconds(random() % 120'000);
+        while (std::chrono::steady_clock::now() < until) {
+            const int tool = 1 + static_cast<int>(random() % kMany);
+            if (random() % 3 == 0) {
+                StoreRequest use{};
+                use.kind = static_cast<std::uint32_t>(StoreRequestKind::ToolLife), use.number = 5, use.field = static_cast<std::int32_t>(LifeKind::Pieces), use.value = 1, use.channel = 1;
+                last_use = rig.push(use);
+                ++pieces_sent;
+            } else if (open.size() < 20) {
+                const bool moves = random() % 2;
+                const double value = moves ? 1 + static_cast<double>(random() % 12) : 1000 + static_cast<double>(random() % 100'000);
+                (moves ? pot : life)[tool].asked.push_back(value);
+                open[moves ? send({{"do", "tools.move"}, {"tool", tool}, {"magazine", 1}, {"pot", value}}) : send({{"do", "tools.set"}, {"tool", tool}, {"fields", {{"life", value}}}})] = {moves, tool, value};
+            }
+            collect();
+            usleep(static_cast<useconds_t>(random() % 2000));
+        }
+        rig.kill_now();
+        ASSERT_TRUE(rig.start(arguments)) << rig.messages();
+        for (int ms = 0; ms < 5000 && !open.empty(); ++ms) collect(), sleep_ms(1);   // the successor answers what was left
+        const auto tools = std::make_unique<ToolTable>();
+        ASSERT_TRUE((*rig.store)->tools.read(*tools));
+        std::set<int> taken;
+        for (int tool = 1; tool <= kMany; ++tool) {
+            const ToolRow& row = tools->rows[static_cast<std::size_t>(tool - 1)];
+            ASSERT_TRUE(row.used);
+            EXPECT_TRUE(life[tool].possible(row.life)) << "tool " << tool << ": " << row.life << ", acknowledged " << life[tool].acknowledged;
+            EXPECT_TRUE(pot[tool].possible(row.pot)) << "tool " << tool << " in pot " << row.pot << ", acknowledged " << pot[tool].acknowledged;
+            EXPECT_TRUE(taken.insert(row.pot).second) << "two tools in pot " << row.pot;
+        }
+    }
+    ASSERT_TRUE(StoreRig::reached((*rig.store)->persist_tail.tail, last_use));
+    const auto tools = std::make_unique<ToolTable>();
+    for (int ms = 0; ms < 1000; ++ms, sleep_ms(1))
+        if ((*rig.store)->tools.read(*tools) && tools->rows[4].counter == pieces_sent) break;
+    EXPECT_EQ(tools->rows[4].counter, pieces_sent);
+    EXPECT_GT(acknowledged, 2u * kMany);
 }
 
 // The kernel's ring still holds what only the image of the dead store had: the next store takes it from there, so that

@@ -8,6 +8,7 @@
 #include "ipc/machine/machine_config.hpp"
 #include "ipc/machine/shortest_text.hpp"
 #include "ipc/machine/work_zeros.hpp"
+#include "ipc/params/registry.hpp"
 #include "polyturn/parameter_handles.hpp"
 #include "toolmgmt/operations/offset_rules.hpp"
 #include "toolmgmt/operations/operation.hpp"
@@ -102,6 +103,88 @@ Json measure(const Json& request, Work& work) {
     const double fresh = position - zero - value - wear;
     enter_offset(work, key.scope, key.number, target.table, target.field, std::round(fresh * 1e6) / 1e6);
     return {{"what", describe(key)}, {"machine", position}, {"zero", zero}, {"old", before}, {"new", std::round(fresh * 1e6) / 1e6}, {"difference", std::round((fresh - before) * 1e6) / 1e6}};
+}
+
+// N0205 to N0216: where the setter switches, by spindle, axis and direction of travel; as the table shows it, in mm.
+double contact_position(const Work& work, unsigned channel, const Touch& touch, int field) {
+    char name[8];
+    std::snprintf(name, sizeof name, "N%04d", 205 + (touch.setter == 2 ? 6 : 0) + 2 * field + (touch.negative ? 0 : 1));
+    const params::Row* row = params::find(name);
+    return row ? work.values.parameters.numbers[row->first_slot + (channel - 1) * row->array] * work.machine.channel(channel).length_unit_mm() : 0.0;
+}
+
+// The tool has touched the setter: its tip was at the contact position, so the offset is how far the machine stood from there.
+Json touched(const Json& request, Work& work) {
+    std::int64_t channel = 1, number = 0;
+    read_whole(request, "channel", channel, work, false);
+    const std::string table = request.contains("table") ? read_text(request, "table") : "geometry";
+    if (table != "geometry" && table != "wear") return work.fault(Alarm::StoreRequestBad, "table " + table + ": geometry or wear", 0, "table"), Json();
+    if (channel < 1 || channel > static_cast<std::int64_t>(kMaxChannels) || !work.machine.channel(static_cast<std::size_t>(channel)).exists())
+        return work.fault(Alarm::StoreRequestBad, "channel L" + std::to_string(channel) + " does not exist"), Json();
+    const auto l = static_cast<unsigned>(channel);
+    const params::Table& t = work.values.parameters;
+    const auto touch = work.touch ? work.touch(l) : std::nullopt;
+    if (!touch) return work.fault(Alarm::StoreRequestBad, "the kernel does not say where the tool has touched"), Json();
+    if (params::get(t, params::n3012_sensor_input_of_tool_setter_s1, l) == 0 && params::get(t, params::n3013_sensor_input_of_tool_setter_s2, l) == 0)
+        return work.fault(Alarm::SetterUnset, "channel L" + std::to_string(channel)), Json();
+    if (touch->axis == 0 || touch->axis > kMaxAxes) return work.fault(Alarm::SetterNoTouch, "channel L" + std::to_string(channel)), Json();
+    const AxisConfig& axis = work.machine.axis(touch->axis);
+    const auto field = axis.role == PlaneRole::BasicX ? std::size_t{0} : axis.role == PlaneRole::BasicY ? std::size_t{1} : std::size_t{2};
+    if (axis.role != PlaneRole::BasicX && axis.role != PlaneRole::BasicY && axis.role != PlaneRole::BasicZ) return work.fault(Alarm::SetterNoTouch, "axis " + std::string(axis.name_text())), Json();
+    // N3016 ONS: the PLC says which offset is measured.
+    const bool by_plc = params::bit(t, params::n3016_tool_wp_setter_config, l, 0);
+    const bool named = request.contains("number");
+    if (named && !read_whole(request, "number", number, work)) return {};
+    if (by_plc) {
+        if (named && number != touch->plc_offset) return work.fault(Alarm::StoreRequestBad, "the PLC has chosen offset " + std::to_string(touch->plc_offset) + " (N3016 ONS, CP_OFFSNO)", 0, "number"), Json();
+        number = touch->plc_offset;
+    } else if (!named) {
+        return work.fault(Alarm::StoreRequestBad, "number is missing", 0, "number"), Json();
+    }
+    const int which = table == "wear" ? 1 : 0;
+    const Key key{Kind::Offset, static_cast<std::int32_t>(channel), static_cast<std::int32_t>(number), which * 256 + static_cast<int>(field), {}};
+    const double* now = number_at(work.values, key);
+    const double before = now ? *now : 0.0;
+    const double machine = touch->at * (axis.diameter ? 2.0 : 1.0), contact = contact_position(work, l, *touch, static_cast<int>(field));
+    double other = 0;   // what the sum of geometry and wear has from the other table
+    if (now) {
+        const OffsetCell& cell = work.values.channels[l - 1].offsets[static_cast<std::size_t>(number)];
+        other = which ? cell.geometry[field] : cell.wear[field];
+    }
+    const double fresh = std::round((machine - contact - other) * 1e6) / 1e6;
+    enter_offset(work, key.scope, key.number, which, static_cast<int>(field), fresh);
+    return {{"what", describe(key)}, {"machine", machine}, {"contact", contact}, {"setter", touch->setter}, {"old", before}, {"new", fresh}, {"difference", std::round((fresh - before) * 1e6) / 1e6}};
+}
+
+// What a presetter has measured (X as a radius): geometry, nose radius and tip number of one offset.
+Json preset(const Json& request, Work& work) {
+    std::int64_t channel = 1, number = 0;
+    read_whole(request, "channel", channel, work, false);
+    if (!read_whole(request, "number", number, work)) return {};
+    if (channel < 1 || channel > static_cast<std::int64_t>(kMaxChannels) || !work.machine.channel(static_cast<std::size_t>(channel)).exists())
+        return work.fault(Alarm::StoreRequestBad, "channel L" + std::to_string(channel) + " does not exist"), Json();
+    Json rows = Json::array();
+    for (int field = 0; field < 5; ++field) {
+        const std::string name(1, kFields[static_cast<std::size_t>(field)]);
+        double value = 0;
+        if (!request.contains(name)) continue;
+        if (!read_real(request, name.c_str(), value, work)) return {};
+        if (field < 3) {
+            const AxisConfig* axis = find_axis(work.machine, static_cast<std::size_t>(channel), field == 0 ? PlaneRole::BasicX : field == 1 ? PlaneRole::BasicY : PlaneRole::BasicZ);
+            if (!axis) {
+                work.fault(Alarm::StoreRequestBad, "channel L" + std::to_string(channel) + " has no axis " + name, 0, name);
+                continue;
+            }
+            if (axis->diameter) value *= 2;
+            value = std::round(value * 1e4) / 1e4;
+        }
+        const Key key{Kind::Offset, static_cast<std::int32_t>(channel), static_cast<std::int32_t>(number), field, {}};
+        const double* now = number_at(work.values, key);
+        const double before = now ? *now : 0.0;
+        if (!enter_offset(work, key.scope, key.number, 0, field, value)) continue;
+        rows.push_back({{"what", describe(key)}, {"old", before}, {"new", value}, {"difference", std::round((value - before) * 1e6) / 1e6}});
+    }
+    return {{"entries", std::move(rows)}};
 }
 
 // The relative counter begins to count here.
@@ -211,6 +294,8 @@ Json offset_operation(std::string_view what, const Json& request, Work& work) {
     if (what == "list") return list(request, work);
     if (what == "set") return set(request, work);
     if (what == "measure") return measure(request, work);
+    if (what == "touch") return touched(request, work);
+    if (what == "preset") return preset(request, work);
     if (what == "origin") return origin(request, work);
     if (what == "relative") return relative(request, work);
     if (what == "undo") return undo(request, work);

@@ -34,6 +34,15 @@ struct Caller {
     std::string name;          // for the history
 };
 
+// Where a tool touched the setter last, as the kernel tells.
+struct Touch {
+    unsigned axis = 0;         // machine axis, from 1; 0: it has not
+    bool negative = false;     // it travelled in the axis' negative direction
+    unsigned setter = 1;       // of spindle 1 or 2
+    double at = 0;             // machine coordinate, X as a radius
+    std::int32_t plc_offset = 0;   // CP_OFFSNO
+};
+
 // One operation at work.
 struct Work {
     StoreValues& values;
@@ -43,6 +52,7 @@ struct Work {
     std::string machine_folder;                       // files that a backup takes along; empty: none
     std::string instance;
     std::function<std::optional<double>(unsigned axis)> position;   // machine coordinate now (X as a radius) of an axis from 1
+    std::function<std::optional<Touch>(unsigned channel)> touch;     // nothing: the kernel does not answer
     std::vector<Change> changes;
     std::vector<Fault> faults;
     bool keep = false;                                // what changed stays though the answer is a refusal (failed logins)

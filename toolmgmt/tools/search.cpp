@@ -62,7 +62,8 @@ ToolAnswer found(const StoreValues& values, const ToolQuestion& question, std::i
     out.alarm = -1;
     out.tool = number;
     out.magazine = row.magazine, out.pot = row.pot;
-    out.offset = row.h_cell;
+    out.offset = row.h_cell, out.radius_offset = row.d_cell;
+    out.group = row.group;
     out.spindle_place = turret_of(values.parameters, question.channel).magazine == 0;
     out.life_kind = row.life_kind;
     out.left = life_left(row);
@@ -145,6 +146,14 @@ ToolAnswer find_tool(const StoreValues& values, const ToolPlaceTable& places, co
         const ToolRow* row = values.tool(whole);
         if (!row || !row->used) return refused(Alarm::ToolMissing, called(question));
         return found(values, question, static_cast<std::int32_t>(whole));
+    }
+    if (question.by == ToolCallBy::Substitute) {
+        const ToolRow* row = values.tool(whole);
+        if (!row || !row->used || !reaches(t, question.channel, *row)) return refused(Alarm::ToolNotFound, called(question));
+        if (usable(*row)) return found(values, question, static_cast<std::int32_t>(whole));
+        for (std::size_t i = 0; i < kTools; ++i)
+            if (const ToolRow& other = values.tools.rows[i]; &other != row && sisters(*row, other) && usable(other) && reaches(t, question.channel, other)) return found(values, question, static_cast<std::int32_t>(i + 1));
+        return refused(Alarm::ToolsUsedUp, called(question));
     }
     std::int32_t best = 0;
     double best_rank = 0;

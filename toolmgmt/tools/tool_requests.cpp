@@ -8,6 +8,7 @@
 #include "ipc/machine/tool_fields.hpp"
 #include "ipc/params/registry.hpp"
 #include "polyturn/parameter_handles.hpp"
+#include "toolmgmt/tools/life_groups.hpp"
 #include "toolmgmt/tools/places.hpp"
 #include "toolmgmt/tools/search.hpp"
 
@@ -116,7 +117,7 @@ void look_at_wear(StoreValues& values, unsigned channel, std::int32_t cell, std:
 
 bool is_tool_request(const StoreRequest& request) {
     const auto kind = static_cast<StoreRequestKind>(request.kind);
-    return kind >= StoreRequestKind::ToolCall && kind <= StoreRequestKind::ToolChanged;
+    return kind >= StoreRequestKind::ToolCall && kind <= StoreRequestKind::LifeGroup;
 }
 
 ToolAnswer answer_tool_call(const StoreRequest& request, const StoreValues& values, const ToolPlaceTable& places) {
@@ -137,6 +138,7 @@ std::vector<ToolAnswer> news_of_working_tools(const StoreValues& values, const T
         if (!touched && !own) continue;
         ToolAnswer answer = find_tool(values, places, {l, ToolCallBy::Forced, static_cast<double>(tool), {}});
         answer.channel = l;
+        if (answer.alarm < 0) answer.alarm = kToolNews;
         if (answer.alarm < 0) out.push_back(answer);
     }
     return out;
@@ -184,6 +186,15 @@ Result<Applied> apply_tool_request(const StoreRequest& request, StoreValues& val
             else set_tool_number(values, request.number, field.name, request.value, applied.changes);
             return applied;
         }
+        case StoreRequestKind::EdgeValue: {
+            const ToolRow* row = values.tool(request.number);
+            const std::int32_t edge = request.field / 100, dp = request.field % 100;
+            if (!row || edge < 1 || edge > 12 || dp < 1 || dp > 35 || !std::isfinite(request.value)) return refused("a value of an edge that cannot exist");
+            if (!row->used) set_tool_number(values, request.number, "exists", 1, applied.changes);
+            set_value(values, {Kind::Edge, request.number, edge, dp, {}}, request.value, applied.changes);
+            return applied;
+        }
+        case StoreRequestKind::LifeGroup: return apply_life_group(request, values);
         default: break;
     }
     return refused("unknown kind " + std::to_string(request.kind));

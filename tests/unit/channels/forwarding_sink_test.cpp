@@ -27,6 +27,8 @@ struct Told final : Sink {
     void interrupts(const Interrupts&, const BlockContext& at) override { tell("interrupts", at); }
     void print(std::string_view, const BlockContext& at) override { tell("print", at); }
     void signal(std::string_view, double, const BlockContext& at) override { tell("signal", at); }
+    void tool_write(const ToolWrite&, const BlockContext& at) override { tell("tool", at); }
+    void life_group(const LifeGroup&, const BlockContext& at) override { tell("group", at); }
     void barrier(const BlockContext& at) override { tell("barrier", at); }
     void block_end(const BlockContext& at) override { tell("block_end", at); }
 };
@@ -43,9 +45,9 @@ TEST(ForwardingSink, HandsOnEveryStatement) {
     at.line = 7;
     sink.move({}, at), sink.dwell({}, at), sink.aux({}, at), sink.spindle({}, at), sink.wait({}, at), sink.variable({}, at), sink.offset({}, at);
     sink.message("", at), sink.stop({}, at), sink.part(1, at), sink.alarm({}, at), sink.interrupts({}, at), sink.print("", at), sink.signal("", 0, at);
-    sink.barrier(at), sink.block_end(at);
+    sink.tool_write({}, at), sink.life_group({}, at), sink.barrier(at), sink.block_end(at);
     EXPECT_EQ(told.lines, (std::vector<std::string>{"move 7", "dwell 7", "aux 7", "spindle 7", "wait 7", "variable 7", "offset 7", "message 7", "stop 7", "part 7",
-                                                    "alarm 7", "interrupts 7", "print 7", "signal 7", "barrier 7", "block_end 7"}));
+                                                    "alarm 7", "interrupts 7", "print 7", "signal 7", "tool 7", "group 7", "barrier 7", "block_end 7"}));
 }
 
 }  // namespace

@@ -93,5 +93,49 @@ TEST(Guard, ChuckBarrierOfParametersActsUntilThePlcTakesItAway) {
     }
 }
 
+// Outlines come from the tool table: a longer drill at station 3 makes a safe program stop, and instead of what the room says.
+TEST(Guard, ALongerToolOfTheTableStopsWhatWasSafe) {
+    for (const double length : {5.0, 60.0}) {
+        SCOPED_TRACE(length);
+        TwoCarriers m;
+        ToolShapes shapes;
+        shapes.shapes[0] = {1, 3, -10.0 - length, -10.0, -5.0, 5.0};   // below the carrier, towards L2
+        shapes.count = 1;
+        m.rig.machine->take_tool_shapes(shapes);
+        m.rig.machine->adopt_parameters();
+        m.rig.push(1, m.rig.aux(1, 'T', 3));
+        m.rig.push(1, m.rig.line(1, {-50, 0}, 100));
+        m.rig.push(1, m.rig.stop(1, StopReason::M30));
+        m.rig.start(1);
+        m.rig.run(3000);
+        const bool safe = length < 10;
+        EXPECT_EQ(m.rig.alarmed(Alarm::GuardStop, 1), !safe);
+        EXPECT_EQ(m.rig.state(1) == ChannelState::Ended, safe);
+        if (!safe) { EXPECT_GE(m.rig.position(1), 81.0); }   // 10 + 60 + 10 mm of bodies and PT_GUARD_DISTANCE
+    }
+}
+
+// The store's table, as the kernel reads it: tools in turrets only, by channel and station, in the room's radius.
+TEST(Guard, OutlinesAreThoseOfTheToolsInTheTurrets) {
+    auto store = std::make_unique<StoreSegment>();
+    params::Table& t = store->parameters.draft();
+    params::set_defaults(t);
+    params::put(t, params::pt_turret_magazine, 2, 1);
+    ToolTable& tools = store->tools.draft();
+    const auto put = [&](std::size_t number, int magazine, int pot) {
+        ToolRow& row = tools.rows[number - 1];
+        row.used = 1, row.magazine = magazine, row.pot = pot, row.boxes = 1;
+        row.outline[0] = -80, row.outline[1] = 0, row.outline[2] = -4, row.outline[3] = 4;
+    };
+    put(5, 2, 3), put(6, 1, 3), put(7, 0, 0);
+    store->tools.publish();
+    ToolShapes out;
+    ASSERT_TRUE(read_tool_shapes(*store, t, out));
+    ASSERT_EQ(out.count, 1u);
+    EXPECT_EQ(out.shapes[0].channel, 1u);
+    EXPECT_EQ(out.shapes[0].station, 3u);
+    EXPECT_EQ(out.shapes[0].x_low, -80);
+}
+
 }  // namespace
 }  // namespace polyturn::kernel

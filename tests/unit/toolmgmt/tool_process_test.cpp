@@ -96,6 +96,39 @@ TEST(ToolCalls, AreAnsweredBeforeTheirQuestionIsPassed) {
     EXPECT_EQ(rig.stop(), 0);
 }
 
+// A disk that is full stops tool changes, and says why; when it takes values again tools can be called again.
+TEST(ToolCalls, AreRefusedWhileTheDiskRefuses) {
+    StoreRig rig("full-tools");
+    rig.make_kernel();
+    ASSERT_TRUE(rig.start({"--store", rig.folder + "/store", "--machine", kMachine, "--set", "N2900=00000001"})) << rig.messages();
+    add_tool(rig, {{"name", "A"}, {"type", 7}, {"life_kind", "pieces"}, {"life", 1e6}}, 4);
+    StoreRequest call{}, use{};
+    call.kind = static_cast<std::uint32_t>(StoreRequestKind::ToolCall), call.channel = 1, call.value = 7;
+    use.kind = static_cast<std::uint32_t>(StoreRequestKind::ToolLife), use.number = 1, use.field = static_cast<std::int32_t>(LifeKind::Pieces), use.value = 1;
+    const auto answer = [&] {
+        EXPECT_TRUE(StoreRig::reached((*rig.store)->persist_tail.tail, rig.push(call)));
+        const auto head = (*rig.store)->tool_answers.head.load();
+        (*rig.kernel)->tool_tail.tail.store(head);
+        return (*rig.store)->tool_answers.slot(head - 1);
+    };
+    EXPECT_EQ(answer().alarm, -1);
+    const rlimit full{4096, RLIM_INFINITY};   // no file grows any more
+    ASSERT_EQ(prlimit(rig.pid, RLIMIT_FSIZE, &full, nullptr), 0);
+    int alarm = -1;
+    for (int ms = 0; ms < 8000 && alarm == -1; ms += 50) {
+        rig.push(use);
+        usleep(50'000);
+        alarm = answer().alarm;
+    }
+    EXPECT_EQ(alarm, static_cast<int>(Alarm::ToolsUnserved)) << rig.messages();
+    EXPECT_NE(rig.messages().find("PT0403"), std::string::npos);
+    const rlimit free{RLIM_INFINITY, RLIM_INFINITY};
+    ASSERT_EQ(prlimit(rig.pid, RLIMIT_FSIZE, &free, nullptr), 0);
+    for (int ms = 0; ms < 8000 && alarm != -1; ms += 100) usleep(100'000), alarm = answer().alarm;
+    EXPECT_EQ(alarm, -1);
+    EXPECT_EQ(rig.stop(), 0);
+}
+
 // Killed at random moments while life is counted: what counts at the end is exactly what was sent, never more.
 TEST(ToolLife, IsCountedOnceWhateverIsKilled) {
     StoreRig rig("life");

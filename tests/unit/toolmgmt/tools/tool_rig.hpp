@@ -24,6 +24,8 @@ struct ToolRig {
     MachineConfig machine;
     Json answer;
     std::vector<toolmgmt::Fault> faults;
+    std::function<std::optional<double>(unsigned)> position;
+    std::function<std::optional<toolmgmt::Touch>(unsigned)> touch;
 
     ToolRig() {
         toolmgmt::clear(*values);
@@ -38,7 +40,7 @@ struct ToolRig {
     }
     // True when it was done; what was changed is taken back otherwise, as the service does.
     bool run(const Json& request, UserLevel level = UserLevel::Maker) {
-        toolmgmt::Work work{*values, machine, nullptr, {level, 0, "tester"}, {}, {}, {}, {}, {}, false, {}};
+        toolmgmt::Work work{*values, machine, nullptr, {level, 0, "tester"}, {}, {}, position, touch, {}, {}, false, {}};
         answer = toolmgmt::run_operation(request, work);
         faults = work.faults;
         if (!work.good() && !work.keep)

@@ -1,0 +1,81 @@
+// Tools as the cyclic thread sees them: it asks the store which tool a T means and where it stands, tells it which tool works,
+// and counts its life while it cuts. Waits for nobody: a T stays open until its answer is there.
+//
+//   T record -> ToolCall -> (store) -> ToolAnswer -> CN_MGZNO CN_POTNO CN_TOOLNO, strobe -> PLC turns the turret, CP_TFIN
+//            -> ToolInPlace. In a machine with a tool spindle M06 follows: ToolChanged.
+//
+// In virtual time an answer acts exactly PT_ANSWER_TICKS after its question. An answer that is news is about the tool that
+// works: its life was reset, or its wear has grown; news that a program's write has caused (id) waits for that write's tick.
+// Life goes to the store once a second, at a change of tools and when the program stops; what a kernel that dies has not
+// sent is lost with it, at most that second. Nothing is counted in a dry run or with the machine locked.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include "ipc/image/segments.hpp"
+
+namespace polyturn::kernel {
+
+struct Core;
+
+class ToolDesk {
+public:
+    enum class Call : std::uint8_t { None, Asked, Answered, Refused };
+
+    // Tools that worked when the kernel was started; not in the cyclic thread.
+    void start(KernelSegment& image, const StoreSegment& store);
+    void rebind(KernelSegment& image, const StoreSegment& store) noexcept;
+    static bool managed(const Core& core) noexcept;   // N2900 TMU
+    // Of channel index (from 0). False: no room, ask again.
+    bool ask(Core& core, unsigned index, const PathRecord& r) noexcept;
+    void take_answers(Core& core) noexcept;            // at a tick's start
+    Call call(unsigned index) const noexcept { return desk_[index].call; }
+    const ToolAnswer& answer(unsigned index) const noexcept { return desk_[index].answer; }
+    std::int64_t asked_at(unsigned index) const noexcept { return desk_[index].asked_at; }
+    void forget(unsigned index) noexcept { desk_[index].call = Call::None; }   // reset, or the T is done
+    void publish(unsigned index, ChannelStatus& out) const noexcept;
+    void show(Core& core, unsigned index) noexcept;    // CN_MGZNO and so on of the answer, before the strobe
+    bool in_place(Core& core, unsigned index) noexcept;   // the PLC has finished T
+    bool changed(Core& core, unsigned index) noexcept;    // ... and M06
+    void spend(Core& core, unsigned index, bool cuts, double seconds, double mm) noexcept;
+    void part(Core& core, unsigned index) noexcept;
+    bool flush(Core& core, unsigned index) noexcept;   // what was counted goes to the store; false: its ring is full
+    // What the channel shall do because life is over: told once.
+    enum class End : std::uint8_t { Nothing, StopAfterPart, Hold };
+    End take_end(unsigned index) noexcept { const End end = desk_[index].end; desk_[index].end = End::Nothing; return end; }
+
+private:
+    static constexpr std::size_t kPerPart = 64;   // tools that one part uses
+    struct Working {
+        std::int32_t tool = 0, offset = 0, radius_offset = 0;
+        LifeKind kind = LifeKind::None;
+        double left = std::numeric_limits<double>::infinity(), group_left = std::numeric_limits<double>::infinity(), warning = 0;
+        std::array<char, 32> name{};
+    };
+    struct Desk {
+        Call call = Call::None;
+        std::uint64_t id = 0;
+        std::int64_t asked_at = 0;
+        ToolAnswer answer{};           // to the last question
+        bool next = false;             // it waits for M06
+        Working now;
+        double counted = 0;            // not yet sent
+        double since_s = 0;
+        bool near = false, over = false;
+        End end = End::Nothing;
+        std::array<std::int32_t, kPerPart> used{};
+        std::size_t used_count = 0;
+        std::array<std::int32_t, kPerPart> made{};   // pieces that are not yet told
+        std::size_t made_count = 0;
+    };
+    void work(Core& core, unsigned index, const ToolAnswer& answer) noexcept;
+    bool use_in_part(unsigned index, std::int32_t tool) noexcept;
+    void use(Core& core, unsigned index, LifeKind kind, double amount) noexcept;
+    void look(Core& core, unsigned index) noexcept;
+
+    std::array<Desk, kMaxChannels> desk_{};
+    const StoreSegment* store_ = nullptr;
+};
+
+}  // namespace polyturn::kernel

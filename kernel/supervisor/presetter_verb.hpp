@@ -1,0 +1,11 @@
+// `polyturn presetter`: asks polyturn-presetter what a picture shows, and proposes it as an offset of a running controller.
+#pragma once
+#include <string>
+
+#include "kernel/supervisor/options.hpp"
+
+namespace polyturn::supervisor {
+
+int presetter_verb(const StoreOptions& options, const std::string& instance, bool json);
+
+}  // namespace polyturn::supervisor

@@ -1,0 +1,306 @@
+// T calls that ask the store, and life that is counted while the tool cuts (nct part 2 30.3 to 30.6).
+#include <limits>
+
+#include "ipc/machine/command_levels.hpp"
+#include "tests/unit/kernel/rig.hpp"
+
+namespace polyturn::kernel {
+namespace {
+
+constexpr double kEver = std::numeric_limits<double>::infinity();
+
+// A rig whose store answers T calls from a list.
+struct Desk {
+    TickRig rig;
+    std::vector<ToolAnswer> tools;
+    std::vector<StoreRequest> asked;
+    std::uint64_t read = 0;
+    bool answers = true;
+
+    explicit Desk(const std::function<void(params::Table&)>& more = {})
+        : rig([&](params::Table& t, RunOptions&) {
+              params::put(t, params::n2900_tool_m_config, 1);
+              for (unsigned l = 1; l <= 3; ++l) params::put(t, params::pt_life_end, 0, l);
+              if (more) more(t);
+          }) {
+        rig.on_tick = [this] { serve(); };
+    }
+    static ToolAnswer tool(int number, int pot, LifeKind kind, double left, double warning = 0) {
+        ToolAnswer a{};
+        a.alarm = -1, a.tool = number, a.magazine = 1, a.pot = pot, a.offset = 10 + number;
+        a.life_kind = static_cast<std::uint32_t>(kind);
+        a.left = a.group_left = left, a.warning = warning;
+        return a;
+    }
+    void serve() {
+        const auto head = rig.kernel->persist.head.load();
+        for (; answers && read < head; ++read) {
+            const StoreRequest request = rig.kernel->persist.slot(read);
+            asked.push_back(request);
+            if (static_cast<StoreRequestKind>(request.kind) == StoreRequestKind::ToolCall) {
+                ToolAnswer answer{};
+                answer.alarm = static_cast<int>(Alarm::ToolNotFound);
+                for (const ToolAnswer& one : tools)
+                    if (one.tool == static_cast<int>(request.value)) answer = one;
+                answer.id = request.id, answer.channel = request.channel;
+                say(answer);
+            }
+            rig.store->persist_tail.tail.store(read + 1);
+        }
+    }
+    void say(const ToolAnswer& answer) {
+        auto& ring = rig.store->tool_answers;
+        ring.slot(ring.head.load()) = answer;
+        ring.head.store(ring.head.load() + 1);
+    }
+    // Virtual time: the clock would wait for answers that are due.
+    void run(int ticks) {
+        for (int i = 0; i < ticks; ++i) rig.tick();
+    }
+    double used(int number, LifeKind kind) const {
+        double sum = 0;
+        for (const StoreRequest& one : asked)
+            if (static_cast<StoreRequestKind>(one.kind) == StoreRequestKind::ToolLife && one.number == number && one.field == static_cast<int>(kind)) sum += one.value;
+        return sum;
+    }
+    int nc(const NcSignal& signal, unsigned l = 1) { return rig.machine->core().signals.nc(signal(l)); }
+};
+
+TEST(ToolDesk, AsksTheStoreBeforeThePlcHearsOfTheT) {
+    Desk d;
+    d.tools = {Desk::tool(7, 4, LifeKind::None, kEver)};
+    d.rig.push(1, d.rig.aux(1, 'T', 7));
+    d.rig.push(1, d.rig.stop(1, StopReason::M30));
+    d.rig.start(1);
+    d.run(5);
+    EXPECT_EQ(d.nc(signals::cn_tstr), 0);   // the answer acts PT_ANSWER_TICKS later
+    d.run(200);
+    EXPECT_EQ(d.nc(signals::cn_tstr), 1);
+    EXPECT_EQ(d.nc(signals::cn_mgzno), 1);
+    EXPECT_EQ(d.nc(signals::cn_potno), 4);
+    EXPECT_EQ(d.nc(signals::cn_toolno), 7);
+    EXPECT_EQ(d.nc(signals::cn_tcode), 7);
+    EXPECT_EQ(d.rig.state(1), ChannelState::Ended);
+    MachineStatus status;
+    ASSERT_TRUE(d.rig.kernel->status.read(status));
+    EXPECT_EQ(status.channels[0].tool, 7);
+    EXPECT_EQ(status.channels[0].tool_offset, 17);
+    ASSERT_GE(d.asked.size(), 2u);
+    EXPECT_EQ(static_cast<StoreRequestKind>(d.asked[1].kind), StoreRequestKind::ToolInPlace);
+    EXPECT_EQ(d.asked[1].field, 1);   // a turret: it works now
+}
+
+TEST(ToolDesk, WithoutToolManagementNobodyIsAsked) {
+    Desk d([](params::Table& t) { params::put(t, params::n2900_tool_m_config, 0); });
+    d.rig.push(1, d.rig.aux(1, 'T', 7));
+    d.rig.push(1, d.rig.line(1, {0, -50}, 50));
+    d.rig.push(1, d.rig.stop(1, StopReason::M30));
+    d.rig.start(1);
+    d.run(2000);
+    for (const StoreRequest& one : d.asked) EXPECT_TRUE(static_cast<StoreRequestKind>(one.kind) < StoreRequestKind::ToolCall) << one.kind;
+    EXPECT_EQ(d.nc(signals::cn_mgzno), 0);
+    EXPECT_EQ(d.nc(signals::cn_potno), 7);
+}
+
+TEST(ToolDesk, AToolThatNobodyFindsStopsTheChannelByItsAlarm) {
+    Desk d;
+    d.rig.push(1, d.rig.aux(1, 'T', 9));
+    d.rig.start(1);
+    d.run(200);
+    EXPECT_TRUE(d.rig.alarmed(Alarm::ToolNotFound, 1));
+    EXPECT_EQ(d.nc(signals::cn_tstr), 0);
+}
+
+TEST(ToolDesk, TimeCountsOnlyWhileTheToolCuts) {
+    Desk d;
+    d.tools = {Desk::tool(7, 4, LifeKind::Minutes, 10)};
+    d.rig.push(1, d.rig.aux(1, 'T', 7));
+    d.rig.push(1, d.rig.line(1, {0, 100}, 0, kRapid));
+    d.rig.push(1, d.rig.line(1, {0, -100}, 50));
+    d.rig.push(1, d.rig.dwell(1, 2.0));
+    d.rig.push(1, d.rig.line(1, {0, 100}, 0, kRapid));
+    d.rig.push(1, d.rig.stop(1, StopReason::M30));
+    d.rig.start(1);
+    d.run(8000);
+    ASSERT_EQ(d.rig.state(1), ChannelState::Ended);
+    EXPECT_NEAR(d.used(7, LifeKind::Minutes) * 60, 2.0 + 50.0 / 2000 + 0.05, 0.05);   // 100 mm at 50 mm/s and its ramps
+}
+
+TEST(ToolDesk, AHoldACutInADryRunAndALockedMachineCostNoLife) {
+    for (const CommandKind key : {CommandKind::DryRun, CommandKind::MachineLock}) {
+        Desk d;
+        d.tools = {Desk::tool(7, 4, LifeKind::Metres, 10)};
+        d.rig.command(key, 1, 1);
+        d.rig.push(1, d.rig.aux(1, 'T', 7));
+        d.rig.push(1, d.rig.line(1, {0, -100}, 50));
+        d.rig.push(1, d.rig.stop(1, StopReason::M30));
+        d.rig.start(1);
+        d.run(8000);
+        EXPECT_EQ(d.used(7, LifeKind::Metres), 0);
+    }
+    Desk d;
+    d.tools = {Desk::tool(7, 4, LifeKind::Minutes, 10)};
+    d.rig.push(1, d.rig.aux(1, 'T', 7));
+    d.rig.push(1, d.rig.line(1, {0, -100}, 50));
+    d.rig.push(1, d.rig.stop(1, StopReason::M30));
+    d.rig.start(1);
+    d.run(700);
+    d.rig.command(CommandKind::FeedHold, 1);
+    d.run(500);
+    const double before = d.used(7, LifeKind::Minutes);
+    d.run(3000);
+    EXPECT_NEAR(d.used(7, LifeKind::Minutes), before, 1.1 / 60);   // what was counted and not yet told
+    d.rig.start(1);
+    d.run(3000);
+    EXPECT_NEAR(d.used(7, LifeKind::Minutes) * 60, 2.15, 0.1);
+}
+
+TEST(ToolDesk, DistanceCountsTheWayCut) {
+    Desk d;
+    d.tools = {Desk::tool(7, 4, LifeKind::Metres, 10)};
+    d.rig.push(1, d.rig.aux(1, 'T', 7));
+    d.rig.push(1, d.rig.line(1, {30, -40}, 50));
+    d.rig.push(1, d.rig.line(1, {0, 100}, 0, kRapid));
+    d.rig.push(1, d.rig.stop(1, StopReason::M30));
+    d.rig.start(1);
+    d.run(5000);
+    EXPECT_NEAR(d.used(7, LifeKind::Metres), 0.050, 0.0002);
+}
+
+TEST(ToolDesk, APieceCountsForEachToolThatHasWorkedOnIt) {
+    Desk d;
+    d.tools = {Desk::tool(7, 4, LifeKind::Pieces, 10), Desk::tool(8, 5, LifeKind::Pieces, 10)};
+    for (const int tool : {7, 8, 7}) d.rig.push(1, d.rig.aux(1, 'T', tool)), d.rig.push(1, d.rig.line(1, {0, -1}, 50));
+    d.rig.push(1, d.rig.blank(1, RecordKind::Part));
+    d.rig.push(1, d.rig.line(1, {0, -1}, 50));
+    d.rig.push(1, d.rig.blank(1, RecordKind::Part));
+    d.rig.push(1, d.rig.stop(1, StopReason::M30));
+    d.rig.start(1);
+    d.run(3000);
+    EXPECT_EQ(d.used(7, LifeKind::Pieces), 2);
+    EXPECT_EQ(d.used(8, LifeKind::Pieces), 1);
+}
+
+TEST(ToolDesk, WarnsStrictlyBelowTheWarningOfToolOrGroup) {
+    Desk d;
+    d.tools = {Desk::tool(7, 4, LifeKind::Pieces, 3, 2)};
+    d.rig.push(1, d.rig.aux(1, 'T', 7));
+    for (int part = 0; part < 3; ++part) d.rig.push(1, d.rig.line(1, {0, -10}, 50)), d.rig.push(1, d.rig.blank(1, RecordKind::Part));
+    d.rig.push(1, d.rig.stop(1, StopReason::M30));
+    d.rig.start(1);
+    std::vector<std::array<int, 3>> seen;   // SN_TLNL CN_TLNL CN_TLEND after each part
+    for (int i = 0, parts = 0; i < 5000; ++i) {
+        d.rig.tick();
+        MachineStatus status;
+        ASSERT_TRUE(d.rig.kernel->status.read(status));
+        if (static_cast<int>(status.channels[0].parts) > parts) ++parts, seen.push_back({d.nc(signals::sn_tlnl), d.nc(signals::cn_tlnl), d.nc(signals::cn_tlend)});
+    }
+    ASSERT_EQ(seen.size(), 3u);
+    EXPECT_EQ(seen[0], (std::array<int, 3>{0, 0, 0}));   // 2 left: equal does not switch
+    EXPECT_EQ(seen[1], (std::array<int, 3>{1, 1, 0}));
+    EXPECT_EQ(seen[2], (std::array<int, 3>{1, 1, 1}));
+    EXPECT_TRUE(d.rig.alarmed(Alarm::ToolLifeNear, 1));
+    EXPECT_TRUE(d.rig.alarmed(Alarm::ToolLifeOver, 1));
+}
+
+TEST(ToolDesk, TlnLooksAtTheWholeGroup) {
+    Desk d([](params::Table& t) { params::put(t, params::n2900_tool_m_config, 3); });
+    d.tools = {Desk::tool(7, 4, LifeKind::Pieces, 1, 2)};
+    d.tools[0].group_left = 20;
+    d.rig.push(1, d.rig.aux(1, 'T', 7));
+    d.rig.push(1, d.rig.dwell(1, 1));
+    d.rig.start(1);
+    d.run(300);
+    EXPECT_EQ(d.nc(signals::sn_tlnl), 0);   // one piece is left of the tool, twenty of the group
+}
+
+TEST(ToolDesk, TheEndOfLifeActsAsTheParameterSays) {
+    for (const int end : {0, 1, 2, 3}) {
+        SCOPED_TRACE(end);
+        Desk d([&](params::Table& t) { params::put(t, params::pt_life_end, end, 1); });
+        d.tools = {Desk::tool(7, 4, LifeKind::Minutes, 1.0 / 60)};
+        d.rig.push(1, d.rig.aux(1, 'T', 7));
+        d.rig.push(1, d.rig.line(1, {0, -150}, 50));
+        d.rig.push(1, d.rig.stop(1, StopReason::M30));
+        d.rig.start(1);
+        d.run(6000);
+        EXPECT_EQ(d.nc(signals::cn_tlend), 1);
+        EXPECT_EQ(d.rig.alarmed(Alarm::ToolLifeOver, 1), end != 3);
+        EXPECT_EQ(d.rig.state(1), end == 2 ? ChannelState::Held : ChannelState::Ended);
+        if (end == 2) { EXPECT_NEAR(d.rig.position(2), -51.5, 2.0); }
+    }
+}
+
+TEST(ToolDesk, AResetOfTheLifeIsNewsOfTheToolAtWork) {
+    Desk d;
+    d.tools = {Desk::tool(7, 4, LifeKind::Pieces, 0, 1)};
+    d.rig.push(1, d.rig.aux(1, 'T', 7));
+    d.rig.push(1, d.rig.dwell(1, 1));
+    d.rig.start(1);
+    d.run(200);
+    EXPECT_EQ(d.nc(signals::cn_tlend), 1);
+    ToolAnswer news = Desk::tool(7, 4, LifeKind::Pieces, 50, 1);
+    news.alarm = kToolNews, news.channel = 1;
+    d.say(news);
+    d.run(2);
+    EXPECT_EQ(d.nc(signals::cn_tlend), 0);
+    EXPECT_EQ(d.nc(signals::sn_tlnl), 0);
+}
+
+TEST(ToolDesk, AToolForASpindleWorksAfterM06UnlessTlcSaysT) {
+    for (const bool by_t : {false, true}) {
+        SCOPED_TRACE(by_t);
+        Desk d([&](params::Table& t) { params::put(t, params::n2901_search_config, by_t ? 6 : 4, 1); });
+        d.tools = {Desk::tool(7, 4, LifeKind::Metres, 10)};
+        d.tools[0].spindle_place = 1;
+        d.rig.push(1, d.rig.aux(1, 'T', 7));
+        d.rig.push(1, d.rig.line(1, {0, -20}, 50));
+        d.rig.push(1, d.rig.aux(1, 'M', 6));
+        d.rig.push(1, d.rig.line(1, {0, -30}, 50));
+        d.rig.push(1, d.rig.stop(1, StopReason::M30));
+        d.rig.start(1);
+        d.run(4000);
+        ASSERT_EQ(d.rig.state(1), ChannelState::Ended);
+        EXPECT_NEAR(d.used(7, LifeKind::Metres), by_t ? 0.050 : 0.030, 0.0002);
+    }
+}
+
+TEST(ToolDesk, AQuestionThatAStoreTookWithItIsAskedOfItsSuccessor) {
+    Desk d;
+    d.tools = {Desk::tool(7, 4, LifeKind::None, kEver)};
+    d.answers = false;
+    d.rig.push(1, d.rig.aux(1, 'T', 7));
+    d.rig.push(1, d.rig.stop(1, StopReason::M30));
+    d.rig.start(1);
+    d.run(8);
+    d.read = d.rig.kernel->persist.head.load();   // the dead one had taken it and not answered
+    d.rig.store->persist_tail.tail.store(d.read);
+    d.rig.machine->core().tools.rebind(*d.rig.kernel, *d.rig.store);
+    d.answers = true;
+    d.run(200);
+    EXPECT_EQ(d.rig.state(1), ChannelState::Ended);
+    EXPECT_EQ(d.nc(signals::cn_potno), 4);
+}
+
+TEST(CommandLevels, TheKernelRefusesWhatTheSupervisorShouldNotHaveSent) {
+    TickRig rig;
+    const auto command = [&](CommandKind kind, unsigned level) {
+        rig.command(kind, 1, 1);
+        auto& ring = rig.supervisor->commands;
+        ring.slot(ring.head.load() - 1).level = level + 1;
+    };
+    rig.push(1, rig.dwell(1, 5));
+    command(CommandKind::CycleStart, 0);   // looking is all that this one may do
+    rig.run(20);
+    EXPECT_TRUE(rig.alarmed(Alarm::LevelTooLow, 1));
+    EXPECT_EQ(rig.state(1), ChannelState::Reset);
+    command(CommandKind::CycleStart, 1);
+    rig.run(20);
+    EXPECT_EQ(rig.state(1), ChannelState::Running);
+    command(CommandKind::FeedHold, 0);     // stopping a machine needs no level
+    rig.run(50);
+    EXPECT_EQ(rig.state(1), ChannelState::Held);
+}
+
+}  // namespace
+}  // namespace polyturn::kernel
