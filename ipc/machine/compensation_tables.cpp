@@ -14,6 +14,7 @@ using namespace params;
 constexpr std::int64_t kMostPoints = 1'000'000;
 constexpr std::array kGridAxis{n2700_1st_axis_of_3d_compensation, n2701_2nd_axis_of_3d_compensation, n2702_3rd_axis_of_3d_compensation};
 constexpr std::array kGridPoints{n2703_no_of_points_on_1st_axis, n2704_no_of_points_on_2nd_axis, n2705_no_of_points_on_3rd_axis};
+constexpr std::array kGridZero{n2706_point_no_of_machine_zero_on_1st_axis, n2707_point_no_of_machine_zero_on_2nd_axis, n2708_point_no_of_machine_zero_on_3rd_axis};
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 // One line, read from the left.
@@ -150,6 +151,16 @@ void check_compensation_tables(const Table& t, const CompensationTables& tables,
         for (unsigned n = 1; n <= 3; ++n)
             if (get(t, kGridAxis[n - 1], l)) count *= std::max<std::int64_t>(1, get(t, kGridPoints[n - 1], l));
         const auto& points = tables.points[l - 1];
+        // Machine zero is where it is: its point corrects nothing.
+        std::int64_t zero = 0, stride = 1;
+        for (unsigned n = 1; n <= 3; ++n)
+            if (get(t, kGridAxis[n - 1], l)) zero += stride * get(t, kGridZero[n - 1], l), stride *= std::max<std::int64_t>(1, get(t, kGridPoints[n - 1], l));
+        if (zero >= 0 && zero < static_cast<std::int64_t>(points.size()))
+            for (const float value : points[static_cast<std::size_t>(zero)])
+                if (value != 0 && !std::isnan(value)) {
+                    diagnoses.push_back(fault(filename, 0, 0, "L" + std::to_string(l) + ": point " + std::to_string(zero) + " is machine zero and must be 0 0 0"));
+                    break;
+                }
         for (std::int64_t n = 0; n < count; ++n)
             if (n >= static_cast<std::int64_t>(points.size()) || std::isnan(points[static_cast<std::size_t>(n)][0])) {
                 diagnoses.push_back(fault(filename, 0, 0, "L" + std::to_string(l) + ": point " + std::to_string(n) + " of the grid has no value"));

@@ -111,14 +111,15 @@ private:
             else wrong(entry);
         }
     }
-    void tools(const toml::key& key, const toml::node& node, RoomTurret& out) {
+    template <class Take>
+    void stations(const toml::key& key, const toml::node& node, const Take& take) {
         const toml::table* table = toml_.table(key, node);
         if (!table) return;
         toml_.each(*table, [&](const toml::key& name, const toml::node& entry) {
             unsigned station = 0;
             for (const char c : name.str()) station = c >= '0' && c <= '9' && station < 1000 ? station * 10 + static_cast<unsigned>(c - '0') : 1000;
             if (station < 1 || station > 96) return wrong_name(name, "a station is a number from 1 to 96");
-            boxes(entry, out.tools[station]);
+            take(station, name, entry);
         });
     }
 
@@ -148,10 +149,13 @@ private:
             if (place(key, node, out)) return;
             if (key == "reach") return length(key, node, out.reach);
             if (key == "body") return boxes(node, out.body);
-            if (key == "tools") return tools(key, node, out);
-            if (key != "stations") return toml_.unknown(key, "origin, direction, stations, reach, body, tools");
+            if (key == "tools") return stations(key, node, [&](unsigned station, const toml::key&, const toml::node& entry) { boxes(entry, out.tools[station]); });
+            if (key == "tips") return stations(key, node, [&](unsigned station, const toml::key& at, const toml::node& entry) { vector(at, entry, out.tips[station]); });
+            if (key != "stations") return toml_.unknown(key, "origin, direction, stations, reach, body, tools, tips");
             if (const auto count = toml_.whole(key, node, 1, 96)) out.stations = static_cast<unsigned>(*count);
         });
+        for (const auto& [station, tip] : out.tips)
+            if (!out.tools.contains(station)) wrong_name(name, "tips: station " + std::to_string(station) + " has no shape in tools");
     }
     void tailstock(unsigned number, const toml::table& table, Room& room) {
         RoomTailstock& out = room.tailstocks[number];

@@ -12,6 +12,8 @@
 //   [turret.L1]                        stations, reach (from its axis to the seats)
 //   body = [{ X = [0.0, 200.0], Z = [-80.0, 80.0] }]     what protection guards: rectangles about the tool carrier's point
 //   tools = { 3 = [{ X = [-60.0, 0.0], Z = [-20.0, 5.0] }] }   and those of a station while it is in work
+//   tips = { 3 = { X = -60.0, Z = -20.0 } }                    where that shape's tip is: an offset that puts the tip elsewhere
+//                                                              takes the shape along
 //   [tailstock.1]                      diameter, length
 #pragma once
 
@@ -47,6 +49,7 @@ struct RoomTurret : RoomPlace {
     double reach = 0.0;
     std::vector<RoomBox> body;
     std::map<unsigned, std::vector<RoomBox>> tools;   // by station
+    std::map<unsigned, RoomVector> tips;              // likewise: drawn with this tip, from the carrier's point
 };
 struct RoomTailstock : RoomPlace {
     double diameter = 0.0, length = 0.0;

@@ -22,6 +22,7 @@ constexpr std::string_view kBuiltIn = R"(number,en,ru,cs,hu,cause,remedy
 11,the chuck must not clamp while its spindle turns by itself,патрон нельзя зажать пока его шпиндель вращается сам по себе,sklíčidlo nesmí upnout dokud se jeho vřeteno otáčí samo,a tokmány nem foghat amíg az orsója magában forog,M10 before the spindle was synchronous with the one that holds the part,"Couple the spindles first (PT_M_FOLLOW) or stop them."
 12,the spindle did not become synchronous with its master,шпиндель не вошёл в синхронизацию с ведущим,vřeteno se nesynchronizovalo s řídicím,az orsó nem került szinkronba a vezetőjével,it took longer than 15 s,"Look at PT_SPINDLE_MASTER, the ramps of both and their speeds."
 13,the axis did not leave its fixed stop,ось не отошла от упора,osa neopustila pevný doraz,a tengely nem hagyta el az ütközőt,the torque limit was taken away and it still pressed,"Look at the stop and at PT_STOP_WINDOW."
+14,the axes were not coupled or exchanged,оси не были связаны или переключены,osy nebyly spřaženy ani zaměněny,a tengelyek nem kapcsolódtak össze vagy nem cseréltek,one of them moved longer than PT_COUPLE_TIMEOUT or another request contradicts,"Enclose the M code by waiting codes in both channels; end the other coupling first."
 )";
 
 // Cells of one line; a quoted one may hold commas and doubled quotes. false: a quote is not closed.

@@ -369,6 +369,7 @@ void ChannelRunner::refuse_bound(const PathRecord& r) noexcept {
 
 void ChannelRunner::begin_record(const PathRecord& r, double offset_s) noexcept {
     refuse_bound(r);
+    serial_ = r.serial;
     if (r.flags & kSkipMove) skipped_ = false;
     if (!is_motion(r) || (r.flags & kBlockBegin)) report(KernelEventKind::RecordBegin, r, offset_s);
 }

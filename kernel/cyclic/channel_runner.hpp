@@ -120,6 +120,7 @@ public:
     // Its axes move by the revolutions of this spindle (from 1).
     bool cuts_with(std::uint32_t spindle) const noexcept;
     std::uint32_t line() const noexcept { return line_; }
+    std::uint64_t serial() const noexcept { return serial_; }   // block of the record that began last
     std::string_view program() noexcept;  // file name of the running record, without folders
 
 private:
@@ -303,6 +304,7 @@ private:
     std::uint64_t events_sent_ = 0, rung_at_ = 0;
     std::int32_t resets_ = 0;
     PathStep step_{};
+    std::uint64_t serial_ = 0;
     std::uint32_t line_ = 0, file_ = 0;
     std::int64_t block_ = -1;
     std::uint32_t parts_ = 0;

@@ -40,20 +40,32 @@ void Couplings::configure(const p::Table& t, const KernelConfig& config) noexcep
             link.exchange_with = other >= 1 && other <= static_cast<std::int64_t>(kMaxAxes) ? static_cast<std::uint32_t>(other) : 0u;
         }
     }
-    // Masters first. An axis of a ring never gets its turn: the configuration check refuses it, here it stays uncoupled.
+    place_masters_first();
+}
+
+// Masters before their slaves. A ring of parameters (the configuration check refuses it at a start; later it can come value by value)
+// loses the masters that do not act yet: what acts was no ring when it was switched on, so what is left is none.
+void Couplings::place_masters_first() noexcept {
     std::array<bool, kMaxAxes> placed{};
     count_ = 0;
+    for (Link& link : links_) link.ring = false;
     for (bool progress = true; progress;) {
         progress = false;
         for (std::size_t a = 0; a < kMaxAxes; ++a) {
             const Link& link = links_[a];
-            if (placed[a] || (!link.sync.master && !link.add.master && !link.exchange_with)) continue;
+            if (placed[a] || (!link.sync.master && !link.add.master && !link.exchange_with && !link.ring)) continue;
             const auto waits_for = [&](std::uint32_t m) {
                 return m && !placed[m - 1] && (links_[m - 1].sync.master || links_[m - 1].add.master);
             };
             if (waits_for(link.sync.master) || waits_for(link.add.master)) continue;
             order_[count_++] = static_cast<std::uint8_t>(a);
             placed[a] = progress = true;
+        }
+        for (std::size_t a = 0; a < kMaxAxes && !progress; ++a) {
+            Link& link = links_[a];
+            if (placed[a]) continue;
+            for (Follow* follow : {&link.sync, &link.add})
+                if (follow->master && !follow->on) follow->master = 0, link.ring = progress = true;
         }
     }
 }
@@ -63,20 +75,58 @@ bool Couplings::rests(const Core& core, std::size_t a) const noexcept {
     return !axis.moving() && axis.own_target() == axis.own() && axis.target() == axis.command();
 }
 
+// One a tick: what comes in the same tick is refused in the next one.
+bool Couplings::refuse(std::size_t a, std::size_t other, Alarm number, std::string_view detail, double value) noexcept {
+    if (refusal_.axis) return false;
+    refusal_.axis = static_cast<std::uint32_t>(a) + 1;
+    refusal_.other = static_cast<std::uint32_t>(other) + 1;
+    refusal_.number = number;
+    refusal_.detail = {};
+    refusal_.detail << detail;
+    refusal_.value = value;
+    links_[a].alarmed = false;
+    links_[a].shown_by = 0;
+    return true;
+}
+
+// A reset of the channels that show the alarm asks again.
+void Couplings::forget_refusal(const Core& core, std::size_t a) noexcept {
+    Link& link = links_[a];
+    if (!link.refused && !link.conflict_told) return;
+    bool shown = false;
+    for (std::uint32_t l = 1; link.shown_by >> (l - 1); ++l) shown = shown || ((link.shown_by >> (l - 1) & 1u) && core.signals.nc(signals::cn_alarm(l)));
+    if (link.alarmed && !shown) link.refused = link.conflict_told = link.alarmed = false;
+    else link.alarmed = shown;
+}
+
 // A request waits until both axes rest. True: now.
 bool Couplings::may_switch(Core& core, std::size_t a, std::size_t other, std::int64_t& since, const char* what) noexcept {
+    Link& link = links_[a];
+    if (link.refused) return false;
     if (rests(core, a) && rests(core, other)) {
         since = -1;
         return true;
     }
     if (since < 0) since = core.tick;
     const std::int64_t waited = core.tick - since;
-    if (timeout_s_ > 0 && waited == std::llround(timeout_s_ / core.config.tick_s)) {
+    if (timeout_s_ > 0 && waited >= std::llround(timeout_s_ / core.config.tick_s)) {
         ShortText text;
         text << what << " " << name_of('A', a).view();
-        core.alarm(Alarm::CoupleTimeout, core.config.axes[a].channel, text.view(), timeout_s_);
+        link.refused = refuse(a, other, Alarm::CoupleTimeout, text.view(), timeout_s_);
+        if (link.refused) since = -1;
     }
     return false;
+}
+
+// Two roles of one axis, two owners of one drive, a master that follows its slave.
+bool Couplings::contradicts(const Core& core, std::size_t a, bool sync, bool add, bool mix) const noexcept {
+    const Link& link = links_[a];
+    if (static_cast<int>(sync) + static_cast<int>(add) + static_cast<int>(mix) > 1) return true;
+    if ((sync || add) && link.route) return true;   // it is lent to another address
+    if (link.ring && (core.signals.plc(signals::ap_syncr(a + 1)) || core.signals.plc(signals::ap_sprpnr(a + 1)))) return true;
+    if (!mix || link.route) return false;
+    const Link& other = links_[link.exchange_with - 1];
+    return other.route || other.sync.on || other.add.on;   // that one is lent, or follows, already
 }
 
 void Couplings::switch_requests(Core& core, std::size_t a) noexcept {
@@ -86,12 +136,12 @@ void Couplings::switch_requests(Core& core, std::size_t a) noexcept {
     const bool sync = link.gantry || (link.sync.master && wanted(signals::ap_syncr(a + 1)));
     const bool add = link.add.master && wanted(signals::ap_sprpnr(a + 1));
     const bool mix = link.exchange_with && wanted(signals::ap_mixr(a + 1));
-    if (static_cast<int>(sync) + static_cast<int>(add) + static_cast<int>(mix) > 1) {
-        if (!link.told) core.alarm(Alarm::CoupleConflict, core.config.axes[a].channel, name_of('A', a).view());
-        link.told = true;
+    if (contradicts(core, a, sync, add, mix)) {
+        if (!link.conflict_told) link.conflict_told = refuse(a, link.exchange_with ? link.exchange_with - 1 : a, Alarm::CoupleConflict, name_of('A', a).view(), 0);
         return;   // what acts goes on; nothing is added to it
     }
-    link.told = false;
+    link.conflict_told = false;
+    if (sync == link.sync.on && add == link.add.on && mix == (link.route != 0)) link.refused = false;   // withdrawn
     if (sync != link.sync.on) {
         const std::size_t m = link.sync.master - 1;
         if (link.gantry || may_switch(core, a, m, link.sync_since, "AP_SYNCR")) {
@@ -123,10 +173,7 @@ void Couplings::exchange(Core& core, std::size_t a) noexcept {
     const std::size_t other = link.exchange_with - 1;
     const bool wanted = core.signals.plc(signals::ap_mixr(a + 1)) != 0, is = link.route != 0;
     if (wanted != is) {
-        if (wanted && links_[other].route) {   // that one is lent to somebody else already
-            if (link.mix_since < 0) core.alarm(Alarm::CoupleConflict, core.config.axes[a].channel, name_of('A', a).view());
-            link.mix_since = core.tick;
-        } else if (may_switch(core, a, other, link.mix_since, "AP_MIXR")) {
+        if (may_switch(core, a, other, link.mix_since, "AP_MIXR")) {
             link.route = wanted ? static_cast<std::uint32_t>(other) + 1 : 0;
             links_[other].route = wanted ? static_cast<std::uint32_t>(a) + 1 : 0;
             if (core.axes[a].exists()) core.axes[a].owner = 0;
@@ -198,9 +245,11 @@ void Couplings::shifted(std::size_t axis, double by) noexcept {
 
 void Couplings::step(Core& core) noexcept {
     torn_ = 0;
+    refusal_.axis = 0;
     if (count_ == 0) return;
     if (core.state == MachineState::Off) powered_since_ = core.tick + 1;
     for (std::size_t i = 0; i < count_; ++i) {
+        forget_refusal(core, order_[i]);
         switch_requests(core, order_[i]);
         follow(core, order_[i]);
         core.axes[order_[i]].slave = links_[order_[i]].sync.on;

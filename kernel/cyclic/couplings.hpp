@@ -40,6 +40,15 @@ public:
     // Axis (from 1) whose gantry slave it is; 0 none. And the way it counts against it.
     std::uint32_t gantry_master(std::size_t a) const noexcept { return links_[a].gantry ? links_[a].sync.master : 0; }
     double sense(std::size_t a) const noexcept { return links_[a].sync.sign; }
+    // A request that this tick has refused; axis 0: none. Whoever moves either axis is to stop.
+    struct Refusal {
+        std::uint32_t axis = 0, other = 0;   // from 1
+        Alarm number = Alarm::CoupleTimeout;
+        ShortText detail;
+        double value = 0;
+    };
+    const Refusal& refusal() const noexcept { return refusal_; }
+    void refusal_shown(ChannelSet by) noexcept { links_[refusal_.axis - 1].shown_by = by; }   // channels that have its alarm
     // A gantry slave (from 1) that has gone too far from its master; 0 none. Asked once a tick.
     std::uint32_t torn_gantry() const noexcept { return torn_; }
 
@@ -57,10 +66,18 @@ private:
         std::uint32_t exchange_with = 0;   // N2104
         std::uint32_t route = 0;
         std::int64_t sync_since = -1, add_since = -1, mix_since = -1;   // request that waits for standstill
-        bool told = false;                 // about a request that contradicts another
+        bool conflict_told = false;        // about a request that contradicts another
+        bool refused = false;              // after PT_COUPLE_TIMEOUT
+        ChannelSet shown_by = 0;           // channels with the alarm of the refusal
+        bool alarmed = false;              // one of them shows it now
+        bool ring = false;                 // parameters lead its masters back to it: it is not coupled
     };
     bool rests(const Core& core, std::size_t a) const noexcept;
     bool may_switch(Core& core, std::size_t a, std::size_t other, std::int64_t& since, const char* what) noexcept;
+    bool refuse(std::size_t a, std::size_t other, Alarm number, std::string_view detail, double value) noexcept;
+    void forget_refusal(const Core& core, std::size_t a) noexcept;
+    bool contradicts(const Core& core, std::size_t a, bool sync, bool add, bool mix) const noexcept;
+    void place_masters_first() noexcept;
     void switch_requests(Core& core, std::size_t a) noexcept;
     void exchange(Core& core, std::size_t a) noexcept;
     void follow(Core& core, std::size_t a) noexcept;
@@ -72,6 +89,7 @@ private:
     std::size_t count_ = 0;
     double timeout_s_ = 0;
     std::uint32_t torn_ = 0;
+    Refusal refusal_;
     std::int64_t powered_since_ = 0;       // tick; the loops are closed and follow-up is over some ticks later
 };
 

@@ -84,8 +84,12 @@ void Guard::configure(const p::Table& t, const KernelConfig& config) {
             if (turret != room_.turrets.end()) {
                 for (const RoomBox& b : turret->second.body) add(b, 0);
                 for (const auto& [station, boxes] : turret->second.tools)
-                    for (const RoomBox& b : boxes)
-                        if (!shapes_.has(l, station)) add(b, station);
+                    for (const RoomBox& b : boxes) {
+                        if (shapes_.has(l, station)) continue;
+                        add(b, station);
+                        if (const auto tip = turret->second.tips.find(station); tip != turret->second.tips.end() && box_count_ > 0)
+                            boxes_[box_count_ - 1].goes = true, boxes_[box_count_ - 1].tip = {tip->second.x, tip->second.z};
+                    }
             }
             for (std::size_t i = 0; i < shapes_.count; ++i)
                 if (const ToolShape& s = shapes_.shapes[i]; s.channel == l) add({s.x_low, s.x_high, s.z_low, s.z_high}, s.station);
@@ -154,6 +158,22 @@ void Guard::configure(const p::Table& t, const KernelConfig& config) {
     }
 }
 
+void Guard::take_tool(std::uint32_t channel, std::uint32_t station, const std::array<double, kChannelAxes>& shift) noexcept {
+    Tool& tool = tools_[channel - 1];
+    if (tool.station != station) tool = {station, false, {}};
+    if (!has_room_ || std::all_of(shift.begin(), shift.end(), [](double one) { return one == 0; })) return;
+    Vector tip;
+    const auto& own = machine_.channel(channel);
+    for (std::size_t i = 0; i < own.axis_count; ++i) {
+        const auto place = room_.axes.find(own.axes[i]);
+        if (place == room_.axes.end() || machine_.axis(own.axes[i]).rotary) continue;
+        tip.x -= place->second.direction.x * shift[i];
+        tip.z -= place->second.direction.z * shift[i];
+    }
+    tool.known = true;
+    tool.tip = tip;
+}
+
 bool Guard::carries(std::uint32_t body, std::uint32_t axis) const noexcept {
     const Body& b = bodies_[body];
     return std::find(b.axis.begin(), b.axis.begin() + static_cast<std::ptrdiff_t>(b.carriers), axis) != b.axis.begin() + static_cast<std::ptrdiff_t>(b.carriers);
@@ -215,7 +235,9 @@ void Guard::show(Body& body) noexcept {
     for (std::size_t i = body.first; i < body.first + body.count; ++i) {
         const Box& own = boxes_[i];
         if (own.station && body.channel && own.station != station_[body.channel - 1]) continue;
-        const Box box{own.x_low + body.at.x, own.x_high + body.at.x, own.z_low + body.at.z, own.z_high + body.at.z, own.station};
+        Vector at = body.at;
+        if (own.goes && body.channel && tools_[body.channel - 1].known) at = {at.x + tools_[body.channel - 1].tip.x - own.tip.x, at.z + tools_[body.channel - 1].tip.z - own.tip.z};
+        const Box box{own.x_low + at.x, own.x_high + at.x, own.z_low + at.z, own.z_high + at.z, own.station};
         body.outline = {std::min(body.outline.x_low, box.x_low), std::max(body.outline.x_high, box.x_high), std::min(body.outline.z_low, box.z_low), std::max(body.outline.z_high, box.z_high), 0};
         shown_[shown_count_++] = box;
         ++body.shown_count;

@@ -27,6 +27,10 @@ public:
     void take_room(const Room& room, const MachineConfig& machine);            // not in the cyclic thread
     void configure(const params::Table& table, const KernelConfig& config);    // likewise, or at a tick start: allocates nothing
     void take_tools(const ToolShapes& shapes) noexcept { shapes_ = shapes; }   // instead of what the room says of their stations; then configure()
+    // The tool of a channel (from 1) that is in work, and what its offset takes from the channel's axes, by their place in it (machine
+    // coordinate less programmed coordinate). A shape of machine.toml that names its tip goes with it; without an offset in use the
+    // tool stays as it was known last.
+    void take_tool(std::uint32_t channel, std::uint32_t station, const std::array<double, kChannelAxes>& shift) noexcept;
     // Two bodies that would come too near; first is kNone when none do. Before the drives are spoken to.
     struct Finding {
         std::uint32_t first, second;
@@ -48,6 +52,13 @@ private:
     struct Box {
         double x_low, x_high, z_low, z_high;
         std::uint32_t station;             // only while it is in work; 0 always
+        bool goes = false;                 // with the tip of the tool
+        Vector tip{};                      // that it is drawn with
+    };
+    struct Tool {
+        std::uint32_t station = 0;
+        bool known = false;
+        Vector tip;                        // from the carrier's point, in the room
     };
     enum class Kind : std::uint8_t { Carrier, Chuck, Tailstock };
     struct Body {
@@ -86,6 +97,7 @@ private:
     std::array<Box, kBoxes> boxes_{}, shown_{};
     std::size_t shown_count_ = 0;
     std::array<std::uint32_t, kMaxChannels> station_{};   // in work
+    std::array<Tool, kMaxChannels> tools_{};
     std::size_t body_count_ = 0, box_count_ = 0;
     double distance_ = 1;
     Finding nearest_{kNone, kNone, 0};

@@ -132,6 +132,7 @@ void Machine::tick() noexcept {
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
         if (const double by = core_.axes[a].take_shift(); by != 0) couplings_.shifted(a, by), spindle_couplings_.shifted(a, by);
     couplings_.step(core_);
+    refuse_coupling();
     if (const std::uint32_t torn = couplings_.torn_gantry(); torn && core_.on()) emergency_stop(Alarm::GantryError, core_.config.axes[torn - 1].channel, name_of('A', torn - 1).view(), core_.axes[torn - 1].measured());
     protect();
     compensation_.step(core_);

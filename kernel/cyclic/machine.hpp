@@ -24,6 +24,7 @@
 #include "kernel/cyclic/homing.hpp"
 #include "kernel/cyclic/plc_link.hpp"
 #include "kernel/cyclic/spindle_couplings.hpp"
+#include "kernel/cyclic/tool_in_work.hpp"
 #include "kernel/drives/segment_drives.hpp"
 #include "kernel/drives/shared_drive.hpp"
 
@@ -96,6 +97,8 @@ private:
     std::array<std::uint32_t, kMaxAxes> jog_address_{};     // jogged by its key: address (from 1), whose feed it follows
     void go_back() noexcept;
     void turn_wheels() noexcept;
+    void refuse_coupling() noexcept;
+    std::array<ToolInWork, kMaxChannels> tool_in_work_;
     void program_wheel(std::uint32_t channel, bool on) noexcept;
     void turn_program(std::uint32_t channel, double clicks) noexcept;
     void watch_interlocks() noexcept;

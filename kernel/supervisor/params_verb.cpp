@@ -9,8 +9,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "ipc/machine/compensation_tables.hpp"
 #include "ipc/machine/config_check.hpp"
 #include "ipc/machine/load_machine.hpp"
+#include "ipc/machine/room.hpp"
 #include "ipc/memory/segment.hpp"
 #include "ipc/params/export.hpp"
 #include "ipc/params/param_file.hpp"
@@ -154,10 +156,29 @@ int export_table(const ParamsOptions& options) {
     return rewrite(options.arguments.front(), lines);
 }
 
+// Measured errors are imported whole: the table is checked against the machine's parameters, then it takes the old one's place.
+int import_compensation(const ParamsOptions& options, const std::string& path, const std::string& content) {
+    if (options.machine.empty()) {
+        std::fputs(say("polyturn: a compensation table is imported with --machine FILE; it acts from the next start\n").data(), stderr);
+        return 2;
+    }
+    std::vector<Diagnosis> faults;
+    const CompensationTables tables = parse_compensation(content, path, faults);
+    LoadedMachine loaded = load_machine_file(options.machine);
+    std::erase_if(loaded.diagnoses, [](const Diagnosis& d) { return d.alarm == Alarm::CompensationTable; });   // of the one that is replaced
+    if (tell(loaded.diagnoses) || !loaded.table) return 2;
+    check_compensation_tables(*loaded.table, tables, path, faults);
+    if (tell(faults)) return 2;
+    if (const int failed = rewrite(compensation_file_of(loaded.params_file), content)) return failed;
+    print(fmt::format(fmt::runtime(say("{}: acts from the next start of the machine\n")), compensation_file_of(loaded.params_file)));
+    return 0;
+}
+
 int import_file(const ParamsOptions& options) {
     const std::string& path = options.arguments.front();
     const auto content = text::read_text_file(path);
     if (!content) return refuse(content.diagnosis());
+    if (path.ends_with(".compensation")) return import_compensation(options, path, *content);
     const params::ParsedFile parsed = params::parse_param_file(*content, path);
     if (tell(parsed.diagnoses) || !parsed.ok()) return 2;  // none of them
     std::vector<std::string> lines;
@@ -190,15 +211,22 @@ int diff(const ParamsOptions& options) {
     return differences.empty() ? 0 : 1;
 }
 
+// A machine's file is judged with what stands beside it: its room and its measured errors.
 int check(const ParamsOptions& options) {
-    TablePointer table;
-    if (options.arguments.empty()) {
-        table = wanted_table(options);
+    std::vector<Diagnosis> contradictions;
+    if (options.arguments.empty() && !options.instance.empty()) {
+        const TablePointer table = running_table(options.instance);
+        if (!table) return 2;
+        contradictions = check_machine_config(*table);
     } else {
-        table = table_of_file(options.arguments.front());
+        const LoadedMachine loaded = load_machine_file(options.arguments.empty() ? options.machine : options.arguments.front());
+        if (tell(loaded.diagnoses)) return 2;
+        (void)load_room(loaded.room_file, derive_machine_config(*loaded.table), contradictions);
+        const std::vector<Diagnosis> config = check_machine_config(*loaded.table);
+        contradictions.insert(contradictions.end(), config.begin(), config.end());
+        const std::string file = compensation_file_of(loaded.params_file);
+        check_compensation_tables(*loaded.table, load_compensation(file, contradictions), file, contradictions);
     }
-    if (!table) return 2;
-    const auto contradictions = check_machine_config(*table);
     if (tell(contradictions)) return 1;
     print(say("consistent\n"));
     return 0;

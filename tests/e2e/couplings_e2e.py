@@ -304,8 +304,19 @@ class Shapes(Coupled):
         self.assertLess(upper - (-50.0), 46.0)
         self.assertEqual(self.meet(self.machine({"L1": body, "L2": body}), "N2000 L2=0").status, 0)
 
+    def test_the_shape_of_a_tool_goes_with_its_offset(self):
+        body = "body = [{ X = [-20.0, 20.0], Z = [-30.0, 30.0] }]"
+        tool = body + "\ntools = { 1 = [{ X = [-60.0, 0.0], Z = [-10.0, 10.0] }] }\ntips = { 1 = { X = -60.0, Z = 0.0 } }"
+        for offset, reach in ((120.0, 60.0), (160.0, 80.0), (80.0, 40.0)):   # of X as a diameter
+            with self.subTest(offset=offset):
+                done = self.meet(self.machine({"L1": tool, "L2": body}), offset=offset)
+                self.assertEqual([a["number"] for a in done.alarms][:1], ["PT0690"], done.said())
+                upper = read_trace(self.folder / "trace.csv")["A1.cmd"][-1]
+                self.assertGreater(upper - (-50.0), 21.0 + reach - 0.1)
+                self.assertLess(upper - (-50.0), 26.0 + reach)
+
     def test_a_shape_that_cannot_be_is_refused_with_its_place(self):
-        for lines in ("body = [{ X = [20.0, -20.0], Z = [-30.0, 30.0] }]", 'body = [{ X = "wide", Z = [-30.0, 30.0] }]', "body = 5"):
+        for lines in ("body = [{ X = [20.0, -20.0], Z = [-30.0, 30.0] }]", 'body = [{ X = "wide", Z = [-30.0, 30.0] }]', "body = 5", "tips = { 3 = { X = -60.0 } }"):
             with self.subTest(lines=lines):
                 done = self.meet(self.machine({"L1": lines}))
                 self.assertEqual(done.status, 1, done.said())

@@ -1,4 +1,6 @@
 // Turret, tailstock, bar feeder, parts catcher, door, lubrication.
+#include <limits>
+
 #include "kernel/plc/lathe/lathe_plc.hpp"
 
 namespace polyturn::plc {
@@ -103,13 +105,23 @@ bool LathePlc::coupling_code(View view, std::uint32_t channel, std::int32_t code
             if (first <= 0 || (code != first && code != first + 1)) continue;
             any = true;
             view.out.signal[axis.request[k]] = code == first;
-            Pending& pending = at(channel).pending;
-            pending = {};
-            pending.task = Task::Coupled;
-            pending.range = code == first;
-            pending.slot = axis.answer[k];
         }
+    if (any) at(channel).pending = {Task::Coupled, 0, 0, couple_time_s_ > 0 ? view.in.tick + ticks(couple_time_s_ + kCoupleAnswerS) : std::numeric_limits<std::int64_t>::max(), 0, code};
     return any;
+}
+
+// All axes of the code have switched. What is refused is asked for no longer: requests go back to what is.
+bool LathePlc::coupling_step(View view, std::int32_t code, bool give_up) {
+    bool all = true;
+    for (const AxisCouplings& axis : couplings_)
+        for (std::size_t k = 0; k < kCouplings; ++k) {
+            const std::int32_t first = axis.code[k];
+            if (first <= 0 || (code != first && code != first + 1)) continue;
+            const bool is = view.in.signal[axis.answer[k]] != 0;
+            all = all && is == (code == first);
+            if (give_up) view.out.signal[axis.request[k]] = is;
+        }
+    return all;
 }
 
 // A limit is there at once; it is gone when nothing presses any more and the slide rests where it was met.

@@ -118,8 +118,10 @@ void LathePlc::watch_pending(View view, std::uint32_t channel) {
             if (view.in.cycle >= pending.believe_cycle) finish_m(view, channel);
             return;
         case Task::Coupled:
-            if (view.in.signal[pending.slot] == pending.range) finish_m(view, channel);
-            return;
+            if (coupling_step(view, pending.slot, false)) return finish_m(view, channel);
+            if (view.in.tick < pending.due_tick) return;
+            (void)coupling_step(view, pending.slot, true);
+            return refuse(channel, kNotCoupled);
         case Task::Torque:
             if (view.in.cycle >= pending.believe_cycle && torque_step(view, pending)) finish_m(view, channel);
             else if (view.in.tick >= pending.due_tick) refuse(channel, kStillPressed);

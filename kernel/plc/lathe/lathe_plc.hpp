@@ -53,6 +53,7 @@
 namespace polyturn::plc {
 
 inline constexpr double kSpindleTimeS = 15.0;
+inline constexpr double kCoupleAnswerS = 0.5;   // after PT_COUPLE_TIMEOUT: the kernel has refused by then
 // An output acts one PLC cycle later, and the flags that answer it come with the inputs after that.
 inline constexpr std::uint64_t kCyclesUntilAnswer = 3;
 inline constexpr std::int32_t kJogStep = 20;   // CP_JOGFD without a switch of its own: 12.6 m/min, so that N0315 decides
@@ -74,6 +75,7 @@ enum Message : std::int32_t {
     kClampsTurning = 11,     // M10 while the spindle turns and holds nothing together with another
     kNotSynchronous = 12,    // the spindle did not come to its master within kSpindleTimeS
     kStillPressed = 13,      // the axis did not leave its fixed stop
+    kNotCoupled = 14,        // the axes were not switched within PT_COUPLE_TIMEOUT
 };
 
 // Digital outputs (from 0), for each channel and each spindle.
@@ -99,8 +101,8 @@ private:
         std::uint32_t spindle = 0;       // from 1
         std::uint64_t believe_cycle = 0; // from this cycle on the spindle's flags speak of the new command
         std::int64_t due_tick = 0;       // done; or a spindle is given up
-        std::int32_t range = 0;          // Gear: the new one; Coupled: 1 on, 0 off; Standstill: what follows
-        std::int32_t slot = 0;           // Coupled: the NC's answer; kThenHelper: its code
+        std::int32_t range = 0;          // Gear: the new one; Standstill: what follows
+        std::int32_t slot = 0;           // Coupled: its code; kThenHelper: its code
     };
     struct Turret {
         std::int32_t station = 1, target = 1;
@@ -187,6 +189,7 @@ private:
     static double step_time(const ChannelSettings& set) { return set.half ? set.turret_time_s / 2 : set.turret_time_s; }
     bool helper_code(View view, std::uint32_t channel, std::uint32_t selected, std::int32_t code);
     bool coupling_code(View view, std::uint32_t channel, std::int32_t code);
+    bool coupling_step(View view, std::int32_t code, bool give_up);
     bool bar_step(View view, std::uint32_t channel);
     bool torque_code(View view, std::uint32_t channel, std::int32_t code);
     [[nodiscard]] bool torque_step(View view, Pending& pending) const;
@@ -222,7 +225,7 @@ private:
     std::array<std::int32_t, kAxes> lube_slot_{};
     std::array<std::uint32_t, kAxes> axis_channel_{};
     std::int32_t machine_on_slot_ = 0, emergency_slot_ = 0, message_slot_ = 0, stop_slot_ = 0, in_stop_ = 0, power_slot_ = 0, in_power_ = 0, key_slot_ = 0, in_key_ = 0, group_stride_ = 0;
-    double tick_s_ = 0.001;
+    double tick_s_ = 0.001, couple_time_s_ = 0;
     bool first_ = true;
     struct Kept {
         std::uint32_t used = 0;          // 0: nothing was kept

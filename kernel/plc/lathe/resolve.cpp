@@ -99,6 +99,7 @@ const char* LathePlc::resolve(const PolyturnPlcHost& host) {
     }
     machine_on_slot_ = f.nc("N_MACHINE_ON", 1);
     emergency_slot_ = f.nc("N_ESTOP", 1);
+    couple_time_s_ = f.real("PT_COUPLE_TIMEOUT", 1);
     in_stop_ = f.whole("PT_IN_ESTOP", 1);
     stop_slot_ = f.plc("PLC_ESTOP", 1);
     in_power_ = f.whole("PT_IN_POWER", 1);

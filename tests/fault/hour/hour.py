@@ -4,10 +4,12 @@ channels exceeds no limit of an axis, loses no position, nothing hangs, and ever
 
     HOUR_SECONDS=3600 HOUR_SEED=7 python3 hour.py     so much virtual time, in runs of a minute; default 120 s, seed of the day
     HOUR_RUN=3 ...                                    only that run of it, its files are kept in ./hour-<seed>-3
+    HOUR_MACHINE=coupled_axes ...                     issue 4's: couplings, exchanges and deaths on a machine of coupled slides
 
 The judge is a program of its own (judge.cpp) and knows only the trace and the numbers below.
 """
 import csv
+import importlib
 import json
 import os
 import pathlib
@@ -17,8 +19,11 @@ import sys
 import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from eight_channels import CHANNELS, TICK_S, axes, machine_lines, program  # noqa: E402
 from stimuli import Stimuli  # noqa: E402
+
+machine = importlib.import_module(os.environ.get("HOUR_MACHINE", "eight_channels"))
+CHANNELS, TICK_S, axes, machine_lines, program = machine.CHANNELS, machine.TICK_S, machine.axes, machine.machine_lines, machine.program
+COUPLINGS, GANTRY, WATCH = getattr(machine, "COUPLINGS", {}), getattr(machine, "GANTRY", {}), getattr(machine, "WATCH", [])
 
 SOURCE = pathlib.Path(__file__).resolve().parents[3]
 POLYTURN = pathlib.Path(os.environ["POLYTURN"]).resolve()
@@ -47,19 +52,21 @@ class Episode:
 
     def run(self):
         blocks, programs = {}, []
+        common = [machine.plan(self.rng)] if COUPLINGS else []
         for channel in range(1, CHANNELS + 1):
-            text, blocks[channel] = program(self.rng, channel)
+            text, blocks[channel] = program(self.rng, channel, *common)
             path = self.folder / f"O{1000 + channel}.nc"
             path.write_text(text)
             programs.append(f"{channel}={path}")
-        self.stimuli = Stimuli(self.rng, RUN_S, blocks, deaths=self.rng.random() < 0.4).build()
+        self.stimuli = Stimuli(self.rng, RUN_S, blocks, deaths=self.rng.random() < 0.4, machine=machine).build()
         (self.folder / "machine.params").write_text("\n".join(machine_lines()) + "\n")
         (self.folder / "scenario.toml").write_text(self.stimuli.text())
-        (self.folder / "setup.toml").write_text("".join(f"[channel.{c}]\nmachine = {{ X = 200.0, Z = 100.0 }}\n" for c in range(1, CHANNELS + 1)))
+        named = {(a.channel, a.name) for a in axes()}
+        (self.folder / "setup.toml").write_text("".join(f"[channel.{c}]\nmachine = {{ X = 200.0, Z = 100.0{', Y = 100.0' if (c, 'Y') in named else ''} }}\n" for c in range(1, CHANNELS + 1)))
         trace = self.folder / "trace.csv"
         try:
             done = subprocess.run([POLYTURN, "run", "--virtual", "--machine", self.folder, "--setup", self.folder / "setup.toml", "--scenario", self.folder / "scenario.toml",
-                                   "--trace", trace, *programs], capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=1200, check=False)
+                                   "--trace", trace, *(word for name in WATCH for word in ("--watch", name)), *programs], capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=1200, check=False)
         except subprocess.TimeoutExpired:
             self.faults.append("the run does not end")
             return
@@ -127,6 +134,8 @@ class Episode:
             if key == "press" and words == "reference all":
                 free += [(a.number, t, t + 2.4) for a in axes() if a.pulse]
         free += [(number, t, 1e9) for number, t in opened.items()]
+        free += self.carried(free)
+        facts += self.couplings()
         facts += [f"free {n} {lo:.4f} {hi:.4f}" for n, lo, hi in free]
         facts += [f"hard {lo:.4f} {hi:.4f}" for lo, hi in hard]
         facts += self.standing()
@@ -135,6 +144,45 @@ class Episode:
         done = subprocess.run([JUDGE, self.folder / "facts.txt", trace], capture_output=True, text=True, check=False)
         if done.returncode:
             self.faults += (done.stdout + done.stderr).strip().splitlines()
+
+    def acting(self, answer):
+        """When the machine said that a coupling acts."""
+        out, since = [], None
+        for e in self.events:
+            if e["ev"] != "flag" or e["name"] != answer:
+                continue
+            if e["value"] and since is None:
+                since = e["t"]
+            elif not e["value"] and since is not None:
+                out.append((since, e["t"]))
+                since = None
+        return out + ([(since, 1e9)] if since is not None else [])
+
+    def couplings(self):
+        out = [f"tie {slave} {master} {sign} 0 1e9 0.2" for slave, (master, sign) in GANTRY.items()]
+        for slave, (kind, master, sign, _, _, answer) in COUPLINGS.items():
+            for lo, hi in self.acting(f"{answer} A{slave}"):
+                if kind == "sync":
+                    out.append(f"tie {slave} {master} {sign} {lo:.6f} {hi:.6f} 1e-6")   # 1 nm
+                elif kind == "add":
+                    out.append(f"add {slave} {master} {sign} {lo:.6f} {hi:.6f}")
+        return out
+
+    def carried(self, free):
+        """What nobody commands carries its slaves along, and theirs."""
+        follows = [(slave, c[1]) for slave, c in COUPLINGS.items()] + [(c[1], slave) for slave, c in COUPLINGS.items() if c[0] == "mix"] + [(slave, c[0]) for slave, c in GANTRY.items()]
+        out, new = [], list(free)
+        while new:
+            new = [(slave, lo, hi) for n, lo, hi in new for slave, master in follows if master == n and (slave, lo, hi) not in out]
+            out += new
+        return out
+
+    def behind(self, number, t):
+        """The drive behind an address."""
+        for slave, (kind, other, _, _, _, answer) in COUPLINGS.items():
+            if kind == "mix" and number in (slave, other) and any(lo <= t <= hi for lo, hi in self.acting(f"{answer} A{slave}")):
+                return other if number == slave else slave
+        return number
 
     def standing(self):
         """Overrides at 0, forced answers that never come: the operator's and the PLC's own reasons."""
@@ -165,7 +213,7 @@ class Episode:
             if any(t - 4.5 <= d <= t + 0.1 for d in disturbed):   # what was asked shortly before may have changed the way
                 continue
             for name, value in before.get("machine", {}).items():
-                n = number.get((e["ch"], name))
+                n = self.behind(number.get((e["ch"], name)), t)
                 if n and not any(f[0] == n and f[1] <= t <= f[2] for f in free):
                     out.append(f"at {t:.6f} {n} {value}")
         self.checked = len(out)

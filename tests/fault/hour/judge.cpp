@@ -10,6 +10,8 @@
 //   hard FROM TO            emergency stop: ESTOP_DEC holds instead of AMAX, no jerk limit
 //   still CHANNEL FROM TO   the channel may stand without moving (override 0, a reason was named)
 //   at T NUMBER VALUE       the path went through here
+//   tie SLAVE MASTER SIGN FROM TO BY   the slave's command goes the master's way, to BY mm
+//   add SLAVE MASTER SIGN FROM TO      the master's way since FROM is added to what the slave's own program says
 //   patience S              a channel that runs and neither moves nor has a reason hangs after so long
 #include <algorithm>
 #include <charconv>
@@ -39,7 +41,7 @@ struct Axis {
     std::size_t cmd = 0, act = 0;       // columns
     double p = 0, v = 0, a = 0;         // of the tick before
     int known = 0;                      // how many of them are
-    double still_s = 0, said_s = -1;
+    double still_s = 0, said_s = -1, added = 0;
     std::map<std::string, int> told;
 };
 struct Channel {
@@ -49,7 +51,16 @@ struct Channel {
     bool exists = false, told = false;
 };
 
+// A slave and its master. What its program commanded is known at `from` and after each time that nobody commanded it.
+struct Coupling {
+    int slave = 0, master = 0;
+    double sign = 1, from = 0, to = 0, by = 0;
+    bool adds = false, known = false;
+    double reference = 0;   // tie: slave - sign * master; add: the master
+};
+
 struct Judge {
+    std::vector<Coupling> couplings;
     double tick = 0.001, patience = 30;
     std::map<int, Axis> axes;
     std::map<int, Channel> channels;
@@ -85,6 +96,12 @@ struct Judge {
             } else if (word == "still") {
                 row >> n >> s.from >> s.to;
                 channels[n].still.push_back(s);
+            } else if (word == "tie" || word == "add") {
+                Coupling c;
+                c.adds = word == "add";
+                row >> c.slave >> c.master >> c.sign >> c.from >> c.to;
+                if (!c.adds) row >> c.by;
+                couplings.push_back(c);
             } else if (word == "at") {
                 double t = 0, value = 0;
                 row >> t >> n >> value;
@@ -95,6 +112,22 @@ struct Judge {
         return true;
     }
 
+    // Before the axes themselves are looked at: `cmd` of both in this tick.
+    void look_at_couplings(double t, const std::vector<double>& cell) {
+        for (auto& [number, axis] : axes) axis.added = 0;
+        for (Coupling& c : couplings) {
+            Axis &slave = axes[c.slave], &master = axes[c.master];
+            if (t < c.from || t > c.to - 1.5 * tick || inside(slave.free, t) || inside(master.free, t)) {
+                c.known = c.known && c.adds && t >= c.from;
+                continue;
+            }
+            const double s = cell[slave.cmd], m = cell[master.cmd];
+            if (!c.known) c.reference = c.adds ? m : s - c.sign * m;
+            c.known = true;
+            if (c.adds) slave.added += c.sign * (m - c.reference);
+            else if (std::fabs(s - c.sign * m - c.reference) > c.by) fault(slave, t, "apart from its master by", s - c.sign * m - c.reference, c.by);
+        }
+    }
     void look(Axis& axis, double t, double cmd, double act, bool braking) {
         if (!std::isfinite(cmd) || !std::isfinite(act)) return fault(axis, t, "no number", cmd, 0);
         if (inside(axis.free, t)) {
@@ -129,7 +162,7 @@ struct Judge {
         // The path's points: near in time, the command was there. A blend rounds a corner a little.
         const double slack = 0.02 + 3 * tick * std::fabs(axis.v);
         for (auto it = axis.at.lower_bound(t - tick); it != axis.at.end() && it->first < t; it = axis.at.erase(it))
-            if (axis.known >= 2 && std::fabs(cmd - it->second) > slack) fault(axis, t, "not where its path led:", cmd - it->second, slack);
+            if (axis.known >= 2 && std::fabs(cmd - axis.added - it->second) > slack) fault(axis, t, "not where its path led:", cmd - axis.added - it->second, slack);
     }
 
     int run(const char* file) {
@@ -162,6 +195,7 @@ struct Judge {
             const bool gap = before >= 0 && t - before > 1.5 * tick;
             const bool braking = inside(hard, t);
             std::map<int, bool> moves;
+            look_at_couplings(t, cell);
             for (auto& [number, axis] : axes) {
                 if (axis.cmd >= cell.size() || axis.act >= cell.size()) continue;
                 if (gap) {

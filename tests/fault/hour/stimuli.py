@@ -1,14 +1,12 @@
 """What happens to the machine of eight channels: operator, PLC, drives, deaths at random moments. Every few seconds somebody
 puts all right again, so that programs run most of the time."""
-from eight_channels import CHANNELS, axes
-
 REPAIR_EVERY_S = 9.0
 REPAIR_TAKES_S = 3.5
 LAST_S = 4.0
 
 
 class Stimuli:
-    def __init__(self, rng, seconds, blocks, deaths):
+    def __init__(self, rng, seconds, blocks, deaths, machine):
         self.rng, self.seconds, self.blocks = rng, seconds, blocks
         self.lines = []          # (t, key, words, for)
         self.forced = {}         # signal -> since
@@ -16,7 +14,9 @@ class Stimuli:
         self.still = []          # (channel, from, to): it may stand
         self.dead = {}           # process -> t
         self.deaths = deaths
-        self.axes = axes()
+        self.axes = machine.axes()
+        self.channels = machine.CHANNELS
+        self.couplings = getattr(machine, "COUPLINGS", {})
 
     def add(self, t, key, words, duration=None):
         self.lines.append((round(t, 3), key, words, duration))
@@ -49,7 +49,7 @@ class Stimuli:
         self.forced.clear()
         for a in self.axes:
             self.add(t, "set", f"drive A{a.number}=ok")
-        for channel in range(1, CHANNELS + 1):
+        for channel in range(1, self.channels + 1):
             for key in ("single_block", "dry_run", "machine_lock", "retrace", "program_wheel", "ignore_waits", "rapid_key", "first_part", "optional_stop"):
                 self.add(t, "press", f"{key} L{channel}=off")
             self.add(t, "press", f"feed_override L{channel}=100")
@@ -57,10 +57,10 @@ class Stimuli:
         self.add(t + 0.05, "press", "reset")
         self.add(t + 0.30, "press", "machine_on")
         self.add(t + 0.60, "press", "reset")
-        for channel in range(1, CHANNELS + 1):
+        for channel in range(1, self.channels + 1):
             self.add(t + 0.65, "press", f"mode L{channel}=reference")
         self.add(t + 0.70, "press", "reference all")
-        for channel in range(1, CHANNELS + 1):
+        for channel in range(1, self.channels + 1):
             self.add(t + 2.9, "press", f"mode L{channel}=auto")
         self.add(t + 3.0, "press", "reset")
         self.add(t + 3.2, "press", "cycle_start")
@@ -68,7 +68,9 @@ class Stimuli:
 
     def one(self, t):
         rng = self.rng
-        l = rng.randint(1, CHANNELS)
+        if self.couplings and rng.random() < 0.2:
+            return self.couple(t)
+        l = rng.randint(1, self.channels)
         a = rng.choice(self.axes)
         on_off = rng.choice(("on", "off"))
         kind = rng.random()
@@ -157,11 +159,36 @@ class Stimuli:
             self.add(t + rng.uniform(0.01, 3), "release", name)
         self.forced[name] = t   # released again with the next repair, whatever was said here
 
+    def couple(self, t):
+        """Somebody couples or lets go at a moment that no program knows of: the PLC by its flags, an operator by hand."""
+        rng = self.rng
+        slave = rng.choice(sorted(self.couplings))
+        _, _, _, code, flag, _ = self.couplings[slave]
+        kind = rng.random()
+        if kind < 0.55:
+            name = f"{flag} A{slave}"
+            self.add(t, "set", f"{name}={rng.choice((1, 1, 1, 0))}")
+            if rng.random() < 0.8:
+                self.add(t + rng.uniform(0.05, 6), "release", name)
+            self.forced[name] = t
+        elif kind < 0.75:
+            name = rng.choice(("SP_SYNCR S2", "SP_PHASER S2"))
+            self.add(t, "set", f"{name}=1")
+            if rng.random() < 0.8:
+                self.add(t + rng.uniform(0.05, 6), "release", name)
+            self.forced[name] = t
+        else:
+            l = rng.randint(1, self.channels)
+            self.add(t, "press", f"reset L{l}")
+            self.add(t + 0.5, "press", f"mode L{l}=mdi")
+            self.add(t + 0.6, "press", f"mdi L{l} M{code + rng.randint(0, 1)}")
+            self.add(t + rng.uniform(1, 5), "press", f"mode L{l}=auto")
+
     def die(self):
         """The last part of it goes on without somebody."""
         rng = self.rng
         t = rng.uniform(0.5, 0.9) * self.seconds
-        for who in rng.sample([f"channel {n}" for n in range(1, CHANNELS + 1)] + ["plc", "toolmgmt"], rng.randint(1, 3)):
+        for who in rng.sample([f"channel {n}" for n in range(1, self.channels + 1)] + ["plc", "toolmgmt"], rng.randint(1, 3)):
             if rng.random() < 0.25:
                 self.add(t, "stop", who, round(rng.uniform(0.1, 3), 2))
             else:

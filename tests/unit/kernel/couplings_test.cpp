@@ -213,6 +213,94 @@ TEST(Couplings, TellWhenTheAxesDoNotComeToRest) {
     EXPECT_FALSE(rig.machine->core().axes[3].slave);
 }
 
+// A flag while an axis moves, for each kind: it waits, then the alarm names the request and the axis, whoever moves stops, and what
+// was stays until somebody asks again.
+TEST(Couplings, ARefusedRequestFindsEverythingAtRestAndAsItWas) {
+    struct Row {
+        std::uint32_t flag, acknowledged;
+        const char* named;
+    };
+    for (const Row& row : {Row{signals::ap_syncr(4), signals::an_synca(4), "AP_SYNCR A4"}, Row{signals::ap_sprpnr(4), signals::an_sprpna(4), "AP_SPRPNR A4"}, Row{signals::ap_mixr(4), signals::an_mixa(4), "AP_MIXR A4"}}) {
+        SCOPED_TRACE(row.named);
+        CoupledRig rig([](params::Table& t, RunOptions&) {
+            synchronous(t, 4, 2, false);
+            params::put(t, params::n2107_superimposed_master, 2, 4);
+            params::put(t, params::n2104_composit_axis, 2, 4);
+            params::put(t, params::pt_couple_timeout, 0.2);
+        });
+        const auto acts = [&] { return rig.machine->core().signals.nc(row.acknowledged) != 0; };
+        rig.push(1, rig.line(1, {0, 400}, 50));
+        rig.start(1);
+        rig.run(100);
+        rig.flag(row.flag, true);
+        rig.run(180);
+        EXPECT_GT(rig.speed_of(2), 49);   // it waits
+        rig.run(500);
+        const auto alarm = std::ranges::find_if(rig.log, [](const KernelEvent& e) { return e.code == static_cast<int>(Alarm::CoupleTimeout); });
+        ASSERT_NE(alarm, rig.log.end());
+        EXPECT_STREQ(alarm->text.data(), row.named);
+        EXPECT_EQ(rig.speed_of(2), 0);
+        EXPECT_EQ(rig.position(4), 0);
+        EXPECT_FALSE(acts());             // although everything rests now
+        rig.command(CommandKind::Reset, 1);
+        rig.run(50);
+        EXPECT_TRUE(acts()) << "the reset asks again";
+        rig.flag(row.flag, false);
+        rig.run(5);
+        EXPECT_FALSE(acts());
+        EXPECT_EQ(std::ranges::count_if(rig.log, [](const KernelEvent& e) { return e.code == static_cast<int>(Alarm::CoupleTimeout); }), 1);
+    }
+}
+
+// Two owners of one drive: A3 is to be exchanged with A1 while A1 follows A4, and the other way round.
+TEST(Couplings, OneDriveHasOneOwner) {
+    for (const bool exchange_first : {false, true}) {
+        SCOPED_TRACE(exchange_first);
+        CoupledRig rig([](params::Table& t, RunOptions&) {
+            synchronous(t, 1, 4, false);
+            params::put(t, params::n2104_composit_axis, 1, 3);
+        });
+        const auto nc = [&](std::uint32_t slot) { return rig.machine->core().signals.nc(slot); };
+        rig.flag(exchange_first ? signals::ap_mixr(3) : signals::ap_syncr(1), true);
+        rig.run(5);
+        rig.flag(exchange_first ? signals::ap_syncr(1) : signals::ap_mixr(3), true);
+        rig.run(5);
+        EXPECT_TRUE(rig.alarmed(Alarm::CoupleConflict));
+        EXPECT_EQ(nc(signals::an_mixa(3)), exchange_first);
+        EXPECT_EQ(nc(signals::an_synca(1)), !exchange_first);
+        rig.flag(exchange_first ? signals::ap_mixr(3) : signals::ap_syncr(1), false);   // now the other one may
+        rig.run(5);
+        EXPECT_EQ(nc(signals::an_mixa(3)), !exchange_first);
+        EXPECT_EQ(nc(signals::an_synca(1)), exchange_first);
+    }
+}
+
+// A cycle of couplings that comes with a change of parameters: what acts goes on, what would close the ring is refused.
+TEST(Couplings, ARingOfParametersIsNotCoupled) {
+    CoupledRig rig([](params::Table& t, RunOptions&) { synchronous(t, 4, 2, false); });
+    rig.flag(signals::ap_syncr(4), true);
+    rig.run(5);
+    rig.push(1, rig.line(1, {0, 60}, 50));
+    rig.start(1);
+    rig.run(300);
+    synchronous(rig.machine->core().table, 2, 4, false);
+    params::put(rig.machine->core().table, params::n2102_synchron_config, 4, 4);
+    rig.machine->adopt_parameters();
+    rig.watch();
+    rig.before = {rig.position(1), rig.position(2), rig.position(3), rig.position(4)};
+    rig.v_before = {0, 50, 0, 50};
+    rig.each_tick = [&] { EXPECT_EQ(rig.position(4), rig.position(2)); };
+    rig.run(300);
+    EXPECT_LE(rig.worst, 1.01);
+    EXPECT_GT(rig.speed_of(4), 49);
+    rig.flag(signals::ap_syncr(2), true);
+    rig.run(500);
+    EXPECT_TRUE(rig.alarmed(Alarm::CoupleConflict));
+    EXPECT_EQ(rig.speed_of(2), 0);
+    EXPECT_FALSE(rig.machine->core().axes[1].slave);
+    EXPECT_TRUE(rig.machine->core().axes[3].slave);
+}
+
 TEST(Couplings, RefuseTwoRolesForOneAxis) {
     CoupledRig rig([](params::Table& t, RunOptions&) {
         synchronous(t, 4, 2, false);

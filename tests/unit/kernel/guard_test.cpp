@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "ipc/image/block_pictures.hpp"
 #include "ipc/machine/machine_config.hpp"
 #include "tests/unit/kernel/rig.hpp"
 
@@ -75,6 +76,38 @@ TEST(Guard, WatchesTheHandTooAndLeavesTheWayBackFree) {
     m.rig.command(CommandKind::Step, 0, 5, 0, 1);
     m.rig.run(1000);
     EXPECT_NEAR(m.rig.position(1), stood + 5, 1e-9);
+}
+
+// Station 1 is drawn as a tool of 30 mm below the carrier; the offset in use says how long it really is.
+TEST(Guard, TheShapeOfTheToolGoesWithItsOffset) {
+    for (const double length : {0.0, 30.0, 55.0, 20.0}) {   // 0: no offset, it counts as it is drawn
+        SCOPED_TRACE(length);
+        TwoCarriers m;
+        Room room;
+        for (unsigned a = 1; a <= 4; ++a) room.axes[a] = {{}, a % 2 ? RoomVector{1, 0, 0} : RoomVector{0, 0, 1}};
+        room.turrets[1].body = room.turrets[2].body = {{-10, 10, -10, 10}};
+        room.turrets[1].tools[1] = {{-30, 0, -5, 5}};
+        room.turrets[1].tips[1] = {-30, 0, 0};
+        m.rig.machine->take_room(room, derive_machine_config(m.rig.machine->core().table));
+        m.rig.machine->adopt_parameters();
+        m.rig.machine->core().signals.set_nc(signals::cn_tcode(1), 1);
+        BlockPicture picture{};
+        picture.serial = 5;
+        picture.tool_shift[0] = length;   // the carrier stands this far above the tip
+        push_picture(*m.rig.channel[0], picture);
+        picture.serial = 9;               // blocks that are read ahead say nothing yet
+        picture.tool_shift[0] = 90;
+        push_picture(*m.rig.channel[0], picture);
+        PathRecord r = m.rig.line(1, {-100, 0}, 80);
+        r.serial = 7;
+        m.rig.push(1, r);
+        m.rig.start(1);
+        m.rig.run(3000);
+        EXPECT_TRUE(m.rig.alarmed(Alarm::GuardStop, 1));
+        const double reach = std::max(10.0, length > 0 ? length : 30.0);
+        EXPECT_GE(m.rig.position(1), 10 + reach + 1.0);
+        EXPECT_LE(m.rig.position(1), 10 + reach + 3.0);
+    }
 }
 
 TEST(Guard, ChuckBarrierOfParametersActsUntilThePlcTakesItAway) {

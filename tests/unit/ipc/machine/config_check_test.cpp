@@ -69,6 +69,11 @@ const Row kRows[] = {
     {{"N0650 S1=5100"}, Alarm::ConfigSpindleSpeed, "N0650 S1=5100"},
     {{"N2101 A2=9"}, Alarm::ConfigAxisReference, "N2101 A2=9"},
     {{"N2104 A2=2"}, Alarm::ConfigAxisReference, "N2104 A2=2"},
+    // Recomposition: part 2, section 22.
+    {{"N2101 A2=4", "N2101 A4=1"}, Alarm::ConfigCoupling, "N2102#2 A4=0"},
+    {{"N2101 A2=5"}, Alarm::ConfigCoupling, "N2101 A2=5"},
+    {{"N2104 A2=5"}, Alarm::ConfigCoupling, "N2104 A2=5"},
+    {{"PT_BALANCE L1=2"}, Alarm::ConfigCoupling, "PT_BALANCE L1=2"},
     {{"N0534 A2=12"}, Alarm::ConfigAxisReference, "N0534 A2=12"},
     {{"N1400 L1=990"}, Alarm::ConfigOffsets, "N1400 L1=990"},
     {{"N1333 L1=67"}, Alarm::ConfigAuxAddress, "N1333 L1=67"},
@@ -105,6 +110,18 @@ TEST(MachineCheck, NamesParameterScopeAndValueOfEachContradiction) {
         ASSERT_EQ(found.size(), 1u) << (found.size() > 1 ? found[1].text() : "nothing found");
         EXPECT_EQ(found[0].alarm, row.alarm) << found[0].text();
         EXPECT_NE(found[0].detail.find(row.names), std::string::npos) << found[0].detail;
+    }
+}
+
+// Each axis of a ring is named, whatever kinds of coupling close it.
+TEST(MachineCheck, NamesTheAxesOfACycleOfCouplings) {
+    for (const auto& lines : std::vector<std::vector<const char*>>{{"N2101 A2=4", "N2107 A4=2"}, {"N2107 A2=4", "N2107 A4=2"}, {"N2101 A2=4", "N2101 A4=2", "N2102 A2=4", "N2102 A4=4"}}) {
+        const auto found = check_machine_config(twin_turret_with(lines));
+        ASSERT_EQ(found.size(), 2u);
+        for (std::size_t i = 0; i < 2; ++i) {
+            EXPECT_EQ(found[i].alarm, Alarm::ConfigCoupling);
+            EXPECT_NE(found[i].detail.find(lines[i]), std::string::npos) << found[i].detail;
+        }
     }
 }
 
