@@ -38,22 +38,26 @@ Couplings couplings_of(const MachineStatus& status) {
 }
 
 void lower_for_couplings(PathLimits& limits, const Couplings& couplings) {
-    for (std::size_t a = 0; a < kMaxAxes; ++a)
-        if (couplings.superimposed[a]) halve(limits.axis[a]);
-    // Chains: the last slave's limit reaches the first master after as many passes as the chain has links.
+    // First what may reach each drive in all: a superimposed slave leaves its master half of that. The last slave's limit reaches the first
+    // master after as many passes as the chain has links.
     bool changed = true;
     for (std::size_t pass = 0; changed && pass < kMaxAxes; ++pass) {
         changed = false;
-        for (std::size_t a = 0; a < kMaxAxes; ++a) {
-            for (const std::uint8_t m : {couplings.synchronous[a], couplings.superimposed[a]}) {
+        for (std::size_t a = 0; a < kMaxAxes; ++a)
+            for (const bool adds : {false, true}) {
+                const std::uint8_t m = adds ? couplings.superimposed[a] : couplings.synchronous[a];
                 if (!m || m > kMaxAxes) continue;
                 PathAxis& master = limits.axis[m - 1u];
+                PathAxis slave = limits.axis[a];
+                if (adds) halve(slave);
                 const double before = master.rapid + master.feed + master.accel + master.normal;
-                lower(master, limits.axis[a]);
+                lower(master, slave);
                 changed = changed || master.rapid + master.feed + master.accel + master.normal != before;
             }
-        }
     }
+    // Then what its own program may take of it.
+    for (std::size_t a = 0; a < kMaxAxes; ++a)
+        if (couplings.superimposed[a]) halve(limits.axis[a]);
 }
 
 }  // namespace polyturn::channels

@@ -109,6 +109,17 @@ public:
     std::uint32_t number() const noexcept { return number_; }
     bool path_moves() const noexcept { return moving_; }
     double path_speed() const noexcept { return moving_ ? step_.speed : 0.0; }   // mm/s
+    // What was driven until now was planned for other limits or coordinates: it is not driven back.
+    void forget_trail() noexcept {
+        if (!trail_.active()) trail_.clear();
+    }
+    // Nothing is planned ahead: it is idle, or its program waits for the answer to what is being executed. What changes routes, limits or
+    // coordinates then is read by the program before it goes on.
+    bool stands() const noexcept {
+        if (!segment_ || !program_runs()) return true;
+        if (trail_.active()) return false;
+        return cursor_ >= segment_->path.head.load(std::memory_order_acquire) || (record(cursor_).flags & kDrains) != 0;
+    }
     bool in_handshake() const noexcept { return phase_ == Phase::Handshake; }
 
     ChannelState state() const noexcept { return state_; }

@@ -58,6 +58,7 @@ struct Core {
     std::array<AxisUnit, kMaxAxes> axes{};
     std::array<SpindleUnit, kMaxSpindles> spindles{};
     WaitBoard waits;
+    ChannelSet standing = 0;               // channels with nothing planned ahead (ChannelRunner::stands)
     std::uint64_t meetings = 0;            // releases of waits so far
     // Axes that share a drive with a spindle (C axes).
     struct SharedAxis {

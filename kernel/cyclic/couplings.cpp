@@ -75,6 +75,57 @@ bool Couplings::rests(const Core& core, std::size_t a) const noexcept {
     return !axis.moving() && axis.own_target() == axis.own() && axis.target() == axis.command();
 }
 
+// The masters of the master rest, too, and the channels of all of them have nothing planned. Then these are changed().
+bool Couplings::stand(const Core& core, std::size_t slave, std::size_t master) noexcept {
+    ChannelSet touched = 0;
+    const auto touch = [&](std::size_t a) {
+        for (const std::uint32_t l : {core.config.axes[a].channel, core.axes[a].owner})
+            if (l) touched |= ChannelSet{1} << (l - 1);
+    };
+    touch(slave);
+    for (std::size_t a = master, n = 0; n < kMaxAxes; ++n) {
+        if (!rests(core, a)) return false;
+        touch(a);
+        const std::uint32_t next = links_[a].gantry ? 0 : master_of(a);
+        if (!next) break;
+        a = next - 1;
+    }
+    if (touched & ~core.standing) return false;
+    changed_ |= touched;
+    return true;
+}
+
+// Limits of the configuration, kept apart from what couplings leave of them.
+void Couplings::lower_limits(Core& core) noexcept {
+    for (std::size_t a = 0; a < kMaxAxes; ++a) {
+        const AxisConfig& axis = core.config.axes[a];
+        home_[a] = {axis.rapid, axis.acceleration, axis.jerk, axis.estop_deceleration};
+    }
+    share_limits(core);
+}
+
+// What may reach each drive in all, slaves before their masters: a synchronous slave gets what its master does, a superimposed one half
+// of it besides its own half.
+void Couplings::share_limits(Core& core) noexcept {
+    std::array<Limits, kMaxAxes> all = home_;
+    const auto lower = [](Limits& master, const Limits& slave, double share) {
+        master = {std::fmin(master.rapid, slave.rapid * share), std::fmin(master.acceleration, slave.acceleration * share), std::fmin(master.jerk, slave.jerk * share), std::fmin(master.estop, slave.estop * share)};
+    };
+    for (std::size_t i = count_; i-- > 0;) {
+        const std::size_t a = order_[i];
+        if (links_[a].sync.on) lower(all[links_[a].sync.master - 1], all[a], 1);
+        if (links_[a].add.on) lower(all[links_[a].add.master - 1], all[a], 0.5);
+    }
+    for (std::size_t a = 0; a < kMaxAxes; ++a) {
+        AxisConfig& axis = core.config.axes[a];
+        const double share = links_[a].add.on ? 0.5 : 1.0;
+        const Limits own{all[a].rapid * share, all[a].acceleration * share, all[a].jerk * share, all[a].estop * share};
+        if (axis.rapid == own.rapid && axis.acceleration == own.acceleration && axis.jerk == own.jerk && axis.estop_deceleration == own.estop) continue;
+        axis.rapid = own.rapid, axis.acceleration = own.acceleration, axis.jerk = own.jerk, axis.estop_deceleration = own.estop;
+        core.axes[a].configure(axis);
+    }
+}
+
 // One a tick: what comes in the same tick is refused in the next one.
 bool Couplings::refuse(std::size_t a, std::size_t other, Alarm number, std::string_view detail, double value) noexcept {
     if (refusal_.axis) return false;
@@ -103,8 +154,9 @@ void Couplings::forget_refusal(const Core& core, std::size_t a) noexcept {
 bool Couplings::may_switch(Core& core, std::size_t a, std::size_t other, std::int64_t& since, const char* what) noexcept {
     Link& link = links_[a];
     if (link.refused) return false;
-    if (rests(core, a) && rests(core, other)) {
+    if (rests(core, a) && stand(core, a, other)) {
         since = -1;
+        switched_ = true;
         return true;
     }
     if (since < 0) since = core.tick;
@@ -146,6 +198,7 @@ void Couplings::switch_requests(Core& core, std::size_t a) noexcept {
         const std::size_t m = link.sync.master - 1;
         if (link.gantry || may_switch(core, a, m, link.sync_since, "AP_SYNCR")) {
             link.sync.on = sync;
+            switched_ = true;
             link.sync.own_ref = axis.own_target();
             link.sync.master_ref = core.axes[m].target();
             link.pull_v = 0;
@@ -219,7 +272,10 @@ void Couplings::follow(Core& core, std::size_t a) noexcept {
     if (!axis.exists() || (!link.sync.on && !link.add.on)) return;
     Follow& by = link.sync.on ? link.sync : link.add;
     const double master = core.axes[by.master - 1].target();
-    const bool loops_open = core.state == MachineState::Off || core.tick - powered_since_ < kFollowUpTicks;
+    // A loop that was open has let go of its slide: it is closed where the slide is, and counts from there.
+    const bool closed = axis.closed() && core.axes[by.master - 1].closed();
+    const bool loops_open = core.state == MachineState::Off || core.tick - powered_since_ < kFollowUpTicks || !closed || !link.was_closed;
+    link.was_closed = closed;
     if (loops_open) {   // follow-up gives both axes new numbers: the distance between them is what they now have
         by.own_ref = axis.own_target();
         by.master_ref = link.sync.on ? master : master - by.sign * axis.added();
@@ -246,6 +302,7 @@ void Couplings::shifted(std::size_t axis, double by) noexcept {
 void Couplings::step(Core& core) noexcept {
     torn_ = 0;
     refusal_.axis = 0;
+    changed_ = 0;
     if (count_ == 0) return;
     if (core.state == MachineState::Off) powered_since_ = core.tick + 1;
     for (std::size_t i = 0; i < count_; ++i) {
@@ -254,6 +311,8 @@ void Couplings::step(Core& core) noexcept {
         follow(core, order_[i]);
         core.axes[order_[i]].slave = links_[order_[i]].sync.on;
     }
+    if (switched_) share_limits(core);
+    switched_ = false;
 }
 
 }  // namespace polyturn::kernel

@@ -8,9 +8,14 @@
 // slaves, so that a chain has no lag. All is position from a reference taken at standstill: nothing is summed up tick by
 // tick, the commanded difference of coupled slides is constant.
 //
-// Switching: PLC levels AP_SYNCR, AP_SPRPNR, AP_MIXR of the slave. It waits until slave and master rest, so it never makes
-// a step of the command; when they have not come to rest after PT_COUPLE_TIMEOUT there is an alarm, and the state stays.
-// An exchange (composite) moves nothing in here: it tells the channels which drive is behind an address (route), and they
+// Limits: a master is no faster or steeper than its slaves can be, and an axis with a superimposed way has half of its limits for its
+// own; core.config.axes says so to everybody in here (jogs, references, emergencies), the channels find the same for themselves.
+//
+// Switching: PLC levels AP_SYNCR, AP_SPRPNR, AP_MIXR of the slave. It waits until slave and masters rest and their channels have nothing
+// planned ahead: what was planned with other limits and coordinates is never driven, and the switch makes no step of the command. When
+// that has not come after PT_COUPLE_TIMEOUT, or requests contradict each other (two roles for one axis, two owners of one drive, a ring),
+// it is refused: an alarm names the axis, whoever moves it stops, and the state stays until the request is withdrawn or the alarm's reset
+// asks again. An exchange (composite) moves nothing in here: it tells the channels which drive is behind an address (route), and they
 // read it at the barrier at which the M code that switched has left them.
 //
 // Cost: one pass over the axes that parameters couple at all; nothing for the others.
@@ -26,6 +31,8 @@ class Couplings {
 public:
     // From the parameters (N2101 to N2108, N0522): at the start and when they change. Couplings that act go on.
     void configure(const params::Table& table, const KernelConfig& config) noexcept;
+    // The configuration was read anew: its limits are those of the axes alone.
+    void lower_limits(Core& core) noexcept;
     // After channels and jogs have said where their axes go, before limits and drives.
     void step(Core& core) noexcept;
 
@@ -40,6 +47,8 @@ public:
     // Axis (from 1) whose gantry slave it is; 0 none. And the way it counts against it.
     std::uint32_t gantry_master(std::size_t a) const noexcept { return links_[a].gantry ? links_[a].sync.master : 0; }
     double sense(std::size_t a) const noexcept { return links_[a].sync.sign; }
+    // Channels whose axes have other limits or coordinates since this tick: what they have driven is not driven back.
+    ChannelSet changed() const noexcept { return changed_; }
     // A request that this tick has refused; axis 0: none. Whoever moves either axis is to stop.
     struct Refusal {
         std::uint32_t axis = 0, other = 0;   // from 1
@@ -70,9 +79,15 @@ private:
         bool refused = false;              // after PT_COUPLE_TIMEOUT
         ChannelSet shown_by = 0;           // channels with the alarm of the refusal
         bool alarmed = false;              // one of them shows it now
+        bool was_closed = true;            // its position loop and its master's
         bool ring = false;                 // parameters lead its masters back to it: it is not coupled
     };
+    struct Limits {
+        double rapid, acceleration, jerk, estop;
+    };
     bool rests(const Core& core, std::size_t a) const noexcept;
+    bool stand(const Core& core, std::size_t slave, std::size_t master) noexcept;
+    void share_limits(Core& core) noexcept;
     bool may_switch(Core& core, std::size_t a, std::size_t other, std::int64_t& since, const char* what) noexcept;
     bool refuse(std::size_t a, std::size_t other, Alarm number, std::string_view detail, double value) noexcept;
     void forget_refusal(const Core& core, std::size_t a) noexcept;
@@ -85,9 +100,12 @@ private:
     void pull_after_master(Core& core, const Link& link, std::size_t a) noexcept;
 
     std::array<Link, kMaxAxes> links_{};
+    std::array<Limits, kMaxAxes> home_{};
     std::array<std::uint8_t, kMaxAxes> order_{};   // axes with a link, masters first
     std::size_t count_ = 0;
     double timeout_s_ = 0;
+    bool switched_ = false;                // in this tick
+    ChannelSet changed_ = 0;
     std::uint32_t torn_ = 0;
     Refusal refusal_;
     std::int64_t powered_since_ = 0;       // tick; the loops are closed and follow-up is over some ticks later

@@ -30,6 +30,7 @@ void Machine::start() {
     core_.spindle_couplings = &spindle_couplings_;
     read_config(core_.table, core_.config, true);
     couplings_.configure(core_.table, core_.config);
+    couplings_.lower_limits(core_);
     compensation_.configure(core_.table, core_.config);
     guard_.configure(core_.table, core_.config);
     core_.stroke.configure(core_.config);
@@ -131,7 +132,11 @@ void Machine::tick() noexcept {
     run_spindles();
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
         if (const double by = core_.axes[a].take_shift(); by != 0) couplings_.shifted(a, by), spindle_couplings_.shifted(a, by);
+    core_.standing = 0;
+    for (unsigned l = 0; l < kMaxChannels; ++l) core_.standing |= channels_[l]->stands() ? ChannelSet{1} << l : ChannelSet{0};
     couplings_.step(core_);
+    for (unsigned l = 0; couplings_.changed() >> l; ++l)
+        if (couplings_.changed() >> l & 1u) channels_[l]->forget_trail();
     refuse_coupling();
     if (const std::uint32_t torn = couplings_.torn_gantry(); torn && core_.on()) emergency_stop(Alarm::GantryError, core_.config.axes[torn - 1].channel, name_of('A', torn - 1).view(), core_.axes[torn - 1].measured());
     protect();

@@ -159,7 +159,7 @@ class Episode:
         return out + ([(since, 1e9)] if since is not None else [])
 
     def couplings(self):
-        out = [f"tie {slave} {master} {sign} 0 1e9 0.2" for slave, (master, sign) in GANTRY.items()]
+        out = [f"tie {slave} {master} {sign} 0 1e9 1.2" for slave, (master, sign) in GANTRY.items()]
         for slave, (kind, master, sign, _, _, answer) in COUPLINGS.items():
             for lo, hi in self.acting(f"{answer} A{slave}"):
                 if kind == "sync":

@@ -82,7 +82,9 @@ TEST(Guard, WatchesTheHandTooAndLeavesTheWayBackFree) {
 TEST(Guard, TheShapeOfTheToolGoesWithItsOffset) {
     for (const double length : {0.0, 30.0, 55.0, 20.0}) {   // 0: no offset, it counts as it is drawn
         SCOPED_TRACE(length);
-        TwoCarriers m;
+        TwoCarriers m([](params::Table& t) {
+            for (unsigned a = 1; a <= 4; ++a) params::put(t, params::n0100_axis_name_char1, a % 2 ? 'X' : 'Z', a);
+        });
         Room room;
         for (unsigned a = 1; a <= 4; ++a) room.axes[a] = {{}, a % 2 ? RoomVector{1, 0, 0} : RoomVector{0, 0, 1}};
         room.turrets[1].body = room.turrets[2].body = {{-10, 10, -10, 10}};

@@ -35,6 +35,18 @@ TEST(CoupledLimits, WhatIsAddedToAnAxisAndItselfShareItsLimits) {
     EXPECT_EQ(all.axis[0].rapid, 100);
 }
 
+// A4 gets its own way, that of A3 and with it that of A1: all three together are no faster than A4.
+TEST(CoupledLimits, AChainOfSuperimposedAxesSharesTheLastLimit) {
+    PathLimits all = limits();
+    Couplings couplings;
+    couplings.superimposed[3] = 3;
+    couplings.superimposed[2] = 1;
+    lower_for_couplings(all, couplings);
+    EXPECT_EQ(all.axis[3].rapid, 20);
+    EXPECT_EQ(all.axis[2].rapid, 10);
+    EXPECT_EQ(all.axis[0].rapid, 10);
+}
+
 TEST(CoupledLimits, WithoutCouplingsNothingChanges) {
     PathLimits all = limits();
     lower_for_couplings(all, {});
