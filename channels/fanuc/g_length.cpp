@@ -1,11 +1,13 @@
 // Length offsets by G codes (nct part 1 14.2 C08, 15.5 TCM, 15.6), and G5.1.
+#include <array>
+
 #include "channels/fanuc/interpreter.hpp"
 #include "channels/state/tip_control.hpp"
 
 namespace polyturn::channels::fanuc {
 
 // G43 G44 H: the length of a milling offset; G43.7 H: all of a turning offset; G49: none. G43.4: the tip of the tool goes where the
-// program says while head and table turn (nct part 2 33), with H its length first; G49 ends it.
+// program says while head and table turn (nct part 2 33), with H its length first, that of a milling offset along N3201; G49 ends it.
 bool Interpreter::g_length(const GCode& row) {
     if (row.tenths == 434) {
         if (core_.reads_ahead()) return core_.fail(Alarm::TransformPlace, 'G', "G41 G42");
@@ -16,6 +18,13 @@ bool Interpreter::g_length(const GCode& row) {
             GCode length = row;
             length.tenths = core_.view().config().kind == ChannelKind::Mill ? 430 : 437;
             if (!g_length(length)) return false;
+            if (!length_.turning) {   // with both rotary axes at 0 the tool points along N3201
+                constexpr std::array kRoles{PlaneRole::BasicX, PlaneRole::BasicY, PlaneRole::BasicZ};
+                const int place = core_.view().axis_by_role(kRoles[static_cast<std::size_t>(params::get(core_.view().table(), params::n3201_tool_axis_direction, core_.view().channel) - 1)]);
+                if (place < 0) return core_.fail(Alarm::FiveAxisUndefined, 'G', "N3201");
+                length_.axes = 1u << place;
+                if (!apply_tool_offsets()) return false;
+            }
         }
         return control_tip(core_);
     }

@@ -225,6 +225,56 @@ class HeadAndTable(Coupled):
             worst = max(worst, math.dist(at, [s + w * along / length for s, w in zip(a, way)]))
         self.assertLess(worst, 0.006, "a straight line, but for the blends of PT_PATH_TOL at its ends")
 
+    def test_the_length_of_a_milling_tool_lies_along_n3201(self):
+        setup = self.write("s.toml", "[channel.1]\nmachine = { X = 400.0, Y = 0.0, Z = 0.0 }\n[channel.1.offset.2]\ngeometry = { Z = 50.0 }\n")
+        program = self.write("O1.nc", "G94 G90\nG43.4 H2\nG1 X100. Y5. Z20. F1000\nM30\n")
+        for direction, axis in ((1, "X"), (2, "Y"), (3, "Z")):
+            with self.subTest(axis=axis):
+                done = self.polyturn("check", "--language", "nct", "--machine", MACHINES / "twin-turret-y", "--setup", setup, *sets(*self.AXES, "N0001 L1=1", "N0106 A1=0", f"N3201 L1={direction}"), program)
+                self.assertEqual(done.status, 0, done.said())
+                move = done.of("move", kind="linear")[0]
+                for name, value in (("X", 100.0), ("Y", 5.0), ("Z", 20.0)):
+                    self.assertAlmostEqual(move["machine"][name], value + (50.0 if name == axis else 0.0), places=6, msg=name)
+
+    OUTER, SECOND = (5.0, 4.0, 60.0), (0.0, 6.0, 25.0)
+    KINDS = {
+        1: ("N3200 L1=1", "N3204 L1=5", "N3205 L1=3", "N3208 L1=8", "N3209 L1=2", "N3222 L1=5", "N3223 L1=4", "N3224 L1=60"),          # C carries B, both in the head
+        2: ("N3200 L1=2", "N3204 L1=8", "N3205 L1=2", "N3208 L1=5", "N3209 L1=3", "N3216 L1=0", "N3217 L1=6", "N3218 L1=25"),          # B tilts the table C
+    }
+
+    def tip_of(self, kind, x, y, z, b, c):
+        """Likewise for both axes in the head (1) and both in the table (2)."""
+        add = lambda *vs: [sum(v) for v in zip(*vs)]
+        less = lambda u, v: [p - q for p, q in zip(u, v)]
+        if kind == 1:   # two arms: from C's pivot to B's, and from B's to the tip
+            arm = self.turned(less([-p for p in self.PIVOT], self.TOOL), "Y", b)
+            return less(add((x, y, z), self.PIVOT, self.OUTER, self.turned(less(arm, self.OUTER), "Z", c)), self.ZERO)
+        centre = add(self.TABLE, self.SECOND)
+        tilted = self.turned(less(less((x, y, z), self.TOOL), self.TABLE), "Y", -b)
+        return less(add(centre, self.turned(less(tilted, self.SECOND), "Z", -c)), self.ZERO)
+
+    def test_two_axes_in_the_head_or_in_the_table(self):
+        import math
+        for kind, lines in self.KINDS.items():
+            with self.subTest(kind=kind):
+                done, trace = self.drive("fanuc", self.TEXT, *lines)
+                self.assertEqual(done.alarms, [])
+                moves = done.of("move", ch=1, kind="linear")
+                self.assertEqual(len(moves), 3)
+                for move in moves:
+                    m, p = move["machine"], move["pos"]
+                    there = self.tip_of(kind, m["X"], m["Y"], m["Z"], m.get("B", 0.0), m.get("C", 0.0))
+                    for got, wanted in zip(there, (p["X"] / 2, p["Y"], p["Z"])):
+                        self.assertAlmostEqual(got, wanted, places=4)
+                before, move = moves[0]["pos"], moves[1]
+                a, e = [(q["X"] / 2, q["Y"], q["Z"]) for q in (before, move["pos"])]
+                way, worst = [q - p for p, q in zip(a, e)], 0.0
+                for i in self.between(trace, move["t"] + 0.05, move["end"] - 0.05):
+                    at = self.tip_of(kind, *(trace[f"A{n}.cmd"][i] for n in (1, 7, 2, 8, 5)))
+                    along = sum((p - s) * w for p, s, w in zip(at, a, way)) / math.dist(a, e) ** 2
+                    worst = max(worst, math.dist(at, [s + w * along for s, w in zip(a, way)]))
+                self.assertLess(worst, 0.006)
+
     def test_it_needs_its_parameters(self):
         for line in ("N3200 L1=0", "N3204 L1=3", "N3205 L1=2 ", "N3208 L1=8"):
             if line.endswith(" "):

@@ -71,6 +71,29 @@ TEST(SpindleCoupling, KeepsThePhaseWhateverTheMasterDoes) {
     EXPECT_NEAR(apart(rig), 90, 0.3);
 }
 
+// The drive of S2 turns a little faster than it is told (N0683): its loop alone leaves it ahead; N0785 pulls that out, and no more.
+TEST(SpindleCoupling, IsPulledOntoItsPhaseByN0785) {
+    double left[2];
+    for (const bool pulled : {false, true}) {
+        TickRig rig([&](params::Table& t, RunOptions& o) {
+            two_spindles(t, o);
+            params::put(t, params::n0683_spindle_speed_offset, 0.02, 2);   // V of 10
+            params::put(t, params::n0785_r1_s_synchr_k, pulled ? 4 : 0, 2);
+        });
+        turn_main(rig, 600);
+        rig.run(1500);
+        request(rig, signals::sp_phaser(2), 1);
+        request(rig, signals::sp_syncr(2), 1);
+        rig.run(6000);
+        left[pulled] = std::fabs(apart(rig));
+        rig.run(4000);
+        EXPECT_NEAR(std::fabs(apart(rig)), left[pulled], 0.5) << "it stays where it is";
+        EXPECT_NEAR(rig.machine->core().spindles[1].speed(), 600, 3);
+    }
+    EXPECT_GT(left[false], 3.0) << "without it there is something to pull";
+    EXPECT_LT(left[true], 0.5);
+}
+
 TEST(SpindleCoupling, FollowsBackwardsWithARatio) {
     TickRig rig([](params::Table& t, RunOptions& o) {
         two_spindles(t, o);
