@@ -158,9 +158,8 @@ void Guard::configure(const p::Table& t, const KernelConfig& config) {
     }
 }
 
-void Guard::take_tool(std::uint32_t channel, std::uint32_t station, const std::array<double, kChannelAxes>& shift) noexcept {
+void Guard::take_tool(std::uint32_t channel, const std::array<double, kChannelAxes>& shift) noexcept {
     Tool& tool = tools_[channel - 1];
-    if (tool.station != station) tool = {station, false, {}};
     if (!has_room_ || std::all_of(shift.begin(), shift.end(), [](double one) { return one == 0; })) return;
     Vector tip;
     const auto& own = machine_.channel(channel);
@@ -280,7 +279,9 @@ Guard::Finding Guard::step(const Core& core) noexcept {
     // Tool management has said where the tool stands; without it T is the station.
     for (std::uint32_t l = 0; l < kMaxChannels; ++l) {
         const bool managed = core.signals.nc(signals::cn_mgzno(l + 1)) != 0;
-        station_[l] = static_cast<std::uint32_t>(std::max(core.signals.nc(managed ? signals::cn_potno(l + 1) : signals::cn_tcode(l + 1)), 0));
+        const auto station = static_cast<std::uint32_t>(std::max(core.signals.nc(managed ? signals::cn_potno(l + 1) : signals::cn_tcode(l + 1)), 0));
+        if (station != station_[l]) tools_[l].known = false;   // another tool: it counts as it is drawn until its offset is in use
+        station_[l] = station;
     }
     shown_count_ = 0;
     for (std::size_t i = 0; i < body_count_; ++i) place(core, bodies_[i]), show(bodies_[i]);

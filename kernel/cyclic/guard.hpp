@@ -27,10 +27,10 @@ public:
     void take_room(const Room& room, const MachineConfig& machine);            // not in the cyclic thread
     void configure(const params::Table& table, const KernelConfig& config);    // likewise, or at a tick start: allocates nothing
     void take_tools(const ToolShapes& shapes) noexcept { shapes_ = shapes; }   // instead of what the room says of their stations; then configure()
-    // The tool of a channel (from 1) that is in work, and what its offset takes from the channel's axes, by their place in it (machine
-    // coordinate less programmed coordinate). A shape of machine.toml that names its tip goes with it; without an offset in use the
+    // What the offset in use takes from the axes of a channel (from 1), by their place in it (machine coordinate less programmed
+    // coordinate): where the tip of the tool in work is. A shape of machine.toml that names its tip goes with it; without an offset in use the
     // tool stays as it was known last.
-    void take_tool(std::uint32_t channel, std::uint32_t station, const std::array<double, kChannelAxes>& shift) noexcept;
+    void take_tool(std::uint32_t channel, const std::array<double, kChannelAxes>& shift) noexcept;
     // Two bodies that would come too near; first is kNone when none do. Before the drives are spoken to.
     struct Finding {
         std::uint32_t first, second;
@@ -56,7 +56,6 @@ private:
         Vector tip{};                      // that it is drawn with
     };
     struct Tool {
-        std::uint32_t station = 0;
         bool known = false;
         Vector tip;                        // from the carrier's point, in the room
     };

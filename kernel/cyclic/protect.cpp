@@ -14,7 +14,7 @@ void Machine::protect() noexcept {
         const ChannelSegment* segment = core_.channel_segment[l].load(std::memory_order_relaxed);
         if (!segment || !core_.config.channels[l].exists) continue;
         (void)tool_in_work_[l].look(*segment, channels_[l]->serial());
-        guard_.take_tool(l + 1, static_cast<std::uint32_t>(std::max(core_.signals.nc(signals::cn_tcode(l + 1)), 0)), tool_in_work_[l].shift());
+        guard_.take_tool(l + 1, tool_in_work_[l].shift());
     }
     const Guard::Finding found = guard_.step(core_);
     if (core_.tick % kShownEvery == 0) {

@@ -206,7 +206,8 @@ void SpindleCouplings::drive(Core& core, Link& link) noexcept {
     // How far the measured follower is from the measured line, both of this tick's start.
     const PathState here = line_of(core, link, 0.0);
     const double measured = is_axis(f) ? core.axes[f].measured() / kTurn : core.spindles[spindle_of(f)].turns();
-    link.deviation = here.s + link.follower.offset() + link.follower.gap() - measured;
+    // N0785 leads the follower's command until nothing of this is left: its own pull is no part of it, or it would pull for ever.
+    link.deviation = here.s - link.pull + link.follower.offset() + link.follower.gap() - measured;
     double window = 1.0 / kTurn, error = 0, gain = 0;
     if (!is_axis(f)) {
         const SpindleConfig& config = core.spindles[spindle_of(f)].config();

@@ -83,7 +83,7 @@ TEST(Guard, TheShapeOfTheToolGoesWithItsOffset) {
     for (const double length : {0.0, 30.0, 55.0, 20.0}) {   // 0: no offset, it counts as it is drawn
         SCOPED_TRACE(length);
         TwoCarriers m([](params::Table& t) {
-            for (unsigned a = 1; a <= 4; ++a) params::put(t, params::n0100_axis_name_char1, a % 2 ? 'X' : 'Z', a);
+            for (unsigned a = 1; a <= 4; ++a) params::put(t, params::n0100_axis_name1, a % 2 ? 'X' : 'Z', a);
         });
         Room room;
         for (unsigned a = 1; a <= 4; ++a) room.axes[a] = {{}, a % 2 ? RoomVector{1, 0, 0} : RoomVector{0, 0, 1}};
