@@ -238,7 +238,7 @@ class HeadAndTable(Coupled):
 
     OUTER, SECOND = (5.0, 4.0, 60.0), (0.0, 6.0, 25.0)
     KINDS = {
-        1: ("N3200 L1=1", "N3204 L1=5", "N3205 L1=3", "N3208 L1=8", "N3209 L1=2", "N3222 L1=5", "N3223 L1=4", "N3224 L1=60"),          # C carries B, both in the head
+        1: ("N3200 L1=1", "N3204 L1=5", "N3205 L1=3", "N3208 L1=8", "N3209 L1=2", "N3222 L1=5", "N3223 L1=4", "N3224 L1=60", "N1002 A7=300", "N1003 A7=-300"),          # C carries B, both in the head
         2: ("N3200 L1=2", "N3204 L1=8", "N3205 L1=2", "N3208 L1=5", "N3209 L1=3", "N3216 L1=0", "N3217 L1=6", "N3218 L1=25"),          # B tilts the table C
     }
 
