@@ -160,6 +160,7 @@ void Machine::tick() noexcept {
 void Machine::adopt_parameters() noexcept {
     read_config(core_.table, core_.config, false);
     couplings_.configure(core_.table, core_.config);
+    couplings_.lower_limits(core_);
     compensation_.configure(core_.table, core_.config);
     guard_.configure(core_.table, core_.config);
     show_free_parameters();

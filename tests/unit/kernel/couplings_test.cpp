@@ -134,6 +134,32 @@ TEST(Couplings, AChainOfSlavesHasNoLag) {
     EXPECT_NEAR(rig.position(2), -12, 1e-9);
 }
 
+// By hand, too, a master is no faster than its slave can be; a change of parameters leaves it so.
+TEST(Couplings, AMasterKeepsTheLimitsOfItsSlaveByHand) {
+    for (const bool changed : {false, true}) {
+        CoupledRig rig([](params::Table& t, RunOptions&) {
+            synchronous(t, 4, 2, false);
+            params::put(t, params::n0304_rapid, 60 * 60, 4);
+            params::put(t, params::n0400_acceleration, 500, 4);
+            params::put(t, params::n0401_acc_tc, 0.05, 4);
+        });
+        rig.flag(signals::ap_syncr(4), true);
+        rig.run(25);
+        if (changed) rig.machine->adopt_parameters();
+        double v = 0, a = 0, before = 0, v_before = 0;
+        rig.on_tick = [&] {
+            const double now = rig.position(4), speed = (now - before) / 0.001;
+            v = std::max(v, std::fabs(speed)), a = std::max(a, std::fabs(speed - v_before) / 0.001);
+            before = now, v_before = speed;
+        };
+        rig.command(CommandKind::Jog, 0, 1.5, 0, 2);
+        rig.run(3000);
+        EXPECT_GT(rig.position(4), 20);
+        EXPECT_LE(v, 60 * 1.001);
+        EXPECT_LE(a, 500 * 1.001);
+    }
+}
+
 TEST(Couplings, ASlaveRefusesToBeCommanded) {
     CoupledRig rig([](params::Table& t, RunOptions&) { synchronous(t, 4, 2, false); });
     rig.flag(signals::ap_syncr(4), true);
