@@ -59,8 +59,8 @@ bool Interpreter::classify() {
             axis_words_[axis_word_count_++] = static_cast<std::uint8_t>(i);
         }
     }
-    // H behind G43, G44, G43.7, G43.4 is an offset number, not the increment of an axis.
-    const bool tip_control = (coded_groups_ & bit_of(GGroup::Transform)) && coded_[static_cast<std::size_t>(GGroup::Transform)]->tenths == 434;
+    // H behind G43, G44, G43.7, G43.4, G43.1 is an offset number, not the increment of an axis.
+    const bool tip_control = (coded_groups_ & bit_of(GGroup::Transform)) && coded_[static_cast<std::size_t>(GGroup::Transform)]->act == &Interpreter::g_length;
     if (((coded_groups_ & bit_of(GGroup::Length)) || tip_control) && block_.has('H') && absolute_axis_['H' - 'A'] < 0) {
         unsigned kept = 0;
         for (unsigned k = 0; k < axis_word_count_; ++k)
@@ -95,6 +95,13 @@ bool Interpreter::check_words() {
     for (const char letter : settings_.aux_letters)
         if (letter) taken |= letter_bit(letter);
     for (const auto& address : settings_.spindle_addresses) taken |= letter_bit(address.letter);
+    bool calls = false;
+    for (unsigned k = 0; k < m_count_; ++k) calls = calls || block_.words[m_words_[k]].value == 98;
+    if (block_.name_length && !calls) {
+        fault_column_ = block_.name_from;
+        fault_length_ = block_.name_length + 2u;
+        return core_.fail(Alarm::AddressIllegal, 0, "<" + std::string(line_.substr(block_.name_from, block_.name_length)) + ">");
+    }
     const std::uint32_t extra = block_.letters & ~taken;
     if (!extra) return true;
     const char letter = static_cast<char>('A' + __builtin_ctz(extra));
@@ -323,7 +330,7 @@ bool Interpreter::set_feed(const Word& word) {
     if (word.value < 0) return core_.fail(Alarm::NegativeSign, 'F', "F");
     const GCode* one_shot = coded_groups_ & bit_of(GGroup::OneShot) ? coded_[static_cast<std::size_t>(GGroup::OneShot)] : nullptr;
     const bool plain = word.has_point || word.from_expression || settings_.point_means_nothing;
-    const bool threading = one_shot ? one_shot->act == &Interpreter::g_thread_passes : (motion_->act == &Interpreter::g_thread || motion_->act == &Interpreter::g_thread_variable ||
+    const bool threading = one_shot ? one_shot->act == &Interpreter::g_thread_passes : (motion_->act == &Interpreter::g_thread || motion_->act == &Interpreter::g_thread_variable || motion_->act == &Interpreter::g_thread_arc ||
                                          motion_->act == &Interpreter::g_cycle_thread);
     // Without a point a feed per revolution and a lead count small steps; a feed per minute is whole millimetres.
     const double small = settings_.series15 ? 0.01 : 0.0001;

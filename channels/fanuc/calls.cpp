@@ -47,6 +47,20 @@ bool Interpreter::gather_arguments(LocalSet& arguments, std::size_t from_word) {
     return true;
 }
 
+// P of a call, or <NAME>: the program of a file by its name has a number below 0 (call_program).
+bool Interpreter::program_word(char letter, std::int64_t& program) {
+    if (!block_.name_length) return block_.has('P') ? whole('P', program) : core_.fail(Alarm::SubprogramWordMissing, letter);
+    if (block_.has('P')) return core_.fail(Alarm::AddressIllegal, 'P', "P");
+    const std::string name(line_.substr(block_.name_from, block_.name_length));
+    const auto file = files_->find_name(name);
+    fault_column_ = block_.name_from;
+    fault_length_ = block_.name_length + 2u;
+    if (!file) return core_.fail(Alarm::SubprogramMissing, 0, "<" + name + ">");
+    fault_column_ = fault_length_ = 0;
+    program = -1 - static_cast<std::int64_t>(*file);
+    return true;
+}
+
 // L of a call: 1 to 9999 (fanuc_lathe 6.9.2).
 bool Interpreter::call_count(std::int64_t& repeats) {
     repeats = 1;
@@ -56,9 +70,7 @@ bool Interpreter::call_count(std::int64_t& repeats) {
 }
 
 bool Interpreter::macro_words(std::int64_t& program, std::int64_t& repeats, LocalSet& arguments) {
-    if (!block_.has('P')) return core_.fail(Alarm::SubprogramWordMissing, 'G');
-    if (!whole('P', program)) return false;
-    if (!call_count(repeats)) return false;
+    if (!program_word('G', program) || !call_count(repeats)) return false;
     std::size_t from = 0;
     for (std::size_t k = 0; k < block_.count; ++k)
         if (block_.words[k].address == 'G' && block_.words[k].value >= 65 && block_.words[k].value < 67) from = k + 1;

@@ -123,6 +123,14 @@ bool Interpreter::apply_tool_offsets() {
             else if (length_.axes >> i & 1u) shift[i] += length_.sign * (cell.geometry[2] + cell.wear[2]);   // a milling tool's length
         }
     }
+    if (settings_.offsets_turn && !frames_of_.rotation.is_identity()) {   // nct part 1 15.5, RTL
+        Point3 lengths{};
+        for (std::size_t k = 0; k < 3; ++k)
+            if (const int place = view.axis_by_role(kRoles[k]); place >= 0) lengths[k] = shift[static_cast<std::size_t>(place)];
+        lengths = frames_of_.rotation.direction(lengths);
+        for (std::size_t k = 0; k < 3; ++k)
+            if (const int place = view.axis_by_role(kRoles[k]); place >= 0) shift[static_cast<std::size_t>(place)] = lengths[k];
+    }
     load_nose();
     core_.set_shift(shift);
     core_.set_wanted(vector);
@@ -261,10 +269,10 @@ bool Interpreter::m_after() {
 
 // M98, and M198: the program comes from outside (PT_EXTERNAL).
 bool Interpreter::sub_call(bool external) {
-    if (!block_.has('P')) return core_.fail(Alarm::SubprogramWordMissing, 'M');
     std::int64_t number = 0, repeats = 1;
-    if (!whole('P', number)) return false;
-    if (!settings_.nct) {
+    if (!program_word('M', number)) return false;
+    if (external && number < 0) return core_.fail(Alarm::SubprogramWordMissing, 'M');
+    if (!settings_.nct && number >= 0) {
         if (settings_.series15) {
             number %= 10000;
         } else if (number > 9999) {   // the count stands before the four digits of the number

@@ -7,9 +7,10 @@
 namespace polyturn::channels::fanuc {
 
 // G43 G44 H: the length of a milling offset; G43.7 H: all of a turning offset; G49: none. G43.4: the tip of the tool goes where the
-// program says while head and table turn (nct part 2 33), with H its length first, that of a milling offset along N3201; G49 ends it.
+// program says while head and table turn (nct part 2 33), with H its length first, that of a milling offset along N3201; G43.1: the
+// same for the head alone, a table that turns takes the part with it. G49 ends both.
 bool Interpreter::g_length(const GCode& row) {
-    if (row.tenths == 434) {
+    if (row.tenths == 434 || row.tenths == 431) {
         if (core_.reads_ahead()) return core_.fail(Alarm::TransformPlace, 'G', "G41 G42");
         if (drilling_ || polar_) return core_.fail(Alarm::TransformPlace, 'G', drilling_ ? "G80" : "G15");
         if (core_.transformed() && !controls_tip(core_)) return core_.fail(Alarm::TransformPlace, 'G', std::string(row.name));
@@ -26,7 +27,7 @@ bool Interpreter::g_length(const GCode& row) {
                 if (!apply_tool_offsets()) return false;
             }
         }
-        return control_tip(core_);
+        return control_tip(core_, row.tenths == 431);
     }
     if (row.tenths == 490) {
         if (controls_tip(core_)) core_.transform_off();

@@ -27,55 +27,72 @@ bool Interpreter::g_linear(const GCode&) {
 }
 
 bool Interpreter::g_arc(const GCode& row) {
+    ArcCall call;
+    call.clockwise = row.tenths == 20;
+    bool goes = false;
+    return arc_words(call, goes) && (!goes || core_.arc(target_, call));
+}
+
+// Target and centre or radius of an arc; goes: the block names any of them.
+bool Interpreter::arc_words(ArcCall& call, bool& goes) {
     const bool centre_words = block_.has('I') || block_.has('J') || block_.has('K');
-    if (!axis_word_count_ && !centre_words) return block_.has('R') ? core_.fail(Alarm::ArcWithoutRadius) : true;
+    goes = axis_word_count_ || centre_words;
+    if (!goes) return block_.has('R') ? core_.fail(Alarm::ArcWithoutRadius) : true;
     AxisSet named = 0;
     if (!read_axis_words(target_, &named) || !follows_corner(target_, false)) return false;
     int p = -1, q = -1;
     core_.plane_axes(p, q);
     if (p < 0 || q < 0) return core_.fail(Alarm::PlaneAxisMissing, 'G');
-    ArcCall call;
-    call.clockwise = row.tenths == 20;
     call.tolerance = settings_.arc_tolerance;
     if (block_.has('R')) {
         call.has_radius = true;
         call.radius = radius_length('R');
-        if (call.radius <= 0 && !settings_.nct) return core_.fail(Alarm::ArcRadiusIllegal, 'R');
-        return core_.arc(target_, call);
+        return call.radius <= 0 && !settings_.nct ? core_.fail(Alarm::ArcRadiusIllegal, 'R') : true;
     }
     if (!centre_words) return core_.fail(Alarm::ArcWithoutRadius, 'G');
     static constexpr char kCentre[3][2] = {{'I', 'J'}, {'K', 'I'}, {'J', 'K'}};   // by plane: first, second axis
     static constexpr char kForeign[3] = {'K', 'J', 'I'};
     const auto plane = static_cast<std::size_t>(core_.path.plane);
     if (block_.has(kForeign[plane])) return core_.fail(Alarm::PlaneAxisIllegal, kForeign[plane], std::string(1, kForeign[plane]));
-    const double cp = radius_length(kCentre[plane][0]), cq = radius_length(kCentre[plane][1]);
     const auto pi = static_cast<std::size_t>(p), qi = static_cast<std::size_t>(q);
-    if (settings_.centre_absolute) {
-        call.centre_p = cp;
-        call.centre_q = cq;
-    } else {
-        call.centre_p = core_.path.programmed[pi] + cp;
-        call.centre_q = core_.path.programmed[qi] + cq;
-    }
-    return core_.arc(target_, call);
+    call.centre_p = radius_length(kCentre[plane][0]) + (settings_.centre_absolute ? 0.0 : core_.path.programmed[pi]);
+    call.centre_q = radius_length(kCentre[plane][1]) + (settings_.centre_absolute ? 0.0 : core_.path.programmed[qi]);
+    return true;
 }
 
 bool Interpreter::g_thread(const GCode&) {
     if (!axis_word_count_) return true;
     if (!read_axis_words(target_)) return false;
     ThreadCall call;
+    thread_words(call);
+    return core_.thread(target_, call);
+}
+
+// Lead (F, E) and start angle (Q) of a thread.
+void Interpreter::thread_words(ThreadCall& call) {
     if (block_.has('E')) {
         const Word& word = block_.word('E');
         lead_ = (word.has_point ? word.value : word.value * (settings_.series15 ? 0.01 : 0.0001)) * unit_;
     }
     call.lead = lead_ > 0 ? lead_ : core_.path.feed_mode == FeedMode::PerRevolution ? core_.path.feed : 0.0;
-    if (block_.has('Q')) {
-        const Word& word = block_.word('Q');
-        // Fanuc counts thousandths of a degree and knows no point here; series 15 programs accept Q without effect.
-        call.start_angle = word.has_point || settings_.nct ? word.value : word.value * 0.001;
-        call.has_start_angle = true;
-        if (settings_.series15) call.start_angle = 0.0;
-    }
+    if (!block_.has('Q')) return;
+    const Word& word = block_.word('Q');
+    // Fanuc counts thousandths of a degree and knows no point here; series 15 programs accept Q without effect.
+    call.start_angle = word.has_point || settings_.nct ? word.value : word.value * 0.001;
+    call.has_start_angle = true;
+    if (settings_.series15) call.start_angle = 0.0;
+}
+
+// G35: a thread on an arc, clockwise.
+bool Interpreter::g_thread_arc(const GCode&) {
+    ArcCall arc;
+    arc.clockwise = true;
+    bool goes = false;
+    if (!arc_words(arc, goes)) return false;
+    if (!goes) return true;
+    ThreadCall call;
+    thread_words(call);
+    call.arc = &arc;
     return core_.thread(target_, call);
 }
 

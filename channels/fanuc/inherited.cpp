@@ -1,5 +1,5 @@
 // What a program leaves to the next one in its channel: #100 and on, #1 to #33 of the main program (F6001#6, #7 also over a
-// reset), and with N1301 CLR the G groups that N1302 to N1306 keep (nct part 1 14.2).
+// reset), the tool offset where F5003#6 or N1414#5 keep it, and with N1301 CLR the G groups that N1302 to N1306 keep (nct part 1 14.2).
 //
 // A program's end counts as a reset here: without CLR all groups begin as the machine was switched on.
 #include "channels/fanuc/resume_state.hpp"
@@ -33,9 +33,14 @@ void Interpreter::take_carry(const std::any& before, bool after_reset) {
     const auto* held = std::any_cast<std::shared_ptr<Inherited>>(&before);
     if (!held || !*held) return;
     const Inherited& last = **held;
-    if (last.parts_table == settings_.parts_made) parts_ = last.parts;
+    if (!after_reset && last.parts_table == settings_.parts_made) parts_ = last.parts;   // what was read ahead when it was reset has made no part
     if (!after_reset || settings_.keeps_common) variables_.take_common(last.common);
     if (!after_reset || settings_.keeps_locals) variables_.locals() = last.locals;
+    if (settings_.keeps_offset) {
+        core_.path.tool = last.path.tool;
+        core_.at.tool = core_.path.tool.ref;
+        if (apply_tool_offsets()) core_.take_wanted();   // the machine stands with it already
+    }
     if (settings_.nct && params::bit(core_.view().table(), params::n1301_defaultg2, core_.view().channel, 7)) keep_groups(last);
 }
 

@@ -18,6 +18,7 @@ Interpreter::Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles
       expression_(variables_, settings_.angle_positive, !settings_.nct && !settings_.mefi) {
     parts_ = settings_.parts_made;
     parts_wanted_ = settings_.parts_wanted;
+    takes_program_names = !settings_.mefi;
     absolute_axis_.fill(-1);
     incremental_axis_.fill(-1);
     for (unsigned i = 0; i < view.axis_count; ++i) {
@@ -274,7 +275,7 @@ Step Interpreter::read_block() {
             return fault_at(Alarm::MacroFormat, block_.word(letter).column, block_.word(letter).length, std::string(1, letter) + " takes no variable");
     if (stop == ScanStop::Skipped && block_.count == 0) return Step::Continue;
     const std::size_t next_column = scanner_.stopped_at();
-    if (block_.count == 0) {
+    if (block_.count == 0 && !block_.name_length) {
         column_ = next_column;
         return Step::Continue;
     }
@@ -327,6 +328,7 @@ std::optional<TextPosition> Interpreter::find_program_in(FileId file, std::int64
 bool Interpreter::call_program(std::int64_t number, std::int64_t repeats, const LocalSet* arguments, bool by_code, bool modal, char letter) {
     if (repeats < 1) return true;
     if (!call_levels_left(arguments != nullptr, modal, letter)) return false;
+    if (number < 0) return enter_program(static_cast<FileId>(-1 - number), 0, repeats, arguments, by_code, modal);   // by its name
     if (const auto file = files_->find_number(number)) return enter_program(*file, number, repeats, arguments, by_code, modal);
     if (find_program_in(frames_.back().file, number)) return enter_program(frames_.back().file, number, repeats, arguments, by_code, modal);
     return core_.fail(Alarm::SubprogramMissing, letter, "O" + std::to_string(number));

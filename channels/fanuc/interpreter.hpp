@@ -108,6 +108,7 @@ public:
     bool g_arc(const GCode&);
     bool g_thread(const GCode&);
     bool g_thread_variable(const GCode&);
+    bool g_thread_arc(const GCode&);
     bool g_dwell(const GCode&);
     bool g_data(const GCode&);
     bool g_reference(const GCode&);
@@ -265,6 +266,8 @@ private:
     bool b_run(const std::vector<BStep>& program);
     bool b_function(const BStep& step, bool line);
     bool b_start(double code);
+    bool arc_words(ArcCall& call, bool& goes);
+    void thread_words(ThreadCall& call);
     bool cycle_words(cycles::SimpleCycle& cycle, char taper_letter);
     Step finish_skip();
     std::string_view dwell_signal();
@@ -319,6 +322,7 @@ private:
     Flow jump(const char*& at, const char* end);
     bool written(std::int64_t number, double value, std::string_view comment);
     bool gather_arguments(LocalSet& arguments, std::size_t from_word);
+    bool program_word(char letter, std::int64_t& program);
     bool call_count(std::int64_t& repeats);
     bool macro_words(std::int64_t& program, std::int64_t& repeats, LocalSet& arguments);
     // managed_tool.cpp

@@ -81,6 +81,8 @@ struct Settings {
         bool word_i = false;             // I is the extraction override
     } tapping;
     bool keeps_common = false, keeps_locals = false;   // F6001#6, #7: over a reset
+    bool keeps_offset = false;         // F5003#6, N1414#5: the tool offset outlasts reset and end of program
+    bool offsets_turn = false;         // N1414#7: a rotation of the workpiece system turns the tool's lengths too
     std::int64_t shared_100 = 0, shared_500 = 0;       // F6036, F6037; N1700, N1701
     bool print_compact = false;          // F6001#1 PRT, N1757#0: DPRNT without plus signs and leading blanks
     bool print_parity = false;           // nct: even parity in bit 7 of what is printed

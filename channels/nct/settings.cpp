@@ -60,6 +60,8 @@ fanuc::Settings nct_settings(const Table& t, unsigned l) {
     if (const auto first = get(t, n1702_write_prt_low, l); first >= 500) s.protected_first = first, s.protected_last = get(t, n1703_write_prt_hig, l);
     const bool mill = get(t, n0001_control_type, l) == 1;
     s.offsets_by_g = mill || bit(t, n1414_comp_config_on_lathes, l, 0);
+    s.keeps_offset = !bit(t, n1414_comp_config_on_lathes, l, 5);
+    s.offsets_turn = !bit(t, n1414_comp_config_on_lathes, l, 7);
     s.second_geometry = bit(t, n1414_comp_config_on_lathes, l, 4);
     s.milling_drills = mill && !bit(t, n1503_drilling_cycles_config, l, 0) && !bit(t, n1611_turning_cyc_config, l, 0);
     s.tapping.orients = bit(t, n1503_drilling_cycles_config, l, 1);

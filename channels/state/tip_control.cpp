@@ -27,7 +27,7 @@ bool direction_of(std::int64_t code, double degrees, bool reversed, double* out)
 
 bool controls_tip(Core& core) { return kind_of(core.path.transformation.kinematics) == KinematicsKind::FiveAxis; }
 
-bool control_tip(Core& core) {
+bool control_tip(Core& core, bool head_alone) {
     namespace f = five_axis;
     const MachineView& view = core.view();
     PathState& path = core.path;
@@ -52,6 +52,7 @@ bool control_tip(Core& core) {
     const auto rotary = [&](std::size_t role, std::int64_t number, bool fixed, double angle, std::int64_t code, double tilt, bool reversed, std::size_t at, const char* name) {
         k.axis[role] = kNoPlace;
         if (number == 0 && !fixed) return true;
+        if (head_alone && (type == 2 || (type == 3 && role == 4))) return true;   // an axis of the table
         if (!direction_of(code, tilt, reversed, &k.value[at])) return refuse(name);
         k.centre[role] = angle;
         if (number == 0) return true;

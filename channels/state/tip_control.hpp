@@ -10,7 +10,7 @@ class Core;
 inline constexpr std::uint8_t kNoPlace = 0xff;
 
 // Tool centre point control on: the tip goes where the program says while head and table turn. Nothing moves. false: fault().
-bool control_tip(Core& core);
+bool control_tip(Core& core, bool head_alone = false);
 bool controls_tip(Core& core);
 
 }  // namespace polyturn::channels

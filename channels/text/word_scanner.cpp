@@ -5,7 +5,7 @@
 namespace polyturn::channels {
 namespace {
 
-enum class Kind : std::uint8_t { Other, Blank, Letter, Digit, Open, Slash, Semicolon, Percent, Hash, Comma, Colon };
+enum class Kind : std::uint8_t { Other, Blank, Letter, Digit, Open, Slash, Semicolon, Percent, Hash, Comma, Colon, Name };
 
 constexpr std::array<Kind, 256> make_kinds() {
     std::array<Kind, 256> kinds{};
@@ -17,6 +17,7 @@ constexpr std::array<Kind, 256> make_kinds() {
     kinds['/'] = Kind::Slash;
     kinds[';'] = Kind::Semicolon;
     kinds['%'] = Kind::Percent;
+    kinds['<'] = Kind::Name;
     kinds['#'] = Kind::Hash;
     kinds[','] = Kind::Comma;
     kinds[':'] = Kind::Colon;
@@ -64,6 +65,16 @@ ScanStop WordScanner::scan(std::string_view text, std::size_t from, Block& block
                     stopped_at_ = text.size();
                     return ScanStop::Skipped;
                 }
+                continue;
+            }
+            case Kind::Name: {   // M98 <NAME>
+                if (!hook_->takes_program_names) return fail(Alarm::CharacterUnknown, line, begin, 1, '<');
+                while (p != end && *p != '>') ++p;
+                if (p == end || p == begin + 1 || block.name_length) return fail(Alarm::CharacterUnknown, line, begin, 1, '<');
+                block.name_from = static_cast<std::uint16_t>(begin + 1 - line);
+                block.name_length = static_cast<std::uint16_t>(p - begin - 1);
+                only_number = false;
+                ++p;
                 continue;
             }
             case Kind::Semicolon:

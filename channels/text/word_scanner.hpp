@@ -37,9 +37,10 @@ struct Block {
     std::array<std::uint8_t, 26> last;   // index of the last word with that letter, valid where `letters` has the bit
     std::uint32_t letters = 0;           // capital letters that occur
     std::uint16_t count = 0;
+    std::uint16_t name_from = 0, name_length = 0;   // <NAME> of a program: its first byte, from 0; without the signs
     bool has_list = false;               // P1.12.16: several points, read by who expects a list from the text
 
-    void clear() { letters = 0, count = 0, has_list = false; }
+    void clear() { letters = 0, count = 0, has_list = false, name_length = 0; }
     bool has(char letter) const { return (letters & letter_bit(letter)) != 0; }
     const Word& word(char letter) const { return words[last[static_cast<std::size_t>(letter - 'A')]]; }
     double value(char letter) const { return word(letter).value; }
@@ -67,6 +68,7 @@ public:
     // Longest axis name of several characters that begins at `at`; its length, and the place in `axis`. 0: none.
     virtual std::size_t axis_name(const char* at, const char* end, int& axis) = 0;
     bool has_long_names = false;
+    bool takes_program_names = false;   // <NAME> stands for a program
 };
 
 struct ScanFault {

@@ -1,0 +1,91 @@
+// Details of words and calls that the specification asks for: short control words, ROUND in an address, whole codes, calls by
+// name, counts of calls, offset variables in inches, threads that are picked up again, lengths that turn with the workpiece.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "../play.hpp"
+
+namespace polyturn::channels::testing {
+namespace {
+
+TEST(MacroWords, MayBeCutDownToTwoLetters) {   // fanuc_lathe 6.4
+    const Played played = play("#100=0\nWH[#100 LT 3]DO1\n#100=#100+1\nEN1\nIF[#100 EQ 3]TH #101=7\nGO 5\n#102=1\nN5 #103=12 AN 10\nPO\nDP[X#100[2]]\nPC\nM30\n");
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_TRUE(played.has({R"("name":"#101","value":7)"}));
+    EXPECT_TRUE(played.has({R"("name":"#103","value":8)"}));
+    EXPECT_FALSE(played.has({R"("name":"#102")"}));
+    EXPECT_EQ(play("W[1 EQ 1]DO1\nM30\n").errors, 1u);   // one letter is none
+    EXPECT_EQ(play("WHEN[1 EQ 1]DO1\nM30\n").errors, 1u);
+}
+
+TEST(MacroRound, KeepsTheIncrementOfAnAddress) {   // fanuc_lathe 6.4
+    const Played played = play("#1=10.12349\nG0 X[ROUND[#1]]\n#100=#5001\n#101=ROUND[#1]\n#2=0.4\n#3=3.4\nG#2 X20. M#3\n#102=#4001\nM30\n");
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_TRUE(played.has({R"("name":"#100","value":10.123)"})) << played.events;
+    EXPECT_TRUE(played.has({R"("name":"#101","value":10})"}));
+    EXPECT_TRUE(played.has({R"("name":"#102","value":0})"}));
+    EXPECT_TRUE(played.has({R"("code":"M3")"}));   // whole codes (fanuc_lathe 6.1)
+}
+
+TEST(MacroCalls, CountToNineThousand) {   // fanuc_lathe 6.9.2
+    EXPECT_TRUE(play("G65 P1 L10000\nM30\n").has({R"("number":3)"}));
+    EXPECT_TRUE(play("M98 P1 L10000\nM30\n").has({R"("number":3)"}));
+}
+
+TEST(OffsetVariables, CountInTheUnitOfTheProgram) {
+    const Played played = play("G20\nG10 P3 X0.5 R0.02 Q3\n#100=#2003\n#101=#2203\n#102=#2303\n#2103=0.25\nG21\n#103=#2103\nM30\n");
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_TRUE(played.has({R"("name":"#100","value":0.5})"})) << played.events;
+    EXPECT_TRUE(played.has({R"("name":"#101","value":0.02})"}));
+    EXPECT_TRUE(played.has({R"("name":"#102","value":3})"}));
+    EXPECT_TRUE(played.has({R"("name":"#103","value":6.35})"}));
+}
+
+TEST(CallsByName, FindTheFileOrTellWhichIsMissing) {
+    const auto file = std::filesystem::temp_directory_path() / "polyturn_call_by_name_PROFILE.NC";
+    std::ofstream(file) << "O77\n#100=#100+1\n#101=#1\nM99\n";
+    Play how;
+    how.setup.subprograms.push_back(file.string());
+    const std::string name = file.stem().string();
+    const Played played = play("#100=0\nM98 <" + name + "> L2\nG65 <" + file.filename().string() + "> A4.\nM30\n", how);
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_TRUE(played.has({R"("name":"#100","value":3})"})) << played.events;
+    EXPECT_TRUE(played.has({R"("name":"#101","value":4})"}));
+    EXPECT_TRUE(play("M98 <NOWHERE>\nM30\n").has({R"("number":78)", "<NOWHERE>"}));
+    for (const char* wrong : {"<NAME>\nM30\n", "G0 X5. <NAME>\nM30\n", "M98 <NAME\nM30\n", "M98 <>\nM30\n", "M98 P5 <NAME>\nM30\n"}) EXPECT_EQ(play(wrong).errors, 1u) << wrong;
+    std::filesystem::remove(file);
+}
+
+// Taught: the spindle at 90 degrees, the tool in the groove at Z -10. A thread of lead 2 that begins at Z 5 has 7.5 turns to
+// there: it begins at 90 - 7.5 * 360 = 270 degrees (mod 360). With M4 the angles run back: 90 + 7.5 * 360 = 270. From Z 4.5: 90.
+TEST(ThreadPickup, BeginsWhereItMeetsTheTaughtGroove) {
+    Play how;
+    how.sets = {"PT_THREAD_PICKUP L1=1", "PT_THREAD_ANGLE L1=90", "PT_THREAD_AT L1=-10", "N1000=0"};
+    EXPECT_TRUE(play("G97 S300 M3\nG0 X40. Z5.\nG32 Z-30. F2.\nM30\n", how).has({R"("start_angle":270)"}));
+    EXPECT_TRUE(play("G97 S300 M4\nG0 X40. Z5.\nG32 Z-30. F2.\nM30\n", how).has({R"("start_angle":270)"}));
+    EXPECT_TRUE(play("G97 S300 M3\nG0 X40. Z4.5\nG32 Z-30. F2.\nM30\n", how).has({R"("start_angle":0})"}) || play("G97 S300 M3\nG0 X40. Z4.5\nG32 Z-30. F2.\nM30\n", how).has({R"("start_angle":0,)"}));
+    EXPECT_TRUE(play("G97 S300 M3\nG0 X40. Z5.\nG32 Z-30. F2. Q120000\nM30\n", how).has({R"("start_angle":30)"}));   // the second of three starts
+    EXPECT_TRUE(play("G97 S300 M3\nG0 X40. Z-20.\nG32 Z5. F2.\nM30\n", how).has({R"("start_angle":90)"}));           // upwards: 5 turns
+    how.sets[0] = "PT_THREAD_PICKUP L1=0";
+    EXPECT_TRUE(play("G97 S300 M3\nG0 X40. Z5.\nG32 Z-30. F2.\nM30\n", how).has({R"("start_angle":0)"}));
+}
+
+// N1414#7 = 0: offsets X 10 (diameter), Z 3 turn with G68 by 90 degrees: from Z to X, so Z' = -5, X' = 3 (radius).
+TEST(RotatedSystem, TurnsTheLengthsOfTheTool) {
+    Play how;
+    how.language = "nct";
+    how.sets = {"N1413 L1=2", "N1414 L1=0", "N1000=0"};
+    const std::string program = "G10 L10 P1 X10. Z3.\nT0101\nG0 X0 Z0\nG68 X0 Z0 R90.\nG0 X20. Z7.\nG69\nG0 X20. Z7.\nM30\n";
+    const Played turned = play(program, how);
+    EXPECT_EQ(turned.errors, 0u) << turned.events;
+    // The point Z7 X10 (radius) turns to Z -10, X 7; with the turned lengths Z -15, X 10.
+    EXPECT_TRUE(turned.has({R"("machine":{"X":10,"Z":-15)"})) << turned.events;
+    EXPECT_TRUE(turned.has({R"("machine":{"X":15,"Z":10)"})) << turned.events;   // behind G69
+    how.sets[1] = "N1414 L1=128";
+    EXPECT_TRUE(play(program, how).has({R"("machine":{"X":12,"Z":-7)"}));
+}
+
+}  // namespace
+}  // namespace polyturn::channels::testing
