@@ -90,6 +90,7 @@ bool Interpreter::check_words() {
     if (settings_.offsets_by_g || core_.view().config().kind == ChannelKind::Mill) taken |= letter_set("D");
     if (drilling_ && !(coded_groups_ & bit_of(GGroup::OneShot))) taken |= letter_set("RQPLKEIJ") | axis_letters_;
     if (parameter_input_) taken |= letter_set("NPR");
+    if (life_.mode) taken |= letter_set("NPLQT");
     for (unsigned k = 0; k < m_count_; ++k)
         if (block_.words[m_words_[k]].value == settings_.interrupt.on) taken |= letter_set("P");
     for (const char letter : settings_.aux_letters)
@@ -113,7 +114,7 @@ Step Interpreter::nc_block() {
     const std::uint64_t moves_before = core_.moves();
     bool calls = false;
     if (!settings_.g_calls.empty() || !settings_.m_calls.empty() || !settings_.letter_calls.empty() || settings_.t_calls) {
-        if (!code_calls(calls)) return fault(core_.fault());
+        if (!life_.mode && !code_calls(calls)) return fault(core_.fault());
     }
     b_.single_now = false;
     if (block_.has('G') && !calls && !settings_.nct && !settings_.mefi)   // all words of such a block are the B axis'
@@ -139,7 +140,7 @@ Step Interpreter::nc_block() {
             return Step::AtBarrier;
         }
     }
-    if (!calls && !core_.reads_ahead() && block_.has('T') && managed_serial_ != core_.at.serial && waits_for_tool()) {
+    if (!calls && !core_.reads_ahead() && block_.has('T') && !life_.mode && managed_serial_ != core_.at.serial && waits_for_tool()) {
         if (!classify() || !call_managed_tool()) return fault(core_.fault());
         managed_serial_ = core_.at.serial;
         reread_ = true;
@@ -215,6 +216,7 @@ bool Interpreter::macro_call() {
 
 bool Interpreter::act() {
     if (parameter_input_ && !(coded_groups_ & bit_of(GGroup::OneShot))) return g10_parameter_block();
+    if (life_.mode && !(coded_groups_ & bit_of(GGroup::OneShot))) return life_group_block();
     words_used_ = false;
     // Settings, in the order of GGroup.
     constexpr std::uint32_t kLate = bit_of(GGroup::OneShot) | bit_of(GGroup::Motion) | bit_of(GGroup::MacroModal) | bit_of(GGroup::Surface);

@@ -80,6 +80,7 @@ bool Interpreter::g_data(const GCode&) {
             parameter_input_ = true;
             return true;
         }
+        if (kind == 3) return begin_life_groups();
         if (kind == 2 || kind == 20) return g10_zero();
         if (kind == 10 || kind == 11) return g10_offset();
         return core_.fail(Alarm::NotBuilt, 'L', fmt::format("G10 L{}", kind));

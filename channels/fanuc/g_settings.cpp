@@ -8,7 +8,7 @@
 namespace polyturn::channels::fanuc {
 
 bool Interpreter::g_nothing(const GCode& row) {
-    if (row.tenths == 110) parameter_input_ = false;
+    if (row.tenths == 110) parameter_input_ = false, life_ = {};
     return true;
 }
 

@@ -73,6 +73,7 @@ void Interpreter::clear_modal() {
     automatic_control_ = 0;
     if (core_.path.spindle.surface_m_min == 0) core_.path.spindle.surface_m_min = settings_.surface_speed;
     parameter_input_ = false;
+    life_ = {};
     modal_calls_.clear();
 }
 

@@ -179,6 +179,10 @@ private:
         bool on = false;
         std::int64_t program = 0;
     };
+    struct LifeInput {                // G10 L3
+        enum Mode : std::uint8_t { Off, Register, Change, Forget } mode = Off;
+        std::int32_t group = 0;       // that was opened last; 0 none
+    };
     struct FrameChain { Frame mirror, scaling, rotation; };
     struct LengthState {               // G43 G44 G43.7, D
         std::int32_t number = 0, radius = 0;
@@ -194,7 +198,7 @@ private:
     // Everything that holds from block to block beside positions, calls and variables.
     auto modal() {
         return std::tie(motion_, active_, cycle_end_, cycle_set_, cycle_taper_, drilling_, drill_, finishing_, cycle_data_, absolute_, inch_, unit_, last_m_, last_t_, last_n_,
-                        parameter_input_, lead_, single_block_off_, no_finish_wait_, automatic_control_, parts_, program_number_, tape_begun_, blocks_begun_, interrupting_, frames_of_, length_, corner_then_, polar_, polar_known_, polar_radius_, polar_angle_, plane_before_);
+                        parameter_input_, life_, lead_, single_block_off_, no_finish_wait_, automatic_control_, parts_, program_number_, tape_begun_, blocks_begun_, interrupting_, frames_of_, length_, corner_then_, polar_, polar_known_, polar_radius_, polar_angle_, plane_before_);
     }
 
     // transformations (g_transform.cpp)
@@ -333,6 +337,8 @@ private:
     bool names_managed_offset() const; // H or D with the code of N2923
     bool managed_offset(bool radius, std::int64_t& offset);
     bool g10_offset(), g10_zero(), g10_parameter_block();
+    bool begin_life_groups(), life_group_block();   // life_groups.cpp
+    void tell_life_group(const LifeGroup& group);
     bool give_parameter(const std::string& line, char letter);
     bool stroke_limits();
     void reload_settings();
@@ -402,6 +408,7 @@ private:
     bool absolute_ = true, inch_ = false;
     std::int64_t last_m_ = 0, last_t_ = 0, last_n_ = 0;
     bool parameter_input_ = false;    // between G10 L50 and G11
+    LifeInput life_;                  // between G10 L3 and G11
     struct OneBlockShift {            // mefi G58, G59: what holds again behind the block
         std::int32_t before = 0;
         const GCode* code = nullptr;

@@ -15,7 +15,7 @@ void Interpreter::keep_resume_states(bool on) {
 bool Interpreter::is_plain_move() const {
     constexpr std::uint32_t kPositions = letter_set("XYZUVW");
     const GCode* motion = motion_;
-    if (motion->tenths > 10 || drilling_ || !modal_calls_.empty() || parameter_input_ || core_.path.after_thread) return false;
+    if (motion->tenths > 10 || drilling_ || !modal_calls_.empty() || parameter_input_ || life_.mode || core_.path.after_thread) return false;
     return (block_.letters & ~kPositions) == 0 && block_.letters != 0 && block_.count > 0 && !core_.vector_pending();
 }
 

@@ -50,8 +50,7 @@ TEST(GoldenPrograms, HaveEveryCodeOfTheFanucTables) {
 }
 
 TEST(GoldenPrograms, HaveEveryAlarmOfAFanucControl) {
-    // 704 depends on the cutting load (tests/unit/kernel/spindle_test.cpp); nothing tells 025, T may stand in every block.
-    const std::set<std::string> elsewhere = {"704", "025"};
+    const std::set<std::string> elsewhere = {"704"};   // depends on the cutting load: tests/unit/kernel/spindle_test.cpp
     std::set<std::string> told;
     for (const auto& entry : fs::directory_iterator(folder_of("fanuc"))) {
         std::istringstream events(content(entry.path() / "expected.jsonl"));
