@@ -132,7 +132,8 @@ void CornerStage::join(Move b, const BlockContext& at) {
         const double way = corner.arc ? std::fabs(corner.sweep) * element.radius : compensation::length(corner.to - corner.from);
         element.feed *= model / way;
     }
-    const double own = call.from_next ? next_feed_ : call.feed;
+    const double said = call.from_next ? next_feed_ : call.feed;
+    const double own = said > 0 ? said : call.block_feed;
     if (own > 0 && element.kind != MoveKind::Rapid) element.feed = own;
     holding_ = false;
     if (whole_a - corner.cut_a > kStands) down_->move(a, at_a);

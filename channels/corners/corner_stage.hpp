@@ -22,6 +22,7 @@ struct Call {
     Shape shape = Shape::Rounding;
     double size = 0.0;            // mm
     double feed = 0.0;            // of the element, in the unit that holds; 0: that of the block it takes its technology from
+    double block_feed = 0.0;      // of its own block alone (FB): of the element too, where nothing above or of the next block says another
     bool from_next = false;       // technology (feed, functions) of the next block instead of this one
     bool reduce = false;          // too large: make it smaller; else Alarm::CornerTooLarge
     bool straight = false;        // between lines only: Alarm::FagorTangential

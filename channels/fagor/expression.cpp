@@ -265,7 +265,10 @@ bool Expression::argument(double& value) {
     blanks();
     Value v;
     if (p_ == end_) return fail(Alarm::VariableIllegal, p_, "a value is missing");
-    if (*p_ == '(' ? !bracket(v) : !unary(v)) return false;
+    const char first = *p_;   // without brackets a constant only (11.5)
+    const bool constant = (first >= '0' && first <= '9') || first == '.' || first == '$' || first == '-' || first == '+' || std::string_view(p_, static_cast<std::size_t>(end_ - p_)).starts_with("PI");
+    if (first != '(' && !constant) return fail(Alarm::FagorBracket, p_);
+    if (first == '(' ? !bracket(v) : !unary(v)) return false;
     value = v.number;
     return true;
 }

@@ -247,6 +247,13 @@ bool Interpreter::m_end(double code) {
         wants_barrier_ = true;
         return true;
     }
+    // The end of a program that EXEC or MEXEC runs leads back to the one that called it (12.7).
+    for (std::size_t k = frames_.size(); k-- > 1;) {
+        if (frames_[k].interrupt) break;   // within an interrupt subroutine it ends everything
+        if (frames_[k].kind != CallFrame::Kind::Program) continue;
+        while (frames_.size() > k + 1) pop_frame();
+        return return_from_frame();
+    }
     // The end of the program stops the spindle and sets the initial state (5.5).
     if (core_.path.spindle.turn != SpindleTurn::Stop && !(core_.spindle_turn(SpindleTurn::Stop) && core_.commit_spindle())) return false;
     if (!keep_written()) return false;

@@ -38,6 +38,7 @@ Step Interpreter::finish_probe() {
     for (unsigned i = 0; i < core_.view().axis_count; ++i)
         if (early >> i & 1u) ways_.take_back(i, wished[i] - core_.path.machine[i]);
     state_changed_ = true;
+    if (probe_code_ != 52) touched();
     if (probe_code_ == 52) {
         for (unsigned i = 0; i < core_.view().axis_count; ++i)
             if (core_.skip_moved() >> i & 1u) core_.limit_torque(i, 0.0, 0.0);
@@ -46,6 +47,17 @@ Step Interpreter::finish_probe() {
     if (early) return Step::Continue;
     if (settings_.probe_error && modal_.probe_mode == 0) return fault({Alarm::FagorProbe, 'G', static_cast<double>(probe_code_), 0.0, {}, {}});
     return Step::Continue;
+}
+
+// Where the signal came counts as the position, though braking has carried the axes on: the coordinates say so until something
+// moves, and the next move begins its increments there (10.1).
+void Interpreter::touched() {
+    const AxisValues rests = core_.framed(core_.path.programmed);
+    for (unsigned i = 0; i < core_.view().axis_count; ++i)
+        if (core_.skip_moved() >> i & 1u) core_.path.programmed[i] = core_.skip_point(i);
+    const AxisValues met = core_.framed(core_.path.programmed);
+    for (unsigned i = 0; i < core_.view().axis_count; ++i) braked_mm_[i] = rests[i] - met[i];
+    moves_at_touch_ = core_.moves();
 }
 
 // --- inclined axis

@@ -192,6 +192,7 @@ private:
 
     // probing, interrupts (g_probe.cpp)
     Step finish_probe();
+    void touched();
     bool start_probe(std::string_view input, std::uint16_t code);
     void set_inclined(int state);
     void slide(AxisValues& target, AxisSet named) const;
@@ -296,6 +297,8 @@ private:
     std::uint64_t managed_serial_ = 0;   // of the block whose T has been executed before the rest of it
     bool probing_ = false;                        // a probe move stands before its barrier
     std::uint16_t probe_code_ = 75;
+    std::uint64_t moves_at_touch_ = 0;            // no move since: the axes stand behind the touched point by
+    AxisValues braked_mm_{};
     int inclined_place_ = -1, orthogonal_place_ = -1;
     std::optional<Diagnosis> definition_fault_;   // of a SUB of the main program
     bool interrupt_again_ = false;                // the block in which the program was left is read again

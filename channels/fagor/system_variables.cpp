@@ -191,9 +191,10 @@ Access Interpreter::read_coordinate(const Target& target, double& value) {
     const PathState& path = core_.path;
     const unsigned machine_axis = core_.view().axes[i].machine_axis;
     // The tool's tip in the machine, commanded and measured; a transformation stands between it and the axes.
-    const double commanded = core_.machine_now(i) - path.vector[i];
+    const bool touches = moves_at_touch_ != 0 && moves_at_touch_ == core_.moves();   // a probe's point, not the way of braking
+    const double commanded = core_.machine_now(i) - path.vector[i] - (touches ? braked_mm_[i] : 0.0);
     const auto command = core_.port().axis_command(machine_axis), measured = core_.port().axis_measured(machine_axis);
-    const double error = command && measured ? *command - *measured : 0.0;
+    const double error = command && measured && !(touches && core_.skip_moved() >> i & 1u) ? *command - *measured : 0.0;
     switch (target.row->var) {
         case Var::Programmed: value = from_length(core_.framed(path.programmed)[i], place); return Access::Ok;
         case Var::Position: value = from_length(commanded - error, place); return Access::Ok;

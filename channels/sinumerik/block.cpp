@@ -35,9 +35,10 @@ const GCode* Interpreter::motion_code() const {
 
 bool Interpreter::check_block() {
     const GCode* motion = motion_code();
-    unsigned m = 0, s = 0, h = 0;
+    unsigned m = 0, s = 0, h = 0, others = 0;
     for (const Word& word : block_.words) {
         const Address& address = *word.address;
+        for (const std::string_view name : {"T", "D", "DL", "F", "FA"}) others += address.name == name;
         if (address.name == "M" && ++m > 5) return fail_word(Alarm::FunctionsTooMany, word, "M");
         if (address.name == "H" && ++h > 3) return fail_word(Alarm::FunctionsTooMany, word, "H");
         if (address.name == "S" && ++s > 3) return fail_word(Alarm::FunctionsTooMany, word, "S");
@@ -48,7 +49,7 @@ bool Interpreter::check_block() {
         for (const GCode* code : block_.codes) taken = taken || takes(*code, address);
         if (!taken) return fail_word(Alarm::AddressIllegal, word, address.name == "axis" ? axis_name(word.axis) : std::string(address.name));
     }
-    if (m + s + h > 10) return fail(Alarm::FunctionsTooMany, "M S H");
+    if (m + s + h + others > 10) return fail(Alarm::FunctionsTooMany, "M S H T D F");   // sinumerik_part2 14
     const std::size_t other = block_.words.size() + block_.codes.size();
     for (const auto& [command, call] : block_.procedures)
         if (command->own_block && (other > 0 || block_.procedures.size() > 1)) return fail(Alarm::OwnBlockNeeded, std::string(command->name));

@@ -171,7 +171,7 @@ bool Interpreter::st_return() {
                 } else if (i == 1) {
                     behind_target = value.number > 0;
                 } else if (i == 2) {
-                    levels = std::max<std::int64_t>(1, static_cast<std::int64_t>(value.number));
+                    levels = 1 + std::clamp<std::int64_t>(static_cast<std::int64_t>(value.number), 0, 16);   // so many are passed over (7.15)
                 } else {
                     to_main_begin = value.is_true();
                 }

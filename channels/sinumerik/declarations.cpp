@@ -49,6 +49,7 @@ bool Interpreter::declare(const std::string& name, std::shared_ptr<Variable> var
 bool Interpreter::st_def() {
     bool has_lower = false, has_upper = false;
     double lower = 0, upper_limit = 0;
+    int physical_unit = 0;
     of_channel_ = false;
     if (const std::string word = upper(cursor_.name_ahead()); word == "CHAN") {
         of_channel_ = true;
@@ -72,6 +73,8 @@ bool Interpreter::st_def() {
             cursor_.advance(3);
             Value value;
             if (!expression(value)) return false;
+            if (!value.is_number()) return fail_at(Alarm::OperandTypeIllegal, cursor_.at(), 1, word);
+            physical_unit = static_cast<int>(value.number);
         } else if (word.starts_with("APR") || word.starts_with("APW")) {
             return fail_at(Alarm::NotBuilt, cursor_.at(), word.size(), word);
         } else {
@@ -90,6 +93,7 @@ bool Interpreter::st_def() {
         variable->name = name;
         variable->has_lower = has_lower, variable->has_upper = has_upper;
         variable->lower = lower, variable->upper = upper_limit;
+        variable->unit = physical_unit;
         std::size_t cells = 1;
         if (cursor_.peek() == '[') {
             std::vector<Value> indices;
@@ -126,6 +130,7 @@ bool Interpreter::st_def() {
                 if (!assignment(reference)) return false;
             }
         }
+        variable->defaults = variable->cells;
         if (cursor_.at_end()) return true;
         if (!cursor_.eat(',')) return syntax(cursor_.at(), std::string(1, cursor_.peek()));
     }

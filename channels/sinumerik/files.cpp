@@ -1,6 +1,10 @@
-// Text files: READ WRITE DELETE FILESIZE ISFILE (sinumerik_part3 7.16, 9.9). What a program writes or deletes it finds again until its
+// Text files: READ WRITE DELETE FILESIZE FILEDATE FILETIME FILESTAT FILEINFO ISFILE (sinumerik_part3 7.16, 9.9). What a program writes or deletes it finds again until its
 // channel's process ends; the files of the operator are never changed.
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <chrono>
+#include <filesystem>
 
 #include "channels/sinumerik/interpreter.hpp"
 
@@ -9,6 +13,7 @@ namespace {
 
 enum FileError : int { kOk = 0, kFileMissing = 3, kFileFull = 10, kLineMissing = 21, kResultTooShort = 22, kRangeTooLarge = 23 };
 constexpr std::size_t kLargestFile = 1 << 20, kLongestWritten = 200;
+constexpr std::string_view kRights = "77777";   // read write execute show delete: for everybody
 
 }  // namespace
 
@@ -36,6 +41,48 @@ void Interpreter::change_file(const std::string& name, std::optional<std::string
         else written_files_.erase(name);
     });
     written_files_[name] = std::move(text);
+    written_at_[name] = core_.port().clock();
+}
+
+// When the file was written last: by a program of this run, or on the disk.
+CalendarTime Interpreter::time_of_file(const std::string& name) {
+    if (const auto own = written_at_.find(name); own != written_at_.end()) return own->second;
+    CalendarTime time;
+    const auto id = files_->find_name(name);
+    std::error_code failed;
+    const auto stamp = id ? std::filesystem::last_write_time(files_->path(*id), failed) : std::filesystem::file_time_type{};
+    if (!id || failed) return time;
+    const auto system = std::chrono::file_clock::to_sys(stamp);
+    const auto day = std::chrono::floor<std::chrono::days>(system);
+    const std::chrono::year_month_day date{day};
+    const std::chrono::hh_mm_ss clock{std::chrono::floor<std::chrono::seconds>(system - day)};
+    time.year = static_cast<int>(date.year());
+    time.month = static_cast<int>(static_cast<unsigned>(date.month()));
+    time.day = static_cast<int>(static_cast<unsigned>(date.day()));
+    time.hour = static_cast<int>(clock.hours().count());
+    time.minute = static_cast<int>(clock.minutes().count());
+    time.second = static_cast<int>(clock.seconds().count());
+    return time;
+}
+
+// FILEDATE "dd.mm.yy", FILETIME "hh.mm.ss", FILESTAT the rights, FILEINFO all of them and the size.
+bool Interpreter::p_file_facts(Call& c) {
+    const std::string_view asked = block_.procedures.front().first->name;
+    for (std::size_t i = 0; i < 3; ++i)
+        if (!c.has(i)) return fail(Alarm::ArgumentCountIllegal, std::string(asked), static_cast<double>(i));
+    std::string text;
+    const std::string name = program_of_path(c.value(1).text);
+    if (!text_of_file(name, text)) return assign(c.arguments[0].reference, Value::of_int(kFileMissing), cursor_.begin());
+    const CalendarTime time = time_of_file(name);
+    const std::string date = fmt::format("{:02}.{:02}.{:02}", time.day, time.month, time.year % 100);
+    const std::string answer = asked == "FILEDATE"   ? date
+                               : asked == "FILETIME" ? fmt::format("{:02}.{:02}.{:02}", time.hour, time.minute, time.second)
+                               : asked == "FILESTAT" ? std::string(kRights)
+                                                     : fmt::format("{} {:>8} {} {:02}:{:02}:{:02}", kRights, text.size(), date, time.hour, time.minute, time.second);
+    const Reference& result = c.arguments[2].reference;
+    const bool fits = result.variable->type == Type::String && answer.size() <= result.variable->text_length;
+    if (fits && !assign(result, Value::of_text(answer), cursor_.begin())) return false;
+    return assign(c.arguments[0].reference, Value::of_int(fits ? kOk : kResultTooShort), cursor_.begin());
 }
 
 bool Interpreter::p_write(Call& c) {   // WRITE(error, file, block)

@@ -263,7 +263,10 @@ bool Interpreter::f_isvar(Call& c) {
     return true;
 }
 
-bool Interpreter::f_getvartyp(Call& c) { return c.result = Value::of_int(variable_type(upper(c.value(0).text))), true; }
+bool Interpreter::f_getvartyp(Call& c) {
+    const int type = variable_type(upper(c.value(0).text));
+    return c.result = Value::of_int(type ? type : -1), true;   // below 0: no such variable
+}
 
 // 0: no variable; else the code of its type.
 int Interpreter::variable_type(const std::string& text) const {

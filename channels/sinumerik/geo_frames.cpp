@@ -323,7 +323,8 @@ bool Interpreter::f_addframe(Call& call) {
     GeoModal& geo = modal_.geo;
     const auto answer = [&](int code) { return call.result = Value::of_int(code), true; };
     if (target != "$P_PFRAME" && target != "$P_ACTBFRAME" && target != "$P_BFRAME") return answer(target.starts_with("$P_") ? 2 : 1);
-    undo([this, before = geo] {
+    const GeoModal before = geo;
+    undo([this, before] {
         modal_.geo.frame = before.frame, modal_.geo.exact = before.exact;
         modal_.geo.basic_value = before.basic_value, modal_.geo.basic = before.basic;
         core_.set_frame(outer_frame() * modal_.geo.exact);
@@ -336,6 +337,9 @@ bool Interpreter::f_addframe(Call& call) {
         geo.basic = geo.basic * inner * added * inner.inverse();
         geo.basic_value = components_of(geo.basic, geo.basic_value);
     }
+    FrameValue& result = target == "$P_PFRAME" ? geo.frame : geo.basic_value;   // what is added counts as coarse
+    const FrameValue& had = target == "$P_PFRAME" ? before.frame : before.basic_value;
+    for (std::size_t i = 0; i < result.fine_mm.size(); ++i) result.coarse_mm[i] += result.fine_mm[i] - had.fine_mm[i], result.fine_mm[i] = had.fine_mm[i];
     use_frame();
     return answer(0);
 }

@@ -66,6 +66,7 @@ bool Interpreter::corner_words(bool contour) {
     if (call.size <= 0) return true;
     call.from_next = !settings_.corner_from_this;
     call.feed = call.from_next ? 0.0 : feed;
+    if (has("FB")) call.block_feed = core_.path.feed;
     call.reduce = !settings_.corner_alarm;
     call.idle_blocks = static_cast<unsigned>(settings_.corner_idle_blocks);
     return core_.corner(call);
@@ -79,11 +80,21 @@ bool Interpreter::go_line(const AxisValues& wanted, bool rapid) {
         if (taken) return true;
     }
     const AxisValues from = core_.path.programmed;
+    if (const Word* probe = word("MEAS")) return measuring_line(target, *probe);
     if (!corner_words(true)) return false;
     if (!(rapid ? core_.rapid(target) : core_.linear(target))) return false;
     note_tangent(from, target);
     if (!rapid) modal_.geo.last_feed = core_.path.feed;
     return true;
+}
+
+// MEAS=1, 2: the probe's signal comes and ends the move; -1, -2: it goes (sinumerik_part3 5.3).
+bool Interpreter::measuring_line(const AxisValues& target, const Word& probe) {
+    const double input = std::fabs(probe.number());
+    if (input != 1 && input != 2) return fail_word(Alarm::ValueOutOfRange, probe, "MEAS", probe.number());
+    if (has("FXS")) return fail_word(Alarm::CodesContradict, probe, "FXS, MEAS");
+    if (core_.compensating()) return fail_word(Alarm::CompReference, probe);
+    return core_.measure(target, input == 1 ? "1" : "2", probe.number() < 0);
 }
 
 void Interpreter::note_tangent(const AxisValues& from, const AxisValues& to) {
@@ -237,6 +248,10 @@ bool Interpreter::second_line(const AxisValues& target, const Word& angle) {
     const double c1 = std::cos(line.angle_deg * kDegree), s1 = std::sin(line.angle_deg * kDegree);
     const double c2 = std::cos(angle.number() * kDegree), s2 = std::sin(angle.number() * kDegree);
     const double sine = c1 * s2 - s1 * c2, dp = target[p] - from[p], dq = target[q] - from[q];
+    if (std::hypot(dp, dq) <= kSame) {   // the end is the start: only what is perpendicular to the plane moves (10.9.5)
+        core_.insert_reserved([] {});
+        return go_line(target, modal_.active[1] == 1);
+    }
     if (std::fabs(sine) < 1e-9) return fail_word(Alarm::ContourLinesParallel, angle);
     const double t = (dp * s2 - dq * c2) / sine;
     if (t <= kSame) return fail_word(Alarm::ContourLinesParallel, angle);

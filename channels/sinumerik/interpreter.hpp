@@ -110,6 +110,7 @@ public:
     bool f_maxval(Call&), f_bound(Call&), f_isnumber(Call&), f_number(Call&), f_toupper(Call&), f_tolower(Call&);
     bool f_strlen(Call&), f_index(Call&), f_rindex(Call&), f_mindex(Call&), f_match(Call&), f_substr(Call&), f_sprint(Call&);
     bool f_axname(Call&), f_axstring(Call&), f_isaxis(Call&), f_spi(Call&), f_axtospi(Call&), f_modaxval(Call&), f_isvar(Call&);
+    bool f_getvarlim(Call&), f_getvardft(Call&), f_getvarphu(Call&), f_getvarap(Call&);   // variable_facts.cpp
     bool f_getvartyp(Call&), f_stringis(Call&), f_isfile(Call&), f_gett(Call&), f_newt(Call&), f_getdno(Call&), f_calcdat(Call&);
     bool p_preset(Call&), p_geometry_axes(Call&), p_axis_profile(Call&), p_overlay_off(Call&), p_axis_exchange(Call&);
     bool p_tool_of_spindle(Call&), p_lift_axes(Call&), p_feed_per_revolution(Call&), p_axis_per_revolution(Call&);
@@ -117,7 +118,7 @@ public:
     bool a_lift_position(const Word&), a_handwheel_feed(const Word&), a_axis_share(const Word&), a_thread_ramp(const Word&);
     bool geo_involute(const GCode&), g_grinding(const GCode&), g_tool_frame(const GCode&), geo_not_built(const GCode&);
     bool st_execstring(), st_setint(), st_synchronized();
-    bool p_write(Call&), p_read(Call&), p_delete(Call&), p_file_size(Call&);   // files.cpp
+    bool p_write(Call&), p_read(Call&), p_delete(Call&), p_file_size(Call&), p_file_facts(Call&);   // files.cpp
     bool p_cancel(Call&), p_lock(Call&), p_unlock(Call&), p_action_reset(Call&), p_stop_reading_of(Call&);   // synchronized.cpp
     bool p_interrupts(Call&), p_without_effect(Call&), p_trail(Call&), p_wheel_speed(Call&), a_sum_offset(const Word&);
     bool p_msg(Call&), p_setal(Call&), p_stopre(Call&), p_setms(Call&), p_wait_marker(Call&), p_wait_end(Call&);
@@ -219,6 +220,7 @@ private:
     bool leads_nobody(const AxisValues& target);
     bool go_line(const AxisValues& target, bool rapid);
     bool go_arc(const AxisValues& target, const ArcCall& call);
+    bool measuring_line(const AxisValues& target, const Word& probe);
     void note_tangent(const AxisValues& from, const AxisValues& to);
     bool polar_ahead() const;
     bool polar_target(AxisValues& target);
@@ -358,6 +360,8 @@ private:
 
     // text files (files.cpp)
     std::map<std::string, std::optional<std::string>, std::less<>> written_files_;   // nullopt: deleted
+    std::map<std::string, CalendarTime, std::less<>> written_at_;
+    CalendarTime time_of_file(const std::string& name);
     bool text_of_file(const std::string& name, std::string& text);
     void change_file(const std::string& name, std::optional<std::string> text);
 

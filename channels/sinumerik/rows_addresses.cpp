@@ -44,6 +44,7 @@ constexpr Address kRows[] = {
     {"ATOL", Index::Axis, Use::Setting, &Interpreter::a_without_effect, true, true},
     {"ST", Index::None, Use::Setting, &Interpreter::a_without_effect, false},     // no input changes the feed of a block here
     {"SR", Index::None, Use::Setting, &Interpreter::a_without_effect, false},
+    {"FMA", Index::Axis, Use::Setting, &Interpreter::a_without_effect, false, true},   // FMA[2, axis]
     {"STA", Index::Axis, Use::Setting, &Interpreter::a_without_effect, false, true},
     {"SRA", Index::Axis, Use::Setting, &Interpreter::a_without_effect, false, true},
     {"FINEA", Index::Spindle, Use::Setting, &Interpreter::a_nothing, true, true, true},      // they end exactly

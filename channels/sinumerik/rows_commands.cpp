@@ -47,6 +47,10 @@ constexpr Command kRows[] = {
     {"MODAXVAL", true, 2, 2, "ar", &I::f_modaxval},
     {"ISVAR", true, 1, 1, "s", &I::f_isvar},
     {"GETVARTYP", true, 1, 1, "s", &I::f_getvartyp},
+    {"GETVARLIM", true, 3, 3, "scv", &I::f_getvarlim},
+    {"GETVARDFT", true, 2, 5, "svr", &I::f_getvardft},
+    {"GETVARPHU", true, 1, 1, "s", &I::f_getvarphu},
+    {"GETVARAP", true, 2, 2, "s", &I::f_getvarap},
     {"STRINGIS", true, 1, 1, "s", &I::f_stringis},
     {"ISFILE", true, 1, 1, "s", &I::f_isfile},
     // tools
@@ -60,6 +64,10 @@ constexpr Command kRows[] = {
     {"READ", false, 5, 5, "vsrrv", &I::p_read, true},
     {"DELETE", false, 2, 2, "vs", &I::p_delete, true},
     {"FILESIZE", false, 3, 3, "vsv", &I::p_file_size, true},
+    {"FILEDATE", false, 3, 3, "vsv", &I::p_file_facts, true},
+    {"FILETIME", false, 3, 3, "vsv", &I::p_file_facts, true},
+    {"FILESTAT", false, 3, 3, "vsv", &I::p_file_facts, true},
+    {"FILEINFO", false, 3, 3, "vsv", &I::p_file_facts, true},
     // operator and channel
     {"MSG", false, 0, 2, "*r", &I::p_msg},
     {"WRTPR", false, 1, 2, "*r", &I::p_wrtpr},

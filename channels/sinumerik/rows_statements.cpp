@@ -29,7 +29,7 @@ constexpr Statement kRows[] = {
     {"REDEF", &Interpreter::st_redef},
     {"DEFINE", &Interpreter::st_define},
     {"PROC", &Interpreter::st_proc},
-    {"ENDPROC", nullptr},
+    {"ENDPROC", &Interpreter::st_return},
     {"EXTERN", &Interpreter::st_extern},
     {"CALL", &Interpreter::st_call},
     {"PCALL", &Interpreter::st_pcall},

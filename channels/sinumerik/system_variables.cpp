@@ -41,7 +41,7 @@ bool Interpreter::is_system_variable(std::string_view name) const {
         "$P_MSNUM", "$P_CHANNO", "$P_PROG", "$P_LINENO", "$P_STACK", "$P_REPINF", "$P_ISTEST", "$P_SEARCH", "$P_AXN1", "$P_AXN2", "$P_AXN3", "$P_AD", "$P_DRYRUN",
         "$P_SVC", "$P_S_TYPE", "$P_GWPS", "$PA_FGROUP", "$PA_FGREF", "$P_FGROUP_MASK", "$AC_FGROUP_MASK", "$AA_FGROUP", "$AA_FGREF", "$AC_TOFF", "$AC_TOFFL", "$AC_TOFFR", "$AC_FZ", "$AC_F_TYPE", "$AC_SVC", "$AC_S_TYPE",
         "$P_APR", "$P_AEP", "$P_APDV", "$P_PFRAME", "$P_ACTFRAME", "$P_IFRAME", "$P_ACTBFRAME", "$P_BFRAME", "$P_CHBFRAME", "$P_GFRAME", "$P_GFR", "$AC_LIFTFAST", "$AA_ACC",
-        "$AA_IM", "$AA_IW", "$AA_IB", "$AA_FXS", "$AA_S", "$AC_MARKER", "$AC_PARAM", "$AC_TIME", "$A_YEAR", "$A_MONTH", "$A_DAY", "$A_HOUR", "$A_MINUTE", "$A_SECOND", "$A_IN", "$A_OUT",
+        "$AA_IM", "$AA_IW", "$AA_MM", "$AA_MW", "$AC_MEA", "$AA_IB", "$AA_FXS", "$AA_S", "$AC_MARKER", "$AC_PARAM", "$AC_TIME", "$A_YEAR", "$A_MONTH", "$A_DAY", "$A_HOUR", "$A_MINUTE", "$A_SECOND", "$A_IN", "$A_OUT",
         "$AN_LANGUAGE_ON_HMI", "$P_ACTID", "$P_UIFR", "$P_UIFRNUM", "$P_NUM_SPINDLES"};
     for (const std::string_view known : kNames)
         if (known == name) return true;
@@ -113,6 +113,18 @@ bool Interpreter::system_value(Value& value) {
         else value = Value::of_real(core_.machine_now(static_cast<unsigned>(i)));
         return true;
     }
+    if (name == "$AA_MM" || name == "$AA_MW") {   // where the probe of MEAS stopped the axis, before braking; else where it stands
+        if (place(0) < 0 || place(0) >= kSpindleAxis) return fail_at(Alarm::AxisArgumentMissing, from, length, name);
+        if (!need_fresh()) return false;
+        const auto i = static_cast<std::size_t>(place(0));
+        AxisValues met = path.programmed;
+        for (unsigned k = 0; k < core_.view().axis_count; ++k)
+            if (core_.measured() >> k & 1u) met[k] = core_.skip_point(k);
+        if (name == "$AA_MW") value = Value::of_real(shown(place(0), met[i]));
+        else value = Value::of_real(core_.machine_now(static_cast<unsigned>(i)) + core_.framed(met)[i] - core_.framed(path.programmed)[i]);
+        return true;
+    }
+    if (name == "$AC_MEA") return need_fresh() && (value = Value::of_int(core_.measured() != 0), true);
     if (name == "$A_YEAR" || name == "$A_MONTH" || name == "$A_DAY" || name == "$A_HOUR" || name == "$A_MINUTE" || name == "$A_SECOND") {
         if (!need_fresh()) return false;
         const CalendarTime now = core_.port().clock();

@@ -16,6 +16,8 @@ struct Variable {
     std::size_t text_length = 200;        // STRING[n]
     bool has_lower = false, has_upper = false;
     double lower = 0.0, upper = 0.0;      // LLI, ULI
+    int unit = 0;                         // PHU
+    std::vector<Value> defaults;          // what DEF gave it, where it gave something
     std::vector<Value> cells;
     std::string name;                     // as declared, capital letters
 };

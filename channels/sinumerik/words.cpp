@@ -262,6 +262,10 @@ bool Interpreter::read_index(Word& word, const Address& address) {
     const char* const from = cursor_.at();
     std::vector<Value> indices;
     if (!index_list(indices)) return false;
+    if (address.name == "FMA" && indices.size() == 2) {   // which input, then the axis
+        if (!indices[0].is_number() || !(indices[0].number >= 2 && indices[0].number <= 7)) return fail_at(Alarm::ArrayIndexIllegal, from, 1, "FMA", indices[0].number);
+        indices.erase(indices.begin());
+    }
     if (indices.size() != 1 || address.index == Address::Index::None) return fail_at(Alarm::ArrayIndexIllegal, from, 1, std::string(address.name));
     const Value& index = indices[0];
     if (index.type == Type::Axis) {

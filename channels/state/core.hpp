@@ -227,6 +227,8 @@ public:
     void meet_stop(AxisSet which) { stops_ = which; }
     AxisSet meets_stop() const { return stops_; }
     AxisSet stops_met() const { return stops_met_; }     // stand at a stop and press
+    // A skip move whose end is taken at the next barrier without a further call.
+    bool measure(const AxisValues& target, std::string_view input, bool release) { return measure_due_ = true, skip(target, 0.0, path.feed_mode, input, release); }
     bool stop_alone(const AxisValues& target, double feed) { return skip_due_ = true, fixed_stop(target, feed, FeedMode::PerMinute, true); }
     // --- beside the path (core_beside.cpp)
     // The axis goes to its target with its own feed (mm/min or deg/min, 0 rapid; per_turn: mm a revolution of `spindle`) and nobody waits.
@@ -235,10 +237,11 @@ public:
     // The axis' drive may give only so many thousandths of its torque; 0: all of it (a barrier, then take_positions).
     void limit_torque(unsigned place, double thousandths, double window_mm);
     // At the end of the block the program must stand at a barrier: what stands elsewhere then is taken over there.
-    bool due_at_barrier() const { return resync_ != 0 || skip_due_ || home_due_ != 0; }
+    bool due_at_barrier() const { return resync_ != 0 || skip_due_ || measure_due_ || home_due_ != 0; }
     AxisSet skip_moved() const { return skip_moved_; }    // axes of the last skip move
     AxisSet take_skip();    // axes stand where the signal stopped them; the set of those that ended before their target
     // Programmed coordinate at which the signal came (the axes brake behind it): for measuring.
+    AxisSet measured() const { return measured_; }   // axes that measure() has stopped before their end
     double skip_point(unsigned place) const { return skip_point_[place]; }
     bool machine_rapid(const AxisValues& machine, AxisSet which);      // G53
     void suspend_for(AxisSet which) { if (compensating_) suspend_compensation(which); }   // the next move leaves compensation
@@ -397,7 +400,8 @@ private:
     AxisSet home_due_ = 0;                  // they find their reference points before it, and go to home_then_ behind it
     AxisValues home_then_{};
     AxisSet stops_ = 0, stops_met_ = 0;     // meet_stop(); and those that met it
-    bool skip_due_ = false;
+    bool skip_due_ = false, measure_due_ = false;
+    AxisSet measured_ = 0;
     double surface_zero_told_ = 0.0;
     AxisSet skip_moved_ = 0;
     AxisValues skip_target_{}, skip_point_{};

@@ -55,6 +55,7 @@ void Core::find_reference(AxisSet which, const AxisValues& then) {
 
 // Behind a barrier: axes stand where a stop, a release or their reference point has left them.
 void Core::take_due() {
+    if (std::exchange(measure_due_, false)) measured_ = take_skip();
     if (std::exchange(skip_due_, false)) stops_met_ |= take_skip();
     for (AxisSet left = resync_ | home_due_; left; left &= left - 1) {
         const auto i = static_cast<unsigned>(__builtin_ctz(left));

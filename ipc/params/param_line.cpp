@@ -76,6 +76,7 @@ private:
                                                                       : fmt::format("'{}' where a parameter's name should be", word()));
         out.row = find(name);
         if (out.row == nullptr) return unknown(begin, name);
+        fagor_ = name.size() > 3 && upper(name[0]) == 'F' && upper(name[1]) == 'G' && name[2] == '.';
         if (auto fault = bit(out)) return fault;
         if (auto fault = element(out)) return fault;
         return scope(out);
@@ -124,7 +125,7 @@ private:
         if (text.empty() || gap == begin) return wrong(Alarm::ParamSyntax, begin, word_length(), fmt::format("'{}' behind {}", word_from(begin), row.number));
         if (letter == '\0') return wrong(Alarm::ParamScope, begin, text.size(), fmt::format("{} exists once, {} cannot be chosen", row.title(), shown(text)));
         // Fagor names the axis itself: FG.DFORMAT X=4.
-        if (row.scope == Scope::Axis && row.number.starts_with("FG.") && text.size() == 1 && std::string_view("XYZUVWABC").find(upper(text[0])) != std::string_view::npos) {
+        if (row.scope == Scope::Axis && fagor_ && text.size() == 1 && std::string_view("XYZUVWABC").find(upper(text[0])) != std::string_view::npos) {
             out.axis = upper(text[0]);
             return std::nullopt;
         }
@@ -259,6 +260,7 @@ private:
 
     std::string_view line_;
     std::size_t at_ = 0;
+    bool fagor_ = false;   // the name began with FG.
 };
 
 }  // namespace

@@ -60,6 +60,19 @@ std::string Row::title() const { return std::string(number) + ' ' + std::string(
 
 std::span<const Row> rows() noexcept { return detail::kRows; }
 
+namespace {
+
+// What other controls call a value that stands here already. Lengths per minute in all of them.
+struct OtherName {
+    std::string_view name, number;
+};
+constexpr OtherName kOtherNames[] = {
+    {"FG.MAXFEED", "N0305"}, {"FG.G00FEED", "N0304"},   // fagor_8037t part 1, 9.3
+    {"MD32000", "N0304"}, {"MD36200", "N0304"},         // sinumerik part 1, 11.1
+};
+
+}  // namespace
+
 const Row* find(std::string_view number) noexcept {
     if (number.size() > kLongest) return nullptr;
     char key[kLongest];
@@ -67,7 +80,11 @@ const Row* find(std::string_view number) noexcept {
     const std::string_view wanted(key, number.size());
     const auto order = detail::kByNumber;
     const auto found = std::lower_bound(order.begin(), order.end(), wanted, [](std::uint16_t row, std::string_view text) { return rows()[row].number < text; });
-    if (found == order.end() || rows()[*found].number != wanted) return nullptr;
+    if (found == order.end() || rows()[*found].number != wanted) {
+        for (const OtherName& other : kOtherNames)
+            if (other.name == wanted) return find(other.number);
+        return nullptr;
+    }
     return &rows()[*found];
 }
 

@@ -40,6 +40,7 @@ TEST(FagorStatement, RunsWhatItNames) {
     EXPECT_TRUE(run("(P101=1)\nN5 (P101=P101*2)\n(IF (P101 LT 30) GOTO N5)\n(P100=P101)\nM30\n").has({"P100", ":32"}));   // [12.4]
     EXPECT_TRUE(run("N1 (P101=P101+1)\nN2 (P102=P102+2)\n(RPT N1, N2) N3\n(P100=P101*10+P102)\nM30\n").has({"P100", ":48"}));
     EXPECT_TRUE(run("(P101=2.5)\n(OPEN P7)\n(WRITE (P100=?P101))\n(EXEC P7)\nM30\n").has({"P100", ":2.5"}));        // [12.7]
+    EXPECT_TRUE(run("(OPEN P7)\n(WRITE (P101=5))\n(WRITE M30)\n(WRITE (P101=6))\n(EXEC P7)\n(P100=P101)\nM30\n").has({"P100", ":5"}));   // its M30 leads back
     EXPECT_TRUE(run("(P101=2)\n(MSG \"N ?P101 OK\")\nM30\n").has({"message", "N 2 OK"}));                            // [12.2]
     EXPECT_TRUE(run("(ERROR 77, \"NO BAR\")\nM30\n").has({"alarm", ":77", "NO BAR"}));
     EXPECT_TRUE(run("(P101=1, P102=POSX)\n(P101=P101+1, P102=POSX)\n(P100=P101)\nM30\n").has({"P100", ":2"}));      // once, though it waits
@@ -47,7 +48,7 @@ TEST(FagorStatement, RunsWhatItNames) {
 
 TEST(FagorStatement, RefusesByName) {
     const std::pair<std::string_view, Alarm> rows[] = {
-        {"(FOO=1)", Alarm::FagorStatement}, {"(TOOL=1)", Alarm::VariableReadOnly}, {"(P30=1)", Alarm::VariableUnknown}, {"(P2000=1)", Alarm::FagorMakerParameter},
+        {"(FOO=1)", Alarm::FagorStatement}, {"(P100=SIN P1)", Alarm::FagorBracket}, {"(TOOL=1)", Alarm::VariableReadOnly}, {"(P30=1)", Alarm::VariableUnknown}, {"(P2000=1)", Alarm::FagorMakerParameter},
         {"(P100=1/0)", Alarm::DivisionByZero}, {"(P100=(1)", Alarm::FagorBracket}, {"(GOTO N9)", Alarm::SequenceNumberMissing}, {"(CALL 9)", Alarm::SubprogramMissing},
         {"(RET)", Alarm::FagorReturn}, {"(WRITE G0)", Alarm::FagorWriteClosed}, {"(REPOS X)", Alarm::FagorRepos}, {"(PAGE 1)", Alarm::FagorUserChannel},
         {"(SUB 10001)\n(RET)", Alarm::FagorMakerSubroutine}, {"(SUB 1)\n(RET)\n(SUB 1)\n(RET)", Alarm::FagorSubroutineTwice},

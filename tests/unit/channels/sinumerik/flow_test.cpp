@@ -83,7 +83,7 @@ TEST(SinumerikFlow, SubprogramsTakeValuesAndReferencesAndReturnAnywhere) {
     files.add("PARTS.SPF", "PROC PARTS(REAL LEN, VAR REAL SUM, INT COUNT=2, STRING[8] KIND) SAVE\nG91 DIAMOF\nSUM=SUM+LEN*COUNT\nIF KIND==\"BIG\" GOTOF MORE\nRET\nMORE: SUM=SUM+100\nM17\n");
     files.add("JUMP.SPF", "RET(\"HERE\",1)\n");
     files.add("OUTER.SPF", "INNER\nR7=99\n");
-    files.add("INNER.SPF", "RET(,,2)\n");
+    files.add("INNER.SPF", "RET(,,1)\n");   // past OUTER
     files.add("L020.SPF", "R8=R8+1\nM2\n");
     files.add("TOUCH.SPF", "R9=R9+1\n");
     const Played played = run(

@@ -162,5 +162,15 @@ TEST(ParameterTarget, IsReadWithoutAValue) {
     EXPECT_EQ(parse_target("").diagnosis().alarm, Alarm::ParamSyntax);
 }
 
+TEST(ParameterTarget, OtherControlsNamesLeadToTheSameValue) {
+    EXPECT_EQ(target_text(*parse_target("MD32000 A2")), "N0304 A2");
+    EXPECT_EQ(target_text(*parse_target("fg.g00feed")), "N0304");
+    const auto line = parse_assignment("FG.MAXFEED X=1500");   // the axis by its letter, as Fagor names it
+    ASSERT_TRUE(line.ok());
+    EXPECT_EQ(line->row->number, "N0305");
+    EXPECT_EQ(line->axis, 'X');
+    EXPECT_FALSE(parse_assignment("N0305 X=1500").ok());
+}
+
 }  // namespace
 }  // namespace polyturn::params

@@ -1,0 +1,72 @@
+// What stands in one sentence of the specification each: facts about variables and files, limits of a block, feeds of a corner.
+#include <gtest/gtest.h>
+
+#include "../play.hpp"
+
+namespace polyturn::channels::testing {
+namespace {
+
+Played run(const std::string& program, std::vector<std::string> sets = {}) {
+    Play how;
+    how.language = "sinumerik";
+    how.sets = std::move(sets);
+    return play(program, how);
+}
+
+bool sets(const Played& played, const std::string& name, const std::string& value) {
+    return played.has({"\"name\":\"" + name + "\",\"value\":" + value + "}"});
+}
+
+TEST(SinumerikFacts, OfVariables) {   // part 3, 9.9
+    const Played played = run(
+        "DEF INT LLI -10 ULI 20 II=7\nDEF REAL PHU 12 AZZ[2]=SET(1.5,2.5)\nDEF REAL LL\nII=8\n"
+        "R1=GETVARLIM(\"II\",\"L\",LL)\nR2=LL\nR3=GETVARLIM(\"II\",\"U\",LL)\nR4=LL\nR5=GETVARDFT(\"II\",LL)\nR6=LL\nR7=GETVARDFT(\"AZZ\",LL,1)\nR8=LL\n"
+        "R9=GETVARPHU(\"AZZ\")\nR10=GETVARTYP(\"NOTHING\")\nR11=GETVARLIM(\"NOTHING\",\"L\",LL)\nR12=GETVARAP(\"II\",\"WP\")\nM30\n");
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    const std::pair<const char*, const char*> rows[] = {{"R1", "1"}, {"R2", "-10"}, {"R3", "1"}, {"R4", "20"}, {"R5", "1"}, {"R6", "7"}, {"R8", "2.5"}, {"R9", "12"}, {"R10", "-1"}, {"R11", "-1"}, {"R12", "7"}};
+    for (const auto& [name, value] : rows) EXPECT_TRUE(sets(played, name, value)) << name << '\n' << played.events;
+}
+
+TEST(SinumerikFacts, OfFiles) {   // part 3, 7.16
+    const Played played = run(
+        "DEF INT ERR\nDEF STRING[32] TT\nDEF STRING[3] SHORT\nWRITE(ERR,\"LOG\",\"ABC\")\nFILEDATE(ERR,\"LOG\",TT)\nR4=STRLEN(TT) R5=INDEX(TT,\".\") R6=RINDEX(TT,\".\")\n"
+        "FILETIME(ERR,\"LOG\",TT)\nR7=STRLEN(TT) R8=INDEX(TT,\".\") R9=RINDEX(TT,\".\")\n"
+        "FILEINFO(ERR,\"LOG\",TT)\nMSG(TT)\nR1=STRLEN(TT)\nFILESTAT(ERR,\"NOFILE\",TT)\nR2=ERR\nFILEDATE(ERR,\"LOG\",SHORT)\nR3=ERR\nM30\n");
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_TRUE(played.has({"message", "77777        4 "})) << played.events;
+    const std::pair<const char*, const char*> rows[] = {{"R1", "32"}, {"R2", "3"}, {"R3", "22"}, {"R4", "8"}, {"R5", "2"}, {"R6", "5"}, {"R7", "8"}, {"R8", "2"}, {"R9", "5"}};
+    for (const auto& [name, value] : rows) EXPECT_TRUE(sets(played, name, value)) << name << '\n' << played.events;
+}
+
+TEST(SinumerikFacts, ABlockHasTenAuxiliaryFunctionsAtTheMost) {   // part 2, 14
+    EXPECT_EQ(run("M10 M11 M12 M13 M14 H1 H2 H3 S1=100 D0\nM30\n").errors, 0u);
+    EXPECT_TRUE(run("M10 M11 M12 M13 M14 H1 H2 H3 S1=100 S2=100 D0\nM30\n").has({"\"number\":14750"})) << run("M10 M11 M12 M13 M14 H1 H2 H3 S1=100 S2=100 D0\nM30\n").events;
+}
+
+TEST(SinumerikFacts, FbHoldsForTheCornerOfItsBlock) {   // part 1, 8.11
+    const std::string program = "G18 G90 G94 DIAMOF G0 X0 Z0\nF100\nG1 X5 FB=20 CHR=1\nZ5\nM30\n";
+    for (const char* const mask : {"MD20201=0", "MD20201=1"})
+        EXPECT_TRUE(run(program, {mask}).has({"\"pos\":{\"X\":5,\"Z\":1", "\"value\":20}"})) << mask << run(program, {mask}).events;
+    EXPECT_TRUE(run("G18 G90 G94 DIAMOF G0 X0 Z0\nF100 FRCM=7\nG1 X5 FB=20 CHR=1\nZ5\nM30\n").has({"\"pos\":{\"X\":5,\"Z\":1", "\"value\":7}"}));
+}
+
+TEST(SinumerikFacts, ASecondLineOfNoLengthMovesPerpendicularlyOnly) {   // part 2, 10.9.5
+    const Played played = run("G18 G90 G94 DIAMOF G0 X10 Z20\nF100\nG1 ANG=30\nANG=60 C45\nX12\nM30\n");
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_TRUE(played.has({"\"pos\":{\"X\":10,\"Z\":20,\"C\":45}"})) << played.events;
+}
+
+TEST(SinumerikFacts, AddframeAddsCoarsely) {   // part 3, 9.1
+    const Played played = run("$P_PFRAME=CTRANS(X,5)\nR1=ADDFRAME(CTRANS(X,3),\"$P_PFRAME\")\nR2=$P_PFRAME[X,TR]\nR3=$P_PFRAME[X,FI]\nM30\n");
+    EXPECT_TRUE(sets(played, "R1", "0") && sets(played, "R2", "8") && sets(played, "R3", "0")) << played.events;
+}
+
+TEST(SinumerikFacts, MeasIsAMoveThatTheProbeEnds) {   // part 3, 5.3
+    const Played played = run("G18 G90 G94 DIAMOF G0 X50 Z20\nG1 F150 MEAS=1 X20\nR1=$AA_MW[X] R2=$AC_MEA[1]\nZ10\nMEAS=3 X5\nM30\n");
+    EXPECT_TRUE(played.has({"\"kind\":\"skip\"", "\"pos\":{\"X\":20,", "\"value\":150}"})) << played.events;
+    EXPECT_TRUE(sets(played, "R1", "20") && sets(played, "R2", "0")) << played.events;   // no signal: it came to its end
+    EXPECT_TRUE(played.has({"alarm", "MEAS"})) << played.events;
+}
+
+}  // namespace
+}  // namespace polyturn::channels::testing
