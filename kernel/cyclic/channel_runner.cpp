@@ -51,15 +51,15 @@ bool ChannelRunner::stops_path(const PathRecord& r) noexcept {
         case RecordKind::Line:
         case RecordKind::Arc:
         case RecordKind::Curve: return (r.flags & kThread) != 0;
-        case RecordKind::Variable:
-        case RecordKind::Offset:
-        case RecordKind::ToolData:
-        case RecordKind::LifeGroup:
         case RecordKind::SpindleMode: {
             const auto mode = static_cast<SpindleModeCode>(r.code);
             if (mode == SpindleModeCode::Position && (r.flags & kBesidePath)) return false;
             return mode == SpindleModeCode::Position || mode == SpindleModeCode::Couple || mode == SpindleModeCode::Uncouple;
         }
+        case RecordKind::Variable:
+        case RecordKind::Offset:
+        case RecordKind::ToolData:
+        case RecordKind::LifeGroup:
         case RecordKind::SpindleSpeed:
         case RecordKind::Message:
         case RecordKind::Part:
