@@ -62,7 +62,7 @@ bool Interpreter::tool_word() {
         return true;
     }
     const std::int64_t modulus = power_of_ten(code.offset_digits);
-    const std::int64_t tool = value / modulus;
+    std::int64_t tool = value / modulus;
     auto offset = static_cast<std::int32_t>(value % modulus);
     const bool called = managed_serial_ == core_.at.serial && waits_for_tool();   // the T has been executed
     if (called) {
@@ -70,8 +70,10 @@ bool Interpreter::tool_word() {
         if (!managed_offset(false, own)) return false;
         offset = static_cast<std::int32_t>(own);
     }
-    if (!called && settings_.group_calls && code.offset_digits >= 2 && offset == 8 * (modulus - 1) / 9) offset = 0;
     ToolState& state = core_.path.tool;
+    // T gg 88 ends the offset of the group's tool; no tool is called, gg is none.
+    const bool cancels = !called && settings_.group_calls && code.offset_digits >= 2 && offset == 8 * (modulus - 1) / 9;
+    if (cancels) offset = 0, tool = state.ref.number;
     const int limit = core_.view().config().offset_count;
     std::int64_t geometry = code.geometry_by_tool ? tool : offset;
     if (code.offset_digits == 0) geometry = code.geometry_by_tool ? tool : state.geometry;
@@ -88,8 +90,8 @@ bool Interpreter::tool_word() {
     last_t_ = value;
     core_.at.tool = state.ref;
     const std::string text = fmt::format("T{:0{}}", value, code.offset_digits == 2 ? 4 : code.offset_digits + 1);   // T0303, T33, T3003: as they are written
-    if (!called) core_.aux('T', static_cast<double>(tool), text, settings_.t_drains);  // the PLC's turret wants the tool; the event shows the word
-    if (settings_.t_drains && !called) wants_barrier_ = true;
+    if (!called && !cancels) core_.aux('T', static_cast<double>(tool), text, settings_.t_drains);  // the PLC's turret wants the tool; the event shows the word
+    if (settings_.t_drains && !called && !cancels) wants_barrier_ = true;
     if (!apply_tool_offsets()) return false;
     // A T word alone travels the change of the vector at once, unless it waits for the next move (5002#6).
     constexpr std::uint32_t kMoving = (1u << static_cast<unsigned>(GGroup::OneShot));
