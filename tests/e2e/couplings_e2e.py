@@ -322,6 +322,30 @@ class MeasuredErrors(Coupled):
                 self.assertIn(place, done.out + done.err)
 
 
+class BorrowedAxis(Coupled):
+    """L2 has a Y without a drive; exchanged, it moves the Y of L1, which meanwhile has none."""
+    LINES = ("N0002 A8=2", "N0100 A8=89", "N0103 A8=2", "N0106 A8=10000000", "N2104 A8=7", "PT_M_MIX A8=63", "N1317 L2=60", "N1325 L2=70", "N1317 L1=60", "N1325 L1=70")
+
+    def drive(self, one, two, status=0):
+        setup = self.write("s.toml", "[channel.1]\nmachine = { X = 200.0, Y = 0.0, Z = 0.0 }\n[channel.2]\nmachine = { X = 200.0, Z = 0.0 }\n")
+        done = self.polyturn("run", "--virtual", "--language", "fanuc", "--machine", MACHINES / "twin-turret-y", "--setup", setup, "--trace", "trace.csv", *sets(*self.LINES),
+                             f"1={self.write('O1.nc', one)}", f"2={self.write('O2.nc', two)}")
+        self.assertEqual(done.status, status, done.said())
+        return done
+
+    def test_it_moves_the_drive_of_the_other_channel(self):
+        self.drive("O1\nG98\nM500\nM501\nG1 Y3. F1000\nM30\n", "O2\nG98\nM500\nM63\nG1 Y12. F1000\nM64\nM501\nM30\n")
+        y = read_trace(self.folder / "trace.csv")["A7.cmd"]
+        self.assertAlmostEqual(max(y), 12.0, places=6)
+        self.assertAlmostEqual(y[-1], 3.0, places=6, msg="given back, it is the first channel's again")
+
+    def test_an_address_without_a_drive_is_an_alarm(self):
+        done = self.drive("O1\nG98\nM30\n", "O2\nG98\nG1 Y12. F1000\nM30\n", status=1)
+        self.assertEqual([(a["ch"], a["line"]) for a in done.alarms], [(2, 3)], done.said())
+        done = self.drive("O1\nG98\nM500\nM501\nG1 Y3. F1000\nM30\n", "O2\nG98\nM500\nM63\nM501\nG4 X1.\nM30\n", status=1)
+        self.assertEqual([(a["ch"], a["line"]) for a in done.alarms], [(1, 5)], done.said())
+
+
 class Shapes(Coupled):
     """Bodies of machine.toml: two carriers that would meet stop, and shapes that cannot be are refused."""
 

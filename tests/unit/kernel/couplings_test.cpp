@@ -205,6 +205,30 @@ TEST(Couplings, SuperimposedMotionAddsTheMastersWayWhileBothMove) {
     }
 }
 
+// nct_parameters_part2 22.5: out_C = own_C + s_C * (own_B + s_B * out_A), across channels and in one tick.
+TEST(Couplings, ASuperimposedAxisHandsOnWhatIsAddedToIt) {
+    CoupledRig rig([](params::Table& t, RunOptions&) {
+        params::put(t, params::n2107_superimposed_master, 2, 4);   // A4 gets the way of A2 ...
+        params::put(t, params::n2107_superimposed_master, 4, 3);   // ... and A3 that of A4, the other way round
+        params::put(t, params::n2108_superimposed_config, 1, 3);
+    });
+    rig.flag(signals::ap_sprpnr(3), true);
+    rig.flag(signals::ap_sprpnr(4), true);
+    rig.run(5);
+    const auto own = [&](unsigned a) { return rig.machine->core().axes[a - 1].own(); };
+    rig.each_tick = [&] { EXPECT_NEAR(rig.position(3), own(3) - (own(4) + rig.position(2)), 1e-9); };
+    rig.watch();
+    PathRecord one = rig.line(1, {0, -9}, 30), two = rig.line(2, {3, 4}, 10);
+    for (PathRecord* r : {&one, &two}) r->v_max /= 4, r->a_max /= 4, r->j_max /= 4;
+    rig.push(1, one);
+    rig.push(2, two);
+    rig.start(1);
+    rig.start(2);
+    rig.run_until_idle();
+    EXPECT_NEAR(rig.position(3), 3 - (4 - 9), 1e-9);
+    EXPECT_LE(rig.worst, 1.01);
+}
+
 TEST(Couplings, ARequestWaitsForStandstillAndMakesNoStep) {
     CoupledRig rig([](params::Table& t, RunOptions&) { synchronous(t, 4, 2, false); });
     rig.watch();

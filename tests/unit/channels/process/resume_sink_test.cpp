@@ -184,10 +184,10 @@ TEST(RestartSink, GathersAndThenShowsStopsAndApproaches) {
     b.view->start = {100, 50};
     RestartSink sink(*b.view, b.seen);
     sink.search(30, 1);
-    sink.aux({'T', 101, "T0101", false}, block(1, 10));
-    sink.aux({'M', 8, "M8", false}, block(2, 12));
-    sink.aux({'T', 303, "T0303", false}, block(3, 14));
-    sink.aux({'M', 9, "M9", false}, block(4, 16));
+    sink.aux({'T', 101, "T0101", false, false, false, {}, {}}, block(1, 10));
+    sink.aux({'M', 8, "M8", false, false, false, {}, {}}, block(2, 12));
+    sink.aux({'T', 303, "T0303", false, false, false, {}, {}}, block(3, 14));
+    sink.aux({'M', 9, "M9", false, false, false, {}, {}}, block(4, 16));
     Spindle s;
     s.value = 800;
     sink.spindle(s, block(5, 18));
@@ -233,7 +233,7 @@ TEST(RestartSink, LoadsTheToolBeforeTheLastM6AndPreparesTheNext) {
     sink.search(30, 1);
     for (const auto& [letter, value, text] : std::initializer_list<std::tuple<char, double, const char*>>{
              {'T', 1, "T1"}, {'M', 6, "M6"}, {'T', 2, "T2"}, {'M', 6, "M6"}, {'T', 3, "T3"}, {'T', 4, "T4"}})
-        sink.aux({letter, value, text, false}, block(1, 10));
+        sink.aux({letter, value, text, false, false, false, {}, {}}, block(1, 10));
     sink.block_read(block(2, 30));
     EXPECT_EQ(b.seen.aux_texts, (std::vector<std::string>{"T2", "M6", "T4"}));
 }
