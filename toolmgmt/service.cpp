@@ -66,8 +66,9 @@ bool Service::step() {
     back_up_when_due();
     const auto now = Clock::now();
     if (!pending_.empty() && now - pending_since_ >= kBatchMs && now >= next_try_) {
+        const bool known = !disk_refuses_.empty();   // said once
         if (const Result<void> done = commit_pending({}, "program"); !done) {
-            if (disk_refuses_.empty()) std::fprintf(stderr, "polyturn-toolmgmt: %s\n", one_line(done.diagnosis()).c_str());
+            if (!known) std::fprintf(stderr, "polyturn-toolmgmt: %s\n", one_line(done.diagnosis()).c_str());
             next_try_ = now + kRetry;
         }
         worked = true;

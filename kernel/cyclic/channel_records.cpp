@@ -252,27 +252,21 @@ bool ChannelRunner::handshake(const PathRecord& r) noexcept {
     return true;
 }
 
-// Which tool it is, and where it stands: asked of the store before the PLC hears of the T.
+// Which tool it is, and where it stands: asked of the store before the PLC hears of the T. A refusal is said once; it is not asked
+// again before a reset, so that nothing moves by itself when the reason is gone.
 bool ChannelRunner::tool_is_known(const PathRecord& r) noexcept {
-    switch (core_.tools.call(index_)) {
-        case ToolDesk::Call::None:
-            (void)core_.tools.ask(core_, index_, r);
-            return false;
-        case ToolDesk::Call::Asked:
-            if (core_.store_dead && core_.tick - core_.tools.asked_at(index_) > static_cast<std::int64_t>(kToolPatienceS / core_.config.tick_s)) {
-                core_.tools.forget(index_);
-                raise(Alarm::ToolsUnserved, "the store does not run");
-            }
-            return false;
-        case ToolDesk::Call::Refused: {
-            const ToolAnswer answer = core_.tools.answer(index_);
-            core_.tools.forget(index_);
-            raise(static_cast<Alarm>(answer.alarm), {answer.text.data(), ::strnlen(answer.text.data(), answer.text.size())});
-            return false;
-        }
-        case ToolDesk::Call::Answered: return true;
+    const ToolDesk::Call call = core_.tools.call(index_);
+    if (call == ToolDesk::Call::Answered) return true;
+    if (interrupted_) return false;
+    if (call == ToolDesk::Call::None) {
+        (void)core_.tools.ask(core_, index_, r);
+    } else if (call == ToolDesk::Call::Refused) {
+        const ToolAnswer& answer = core_.tools.answer(index_);
+        raise(static_cast<Alarm>(answer.alarm), {answer.text.data(), ::strnlen(answer.text.data(), answer.text.size())});
+    } else if (core_.store_dead && core_.tick - core_.tools.asked_at(index_) > static_cast<std::int64_t>(kToolPatienceS / core_.config.tick_s)) {
+        raise(Alarm::ToolsUnserved, "the store does not run");
     }
-    return true;
+    return false;
 }
 
 bool ChannelRunner::arrive(const PathRecord& r) noexcept {

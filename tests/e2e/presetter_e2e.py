@@ -45,7 +45,7 @@ def draw(path, covers, blur=1.0, seed=1):
 def insert(radius, z, x):
     """An 80 degree insert cutting to -Z: its nose centre stands at z, x."""
     corner_z, corner_x = z, x
-    a, b = math.radians(95), math.radians(15)
+    a, b = math.radians(85), math.radians(5)
     axis = (a + b) / 2
     half = (a - b) / 2
     corner_z -= radius / math.sin(half) * math.cos(axis)

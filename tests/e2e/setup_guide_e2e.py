@@ -31,13 +31,15 @@ class SetupGuide(unittest.TestCase):
         self.assertRegex(block[5], r"wear X.*(?s:.)*0\.02")
         self.assertIn("PT0404", done.stderr)                                           # wear of 1.5 mm
         self.assertIn("of 45 min", block[6])                                           # the unit is always shown
-        self.assertIn("-0.0100 mm", block[8])                                          # mean of +0.008 and +0.012
-        self.assertIn("tool 2 exists", block[9])                                      # the preview
-        self.assertRegex(block[9].split("Restored.")[1], r"2 +1 +2 +ROUGH_80")
-        self.assertIn("PT0401", block[10])                                             # the damaged file
-        self.assertIn("FINISH_35", block[10])
+        self.assertRegex(block[7], r"2 of 2 pieces.*worn")                              # two parts by the first sister,
+        self.assertRegex(block[7], r"1 of 200 pieces")                                 # the third by the second
+        self.assertIn("-0.0100 mm", block[10])                                          # mean of +0.008 and +0.012
+        self.assertIn("tool 2 exists", block[11])                                      # the preview
+        self.assertRegex(block[11].split("Restored.")[1], r"2 +1 +2 +ROUGH_80")
+        self.assertIn("PT0401", block[12])                                             # the damaged file
+        self.assertIn("FINISH_35", block[12])
         self.assertIn("PT0432", done.stderr)                                           # the operator and the life
-        self.assertRegex(block[11], r"anna +L1 offset 3 wear Z")
+        self.assertRegex(block[13], r"anna +L1 offset 3 wear Z")
 
 
 if __name__ == "__main__":

@@ -16,7 +16,7 @@ class Tools(Case):
 
     def setUp(self):
         super().setUp()
-        self.name = f"tools-{os.getpid()}"
+        self.name = f"tools-{os.getpid()}-{self._testMethodName[5:25]}"   # one killed controller must not meet the next
         self.running = None
         self.addCleanup(self.stop, signal.SIGKILL)
         self.addCleanup(lambda: self.polyturn("clean"))
@@ -78,7 +78,7 @@ class Tools(Case):
             self.do("tools", "add", f"name=R{pot}", "type=5", f"duplo={pot}", f"h={pot}", "life_kind=uses", "life=1")
         self.do("tools", "load", "1", "1", "3")
         self.do("tools", "load", "2", "1", "7")
-        program = "T0501\nG98 G0 X80. Z20.\nM30\n"
+        program = "T0501\nG94 G0 X80. Z20.\nM30\n"
         self.assertEqual(self.cycle(program)["tool"], 1)
         self.wait_for(lambda: self.tool(1)["worn"], 3, "the life to be counted")
         self.assertEqual(self.cycle(program)["tool"], 2)
@@ -94,7 +94,7 @@ class Tools(Case):
         self.do("tools", "add", "name=A", "type=5", "h=4")
         self.do("tools", "load", "1", "1", "3")
         self.do("offsets", "set", "L1", "4", "geometry", "X=40", "Z=30")
-        here = self.cycle("T0531\nG98 G0 X80. Z20.\nM30\n")
+        here = self.cycle("T0531\nG94 G0 X80. Z20.\nM30\n")
         self.assertEqual((here["tool"], here["tool_offset"]), (1, 4))
         axes = {a["axis"]: a for a in self.ask("status")["axes"]}
         self.assertAlmostEqual(axes["A1"]["cmd"], 60, places=6)     # (80 + 40) / 2
@@ -106,7 +106,7 @@ class Tools(Case):
         self.do("press", "machine_on")
         self.do("tools", "add", "name=A", "type=5", "h=4", "life_kind=minutes", "life=10")
         self.do("tools", "load", "1", "1", "3")
-        self.cycle("T0504\nG98 G0 X80. Z20.\nG1 Z10. F600.\nG4 P1000\nG0 Z60.\nM30\n")   # 10 mm at 10 mm/s
+        self.cycle("T0504\nG94 G0 X80. Z20.\nG1 Z10. F600.\nG4 P1\nG0 Z60.\nM30\n")   # 10 mm at 10 mm/s
         self.wait_for(lambda: self.tool(1)["counter"] > 0, 3, "the life to be counted")
         self.assertAlmostEqual(self.tool(1)["counter"] * 60, 1.05, delta=0.15)
         counted = self.tool(1)["counter"]
@@ -162,7 +162,7 @@ class SinumerikTools(Tools):
         for duplo, pot, length in ((1, 3, 30), (2, 7, 35)):
             self.do("tools", "add", "name=ROUGH", f"duplo={duplo}", "life_kind=uses", "life=1", "D1.DP1=500", "D1.DP2=3", f"D1.DP4={length}")
             self.do("tools", "load", duplo, 1, pot)
-        program = 'T="ROUGH" D1\nG0 Z20\nM30\n'
+        program = 'G18 T="ROUGH" D1\nG0 Z20\nM30\n'
         for tool, length in ((1, 30), (2, 35)):
             self.assertEqual(self.cycle(program)["tool"], tool)
             z = next(a for a in self.ask("status")["axes"] if a["axis"] == "A2")["cmd"]

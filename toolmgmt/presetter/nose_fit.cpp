@@ -52,18 +52,18 @@ Result<Vector5> first_guess(const std::vector<Point>& points, double pixel) {
     const std::vector<Point> begin(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(third)), end(points.end() - static_cast<std::ptrdiff_t>(third), points.end());
     auto a = robust_line(begin, 1.5 * pixel), b = robust_line(end, 1.5 * pixel);
     if (!a || !b) return refused("no straight flanks are seen on both sides of a tip");
-    // Outwards: away from the chord between the ends, where the tip is.
-    const Point middle{(points.front().x + points.back().x) / 2, (points.front().y + points.back().y) / 2};
-    const double cx = points.back().x - points.front().x, cy = points.back().y - points.front().y;
-    Point tip = middle;
-    double farthest = 0;
-    for (const Point& p : points)
-        if (const double away = std::fabs((p.x - middle.x) * cy - (p.y - middle.y) * cx); away > farthest) farthest = away, tip = p;
-    for (Line* line : {&*a, &*b})
-        if (line->nx * (tip.x - middle.x) + line->ny * (tip.y - middle.y) < 0) line->nx = -line->nx, line->ny = -line->ny, line->d = -line->d;
+    // Outwards: a tip is convex, so the other flank lies on the inner side.
+    double apart = 0;
+    const auto inwards = [&](Line& line, const std::vector<Point>& other) {
+        double sum = 0;
+        for (const Point& p : other) sum += line.distance(p) / static_cast<double>(other.size());
+        if (sum > 0) line.nx = -line.nx, line.ny = -line.ny, line.d = -line.d;
+        apart = std::max(apart, std::fabs(sum));
+    };
+    inwards(*a, end), inwards(*b, begin);
     const double cross = a->nx * b->ny - a->ny * b->nx, dot = a->nx * b->nx + a->ny * b->ny;
     const double half = 0.5 * std::atan2(std::fabs(cross), dot);
-    if (half < 0.09) return refused("it shows one straight edge, no tip");
+    if (half < 0.09 || (std::fabs(cross) < 0.17 && apart < 8 * pixel)) return refused("it shows one straight edge and no tip: the tip is cut off, or not in the picture");
     if (half > 1.5) return refused("two edges run side by side: show one corner alone");
     const Point meet{(a->d * b->ny - b->d * a->ny) / cross, (b->d * a->nx - a->d * b->nx) / cross};
     double bx = a->nx + b->nx, by = a->ny + b->ny;

@@ -44,7 +44,7 @@ std::optional<Line> robust_line(const std::vector<Point>& points, double toleran
     for (int trial = 0; trial < kTrials; ++trial) {
         const Point &a = points[random() % points.size()], &b = points[random() % points.size()];
         const double length = std::hypot(b.x - a.x, b.y - a.y);
-        if (length < 8) continue;
+        if (length < 6 * tolerance) continue;   // too near for a direction
         Line line;
         line.nx = -(b.y - a.y) / length, line.ny = (b.x - a.x) / length;
         line.d = line.nx * a.x + line.ny * a.y;

@@ -85,9 +85,12 @@ TEST(ToolDesk, AsksTheStoreBeforeThePlcHearsOfTheT) {
     ASSERT_TRUE(d.rig.kernel->status.read(status));
     EXPECT_EQ(status.channels[0].tool, 7);
     EXPECT_EQ(status.channels[0].tool_offset, 17);
-    ASSERT_GE(d.asked.size(), 2u);
-    EXPECT_EQ(static_cast<StoreRequestKind>(d.asked[1].kind), StoreRequestKind::ToolInPlace);
-    EXPECT_EQ(d.asked[1].field, 1);   // a turret: it works now
+    const StoreRequest* in_place = nullptr;
+    for (const StoreRequest& one : d.asked)
+        if (static_cast<StoreRequestKind>(one.kind) == StoreRequestKind::ToolInPlace) in_place = &one;
+    ASSERT_NE(in_place, nullptr);
+    EXPECT_EQ(in_place->number, 7);
+    EXPECT_EQ(in_place->field, 1);   // a turret: it works now
 }
 
 TEST(ToolDesk, WithoutToolManagementNobodyIsAsked) {
@@ -109,6 +112,14 @@ TEST(ToolDesk, AToolThatNobodyFindsStopsTheChannelByItsAlarm) {
     d.run(200);
     EXPECT_TRUE(d.rig.alarmed(Alarm::ToolNotFound, 1));
     EXPECT_EQ(d.nc(signals::cn_tstr), 0);
+    // Somebody loads it meanwhile: nothing moves by itself.
+    d.tools = {Desk::tool(9, 4, LifeKind::None, kEver)};
+    d.run(200);
+    EXPECT_EQ(d.nc(signals::cn_tstr), 0);
+    EXPECT_EQ(d.rig.state(1), ChannelState::Interrupted);
+    int calls = 0;
+    for (const StoreRequest& one : d.asked) calls += static_cast<StoreRequestKind>(one.kind) == StoreRequestKind::ToolCall;
+    EXPECT_EQ(calls, 1);
 }
 
 TEST(ToolDesk, TimeCountsOnlyWhileTheToolCuts) {
@@ -130,7 +141,9 @@ TEST(ToolDesk, AHoldACutInADryRunAndALockedMachineCostNoLife) {
     for (const CommandKind key : {CommandKind::DryRun, CommandKind::MachineLock}) {
         Desk d;
         d.tools = {Desk::tool(7, 4, LifeKind::Metres, 10)};
+        SCOPED_TRACE(static_cast<int>(key));
         d.rig.command(key, 1, 1);
+        d.run(5);
         d.rig.push(1, d.rig.aux(1, 'T', 7));
         d.rig.push(1, d.rig.line(1, {0, -100}, 50));
         d.rig.push(1, d.rig.stop(1, StopReason::M30));

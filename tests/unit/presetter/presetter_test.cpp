@@ -45,11 +45,11 @@ struct Kind {
 
 TEST(Presetter, FindsTipAndRadiusUnderNoiseBlurChipsAndTilt) {
     constexpr Kind kKinds[] = {
-        {93, -2, 3},      // CNMG outside: the body above and to the right
-        {93, 38, 3},      // DNMG
-        {87, 182, 4},     // mirrored: cutting to +Z
-        {-93, 2, 2},      // boring bar
-        {-87, 178, 1},
+        {85, 5, 3},       // CNMG outside: the body above and to the right
+        {87, 32, 3},      // DNMG
+        {95, 175, 4},     // mirrored: cutting to +Z
+        {-85, -5, 2},     // boring bar
+        {-95, -175, 1},
         {62.5, 117.5, 8}, // VNMG straight down
         {107.5, 72.5, 8},
         {20, -20, 7},     // facing to the left
@@ -101,14 +101,14 @@ struct Refused {
 
 TEST(Presetter, RefusesWhatCannotBeMeasuredWithTheReason) {
     const presetter::Calibration c = calibrated(0);
-    const Wedge wedge{-0.3, -0.3, 93, -2, 0.4};
+    const Wedge wedge{-0.3, -0.3, 85, 5, 0.4};
     const Refused kRows[] = {
         {"empty", "empty", [](Scene&, Shape& s) { s = [](double, double) { return false; }; }},
         {"covered", "empty", [](Scene&, Shape& s) { s = [](double, double) { return true; }; }},
         {"too dark", "contrast", [](Scene& scene, Shape&) { scene.light = 60; }},
         {"out of focus", "blurred", [](Scene& scene, Shape&) { scene.blur_px = 6; }},
         {"the tip is outside", "cut off", [&](Scene&, Shape& s) { s = [wedge](double z, double x) { return wedge.covers(z - 1.5, x + 1.95) ; }; }},
-        {"one edge only", "", [](Scene&, Shape& s) { s = [](double, double x) { return x > 0.1; }; }},
+        {"one edge only", "no tip", [](Scene&, Shape& s) { s = [](double, double x) { return x > 0.1; }; }},
         {"dirt without a tool", "dirt", [](Scene&, Shape& s) { s = [](double z, double x) { return std::hypot(z, x) < 0.8; }; }},
         {"a grooving tool", "side by side", [](Scene&, Shape& s) { s = [](double z, double x) { return x > 0 && std::fabs(z) < 0.6; }; }},
     };
