@@ -16,6 +16,8 @@ constexpr std::size_t kLargestState = 256u << 20;
 
 // What init() may ask. The C interface has no place for a context: one init() at a time, in one thread.
 const params::Table* asked_parameters = nullptr;
+// Nor have the functions that cycle() may call: one PLC in a process.
+PlcMemory* memory_in_use = nullptr;
 
 std::size_t instances_of(SignalScope scope) {
     switch (scope) {
@@ -76,7 +78,7 @@ Result<BuilderPlc> BuilderPlc::load(const std::string& library) {
     return out;
 }
 
-Result<void> BuilderPlc::init(const params::Table& parameters, double tick_s) {
+Result<void> BuilderPlc::init(const params::Table& parameters, double tick_s, PlcMemory& memory) {
     const std::size_t size = (plc_->state_size + 63) / 64 * 64 + 64;
     state_.reset(std::aligned_alloc(64, size));
     if (!state_) return fault(Alarm::PlcStart, library_, "no memory for its state");
@@ -84,7 +86,10 @@ Result<void> BuilderPlc::init(const params::Table& parameters, double tick_s) {
     const PolyturnPlcHost host{
         POLYTURN_PLC_API, kMaxChannels, kMaxAxes, kMaxSpindles, kInputs, tick_s,
         [](const char* name, std::uint32_t instance) { return slot(SignalWriter::Nc, name, instance); },
-        [](const char* name, std::uint32_t instance) { return slot(SignalWriter::Plc, name, instance); }, parameter};
+        [](const char* name, std::uint32_t instance) { return slot(SignalWriter::Plc, name, instance); }, parameter,
+        [](std::uint32_t block, void* to, std::size_t length) { return memory_in_use->read(block, to, length); },
+        [](std::uint32_t block, const void* from, std::size_t length) { return memory_in_use->write(block, from, length); }};
+    memory_in_use = &memory;
     asked_parameters = &parameters;
     const char* why = nullptr;
     const int status = plc_->init(state_.get(), &host, &why);

@@ -8,6 +8,7 @@
 #include "ipc/diagnosis/diagnosis.hpp"
 #include "ipc/params/table.hpp"
 #include "kernel/plc/plc_api.h"
+#include "kernel/plc/plc_memory.hpp"
 #include "polyturn/image_structs.hpp"
 
 namespace polyturn::plc {
@@ -17,7 +18,8 @@ public:
     // Loads the object; it stays loaded while the process lives (its code may have registered whatever it likes).
     static Result<BuilderPlc> load(const std::string& library);
     // Fresh state, then the builder's init().
-    Result<void> init(const params::Table& parameters, double tick_s);
+    // memory: of the two functions that read and write it; it lives as long as the PLC runs.
+    Result<void> init(const params::Table& parameters, double tick_s, PlcMemory& memory);
     void cycle(const PlcInputs& inputs, PlcOutputs& outputs);
     const char* name() const { return plc_->name; }
     // What of its state survives power-off; empty: nothing, or before init().

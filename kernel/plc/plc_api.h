@@ -30,7 +30,7 @@ extern "C" {
 
 #define POLYTURN_PLC_API 1u
 
-/* What polyturn-plc offers during init(). The functions may be called in init() only. */
+/* What polyturn-plc offers during init(). The functions may be called in init() only, those of memory in cycle() only. */
 typedef struct PolyturnPlcHost {
     uint32_t api;      /* POLYTURN_PLC_API of polyturn-plc */
     uint32_t channels; /* instances that signals run to: capacities of the image, not of the machine */
@@ -45,7 +45,17 @@ typedef struct PolyturnPlcHost {
     /* Value of a parameter ("PT_CHUCK_TIME", "N1203"); instance counts from 1 and is ignored for global ones.
      * 0: there is no such number, *value is unchanged. A PLC reads its parameters at its start. */
     int (*parameter)(const char* number, uint32_t instance, double* value);
+    /* Memory that outlives the PLC: blocks 0 to 255 of up to 4096 bytes, in a file beside the machine's store. Unlike the
+     * others these two are for cycle(): keep the pointers. What is written is on the disk soon after the cycle.
+     * Read: the whole block, of the length it was written with. N1274 #0 = 1: QUEUED, ask again in the next cycle;
+     * 0: at once, but only one in a cycle (TIMEOUT). Return POLYTURN_PLC_MEMORY_... */
+    int (*memory_read)(uint32_t block, void* to, size_t size);
+    int (*memory_write)(uint32_t block, const void* from, size_t size);
 } PolyturnPlcHost;
+#define POLYTURN_PLC_MEMORY_DONE 1
+#define POLYTURN_PLC_MEMORY_QUEUED 0
+#define POLYTURN_PLC_MEMORY_NONE (-1)    /* no such block, never written, or of another length */
+#define POLYTURN_PLC_MEMORY_TIMEOUT (-2) /* N1274 #0 = 0, and another one was read in this cycle */
 
 typedef struct PolyturnPlcInputs {
     uint64_t cycle; /* counts PLC cycles from 1; a gap: cycles were missed */

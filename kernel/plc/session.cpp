@@ -49,6 +49,7 @@ void keep(const std::string& path, std::span<const std::byte> state) {
 
 Result<SessionEnd> run_session(const std::string& instance, BuilderPlc& plc, const std::atomic<bool>& stop, const std::string& retained) {
     bool keeps = false;
+    PlcMemory memory;
     auto kernel_segment = PeerSegment<KernelSegment>::attach(instance, 0, kPatience);
     if (!kernel_segment) return kernel_segment.diagnosis();
     const KernelSegment& kernel = **kernel_segment;
@@ -59,7 +60,8 @@ Result<SessionEnd> run_session(const std::string& instance, BuilderPlc& plc, con
         const auto parameters = std::make_unique<params::Table>();
         while (!(*store)->parameters.read(*parameters)) sleep_ms(1);
         const double tick_s = static_cast<double>(kernel.tick_ns.load(std::memory_order_acquire)) * 1e-9;
-        if (auto ready = plc.init(*parameters, tick_s); !ready) return ready.diagnosis();
+        memory.open(retained.empty() ? std::string{} : (std::filesystem::path(retained).parent_path() / "plc.memory").string(), params::bit(*parameters, params::n1274_plc_prgconfig, 0));
+        if (auto ready = plc.init(*parameters, tick_s, memory); !ready) return ready.diagnosis();
         keeps = !retained.empty() && params::bit(*parameters, params::n1274_plc_prgconfig, 1);
         if (keeps) put_back(retained, plc.retained());
     }
@@ -75,12 +77,14 @@ Result<SessionEnd> run_session(const std::string& instance, BuilderPlc& plc, con
         const std::uint32_t rung = kernel.plc_bell.seen();
         if (kernel.plc_inputs.read(*inputs) && inputs->cycle != done) {
             cycle_watch::begin(inputs->cycle);
+            memory.begin_cycle();
             plc.cycle(*inputs, *outputs);
             cycle_watch::end();
             done = outputs->cycle = inputs->cycle;
             segment.outputs.write(*outputs);
             segment.cycle.store(done, std::memory_order_release);
             segment.bell.ring();
+            memory.end_cycle();
             continue;
         }
         kernel.plc_bell.wait(rung, kLookRoundUs, kSpins);

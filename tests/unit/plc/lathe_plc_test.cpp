@@ -491,7 +491,8 @@ TEST(LathePlcStart, DoesNotRepeatWhatAPredecessorWasAsked) {
     const auto table = std::make_unique<params::Table>(params::defaults());
     auto plc = BuilderPlc::load(POLYTURN_BIN_DIR "/liblathe_plc.so");
     ASSERT_TRUE(plc) << plc.diagnosis().text();
-    ASSERT_TRUE(plc->init(*table, 0.001));
+    PlcMemory memory;
+    ASSERT_TRUE(plc->init(*table, 0.001, memory));
     auto in = std::make_unique<PlcInputs>();
     auto out = std::make_unique<PlcOutputs>();
     in->cycle = 1;
@@ -508,7 +509,8 @@ TEST(LathePlcStart, DoesNotRepeatWhatAPredecessorWasAsked) {
 TEST(LathePlcStart, TakesTheFirstCodeOfAFreshMachine) {
     const auto table = std::make_unique<params::Table>(params::defaults());
     auto plc = BuilderPlc::load(POLYTURN_BIN_DIR "/liblathe_plc.so");
-    ASSERT_TRUE(plc && plc->init(*table, 0.001));
+    PlcMemory memory;
+    ASSERT_TRUE(plc && plc->init(*table, 0.001, memory));
     auto in = std::make_unique<PlcInputs>();
     auto out = std::make_unique<PlcOutputs>();
     in->cycle = 1;

@@ -5,7 +5,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <string>
 #include <thread>
 
@@ -33,12 +35,12 @@ protected:
         if (child_ > 0) kill(child_, SIGKILL), waitpid(child_, nullptr, 0);
         remove_instance(instance_);
     }
-    void start(const std::string& library) {
+    void start(const std::string& library, const std::string& retained = {}) {
         child_ = fork();
         ASSERT_GE(child_, 0);
         if (child_ == 0) {
             const std::string program = POLYTURN_BIN_DIR "/polyturn-plc";
-            execl(program.c_str(), program.c_str(), "--instance", instance_.c_str(), "--library", library.c_str(), nullptr);
+            execl(program.c_str(), program.c_str(), "--instance", instance_.c_str(), "--library", library.c_str(), retained.empty() ? nullptr : "--retained", retained.c_str(), nullptr);
             _exit(127);
         }
     }
@@ -109,6 +111,61 @@ TEST_F(PlcProcess, BuilderExampleWorks) {
     ASSERT_TRUE(cycle());
     EXPECT_EQ(outputs.signal[signals::cp_mfin(1)], 1);
     EXPECT_EQ(outputs.output[0], 1);
+}
+
+// A PLC is started twice beside a store; what it finds the second time.
+class PlcKeeps : public PlcProcess {
+protected:
+    void TearDown() override {
+        PlcProcess::TearDown();
+        std::filesystem::remove_all(folder_);
+    }
+    void life(std::int64_t n1274, int cycles = 3) {
+        std::filesystem::create_directories(folder_);
+        params::put((*store_).parameters.draft(), params::n1274_plc_prgconfig, n1274);
+        (*store_).parameters.publish();
+        inputs = {}, outputs = {}, cycle_ = 0;
+        (*kernel_).plc_inputs.write(PlcInputs{});
+        plc_ = {};
+        start(POLYTURN_BIN_DIR "/keeping_plc.so", folder_ + "/plc.retained");
+        attach();
+        for (int i = 0; i < cycles; ++i) {
+            ASSERT_TRUE(cycle());
+            first_ = i == 0 ? outputs : first_;
+        }
+        kill(child_, SIGTERM);
+        ASSERT_TRUE(dies());
+        EXPECT_TRUE(WIFEXITED(status_) && WEXITSTATUS(status_) == 0);
+    }
+    int starts() const { return std::count(outputs.output.begin(), outputs.output.begin() + 8, 1); }
+    int counted() const { return std::count(outputs.output.begin() + 16, outputs.output.begin() + 24, 1); }
+    std::string folder_ = (std::filesystem::temp_directory_path() / ("polyturn-plc-keeps-" + std::to_string(getpid()))).string();
+    PlcOutputs first_{};
+};
+
+TEST_F(PlcKeeps, WhatItNamesOverPowerOffWhileN1274NvfIsOn) {
+    life(3);
+    EXPECT_EQ(starts(), 1);
+    life(3);
+    EXPECT_EQ(starts(), 2);
+    life(1);                       // NVF 0: the program must save by itself
+    EXPECT_EQ(starts(), 1);
+    life(3);                       // what was kept is still what the last life with NVF left
+    EXPECT_EQ(starts(), 3);
+}
+
+TEST_F(PlcKeeps, MemoryThatItReadsAndWritesItselfAtOnceOneInACycleOrQueued) {
+    life(0);                       // nothing was written yet: both blocks are missing
+    EXPECT_EQ(counted(), 1);
+    life(0);                       // MRW 0: block 7 at once; block 8 in the same cycle is a timeout
+    EXPECT_EQ(counted(), 2);
+    EXPECT_EQ(first_.output[30], 1);
+    EXPECT_EQ(first_.output[31], 0);
+    EXPECT_EQ(first_.output[32], 1);
+    life(1);                       // MRW 1: queued, both in the next cycle
+    EXPECT_EQ(counted(), 3);
+    EXPECT_EQ(first_.output[16 + 2], 0) << "not yet in the cycle that asks";
+    EXPECT_EQ(first_.output[30] + first_.output[31] + outputs.output[32], 0);
 }
 
 struct Fault { const char* library; bool signal; int number; };
