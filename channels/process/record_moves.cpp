@@ -6,6 +6,7 @@
 
 #include "channels/process/record_place.hpp"
 #include "channels/process/record_sink.hpp"
+#include "ipc/image/compensated_flag.hpp"
 #include "ipc/machine/named_inputs.hpp"
 
 namespace polyturn::channels {
@@ -221,6 +222,7 @@ void RecordSink::add(const Move& move, const BlockContext& at, bool told, std::u
     if (move.exact_stop) r.flags |= kExactStop;
     if (move.in_position) r.flags |= kExactStop | kInPosition;
     if (move.override_locked) r.flags |= kOverrideLocked;
+    if (at.comp != CompSide::Off) r.flags |= kCompensated;
     if (maker_->length_of_next() > 0) {
         r.note = told ? note_move(move, at) : number;
         if (move.kind == MoveKind::Skip && r.note) skip_ = {r.note, move, at, std::string(at.tool.name), std::string(at.cycle), std::string(move.skip_name)};

@@ -43,6 +43,7 @@ AxisConfig read_axis(const p::Table& t, unsigned a) {
     const double unit = inch ? kMmPerInch : 1.0;
     axis.inch = inch;
     axis.rapid = p::get(t, p::n0304_rapid, a) * unit / 60.0;
+    axis.rapid_share = static_cast<double>(p::get(t, p::n0422_rapid_reduct_ratio, a)) / 100.0;
     axis.max_feed = p::get(t, p::n0305_max_feed, a) * unit / 60.0;
     axis.manual_rapid = p::get(t, p::n0314_manual_rapid, a) * unit / 60.0;
     axis.jog_max_feed = p::get(t, p::n0315_jog_max_feed, a) * unit / 60.0;
@@ -96,6 +97,8 @@ ChannelConfig read_channel(const p::Table& t, unsigned l) {
     channel.default_feed_rev = p::get(t, p::n0301_default_f_g95, l) * unit;
     channel.per_revolution = p::bit(t, p::n1301_defaultg2, l, 0);
     channel.stroke = read_channel_stroke(t, l);
+    channel.rapid_overlaps = p::bit(t, p::n0421_acc_contr, l, 0);
+    channel.looks_one_block_ahead = !p::bit(t, p::n1301_defaultg2, l, 6);
     channel.in_position_at_rapid_end = p::bit(t, p::n1337_execution_config, l, 0);
     if (channel.group >= 1 && channel.group <= kMaxGroups) {
         channel.wait_timeout_s = p::get(t, p::pt_wait_timeout, channel.group);
@@ -123,6 +126,16 @@ void read_config(const params::Table& t, KernelConfig& config, bool first) {
             if (config.spindles[s - 1].exists && p::get(t, p::n0603_spindle_output_address, s) == address) axis.on_spindle = s;
     }
     for (unsigned l = 1; l <= kMaxChannels; ++l) config.channels[l - 1] = read_channel(t, l);
+    // N0421 JRK: acceleration that rises without a step of its slope. All axes of a channel wait alike, so that their path stays.
+    constexpr double kShareOfRise = 0.5;
+    for (unsigned l = 1; l <= kMaxChannels; ++l) {
+        if (!p::bit(t, p::n0421_acc_contr, l, 1)) continue;
+        double rise_s = 0;
+        for (unsigned a = 1; a <= kMaxAxes; ++a)
+            if (config.axes[a - 1].exists && config.axes[a - 1].channel == l) rise_s = std::max(rise_s, p::get(t, p::n0401_acc_tc, a));
+        for (AxisConfig& axis : config.axes)
+            if (axis.exists && axis.channel == l) axis.servo.smooth_s = kShareOfRise * rise_s;
+    }
     for (unsigned n = 1; n <= config.switches.size(); ++n) {
         PositionSwitch& sw = config.switches[n - 1];
         sw.axis = static_cast<std::uint32_t>(p::get(t, p::nth(p::n1101_sw1_axis_number, n)));

@@ -23,6 +23,7 @@ struct AxisConfig {
     bool rotary = false;
     bool inch = false;                    // its parameters are inches
     bool diameter = false;
+    double rapid_share = 0;               // N0422, part of rapid below which the next block may begin (N0421 ROL)
     std::uint32_t on_spindle = 0;         // from 1: it shares the drive of this spindle (N0503 = N0603); 0 none
     std::uint32_t channel = 0;            // from 1; 0: belongs to none
     double rapid = 0, max_feed = 0;       // mm/s
@@ -67,6 +68,8 @@ struct ChannelConfig {
     double wait_timeout_s = 0;            // 0: never
     PartnerDeath partner_death = PartnerDeath::GoOn;
     bool in_position_at_rapid_end = false;  // N1337 PCH
+    bool rapid_overlaps = false;            // N0421 ROL
+    bool looks_one_block_ahead = false;     // N1301 MBM = 0; three blocks in G41 and G42
     double parts_wanted = 0;              // N2308; 0: no end
     bool stops_at_wanted = true;          // PT_PARTS_STOP
     bool feed_waits_for_spindle = true;   // PT_FEED_WAITS

@@ -92,6 +92,9 @@ ReferenceConfig read_reference(const params::Table& t, unsigned a, double unit) 
     r.shift = get(t, n0906_reference_shift, a) * unit;
     r.position = get(t, n0200_reference_position1, a) * unit;
     r.encoder_zero = get(t, n0907_endat_machine_reference, a) * unit;
+    if (r.absolute && !r.floating) r.encoder_bits = static_cast<unsigned>(get(t, n0524_endat_resolution, a));
+    r.keeps_rounds = bit(t, n0900_reference_type, a, 6);
+    r.rounds = get(t, n0908_endat_round_number, a);
     r.alarm_distance = get(t, n0909_abs_position_alarm_distance, a) * unit;
     r.order = static_cast<std::uint32_t>(get(t, pt_ref_order, a));
     return r;

@@ -16,6 +16,7 @@ struct ServoConfig {
     double offset = 0;                    // N0506
     double drift_s = 0;                   // N0507; 0: off
     double filter_s = 0, equal_s = 0, dead_s = 0;  // T1, T2, TD
+    double smooth_s = 0;                  // N0421 JRK: over what the command is averaged, the same for all axes of a channel; 0: not
     double threshold = 0;                 // N0540
     std::int64_t multiply = 1, divide = 1;  // pulses to millionths of a unit
     bool output_inverted = false, input_inverted = false;   // N0514 MD; ID, or AD on an absolute encoder
@@ -56,6 +57,9 @@ struct ReferenceConfig {
     double shift = 0;                           // N0906
     double position = 0;                        // N0200
     double encoder_zero = 0;                    // N0907
+    unsigned encoder_bits = 0;                  // N0524, absolute encoders only; 0: it tells its whole position
+    bool keeps_rounds = false;                  // CIR
+    std::int64_t rounds = 0;                    // N0908
     // Machine position of the place where an absolute encoder shows 0.
     double absolute_origin() const noexcept { return absolute && !floating ? position - encoder_zero : 0.0; }
     double alarm_distance = 0;                  // N0909

@@ -40,6 +40,7 @@ bool AxisUnit::open(unsigned number, const AxisConfig& config, double tick_s, do
     setup.mark_periods = reference.coded ? reference.periods : 0.0;
     setup.mark_origin = reference.coded ? reference.position : reference.position - reference.shift;
     drive_ = api.open(&setup);
+    count_.begin(reference.encoder_bits, reference.keeps_rounds, reference.rounds, pulses(reference.position));
     command_ = target_ = own_command_ = own_target_ = start;
     loop_.configure(servo, tick_s);
     loop_.reset(start);
@@ -67,6 +68,7 @@ bool AxisUnit::open_direct(unsigned number, const AxisConfig& device, double tic
     setup.frequency_hz = device.servo.drive_hz;
     setup.damping = device.servo.drive_damping;
     direct_drive_ = api_->open(&setup);
+    direct_count_.begin(device.reference.encoder_bits, device.reference.keeps_rounds, device.reference.rounds, setup.start_position);
     direct_units_ = (device.servo.input_inverted ? -1.0 : 1.0) / setup.increments_per_unit;
     return direct_drive_ != nullptr;
 }
@@ -130,6 +132,18 @@ bool AxisUnit::mark_seen(double& machine) const noexcept {
     return true;
 }
 
+// What the drive has just told. An absolute encoder of few bits may at first stand in another round than the one in which the
+// axis was believed to be: then it is where the encoder says, and nothing moves.
+void AxisUnit::read_encoder() noexcept {
+    const bool first = count_.limited() && !count_.known();
+    if (!count_.known() && status_.lost != 0) return;   // nobody has answered yet
+    const double here = units(count_.take(status_.position)) + origin_ - compensation_;
+    if (!first || std::fabs(here - command_) * pulses_per_unit_ < static_cast<double>(count_.range()) / 4) return;
+    command_ = target_ = here;
+    own_command_ = own_target_ = here - added_ - overlay_;
+    loop_.reset(here);
+}
+
 void AxisUnit::exchange(double tick_s, bool powered) noexcept {
     const bool closes = powered && !requests.open && !config_.servo.open && !detached;
     if (closes && !closed_) {
@@ -143,7 +157,7 @@ void AxisUnit::exchange(double tick_s, bool powered) noexcept {
     }
     if (!closes && closed_) {
         kept_ = command_;
-        uncounted_from_ = units(status_.position);
+        uncounted_from_ = units(count_.full());
     }
     closed_ = closes;
     if (!closes) target_ = command_, own_target_ = own_command_;
@@ -160,7 +174,9 @@ void AxisUnit::exchange(double tick_s, bool powered) noexcept {
     if (resets_fault_) out.control = POLYTURN_DRIVE_FAULT_RESET;
     else if (drive_fault) out.control = POLYTURN_DRIVE_SHUTDOWN;
     out.mode = config_.servo.position_mode ? POLYTURN_DRIVE_MODE_POSITION : POLYTURN_DRIVE_MODE_VELOCITY;
-    out.target_position = closes ? pulses(target_ + compensation_) : status_.position;
+    // The drive's own count, which may be a part of ours.
+    const std::int64_t rounds_off = count_.limited() ? count_.full() - status_.position : 0;
+    out.target_position = closes && (count_.known() || !count_.limited()) ? pulses(target_ - loop_.owed() + compensation_) - rounds_off : status_.position;
     out.simulate = simulate;
     const std::uint16_t was = status_.status;
     out.brake_release = enabled;
@@ -175,10 +191,11 @@ void AxisUnit::exchange(double tick_s, bool powered) noexcept {
         api_->exchange(direct_drive_, &nothing, &direct_status_);
     }
     api_->exchange(drive_, &out, &status_);
-    const double encoder = units(status_.position);
+    read_encoder();
+    const double encoder = units(count_.full());
     if (closes) {
         const double offset = origin_ - compensation_;
-        if (direct_drive_) loop_.measured_direct(encoder + offset, static_cast<double>(direct_status_.position) * direct_units_ + offset);
+        if (direct_drive_) loop_.measured_direct(encoder + offset, static_cast<double>(direct_count_.take(direct_status_.position)) * direct_units_ + offset);
         else loop_.measured(encoder + offset);
         error_ = loop_.error();
     } else {

@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "kernel/config/kernel_config.hpp"
+#include "kernel/cyclic/encoder_count.hpp"
 #include "kernel/cyclic/position_loop.hpp"
 #include "kernel/drives/drive.h"
 
@@ -41,7 +42,7 @@ public:
     double measured() const noexcept { return loop_.position(); } // at the start of the last exchanged tick
     double error() const noexcept { return error_; }
     bool moving() const noexcept { return moving_; }
-    bool in_position() const noexcept { return !moving_ && still_ticks_ > 1 && error_ <= config_.servo.in_position && error_ >= -config_.servo.in_position; }
+    bool in_position() const noexcept { return !moving_ && still_ticks_ > 1 && loop_.owed() <= config_.servo.in_position && loop_.owed() >= -config_.servo.in_position && error_ <= config_.servo.in_position && error_ >= -config_.servo.in_position; }
     bool faulted() const noexcept { return fault_ != Fault::None; }
     Fault fault() const noexcept { return fault_; }
     double fault_value() const noexcept { return fault_value_; }
@@ -108,6 +109,8 @@ public:
     // The direct measuring device of a dual loop (N0534): the input of another axis number. Not in the cyclic thread.
     bool open_direct(unsigned number, const AxisConfig& device, double tick_s);
     void* direct_drive() const noexcept { return direct_drive_; }
+    EncoderCount& encoder() noexcept { return count_; }
+    bool answered() const noexcept { return count_.known() && status_.lost == 0; }   // its drive has told where it stands
     // Zero pulses and marks of the encoder: armed, one that passes is latched.
     void watch_mark(bool on) noexcept { mark_armed_ = on; }
     bool mark_seen(double& machine) const noexcept;        // in the last exchange: where
@@ -115,6 +118,7 @@ public:
 
 private:
     void supervise(double tick_s) noexcept;
+    void read_encoder() noexcept;
     [[nodiscard]] std::int64_t pulses(double machine) const noexcept;
     [[nodiscard]] double units(std::int64_t pulses) const noexcept;
     AxisConfig config_;
@@ -131,6 +135,7 @@ private:
     void* direct_drive_ = nullptr;
     double direct_units_ = 0;                              // of a pulse of the direct device
     PolyturnDriveStatus direct_status_{};
+    EncoderCount count_, direct_count_;
     double uncounted_from_ = 0;                            // encoder when it stopped counting
     std::int64_t still_ticks_ = 2;
     double not_on_s_ = 0;                                  // it should operate and does not

@@ -141,7 +141,7 @@ void ChannelRunner::finish_reset() noexcept {
     planner_->clear(cursor_);
     step_ = {};
     step_.record = cursor_;
-    flying_ = kNoRecord;
+    flying_ = early_ = kNoRecord;
     cut_ = {};
     phase_ = Phase::None;
     at_boundary_ = true;

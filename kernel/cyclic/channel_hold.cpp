@@ -72,7 +72,7 @@ void ChannelRunner::discard() noexcept {
     planner_->clear(cursor_);
     step_ = {};
     step_.record = cursor_;
-    flying_ = kNoRecord;
+    flying_ = early_ = kNoRecord;
     phase_ = Phase::None;
     at_boundary_ = true;
     thread_moving_ = thread_committed_ = false;

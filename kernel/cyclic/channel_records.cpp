@@ -36,7 +36,7 @@ void ChannelRunner::execute_standing(double& left) noexcept {
             file_ = r.file;
             begun_ = true;
             phase_since_ = core_.tick;
-            if (!is_motion(r)) begin_record(r, (1.0 - left) * core_.config.tick_s);
+            if (!is_motion(r) && early_ != cursor_) begin_record(r, (1.0 - left) * core_.config.tick_s);
         }
         if (cursor_ == cut_.record) {  // nothing of it may be driven, or it is a thread, which cannot stand within
             if (interrupted_) return;
@@ -215,30 +215,42 @@ bool ChannelRunner::drive_is_coming() const noexcept {
     return false;
 }
 
+namespace {
 // M, S and T go to the PLC: a new number in the strobe register is a new code, the same number in the answer finishes it.
-bool ChannelRunner::handshake(const PathRecord& r) noexcept {
-    struct Lines {
-        NcSignal strobe, code;
-        PlcSignal finished;
-    };
-    const auto& letters = core_.config.channels[index_].aux_letters;
+struct Lines {
+    NcSignal strobe, code;
+    PlcSignal finished;
+};
+Lines lines_of(const PathRecord& r, const std::array<char, 3>& letters) noexcept {
     const NcSignal second = r.code == letters[2] ? signals::cn_aux3c : r.code == letters[1] ? signals::cn_aux2c : signals::cn_aux1c;
-    const Lines lines = r.code == 'S' ? Lines{signals::cn_sstr, signals::cn_scode, signals::cp_sfin}
-                      : r.code == 'T' ? Lines{signals::cn_tstr, signals::cn_tcode, signals::cp_tfin}
-                      : r.code == 'M' ? Lines{signals::cn_mstr, signals::cn_mcode, signals::cp_mfin}
-                                      : Lines{signals::cn_bstr, second, signals::cp_bfin};
+    return r.code == 'S' ? Lines{signals::cn_sstr, signals::cn_scode, signals::cp_sfin}
+         : r.code == 'T' ? Lines{signals::cn_tstr, signals::cn_tcode, signals::cp_tfin}
+         : r.code == 'M' ? Lines{signals::cn_mstr, signals::cn_mcode, signals::cp_mfin}
+                         : Lines{signals::cn_bstr, second, signals::cp_bfin};
+}
+}  // namespace
+
+void ChannelRunner::strobe(const PathRecord& r) noexcept {
+    const Lines lines = lines_of(r, core_.config.channels[index_].aux_letters);
+    strobe_ = core_.signals.nc(lines.strobe(number_)) + 1;
+    if (r.code == 'T' && ToolDesk::managed(core_)) core_.tools.show(core_, index_);
+    else if (r.code == 'T') core_.signals.set_nc(signals::cn_mgzno(number_), 0);
+    core_.signals.set_nc(lines.code(number_), static_cast<std::int32_t>(std::lround(r.value)));
+    core_.signals.set_nc(lines.strobe(number_), strobe_);
+}
+
+bool ChannelRunner::handshake(const PathRecord& r) noexcept {
+    const Lines lines = lines_of(r, core_.config.channels[index_].aux_letters);
     const bool managed = r.code == 'T' && ToolDesk::managed(core_);
     if (managed && phase_ != Phase::Handshake && !tool_is_known(r)) return false;
     if (phase_ != Phase::Handshake) {
         if (unfinished_ && core_.signals.plc(lines.finished(number_)) != core_.signals.nc(lines.strobe(number_))) return false;   // the code before is still to be seen
         unfinished_ = (control_ & kControlNoFinish) != 0 || (r.flags & kBesidePath) != 0;
         phase_ = Phase::Handshake;
-        strobe_ = core_.signals.nc(lines.strobe(number_)) + 1;
-        if (managed) core_.tools.show(core_, index_);
-        else if (r.code == 'T') core_.signals.set_nc(signals::cn_mgzno(number_), 0);
-        core_.signals.set_nc(lines.code(number_), static_cast<std::int32_t>(std::lround(r.value)));
-        core_.signals.set_nc(lines.strobe(number_), strobe_);
-        return false;
+        if (std::exchange(early_, kNoRecord) != cursor_) {
+            strobe(r);
+            return false;
+        }
     }
     if (!unfinished_ && core_.signals.plc(lines.finished(number_)) != strobe_) return false;
     if (managed) {
@@ -359,7 +371,7 @@ bool ChannelRunner::position_spindle(const PathRecord& r) noexcept {
     if (phase_ != Phase::Spindle) {
         if (!take_spindle(number, false)) return false;
         const auto how = static_cast<SpindleApproach>(r.plane[0]);
-        if (!core_.spindles[number - 1].demand_position(how == SpindleApproach::Incremental ? r.shape[2] : r.value, how)) {
+        if (!core_.spindles[number - 1].demand_position(how == SpindleApproach::Incremental ? r.shape[2] : r.value, how, r.feed)) {
             raise(Alarm::SpindleNotClosed, name_of('S', number - 1).view());
             return false;
         }

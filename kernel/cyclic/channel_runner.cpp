@@ -37,6 +37,7 @@ void ChannelRunner::attach(const ChannelSegment& segment) {
     outbox_count_ = 0;
     limit_ = ~0ull;
     rung_at_ = 0;
+    early_ = kNoRecord;
     at_boundary_ = true;
     phase_ = Phase::None;
     begun_ = hold_ = dead_ = stopped_ = resetting_ = interrupted_ = alarm_ = false;
@@ -108,13 +109,25 @@ void ChannelRunner::take_keys() noexcept {
     if (control_ & kControlNoSingleBlock) keys &= ~static_cast<std::uint32_t>(kKeySingleBlock);
 }
 
+// N1301 MBM 0: of what is prepared the path knows the running block and the next one, three with nose-radius compensation. A
+// thread counts as one block: it starts when all of it is known.
+std::uint64_t ChannelRunner::end_of_few_blocks(std::uint64_t most) const noexcept {
+    std::uint64_t end = cursor_;
+    unsigned left = cursor_ < most && (record(cursor_).flags & kCompensated) ? 4 : 2;
+    for (; end < most && left > 0; ++end) {
+        const std::uint32_t flags = record(end).flags;
+        if ((flags & kBlockEnd) && !((flags & kThread) && !(flags & kThreadEnd))) --left;
+    }
+    return end;
+}
+
 void ChannelRunner::supply() noexcept {
     if (!segment_) return;
     take_keys();
     drop_old_epochs();
     const auto head = segment_->path.head.load(std::memory_order_acquire);
     if (!dead_ && !stopped_) limit_ = std::min(head, cursor_ + core_.config.horizon);
-    visible_end_ = limit_;
+    visible_end_ = core_.config.channels[index_].looks_one_block_ahead ? end_of_few_blocks(limit_) : limit_;
     judge_stroke_anew();
     while (planner_->wants_record() && planner_->next_record() < visible_end_) {
         const PathRecord& r = record(planner_->next_record());
@@ -266,6 +279,7 @@ void ChannelRunner::drive() noexcept {
     moving_rapid_ = (r.flags & kRapid) != 0;
     cursor_record_ = cursor_;
     if (step_.s > 0) place_axes(r, step_.s);
+    begin_function_early();
     line_ = r.line;
     block_ = r.block;
     file_ = r.file;

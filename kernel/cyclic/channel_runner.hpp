@@ -38,6 +38,9 @@ public:
 
     // --- once a tick, in this order ---
     void supply() noexcept;
+    void begin_function_early() noexcept;
+    void strobe(const PathRecord& r) noexcept;
+    [[nodiscard]] std::uint64_t end_of_few_blocks(std::uint64_t most) const noexcept;
     void run() noexcept;
     void release_wait() noexcept;   // the meeting took place
     void after_waits(std::span<ChannelRunner* const> all) noexcept;  // messages and alarms of those that still wait
@@ -311,6 +314,7 @@ private:
     std::uint64_t cursor_record_ = 0, tapped_ = kNoRecord;   // record that is placed; and the last tapping one of them
     double tap_from_ = 0;                  // revolutions at which that began
     std::int32_t strobe_ = 0;
+    std::uint64_t early_ = kNoRecord;      // this function has begun while the rapid move before it still brakes (N0421 ROL)
     std::uint32_t warned_ = 0;             // partners of this wait that the operator was told about
     std::uint64_t events_sent_ = 0, rung_at_ = 0;
     std::int32_t resets_ = 0;

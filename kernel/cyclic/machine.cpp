@@ -45,11 +45,7 @@ void Machine::start() {
         open_axis(a, at);
         open_direct_device(a);
         core_.axes[a].referenced = options.ready != 0 || reference.absolute;
-        // Moved while off, its encoder decoupled or its battery empty (10.4): the operator says that it is right.
-        if (reference.absolute && !reference.floating && reference.alarm_distance > 0 && std::isfinite(left_at) && std::fabs(at - was_at) > reference.alarm_distance) {
-            core_.axes[a].referenced = false;
-            core_.alarm(Alarm::EncoderMoved, core_.config.axes[a].channel, std::string_view(core_.config.axes[a].name.data()), at - was_at);
-        }
+        check_absolute(a, at);
     }
     for (unsigned s = 0; s < kMaxSpindles; ++s)
         open_spindle(s);
@@ -257,6 +253,7 @@ void Machine::run_axes() noexcept {
         lubricated_[a] += std::fabs(axis.target() - axis.command());
         const bool lent = axis.config().on_spindle && !core_.shared_axes[a].has_drive;
         axis.exchange(core_.config.tick_s, core_.state != MachineState::Off && !lent);
+        watch_absolute(a);
         if (axis.faulted() && !was_faulted) axis_fault(a);
         watch_fixed_stop(a);
         core_.signals.set_nc(signals::an_inpos(a + 1), axis.in_position());

@@ -117,6 +117,8 @@ private:
     void reference_gantry(std::uint32_t master) noexcept;
     void stop_homing() noexcept;
     void watch_drive_reference(std::uint32_t axis) noexcept;
+    void check_absolute(std::uint32_t axis, double at) noexcept;
+    void watch_absolute(std::uint32_t axis) noexcept;
     void guard_stroke(std::uint32_t axis) noexcept;
     void attach_and_detach(std::uint32_t axis) noexcept;
     void position_signals() noexcept;
@@ -218,6 +220,7 @@ private:
     std::array<double, kMaxChannels + 1> program_time_{};
     std::array<double, kMaxAxes> wheel_left_{};        // collected pulses that wait for the axis, mm
     std::array<bool, kMaxAxes> to_reference_{};        // wanted, and not begun: an axis of a lower order comes first
+    std::array<bool, kMaxAxes> absolute_seen_{};       // its encoder has told where the axis stands
     std::array<bool, kMaxAxes> drive_ready_{};         // AP_RPE at the last tick
     std::array<double, kMaxAxes> lubricated_{};        // travel since AN_LUBR, mm
     struct Watch {

@@ -23,6 +23,8 @@ void PositionLoop::configure(const ServoConfig& config, double tick_s) noexcept 
 void PositionLoop::reset(double position) noexcept {
     command_ = p1_ = p2_ = pe_ = slide_ = filtered_ = model_ = position;
     delay_.fill(position);
+    past_.fill(position);
+    owed_ = 0;
     v1_ = error_ = correction_ = 0;
     still_ticks_ = 2;
     reversal_ = start_ = {};
@@ -32,6 +34,7 @@ void PositionLoop::reset(double position) noexcept {
 void PositionLoop::shift(double by) noexcept {
     for (double* p : {&command_, &p1_, &p2_, &pe_, &slide_, &filtered_, &model_}) *p += by;
     for (double& p : delay_) p += by;
+    for (double& p : past_) p += by;
     reversal_.from += by;
     start_.from += by;
 }
@@ -71,7 +74,27 @@ double PositionLoop::boosts(double target, double ordinary) noexcept {
     return sum;
 }
 
+// The mean of the last commands: what has steps in its third derivative has none behind it, and nothing else grows. Another
+// length acts from a standstill.
+double PositionLoop::smoothed(double target) noexcept {
+    const auto wanted = static_cast<std::uint32_t>(std::clamp<long>(std::lround(config_.smooth_s / tick_s_), 1, static_cast<long>(past_.size())));
+    if (wanted != mean_of_ && still_ticks_ > 1 && owed_ == 0) mean_of_ = wanted;
+    past_at_ = (past_at_ + 1) % static_cast<std::uint32_t>(past_.size());
+    past_[past_at_] = target;
+    if (mean_of_ <= 1) return owed_ = 0, target;
+    bool same = true;
+    double sum = 0;   // of what the commands lie off the newest one: nothing is left when they are alike
+    for (std::uint32_t n = 0; n < mean_of_; ++n) {
+        const double p = past_[(past_at_ + past_.size() - n) % past_.size()];
+        sum += p - target;
+        same = same && p == target;
+    }
+    owed_ = same ? 0.0 : -sum / mean_of_;
+    return target - owed_;
+}
+
 double PositionLoop::speed(double target, bool rapid) noexcept {
+    target = smoothed(target);
     fed_forward_ = config_.feedforward > 0 && (!rapid || config_.feedforward_in_rapid);
     double e = error_ + config_.offset + drift_;
     if (e != 0 && std::fabs(e) <= config_.threshold) e = std::copysign(config_.threshold, e);

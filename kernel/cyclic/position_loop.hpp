@@ -1,7 +1,8 @@
 // The position loop of one axis: from the command of a tick to the speed that the drive is asked for, with what it knows of
 // filters, feed-forward, play and sticking; and the judge of the following error (nct_parameters_part1 7.2, 7.6 to 7.8).
 //
-//   cmd --LP T1--> p1 --LP T2, delay TD--> pe --(-)--> e --K, threshold--> + --> speed
+//   cmd --mean (N0421 JRK)----> c
+//   c --LP T1--> p1 --LP T2, delay TD--> pe --(-)--> e --K, threshold--> + --> speed
 //                  |                        act -'                         |
 //                  '--- A (dp1/dt + 2d/w d2p1/dt2) ------------------------'   + reversal and start boosts
 //
@@ -33,6 +34,7 @@ public:
     void measured_direct(double motor, double slide) noexcept;   // dual loop (7.9)
 
     double position() const noexcept { return slide_; }          // measured, play taken out
+    double owed() const noexcept { return owed_; }               // what of the command it has not led it yet (N0421 JRK)
     double error() const noexcept { return error_; }             // of the command and measurement of the same moment
     double model_error() const noexcept { return slide_ - model_; }
     bool standing() const noexcept { return still_ticks_ > standing_ticks_; }
@@ -51,6 +53,7 @@ private:
     double boosts(double target, double ordinary) noexcept;
     double faded(Boost& boost) noexcept;
     double compensated(double position) noexcept;
+    double smoothed(double target) noexcept;
 
     ServoConfig config_;
     double tick_s_ = 0.001, lag_s_ = 0;
@@ -58,6 +61,9 @@ private:
     double p1_ = 0, v1_ = 0, p2_ = 0, pe_ = 0;
     std::array<double, 128> delay_{};    // p2 of the last ticks
     std::uint32_t delay_at_ = 0;
+    std::array<double, 64> past_{};      // commands of the last ticks, for their mean
+    std::uint32_t past_at_ = 0, mean_of_ = 1;
+    double owed_ = 0;
     double slide_ = 0, error_ = 0, filtered_ = 0, model_ = 0, drift_ = 0, correction_ = 0;
     double play_ = 0;                    // present share of N0523
     std::int32_t direction_ = 0;         // of the last motion

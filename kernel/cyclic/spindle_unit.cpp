@@ -90,7 +90,10 @@ double SpindleUnit::wanted(const SpindleInput& in) const noexcept {
     return in.rotation == kRight ? rpm : -rpm;
 }
 
-bool SpindleUnit::demand_position(double degrees, SpindleApproach how) noexcept {
+bool SpindleUnit::demand_position(double degrees, SpindleApproach how, double feed_rev_s) noexcept {
+    // At rapid N0320, or at a feed, which N0328 holds.
+    const double fastest = range().feed_max > 0 ? range().feed_max : range().rapid;
+    if (closed()) positioner_.limits({feed_rev_s > 0 ? std::fmin(feed_rev_s, fastest) : range().rapid, range().acceleration, range().jerk});
     in_position_ = false;
     waited_s_ = 0;
     if (how == SpindleApproach::Incremental) {

@@ -65,7 +65,7 @@ public:
     void limit_surface_speed(double rpm) noexcept { surface_limit_ = rpm; }
     // An angle in degrees from zero pulse + grid shift, or a way in degrees. A loop that is open takes an angle as the place
     // where it will be oriented; false: only a closed loop can be told a way.
-    bool demand_position(double degrees, SpindleApproach how) noexcept;
+    bool demand_position(double degrees, SpindleApproach how, double feed_rev_s = 0) noexcept;
     void watch_fluctuation(bool on, double time_s, double start_percent, double percent, double rpm) noexcept { watch_.fluctuation(on, time_s, start_percent, percent, rpm); }
     Mode mode() const noexcept { return mode_; }
     std::uint32_t surface_axis() const noexcept { return surface_axis_; }  // from 0

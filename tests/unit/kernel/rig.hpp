@@ -22,7 +22,7 @@ class TickRig {
 public:
     static constexpr double kVelocity = 200.0, kAcceleration = 2000.0, kJerk = 40'000.0;  // every axis
 
-    explicit TickRig(const std::function<void(params::Table&, RunOptions&)>& adjust = {}) {
+    explicit TickRig(const std::function<void(params::Table&, RunOptions&)>& adjust = {}, const std::function<void(StoreSegment&)>& keep = {}) {
         params::set_defaults(store->parameters.draft());
         params::Table& t = store->parameters.draft();
         for (unsigned l = 1; l <= kMaxChannels; ++l) params::put(t, params::n0000_machine_group, 0, l);
@@ -51,6 +51,7 @@ public:
         supervisor->options.ready = 1;
         if (adjust) adjust(t, supervisor->options);
         store->parameters.publish();
+        if (keep) keep(*store);
         machine = std::make_unique<Machine>(*kernel, *supervisor, *store);
         EXPECT_TRUE(store->parameters.read(machine->core().table));
         machine->start();
