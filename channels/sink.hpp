@@ -139,6 +139,7 @@ struct Spindle {
     double limit = 0.0;             // 1/min; 0 none
     SpindleApproach approach = SpindleApproach::Shortest;   // Position
     double way = 0.0;               // Position, Incremental: degrees; `value` is where it leads
+    double feed_rpm = 0.0;          // Position: how fast; 0: in rapid
     std::array<double, 4> watch{};  // Watch: seconds, % to begin with, %, 1/min; NaN: the parameter's
     // Couple: `follower` (a machine axis from 0, or kMaxAxes + spindle from 0) makes `turns` for `master_turns` of `spindle`;
     // Uncouple: it is free again. cutter: its direction is the sign of `turns`, whichever way the master turns.

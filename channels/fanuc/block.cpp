@@ -22,8 +22,13 @@ std::string g_name(double value) {
 bool Interpreter::classify() {
     coded_groups_ = 0;
     m_count_ = axis_word_count_ = g_count_ = comma_count_ = 0;
+    spindle_words_ = false;
     for (unsigned i = 0; i < block_.count; ++i) {
         const Word& word = block_.words[i];
+        if (word.axis >= kSpindleWord) {
+            spindle_words_ = true;
+            continue;
+        }
         if (word.axis >= 0) {
             if (axis_word_count_ < axis_words_.size()) axis_words_[axis_word_count_++] = static_cast<std::uint8_t>(i);
             continue;
@@ -89,13 +94,15 @@ bool Interpreter::check_words() {
     if (m_count_) taken |= letter_set("PQL");
     if (settings_.offsets_by_g || core_.view().config().kind == ChannelKind::Mill) taken |= letter_set("D");
     if (drilling_ && !(coded_groups_ & bit_of(GGroup::OneShot))) taken |= letter_set("RQPLKEIJ") | axis_letters_;
+    if (length_word()) taken |= letter_set("H");
     if (parameter_input_) taken |= letter_set("NPR");
     if (life_.mode) taken |= letter_set("NPLQT");
     for (unsigned k = 0; k < m_count_; ++k)
         if (block_.words[m_words_[k]].value == settings_.interrupt.on) taken |= letter_set("P");
     for (const char letter : settings_.aux_letters)
         if (letter) taken |= letter_bit(letter);
-    for (const auto& address : settings_.spindle_addresses) taken |= letter_bit(address.letter);
+    for (const auto& address : settings_.spindle_addresses)
+        if (address.name.size() == 1) taken |= letter_bit(address.name[0]);
     bool calls = false;
     for (unsigned k = 0; k < m_count_; ++k) calls = calls || block_.words[m_words_[k]].value == 98;
     if (block_.name_length && !calls) {
@@ -107,6 +114,11 @@ bool Interpreter::check_words() {
     if (!extra) return true;
     const char letter = static_cast<char>('A' + __builtin_ctz(extra));
     return core_.fail(Alarm::AddressIllegal, letter, std::string(1, letter));
+}
+
+bool Interpreter::length_word() const {
+    const GCode* active = active_[static_cast<std::size_t>(GGroup::Length)];
+    return settings_.power_on_length != 0 && !(coded_groups_ & bit_of(GGroup::Length)) && block_.has('H') && !(axis_letters_ & letter_bit('H')) && active && (active->tenths == 430 || active->tenths == 440);
 }
 
 Step Interpreter::nc_block() {
@@ -226,6 +238,7 @@ bool Interpreter::act() {
         if (!(this->*row->act)(*row)) return false;
         active_[static_cast<std::size_t>(row->group)] = row;
     }
+    if (length_word() && !g_length(*active_[static_cast<std::size_t>(GGroup::Length)])) return false;
     const GCode* one_shot = coded_groups_ & bit_of(GGroup::OneShot) ? coded_[static_cast<std::size_t>(GGroup::OneShot)] : nullptr;
     if (one_shot && one_shot->tenths != 40) cycle_set_ = 0, cycle_taper_ = 0.0;
     if (coded_groups_ & bit_of(GGroup::Motion)) {
@@ -245,9 +258,10 @@ bool Interpreter::act() {
         active_[static_cast<std::size_t>(GGroup::Surface)] = row;
     }
     constexpr std::uint32_t kFunctions = letter_set("STMBACUVWDEH");
-    const bool functions = (block_.letters & kFunctions & ~axis_letters_) != 0;
+    const bool functions = (block_.letters & kFunctions & ~axis_letters_) != 0 || spindle_words_;
     if (functions) {
         if (block_.has('S') && !spindle_word()) return false;
+        if (spindle_words_ && !named_spindles()) return false;
         if (block_.has('T') && !gear_block() && !tool_word()) return false;
         if (!m_before()) return false;
     } else if (coded_groups_ & bit_of(GGroup::Surface)) {

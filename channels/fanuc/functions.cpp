@@ -42,6 +42,18 @@ bool Interpreter::spindle_word() {
     return true;
 }
 
+// S2=3200: the speed of a spindle by its name; M3, M4, M5 and M19 mean it until a plain S.
+bool Interpreter::named_spindles() {
+    for (unsigned i = 0; i < block_.count; ++i) {
+        const Word& word = block_.words[i];
+        if (word.axis < kNamedSpindle) continue;
+        const auto& [name, spindle] = settings_.spindle_names[static_cast<std::size_t>(word.axis - kNamedSpindle)];
+        if (!core_.named_spindle(spindle, word.value)) return false;
+        if (settings_.s_drains) wants_barrier_ = true;
+    }
+    return true;
+}
+
 bool Interpreter::tool_word() {
     std::int64_t value = 0;
     if (!whole('T', value)) return false;
@@ -187,14 +199,21 @@ bool Interpreter::m_before() {
         if (acts_late(word.value, core_.view().machine)) continue;
         if (!function_code(word, false)) return false;
     }
-    for (const auto& [letter, spindle] : settings_.spindle_addresses) {
-        if (!block_.has(letter) || (axis_letters_ & letter_bit(letter))) continue;
-        if (!core_.spindle_angle(spindle, block_.value(letter), !absolute_)) return false;
+    // G1: with F in degrees a minute.
+    const double rpm = motion_->tenths == 10 && core_.path.feed_mode == FeedMode::PerMinute ? core_.path.feed / unit_ / 360.0 : 0.0;
+    for (const auto& [name, spindle] : settings_.spindle_addresses) {
+        if (name.size() != 1 || !block_.has(name[0]) || (axis_letters_ & letter_bit(name[0]))) continue;
+        if (!core_.spindle_angle(spindle, block_.value(name[0]), !absolute_, rpm)) return false;
     }
-    for (const char letter : settings_.aux_letters) {
+    for (unsigned i = 0; spindle_words_ && i < block_.count; ++i)
+        if (const Word& word = block_.words[i]; word.axis >= kSpindleWord && word.axis < kNamedSpindle && !core_.spindle_angle(settings_.spindle_addresses[static_cast<std::size_t>(word.axis - kSpindleWord)].spindle, word.value, !absolute_, rpm))
+            return false;
+    for (std::size_t n = 0; n < settings_.aux_letters.size(); ++n) {
+        const char letter = settings_.aux_letters[n];
         if (!letter || !block_.has(letter) || (axis_letters_ & letter_bit(letter))) continue;
         const double value = block_.value(letter);
-        core_.aux(letter, value, fmt::format("{}{}", letter, value), false);
+        core_.aux(letter, value, fmt::format("{}{}", letter, value), settings_.aux_drains[n]);
+        if (settings_.aux_drains[n]) wants_barrier_ = true;
     }
     return true;
 }
@@ -208,7 +227,7 @@ bool Interpreter::function_code(const Word& word, bool late) {
     }
     if (code == settings_.interrupt.on || code == settings_.interrupt.off) return interrupt_code(word);
     if (late && code == 5 && !(core_.spindle_turn(SpindleTurn::Stop) && core_.commit_spindle())) return false;
-    if (code == 19 && !core_.spindle_position(0.0)) return false;
+    if (code == 19 && !(core_.path.named.spindle ? core_.spindle_angle(core_.path.named.spindle, 0.0, false) : core_.spindle_position(0.0))) return false;
     if (settings_.index_first > 0 && code >= settings_.index_first && code < settings_.index_first + settings_.index_count) {
         const double step = (code - settings_.index_first + 1) * settings_.index_angle;
         if (!core_.spindle_index(settings_.index_negative ? -step : step)) return false;

@@ -26,6 +26,8 @@ Interpreter::Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles
         if (name.size() == 1) absolute_axis_[static_cast<std::size_t>(name[0] - 'A')] = static_cast<std::int8_t>(i);
         else has_long_names = true;
     }
+    for (const auto& address : settings_.spindle_addresses) has_long_names |= address.name.size() > 1;
+    has_long_names |= !settings_.spindle_names.empty();
     static constexpr char kIncrements[][2] = {{'U', 'X'}, {'V', 'Y'}, {'W', 'Z'}, {'H', 'C'}};
     for (const auto& [increment, axis] : kIncrements) {
         if (settings_.mefi) break;
@@ -63,6 +65,8 @@ void Interpreter::clear_modal() {
     unit_ = inch_ ? 25.4 : 1.0;
     absolute_ = settings_.system == kA || !settings_.power_on_incremental;
     if (settings_.system != kA) choose(absolute_ ? 900 : 910);
+    if (settings_.power_on_length) choose(settings_.power_on_length);
+    core_.helix_in_plane(settings_.helix_in_plane);
     const bool per_revolution = settings_.power_on_per_revolution;
     if (settings_.system == kA) choose(per_revolution ? 990 : 980);
     else choose(per_revolution ? 950 : 940);
@@ -433,15 +437,17 @@ bool Interpreter::block_skip(unsigned number) { return core_.port().block_skip(n
 std::size_t Interpreter::axis_name(const char* at, const char* end, int& axis) {
     const MachineView& view = core_.view();
     std::size_t longest = 0;
-    for (unsigned i = 0; i < view.axis_count; ++i) {
-        const std::string_view name = view.axes[i].name;
-        if (name.size() < 2 || name.size() <= longest || static_cast<std::size_t>(end - at) <= name.size()) continue;
+    const auto look = [&](std::string_view name, int place) {
+        if (name.size() < 2 || name.size() <= longest || static_cast<std::size_t>(end - at) <= name.size()) return;
         bool same = true;
         for (std::size_t k = 0; k < name.size(); ++k) same = same && (at[k] == name[k] || at[k] == name[k] + 32);
         // A name that ends in a digit must be followed by '='.
         if (same && is_digit(name.back()) && at[name.size()] != '=') same = false;
-        if (same) longest = name.size(), axis = static_cast<int>(i);
-    }
+        if (same) longest = name.size(), axis = place;
+    };
+    for (unsigned i = 0; i < view.axis_count; ++i) look(view.axes[i].name, static_cast<int>(i));
+    for (std::size_t i = 0; i < settings_.spindle_addresses.size(); ++i) look(settings_.spindle_addresses[i].name, kSpindleWord + static_cast<int>(i));
+    for (std::size_t i = 0; i < settings_.spindle_names.size(); ++i) look(settings_.spindle_names[i].name, kNamedSpindle + static_cast<int>(i));
     return longest;
 }
 

@@ -233,6 +233,9 @@ private:
     void arm_interrupts(bool on);
     // S, T, M (functions.cpp)
     bool spindle_word();
+    bool named_spindles();
+    // H alone: the offset of the length compensation that holds from power-on (N1300 G43, G44).
+    bool length_word() const;
     bool tool_word();
     bool apply_tool_offsets();
     void load_nose();
@@ -349,6 +352,7 @@ private:
     // ScanHook
     Read read_value(const char*& at, const char* end, double& value) override;
     bool block_skip(unsigned number) override;
+    bool skip_sign_waits() override { return settings_.skip_sign_drains && !fresh_; }
     std::size_t axis_name(const char* at, const char* end, int& axis) override;
     // VariableHost
     VariableStatus read_system(std::int64_t number, double& value) override;
@@ -419,6 +423,9 @@ private:
     std::uint32_t coded_groups_ = 0;
     std::array<std::uint8_t, 12> m_words_{};
     std::array<std::uint8_t, kChannelAxes * 2> axis_words_{};
+    static constexpr int kSpindleWord = 64;   // Word::axis of a spindle's address of several letters: place in Settings::spindle_addresses
+    static constexpr int kNamedSpindle = 96;  // ... of a spindle's name (S2=3200): place in Settings::spindle_names
+    bool spindle_words_ = false;              // the block has such words
     unsigned m_count_ = 0, axis_word_count_ = 0, g_count_ = 0;
     std::array<std::uint8_t, 12> g_words_{};
     AxisValues target_{};

@@ -31,15 +31,26 @@ void common_settings(Settings& s, const Table& t, unsigned l) {
         }
     }
     for (unsigned spindle = 1; spindle <= kMaxSpindles; ++spindle) {
+        const auto second = get(t, n0605_spindle_name2, spindle), third = get(t, n0606_spindle_name3, spindle);
+        if (second <= 0 || !bit(t, n0607_spindle_config, spindle, 0)) continue;
+        s.spindle_names.push_back({std::string("S") + static_cast<char>(second) + (third > 0 ? std::string(1, static_cast<char>(third)) : std::string()), spindle});
+    }
+    for (unsigned spindle = 1; spindle <= kMaxSpindles; ++spindle) {
         const auto letter = get(t, n0817_spindle_axis_name1, spindle);
-        if (letter >= 'A' && letter <= 'C' && get(t, n0818_spindle_axis_name2, spindle) == 0 && bit(t, n0607_spindle_config, spindle, 0))
-            s.spindle_addresses.push_back({static_cast<char>(letter), spindle});
+        if (letter < 'A' || letter > 'C' || !bit(t, n0607_spindle_config, spindle, 0)) continue;
+        std::string name(1, static_cast<char>(letter));
+        for (const auto code : {get(t, n0818_spindle_axis_name2, spindle), get(t, n0819_spindle_axis_name3, spindle)}) {
+            if (code <= 0) break;
+            name += static_cast<char>(code);
+        }
+        s.spindle_addresses.push_back({std::move(name), spindle});
     }
     s.parts_made = get(t, n2307_no_of_machined_parts, l);
     s.parts_wanted = get(t, n2308_no_of_parts_reqrd, l);
     s.part_code = get(t, n2305_part_count_m, l);
     s.s_drains = bit(t, n1336_funct_suppr_b, l, 0);
     s.t_drains = bit(t, n1336_funct_suppr_b, l, 1);
+    for (unsigned n = 0; n < 3; ++n) s.aux_drains[n] = bit(t, n1336_funct_suppr_b, l, 2 + n);
     for (unsigned n = 1; n <= 3; ++n) s.aux_letters[n - 1] = static_cast<char>(get(t, nth(n1333_aux_fu_addr1, n), l));
     for (unsigned n = 1; n <= 16; ++n) {
         const auto low = static_cast<double>(get(t, nth(n1341_m_gr_low_1, n), l)), high = static_cast<double>(get(t, nth(n1357_m_gr_high_1, n), l));

@@ -106,13 +106,18 @@ struct Settings {
     double parts_made = 0, parts_wanted = 0;   // N2307, N2308: #3901, #3902
     double part_code = 0;                // N2305: M code that counts a part; 0: M2 and M30
     bool s_drains = false, t_drains = false;
+    bool skip_sign_drains = false;       // N1337 CBB 0: a block skip sign stops preparation
+    std::uint16_t power_on_length = 0;   // N1300 G43, G44: 430 or 440; H alone is then its offset
+    bool helix_in_plane = false;         // N1337 HEF 0: F of a helix counts in the plane of its arc
+    std::array<bool, 3> aux_drains{};    // N1336 AU1 to AU3
     std::vector<std::pair<double, double>> m_groups;     // contradictory M codes
     std::array<char, 3> aux_letters{};   // second auxiliary functions
-    struct SpindleAddress {              // N0817: the spindle is positioned under this letter while its loop is closed
-        char letter = 0;
+    struct SpindleAddress {              // N0817 to N0819: the spindle is positioned under this address while its loop is closed
+        std::string name;
         unsigned spindle = 0;
     };
     std::vector<SpindleAddress> spindle_addresses;
+    std::vector<SpindleAddress> spindle_names;   // N0605, N0606: S2=3200
     unsigned locals = 33, common_first = 100, common_last = 199;
 };
 

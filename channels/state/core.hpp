@@ -68,6 +68,13 @@ struct SpindleState {
     double angle_deg = 0.0;                 // of a positioned spindle
 };
 
+// A spindle that was last given its speed by name; feed per revolution and surface speed stay with the channel's own.
+struct NamedSpindle {
+    std::uint16_t spindle = 0;              // 0: none, M3 and its fellows mean the channel's spindle
+    double rpm = 0.0;
+    SpindleTurn turn = SpindleTurn::Stop;
+};
+
 // Which axes the feed counts, when they are not the linear ones.
 struct FeedPath {
     bool active = false;                    // false: the linear axes, and the rotary ones where they move alone
@@ -110,6 +117,7 @@ struct PathState {
     bool tap_feedforward = false, tap_own_acceleration_out = false;
     ToolState tool;
     SpindleState spindle;
+    NamedSpindle named;
 };
 
 struct ArcCall {
@@ -254,6 +262,7 @@ public:
 
     // --- nose-radius compensation (channels/compensation). While it is on, blocks are read ahead of what has been delivered:
     // the language tells the end of each block and stops at barriers when halted() says so.
+    void helix_in_plane(bool on) { helix_in_plane_ = on; }   // F of a helix counts in the plane of its arc
     void compensation_options(const compensation::Options& options);
     void update_compensation(const compensation::Options& options);   // likewise, and from the next move on while it is on
     bool compensation(CompSide side);                     // G41, G42
@@ -292,6 +301,8 @@ public:
     void signal(std::string_view name, double value) { emitted_ = true, sink_->signal(name, value, at); }
     void aux(char letter, double value, std::string_view text, bool drained, bool silent = false, ToolCallBy by = ToolCallBy::Type, std::string_view name = {});
     // What a block says about the spindle is gathered and told once, by commit_spindle().
+    // `spindle`: another one than the channel's, by its name; told at once or with the turn that follows in the block.
+    bool named_spindle(unsigned spindle, double rpm);
     bool spindle_speed(double value);                     // S word: 1/min, or m/min with G96
     bool spindle_turn(SpindleTurn turn);
     bool surface_speed(bool on);
@@ -301,7 +312,7 @@ public:
     void position_beside(bool on) { spindle_beside_ = on; }
     bool spindle_position(double degrees, SpindleApproach approach = SpindleApproach::Shortest);
     // Another spindle than the one that S means, under its own address: absolute the shorter way, or by so much.
-    bool spindle_angle(unsigned spindle, double degrees, bool incremental);
+    bool spindle_angle(unsigned spindle, double degrees, bool incremental, double feed_rpm = 0);   // 0: in rapid
     bool spindle_index(double way_deg);                   // turns the closed loop by so much, with its sign
     // An angle that is not taken modulo a turn; `way`: the loop is closed, turn it by so much.
     bool spindle_unwrapped(double degrees, std::optional<double> way_deg);
@@ -315,7 +326,7 @@ public:
     };
     GearFeed gear_feed;
     bool commit_spindle();
-    void forget_pending() { mode_changed_ = speed_changed_ = turn_changed_ = limit_changed_ = false, transformation_restored(); }   // after PathState was put back
+    void forget_pending() { mode_changed_ = speed_changed_ = turn_changed_ = limit_changed_ = named_speed_changed_ = named_turn_changed_ = false, transformation_restored(); }   // after PathState was put back
     void refresh_surface_zero();                          // G96: the zero of X may have changed
 
 private:
@@ -406,6 +417,9 @@ private:
     AxisSet skip_moved_ = 0;
     AxisValues skip_target_{}, skip_point_{};
     bool mode_changed_ = false, speed_changed_ = false, turn_changed_ = false, limit_changed_ = false;
+    bool helix_in_plane_ = false;
+    double position_feed_rpm_ = 0;
+    bool named_speed_changed_ = false, named_turn_changed_ = false;
 };
 
 }  // namespace polyturn::channels

@@ -168,9 +168,15 @@ void Core::tell_feed_path() {
     const FeedPath& by = path.feed_path;
     move_.feed_scale = by.scale;
     move_.speed_limit = 0.0;
-    if (!by.active) return;
     const bool arc = move_.kind == MoveKind::ArcCw || move_.kind == MoveKind::ArcCcw;
     const double arc_length = arc ? move_.radius * std::fabs(move_.sweep) : 0.0;
+    if (helix_in_plane_ && arc && !by.active && arc_length > kSame) {
+        double beside2 = 0.0;   // of the axes that go along with the arc
+        for (unsigned i = 0; i < view_->axis_count; ++i)
+            if (i != move_.plane_p && i != move_.plane_q && !view_->axes[i].rotary) beside2 += std::pow(move_.machine[i] - move_.machine_start[i], 2);
+        move_.feed_scale *= std::sqrt(arc_length * arc_length + beside2) / arc_length;
+    }
+    if (!by.active) return;
     double linear2 = 0.0, rotary2 = 0.0, counted2 = 0.0;
     bool linear = false;
     std::array<double, kChannelAxes> way{};

@@ -31,13 +31,29 @@ bool Core::spindle_speed(double value) {
     SpindleState& s = path.spindle;
     if (s.spindle == 0) return fail(Alarm::SpindleMissing, 'S');
     if (value < 0) return fail(Alarm::NegativeSign, 'S', "S");
+    path.named = {};
     (s.mode == SpindleModeCode::SurfaceSpeed ? s.surface_m_min : s.rpm) = value;
     s.commanded = true;
     speed_changed_ = true;
     return true;
 }
 
+bool Core::named_spindle(unsigned spindle, double rpm) {
+    if (rpm < 0) return fail(Alarm::NegativeSign, 'S', "S");
+    if (spindle == path.spindle.spindle && path.spindle.mode == SpindleModeCode::Rpm) return spindle_speed(rpm);
+    if (!commit_spindle()) return false;   // several in one block
+    if (spindle != path.named.spindle) path.named = {static_cast<std::uint16_t>(spindle), 0.0, SpindleTurn::Stop};
+    path.named.rpm = rpm;
+    named_speed_changed_ = true;
+    return true;
+}
+
 bool Core::spindle_turn(SpindleTurn turn) {
+    if (path.named.spindle != 0) {
+        path.named.turn = turn;
+        named_turn_changed_ = true;
+        return true;
+    }
     SpindleState& s = path.spindle;
     if (s.spindle == 0) return fail(Alarm::SpindleMissing, 'M');
     s.turn = turn;
@@ -73,11 +89,13 @@ bool Core::spindle_limit(double rpm) {
 
 bool Core::spindle_position(double degrees, SpindleApproach approach) { return spindle_to(degrees, approach, 0.0); }
 
-bool Core::spindle_angle(unsigned spindle, double degrees, bool incremental) {
+bool Core::spindle_angle(unsigned spindle, double degrees, bool incremental, double feed_rpm) {
+    position_feed_rpm_ = feed_rpm;
     const auto meant = path.spindle.spindle;
     path.spindle.spindle = static_cast<decltype(path.spindle.spindle)>(spindle);
     const bool done = incremental ? spindle_to(path.spindle.angle_deg + degrees, SpindleApproach::Incremental, degrees) : spindle_to(degrees, SpindleApproach::Shortest, 0.0);
     path.spindle.spindle = meant;
+    position_feed_rpm_ = 0;
     return done;
 }
 
@@ -104,6 +122,7 @@ bool Core::spindle_to(double degrees, SpindleApproach approach, double way_deg, 
     told.way = way_deg;
     told.mode_changed = true;
     told.beside = spindle_beside_;
+    told.feed_rpm = position_feed_rpm_;
     sink_->spindle(told, at);
     return true;
 }
@@ -133,6 +152,18 @@ bool Core::couple_spindle(const Spindle& told) {
 }
 
 bool Core::commit_spindle() {
+    if (named_speed_changed_ || named_turn_changed_) {
+        Spindle told;
+        told.spindle = path.named.spindle;
+        told.turn = path.named.turn;
+        told.mode = named_turn_changed_ && told.turn == SpindleTurn::Stop ? SpindleModeCode::Off : SpindleModeCode::Rpm;
+        told.value = path.named.rpm;
+        told.speed_changed = named_speed_changed_;
+        told.turn_changed = named_turn_changed_;
+        named_speed_changed_ = named_turn_changed_ = false;
+        emitted_ = true;
+        sink_->spindle(told, at);
+    }
     if (!(mode_changed_ || speed_changed_ || turn_changed_ || limit_changed_)) return true;
     const SpindleState& s = path.spindle;
     Spindle told;

@@ -61,6 +61,7 @@ ScanStop WordScanner::scan(std::string_view text, std::size_t from, Block& block
                 ++p;
                 unsigned number = 1;
                 if (p != end && *p >= '1' && *p <= '9') number = static_cast<unsigned>(*p++ - '0');
+                if (hook_->skip_sign_waits()) return ScanStop::NeedsBarrier;
                 if (hook_->block_skip(number)) {
                     stopped_at_ = text.size();
                     return ScanStop::Skipped;

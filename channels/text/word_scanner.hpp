@@ -65,6 +65,7 @@ public:
     // A value that begins with # or [ (behind an optional sign). `at` is moved behind it.
     virtual Read read_value(const char*& at, const char* end, double& value) = 0;
     virtual bool block_skip(unsigned number) = 0;
+    virtual bool skip_sign_waits() { return false; }   // the switch is read when all before the sign is executed
     // Longest axis name of several characters that begins at `at`; its length, and the place in `axis`. 0: none.
     virtual std::size_t axis_name(const char* at, const char* end, int& axis) = 0;
     bool has_long_names = false;
