@@ -94,6 +94,7 @@ std::vector<Diagnosis> check_machine_config(const params::Table& table) {
     config::check_codes(report);
     config::check_switches(report);
     config::check_kinds(report);
+    config::check_together(report);
     return std::move(report.diagnoses);
 }
 

@@ -50,5 +50,6 @@ void check_compensation(Report& report);
 void check_codes(Report& report);
 void check_switches(Report& report);
 void check_kinds(Report& report);
+void check_together(Report& report);
 
 }  // namespace polyturn::config
