@@ -14,8 +14,6 @@ namespace {
 constexpr std::string_view kReserved[] = {"N0204", "N0423", "N0539", "N0793", "N0794", "N0795", "N0796", "N0797", "N0798", "N0799", "N0800"};
 // Cards and addresses of a bus: here the drive interface (kernel/drives/drive.h) takes their place.
 constexpr std::string_view kHardware[] = {"N0004", "N0500", "N0501", "N0502", "N0600", "N0601", "N0602"};
-// Not built: contact faces of the manual tool setter, turns of an absolute encoder that the control itself counts.
-constexpr std::string_view kOpen[] = {"N0205", "N0206", "N0207", "N0208", "N0209", "N0210", "N0211", "N0212", "N0213", "N0214", "N0215", "N0216", "N0524", "N0908"};
 
 bool of_the_machine(std::string_view number) {
     if (number.size() != 5 || number[0] != 'N') return false;
@@ -25,8 +23,7 @@ bool of_the_machine(std::string_view number) {
 
 TEST(Unused, ParametersOfTheMachineAreReviewed) {
     const auto listed = [](std::string_view number) {
-        return std::ranges::find(kReserved, number) != std::end(kReserved) || std::ranges::find(kHardware, number) != std::end(kHardware) ||
-               std::ranges::find(kOpen, number) != std::end(kOpen);
+        return std::ranges::find(kReserved, number) != std::end(kReserved) || std::ranges::find(kHardware, number) != std::end(kHardware);
     };
     for (const Row& row : rows()) {
         if (!of_the_machine(row.number)) continue;
