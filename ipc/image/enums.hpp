@@ -62,7 +62,6 @@ enum RecordFlag : std::uint32_t {
     kStopMustCome = 1u << 14,// kFixedStop: the end of the move without a stop is an alarm
     kTapping = 1u << 16,     // rigid tapping: the last slot is a spindle (axis[i] = kMaxAxes + spindle from 0), in revolutions
     kTapOut = 1u << 17,      // and this is the way out of the hole
-    kCompensated = 1u << 22, // driven with nose-radius compensation
     kMoreBefore = 1u << 19,  // a piece of a curve: its move has begun with an earlier one
     kMoreBehind = 1u << 20,  // and ends with a later one
     kSkipRelease = 1u << 21, // a skip move that ends when the input goes

@@ -20,7 +20,7 @@ void check_axis_kind(Report& report, unsigned a) {
     const AxisConfig& axis = report.machine.axis(a);
     const auto is = [&](unsigned n) { return bit(report.table, n0106_axis_properties, a, n); };
     const std::string properties = report.line(n0106_axis_properties, a);
-    const auto wrong = [&](std::string detail) { report.add(Alarm::ConfigAxisKind, std::move(detail)); };
+    const auto wrong = [&](std::string detail) { report.add(Alarm::ConfigIndex, std::move(detail)); };
     if (is(0) && is(1)) wrong(properties + ": a rotary axis has no diameter");
     if (is(4) && is(7)) wrong(properties + ": virtual and hypothetical; one has an encoder only, the other nothing at all");
     if (is(4) && get(report.table, n0503_axis_output_address, a) != 0) wrong(properties + " is virtual, but " + report.line(n0503_axis_output_address, a));

@@ -1,9 +1,22 @@
-// A function that begins before the rapid move in front of it has come to rest.
+// How much the path knows of what is prepared, and a function that begins before the rapid move in front of it has come to rest.
 #include <cmath>
 
+#include "ipc/image/compensated_flag.hpp"
 #include "kernel/cyclic/channel_runner.hpp"
 
 namespace polyturn::kernel {
+
+// N1301 MBM 0: of what is prepared the path knows the running block and the next one, three with nose-radius compensation. A
+// thread counts as one block: it starts when all of it is known.
+std::uint64_t ChannelRunner::end_of_few_blocks(std::uint64_t most) const noexcept {
+    std::uint64_t end = cursor_;
+    unsigned left = cursor_ < most && (record(cursor_).flags & kCompensated) ? 4 : 2;
+    for (; end < most && left > 0; ++end) {
+        const std::uint32_t flags = record(end).flags;
+        if ((flags & kBlockEnd) && !((flags & kThread) && !(flags & kThreadEnd))) --left;
+    }
+    return end;
+}
 
 // N0421 ROL (nct_parameters_part1 6.4): a block without movement behind a rapid move begins when that is braking to its end and each
 // of its axes has fallen below its share of rapid (N0422).

@@ -109,18 +109,6 @@ void ChannelRunner::take_keys() noexcept {
     if (control_ & kControlNoSingleBlock) keys &= ~static_cast<std::uint32_t>(kKeySingleBlock);
 }
 
-// N1301 MBM 0: of what is prepared the path knows the running block and the next one, three with nose-radius compensation. A
-// thread counts as one block: it starts when all of it is known.
-std::uint64_t ChannelRunner::end_of_few_blocks(std::uint64_t most) const noexcept {
-    std::uint64_t end = cursor_;
-    unsigned left = cursor_ < most && (record(cursor_).flags & kCompensated) ? 4 : 2;
-    for (; end < most && left > 0; ++end) {
-        const std::uint32_t flags = record(end).flags;
-        if ((flags & kBlockEnd) && !((flags & kThread) && !(flags & kThreadEnd))) --left;
-    }
-    return end;
-}
-
 void ChannelRunner::supply() noexcept {
     if (!segment_) return;
     take_keys();

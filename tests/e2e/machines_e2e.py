@@ -25,6 +25,7 @@ class Machines(Case):
         done = self.made("pin")
         codes = [event["code"] for event in done.of("aux")]
         self.assertLess(codes.index("M25"), codes.index("M3"))
+        self.refused("pin", "PT_M_TAILSTOCK L1=0", "3001")
         self.refused("pin", "PT_TURRET_STATIONS L1=4", "PT0539")
 
     def test_counter_spindle(self):

@@ -151,6 +151,9 @@ std::int32_t LathePlc::program_inputs(View view, std::uint32_t channel) const {
         bits |= view.in.signal[torque_[a].fixed] != 0 ? 1u << place : 0u;
         ++place;
     }
+    const Channel& me = channels_[channel - 1];
+    const bool supports = me.out[kTailstock] && me.pending.task != Task::Helper;   // it is forwards, and at its end
+    bits |= supports ? 0u : 1u << 2 * kShown;
     return static_cast<std::int32_t>(bits);
 }
 

@@ -40,7 +40,7 @@
 // Two spindles may hold one part: one that turns may open when its synchronous partner clamps, and clamp what turns along;
 // and a chuck that has been brought against a part (AN_FIXED) clamps only when its master stands or it runs with it.
 // A reset leaves them coupled until both stand. What a program can ask: #1000 + S - 1 spindle S is synchronous (S1 to S8),
-// #1008 + k the channel's axis k (from 0) presses against its fixed stop.
+// #1008 + k the channel's axis k (from 0) presses against its fixed stop, #1016 no tailstock supports the part.
 //
 // A refused code is not finished: the channel stands, PLC_ALARM names the reason, the channel's reset clears both.
 #pragma once

@@ -96,11 +96,11 @@ const Row kRows[] = {
     {{"N0817 S3=65", "N0817 S4=65"}, Alarm::ConfigSpindleName, "N0817 S4=65"},
     {{"N0421#0 L1=1", "N1337#0 L1=1"}, Alarm::ConfigRapidOverlap, "N0421 L1"},
     // Kinds of axes that exclude each other: part 1, 3.4 to 3.7, 4.4.
-    {{"N0106 A5=00000011"}, Alarm::ConfigAxisKind, "N0106 A5"},
-    {{"N0106 A2=10010000", "N0503 A2=0"}, Alarm::ConfigAxisKind, "N0106 A2"},
-    {{"N0106 A2=00010000"}, Alarm::ConfigAxisKind, "N0503 A2=2"},
-    {{"N0107 A2=1"}, Alarm::ConfigAxisKind, "N0107 A2"},
-    {{"N0217 A2=0.5"}, Alarm::ConfigAxisKind, "N0217 A2=0.5"},
+    {{"N0106 A5=00000011"}, Alarm::ConfigIndex, "N0106 A5"},
+    {{"N0106 A2=10010000", "N0503 A2=0"}, Alarm::ConfigIndex, "N0106 A2"},
+    {{"N0106 A2=00010000"}, Alarm::ConfigIndex, "N0503 A2=2"},
+    {{"N0107 A2=1"}, Alarm::ConfigIndex, "N0107 A2"},
+    {{"N0217 A2=0.5"}, Alarm::ConfigIndex, "N0217 A2=0.5"},
     {{"N0106#2 A2=1", "N0109 A2=0"}, Alarm::ConfigIndex, "N0109 A2=0"},
     {{"N0106#3 A5=1", "N0110 A5=5", "N0516 A5=2.5"}, Alarm::ConfigIndex, "N0516 A5=2.5"},
     // Referencing: part 1, 10.1 to 10.3.
