@@ -26,7 +26,8 @@ void check_axis_kind(Report& report, unsigned a) {
     if (is(4) && get(report.table, n0503_axis_output_address, a) != 0) wrong(properties + " is virtual, but " + report.line(n0503_axis_output_address, a));
     if (!is(1) && bit(report.table, n0107_rollover_control, a, 0)) wrong(report.line(n0107_rollover_control, a) + ": only a rotary axis rolls over, " + properties);
     if (!is(1) && get(report.table, n0217_polar_intp_comp_amount, a) != 0) wrong(report.line(n0217_polar_intp_comp_amount, a) + ": belongs to the rotary axis, " + properties);
-    if (is(2) && get(report.table, n0109_peramount, a) <= 0) report.add(Alarm::ConfigIndex, properties + " is periodic with " + report.line(n0109_peramount, a));
+    const bool own_table = bit(report.table, n2500_pitch_comp_contr, a, 3);   // its period is N2510
+    if (is(2) && !own_table && get(report.table, n0109_peramount, a) <= 0) report.add(Alarm::ConfigIndex, properties + " is periodic with " + report.line(n0109_peramount, a));
     if (is(3) && !axis.hypothetical && get(report.table, n0110_indexing_amount, a) > 0 && get(report.table, n0516_inpos, a) >= 0.5 * get(report.table, n0110_indexing_amount, a))
         report.add(Alarm::ConfigIndex, report.line(n0516_inpos, a) + ": it would be at an index everywhere, " + report.line(n0110_indexing_amount, a));
 }
@@ -115,7 +116,6 @@ void check_spindle(Report& report, unsigned s) {
     if (get(report.table, n0817_spindle_axis_name1, s) != 0) {
         character(n0818_spindle_axis_name2);
         if (get(report.table, n0818_spindle_axis_name2, s) != 0) character(n0819_spindle_axis_name3);
-        if (!is(2)) wrong(Alarm::ConfigSpindleName, report.line(n0817_spindle_axis_name1, s) + ", but " + report.line(n0607_spindle_config, s) + ": its loop cannot be closed");
     }
     if (bit(report.table, n0609_spindle_encoder_config, s, 3) && bit(report.table, n0609_spindle_encoder_config, s, 4))
         wrong(Alarm::ConfigSpindleSpeed, report.line(n0609_spindle_encoder_config, s) + ": oriented by the probe and by the PLC's switch");
