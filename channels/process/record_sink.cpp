@@ -3,7 +3,6 @@
 #include "channels/process/record_place.hpp"
 
 #include "ipc/image/balance.hpp"
-#include "ipc/image/compensated_flag.hpp"
 #include "ipc/image/interrupt_inputs.hpp"
 
 #include <algorithm>
