@@ -134,7 +134,6 @@ void ToolDesk::work(Core& core, unsigned index, const ToolAnswer& answer) noexce
         desk.now.kind = static_cast<LifeKind>(answer.life_kind);
         desk.now.left = answer.left, desk.now.group_left = answer.group_left, desk.now.warning = answer.warning;
         std::copy_n(answer.text.begin(), desk.now.name.size() - 1, desk.now.name.begin());
-        (void)use_in_part(index, answer.tool);
     }
     desk.near = desk.over = false;
     if (desk.now.kind == LifeKind::Uses) desk.now.left -= 1, desk.now.group_left -= 1;   // the store counts it itself
@@ -186,6 +185,7 @@ void ToolDesk::spend(Core& core, unsigned index, bool cuts, double seconds, doub
     Desk& desk = desk_[index];
     while (desk.made_count > 0 && core.store.write(StoreRequestKind::ToolLife, index + 1, desk.made[desk.made_count - 1], static_cast<std::int32_t>(LifeKind::Pieces), 1.0, {})) --desk.made_count;
     if (desk.now.tool == 0 || !managed(core)) return;
+    if (cuts) (void)use_in_part(index, desk.now.tool);   // it works on this part
     if (cuts && desk.now.kind == LifeKind::Minutes) use(core, index, LifeKind::Minutes, seconds / kSecondsPerMinute);
     if (cuts && desk.now.kind == LifeKind::Metres) use(core, index, LifeKind::Metres, mm / kMmPerMetre);
     desk.since_s += seconds;
@@ -201,15 +201,17 @@ bool ToolDesk::flush(Core& core, unsigned index) noexcept {
     return true;
 }
 
-// Each tool that has worked since the last part has made one.
+// Each tool that has cut since the last part has made one.
 void ToolDesk::part(Core& core, unsigned index) noexcept {
     if (!managed(core)) return;
     Desk& desk = desk_[index];
-    for (std::size_t i = 0; i < desk.used_count && desk.made_count < kPerPart; ++i) desk.made[desk.made_count++] = desk.used[i];
+    bool own = false;
+    for (std::size_t i = 0; i < desk.used_count && desk.made_count < kPerPart; ++i) {
+        desk.made[desk.made_count++] = desk.used[i];
+        own = own || desk.used[i] == desk.now.tool;
+    }
     desk.used_count = 0;
-    if (desk.now.tool == 0) return;
-    (void)use_in_part(index, desk.now.tool);   // it goes on with the next part
-    if (desk.now.kind != LifeKind::Pieces) return;
+    if (!own || desk.now.kind != LifeKind::Pieces) return;
     desk.now.left -= 1, desk.now.group_left -= 1;
     look(core, index);
 }

@@ -34,8 +34,8 @@ class SetupGuide(unittest.TestCase):
         self.assertRegex(block[7], r"2 of 2 pieces.*worn")                              # two parts by the first sister,
         self.assertRegex(block[7], r"1 of 200 pieces")                                 # the third by the second
         self.assertIn("-0.0100 mm", block[10])                                          # mean of +0.008 and +0.012
-        self.assertIn("tool 2 exists", block[11])                                      # the preview
-        self.assertRegex(block[11].split("Restored.")[1], r"2 +1 +2 +ROUGH_80")
+        self.assertIn("tool 3 exists", block[11])                                      # the preview
+        self.assertRegex(block[11].split("Restored.")[1], r"3 +3 +1 +FINISH_35")
         self.assertIn("PT0401", block[12])                                             # the damaged file
         self.assertIn("FINISH_35", block[12])
         self.assertIn("PT0432", done.stderr)                                           # the operator and the life

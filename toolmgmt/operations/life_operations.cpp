@@ -30,15 +30,21 @@ Groups groups_of(const StoreValues& values) {
     return out;
 }
 
-// What one part has taken of a tool's life on the average since the count began: from the counter itself, by the parts that
-// were made since the tool was reset. Nothing when none were.
-double per_part(const StoreValues& values, std::int32_t tool, double parts) {
-    const Cell* since = values.cell({Kind::Setting, 0, tool, 0, "parts at reset"});
-    const Cell* count = values.cell({Kind::Setting, 0, tool, 0, "counter at reset"});
-    if (!since && !count) return 0.0;   // nobody knows since when it counts
-    const double made = parts - (since ? since->number : 0.0);
-    const double used = values.tool(tool)->counter - (count ? count->number : 0.0);
-    return made >= 1 && used > 0 ? used / made : 0.0;
+// What one part takes of the life of a group on the average: what all its sisters have used since the oldest of their counts began,
+// over the parts made since then. A reset goes on counting: what the old insert had used stays in the sum. 0: nobody knows.
+double per_part(const StoreValues& values, const std::vector<std::int32_t>& tools, double parts) {
+    double used = 0, begin = parts;
+    bool known = false;
+    for (const std::int32_t tool : tools) {
+        const Cell* since = values.cell({Kind::Setting, 0, tool, 0, "parts at reset"});
+        const Cell* count = values.cell({Kind::Setting, 0, tool, 0, "counter at reset"});
+        const Cell* before = values.cell({Kind::Setting, 0, tool, 0, "used before"});
+        if (!since && !count) continue;   // nobody knows since when it counts
+        known = true;
+        begin = std::min(begin, since ? since->number : 0.0);
+        used += values.tool(tool)->counter - (count ? count->number : 0.0) + (before ? before->number : 0.0);
+    }
+    return known && parts - begin >= 1 && used > 0 ? used / (parts - begin) : 0.0;
 }
 
 double parts_made(const StoreValues& values) {
@@ -80,13 +86,6 @@ Json report(Work& work) {
                 if (usable(row)) {
                     left += rest;
                     last = number;
-                    const double each = per_part(values, number, parts);
-                    double rate = each;   // a sister that has not worked yet will wear like one that has
-                    for (const std::int32_t other : tools)
-                        if (rate <= 0) rate = per_part(values, other, parts);
-                    if (static_cast<LifeKind>(row.life_kind) == LifeKind::Pieces && rate <= 0) rate = 1;
-                    if (rate > 0) left_parts += std::floor(rest / rate + 1e-9);
-                    else known = false;
                 }
             } else if (usable(row)) {
                 known = false, left = std::numeric_limits<double>::infinity();
@@ -97,7 +96,10 @@ Json report(Work& work) {
         if (watched && std::isfinite(left)) {
             one["left"] = left;
             one["unit"] = kLifeUnits[std::min<std::size_t>(values.tool(tools.front())->life_kind, 5)];
-            if (known) {
+            double rate = per_part(values, tools, parts);
+            if (rate <= 0 && static_cast<LifeKind>(values.tool(tools.front())->life_kind) == LifeKind::Pieces) rate = 1;
+            left_parts = rate > 0 ? std::floor(left / rate + 1e-9) : 0;
+            if (known && rate > 0) {
                 one["parts_left"] = left_parts;
                 if (minutes > 0) one["minutes_left"] = left_parts * minutes;
                 if (left_parts < first) first = left_parts, stops = name, stops_tool = last ? std::to_string(last) : std::string();
@@ -109,6 +111,16 @@ Json report(Work& work) {
     if (minutes > 0) answer["minutes_per_part"] = minutes;
     if (!stops.empty()) answer["stops_first"] = {{"group", stops}, {"tool", stops_tool}, {"parts_left", first}};
     return answer;
+}
+
+// A new insert: what the old one has used stays in the rate of its group.
+void go_on_life(Work& work, std::int32_t tool, double used) {
+    const Key parts{Kind::Setting, 0, tool, 0, "parts at reset"}, before{Kind::Setting, 0, tool, 0, "used before"};
+    const Cell* kept = work.values.cell(before);
+    const double sum = (kept ? kept->number : 0.0) + std::max(used, 0.0);
+    if (!work.values.cell(parts)) set_value(work.values, parts, parts_made(work.values), work.changes);
+    set_value(work.values, {Kind::Setting, 0, tool, 0, "counter at reset"}, work.values.tool(tool)->counter, work.changes);
+    set_value(work.values, before, sum, work.changes);
 }
 
 Json reset(const Json& request, Work& work) {
@@ -127,11 +139,13 @@ Json reset(const Json& request, Work& work) {
         double counter = 0;
         read_real(request, "counter", counter, work, false);
         if (counter < 0) work.fault(Alarm::ToolValueBad, "counter: not below 0");
+        const Cell* mark = work.values.cell({Kind::Setting, 0, n, 0, "counter at reset"});
+        const double used = mark ? row->counter - mark->number : 0.0;
         set_tool_number(work.values, n, "counter", counter, work.changes);
         set_tool_number(work.values, n, "worn", 0, work.changes);
         set_tool_number(work.values, n, "warned", 0, work.changes);
         set_tool_number(work.values, n, "broken", 0, work.changes);
-        mark_life(work, n);
+        go_on_life(work, n, used);
         // A new insert has no wear: the offset cell says so unless it is asked to stay.
         std::int64_t channel = 0;
         if (read_whole(request, "channel", channel, work, false) && row->h_cell > 0 && channel >= 1 && channel <= static_cast<std::int64_t>(kMaxChannels))
@@ -146,10 +160,12 @@ Json reset(const Json& request, Work& work) {
 void mark_life(Work& work, std::int32_t tool) {
     set_value(work.values, {Kind::Setting, 0, tool, 0, "parts at reset"}, parts_made(work.values), work.changes);
     set_value(work.values, {Kind::Setting, 0, tool, 0, "counter at reset"}, work.values.tool(tool)->counter, work.changes);
+    if (work.values.cell({Kind::Setting, 0, tool, 0, "used before"})) set_value(work.values, {Kind::Setting, 0, tool, 0, "used before"}, std::nan(""), work.changes);
 }
 
 void forget_life(Work& work, std::int32_t tool) {
-    for (const char* mark : {"parts at reset", "counter at reset"}) set_value(work.values, {Kind::Setting, 0, tool, 0, mark}, std::nan(""), work.changes);
+    for (const char* mark : {"parts at reset", "counter at reset", "used before"})
+        if (work.values.cell({Kind::Setting, 0, tool, 0, mark})) set_value(work.values, {Kind::Setting, 0, tool, 0, mark}, std::nan(""), work.changes);
 }
 
 Json life_operation(std::string_view what, const Json& request, Work& work) {

@@ -192,6 +192,15 @@ TEST(ToolDesk, APieceCountsForEachToolThatHasWorkedOnIt) {
     d.run(3000);
     EXPECT_EQ(d.used(7, LifeKind::Pieces), 2);
     EXPECT_EQ(d.used(8, LifeKind::Pieces), 1);
+    // The next part begins with another tool: the one that still stood in work has no share in it.
+    d.rig.push(1, d.rig.aux(1, 'T', 8));
+    d.rig.push(1, d.rig.line(1, {0, -1}, 50));
+    d.rig.push(1, d.rig.blank(1, RecordKind::Part));
+    d.rig.push(1, d.rig.stop(1, StopReason::M30));
+    d.rig.start(1);
+    d.run(1000);
+    EXPECT_EQ(d.used(7, LifeKind::Pieces), 2);
+    EXPECT_EQ(d.used(8, LifeKind::Pieces), 2);
 }
 
 TEST(ToolDesk, WarnsStrictlyBelowTheWarningOfToolOrGroup) {

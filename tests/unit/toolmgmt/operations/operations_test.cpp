@@ -176,6 +176,17 @@ TEST(Life, ForecastsWhatStopsTheMachineFirst) {
     ASSERT_TRUE(rig.run({{"do", "life.report"}})) << rig.said();
     EXPECT_EQ(rig.answer["stops_first"]["group"], "T6");
     for (const auto& group : rig.answer["groups"]) EXPECT_EQ(group["parts_left"], group["group"] == "T5" ? 30 : fast ? 10 : 0) << group.dump();
+
+    // Sisters that take turns use up one piece a part between them, also after a new insert.
+    const int sister = rig.add({{"type", 6}, {"life_kind", "pieces"}, {"life", 12}}, 1, 5);
+    rig.values->counters[0] = 32;
+    rig.values->tool(fast)->counter = 12, rig.values->tool(sister)->counter = 2;   // twelve parts: ten by the first
+    ASSERT_TRUE(rig.run({{"do", "life.reset"}, {"tools", {fast}}}));
+    rig.values->counters[0] = 34;
+    rig.values->tool(sister)->counter = 4;
+    ASSERT_TRUE(rig.run({{"do", "life.report"}})) << rig.said();
+    for (const auto& group : rig.answer["groups"])
+        if (group["group"] == "T6") { EXPECT_EQ(group["parts_left"], 20 * 34 / 14) << group.dump(); }   // 14 pieces in the 34 parts since it was entered
 }
 
 }  // namespace
