@@ -137,7 +137,7 @@ bool Interpreter::apply_tool_offsets() {
             else if (length_.axes >> i & 1u) shift[i] += length_.sign * (cell.geometry[2] + cell.wear[2]);   // a milling tool's length
         }
     }
-    if (settings_.offsets_turn && !frames_of_.rotation.is_identity()) {   // nct part 1 15.5, RTL
+    if (settings_.offsets_turn && !core_.transformed() && !frames_of_.rotation.is_identity()) {   // nct part 1 15.5, RTL; a head turns them itself
         Point3 lengths{};
         for (std::size_t k = 0; k < 3; ++k)
             if (const int place = view.axis_by_role(kRoles[k]); place >= 0) lengths[k] = shift[static_cast<std::size_t>(place)];

@@ -69,7 +69,7 @@ constexpr auto kRows = std::to_array<GCode>({
     {"G52", 520, kAll, G::OneShot, &I::g_local_zero, "x", false, "Local coordinate system"},
     {"G53", 530, kAll, G::OneShot, &I::g_machine, "x", false, "Move in machine coordinates"},
     {"G53", 530, kM, G::Zero, &I::g_shift, "", true, "Zero shift 0, from the machine zero"},
-    {"G53.1", 531, kAll, G::OneShot, nullptr, "", false, "Tool along the axis of the rotated system"},
+    {"G53.1", 531, kAll, G::OneShot, &I::g_tool_direction, "", false, "Tool along the axis of the rotated system"},
     {"G54", 540, kAll, G::Zero, &I::g_zero, "", true, "Work zero 1"},
     {"G54", 540, kM, G::Zero, &I::g_shift, "", false, "Zero shift 1"},
     {"G54.1", 541, kAll, G::Zero, &I::g_zero_extended, "P", false, "Further work zeros"},

@@ -126,7 +126,7 @@ bool Interpreter::g_rotation(const GCode& row) {
         frames_of_.rotation = turn_about(direction, frame_point(true, nullptr), degrees);
     }
     apply_frames();
-    return !settings_.offsets_turn || apply_tool_offsets();
+    return !settings_.offsets_turn || core_.transformed() || apply_tool_offsets();
 }
 
 // G16: the plane's first axis names a radius, the second an angle; the pole is the zero of the workpiece system.

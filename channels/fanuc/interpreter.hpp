@@ -109,6 +109,7 @@ public:
     bool g_thread(const GCode&);
     bool g_thread_variable(const GCode&);
     bool g_thread_arc(const GCode&);
+    bool g_tool_direction(const GCode&);   // tool_direction.cpp
     bool g_dwell(const GCode&);
     bool g_data(const GCode&);
     bool g_reference(const GCode&);

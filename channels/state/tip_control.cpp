@@ -28,6 +28,11 @@ bool direction_of(std::int64_t code, double degrees, bool reversed, double* out)
 bool controls_tip(Core& core) { return kind_of(core.path.transformation.kinematics) == KinematicsKind::FiveAxis; }
 
 bool control_tip(Core& core, bool head_alone) {
+    Transformation wanted;
+    return describe_head(core, head_alone, wanted) && core.transform(wanted);
+}
+
+bool describe_head(Core& core, bool head_alone, Transformation& wanted) {
     namespace f = five_axis;
     const MachineView& view = core.view();
     PathState& path = core.path;
@@ -37,7 +42,7 @@ bool control_tip(Core& core, bool head_alone) {
     const std::array<int, 3> geo{view.axis_by_role(PlaneRole::BasicX), view.axis_by_role(PlaneRole::BasicY), view.axis_by_role(PlaneRole::BasicZ)};
     const auto type = p::get(t, p::n3200_mechanical_type, l);
     if (type < 1 || type > 3) return refuse("N3200");
-    Transformation wanted;
+    wanted = {};
     Kinematics& k = wanted.kinematics;
     k.kind = static_cast<std::uint32_t>(KinematicsKind::FiveAxis);
     for (std::size_t r = 0; r < 3; ++r) {
@@ -86,7 +91,7 @@ bool control_tip(Core& core, bool head_alone) {
         k.value[f::kFirstPoint + r] = type == 1 ? (f::exists(k, f::kSecondDirection) ? -outer[r] : arm - outer[r]) : type == 3 ? arm : table[r] + tool[r];
         k.value[f::kSecondPoint + r] = type == 1 ? arm : type == 3 ? table[r] + tool[r] : table[r] + second_table[r] + tool[r];
     }
-    return core.transform(wanted);
+    return true;
 }
 
 }  // namespace polyturn::channels
