@@ -160,23 +160,21 @@ ToolAnswer find_tool(const StoreValues& values, const ToolPlaceTable& places, co
     std::int32_t after_active = 0;   // duplo of the active one that may not be used any more
     bool any = false, typed = false;
     const bool next_duplo = static_cast<int>(p::get(t, p::pt_tool_search, question.channel)) == 1;
+    // What is meant first: whether the channel reaches a tool takes longer to say.
+    const auto meant = [&](const ToolRow& row) {
+        if (!question.name.empty()) return name_of(row) == question.name;
+        return question.by == ToolCallBy::Group ? row.group == whole : row.type_number == whole;
+    };
     for (std::size_t i = 0; i < kTools; ++i) {
         const ToolRow& row = values.tools.rows[i];
         typed = typed || (row.used && row.type_number != 0);   // one of another channel tells too what T means on this machine
-        if (!row.used || !reaches(t, question.channel, row)) continue;
-        const bool meant = !question.name.empty() ? name_of(row) == question.name : question.by == ToolCallBy::Group ? row.group == whole : row.type_number == whole;
-        if (!meant) continue;
+        if (!row.used || !meant(row) || !reaches(t, question.channel, row)) continue;
         any = true;
-        if (!usable(row) && question.by != ToolCallBy::Forced) {
-            if (row.state & kToolActive) after_active = row.duplo;
-            continue;
-        }
+        if (!usable(row) && question.by != ToolCallBy::Forced && (row.state & kToolActive)) after_active = row.duplo;
     }
     for (std::size_t i = 0; i < kTools && any; ++i) {
         const ToolRow& row = values.tools.rows[i];
-        if (!row.used || !reaches(t, question.channel, row) || (!usable(row) && question.by != ToolCallBy::Forced)) continue;
-        const bool meant = !question.name.empty() ? name_of(row) == question.name : question.by == ToolCallBy::Group ? row.group == whole : row.type_number == whole;
-        if (!meant) continue;
+        if (!row.used || !meant(row) || !reaches(t, question.channel, row) || (!usable(row) && question.by != ToolCallBy::Forced)) continue;
         double one = question.by == ToolCallBy::Group ? row.duplo : rank(values, places, question, row);
         if (next_duplo && question.by != ToolCallBy::Group && one >= 0 && row.duplo <= after_active) one += 10'000;   // those before it come last
         if (best == 0 || one < best_rank) best = static_cast<std::int32_t>(i + 1), best_rank = one;
