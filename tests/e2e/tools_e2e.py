@@ -127,6 +127,23 @@ class Tools(Case):
         self.assertIn("PT0412", self.alarms())
         self.assertEqual(self.stop(), 0)
 
+    def test_a_longer_drill_makes_a_safe_program_stop(self):
+        self.start("N2000 L1=00001111", "N2000 L2=00001111")
+        self.do("press", "machine_on")
+        self.do("tools", "add", "name=DRILL", "type=5", "h=4", "outline=X -60:0 Z -5:5")
+        self.do("tools", "load", "1", "1", "3")
+        self.do("press", "mdi", "L2", "G0 X200. Z0.")       # the other turret stands below the bar
+        self.wait_for(lambda: self.channel(2)["state"] == "ended", 10, "the other turret")
+        program = "T0504\nG94 G0 X200. Z50.\nG1 Z0. F6000.\nG0 Z50.\nM30\n"
+        self.cycle(program)
+        self.do("tools", "set", "1", "outline=X -250:0 Z -5:5")    # it reaches over to the other turret now
+        self.cycle(program, ends="interrupted")
+        z = next(a for a in self.ask("status")["axes"] if a["axis"] == "A2")["cmd"]
+        self.assertGreater(z, 5.0)      # it has stopped before it touched
+        self.do("tools", "set", "1", "outline=X -60:0 Z -5:5")
+        self.cycle(program)
+        self.assertEqual(self.stop(), 0)
+
     def test_the_setter_gives_the_offset_after_a_look_at_it(self):
         self.start("N3012 L1=5", "N0209 L1=12.5", "N0319 L1=600")
         self.do("press", "machine_on")
@@ -154,7 +171,7 @@ class SinumerikTools(Tools):
     language = "sinumerik"
     test_the_next_sister_works_when_one_is_used_up = test_the_offset_of_the_managed_tool_is_that_of_the_sister = None
     test_life_is_counted_only_while_the_tool_cuts_and_survives = test_a_place_is_called_with_the_code_of_n2924 = None
-    test_the_setter_gives_the_offset_after_a_look_at_it = None
+    test_the_setter_gives_the_offset_after_a_look_at_it = test_a_longer_drill_makes_a_safe_program_stop = None
 
     def test_a_name_calls_the_sister_and_her_edges(self):
         self.start("PT_TOOL_SEARCH L1=2", "PT_LIFE_END L1=0")
@@ -189,7 +206,7 @@ class FagorTools(Tools):
     language = "fagor"
     test_the_next_sister_works_when_one_is_used_up = test_the_offset_of_the_managed_tool_is_that_of_the_sister = None
     test_life_is_counted_only_while_the_tool_cuts_and_survives = test_a_place_is_called_with_the_code_of_n2924 = None
-    test_the_setter_gives_the_offset_after_a_look_at_it = None
+    test_the_setter_gives_the_offset_after_a_look_at_it = test_a_longer_drill_makes_a_safe_program_stop = None
 
     def test_the_family_is_the_type_number_and_the_life_is_the_stores(self):
         self.start("PT_LIFE_END L1=0")
