@@ -159,7 +159,14 @@ bool Interpreter::finish_approach(const AxisValues& target, const ArcCall* arc, 
         if (!soft.in_plane) p3[k] = p2[k];
     }
     modal_.geo.approach_known = true;
-    modal_.geo.approach_start = p3, modal_.geo.approach_end = p4;
+    // $P_APR and $P_AEP are points of the compensated path (11.4.1: P4 lies on it); without compensation that is the contour's.
+    AxisValues start = p3, end = p4;
+    const double across = soft.comp == 2 ? nose : -nose, bend = soft.radius;
+    end[p] -= across * tq, end[q] += across * tp;
+    if (soft.form == 0) start[p] -= across * tq, start[q] += across * tp;
+    else if (soft.form == 1) start[p] = end[p] + bend * (np - tp), start[q] = end[q] + bend * (nq - tq);
+    else start[p] = end[p] + 2 * bend * np, start[q] = end[q] + 2 * bend * nq;
+    modal_.geo.approach_start = start, modal_.geo.approach_end = end;
     bool made = true;
     const double slow = soft.infeed > 0 ? soft.infeed : soft.feed;
     const std::uint8_t slow_mode = soft.infeed > 0 ? soft.infeed_mode : 0;

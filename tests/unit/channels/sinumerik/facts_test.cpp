@@ -61,6 +61,18 @@ TEST(SinumerikFacts, AddframeAddsCoarsely) {   // part 3, 9.1
     EXPECT_TRUE(sets(played, "R1", "0") && sets(played, "R2", "8") && sets(played, "R3", "0")) << played.events;
 }
 
+TEST(SinumerikFacts, TheApproachTellsItsPointsOnTheCompensatedPath) {   // part 2, 11.4.1: tool radius 4, left of a contour towards -X
+    Play how;
+    how.language = "sinumerik";
+    how.sets = {"MD22550=0", "N0002 A16=1", "N0100 A16=89", "N0103 A16=2"};
+    how.setup.tools[1] = {"MILL", {{1, {{"DP1", 120.0}, {"DP6", 4.0}}}}};
+    const std::string approach = "G17 G90 G94 DIAMOF G0 X60 Y40 Z10 T1 D1\nG41 F100 G341 DISR=6 DISCL=2 X50 Y0 Z-3 ";
+    const Played semicircle = play(approach + "G347\nG1 X10\nR1=$P_APR[X] R2=$P_APR[Y] R3=$P_AEP[X] R4=$P_AEP[Y]\nG40 X0\nM30\n", how);
+    EXPECT_TRUE(sets(semicircle, "R1", "50") && sets(semicircle, "R2", "-16") && sets(semicircle, "R3", "50") && sets(semicircle, "R4", "-4")) << semicircle.events;
+    const Played line = play(approach + "G147\nG1 X10\nR1=$P_APR[X] R2=$P_APR[Y]\nG40 X0\nM30\n", how);
+    EXPECT_TRUE(sets(line, "R1", "60") && sets(line, "R2", "-4")) << line.events;
+}
+
 TEST(SinumerikFacts, MeasIsAMoveThatTheProbeEnds) {   // part 3, 5.3
     const Played played = run("G18 G90 G94 DIAMOF G0 X50 Z20\nG1 F150 MEAS=1 X20\nR1=$AA_MW[X] R2=$AC_MEA[1]\nZ10\nMEAS=3 X5\nM30\n");
     EXPECT_TRUE(played.has({"\"kind\":\"skip\"", "\"pos\":{\"X\":20,", "\"value\":150}"})) << played.events;
