@@ -58,6 +58,7 @@ bool Interpreter::series15_count(char letter, double& value) {
 }
 
 bool Interpreter::read_contour(cycles::Contour& contour, ContourText& text) {
+    if (reads_contour_) return core_.fail(Alarm::ContourCodeIllegal, 'G');   // a contour whose end is missing would read itself, and so on
     std::int64_t first = 0;
     if (!block_.has('P') || !block_.has('Q')) return core_.fail(Alarm::CycleWordMissing, 'G', block_.has('P') ? "Q" : "P");
     if (!whole('P', first) || !whole('Q', text.last)) return false;

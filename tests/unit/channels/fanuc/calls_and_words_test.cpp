@@ -87,5 +87,14 @@ TEST(RotatedSystem, TurnsTheLengthsOfTheTool) {
     EXPECT_TRUE(play(program, how).has({R"("machine":{"X":12,"Z":-7)"}));
 }
 
+// Q20 is not there: reading the contour comes to a cycle with the same contour.
+TEST(ContourCycles, DoNotReadThemselves) {
+    for (const char* cycle : {"G70 P10 Q20", "G71 P10 Q20 U0 W0", "G72 P10 Q20 U0 W0", "G73 P10 Q20 U0 W0"}) {
+        const Played played = play(std::string("G98 F100\nG0 X60. Z2.\nG71 U4. R0.5\nG71 P10 Q20 U0.4 W0.1\nN10 G0 X40.\nG1 Z-10.\nX50. Z-15.\n") + cycle + "\nM30\n");
+        EXPECT_EQ(played.errors, 1u) << played.events;
+        EXPECT_FALSE(played.has({R"("cycle":)"})) << played.events;
+    }
+}
+
 }  // namespace
 }  // namespace polyturn::channels::testing
