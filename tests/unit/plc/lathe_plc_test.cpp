@@ -45,7 +45,8 @@ protected:
                                  const auto found = parameters.find(number);
                                  *value = found == parameters.end() ? 0.0 : found->second;
                                  return 1;
-                             }};
+                             },
+                             nullptr, nullptr};
         ASSERT_EQ(plc_.resolve(host), nullptr);
         nc_.assign(nc_names.size(), 0);
         plc_out_.assign(plc_names.size(), 0);
