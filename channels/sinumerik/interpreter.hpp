@@ -110,6 +110,7 @@ public:
     bool f_maxval(Call&), f_bound(Call&), f_isnumber(Call&), f_number(Call&), f_toupper(Call&), f_tolower(Call&);
     bool f_strlen(Call&), f_index(Call&), f_rindex(Call&), f_mindex(Call&), f_match(Call&), f_substr(Call&), f_sprint(Call&);
     bool f_axname(Call&), f_axstring(Call&), f_isaxis(Call&), f_spi(Call&), f_axtospi(Call&), f_modaxval(Call&), f_isvar(Call&);
+    bool f_toolenv(Call&), f_gettenv(Call&), f_deltoolenv(Call&);   // tool_environments.cpp
     bool f_getvarlim(Call&), f_getvardft(Call&), f_getvarphu(Call&), f_getvarap(Call&);   // variable_facts.cpp
     bool f_getvartyp(Call&), f_stringis(Call&), f_isfile(Call&), f_gett(Call&), f_newt(Call&), f_getdno(Call&), f_calcdat(Call&);
     bool p_preset(Call&), p_geometry_axes(Call&), p_axis_profile(Call&), p_overlay_off(Call&), p_axis_exchange(Call&);
@@ -361,6 +362,7 @@ private:
     // text files (files.cpp)
     std::map<std::string, std::optional<std::string>, std::less<>> written_files_;   // nullopt: deleted
     std::map<std::string, CalendarTime, std::less<>> written_at_;
+    std::map<std::string, std::array<double, 3>, std::less<>> tool_environments_;   // T, D, DL
     CalendarTime time_of_file(const std::string& name);
     bool text_of_file(const std::string& name, std::string& text);
     void change_file(const std::string& name, std::optional<std::string> text);

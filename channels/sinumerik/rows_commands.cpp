@@ -58,6 +58,9 @@ constexpr Command kRows[] = {
     {"NEWT", true, 1, 2, "sr", &I::f_newt},
     {"GETDNO", true, 2, 2, "r", &I::f_getdno},
     {"DELT", false, 1, 2, "sr", &I::p_delt, true},
+    {"TOOLENV", true, 1, 1, "s", &I::f_toolenv},
+    {"GETTENV", true, 2, 2, "sv", &I::f_gettenv},
+    {"DELTOOLENV", true, 0, 1, "s", &I::f_deltoolenv},
     {"RESETMON", false, 2, 4, "vrrr", &I::p_reset_monitoring, true},
     // text files
     {"WRITE", false, 3, 4, "vs*", &I::p_write, true},

@@ -38,6 +38,18 @@ TEST(SinumerikFacts, OfFiles) {   // part 3, 7.16
     for (const auto& [name, value] : rows) EXPECT_TRUE(sets(played, name, value)) << name << '\n' << played.events;
 }
 
+TEST(SinumerikFacts, OfToolEnvironments) {   // part 3, 9.5
+    Play how;
+    how.language = "sinumerik";
+    how.sets = {"MD22550=0"};
+    for (const int tool : {1, 2}) how.setup.tools[tool] = {"T" + std::to_string(tool), {{1, {{"DP1", 500.0}, {"DP2", 9.0}}}, {2, {{"DP1", 500.0}, {"DP2", 9.0}}}}};
+    const Played played = play(
+        "DEF INT TT[3]\nT2 D2\nR1=TOOLENV(\"ROUGH\")\nT1 D1\nR2=GETTENV(\"ROUGH\",TT)\nR3=TT[0] R4=TT[1] R5=TT[2]\nR6=DELTOOLENV(\"ROUGH\")\nR7=GETTENV(\"ROUGH\",TT)\nR8=DELTOOLENV()\nM30\n", how);
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    const std::pair<const char*, const char*> rows[] = {{"R1", "0"}, {"R2", "0"}, {"R3", "2"}, {"R4", "2"}, {"R5", "0"}, {"R6", "0"}, {"R7", "-1"}, {"R8", "0"}};
+    for (const auto& [name, value] : rows) EXPECT_TRUE(sets(played, name, value)) << name << '\n' << played.events;
+}
+
 TEST(SinumerikFacts, ABlockHasTenAuxiliaryFunctionsAtTheMost) {   // part 2, 14
     EXPECT_EQ(run("M10 M11 M12 M13 M14 H1 H2 H3 S1=100 D0\nM30\n").errors, 0u);
     EXPECT_TRUE(run("M10 M11 M12 M13 M14 H1 H2 H3 S1=100 S2=100 D0\nM30\n").has({"\"number\":14750"})) << run("M10 M11 M12 M13 M14 H1 H2 H3 S1=100 S2=100 D0\nM30\n").events;
