@@ -8,7 +8,7 @@ namespace {
 
 TEST(BuilderMessages, OfTheBuiltInPlcHaveFourLanguagesCauseAndRemedy) {
     const BuilderMessages messages;
-    for (int number = 1; number <= 13; ++number) {
+    for (int number = 1; number <= 14; ++number) {
         SCOPED_TRACE(number);
         const BuilderMessage* message = messages.find(number);
         ASSERT_NE(message, nullptr);
@@ -16,8 +16,8 @@ TEST(BuilderMessages, OfTheBuiltInPlcHaveFourLanguagesCauseAndRemedy) {
         EXPECT_FALSE(message->cause.empty());
         EXPECT_FALSE(message->remedy.empty());
     }
-    EXPECT_EQ(messages.find(14), nullptr);
-    EXPECT_EQ(messages.explain(14), "");
+    EXPECT_EQ(messages.find(15), nullptr);
+    EXPECT_EQ(messages.explain(15), "");
 }
 
 TEST(BuilderMessages, OfAFileReplaceAndAdd) {
