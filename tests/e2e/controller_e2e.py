@@ -5,42 +5,13 @@ import json
 import os
 import pathlib
 import signal
-import subprocess
 import time
 import unittest
 
-from polyturn_runner import POLYTURN, Case
+from polyturn_runner import LiveCase
 
 
-class Controller(Case):
-    def setUp(self):
-        super().setUp()
-        self.name = f"e2e-{os.getpid()}"
-        self.running = None
-        self.addCleanup(self.stop, signal.SIGKILL)
-        self.addCleanup(lambda: self.polyturn("clean"))
-
-    def start(self):
-        self.log = open(self.folder / "start.log", "ab")
-        self.addCleanup(self.log.close)
-        self.running = subprocess.Popen([POLYTURN, "start", "--instance", self.name, "--store", self.folder / "store", "--no-hmi"], cwd=self.folder,
-                                        stdin=subprocess.DEVNULL, stdout=self.log, stderr=self.log)
-        self.wait_for(lambda: self.polyturn("status", "--instance", self.name).status == 0, 20, "the controller to start")
-
-    def stop(self, how=signal.SIGTERM):
-        if self.running and self.running.poll() is None:
-            self.running.send_signal(how)
-            self.running.wait(timeout=20)
-        return self.running.returncode if self.running else None
-
-    def wait_for(self, condition, seconds, what):
-        deadline = time.monotonic() + seconds
-        while not condition():
-            if time.monotonic() > deadline:
-                self.fail(f"waited {seconds} s for {what}\n" + (self.folder / "start.log").read_text(errors="replace")[-3000:]
-                          + self.polyturn("status", "--instance", self.name).said())
-            time.sleep(0.05)
-
+class Controller(LiveCase):
     def press(self, *words):
         done = self.polyturn("press", "--instance", self.name, *words)
         self.assertEqual(done.status, 0, done.said())

@@ -3,8 +3,10 @@ import dataclasses
 import json
 import os
 import pathlib
+import signal
 import subprocess
 import tempfile
+import time
 import unittest
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
@@ -55,6 +57,39 @@ class Case(unittest.TestCase):
         self.assertGreaterEqual(result.status, 0, "died of a signal\n" + result.said())
         self.assertIn(result.status, (0, 1, 2), result.said())
         return result
+
+
+class LiveCase(Case):
+    """A test with a controller that stays. Its name is the test's own: one that was killed must not meet the next."""
+
+    def setUp(self):
+        super().setUp()
+        self.name = f"e2e-{os.getpid()}-{self._testMethodName[5:25]}"
+        self.running = None
+        self.addCleanup(self.stop, signal.SIGKILL)
+        self.addCleanup(lambda: self.polyturn("clean"))
+
+    def start(self, *sets):
+        log = open(self.folder / "start.log", "ab")
+        self.addCleanup(log.close)
+        words = [word for one in sets for word in ("--set", one)]
+        self.running = subprocess.Popen([POLYTURN, "start", "--instance", self.name, "--store", self.folder / "store", "--no-hmi", *words], cwd=self.folder,
+                                        stdin=subprocess.DEVNULL, stdout=log, stderr=log)
+        self.wait_for(lambda: self.polyturn("status", "--instance", self.name).status == 0, 20, "the controller to start")
+
+    def stop(self, how=signal.SIGTERM):
+        if self.running and self.running.poll() is None:
+            self.running.send_signal(how)
+            self.running.wait(timeout=20)
+        return self.running.returncode if self.running else None
+
+    def wait_for(self, condition, seconds, what):
+        deadline = time.monotonic() + seconds
+        while not condition():
+            if time.monotonic() > deadline:
+                self.fail(f"waited {seconds} s for {what}\n" + (self.folder / "start.log").read_text(errors="replace")[-3000:]
+                          + self.polyturn("status", "--instance", self.name).said() + self.polyturn("alarms", "--instance", self.name).said())
+            time.sleep(0.05)
 
 
 def read_trace(path):

@@ -2,46 +2,18 @@
 """Tool management on a controller that runs: T calls answered by the store, sisters, life, outlines, the tool setter, offsets of the
 managed tool, life groups. In real time, so times are generous; what is exact is tested in virtual time (tests/unit/kernel)."""
 import json
-import os
 import signal
-import subprocess
 import time
 import unittest
 
-from polyturn_runner import POLYTURN, Case
+from polyturn_runner import LiveCase
 
 
-class Tools(Case):
+class Tools(LiveCase):
     language = "nct"
 
-    def setUp(self):
-        super().setUp()
-        self.name = f"tools-{os.getpid()}-{self._testMethodName[5:25]}"   # one killed controller must not meet the next
-        self.running = None
-        self.addCleanup(self.stop, signal.SIGKILL)
-        self.addCleanup(lambda: self.polyturn("clean"))
-
     def start(self, *sets):
-        log = open(self.folder / "start.log", "ab")
-        self.addCleanup(log.close)
-        words = [w for one in ("N2900=00000001", f"PT_LANGUAGE L1={self.language}", "PT_TURRET_TIME L1=0.05", *sets) for w in ("--set", one)]
-        self.running = subprocess.Popen([POLYTURN, "start", "--instance", self.name, "--store", self.folder / "store", "--no-hmi", *words], cwd=self.folder,
-                                        stdin=subprocess.DEVNULL, stdout=log, stderr=log)
-        self.wait_for(lambda: self.polyturn("status", "--instance", self.name).status == 0, 20, "the controller to start")
-
-    def stop(self, how=signal.SIGTERM):
-        if self.running and self.running.poll() is None:
-            self.running.send_signal(how)
-            self.running.wait(timeout=20)
-        return self.running.returncode if self.running else None
-
-    def wait_for(self, condition, seconds, what):
-        deadline = time.monotonic() + seconds
-        while not condition():
-            if time.monotonic() > deadline:
-                self.fail(f"waited {seconds} s for {what}\n" + (self.folder / "start.log").read_text(errors="replace")[-3000:]
-                          + self.polyturn("status", "--instance", self.name).said() + self.polyturn("alarms", "--instance", self.name).said())
-            time.sleep(0.05)
+        super().start("N2900=00000001", f"PT_LANGUAGE L1={self.language}", "PT_TURRET_TIME L1=0.05", *sets)
 
     def do(self, *words, status=0):
         done = self.polyturn(*words, "--instance", self.name)
