@@ -138,7 +138,7 @@ void ChannelRunner::finish_reset() noexcept {
     ++epoch_;
     ++resets_;
     cursor_ = segment_->path.head.load(std::memory_order_acquire);
-    planner_->clear(cursor_);
+    plan_anew(cursor_);
     step_ = {};
     step_.record = cursor_;
     flying_ = early_ = kNoRecord;

@@ -69,7 +69,7 @@ void ChannelRunner::discard() noexcept {
         trail_.add(record(cursor_), step_.s, 0);
     ++epoch_;
     cursor_ = segment_->path.head.load(std::memory_order_acquire);
-    planner_->clear(cursor_);
+    plan_anew(cursor_);
     step_ = {};
     step_.record = cursor_;
     flying_ = early_ = kNoRecord;

@@ -31,7 +31,7 @@ void ChannelRunner::attach(const ChannelSegment& segment) {
     epoch_ = segment.epoch.load(std::memory_order_acquire);
     cursor_ = 0;
     core_.image.path_tail[index_].tail.store(0, std::memory_order_release);
-    planner_->clear(0);
+    plan_anew(0);
     // A successor has seen none of the events of its predecessor and must not: it starts with the next one.
     events_sent_ = core_.image.events[index_].head.load(std::memory_order_relaxed);
     outbox_count_ = 0;
@@ -71,6 +71,22 @@ bool ChannelRunner::stops_path(const PathRecord& r) noexcept {
     }
 }
 
+// What brings something to the disk without stopping the path.
+bool ChannelRunner::writes_store(const PathRecord& r) noexcept {
+    switch (static_cast<RecordKind>(r.kind)) {
+        case RecordKind::Variable:
+        case RecordKind::Offset:
+        case RecordKind::ToolData:
+        case RecordKind::LifeGroup: return true;
+        default: return false;
+    }
+}
+
+void ChannelRunner::plan_anew(std::uint64_t from) noexcept {
+    planner_->clear(from);
+    writes_ahead_ = 0;
+}
+
 // After a reset the ring still holds what the channel pushed before it heard of it. Nothing of that is executed.
 void ChannelRunner::drop_old_epochs() noexcept {
     if (!planner_ || planner_->next_record() != cursor_ || !planner_->at_rest()) return;
@@ -78,7 +94,7 @@ void ChannelRunner::drop_old_epochs() noexcept {
     const auto from = cursor_;
     while (cursor_ < head && record(cursor_).epoch != epoch_) ++cursor_;
     if (cursor_ == from) return;
-    planner_->clear(cursor_);
+    plan_anew(cursor_);
     core_.image.path_tail[index_].tail.store(cursor_, std::memory_order_release);
 }
 
@@ -120,6 +136,12 @@ void ChannelRunner::supply() noexcept {
     while (planner_->wants_record() && planner_->next_record() < visible_end_) {
         const PathRecord& r = record(planner_->next_record());
         if (r.epoch != epoch_) break;  // pushed after a reset of which the path has not come to rest yet
+        // A flying record cannot wait when its turn comes. So it is not planned before the store's ring has room for it: the
+        // path comes to rest in front of it until the store has caught up.
+        if (writes_store(r)) {
+            if (writes_ahead_ == StoreLink::kWritesAhead || !core_.store.has_room()) break;
+            ++writes_ahead_;
+        }
         const bool flying = static_cast<RecordKind>(r.kind) == RecordKind::Wait && (r.flags & kFlying);
         if (flying && flying_ == kNoRecord) flying_ = planner_->next_record();
         PlannedRecord planned = PlannedRecord::from(r, stops_path(r));
@@ -138,7 +160,7 @@ void ChannelRunner::supply() noexcept {
 void ChannelRunner::judge_stroke_anew() noexcept {
     if (!cut_.places_known || cut_.version != core_.stroke.version(index_)) {
         if (!at_rest() || !at_boundary_) return;
-        planner_->clear(cursor_);
+        plan_anew(cursor_);
         flying_ = kNoRecord;
         cut_.record = kNoRecord;
         cut_.version = core_.stroke.version(index_);
@@ -293,6 +315,7 @@ void ChannelRunner::report_progress() noexcept {
         }
         if (is_motion(r)) place_axes(r, r.length);
         else execute_instant(r, offset_s);
+        if (writes_store(r)) --writes_ahead_;
         finished(r, i, offset_s);
     }
 }

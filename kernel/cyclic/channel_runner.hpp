@@ -149,6 +149,8 @@ private:
     }
     static bool is_motion(const PathRecord& r) noexcept { return r.kind >= 1 && r.kind <= static_cast<std::uint8_t>(RecordKind::Curve); }
     static bool stops_path(const PathRecord& r) noexcept;
+    static bool writes_store(const PathRecord& r) noexcept;
+    void plan_anew(std::uint64_t from) noexcept;
     void drop_old_epochs() noexcept;
     void judge_stroke_anew() noexcept;
     bool ends_at_limit(const PathRecord& r) noexcept;
@@ -275,6 +277,7 @@ private:
         StrokeGuard::Places places{};          // of the channel's axes at the end of what is planned
         bool places_known = false;
     } cut_;
+    std::uint32_t writes_ahead_ = 0;       // records that are planned and will write to the store
     std::uint64_t flying_ = kNoRecord;     // nearest flying wait that still stops the path
     Phase phase_ = Phase::None;
     bool begun_ = false;                   // the standing record has reported its beginning

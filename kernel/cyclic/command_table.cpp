@@ -98,7 +98,9 @@ void Machine::run_command(const Command& c) noexcept {
             if (!c.flags && c.object >= 1 && c.object <= kMaxAxes) core_.axes[c.object - 1].simulate = static_cast<std::uint16_t>(c.value);
             if (c.flags && c.object >= 1 && c.object <= kMaxSpindles) core_.spindles[c.object - 1].simulate = static_cast<std::uint16_t>(c.value);
             break;
-        case CommandKind::SetParameter: (void)core_.store.ask_parameter(text_of(c), core_.tick, core_.config.answer_ticks); break;
+        case CommandKind::SetParameter:
+            if (!core_.store.ask_parameter(text_of(c), core_.tick, core_.config.answer_ticks)) core_.alarm(Alarm::StoreWrite, c.channel, text_of(c));
+            break;
         case CommandKind::Watch:
             if (watch_count_ < watches_.size() && c.object < (c.flags & kSlotOfPlc ? kPlcSignals : kNcSignals)) {
                 Watch& watch = watches_[watch_count_++];
@@ -119,8 +121,9 @@ void Machine::run_command(const Command& c) noexcept {
         case CommandKind::FirstPart: key(kKeyFirstPart); break;
         case CommandKind::ProgramWheel: program_wheel(c.channel, on); break;
         case CommandKind::StoreValue:
-            (void)core_.store.ask_value(static_cast<StoreRequestKind>(c.object), c.channel, static_cast<std::int32_t>(c.flags >> 16), static_cast<std::int32_t>(c.flags & 0xFFFFu), c.value, text_of(c),
-                                        core_.tick, core_.config.answer_ticks);
+            if (!core_.store.ask_value(static_cast<StoreRequestKind>(c.object), c.channel, static_cast<std::int32_t>(c.flags >> 16), static_cast<std::int32_t>(c.flags & 0xFFFFu), c.value, text_of(c),
+                                       core_.tick, core_.config.answer_ticks))
+                core_.alarm(Alarm::StoreWrite, c.channel, "the store has not yet taken what was written before");
             break;
         case CommandKind::JogInHold:
             each_channel(c, [&](ChannelRunner& r) {

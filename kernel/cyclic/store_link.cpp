@@ -21,26 +21,16 @@ bool StoreLink::write(StoreRequestKind kind, std::uint32_t channel, std::int32_t
     return true;
 }
 
-bool StoreLink::ask_parameter(std::string_view line, std::int64_t tick, std::int64_t answer_ticks) noexcept {
-    if (due_count_ == due_.size()) return false;
-    if (!write(StoreRequestKind::Parameter, 0, 0, 0, 0.0, line)) return false;
-    due_[due_count_++] = {tick + answer_ticks, persist_.head(), false};
-    return true;
-}
-
-bool StoreLink::ask_value(StoreRequestKind kind, std::uint32_t channel, std::int32_t number, std::int32_t field, double value, std::string_view name, std::int64_t tick,
-                          std::int64_t answer_ticks) noexcept {
-    if (due_count_ == due_.size()) return false;
+bool StoreLink::ask(StoreRequestKind kind, std::uint32_t channel, std::int32_t number, std::int32_t field, double value, std::string_view name, std::int64_t due, bool is_value) noexcept {
     if (!write(kind, channel, number, field, value, name)) return false;
-    due_[due_count_++] = {tick + answer_ticks, persist_.head(), true};
-    return true;
-}
-
-bool StoreLink::ask_tool(StoreRequestKind kind, std::uint32_t channel, std::int32_t number, std::int32_t field, double value, std::string_view name, std::int64_t tick,
-                         std::int64_t answer_ticks) noexcept {
-    if (due_count_ == due_.size()) return false;
-    if (!write(kind, channel, number, field, value, name)) return false;
-    due_[due_count_++] = {tick + answer_ticks, persist_.head(), false};
+    // The store answers in order: of questions that are due together the last one's answer is the answer to all. A full list
+    // (more ticks with questions than PT_ANSWER_TICKS: the store is away) may thus wait longer, but loses nothing.
+    if (due_count_ > 0 && (due_[due_count_ - 1].tick == due || due_count_ == due_.size())) {
+        Due& last = due_[due_count_ - 1];
+        last = {due, persist_.head(), last.value || is_value};
+        return true;
+    }
+    due_[due_count_++] = {due, persist_.head(), is_value};
     return true;
 }
 

@@ -32,16 +32,20 @@ public:
     [[nodiscard]] bool write(StoreRequestKind kind, std::uint32_t channel, std::int32_t number, std::int32_t field, double value, std::string_view name) noexcept;
     // Whose command what follows comes from; 0: a program's, or the machine's own.
     void set_asker(std::uint32_t level, std::uint32_t user) noexcept { level_ = level, user_ = user; }
-    // A parameter line; its answer is due `answer_ticks` later.
-    [[nodiscard]] bool ask_parameter(std::string_view line, std::int64_t tick, std::int64_t answer_ticks) noexcept;
-
+    // A parameter line; its answer is due `answer_ticks` later. All three: false when the ring is full, nothing was asked then.
+    [[nodiscard]] bool ask_parameter(std::string_view line, std::int64_t tick, std::int64_t answer_ticks) noexcept {
+        return ask(StoreRequestKind::Parameter, 0, 0, 0, 0.0, line, tick + answer_ticks, false);
+    }
     // About a tool: a T call, or a write whose answer is news of the tool that works (StoreSegment::tool_answers).
     [[nodiscard]] bool ask_tool(StoreRequestKind kind, std::uint32_t channel, std::int32_t number, std::int32_t field, double value, std::string_view name, std::int64_t tick,
-                                std::int64_t answer_ticks) noexcept;
-
+                                std::int64_t answer_ticks) noexcept {
+        return ask(kind, channel, number, field, value, name, tick + answer_ticks, false);
+    }
     // Likewise an offset or a zero.
     [[nodiscard]] bool ask_value(StoreRequestKind kind, std::uint32_t channel, std::int32_t number, std::int32_t field, double value, std::string_view name, std::int64_t tick,
-                                 std::int64_t answer_ticks) noexcept;
+                                 std::int64_t answer_ticks) noexcept {
+        return ask(kind, channel, number, field, value, name, tick + answer_ticks, true);
+    }
     // An offset or zero that was asked for acts from this tick on; read once, behind take_changes().
     bool value_taken() noexcept { return std::exchange(value_taken_, false); }
 
@@ -54,7 +58,9 @@ public:
             if (due_[i].value) return true;
         return false;
     }
-    bool has_room() const noexcept { return persist_.head() - store_->persist_tail.tail.load(std::memory_order_acquire) + 1024 <= RingHead<StoreRequest, 8192>::capacity; }
+    // Room for every write that the channels have planned (kWritesAhead each) and for what the machine writes of its own.
+    bool has_room() const noexcept { return persist_.head() - store_->persist_tail.tail.load(std::memory_order_acquire) + kReserve <= RingHead<StoreRequest, 8192>::capacity; }
+    static constexpr std::uint32_t kWritesAhead = 256;
     // Takes complete imports into the table. True when something changed. `hold_back`: virtual time and a question is
     // open that is not due yet, then nothing is taken before its tick.
     bool take_changes(params::Table& table, std::int64_t tick, bool virtual_time) noexcept;
@@ -68,10 +74,13 @@ private:
         std::uint64_t request;
         bool value = false;
     };
+    static constexpr std::uint64_t kReserve = kMaxChannels * kWritesAhead + 1024;
+    [[nodiscard]] bool ask(StoreRequestKind kind, std::uint32_t channel, std::int32_t number, std::int32_t field, double value, std::string_view name, std::int64_t due, bool is_value) noexcept;
+
     RingProducer<RingHead<StoreRequest, 8192>> persist_;
     RingConsumer<RingHead<ParamChange, 8192>> changes_;
     const StoreSegment* store_;
-    std::array<Due, 64> due_{};
+    std::array<Due, 64> due_{};            // in order of their ticks; one for all questions of a tick
     std::size_t due_count_ = 0;
     bool written_ = false, value_taken_ = false;
     std::uint32_t level_ = 0, user_ = 0;

@@ -304,6 +304,55 @@ TEST(ToolDesk, AQuestionThatAStoreTookWithItIsAskedOfItsSuccessor) {
     EXPECT_EQ(d.nc(signals::cn_potno), 4);
 }
 
+PathRecord wear(TickRig& rig, int number, double value) {
+    PathRecord r = rig.blank(1, RecordKind::Offset);
+    r.mask = static_cast<std::uint32_t>(number);
+    r.value = value;
+    return r;
+}
+
+// Writes fly: the path does not stop for them, and with tool management each of them is a question with an answer of its own.
+TEST(ToolDesk, KeepsEveryWriteOfAProgramHoweverManyTheyAre) {
+    Desk d;
+    constexpr int kWrites = 200;
+    for (int i = 1; i <= kWrites; ++i) d.rig.push(1, wear(d.rig, i, 0.001 * i));
+    d.rig.push(1, d.rig.stop(1, StopReason::M30));
+    d.rig.start(1);
+    d.run(100);
+    ASSERT_EQ(d.rig.state(1), ChannelState::Ended);
+    std::vector<int> numbers;
+    for (const StoreRequest& q : d.asked)
+        if (static_cast<StoreRequestKind>(q.kind) == StoreRequestKind::OffsetValue) numbers.push_back(q.number);
+    ASSERT_EQ(numbers.size(), kWrites);
+    for (int i = 0; i < kWrites; ++i) EXPECT_EQ(numbers[static_cast<std::size_t>(i)], i + 1);
+}
+
+// In real time nobody waits for the store. A path that would write more than the ring holds stands until it is back.
+TEST(ToolDesk, AStoreThatIsAwayStopsThePathBeforeAWriteWouldBeLost) {
+    Desk d;
+    d.rig.machine->core().virtual_time = false;
+    d.answers = false;
+    constexpr int kWrites = 9000;   // the ring holds 8192
+    int pushed = 0;
+    const auto feed = [&] {
+        for (; pushed < kWrites && d.rig.channel[0]->path.head.load() - d.rig.kernel->path_tail[0].tail.load() < 1000; ++pushed) d.rig.push(1, wear(d.rig, pushed % 900 + 1, pushed));
+    };
+    feed();
+    d.rig.start(1);
+    for (int i = 0; i < 400; ++i) feed(), d.rig.tick();
+    EXPECT_LT(d.rig.kernel->persist.head.load(), 8192U);
+    EXPECT_LT(pushed, kWrites);
+    d.answers = true;
+    for (int i = 0; i < 400; ++i) feed(), d.rig.tick();
+    ASSERT_EQ(pushed, kWrites);
+    int next = 0;
+    for (const StoreRequest& q : d.asked) {
+        if (static_cast<StoreRequestKind>(q.kind) != StoreRequestKind::OffsetValue) continue;
+        EXPECT_EQ(q.value, next++);
+    }
+    EXPECT_EQ(next, kWrites);
+}
+
 TEST(CommandLevels, TheKernelRefusesWhatTheSupervisorShouldNotHaveSent) {
     TickRig rig;
     const auto command = [&](CommandKind kind, unsigned level) {
