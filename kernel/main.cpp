@@ -66,7 +66,7 @@ int run(const std::string& instance) {
         machine->take_room(load_room(std::filesystem::exists(room, none) ? room : std::string(), derived, diagnoses), derived);
     }
     if (auto taken = take_drives(*machine, instance, **supervisor); !taken) return fail(taken.diagnosis());
-    if (kernel::ToolShapes shapes; kernel::read_tool_shapes(**store, machine->core().table, shapes)) machine->take_tool_shapes(shapes);
+    if (const auto shapes = std::make_unique<kernel::ToolShapes>(); kernel::read_tool_shapes(**store, *shapes)) machine->take_tool_shapes(*shapes);
     machine->start();
     own->publish();
     kernel::Peers peers(instance, **supervisor);

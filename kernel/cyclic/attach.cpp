@@ -46,15 +46,15 @@ void Peers::watch(Machine& machine, const std::atomic<bool>& stop) {
     std::array<int, kProcesses> pid{};
     for (std::size_t p = 0; p < kProcesses; ++p) pid[p] = supervisor_.processes[p].pid;
     const StoreSegment* store = &machine.store_segment();
-    std::uint64_t shown = store->tools.version();
+    std::uint64_t shown = 0, shown_by = 0;   // versions of the tools and of the parameters that say whose turret they stand in
     while (!stop.load(std::memory_order_acquire)) {
         sleep_ms(kLookMs);
         // A longer tool guards from the next tick on that finds it here. Life that is counted changes the table too: only other
         // outlines are news.
-        if (const std::uint64_t now = store->tools.version(); now != shown && machine.core().next_shapes.load(std::memory_order_acquire) == nullptr) {
+        if (const std::uint64_t now = store->tools.version(), by = store->parameters.version(); (now != shown || by != shown_by) && machine.core().next_shapes.load(std::memory_order_acquire) == nullptr) {
             ToolShapes& fresh = shapes_[next_shapes_];
-            if (read_tool_shapes(*store, machine.core().table, fresh)) {
-                shown = now;
+            if (read_tool_shapes(*store, fresh)) {
+                shown = now, shown_by = by;
                 if (std::memcmp(&fresh, &shapes_[next_shapes_ ^ 1u], sizeof fresh) != 0) {
                     machine.core().next_shapes.store(&fresh, std::memory_order_release);
                     next_shapes_ ^= 1u;
@@ -76,7 +76,7 @@ void Peers::watch(Machine& machine, const std::atomic<bool>& stop) {
                 if (!next) continue;
                 stores_.push_back(std::move(*next));
                 store = &*stores_.back();
-                shown = 0;
+                shown = shown_by = 0;
                 machine.core().next_store.store(&*stores_.back(), std::memory_order_release);
             } else if (p == kProcessDrives) {
                 if (!machine.segment_drives() || !machine.segment_drives()->attach_successor(now)) continue;

@@ -282,7 +282,7 @@ void ChannelRunner::drive() noexcept {
         const PathRecord& last = record(step_.record);
         at_boundary_ = !(last.flags & kInPosition) && !(input.single_block && (last.flags & kBlockEnd));
     }
-    if (step_.stands == Stands::InPosition) watch_standstill(record(step_.record));
+    if (step_.stands == Stands::InPosition) watch_standstill(nullptr);   // the record that ended is the channel's again
     if (step_.over || cursor_ >= planner_->next_record()) return;
     const PathRecord& r = record(cursor_);
     if (!is_motion(r) || (r.flags & kThread)) return;
@@ -293,7 +293,7 @@ void ChannelRunner::drive() noexcept {
     line_ = r.line;
     block_ = r.block;
     file_ = r.file;
-    watch_standstill(r);
+    watch_standstill(&r);
 }
 
 void ChannelRunner::report_progress() noexcept {

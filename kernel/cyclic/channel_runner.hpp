@@ -216,7 +216,7 @@ private:
     bool stops_for_tool(const PathRecord& r) noexcept;
     bool ready_to_go_on() noexcept;
     void begin_program(ChannelEventKind how, double value, std::uint64_t record, std::string_view text) noexcept;
-    void watch_standstill(const PathRecord& r) noexcept;
+    void watch_standstill(const PathRecord* running) noexcept;
     void limit_tapping(const PathRecord& r, PlannedRecord& planned) const noexcept;
     bool place_spindle(const PathRecord& r, double s) noexcept;
     bool waits_for_speed() const noexcept;

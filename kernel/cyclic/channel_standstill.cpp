@@ -53,7 +53,7 @@ void ChannelRunner::know_positions() noexcept {
 }
 
 // A path that stands though a program runs: is it for a reason that the operator must be told?
-void ChannelRunner::watch_standstill(const PathRecord& r) noexcept {
+void ChannelRunner::watch_standstill(const PathRecord* running) noexcept {
     if (core_.tick > watched_ + 1) stands_since_ = core_.tick;   // nothing was driven meanwhile: this stand begins now
     watched_ = core_.tick;
     if (step_.stands != Stands::NoFeed && step_.stands != Stands::InPosition) {
@@ -72,6 +72,8 @@ void ChannelRunner::watch_standstill(const PathRecord& r) noexcept {
         if (waited.ramping()) stands_since_ = core_.tick;
         if (waited.command() != 0.0 && stood_s > kSpindleTimeoutS) return raise(Alarm::SpindleTooSlow, name_of('S', number - 1).view(), waited.shown_speed());
     }
+    if (!running) return;
+    const PathRecord& r = *running;
     const bool per_revolution = static_cast<FeedMode>(r.feed_mode) == FeedMode::PerRevolution;
     if (!per_revolution || r.spindle == 0 || r.spindle > kMaxSpindles) return;
     const SpindleUnit& spindle = core_.spindles[r.spindle - 1];

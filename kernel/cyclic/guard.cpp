@@ -28,19 +28,21 @@ void Guard::take_room(const Room& room, const MachineConfig& machine) {
 }
 
 Guard::Body& Guard::add_body(std::string_view name, Kind kind) {
-    Body& body = bodies_[std::min(body_count_, kBodies - 1)];
+    const bool room = body_count_ < kBodies;
+    if (!room) ++left_out_;
+    Body& body = room ? bodies_[body_count_] : spare_;
     body = {};
     std::copy_n(name.begin(), std::min(name.size(), body.name.size() - 1), body.name.begin());
     body.kind = kind;
     body.first = box_count_;
-    if (body_count_ < kBodies - 1) ++body_count_;
+    if (room) ++body_count_;
     return body;
 }
 
-void Guard::add_box(Body& body, const Box& box) {
-    if (box_count_ == kBoxes) return;
-    boxes_[box_count_++] = box;
+Guard::Box* Guard::add_box(Body& body, const Box& box) {
+    if (box_count_ == kBoxes) return ++left_out_, nullptr;
     ++body.count;
+    return &(boxes_[box_count_++] = box);
 }
 
 void Guard::add_carrier(Body& body, unsigned number) {
@@ -54,7 +56,7 @@ void Guard::add_carrier(Body& body, unsigned number) {
 }
 
 void Guard::configure(const p::Table& t, const KernelConfig& config) {
-    body_count_ = box_count_ = 0;
+    body_count_ = box_count_ = left_out_ = 0;
     watched_ = false;
     distance_ = p::get(t, p::pt_guard_distance);
     if (!has_room_) return;
@@ -80,20 +82,20 @@ void Guard::configure(const p::Table& t, const KernelConfig& config) {
                     if (std::fabs(body.way[i].x) > 0.5) dx = std::copysign(1.0, body.way[i].x) * length(p::n2002_tool_holder_position_x);
                     if (std::fabs(body.way[i].z) > 0.5) dz = std::copysign(1.0, body.way[i].z) * length(p::n2003_tool_holder_position_z);
                 }
-            const auto add = [&](const RoomBox& b, std::uint32_t station) { add_box(body, {b.x_low + dx, b.x_high + dx, b.z_low + dz, b.z_high + dz, station}); };
+            const auto add = [&](const RoomBox& b, std::uint32_t station) { return add_box(body, {b.x_low + dx, b.x_high + dx, b.z_low + dz, b.z_high + dz, station}); };
             if (turret != room_.turrets.end()) {
-                for (const RoomBox& b : turret->second.body) add(b, 0);
+                for (const RoomBox& b : turret->second.body) (void)add(b, 0);
                 for (const auto& [station, boxes] : turret->second.tools)
                     for (const RoomBox& b : boxes) {
                         if (shapes_.has(l, station)) continue;
-                        add(b, station);
-                        if (const auto tip = turret->second.tips.find(station); tip != turret->second.tips.end() && box_count_ > 0)
-                            boxes_[box_count_ - 1].goes = true, boxes_[box_count_ - 1].tip = {tip->second.x, tip->second.z};
+                        Box* drawn = add(b, station);
+                        if (const auto tip = turret->second.tips.find(station); drawn && tip != turret->second.tips.end())
+                            drawn->goes = true, drawn->tip = {tip->second.x, tip->second.z};
                     }
             }
             for (std::size_t i = 0; i < shapes_.count; ++i)
-                if (const ToolShape& s = shapes_.shapes[i]; s.channel == l) add({s.x_low, s.x_high, s.z_low, s.z_high}, s.station);
-            if (body.count == 0) add({-1e-6, 1e-6, -1e-6, 1e-6}, 0);   // the tool carrier's point itself
+                if (const ToolShape& s = shapes_.shapes[i]; s.channel == l) (void)add({s.x_low, s.x_high, s.z_low, s.z_high}, s.station);
+            if (body.count == 0) (void)add({-1e-6, 1e-6, -1e-6, 1e-6}, 0);   // the tool carrier's point itself
             watched_ = true;
         }
         // Barriers of the channel, in machine coordinates of its X and Z: into the room by where these axes point.
@@ -109,7 +111,7 @@ void Guard::configure(const p::Table& t, const KernelConfig& config) {
             if (!(half > 0) || z_from == z_to) return;
             const double x0 = x_origin + x_way * (centre - half), x1 = x_origin + x_way * (centre + half);
             const double z0 = z_origin + z_way * z_from, z1 = z_origin + z_way * z_to;
-            add_box(body, {std::min(x0, x1), std::max(x0, x1), std::min(z0, z1), std::max(z0, z1), 0});
+            (void)add_box(body, {std::min(x0, x1), std::max(x0, x1), std::min(z0, z1), std::max(z0, z1), 0});
         };
         const double jaws = length(p::n1901_l1_length_of_jaws), width = length(p::n1902_w1_width_of_jaws);
         if (jaws > 0 && width > 0) {
@@ -133,7 +135,11 @@ void Guard::configure(const p::Table& t, const KernelConfig& config) {
             barrier(body, tip + l3 + l2, tip + l3 + l2 + l1, std::max(d1, length(p::n1913_d4_diameter_of_tailstock)) / 2, centre);
         }
     }
-    if (!watched_) return;
+    if (!watched_) {
+        left_out_ = 0;
+        return;
+    }
+    left_out_ += shapes_.left_out;
     for (const auto& [s, chuck] : room_.chucks) {
         if (!(chuck.diameter > 0)) continue;
         char name[32];
@@ -141,7 +147,7 @@ void Guard::configure(const p::Table& t, const KernelConfig& config) {
         Body& body = add_body(name, Kind::Chuck);
         const double sense = chuck.direction.z < 0 ? -1.0 : 1.0;
         const double back = chuck.origin.z - sense * chuck.length, front = chuck.origin.z + sense * chuck.jaws;
-        add_box(body, {chuck.origin.x - chuck.diameter / 2, chuck.origin.x + chuck.diameter / 2, std::min(back, front), std::max(back, front), 0});
+        (void)add_box(body, {chuck.origin.x - chuck.diameter / 2, chuck.origin.x + chuck.diameter / 2, std::min(back, front), std::max(back, front), 0});
         if (chuck.carried_by) {
             const Vector stood = body.origin;
             add_carrier(body, chuck.carried_by);
@@ -154,7 +160,7 @@ void Guard::configure(const p::Table& t, const KernelConfig& config) {
         std::snprintf(name, sizeof name, "tailstock %u", n);
         Body& body = add_body(name, Kind::Tailstock);
         const double sense = tail.direction.z < 0 ? -1.0 : 1.0, back = tail.origin.z - sense * tail.length;
-        add_box(body, {tail.origin.x - tail.diameter / 2, tail.origin.x + tail.diameter / 2, std::min(back, tail.origin.z), std::max(back, tail.origin.z), 0});
+        (void)add_box(body, {tail.origin.x - tail.diameter / 2, tail.origin.x + tail.diameter / 2, std::min(back, tail.origin.z), std::max(back, tail.origin.z), 0});
     }
 }
 

@@ -15,6 +15,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <utility>
 
 #include "ipc/machine/room.hpp"
 #include "kernel/cyclic/tool_shapes.hpp"
@@ -41,11 +42,13 @@ public:
     ChannelSet movers(const Core& core, std::uint32_t body) const noexcept;    // channels whose axes carry it
     bool carries(std::uint32_t body, std::uint32_t axis) const noexcept;
     std::string_view name(std::uint32_t body) const noexcept { return {bodies_[body].name.data()}; }
+    // Bodies and shapes that there was no room for are not guarded; told once behind each configure(). 0: all are.
+    std::size_t unguarded() noexcept { return std::exchange(left_out_, 0); }
     bool any() const noexcept { return body_count_ > 1 && watched_; }
     void publish(GuardStatus& out) const noexcept;
 
 private:
-    static constexpr std::size_t kBodies = 64, kBoxes = 256, kCarriers = 4;
+    static constexpr std::size_t kBodies = 64, kBoxes = 1536, kCarriers = 4;
     struct Vector {
         double x = 0, z = 0;
     };
@@ -80,7 +83,7 @@ private:
     struct Relative {                      // way of the second body against the first at the points looked at
         std::array<double, 8> x{}, z{};
     };
-    void add_box(Body& body, const Box& box);
+    Box* add_box(Body& body, const Box& box);
     Body& add_body(std::string_view name, Kind kind);
     void add_carrier(Body& body, unsigned axis_number);
     void place(const Core& core, Body& body) noexcept;
@@ -93,11 +96,12 @@ private:
     MachineConfig machine_;
     ToolShapes shapes_;
     std::array<Body, kBodies> bodies_{};
+    Body spare_;                           // takes what there is no room for
     std::array<Box, kBoxes> boxes_{}, shown_{};
     std::size_t shown_count_ = 0;
     std::array<std::uint32_t, kMaxChannels> station_{};   // in work
     std::array<Tool, kMaxChannels> tools_{};
-    std::size_t body_count_ = 0, box_count_ = 0;
+    std::size_t body_count_ = 0, box_count_ = 0, left_out_ = 0;
     double distance_ = 1;
     Finding nearest_{kNone, kNone, 0};
 };

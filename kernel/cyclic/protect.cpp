@@ -9,6 +9,11 @@ constexpr std::int64_t kShownEvery = 20;   // ticks, for screens
 }
 
 void Machine::protect() noexcept {
+    if (const std::size_t left_out = guard_.unguarded(); left_out != 0) {
+        ShortText text;
+        text << static_cast<std::int64_t>(left_out) << " shapes are more than protection can hold and are not guarded";
+        core_.alarm(Alarm::GuardConfig, 0, text.view());
+    }
     if (!guard_.any()) return;
     for (std::uint32_t l = 0; l < kMaxChannels; ++l) {
         const ChannelSegment* segment = core_.channel_segment[l].load(std::memory_order_relaxed);

@@ -13,8 +13,9 @@ struct ToolShape {
     double x_low = 0, x_high = 0, z_low = 0, z_high = 0;   // about the tool carrier's point, X as a radius, in the room
 };
 struct ToolShapes {
-    std::array<ToolShape, 128> shapes{};
+    std::array<ToolShape, 1024> shapes{};   // three of each tool in eight turrets of 40 stations
     std::size_t count = 0;
+    std::size_t left_out = 0;               // that there was no room for
     bool has(std::uint32_t channel, std::uint32_t station) const noexcept {
         for (std::size_t i = 0; i < count; ++i)
             if (shapes[i].channel == channel && shapes[i].station == station) return true;
@@ -22,7 +23,8 @@ struct ToolShapes {
     }
 };
 
-// False: the store is just being replaced.
-bool read_tool_shapes(const StoreSegment& store, const params::Table& table, ToolShapes& out);
+// False: the store is just being replaced. Which magazine is whose turret (PT_TURRET_MAGAZINE) the store's own table says: the
+// one of the cyclic thread changes while this reads.
+bool read_tool_shapes(const StoreSegment& store, ToolShapes& out);
 
 }  // namespace polyturn::kernel

@@ -42,6 +42,43 @@ TEST(Guard, StopsACarrierBeforeItTouchesTheOther) {
     EXPECT_STREQ(e->text.data(), "tool carrier of L1 and tool carrier of L2");
 }
 
+// What is not guarded is said, never left out in silence.
+TEST(Guard, TellsWhichShapesItHasNoRoomFor) {
+    TwoCarriers m;
+    m.rig.run(5);
+    EXPECT_FALSE(m.rig.alarmed(Alarm::GuardConfig));
+    Room room;
+    for (unsigned a = 1; a <= 4; ++a) room.axes[a] = {{}, a % 2 ? RoomVector{1, 0, 0} : RoomVector{0, 0, 1}};
+    room.turrets[1].body.assign(4000, {-10, 10, -10, 10});
+    m.rig.machine->take_room(room, derive_machine_config(m.rig.machine->core().table));
+    m.rig.machine->adopt_parameters();
+    m.rig.run(5);
+    EXPECT_TRUE(m.rig.alarmed(Alarm::GuardConfig));
+    EXPECT_EQ(std::count_if(m.rig.log.begin(), m.rig.log.end(), [](const KernelEvent& e) { return e.code == static_cast<int>(Alarm::GuardConfig); }), 1);
+}
+
+// Eight turrets of 24 stations with three boxes each: the last one guards as the first does.
+TEST(Guard, HoldsTheToolsOfAllTurrets) {
+    TwoCarriers m;
+    auto shapes = std::make_unique<ToolShapes>();
+    for (std::uint32_t l = 3; l <= 9; ++l)
+        for (std::uint32_t station = 1; station <= 24; ++station)
+            for (int i = 0; i < 3; ++i) shapes->shapes[shapes->count++] = {l, station, -1, 1, -1, 1};
+    shapes->shapes[shapes->count++] = {2, 1, 10, 40, -5, 5};   // a tool that looks 30 mm out of its carrier
+    m.rig.machine->take_tool_shapes(*shapes);
+    m.rig.machine->adopt_parameters();
+    m.rig.push(2, m.rig.aux(2, 'T', 1));
+    m.rig.push(2, m.rig.stop(2, StopReason::M30));
+    m.rig.start(2);
+    m.rig.run(100);
+    m.rig.push(1, m.rig.line(1, {-100, 0}, 100));
+    m.rig.start(1);
+    m.rig.run(3000);
+    EXPECT_TRUE(m.rig.alarmed(Alarm::GuardStop, 1));
+    EXPECT_GE(m.rig.position(1), 51.0);
+    EXPECT_LE(m.rig.position(1), 53.0);
+}
+
 TEST(Guard, StopsBothWhenBothMove) {
     TwoCarriers m;
     m.rig.push(1, m.rig.line(1, {-90, 0}, 150));
@@ -164,8 +201,9 @@ TEST(Guard, OutlinesAreThoseOfTheToolsInTheTurrets) {
     };
     put(5, 2, 3), put(6, 1, 3), put(7, 0, 0);
     store->tools.publish();
+    store->parameters.publish();
     ToolShapes out;
-    ASSERT_TRUE(read_tool_shapes(*store, t, out));
+    ASSERT_TRUE(read_tool_shapes(*store, out));
     ASSERT_EQ(out.count, 1u);
     EXPECT_EQ(out.shapes[0].channel, 1u);
     EXPECT_EQ(out.shapes[0].station, 3u);
