@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
+
+#include "ipc/text/replace_file.hpp"
 
 namespace polyturn::channels {
 namespace {
@@ -115,13 +116,7 @@ void ProgramFiles::add_folders(std::string_view list, const std::string& from) {
 }
 
 bool ProgramFiles::keep(const std::string& name, std::string_view text) {
-    const fs::path path = fs::path(kept_) / name, beside = path.string() + ".new";
-    std::ofstream out(beside, std::ios::binary | std::ios::trunc);
-    out.write(text.data(), static_cast<std::streamsize>(text.size()));
-    out.close();
-    std::error_code error;
-    if (out) fs::rename(beside, path, error);
-    return out && !error;
+    return static_cast<bool>(text::replace_file((fs::path(kept_) / name).string(), text));
 }
 
 const std::vector<std::string>& ProgramFiles::memory(std::string_view extension) {

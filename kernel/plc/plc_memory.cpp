@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <utility>
 
+#include "ipc/text/replace_file.hpp"
 #include "kernel/plc/plc_api.h"
 
 namespace polyturn::plc {
@@ -17,12 +18,13 @@ constexpr char kMagic[8] = {'P', 'T', 'P', 'L', 'C', 'M', '1', '\n'};   // then 
 }  // namespace
 
 void PlcMemory::open(std::string path, bool queued) {
-    *this = {};
     path_ = std::move(path);
     queued_ = queued;
     // A write copies into what is there: nothing is allocated in a cycle.
     for (auto& block : blocks_) block.reserve(kLongest);
-    if (!path_.empty()) load();
+    if (path_.empty()) return;
+    load();
+    disk_ = std::jthread([this](const std::stop_token& stop) { keep(stop); });
 }
 
 void PlcMemory::load() {
@@ -46,22 +48,35 @@ void PlcMemory::load() {
     }
 }
 
-// Whole or not at all: the old file stays until the new one is complete.
-void PlcMemory::save() const {
-    const std::string fresh = path_ + ".new";
-    {
-        std::ofstream file(fresh, std::ios::binary | std::ios::trunc);
-        file.write(kMagic, sizeof kMagic);
-        for (std::uint32_t n = 0; n < kBlocks; ++n) {
-            if (blocks_[n].empty()) continue;
-            const std::uint32_t head[2] = {n, static_cast<std::uint32_t>(blocks_[n].size())};
-            file.write(reinterpret_cast<const char*>(head), sizeof head);
-            file.write(reinterpret_cast<const char*>(blocks_[n].data()), static_cast<std::streamsize>(blocks_[n].size()));
-        }
-        if (!file.flush()) return;
+std::string PlcMemory::image() const {
+    std::string bytes(kMagic, sizeof kMagic);
+    for (std::uint32_t n = 0; n < kBlocks; ++n) {
+        if (blocks_[n].empty()) continue;
+        const std::uint32_t head[2] = {n, static_cast<std::uint32_t>(blocks_[n].size())};
+        bytes.append(reinterpret_cast<const char*>(head), sizeof head);
+        bytes.append(reinterpret_cast<const char*>(blocks_[n].data()), blocks_[n].size());
     }
-    std::error_code none;
-    std::filesystem::rename(fresh, path_, none);
+    return bytes;
+}
+
+// A disk that refuses is told once, and asked again every second: space may come.
+void PlcMemory::keep(const std::stop_token& stop) {
+    bool told = false;
+    std::unique_lock hold(lock_);
+    while (true) {
+        news_.wait(hold, stop, [&] { return wanted_.has_value(); });
+        if (!wanted_) return;   // asked to stop, and everything is kept
+        std::string bytes = std::move(*wanted_);
+        wanted_.reset();
+        hold.unlock();
+        const auto kept = text::replace_file(path_, bytes);
+        if (!kept && !std::exchange(told, true)) fmt::print(stderr, "polyturn-plc: {}\n", kept.diagnosis().text());
+        hold.lock();
+        if (!kept && !wanted_ && !stop.stop_requested()) {
+            wanted_ = std::move(bytes);
+            (void)news_.wait_for(hold, stop, std::chrono::seconds(1), [] { return false; });
+        }
+    }
 }
 
 void PlcMemory::begin_cycle() noexcept {
@@ -75,8 +90,13 @@ void PlcMemory::end_cycle() {
         told_ = true;
         fmt::print(stderr, "polyturn-plc: PLC timeout: more than one memory read in a cycle while N1274 #0 is 0\n");
     }
-    if (dirty_ && !path_.empty()) save();
-    dirty_ = false;
+    if (std::exchange(dirty_, false) && !path_.empty()) {
+        {
+            const std::lock_guard hold(lock_);
+            wanted_ = image();
+        }
+        news_.notify_all();
+    }
 }
 
 int PlcMemory::read(std::uint32_t block, void* to, std::size_t size) noexcept {

@@ -1,5 +1,8 @@
 #include "kernel/plc/session.hpp"
 
+#include <fmt/format.h>
+
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -8,6 +11,7 @@
 #include <vector>
 
 #include "ipc/memory/segment.hpp"
+#include "ipc/text/replace_file.hpp"
 #include "kernel/plc/cycle_watch.hpp"
 
 namespace polyturn::plc {
@@ -32,17 +36,10 @@ void put_back(const std::string& path, std::span<std::byte> state) {
     if (file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) std::memcpy(state.data(), bytes.data(), bytes.size());
 }
 
-// Whole or not at all: the old file stays until the new one is complete.
 void keep(const std::string& path, std::span<const std::byte> state) {
     if (state.empty()) return;
-    const std::string fresh = path + ".new";
-    {
-        std::ofstream file(fresh, std::ios::binary | std::ios::trunc);
-        file.write(reinterpret_cast<const char*>(state.data()), static_cast<std::streamsize>(state.size()));
-        if (!file.flush()) return;
-    }
-    std::error_code none;
-    std::filesystem::rename(fresh, path, none);
+    const auto kept = text::replace_file(path, {reinterpret_cast<const char*>(state.data()), state.size()});
+    if (!kept) fmt::print(stderr, "polyturn-plc: {}\n", kept.diagnosis().text());
 }
 
 }  // namespace

@@ -32,6 +32,11 @@ std::string told(const std::string& number, std::string english) {
 }
 }  // namespace
 
+int refuse(const Diagnosis& diagnosis) {
+    print_diagnosis(diagnosis, Dialect::Polyturn);
+    return 2;
+}
+
 bool ask(const std::string& instance, const std::string& request, std::string* answer) {
     // Whoever has logged in says so.
     std::string line = request;

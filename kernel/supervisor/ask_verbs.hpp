@@ -1,5 +1,6 @@
 // Verbs that ask a running controller: press, set, release, status, alarms; and clean.
 #pragma once
+#include "ipc/diagnosis/diagnosis.hpp"
 #include "kernel/supervisor/options.hpp"
 
 namespace polyturn::supervisor {
@@ -7,6 +8,8 @@ int press_words(const CommandLine& line);  // press, set, release
 int show_status(const CommandLine& line);
 int show_alarms(const CommandLine& line);
 int clean_up();
+// Tells on stderr what was wrong with a command line; the exit code of one that was refused.
+int refuse(const Diagnosis& diagnosis);
 // Sends a request (JSON) and reads the answer; false when it was refused, then the reason stands on stderr.
 bool ask(const std::string& instance, const std::string& request, std::string* answer = nullptr);
 }  // namespace polyturn::supervisor

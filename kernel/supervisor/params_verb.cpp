@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -17,6 +16,7 @@
 #include "ipc/params/export.hpp"
 #include "ipc/params/param_file.hpp"
 #include "ipc/text/read_file.hpp"
+#include "ipc/text/replace_file.hpp"
 #include "kernel/supervisor/ask_verbs.hpp"
 #include "kernel/supervisor/job_plan.hpp"
 #include "kernel/supervisor/phrases.hpp"
@@ -32,11 +32,6 @@ void print(std::string_view words) { std::fwrite(words.data(), 1, words.size(), 
 bool tell(const std::vector<Diagnosis>& diagnoses) {
     for (const Diagnosis& diagnosis : diagnoses) print_diagnosis(diagnosis, Dialect::Polyturn);
     return any_error(diagnoses);
-}
-
-int refuse(const Diagnosis& diagnosis) {
-    print_diagnosis(diagnosis, Dialect::Polyturn);
-    return 2;
 }
 
 // The parameters that act in a running controller.
@@ -106,18 +101,9 @@ int send_lines(const std::string& instance, const std::vector<std::string>& line
     return ask(instance, request.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)) ? 0 : 2;
 }
 
-// Replaces a machine's parameter file: the new one is complete on disk before it takes the old one's name.
 int rewrite(const std::string& path, const std::string& content) {
-    const std::string fresh = path + ".new";
-    {
-        std::ofstream file(fresh, std::ios::binary | std::ios::trunc);
-        file << content;
-        file.flush();
-        if (!file) return refuse({Alarm::OutputFile, {}, {}, fresh});
-    }
-    std::error_code error;
-    std::filesystem::rename(fresh, path, error);
-    return error ? refuse({Alarm::OutputFile, {}, {}, fmt::format("{} ({})", path, error.message())}) : 0;
+    if (auto written = text::replace_file(path, content); !written) return refuse(written.diagnosis());
+    return 0;
 }
 
 // The value goes to the end of the machine's file, where the last line of a name wins; its comments stay.

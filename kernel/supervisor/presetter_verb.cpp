@@ -16,11 +16,6 @@ using Json = nlohmann::json;
 
 namespace {
 
-int refuse(const Diagnosis& diagnosis) {
-    print_diagnosis(diagnosis, Dialect::Polyturn);
-    return 2;
-}
-
 // What the program answers; its refusal is printed as every other one.
 bool run(const std::vector<std::string>& arguments, Json& answer) {
     auto child = Child::start("polyturn-presetter", arguments, {.input = false, .output = true});

@@ -26,10 +26,6 @@ using Json = nlohmann::json;
 
 namespace {
 
-int refuse(const Diagnosis& diagnosis) {
-    print_diagnosis(diagnosis, Dialect::Polyturn);
-    return 2;
-}
 int wrong_word(const std::string& word) { return refuse({Alarm::PressArgument, {}, {}, word}); }
 
 // Without an echo where somebody types; else a line of standard input.

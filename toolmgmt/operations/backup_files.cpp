@@ -1,8 +1,5 @@
 #include "toolmgmt/operations/backup_files.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
@@ -13,6 +10,7 @@
 
 #include "ipc/image/segments.hpp"
 #include "ipc/memory/segment.hpp"
+#include "ipc/text/replace_file.hpp"
 #include "toolmgmt/schema.hpp"
 
 namespace polyturn::toolmgmt {
@@ -92,26 +90,9 @@ bool differs_from_disk(const Database::File& file, const std::string& target) {
 }
 
 Result<void> put_file(const std::string& target, const std::string& bytes) {
-    const auto refuse = [&](const char* why) { return Diagnosis{Alarm::OutputFile, {}, {}, target + " (" + why + ")"}; };
     std::error_code wrong;
     fs::create_directories(fs::path(target).parent_path(), wrong);
-    const std::string fresh = target + ".part";
-    const int fd = ::open(fresh.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-    if (fd < 0) return refuse(std::strerror(errno));
-    bool good = true;
-    for (std::size_t done = 0; good && done < bytes.size();) {
-        const auto wrote = ::write(fd, bytes.data() + done, bytes.size() - done);
-        good = wrote > 0;
-        if (good) done += static_cast<std::size_t>(wrote);
-    }
-    good = ::fsync(fd) == 0 && good;
-    ::close(fd);
-    if (good && fs::exists(target, wrong)) fs::permissions(fresh, fs::status(target, wrong).permissions(), wrong);
-    if (good) fs::rename(fresh, target, wrong), good = !wrong;
-    if (good) return {};
-    const char* why = std::strerror(errno);
-    fs::remove(fresh, wrong);
-    return refuse(why);
+    return text::replace_file(target, bytes);
 }
 
 Result<std::string> make_automatic_backup(Database& disk, const std::string& store_folder, const std::vector<Database::File>& files, std::size_t keep) {
