@@ -57,7 +57,7 @@ void Compensator::select(int side) {
 void Compensator::nose(double radius, Vec tip, bool has_offset) {
     nose_ = std::fabs(radius);
     nose_sign_ = radius < 0 ? -1 : 1;
-    tip_ = nose_ * tip;
+    tip_ = tip;
     has_offset_ = has_offset;
 }
 

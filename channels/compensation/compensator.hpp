@@ -42,7 +42,7 @@ public:
     void select(int side);                   // +1 left, -1 right of the path
     void cancel() { cancel_ = true, wish_set_ = false; }
     void cancel_towards(Vec wish) { cancel_ = true, wish_ = wish, wish_set_ = length(wish) > 0; }
-    // radius may be negative: the sides change places. tip: from nose centre to imaginary tip, as a share of the radius.
+    // radius may be negative: the sides change places. tip: from nose centre to imaginary tip, mm.
     void nose(double radius, Vec tip, bool has_offset);
     void zero_distance() { zero_ = true; }   // plane axes are named and do not move
     void suspend();                          // G53, reference: the next move leaves the vector behind

@@ -38,7 +38,10 @@ void add_outer(Vectors& list, const Element& a, const Element& b, Turn turn, con
         list.add(first_normal(a));
         list.add(second_normal(b), true);
     } else if (turn == Turn::Obtuse || (options.corner == Corner::Intersection && turn != Turn::Reversal)) {
-        if (const auto v = meeting_point(a, b)) list.add(*v);
+        // Where sharper corners get an arc, the others are joined by straight lines only: arcs are lengthened along their tangents
+        // (fagor_8037t part 1, 8.2.5, COMPMODE 0).
+        const bool straight_lines = options.corner == Corner::Extended && options.arc_below_deg > 0 && (a.arc || b.arc);
+        if (const auto v = straight_lines ? std::nullopt : meeting_point(a, b)) list.add(*v);
         else add_outer_tangents(list, a, b);
     } else {
         add_extended(list, a, b);

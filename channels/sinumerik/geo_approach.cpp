@@ -139,7 +139,7 @@ bool Interpreter::finish_approach(const AxisValues& target, const ArcCall* arc, 
     tp /= length, tq /= length;
     const int side = approach_side(soft, tp, tq, soft.from[p] - p4[p], soft.from[q] - p4[q]);
     if (side == 0 && soft.form != 0) return fail(Alarm::ApproachNoSide);
-    const double nose = soft.comp > 1 ? core_.path.tool.nose_radius : 0.0;
+    const double nose = soft.comp > 1 ? core_.path.tool.nose_radius + core_.path.tool.allowance : 0.0;
     const double way = soft.form == 0 ? soft.radius + std::fmax(nose, 0.0) : soft.radius + (side == (soft.comp == 2 ? 1 : -1) ? nose : -nose);
     if (way <= kSame) return fail(Alarm::ApproachRadius);
     const double np = -side * tq, nq = side * tp;
@@ -209,7 +209,7 @@ bool Interpreter::geo_retract(const GCode& code) {
     const int side = approach_side(soft, tp, tq, target[p] - p4[p], target[q] - p4[q]);
     if (side == 0 && soft.form != 0) return fail(Alarm::ApproachNoSide);
     const bool compensated = soft.comp > 1;
-    const double nose = compensated ? core_.path.tool.nose_radius : 0.0;
+    const double nose = compensated ? core_.path.tool.nose_radius + core_.path.tool.allowance : 0.0;
     const double way = soft.form == 0 ? soft.radius + std::fmax(nose, 0.0) : soft.radius + (side == (soft.comp == 2 ? 1 : -1) ? nose : -nose);
     if (way <= kSame) return fail(Alarm::ApproachRadius);
     const double np = -side * tq, nq = side * tp;

@@ -44,6 +44,20 @@ bool Interpreter::driven(const std::function<bool()>& drive) {
 
 // CHF, CHR, RND, else RNDM: the element at the end of this block. The feed of an element that takes its technology from
 // the next block is told with that one.
+namespace {
+
+// SCALE takes a corner along with its contour, as it does the radius of an arc; 1 where both axes differ (13.7).
+double plane_scale(const Core& core) {
+    if (!core.path.framed) return 1.0;
+    static constexpr GeoAxis kAxes[3][2] = {{GeoAxis::X, GeoAxis::Y}, {GeoAxis::Z, GeoAxis::X}, {GeoAxis::Y, GeoAxis::Z}};
+    const auto& [first, second] = kAxes[static_cast<std::size_t>(core.path.plane)];
+    const auto length = [](const Point3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); };
+    const double a = length(core.path.frame.axis(first)), b = length(core.path.frame.axis(second));
+    return std::fabs(a - b) < 1e-9 ? a : 1.0;
+}
+
+}  // namespace
+
 bool Interpreter::corner_words(bool contour) {
     const GeoModal& geo = modal_.geo;
     const Word* said = nullptr;
@@ -64,6 +78,7 @@ bool Interpreter::corner_words(bool contour) {
     if (!contour) return true;
     if (!said) call.size = geo.rounding;
     if (call.size <= 0) return true;
+    call.size *= plane_scale(core_);
     call.from_next = !settings_.corner_from_this;
     call.feed = call.from_next ? 0.0 : feed;
     if (has("FB")) call.block_feed = core_.path.feed;

@@ -86,7 +86,7 @@ bool Interpreter::system_value(Value& value) {
     }
     if (name == "$P_TOOLNO") return value = Value::of_int(static_cast<double>(modal_.tool)), true;
     if (name == "$P_TOOL") return value = Value::of_int(modal_.edge), true;
-    if (name == "$P_TOOLR") return value = Value::of_real(path.tool.nose_radius), true;
+    if (name == "$P_TOOLR") return value = Value::of_real(path.tool.nose_radius + path.tool.allowance - modal_.geo.allowance), true;
     if (name == "$P_TOOLL") {
         const double i = number(0);
         if (!(i >= 1 && i <= 3)) return fail_at(Alarm::ArrayIndexIllegal, from, length, name, i);

@@ -130,11 +130,14 @@ void Interpreter::apply_tool() {
         for (int g = 0; g < 3; ++g) add(g, modal_.toff.length_mm[static_cast<std::size_t>(g)]);
     const bool tipped = type >= 400 && type < 600;   // turning and grinding: the edge has a position
     const bool wear_only = active(22) == 9 || active(22) == 10;   // CUT2DD CUT2DFD
-    state.nose_radius = edge ? (wear_only ? 0.0 : edge->dp[6]) + edge->dp[15] + modal_.toff.radius_mm + modal_.geo.allowance : 0.0;
+    state.nose_radius = edge ? edge->dp[6] + edge->dp[15] : 0.0;
     if (edge && modal_.sum_offset > 0) state.nose_radius += edge->sum[sum][6] + edge->setup[sum][6];
-    state.geometry = edge ? 1 : 0;
+    // OFFN and TOFFR widen the distance to the contour; the tip stays where the nose has it (6.8 rule 5, 11.1).
+    state.allowance = modal_.geo.allowance;
+    if (edge) state.allowance += modal_.toff.radius_mm - (wear_only ? edge->dp[6] : 0.0);
+    state.geometry = edge || modal_.geo.allowance != 0.0 ? 1 : 0;
     state.tip = edge && tipped ? static_cast<std::int32_t>(edge->dp[2]) : edge ? 9 : 0;
-    state.nose_off = edge == nullptr;
+    state.nose_off = edge == nullptr && modal_.geo.allowance == 0.0;
     const AxisValues before = core_.path.programmed;
     core_.set_shift(shift);
     for (unsigned i = 0; i < core_.view().axis_count; ++i) modal_.pending_tool[i] += before[i] - core_.path.programmed[i];

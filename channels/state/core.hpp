@@ -53,6 +53,7 @@ struct ToolState {
     ToolRef ref;
     std::int32_t geometry = 0, wear = 0;    // offset numbers in use; 0 none
     double nose_radius = 0.0;
+    double allowance = 0.0;                 // mm that the nose stays off the contour beside its radius (OFFN); not part of the tip
     std::int32_t tip = 0;
     bool nose_off = false;                  // offset number 0: compensation waits for another one
 };

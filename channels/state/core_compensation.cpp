@@ -120,10 +120,11 @@ void Core::compensation_reset() {
 void Core::tell_nose() {
     const ToolState& tool = path.tool;
     const bool tip = path.plane == Plane::ZX && tool.tip >= 0 && tool.tip <= 9;
-    const double radius = tool.nose_radius;
+    const double radius = tool.nose_radius + tool.allowance;
+    const Vec from_centre = std::fabs(tool.nose_radius) * (tip ? tip_of(comp_options_, tool.tip) : Vec{});
     const bool has_offset = (tool.geometry != 0 || tool.wear != 0) && !tool.nose_off;
-    if (!staged_) comp_->nose(radius, tip ? tip_of(comp_options_, tool.tip) : Vec{}, has_offset);
-    else tell_comp([radius, share = tip ? tip_of(comp_options_, tool.tip) : Vec{}, has_offset](compensation::Compensator& comp) { comp.nose(radius, share, has_offset); });
+    if (!staged_) comp_->nose(radius, from_centre, has_offset);
+    else tell_comp([radius, from_centre, has_offset](compensation::Compensator& comp) { comp.nose(radius, from_centre, has_offset); });
 }
 
 void Core::tell_zero_distance() {
@@ -240,7 +241,7 @@ double Core::cut_shift(const AxisValues& a, const AxisValues& b, unsigned along,
     }
     if (std::fabs(share) < 1e-6) return 0.0;
     const bool tip = path.plane == Plane::ZX && tool.tip >= 0 && tool.tip <= 9;
-    return std::fabs(tool.nose_radius) * (1.0 + compensation::dot(tip ? tip_of(comp_options_, tool.tip) : Vec{}, n)) / share;
+    return (std::fabs(tool.nose_radius + tool.allowance) + std::fabs(tool.nose_radius) * compensation::dot(tip ? tip_of(comp_options_, tool.tip) : Vec{}, n)) / share;
 }
 
 void Core::drop_compensation_vector() {
