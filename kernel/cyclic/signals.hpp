@@ -24,10 +24,13 @@ public:
     }
     // The PLC's answer of one of its cycles.
     void take_plc(const PlcOutputs& outputs) noexcept {
-        for (std::size_t i = 0; i < kPlcSignals; ++i) {
-            answered_[i] = outputs.signal[i];
-            if (!forced_plc_[i]) plc_[i] = outputs.signal[i];
+        answered_ = outputs.signal;
+        if (forced_plc_.none()) {   // nearly always: a copy of thousands of slots, not a decision for each
+            plc_ = answered_;
+            return;
         }
+        for (std::size_t i = 0; i < kPlcSignals; ++i)
+            if (!forced_plc_[i]) plc_[i] = answered_[i];
     }
     void force_plc(std::uint32_t slot, std::int32_t value) noexcept { forced_plc_[slot] = true, plc_[slot] = value; }
     void force_nc(std::uint32_t slot, std::int32_t value) noexcept { forced_nc_[slot] = true, nc_[slot] = value; }
