@@ -6,23 +6,27 @@ namespace polyturn::kernel {
 namespace {
 ProcessState state_of(const ProcessEntry& entry) { return static_cast<ProcessState>(entry.state.load(std::memory_order_acquire)); }
 
-// A segment that a dead predecessor has left behind is not this process's.
+// A segment that a dead predecessor has left behind is not this process's: a channel's ring holds the program of before, and a
+// kernel that took it would drive it. So its maker must be the process that the supervisor has started by now (one that it has
+// not, has pid 0), and belong to the same start of the controller.
 template <class Layout>
-std::optional<PeerSegment<Layout>> attach_to(const std::string& instance, std::size_t number, const ProcessEntry& entry) {
+std::optional<PeerSegment<Layout>> attach_to(const std::string& instance, std::size_t number, const ProcessEntry& entry, std::uint64_t generation) {
+    const int maker = entry.pid;
+    if (maker == 0) return std::nullopt;
     auto peer = PeerSegment<Layout>::attach(instance, number, std::chrono::milliseconds(2));
-    if (!peer || (entry.pid != 0 && (*peer)->header.writer_pid != entry.pid)) return std::nullopt;
+    if (!peer || (*peer)->header.writer_pid != maker || (*peer)->header.generation != generation) return std::nullopt;
     return std::move(*peer);
 }
 }  // namespace
 
 bool Peers::attach_plc(Machine& machine) {
-    plc_ = attach_to<PlcSegment>(instance_, 0, supervisor_.processes[kProcessPlc]);
+    plc_ = attach_to<PlcSegment>(instance_, 0, supervisor_.processes[kProcessPlc], supervisor_.header.generation);
     if (plc_) machine.attach_plc(**plc_);
     return plc_.has_value();
 }
 
 bool Peers::attach_channel(Machine& machine, unsigned index) {
-    channels_[index] = attach_to<ChannelSegment>(instance_, index + 1, supervisor_.processes[kProcessChannel + index]);
+    channels_[index] = attach_to<ChannelSegment>(instance_, index + 1, supervisor_.processes[kProcessChannel + index], supervisor_.header.generation);
     if (channels_[index]) machine.attach_channel(index, **channels_[index]);
     return channels_[index].has_value();
 }
@@ -38,6 +42,7 @@ void Peers::attach_all(Machine& machine) {
         for (unsigned l = 0; l < kMaxChannels; ++l)
             if (!channels_[l] && wanted(kProcessChannel + l) && !attach_channel(machine, l)) missing = true;
         if (!missing) return;
+        sleep_ms(1);
     }
 }
 
@@ -66,13 +71,13 @@ void Peers::watch(Machine& machine, const std::atomic<bool>& stop) {
             const int now = entry.pid;
             if (now == 0 || now == pid[p] || state_of(entry) != ProcessState::Running) continue;
             if (p == kProcessPlc) {
-                auto next = attach_to<PlcSegment>(instance_, 0, entry);
+                auto next = attach_to<PlcSegment>(instance_, 0, entry, supervisor_.header.generation);
                 if (!next) continue;
                 if (plc_) old_plcs_.push_back(std::move(*plc_));
                 plc_ = std::move(next);
                 machine.core().next_plc.store(&**plc_, std::memory_order_release);
             } else if (p == kProcessStore) {
-                auto next = attach_to<StoreSegment>(instance_, 0, entry);
+                auto next = attach_to<StoreSegment>(instance_, 0, entry, supervisor_.header.generation);
                 if (!next) continue;
                 stores_.push_back(std::move(*next));
                 store = &*stores_.back();
@@ -82,7 +87,7 @@ void Peers::watch(Machine& machine, const std::atomic<bool>& stop) {
                 if (!machine.segment_drives() || !machine.segment_drives()->attach_successor(now)) continue;
             } else if (p >= kProcessChannel) {
                 const std::size_t index = p - kProcessChannel;
-                auto next = attach_to<ChannelSegment>(instance_, index + 1, entry);
+                auto next = attach_to<ChannelSegment>(instance_, index + 1, entry, supervisor_.header.generation);
                 if (!next) continue;
                 if (channels_[index]) old_channels_.push_back(std::move(*channels_[index]));
                 channels_[index] = std::move(next);

@@ -57,6 +57,12 @@ std::string private_instance_name() {
     return fmt::format("run-{}-{:08x}", getpid(), random);
 }
 
+std::uint64_t new_generation() {
+    std::uint64_t random = 0;
+    if (getrandom(&random, sizeof random, GRND_NONBLOCK) != sizeof random) random = static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch().count());
+    return random | 1;   // never 0
+}
+
 Result<std::unique_ptr<Controller>> Controller::start(ControllerPlan plan) {
     std::unique_ptr<Controller> out(new Controller(std::move(plan)));
     if (auto launched = out->launch(); !launched) return launched.diagnosis();
@@ -75,6 +81,7 @@ void Controller::mark(std::size_t slot, ProcessState state, int pid) {
 }
 
 Result<void> Controller::launch() {
+    remove_instance(plan_.instance);   // what one that was killed has left in memory
     auto own = OwnSegment<SupervisorSegment>::create(plan_.instance, plan_.generation);
     if (!own) return own.diagnosis();
     own_ = std::make_unique<OwnSegment<SupervisorSegment>>(std::move(*own));

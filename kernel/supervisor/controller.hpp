@@ -15,9 +15,12 @@
 
 namespace polyturn::supervisor {
 
+// Which start of a controller a segment belongs to: one that was killed leaves its own behind under the same names.
+std::uint64_t new_generation();
+
 struct ControllerPlan {
     std::string instance;
-    std::uint64_t generation = 1;
+    std::uint64_t generation = new_generation();
     RunOptions options{};
     std::vector<std::string> machine_arguments;  // for toolmgmt: --machine, --set, --param-file, --setup
     std::vector<std::string> store_arguments;    // --memory or --store DIR

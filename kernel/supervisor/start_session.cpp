@@ -230,7 +230,7 @@ void StartSession::process_died(std::size_t slot, int status) {
 void StartSession::revive() {
     if (kernel_dead_) {
         // A new kernel makes a new generation: everybody else starts anew and attaches to it.
-        ++generation_;
+        generation_ = new_generation();
         to_revive_.clear();
         waiting_.clear();
         if (auto launched = launch(); !launched) {

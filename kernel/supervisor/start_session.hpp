@@ -62,7 +62,7 @@ private:
     std::unique_ptr<RingConsumer<RingHead<KernelEvent, 16384>>> log_;
     EventJoiner joiner_;
     Access access_;
-    std::uint64_t generation_ = 1, asked_ = 0;
+    std::uint64_t generation_ = new_generation(), asked_ = 0;
     std::deque<std::string> alarms_;  // event objects, the newest last
     std::uint64_t alarms_noted_ = 0;  // since this supervisor started
     std::deque<Waiting> waiting_;

@@ -37,6 +37,20 @@ class Controller(LiveCase):
         self.wait_for(lambda: self.channel(1)["state"] == "reset", 5, "the reset")
         self.assertEqual(self.stop(), 0)
 
+    def test_a_killed_controllers_program_is_not_its_successors(self):
+        program = self.write("there.nc", "G98 G1 X100. F5000\nX80.\nX100.\nM30\n")
+        for life in range(3):
+            self.start()
+            self.assertEqual(self.channel(1)["line"], 0, f"life {life}: a block of before stands in the channel")
+            self.press("machine_on")
+            self.press("select", f"L1={program}")
+            self.press("cycle_start", "L1")
+            self.wait_for(lambda: self.channel(1)["state"] == "ended", 10, f"the program of life {life} to end")
+            self.assertEqual(self.status()["alarms"], 0)
+            x = next(a for a in self.status()["axes"] if a["axis"] == "A1")
+            self.assertAlmostEqual(x["act"], 50, places=2)
+            self.stop(signal.SIGKILL)      # what it had in memory stays there
+
     def test_a_parameter_is_on_disk_when_set_returns(self):
         self.start()
         done = self.polyturn("params", "set", "N1600 L1=2.75", "--instance", self.name)
