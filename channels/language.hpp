@@ -2,6 +2,7 @@
 // calls of Core, cycles and calls of subprograms; it owns no rule of motion.
 #pragma once
 #include <any>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -38,6 +39,9 @@ public:
 
     // The codes that hold behind the block read last, with blanks between them: for screens.
     virtual void active_codes(std::string& /*out*/) const {}
+    // Every variable of the program that is not empty, by its name in this language: for screens.
+    using ShowVariable = std::function<void(std::string_view name, double value)>;
+    virtual void list_variables(const ShowVariable& /*show*/) const {}
 
     // Resume states (architecture 5.6): kept for blocks whose records are not all executed, when switched on.
     // BlockContext::serial counts the blocks of a run; records carry it back.

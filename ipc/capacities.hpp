@@ -25,6 +25,9 @@ inline constexpr std::size_t kTools = 1000;         // rows of the tool table (N
 inline constexpr std::size_t kToolEdges = 3000;     // cutting edges of all tools
 inline constexpr std::size_t kToolPlaces = 2000;    // places of all magazines, spindles and change arms
 inline constexpr std::size_t kUsers = 64;
+inline constexpr std::size_t kScopeTraces = 8;      // signals that the scope records at each tick
+inline constexpr std::size_t kScopeRing = 8192;     // ticks that a screen may be late
+inline constexpr std::size_t kShownVariables = 800; // of a channel, on screens
 inline constexpr std::size_t kInputs = 256;         // digital inputs of the machine
 
 }  // namespace polyturn

@@ -75,4 +75,9 @@ void Interpreter::active_codes(std::string& out) const {
     if (modal_.scale != 1.0) add(72);
 }
 
+// Arithmetic parameters: local ones of the running level, global, of the user, of the maker.
+void Interpreter::list_variables(const ShowVariable& show) const {
+    values_.each_parameter([&](std::size_t number, double value) { show("P" + std::to_string(number), value); });
+}
+
 }  // namespace polyturn::channels::fagor

@@ -72,6 +72,16 @@ public:
         kept_ = other.kept_;
     }
 
+    // Each parameter that is not 0, with its number.
+    template <class Show>
+    void each_parameter(Show show) const {
+        const auto all = [&](const auto& set, std::size_t first) {
+            for (std::size_t n = 0; n < set.size(); ++n)
+                if (set[n] != 0.0) show(first + n, set[n]);
+        };
+        all(levels_.back(), 0), all(global_, 100), all(user_, 1000), all(maker_, 2000);
+    }
+
     static constexpr std::size_t kMarks = 5958, kRegisters = 500, kPins = 513, kTimers = 513, kCounters = 257, kKeptRows = 200, kKeptPlaces = 18;
 
 private:

@@ -90,6 +90,17 @@ void Interpreter::active_codes(std::string& out) const {
     }
 }
 
+// Local ones of the running macro level, common ones, kept ones.
+void Interpreter::list_variables(const ShowVariable& show) const {
+    const auto one = [&](std::size_t number, double value) {
+        if (!is_null(value)) show("#" + std::to_string(number), value);
+    };
+    const LocalSet& locals = variables_.levels().back();
+    for (std::size_t n = 1; n < kLocals; ++n) one(n, locals[n]);
+    for (std::size_t n = 0; n < variables_.common().size(); ++n) one(variables_.common_first() + n, variables_.common()[n]);
+    for (std::size_t n = 0; n < 500; ++n) one(500 + n, core_.view().store->variables[n]);
+}
+
 VariableStatus Interpreter::read_system(std::int64_t number, double& value) {
     MachineView& view = core_.view();
     Port& port = core_.port();

@@ -47,6 +47,7 @@ public:
     void share(std::int64_t from_100, std::int64_t from_500) { shared_100_ = from_100, shared_500_ = from_500; }
     bool is_shared(std::int64_t number) const { return (number >= 100 && number < 100 + shared_100_) || (number >= 500 && number < 500 + shared_500_); }
     const std::vector<double>& common() const { return common_; }
+    std::size_t common_first() const { return common_first_; }
     void take_common(const std::vector<double>& values) { if (values.size() == common_.size()) common_ = values; }
     LocalSet& locals() { return levels_.back(); }
     void push_locals(const LocalSet& set) { levels_.push_back(set); }

@@ -11,6 +11,7 @@ namespace {
 constexpr auto kPatience = std::chrono::milliseconds(10'000);  // for the processes that start before this one
 constexpr std::int64_t kSleepUs = 50'000;
 constexpr int kStepsBetweenLooks = 32;
+constexpr auto kVariablesEvery = std::chrono::milliseconds(100);   // for screens
 constexpr std::size_t kNames = 32, kNameSize = 256;
 
 std::string_view text_of(const ChannelEvent& event) { return {event.text.data(), ::strnlen(event.text.data(), event.text.size())}; }
@@ -236,6 +237,7 @@ void ChannelProcess::read_program() {
         if (!restart_sink_->searching()) {
             port_.pretend({});
             show_block();
+            show_variables(step != Step::Continue);
         }
         switch (step) {
             case Step::Continue: break;
@@ -330,6 +332,24 @@ void ChannelProcess::show_block() {
     codes_.clear();
     run_->active_codes(codes_);
     pictures_.look(*core, codes_);
+}
+
+// In real time only: nobody looks at a virtual run, and what a clock decides must not be in it.
+void ChannelProcess::show_variables(bool now) {
+    if (supervisor_->options.virtual_time != 0) return;
+    const auto time = std::chrono::steady_clock::now();
+    if (!now && time < variables_due_) return;
+    variables_due_ = time + kVariablesEvery;
+    VariableList& list = own_->variables.draft();
+    list.count = list.more = 0;
+    run_->list_variables([&](std::string_view name, double value) {
+        if (list.count == list.rows.size()) return void(++list.more);
+        NamedValue& row = list.rows[list.count++];
+        row.name.fill(0);
+        std::memcpy(row.name.data(), name.data(), std::min(name.size(), row.name.size() - 1));
+        row.value = value;
+    });
+    own_->variables.publish();
 }
 
 void ChannelProcess::put_note(std::uint64_t number, std::string_view text) {

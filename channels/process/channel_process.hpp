@@ -15,6 +15,7 @@
 //   I3  The heartbeat grows at least every 50 ms while the process lives, whatever it waits for.
 #pragma once
 #include <any>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -53,6 +54,7 @@ public:
     virtual BlockContext at() const { return {}; }                 // the block that was interpreted last
     virtual const Core* core() const { return nullptr; }           // what holds behind that block
     virtual void active_codes(std::string& /*out*/) const {}
+    virtual void list_variables(const std::function<void(std::string_view, double)>& /*show*/) const {}
     virtual void shown() {}                                        // it is the one whose blocks are described from now on
     virtual std::any carry() const { return {}; }
     virtual void take_carry(const std::any& /*before*/, bool /*after_reset*/) {}
@@ -131,6 +133,8 @@ private:
     OperatorChanges changes_;
     PictureOut pictures_;
     std::string codes_;
+    void show_variables(bool now);
+    std::chrono::steady_clock::time_point variables_due_{};
     std::unique_ptr<ChannelStore> looked_at_;
     bool operator_changed_ = false;               // offsets or zeros; they act as soon as they can
     std::optional<std::int64_t> restart_to_;      // block; the next program is only interpreted until there

@@ -55,6 +55,7 @@ public:
     std::string file_name(std::size_t index) const override { return files_.path(static_cast<FileId>(index)); }
     const Core* core() const override { return language_ ? &language_->core() : nullptr; }
     void active_codes(std::string& out) const override { if (language_) language_->active_codes(out); }
+    void list_variables(const Language::ShowVariable& show) const override { if (language_) language_->list_variables(show); }
     void shown() override { if (*events_) (*events_)->set_files(&files_); }
 
 private:

@@ -42,6 +42,7 @@ public:
     void preset_stored(const polyturn::ToolTable& tools, const polyturn::ToolEdgeTable& edges, int unit) override;
     Core& core() override { return core_; }
     void active_codes(std::string& out) const override;
+    void list_variables(const ShowVariable& show) const override;
     void keep_resume_states(bool on) override;
     void executed(std::uint64_t serial) override;
     bool resume_at(std::uint64_t serial) override;

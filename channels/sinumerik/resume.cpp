@@ -80,4 +80,22 @@ void Interpreter::active_codes(std::string& out) const {
     }
 }
 
+// R parameters that are not 0, then what the running level and its channel have declared; texts, axes and frames have no number.
+void Interpreter::list_variables(const ShowVariable& show) const {
+    for (std::size_t n = 0; r_ && n < r_->cells.size(); ++n)
+        if (r_->cells[n].number != 0.0) show("R" + std::to_string(n), r_->cells[n].number);
+    const auto declared = [&](const Scope& scope) {
+        for (const auto& [name, reference] : scope.names) {
+            if (!reference || reference.variable == r_) continue;
+            const Variable& variable = *reference.variable;
+            for (std::size_t i = 0; i < variable.cells.size(); ++i) {
+                if (!variable.cells[i].is_number() || (!variable.dimensions.empty() && variable.cells[i].number == 0.0)) continue;
+                show(variable.dimensions.empty() ? name : name + "[" + std::to_string(i) + "]", variable.cells[i].number);
+            }
+        }
+    };
+    if (!levels_.empty() && levels_.back().scope) declared(*levels_.back().scope);
+    if (channel_scope_) declared(*channel_scope_);
+}
+
 }  // namespace polyturn::channels::sinumerik

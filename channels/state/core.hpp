@@ -159,6 +159,7 @@ public:
     PathState path;
     BlockContext at;                        // filled by the language for each block
     MachineView& view() { return *view_; }
+    const MachineView& view() const { return *view_; }
     Sink& sink() { return *sink_; }
     Port& port() { return *port_; }
     const Fault& fault() const { return fault_; }

@@ -144,6 +144,12 @@ enum class CommandKind : std::uint32_t {
     ReleaseStop,     // the emergency stop button is turned back
     RapidKey, WarmUp,
     Superpose,       // a handwheel adds its way to the axes of a running program
+    Scope,           // what a trace of the scope records
+};
+
+// Of a trace of the scope. Signals are slots, inputs their numbers.
+enum class ScopeKind : std::uint32_t {
+    Off = 0, AxisCommanded, AxisMeasured, AxisError, AxisVelocity, AxisTorque, AxisCompensation, SpindleCommanded, SpindleSpeed, SpindleAngle, SpindleDeviation, PathSpeed, PathLeft, NcSignal, PlcSignal, Input,
 };
 
 // kPictureNoShift: a frame that turns, mirrors or scales, or a transformation, lies between programmed and machine coordinates.

@@ -41,6 +41,7 @@ struct ChannelSegment {
     RingTail event_tail;                                 // consumer of KernelSegment::events
     NoteHead notes;                                      // tail: SupervisorSegment::note_tail
     Snapshot<ProgramNames> programs;
+    Snapshot<VariableList> variables;
     alignas(64) std::atomic<std::uint64_t> picture_first{0};  // pictures before it belong to an earlier program
     RingHead<BlockPicture, kPictures> pictures;          // nobody consumes them, the oldest are written over: ipc/image/block_pictures.hpp
     Doorbell bell;                                       // rung after pushes and when quiet; the kernel waits on it in virtual time
@@ -64,6 +65,8 @@ struct KernelSegment {
     Snapshot<GuardStatus> guard;                         // shapes of the machine as they stand, some times a second
     Snapshot<PlcInputs> plc_inputs;
     Snapshot<PlcOutputs> plc_seen;                       // the PLC's signals as they act (forced ones included)
+    Snapshot<ScopeChoice> scope_choice;
+    RingHead<ScopeSample, kScopeRing> scope;             // nobody consumes it, the oldest samples are written over
     Doorbell plc_bell, supervisor_bell, store_bell;
     std::array<std::atomic<std::uint64_t>, 64> tick_cost;  // histogram: ticks that computed for 2^(i/4) us and less
 };

@@ -237,6 +237,7 @@ void ChannelRunner::strobe(const PathRecord& r) noexcept {
     else if (r.code == 'T') core_.signals.set_nc(signals::cn_mgzno(number_), 0);
     core_.signals.set_nc(lines.code(number_), static_cast<std::int32_t>(std::lround(r.value)));
     core_.signals.set_nc(lines.strobe(number_), strobe_);
+    if (r.code == 'M') m_code_ = static_cast<std::int32_t>(std::lround(r.value)), core_.newest_m = {m_code_, number_};
 }
 
 bool ChannelRunner::handshake(const PathRecord& r) noexcept {

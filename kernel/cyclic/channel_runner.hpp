@@ -124,6 +124,7 @@ public:
         return cursor_ >= segment_->path.head.load(std::memory_order_acquire) || (record(cursor_).flags & kDrains) != 0;
     }
     bool in_handshake() const noexcept { return phase_ == Phase::Handshake; }
+    std::int32_t m_code() const noexcept { return m_code_; }   // given to the PLC last; -1 none
 
     ChannelState state() const noexcept { return state_; }
     bool idle() const noexcept {   // no program of it runs
@@ -280,6 +281,7 @@ private:
     std::uint32_t writes_ahead_ = 0;       // records that are planned and will write to the store
     std::uint64_t flying_ = kNoRecord;     // nearest flying wait that still stops the path
     Phase phase_ = Phase::None;
+    std::int32_t m_code_ = -1;
     bool begun_ = false;                   // the standing record has reported its beginning
     bool jog_in_hold_ = false, stop_after_part_ = false, ends_with_part_ = false;
     bool hold_ = false, dead_ = false, stopped_ = false, resetting_ = false, interrupted_ = false, alarm_ = false, continue_ = false;

@@ -56,6 +56,7 @@ void Machine::run_command(const Command& c) noexcept {
         case CommandKind::ReleaseStop: release_stop(); break;
         case CommandKind::RapidKey: key(kKeyRapid); break;
         case CommandKind::Superpose: each_channel(c, [&](ChannelRunner& r) { r.superpose(on); }); break;
+        case CommandKind::Scope: scope_.choose(core_.image, c.flags, static_cast<ScopeKind>(static_cast<std::uint32_t>(c.value)), c.object); break;
         case CommandKind::WarmUp: each_channel(c, [&](ChannelRunner& r) { r.warm_up(c.value); }); break;
         case CommandKind::Mode: each_channel(c, [&](ChannelRunner& r) { r.set_mode(static_cast<ChannelMode>(static_cast<std::uint32_t>(c.value))); }); break;
         case CommandKind::Select: each_channel(c, [&](ChannelRunner& r) { r.select(text_of(c)); }); break;

@@ -48,6 +48,7 @@ struct Core {
     bool store_dead = false;
     bool end_run = false;
     std::uint32_t alarm_count = 0;
+    struct { std::int32_t code = -1; std::uint32_t channel = 0; } newest_m;   // given to the PLC last; channel from 1
 
     EventLog log;
     Signals signals;

@@ -23,6 +23,7 @@
 #include "kernel/cyclic/guard.hpp"
 #include "kernel/cyclic/homing.hpp"
 #include "kernel/cyclic/plc_link.hpp"
+#include "kernel/cyclic/scope.hpp"
 #include "kernel/cyclic/spindle_couplings.hpp"
 #include "kernel/cyclic/tool_in_work.hpp"
 #include "kernel/drives/segment_drives.hpp"
@@ -229,6 +230,10 @@ private:
         double last = 0;
     };
     double watched_value(const Watch& watch) const noexcept;
+    void note_coupling(CoupledSince& kept, std::uint32_t master, std::uint32_t added, std::uint32_t route, std::uint32_t owner) noexcept;
+    std::array<CoupledSince, kMaxAxes> axis_coupled_{};
+    std::array<CoupledSince, kMaxSpindles> spindle_coupled_{};
+    Scope scope_;
     std::array<Watch, kMaxWatches> watches_{};
     std::size_t watch_count_ = 0;
     bool plc_late_ = false;

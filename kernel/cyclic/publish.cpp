@@ -5,6 +5,17 @@
 
 namespace polyturn::kernel {
 
+// A change is put down to the M code that is being executed: in the channel of the object where there is one, else in whichever.
+void Machine::note_coupling(CoupledSince& kept, std::uint32_t master, std::uint32_t added, std::uint32_t route, std::uint32_t owner) noexcept {
+    if (kept.master == master && kept.added == added && kept.route == route) return;
+    kept = {master, added, route, core_.tick, -1, 0};
+    const auto runs = [&](std::uint32_t channel) { return channel >= 1 && channels_[channel - 1]->attached() && channels_[channel - 1]->in_handshake() && channels_[channel - 1]->m_code() >= 0; };
+    std::uint32_t by = runs(owner) ? owner : runs(core_.newest_m.channel) ? core_.newest_m.channel : 0;
+    for (std::uint32_t l = 1; !by && l <= kMaxChannels; ++l)
+        if (runs(l)) by = l;
+    if (by) kept.code = channels_[by - 1]->m_code(), kept.channel = by;
+}
+
 void Machine::publish() noexcept {
     // The draft is two pictures old; everything that exists is written anew, the rest stays zero.
     MachineStatus& status = core_.image.status.draft();
@@ -21,6 +32,9 @@ void Machine::publish() noexcept {
         out.own = axis.own();
         out.master = couplings_.synchronous_master(a);
         out.added_master = couplings_.superimposed_master(a);
+        const auto route = static_cast<std::uint32_t>(couplings_.route(a));
+        note_coupling(axis_coupled_[a], out.master, out.added_master, route == a + 1 ? 0 : route, core_.config.axes[a].channel);
+        out.since = axis_coupled_[a].since, out.since_code = axis_coupled_[a].code, out.since_channel = axis_coupled_[a].channel;
         out.velocity = axis.velocity();
         out.error = axis.error();
         out.compensation = axis.compensation();
@@ -43,11 +57,14 @@ void Machine::publish() noexcept {
         const auto follower = static_cast<std::uint32_t>(kMaxAxes) + s;
         out.master = spindle_couplings_.master_of(follower);
         out.deviation = spindle_couplings_.deviation(follower);
+        note_coupling(spindle_coupled_[s], out.master, 0, 0, spindle.owner);
+        out.since = spindle_coupled_[s].since, out.since_code = spindle_coupled_[s].code, out.since_channel = spindle_coupled_[s].channel;
         out.flags = (spindle.reached() ? 1u : 0u) | (spindle.standing() ? 2u : 0u) | (spindle.mode() == SpindleUnit::Mode::SurfaceSpeed ? 4u : 0u);
     }
     for (unsigned l = 0; l < kMaxChannels; ++l)
         if (core_.config.channels[l].exists || channels_[l]->attached()) channels_[l]->publish(status.channels[l]), status.channels[l].touched = setters_[l].touched, status.channels[l].touched_at = setters_[l].at;
     for (std::size_t a = 0; a < kMaxAxes; ++a) status.route[a] = static_cast<std::uint8_t>(couplings_.route(a));
+    scope_.sample(core_, status);
     core_.image.status.publish();
     core_.image.tick.store(static_cast<std::uint64_t>(core_.tick), std::memory_order_release);
 }

@@ -13,6 +13,7 @@
 #include "ipc/params/param_file.hpp"
 #include "ipc/text/job.hpp"
 #include "kernel/supervisor/press_targets.hpp"
+#include "kernel/supervisor/scope_words.hpp"
 #include "kernel/supervisor/signal_words.hpp"
 #include "kernel/supervisor/store_words.hpp"
 
@@ -39,6 +40,7 @@ enum class Form {
     Wheel,           // handwheel 1 A3 +120
     Reference,       // reference A3, reference all
     Restart,         // restart L1=N120 L2=N340
+    Scope,           // scope 1 measured A3, scope 1 off
 };
 
 struct PressWord {
@@ -82,6 +84,7 @@ constexpr PressWord kWords[] = {
     {"rapid_key", CommandKind::RapidKey, Form::ChannelOnOff, "rapid_key L1=on"},
     {"first_part", CommandKind::FirstPart, Form::ChannelOnOff, "first_part L1=on"},
     {"warm_up", CommandKind::WarmUp, Form::ChannelSeconds, "warm_up L1=600 (seconds; 0: none)"},
+    {"scope", CommandKind::Scope, Form::Scope, kScopeShape},
     {"stop_after_part", CommandKind::StopAfterPart, Form::Alone, "stop_after_part"},
 };
 
@@ -133,6 +136,8 @@ public:
                 return each_assignment('L', [&](Command& c, std::string_view value) { return level(c, value); });
             case Form::Restart:
                 return restart();
+            case Form::Scope:
+                return scope();
             case Form::Select:
                 return select();
             case Form::Mdi:
@@ -261,6 +266,11 @@ private:
         for (const Command& command : *out) set |= 1u << (command.channel - 1);
         for (Command& command : *out) command.flags = set;
         return out;
+    }
+
+    Result<Commands> scope() {
+        const auto command = parse_scope(rest_, machine_);
+        return command ? Result<Commands>(Commands{*command}) : Result<Commands>(command.diagnosis());
     }
 
     Result<Commands> select() {

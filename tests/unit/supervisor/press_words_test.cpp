@@ -214,6 +214,22 @@ TEST(Release, GivesASignalBack) {
     EXPECT_FALSE(parse_release("NOTHING", machine()));
 }
 
+TEST(Press, ScopeNamesATraceAndWhatItRecords) {
+    const auto commands = parse_press("scope 2 measured A3", machine());
+    ASSERT_TRUE(commands) << commands.diagnosis().text();
+    EXPECT_EQ(commands->front().kind, static_cast<std::uint32_t>(CommandKind::Scope));
+    EXPECT_EQ(commands->front().flags, 1u);
+    EXPECT_EQ(commands->front().object, 3u);
+    EXPECT_EQ(commands->front().value, static_cast<double>(ScopeKind::AxisMeasured));
+    const auto signal = parse_press("scope 8 signal CN_WTNG L1", machine());
+    ASSERT_TRUE(signal) << signal.diagnosis().text();
+    EXPECT_EQ(signal->front().value, static_cast<double>(ScopeKind::NcSignal));
+    EXPECT_TRUE(parse_press("scope 1 off", machine()));
+    EXPECT_TRUE(parse_press("scope 1 input 12", machine()));
+    for (const char* words : {"scope", "scope 1", "scope 0 off", "scope 9 off", "scope 1 measured", "scope 1 measured A95", "scope 1 measured L1", "scope 1 nothing A1", "scope 1 off A1", "scope 1 input 256", "scope 1 signal NONSENSE"})
+        EXPECT_FALSE(parse_press(words, machine())) << words;
+}
+
 TEST(Set, OffsetsAndZerosAsTheTablesShowThem) {
     auto commands = parse_set("offset L1 3 wear X=0.05", machine());
     ASSERT_TRUE(commands) << commands.diagnosis().text();
