@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kFrameMs = 16;
 constexpr qint64 kToldMs = 8'000, kLockMs = 30'000;
-enum TopHit { kHitAlarm, kHitTongue, kHitTheme, kHitLock };
+enum TopHit { kHitAlarm, kHitTongue, kHitTheme, kHitLock, kHitHelp };
 
 Sign signOf(MachineStep step) {
     switch (step) {
@@ -60,6 +60,7 @@ MainWindow::MainWindow(Choices choices)
     setWindowTitle("Polyturn");
     setMinimumSize(800, 600);
     top_ = new FreeSheet(this), rail_ = new FreeSheet(this), line_ = new FreeSheet(this), bar_ = new SoftKeyBar(this), stack_ = new QStackedWidget(this);
+    help_ = new HelpView(this);
     cover_ = new FreeSheet(this);
     cover_->hide();
     top_->onCompose = [this](Writer& w) { composeTop(w); };
@@ -103,6 +104,7 @@ void MainWindow::build() {
 void MainWindow::showScreen(int number) {
     if (number < 0 || number >= static_cast<int>(screens_.size())) return;
     shown_ = number;
+    help_->hide();
     stack_->setCurrentIndex(number);
     screen()->setFocus();
     screen()->refresh();
@@ -179,6 +181,7 @@ void MainWindow::layOut() {
     stack_->setGeometry(rail, top, width() - rail, height() - top - foot - line);
     line_->setGeometry(rail, height() - foot - line, width() - rail, line);
     bar_->setGeometry(0, height() - foot, width(), foot);
+    help_->setGeometry(rail, top, width() - rail, height() - top - foot);
     cover_->setGeometry(rect());
     for (Sheet* one : ownSheets()) one->refresh();
 }
@@ -201,6 +204,7 @@ void MainWindow::composeTop(Writer& w) {
         w.hit(box, hit);
         right = box.left() - px(6);
     };
+    button(kHitHelp, word("Help"), Sign::Help, 96);
     button(kHitLock, word("Lock"), Sign::Lock, 104);
     button(kHitTheme, dark_ ? word("Light") : word("Dark"), dark_ ? Sign::Sun : Sign::Moon, 100);
     button(kHitTongue, nameOf(spoken()), Sign::Tongue, 104);
@@ -233,7 +237,7 @@ void MainWindow::composeRail(Writer& w) {
         if (here) w.fill(QRectF(box.left(), box.top() + px(8), px(4), box.height() - px(16)), t.accent, px(2));
         w.sign(QRectF(box.center().x() - px(13), box.top() + px(9), px(26), px(26)), screens_[i]->sign(), here ? t.accent : t.dim);
         w.text(QRectF(box.left() + px(2), box.bottom() - px(31), box.width() - px(4), px(22)), screens_[i]->title(), lettering(13, here, Face::Condensed), here ? t.text : t.dim, Qt::AlignCenter);
-        w.text(QRectF(box.right() - px(17), box.top() + px(3), px(13), px(14)), QString::number(i + 1), lettering(11), t.faint, Qt::AlignRight | Qt::AlignVCenter);
+        w.text(QRectF(box.right() - px(17), box.top() + px(3), px(13), px(14)), QString::number((i + 1) % 10), lettering(11), t.faint, Qt::AlignRight | Qt::AlignVCenter);
         w.hit(box, static_cast<int>(i));
     }
 }
@@ -272,6 +276,7 @@ void MainWindow::topTouched(int number) {
         case kHitTongue: setTongue(kTongues[(static_cast<std::size_t>(spoken()) + 1) % std::size(kTongues)]); break;
         case kHitTheme: setDark(!dark_); break;
         case kHitLock: lock(true); break;
+        case kHitHelp: showHelp(); break;
         default: break;
     }
 }
@@ -284,15 +289,22 @@ void MainWindow::tell(const QString& text, Told how) {
     if (ready_) line_->refresh();
 }
 
+void MainWindow::showHelp() {
+    if (help_->isVisible()) return help_->hide();
+    help_->open(screen()->help());
+}
+
 bool MainWindow::keyPressed(QKeyEvent* event) {
     const int key = event->key();
+    if (key == Qt::Key_Help || (key == Qt::Key_H && event->modifiers() & Qt::ControlModifier)) return showHelp(), true;
+    if (help_->isVisible() && help_->key(event)) return true;
     if (key >= Qt::Key_F1 && key <= Qt::Key_F10) {
         if (!event->isAutoRepeat()) bar_->press(key - Qt::Key_F1);
         return true;
     }
     if (key == Qt::Key_F11) return topTouched(kHitTongue), true;
     if (key == Qt::Key_F12) return topTouched(kHitTheme), true;
-    if (event->modifiers() & Qt::AltModifier && key >= Qt::Key_1 && key <= Qt::Key_9) return showScreen(key - Qt::Key_1), true;
+    if (event->modifiers() & Qt::AltModifier && key >= Qt::Key_0 && key <= Qt::Key_9) return showScreen(key == Qt::Key_0 ? 9 : key - Qt::Key_1), true;
     if (event->modifiers() & Qt::ControlModifier) {
         if (key >= Qt::Key_1 && key <= Qt::Key_9) return desk_.choose(static_cast<unsigned>(key - Qt::Key_0)), screen()->refresh(), true;
         if (key == Qt::Key_L) return lock(true), true;

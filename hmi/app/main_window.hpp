@@ -1,12 +1,13 @@
 // The frame around the screens: what the machine is like (top), the screens (left), their soft keys (foot), a line for the operator.
 //
-//   F1..F10 soft keys     Alt+1..9 screens     Ctrl+1..9 channels     F11 language     F12 theme     Ctrl+L lock for cleaning
+//   F1..F10 soft keys     Alt+1..9, 0 screens     Ctrl+1..9 channels     F11 language     F12 theme     Ctrl+L lock for cleaning     Help or Ctrl+H the manual
 #pragma once
 #include <QSettings>
 #include <QStackedWidget>
 #include <QTimer>
 #include <memory>
 
+#include "hmi/app/help_view.hpp"
 #include "hmi/widgets/soft_keys.hpp"
 
 namespace polyturn::hmi {
@@ -34,6 +35,8 @@ public:
     SoftKeyBar& softKeys() { return *bar_; }
     std::vector<Sheet*> ownSheets() const { return {top_, rail_, line_, bar_}; }
     bool locked() const { return locked_; }
+    HelpView& help() { return *help_; }
+    void showHelp();                       // or hides it
 
 protected:
     void resizeEvent(QResizeEvent*) override;
@@ -63,6 +66,7 @@ private:
     QTimer timer_;
     FreeSheet *top_, *rail_, *line_, *cover_;
     SoftKeyBar* bar_;
+    HelpView* help_;
     QStackedWidget* stack_;
     std::vector<Screen*> screens_;
     int shown_ = 0;

@@ -25,6 +25,11 @@ struct SoftKey {
     std::function<void()> release = {};   // acts while it is held: this ends it
 };
 
+// What the help key opens: a page of the manual, the words there, and what can be told of the field itself (markdown).
+struct HelpTopic {
+    QString page, find, intro;
+};
+
 enum class Told : std::uint8_t { Note, Good, Refused };
 
 // What every screen may use.
@@ -56,6 +61,7 @@ public:
     virtual void restore(const QString&) {}
     virtual int pages() const { return 1; }                    // for pictures of all of it
     virtual void turnTo(int /*page*/) {}
+    virtual HelpTopic help() const { return {"operator.md", title(), {}}; }   // of what is chosen
     virtual bool busy() const { return false; }                // what it shows is still being made
     virtual std::vector<Sheet*> sheets() { return {}; }        // for the test that looks for shortened words
 

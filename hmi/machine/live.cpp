@@ -1,5 +1,6 @@
 #include "hmi/machine/live.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 namespace polyturn::hmi {
@@ -18,7 +19,9 @@ std::string processName(std::size_t slot) {
 
 Live::Live(std::string instance)
     : instance_(std::move(instance)), status_(std::make_unique<MachineStatus>()), config_(std::make_unique<MachineConfig>()), table_(std::make_unique<params::Table>()),
-      inputs_(std::make_unique<PlcInputs>()), outputs_(std::make_unique<PlcOutputs>()), names_(std::make_unique<ProgramNames>()) {
+      inputs_(std::make_unique<PlcInputs>()), outputs_(std::make_unique<PlcOutputs>()), names_(std::make_unique<ProgramNames>()),
+      tools_(std::make_unique<ToolTable>()), edges_(std::make_unique<ToolEdgeTable>()), places_(std::make_unique<ToolPlaceTable>()), totals_(std::make_unique<StoreTotals>()),
+      variables_(std::make_unique<VariableList>()) {
     params::set_defaults(*table_);
     for (auto& one : stores_) one = std::make_unique<ChannelStore>();
 }
@@ -49,6 +52,7 @@ void Live::attach() {
     ++generation_;
     tickSeconds_ = static_cast<double>(kernel_->tick_ns.load(std::memory_order_acquire)) * 1e-9;
     storeVersion_ = tableVersion_ = 0;
+    toolsSeen_ = edgesSeen_ = placesSeen_ = 0;
     namesVersion_ = {};
 }
 
@@ -85,6 +89,35 @@ void Live::readStore() {
     storeVersion_ = version;
 }
 
+// Half a megabyte: only when it is another one.
+void Live::readTools() {
+    const std::uint64_t tools = storeSegment_->tools.version(), edges = storeSegment_->edges.version(), places = storeSegment_->places.version();
+    if (tools == toolsSeen_ && edges == edgesSeen_ && places == placesSeen_) return;
+    if (!storeSegment_->tools.read(*tools_) || !storeSegment_->edges.read(*edges_) || !storeSegment_->places.read(*places_)) return;
+    toolsSeen_ = tools, edgesSeen_ = edges, placesSeen_ = places;
+    ++toolsVersion_;
+}
+
+const VariableList& Live::variables(unsigned channel) const {
+    const auto& segment = channelSegments_[channel - 1];
+    if (!connected_ || !segment.attached() || !segment->variables.read(*variables_)) variables_->count = variables_->more = 0;
+    return *variables_;
+}
+
+bool Live::scopeSamples(std::uint64_t& next, std::vector<ScopeSample>& out) const {
+    out.clear();
+    if (!connected_) return true;
+    constexpr std::uint64_t kRoom = kScopeRing - 64;   // what the kernel writes while this is read
+    const std::uint64_t head = kernel_->scope.head.load(std::memory_order_acquire);
+    const std::uint64_t first = std::max(std::min(next, head), head > kRoom ? head - kRoom : 0);
+    const bool whole = first == next;
+    for (std::uint64_t i = first; i < head; ++i) out.push_back(kernel_->scope.slot(i));
+    const std::uint64_t now = kernel_->scope.head.load(std::memory_order_acquire);
+    next = head;
+    if (now > first + kScopeRing) out.clear();   // written over while it was read
+    return whole && now <= first + kScopeRing;
+}
+
 void Live::poll() {
     const auto now = Clock::now();
     if (now >= nextLook_) {
@@ -95,6 +128,8 @@ void Live::poll() {
     }
     if (!connected_) return;
     readStore();
+    readTools();
+    (void)storeSegment_->totals.read(*totals_);
     (void)kernel_->status.read(*status_);
     (void)kernel_->plc_inputs.read(*inputs_);
     (void)kernel_->plc_seen.read(*outputs_);

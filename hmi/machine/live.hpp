@@ -51,6 +51,16 @@ public:
     // Offsets, zeros and kept variables; the version grows with each change of the store.
     std::uint64_t storeVersion() const { return storeVersion_; }
     const ChannelStore& store(unsigned channel) const { return *stores_[channel - 1]; }
+    // Tools, their edges and places; the version grows with each change, of life too.
+    const ToolTable& tools() const { return *tools_; }
+    const ToolEdgeTable& edges() const { return *edges_; }
+    const ToolPlaceTable& places() const { return *places_; }
+    std::uint64_t toolsVersion() const { return toolsVersion_; }
+    const StoreTotals& totals() const { return *totals_; }
+    const VariableList& variables(unsigned channel) const;   // read anew at each call
+    // The scope: what it records, and the samples from `next` on (moved behind them); false: some were missed.
+    bool scopeChoice(ScopeChoice& out) const { return connected_ && kernel_->scope_choice.read(out); }
+    bool scopeSamples(std::uint64_t& next, std::vector<ScopeSample>& out) const;
     const std::array<std::uint64_t, 64>& tickCost() const { return tickCost_; }
     struct Process {
         std::string name;
@@ -89,6 +99,13 @@ private:
     std::array<std::unique_ptr<ChannelStore>, kMaxChannels> stores_;
     std::array<ChannelView, kMaxChannels> views_;
     std::vector<unsigned> channels_;
+    void readTools();
+    std::unique_ptr<ToolTable> tools_;
+    std::unique_ptr<ToolEdgeTable> edges_;
+    std::unique_ptr<ToolPlaceTable> places_;
+    std::unique_ptr<StoreTotals> totals_;
+    mutable std::unique_ptr<VariableList> variables_;
+    std::uint64_t toolsSeen_ = 0, edgesSeen_ = 0, placesSeen_ = 0, toolsVersion_ = 0;
     std::array<std::uint64_t, 64> tickCost_{};
     std::uint64_t storeVersion_ = 0, tableVersion_ = 0;
 };

@@ -75,11 +75,15 @@ void Requests::press(const QString& words, Done done) { ask({{"do", "press"}, {"
 void Requests::set(const QString& words, Done done) { ask({{"do", "set"}, {"words", words}}, std::move(done)); }
 void Requests::parameter(const QString& line, Done done) { ask({{"do", "parameters"}, {"lines", QJsonArray{line}}}, std::move(done)); }
 
-void Requests::ask(const QJsonObject& request, Done done) {
-    const bool quiet = request.value("do").toString() == "alarms";
+void Requests::store(const QJsonObject& operation, Done done, bool quiet) { ask({{"do", "store"}, {"op", operation}}, std::move(done), quiet); }
+
+void Requests::ask(const QJsonObject& request, Done done, bool quiet) {
+    quiet |= request.value("do").toString() == "alarms";
     waiting_.push_back({std::move(done), QDateTime::currentMSecsSinceEpoch() + kPatienceMs, quiet});
     if (!open()) return close(word("There is no connection to the controller."));
-    out_ += QJsonDocument(request).toJson(QJsonDocument::Compact) + '\n';
+    QJsonObject with = request;
+    if (!token_.isEmpty()) with.insert("token", token_);
+    out_ += QJsonDocument(with).toJson(QJsonDocument::Compact) + '\n';
     patience_.start();
     flush();
 }

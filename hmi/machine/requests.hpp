@@ -30,9 +30,11 @@ public:
     void press(const QString& words, Done done = {});      // as `polyturn press`
     void set(const QString& words, Done done = {});        // as `polyturn set`
     void parameter(const QString& line, Done done = {});
-    void ask(const QJsonObject& request, Done done);
+    void ask(const QJsonObject& request, Done done, bool quiet = false);   // quiet: a refusal is not told
+    void store(const QJsonObject& operation, Done done = {}, bool quiet = false);   // as `polyturn tools`, `polyturn pallets` ... do it
     // Called with each answer that refuses, beside its own `done`.
     std::function<void(const Answer&)> onRefused;
+    void setToken(const QString& token) { token_ = token; }   // of a login; goes along with every request
     std::size_t waiting() const { return waiting_.size(); }
 
 private:
@@ -50,6 +52,7 @@ private:
     std::string instance_;
     int fd_ = -1;
     std::unique_ptr<QSocketNotifier> readable_, writable_;
+    QString token_;
     QByteArray in_, out_;
     std::deque<Waiting> waiting_;
     QTimer patience_;

@@ -1,4 +1,4 @@
-// Alarms with cause, remedy and place, those that stand and the history; and diagnosis: signals by name, couplings, drives, processes.
+// Alarms with cause, remedy and place: those that stand, and the history.
 #pragma once
 #include "hmi/app/screen.hpp"
 #include "hmi/widgets/table.hpp"
@@ -14,14 +14,14 @@ public:
     std::vector<SoftKey> keys() override;
     void refresh() override;
     bool key(QKeyEvent* event) override;
-    bool typing() const override { return page_ == Page::Signals; }
     QString state() const override { return QString::number(static_cast<int>(page_)); }
     void restore(const QString& state) override;
     std::vector<Sheet*> sheets() override { return {head_, table_, detail_}; }
-    int pages() const override { return 6; }
+    int pages() const override { return 2; }
+    HelpTopic help() const override;
     void turnTo(int page) override { showPage(static_cast<Page>(page)); }
 
-    enum class Page : std::uint8_t { Standing, History, Signals, Axes, Couplings, Processes };
+    enum class Page : std::uint8_t { Standing, History };
     void showPage(Page page);
 
 protected:
@@ -30,12 +30,7 @@ protected:
 private:
     void layOut();
     void fillAlarms();
-    void fillSignals();
-    void fillAxes();
-    void fillCouplings();
-    void fillProcesses();
     void composeDetail(Writer& w);
-    void composeTicks(Writer& w);
 
     FreeSheet* head_;
     Table* table_;
@@ -43,14 +38,6 @@ private:
     Page page_ = Page::Standing;
     std::vector<AlarmEntry> rows_;   // copies: the book goes on
     std::uint64_t version_ = 0;
-    struct SignalLine {
-        QString name;
-        QString meaning;
-        std::uint32_t slot;
-        bool plc, isRegister;
-    };
-    std::vector<SignalLine> signals_, found_;
-    QString search_;
 };
 
 }  // namespace polyturn::hmi

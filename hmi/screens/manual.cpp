@@ -18,7 +18,11 @@ enum Override { kFeedLess, kFeedMore, kRapidLess, kRapidMore, kSpindleLess, kSpi
 
 }  // namespace
 
-Manual::Manual(Desk& desk) : Screen(desk), axes_(new FreeSheet(this)), side_(new FreeSheet(this)) {
+Manual::Manual(Desk& desk) : Screen(desk), axes_(new FreeSheet(this)), side_(new FreeSheet(this)), hand_(new HandPage(desk, this)), pad_(new TextPad(this)) {
+    pad_->capitals = true;
+    pad_->onText = [this](const QString& text) { if (mdi_.size() < 150) mdi_ += text, refresh(); };
+    pad_->onBackspace = [this] { mdi_.chop(1), refresh(); };
+    pad_->onEnter = [this] { startMdi(); };
     setFocusPolicy(Qt::StrongFocus);
     axes_->onCompose = [this](Writer& w) { composeAxes(w); };
     side_->onCompose = [this](Writer& w) { composeSide(w); };
@@ -50,7 +54,7 @@ void Manual::letGo() {
 void Manual::press(int number) {
     const Live& live = desk_.live;
     if (!live.connected()) return;
-    typing_ = number == kMdiHit;
+    if (std::exchange(typing_, number == kMdiHit) != typing_) layOut();
     const QString name = QString("L%1").arg(desk_.channel);
     if (number >= kChannelHits) {
         desk_.choose(static_cast<unsigned>(number - kChannelHits));
@@ -96,9 +100,28 @@ void Manual::startMdi() {
 }
 
 void Manual::resizeEvent(QResizeEvent*) { layOut(); }
+
+std::vector<Sheet*> Manual::sheets() {
+    if (handShown_) return hand_->sheets();
+    if (typing_) return {axes_, side_, pad_};
+    return {axes_, side_};
+}
+
+void Manual::showHand(bool on) {
+    letGo();
+    handShown_ = on, typing_ = false;
+    layOut();
+    refresh();
+    if (desk_.keysChanged) desk_.keysChanged();
+}
+
 void Manual::layOut() {
     const int side = px(390), edge = px(8);
-    axes_->setGeometry(edge, edge, width() - side - 3 * edge, height() - 2 * edge);
+    const int keyboard = typing_ ? px(300) : 0;   // beneath the axes, while a block is entered
+    axes_->setGeometry(edge, edge, width() - side - 3 * edge, height() - 2 * edge - keyboard);
+    pad_->setGeometry(edge, height() - keyboard, width() - side - 3 * edge, std::max(0, keyboard - edge));
+    hand_->setGeometry(0, 0, width(), height());
+    hand_->setVisible(handShown_), axes_->setVisible(!handShown_), side_->setVisible(!handShown_), pad_->setVisible(typing_ && !handShown_);
     side_->setGeometry(width() - side - edge, edge, side, height() - 2 * edge);
     for (Sheet* one : sheets()) one->refresh();
 }
@@ -224,10 +247,12 @@ void Manual::composeSide(Writer& w) {
 }
 
 void Manual::refresh() {
+    if (handShown_) return hand_->refresh();
     for (Sheet* one : sheets()) one->refresh();
 }
 
 std::vector<SoftKey> Manual::keys() {
+    if (handShown_) return hand_->keys([this] { showHand(false); });
     const Live& live = desk_.live;
     const bool there = live.connected();
     const ChannelStatus& status = live.channel(desk_.channel);
@@ -240,8 +265,8 @@ std::vector<SoftKey> Manual::keys() {
     std::vector<SoftKey> keys{
         {word("Automatic"), [this] { mode("auto"); }, Sign::None, there, mode_now == ChannelMode::Auto},
         {word("Jog"), [this] { mode("jog"); }, Sign::Manual, there, mode_now == ChannelMode::Jog},
-        {word("MDI"), [this] { mode("mdi"), typing_ = true, refresh(); }, Sign::None, there, mode_now == ChannelMode::Mdi},
-        {word("Reference"), [this] { mode("reference"); }, Sign::None, there, mode_now == ChannelMode::Reference},
+        {word("MDI"), [this] { mode("mdi"), typing_ = true, layOut(), refresh(); }, Sign::None, there, mode_now == ChannelMode::Mdi},
+        {word("Wheel, tool, transfer"), [this] { showHand(true); }, Sign::Right, there},
         {word("Reference all"), press_words("reference all"), Sign::Offsets, there && on},
         {word("Leave the hold %1").arg(name), press_words("jog_in_hold " + name), Sign::Hold, there && held && !away},
         {word("Return %1").arg(name), press_words("return " + name), Sign::Left, there && away},
@@ -259,8 +284,9 @@ std::vector<SoftKey> Manual::keys() {
 }
 
 bool Manual::key(QKeyEvent* event) {
+    if (handShown_) return hand_->key(event);
     if (!typing_) return false;
-    if (event->key() == Qt::Key_Escape) typing_ = false;
+    if (event->key() == Qt::Key_Escape) typing_ = false, layOut();
     else if (event->key() == Qt::Key_Backspace) mdi_.chop(1);
     else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) startMdi();
     else if (!event->text().isEmpty() && event->text()[0].isPrint() && mdi_.size() < 150) mdi_ += event->text().toUpper();

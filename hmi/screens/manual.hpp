@@ -2,6 +2,8 @@
 // (MDI), overrides, machine on.
 #pragma once
 #include "hmi/app/screen.hpp"
+#include "hmi/screens/hand_page.hpp"
+#include "hmi/widgets/text_pad.hpp"
 
 namespace polyturn::hmi {
 
@@ -18,7 +20,13 @@ public:
     bool typing() const override { return typing_; }
     QString state() const override { return QString::number(step_); }
     void restore(const QString& state) override;
-    std::vector<Sheet*> sheets() override { return {axes_, side_}; }
+    std::vector<Sheet*> sheets() override;
+    int pages() const override { return 2; }
+    HelpTopic help() const override { return handShown_ ? HelpTopic{"builder.md", "A part from one spindle to the other", {}} : HelpTopic{"operator.md", "Manual:", {}}; }
+    void turnTo(int page) override { showHand(page == 1); }
+    void showHand(bool on);
+    HandPage& hand() { return *hand_; }
+    TextPad& pad() { return *pad_; }
     FreeSheet& axes() { return *axes_; }
     FreeSheet& side() { return *side_; }
     // Numbers of touches: axis (from 1) * 10, + 1 for the positive, + 2 for the negative key, + 3 for its reference point.
@@ -40,6 +48,9 @@ private:
     void mode(const char* wanted);
 
     FreeSheet *axes_, *side_;
+    HandPage* hand_;
+    TextPad* pad_;                // for a finger, while a block is entered
+    bool handShown_ = false;
     QTimer held_;                 // tells the kernel that the key is still held
     QString heldWords_;
     int step_ = 0;                // 0: jog as long as the key is held; otherwise into kSteps

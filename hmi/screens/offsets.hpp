@@ -23,6 +23,7 @@ public:
     std::vector<Sheet*> sheets() override { return {head_, table_, side_, pad_}; }
 
     int pages() const override { return 2; }
+    HelpTopic help() const override { return {"setup.md", zeros_ ? QString("Offsets and zeros") : QString("3. Measure"), {}}; }
     void turnTo(int page) override { showZeros(page == 1); }
     void showZeros(bool zeros);
     Table& table() { return *table_; }

@@ -1,6 +1,7 @@
 #include "hmi/screens/overview.hpp"
 
 #include <cmath>
+#include <cstring>
 
 #include "hmi/screens/channel_card.hpp"
 
@@ -65,6 +66,16 @@ bool Overview::key(QKeyEvent* event) {
     if (event->key() == Qt::Key_Right && here + 1 != all.end()) desk_.choose(*(here + 1));
     refresh();
     return true;
+}
+
+// The code that moves now, in the reference of the channel's language.
+HelpTopic Overview::help() const {
+    const ChannelView& view = desk_.live.view(desk_.channel);
+    const std::string language(params::get_text(desk_.live.table(), params::pt_language, desk_.channel));
+    const QString page = language == "sinumerik" ? "reference_sinumerik.md" : language == "fagor" ? "reference_fagor.md" : "reference_fanuc.md";
+    const QString codes = QString::fromUtf8(view.picture.codes.data(), static_cast<int>(::strnlen(view.picture.codes.data(), view.picture.codes.size())));
+    if (!view.known || codes.isEmpty()) return {"operator.md", "Overview:", {}};
+    return {page, codes.section(' ', 0, 0), {}};
 }
 
 std::vector<SoftKey> Overview::keys() {

@@ -15,6 +15,7 @@ public:
     void refresh() override;
     void rebuilt() override;
     bool key(QKeyEvent* event) override;
+    HelpTopic help() const override;
     std::vector<Sheet*> sheets() override;
 
 protected:

@@ -129,6 +129,18 @@ void Parameters::search() {
     head_->refresh();
 }
 
+// The parameter's row: the manual of the machine is the list of its parameters.
+HelpTopic Parameters::help() const {
+    const Line* line = chosen();
+    if (!line) return {"builder.md", "The machine is its parameters", {}};
+    const params::Row& row = *line->row;
+    const QString unit = fromView(params::unit_of(row, desk_.live.table(), line->instance));
+    return {"builder.md", "The machine is its parameters",
+            QString("# %1 %2\n\n%3\n\n| | |\n| --- | --- |\n| %4 | %5 %6 |\n| %7 | %8 |\n| %9 | %10 |")
+                .arg(fromView(row.number), fromView(row.name), fromView(row.meaning), word("Value"), QString::fromStdString(params::value_text(row, desk_.live.table(), line->instance, line->element)), unit)
+                .arg(word("Effect"), word(effectWord(row.effect)), word("Level"), word(levelWord(row.protection)))};
+}
+
 const Parameters::Line* Parameters::chosen() const {
     const int row = table_->row();
     return row >= 0 && row < static_cast<int>(lines_.size()) ? &lines_[static_cast<std::size_t>(row)] : nullptr;

@@ -22,6 +22,7 @@ public:
     bool typing() const override { return true; }
     QString state() const override { return QString("%1|%2").arg(group_).arg(search_); }
     void restore(const QString& state) override;
+    HelpTopic help() const override;
     std::vector<Sheet*> sheets() override { return {head_, groups_, table_, detail_, pad_}; }
     Table& table() { return *table_; }
     NumberPad& pad() { return *pad_; }

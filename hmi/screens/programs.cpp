@@ -16,7 +16,7 @@ bool isJob(const QFileInfo& one) { return text::is_job_file(one.filePath().toStd
 
 }  // namespace
 
-Programs::Programs(Desk& desk) : Screen(desk), files_(new Table(this)), head_(new FreeSheet(this)), preview_(new FreeSheet(this)), view_(new FreeSheet(this)) {
+Programs::Programs(Desk& desk) : Screen(desk), files_(new Table(this)), head_(new FreeSheet(this)), preview_(new FreeSheet(this)), view_(new FreeSheet(this)), restart_(new RestartPage(desk, this)), editor_(new EditorPage(desk, this)) {
     setFocusPolicy(Qt::StrongFocus);
     files_->columns = {{word("Name"), 5}, {word("Changed"), 2.2}, {word("Size"), 1.2, kRight}};
     files_->rowUnits = 40;
@@ -37,9 +37,9 @@ Programs::Programs(Desk& desk) : Screen(desk), files_(new Table(this)), head_(ne
     head_->onCompose = [this](Writer& w) {
         const Theme& t = theme();
         w.fill(QRectF(0, 0, head_->width(), head_->height()), t.window);
-        const QString title = page_ == Page::Files ? word("Programs and jobs") : page_ == Page::Together ? word("Synchronised view") : word("Timeline");
+        const QString title = page_ == Page::Files ? word("Programs and jobs") : page_ == Page::Together ? word("Synchronised view") : page_ == Page::Time ? word("Timeline") : page_ == Page::Restart ? word("Restart in the middle") : word("Editor");
         w.text(QRectF(px(14), 0, head_->width() * 0.4, head_->height()), title, lettering(20, true), t.text);
-        w.data(QRectF(head_->width() * 0.42, 0, head_->width() * 0.58 - px(12), head_->height()), page_ == Page::Files ? desk_.folder : QFileInfo(dry_.job()).fileName(), lettering(15), t.dim, kRight);
+        w.data(QRectF(head_->width() * 0.42, 0, head_->width() * 0.58 - px(12), head_->height()), page_ == Page::Files ? desk_.folder : page_ == Page::Restart ? QString() : page_ == Page::Edit ? editor_->file() + (editor_->changed() ? " *" : "") : QFileInfo(dry_.job()).fileName(), lettering(15), t.dim, kRight);
     };
     preview_->onCompose = [this](Writer& w) { composePreview(w); };
     view_->onCompose = [this](Writer& w) { page_ == Page::Time ? composeTime(w) : composeTogether(w); };
@@ -107,6 +107,20 @@ void Programs::select() {
     });
 }
 
+// In the language of the channel that runs it, or of the job beside it that names it; else of the channel that keys speak to.
+void Programs::edit() {
+    const QString path = chosenPath();
+    if (!QFileInfo(path).isFile()) return;
+    if (editor_->file() == path && editor_->changed()) return show(Page::Edit);   // goes on where it was left
+    std::string language(params::get_text(desk_.live.table(), params::pt_language, desk_.channel));
+    for (const QFileInfo& one : entries_)
+        if (!one.isDir() && isJob(one))
+            if (const auto job = text::load_job(one.filePath().toStdString()))
+                for (const auto& [channel, program] : job->programs)
+                    if (QFileInfo(QString::fromStdString(program.file)) == QFileInfo(path) && !program.language.empty()) language = program.language;
+    if (editor_->open(path, QString::fromStdString(language))) show(Page::Edit);
+}
+
 void Programs::look(DryRun::How how) {
     const QString path = chosenPath();
     if (QFileInfo(path).isFile()) wanted_ = path;
@@ -131,11 +145,20 @@ void Programs::layOut() {
     files_->setGeometry(edge, top, half - 2 * edge, height() - top - edge);
     preview_->setGeometry(half, top, width() - half - edge, height() - top - edge);
     view_->setGeometry(edge, top, width() - 2 * edge, height() - top - edge);
-    files_->setVisible(files), preview_->setVisible(files), view_->setVisible(!files);
+    restart_->setGeometry(0, top, width(), height() - top);
+    editor_->setGeometry(0, top, width(), height() - top);
+    editor_->setVisible(page_ == Page::Edit);
+    const bool restart = page_ == Page::Restart || page_ == Page::Edit;
+    files_->setVisible(files), preview_->setVisible(files), view_->setVisible(!files && !restart), restart_->setVisible(page_ == Page::Restart);
 }
 
 std::vector<Sheet*> Programs::sheets() {
     if (page_ == Page::Files) return {head_, files_, preview_};
+    if (page_ == Page::Restart || page_ == Page::Edit) {
+        std::vector<Sheet*> out = page_ == Page::Edit ? editor_->sheets() : restart_->sheets();
+        out.push_back(head_);
+        return out;
+    }
     return {head_, view_};
 }
 
@@ -230,6 +253,7 @@ void Programs::composeFaults(Writer& w, const QRectF& box) {
 }
 
 void Programs::refresh() {
+    if (page_ == Page::Edit) editor_->refresh();
     for (Sheet* one : sheets()) one->refresh();
 }
 
@@ -245,12 +269,18 @@ std::vector<SoftKey> Programs::keys() {
         {word("Files"), [this] { show(Page::Files); }, Sign::Programs, true, page_ == Page::Files},
         {word("Check, waits"), [this] { look(DryRun::How::Check); }, Sign::Overview, can, page_ == Page::Together},
         {word("Dry run, timeline"), [this] { look(DryRun::How::Drive); }, Sign::Graphics, can, page_ == Page::Time},
-        {},
+        {word("Restart in the middle"), [this] { show(Page::Restart); }, Sign::Left, there, page_ == Page::Restart},
         {word("Open folder"), [this] { open(); }, Sign::Right, page_ == Page::Files && QFileInfo(chosenPath()).isDir()},
         {word("Read again"), [this] { readFolder(desk_.folder, QFileInfo(chosenPath()).fileName()); }, Sign::None, page_ == Page::Files},
         {job || !file ? word("Select job") : word("Select in L%1").arg(desk_.channel), [this] { select(); }, Sign::Good, there && file && !runs && page_ == Page::Files},
         {word("Start all"), [this] { desk_.requests.press("cycle_start"), desk_.show(0); }, Sign::Run, there},
     };
+    if (page_ == Page::Restart) restart_->addKeys(keys);
+    if (page_ == Page::Files) keys.push_back({word("Edit"), [this] { edit(); }, Sign::Programs, file && !job});
+    if (page_ == Page::Edit) {
+        keys.resize(4);
+        editor_->addKeys(keys);
+    }
     return keys;
 }
 
@@ -259,6 +289,8 @@ bool Programs::key(QKeyEvent* event) {
         if (event->key() == Qt::Key_Backspace && !entries_.empty() && entries_.front().fileName() == "..") return files_->choose(0), open(), true;
         return files_->key(event);
     }
+    if (page_ == Page::Edit) return event->key() == Qt::Key_Escape && !editor_->changed() ? show(Page::Files), true : editor_->key(event);
+    if (page_ == Page::Restart) return event->key() == Qt::Key_Escape && restart_->pad().text().isEmpty() ? show(Page::Files), true : restart_->key(event);
     switch (event->key()) {
         case Qt::Key_Up: scroll_ -= 1; break;
         case Qt::Key_Down: scroll_ += 1; break;

@@ -6,6 +6,8 @@
 #include "hmi/app/screen.hpp"
 #include "hmi/machine/dry_run.hpp"
 #include "hmi/machine/program_text.hpp"
+#include "hmi/screens/editor_page.hpp"
+#include "hmi/screens/restart_page.hpp"
 #include "hmi/widgets/table.hpp"
 #include "ipc/text/job.hpp"
 
@@ -19,26 +21,31 @@ public:
     const char* name() const override { return "programs"; }
     std::vector<SoftKey> keys() override;
     void refresh() override;
+    void follow() override { restart_->follow(); }
     bool key(QKeyEvent* event) override;
     QString state() const override { return QString::number(static_cast<int>(page_)) + "|" + chosenPath(); }
     void restore(const QString& state) override;
     std::vector<Sheet*> sheets() override;
-    int pages() const override { return job_ || page_ != Page::Files ? 3 : 1; }
-    void turnTo(int page) override { page == 0 ? show(Page::Files) : look(page == 1 ? DryRun::How::Check : DryRun::How::Drive); }
+    int pages() const override { return job_ || (page_ != Page::Files && page_ != Page::Restart) ? 4 : 1; }
+    HelpTopic help() const override { return page_ == Page::Restart ? HelpTopic{"operator.md", "Beginning in the middle", {}} : page_ == Page::Together ? HelpTopic{"programmer.md", "Waiting", {}} : HelpTopic{"operator.md", "Programs:", {}}; }
+    void turnTo(int page) override { page == 0 ? show(Page::Files) : page == 3 ? show(Page::Restart) : look(page == 1 ? DryRun::How::Check : DryRun::How::Drive); }
     bool busy() const override { return dry_.running(); }
     Table& files() { return *files_; }
+    EditorPage& editor() { return *editor_; }
+    RestartPage& restartPage() { return *restart_; }
     const DryRun& dryRun() const { return dry_; }
 
 protected:
     void resizeEvent(QResizeEvent*) override;
 
 private:
-    enum class Page : std::uint8_t { Files, Together, Time };
+    enum class Page : std::uint8_t { Files, Together, Time, Restart, Edit };
     void layOut();
     void readFolder(const QString& folder, const QString& choose = {});
     QString chosenPath() const;
     void open();
     void select();
+    void edit();
     void preview();
     void composePreview(Writer& w);
     void composeTogether(Writer& w);
@@ -50,6 +57,8 @@ private:
     Page page_ = Page::Files;
     Table* files_;
     FreeSheet *head_, *preview_, *view_;
+    RestartPage* restart_;
+    EditorPage* editor_;
     std::vector<QFileInfo> entries_;
     std::unique_ptr<text::Job> job_;         // of the chosen file, when it is one
     QString jobFault_, wanted_;              // wanted_: of a check or dry run

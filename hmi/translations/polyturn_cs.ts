@@ -4,9 +4,34 @@
 <context>
     <name>hmi</name>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>  of it cutting</source>
+        <translation>  z toho řez</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>  of it rapid</source>
+        <translation>  z toho rychloposuv</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>  of it waiting</source>
+        <translation>  z toho čekání</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>%1 has a new insert: life and wear begin anew</source>
+        <translation>%1 má novou destičku: životnost a opotřebení začínají znovu</translation>
+    </message>
+    <message>
         <location filename="../screens/job_views.cpp"/>
         <source>%1 in all</source>
         <translation>celkem %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>%1 is logged in</source>
+        <translation>%1 je přihlášen</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -19,9 +44,39 @@
         <translation>%1 zvoleno ve svých kanálech</translation>
     </message>
     <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>%1 is taken out</source>
+        <translation>%1 je vyjmut</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>%1 of %2</source>
+        <translation>%1 z %2</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>%1 s after the start of the controller</source>
         <translation>%1 s po startu řízení</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>%1 s wide</source>
+        <translation>šířka %1 s</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>%1 stands in %2</source>
+        <translation>%1 stojí v %2</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>%1 values and files would change</source>
+        <translation>Změnilo by se %1 hodnot a souborů</translation>
+    </message>
+    <message>
+        <location filename="../widgets/magazine.cpp"/>
+        <source>%1: choose its place, Enter puts it there, Escape leaves it</source>
+        <translation>%1: zvolte místo, Enter ho tam dá, Escape nechá být</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -69,9 +124,19 @@
         <translation>Vše</translation>
     </message>
     <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>All at their tools</source>
+        <translation>Vše od nástrojů</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>All groups</source>
         <translation>Všechny skupiny</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>All tools</source>
+        <translation>Všechny nástroje</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -94,24 +159,74 @@
         <translation>Automatika</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Axes</source>
         <translation>Osy</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Axes and drives</source>
         <translation>Osy a pohony</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Axes of L%1</source>
+        <translation>Osy L%1</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Axis</source>
         <translation>Osa</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Back</source>
+        <translation>Zpět</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Backup</source>
+        <translation>Záloha</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Backups</source>
+        <translation>Zálohy</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Block skip</source>
         <translation>Vypuštění bloků</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>Broken</source>
+        <translation>Zlomený</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Calibrate</source>
+        <translation>Kalibrovat</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Calibrated: %1 µm a pixel, tilted by %2°</source>
+        <translation>Zkalibrováno: %1 µm na pixel, náklon %2°</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Call %1</source>
+        <translation>Volat %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Called by</source>
+        <translation>Volá ho</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Cannot be written: %1</source>
+        <translation>Nelze zapsat: %1</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -129,7 +244,7 @@
         <translation>Změny od startu obrazovek</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Channel</source>
         <translation>Kanál</translation>
     </message>
@@ -137,6 +252,11 @@
         <location filename="../screens/programs.cpp"/>
         <source>Check, waits</source>
         <translation>Kontrola, čekání</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Choose a backup: «What would change» compares it with the machine, and nothing is changed yet.</source>
+        <translation>Zvolte zálohu: «Co by se změnilo» ji porovná se strojem a nic zatím nemění.</translation>
     </message>
     <message>
         <location filename="../widgets/number_pad.cpp"/>
@@ -149,6 +269,26 @@
         <translation>Zvolte úlohu nebo program</translation>
     </message>
     <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Choose a picture of the tool's shadow</source>
+        <translation>Zvolte snímek stínu nástroje</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Choose a signal; type a part of its name</source>
+        <translation>Zvolte signál; napište část názvu</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Choose signal</source>
+        <translation>Zvolit signál</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis.cpp"/>
+        <source>Circularity</source>
+        <translation>Kruhovitost</translation>
+    </message>
+    <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Clear</source>
         <translation>Smazat</translation>
@@ -159,27 +299,32 @@
         <translation>Smazat hledání</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../app/help_view.cpp"/>
+        <source>Close</source>
+        <translation>Zavřít</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Commanded</source>
         <translation>Zadáno</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Compensation</source>
         <translation>Kompenzace</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Computing time of ticks</source>
         <translation>Doba výpočtu taktů</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Couplings</source>
         <translation>Vazby</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Couplings and exchanges</source>
         <translation>Vazby a záměny</translation>
     </message>
@@ -189,9 +334,24 @@
         <translation>Řez</translation>
     </message>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Cutting time</source>
+        <translation>Doba řezu</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Cycle</source>
         <translation>Cyklus</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Cycle last, mean</source>
+        <translation>Cyklus poslední, průměr</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Cycle now</source>
+        <translation>Cyklus nyní</translation>
     </message>
     <message>
         <location filename="../app/main_window.cpp"/>
@@ -209,12 +369,42 @@
         <translation>Výchozí hodnota</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Delete tool</source>
+        <translation>Smazat nástroj</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Delete user</source>
+        <translation>Smazat uživatele</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Depends on</source>
         <translation>Závisí na</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis.hpp"/>
+        <source>Diagnosis</source>
+        <translation>Diagnostika</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Diameter</source>
+        <translation>Průměr</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Diameter of the pin</source>
+        <translation>Průměr kolíku</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Do this step</source>
+        <translation>Provést krok</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Drive fault</source>
         <translation>Porucha pohonu</translation>
     </message>
@@ -234,7 +424,22 @@
         <translation>Prodleva</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/programs.cpp"/>
+        <source>Edit</source>
+        <translation>Upravit</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Editor</source>
+        <translation>Editor</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Effect</source>
+        <translation>Působení</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
         <source>Emergency stop</source>
         <translation>Nouzový stop</translation>
     </message>
@@ -259,14 +464,64 @@
         <translation>Ukončí program: znovu</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../widgets/text_pad.cpp"/>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Enter it</source>
+        <translation>Zapsat</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Enter logs in. A new user gets this name, this password and the level %1.</source>
+        <translation>Enter přihlásí. Nový uživatel dostane toto jméno, toto heslo a úroveň %1.</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Enter, or a second touch, changes it.</source>
+        <translation>Enter nebo druhý dotyk to změní.</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Entered</source>
+        <translation>Zapsáno</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Every axis and spindle is on its own: nothing is coupled, exchanged or followed.</source>
         <translation>Každá osa a vřeteno je samostatné: žádná vazba, záměna ani sledování.</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Everything becomes as then: press again</source>
+        <translation>Vše bude jako tehdy: znovu</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Exchange</source>
+        <translation>Vyměnit</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Exchange with it</source>
+        <translation>Vyměnit s ním</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Export</source>
+        <translation>Export</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
         <source>External</source>
         <translation>Externí</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Factor</source>
+        <translation>Násobek</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -284,6 +539,11 @@
         <translation>Soubory</translation>
     </message>
     <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Filter</source>
+        <translation>Filtr</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>First part</source>
         <translation>První kus</translation>
@@ -294,14 +554,29 @@
         <translation>První kus: start pokračuje tímto nástrojem</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>First to stop the machine: %1 after %2 more parts</source>
+        <translation>První zastaví stroj: %1 po %2 dílech</translation>
+    </message>
+    <message>
+        <location filename="../screens/channel_card.cpp"/>
         <source>Follow. error</source>
         <translation>Odchylka</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>For the offset and the gauge pin</source>
+        <translation>Pro korekci a kalibrační kolík</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>From</source>
         <translation>Od</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Full torque</source>
+        <translation>Plný moment</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -314,9 +589,29 @@
         <translation>Geometrie + opotř.</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Give this level</source>
+        <translation>Dát tuto úroveň</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Goes back to its own place</source>
+        <translation>Vrací se na vlastní místo</translation>
+    </message>
+    <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Graphics</source>
         <translation>Grafika</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Greatest, least deviation</source>
+        <translation>Největší, nejmenší odchylka</translation>
+    </message>
+    <message>
+        <location filename="../app/help_view.cpp"/>
+        <source>Handbook</source>
+        <translation>Příručka</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -329,12 +624,17 @@
         <translation>Pozastaven</translation>
     </message>
     <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>Help</source>
+        <translation>Nápověda</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>History</source>
         <translation>Historie</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/hand_page.cpp"/>
         <source>Hold %1</source>
         <translation>Stop posuvu %1</translation>
     </message>
@@ -344,14 +644,19 @@
         <translation>Stop všech</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>How</source>
         <translation>Jak</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>In position</source>
         <translation>V poloze</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>In this magazine</source>
+        <translation>V tomto zásobníku</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -364,9 +669,24 @@
         <translation>Přerušen</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Interval meter</source>
+        <translation>Intervalové počitadlo</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>It acts at once: press again</source>
+        <translation>Působí ihned: znovu</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
         <source>It cannot be shown.</source>
         <translation>Nelze zobrazit.</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>It follows the main spindle</source>
+        <translation>Sleduje hlavní vřeteno</translation>
     </message>
     <message>
         <location filename="../machine/dry_run.cpp"/>
@@ -374,14 +694,104 @@
         <translation>Nedal výsledek.</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>It is gone: press again</source>
+        <translation>Bude pryč: ještě jednou</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>It is no text in UTF-8: it cannot be edited without a loss.</source>
+        <translation>Není to text v UTF-8: nelze upravit beze ztráty.</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>It is the gauge pin: press again</source>
+        <translation>Je to kolík: ještě jednou</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>It reads to the block: start shows what comes</source>
+        <translation>Čte se k bloku: start ukáže, co přijde</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>It runs now: press again</source>
+        <translation>Právě běží: znovu</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>It stood at</source>
+        <translation>Stál na</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Its chuck clamps</source>
+        <translation>Jeho sklíčidlo upne</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Its chuck opens</source>
+        <translation>Jeho sklíčidlo se otevře</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>Its tool came at</source>
+        <translation>Nástroj přišel v</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Jog</source>
         <translation>Ruční</translation>
     </message>
     <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Jog against the part</source>
+        <translation>Přijet k dílu</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Jog keys</source>
+        <translation>Klávesy os</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Jog: pull the part out</source>
+        <translation>Vytáhnout díl</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Keyboard</source>
+        <translation>Klávesnice</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Kind</source>
+        <translation>Druh</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Kind of place that it needs, 0 any</source>
+        <translation>Druh potřebného místa, 0 libovolné</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Kind: 500 roughing, 510 finishing, 200 drill ...</source>
+        <translation>Druh: 500 hrubovací, 510 dokončovací, 200 vrták ...</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>L%1: restart at block</source>
+        <translation>L%1: začít od bloku</translation>
+    </message>
+    <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Larger</source>
         <translation>Větší</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Largest speed</source>
+        <translation>Největší otáčky</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -394,9 +804,49 @@
         <translation>Odjet %1</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Length</source>
+        <translation>Délka</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Level</source>
         <translation>Úroveň</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Life</source>
+        <translation>Životnost</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Life and forecast</source>
+        <translation>Životnost a výhled</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Life and wear to 0: press again</source>
+        <translation>Životnost a opotřebení na 0: znovu</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Life group of programs</source>
+        <translation>Skupina životnosti programů</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Life left</source>
+        <translation>Zbývá životnosti</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>Life nearly over</source>
+        <translation>Životnost končí</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Life, 0 is not watched</source>
+        <translation>Životnost, 0 nesleduje se</translation>
     </message>
     <message>
         <location filename="../app/main_window.cpp"/>
@@ -404,14 +854,64 @@
         <translation>Světlý</translation>
     </message>
     <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Little torque for the slide</source>
+        <translation>Malý moment saní</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Load</source>
+        <translation>Založit</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Loading station</source>
+        <translation>Zakládací stanice</translation>
+    </message>
+    <message>
         <location filename="../app/main_window.cpp"/>
         <source>Lock</source>
         <translation>Zámek</translation>
     </message>
     <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Lock place</source>
+        <translation>Blokovat místo</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Lock tool</source>
+        <translation>Blokovat nástroj</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>Locked</source>
+        <translation>Blokovaný</translation>
+    </message>
+    <message>
         <location filename="../app/main_window.cpp"/>
         <source>Locked for cleaning</source>
         <translation>Uzamčeno pro čištění</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Log in</source>
+        <translation>Přihlásit</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Log out</source>
+        <translation>Odhlásit</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Logged in: %1, %2</source>
+        <translation>Přihlášen: %1, %2</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Longer</source>
+        <translation>Delší</translation>
     </message>
     <message>
         <location filename="../screens/job_views.cpp"/>
@@ -444,9 +944,19 @@
         <translation>Stroj zap.</translation>
     </message>
     <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Magazines</source>
+        <translation>Zásobníky</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.hpp"/>
         <source>Manual</source>
         <translation>Ručně</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>May be used</source>
+        <translation>Smí se použít</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -454,14 +964,24 @@
         <translation>Průměr</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Meaning</source>
         <translation>Význam</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Measure</source>
+        <translation>Změřit</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Measured</source>
         <translation>Změřeno</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Measures ...</source>
+        <translation>Měří ...</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
@@ -469,7 +989,12 @@
         <translation>Zpráva</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Move</source>
+        <translation>Přemístit</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Moves</source>
         <translation>Jede</translation>
     </message>
@@ -479,9 +1004,34 @@
         <translation>Název</translation>
     </message>
     <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>New insert</source>
+        <translation>Nová destička</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>New tool</source>
+        <translation>Nový nástroj</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>New user</source>
+        <translation>Nový uživatel</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Next fault</source>
+        <translation>Další chyba</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>No alarm stands.</source>
         <translation>Žádný alarm netrvá.</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>No circle has been driven since the record began: drive at least three quarters of one in L%1</source>
+        <translation>Od začátku záznamu se nejel kruh: projeďte v L%1 aspoň tři čtvrtiny</translation>
     </message>
     <message>
         <location filename="../app/main_window.cpp"/>
@@ -489,9 +1039,14 @@
         <translation>Řízení neodpovídá</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/editor_page.cpp"/>
         <source>No faults found</source>
         <translation>Bez závad</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>No forecast yet: it begins when parts have been made with tools whose life is watched.</source>
+        <translation>Výhled ještě není: začne, až budou díly vyrobeny nástroji se sledovanou životností.</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -504,9 +1059,39 @@
         <translation>Žádný parametr to nemá v čísle, názvu ani významu.</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>No pictures (PGM, BMP, PNG) in this folder.</source>
+        <translation>V této složce nejsou snímky (PGM, BMP, PNG).</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>No signal has this in its name or meaning.</source>
         <translation>Žádný signál to nemá v názvu ani významu.</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>No tool is chosen.</source>
+        <translation>Není zvolen nástroj.</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>No tool is like this.</source>
+        <translation>Takový nástroj není.</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>No trace is chosen: Enter on a line, or touch it twice</source>
+        <translation>Není zvolen signál: Enter na řádku nebo dvojí dotyk</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>No variable has this in its name.</source>
+        <translation>Žádná proměnná to nemá v názvu.</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>No variable of this channel has a value.</source>
+        <translation>Žádná proměnná kanálu nemá hodnotu.</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -514,12 +1099,22 @@
         <translation>Č.</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Nobody is logged in. Without a login: %1</source>
+        <translation>Nikdo není přihlášen. Bez přihlášení: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>None is known.</source>
         <translation>Není známa.</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>Not enabled</source>
+        <translation>Nepovolený</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Not in position</source>
         <translation>Mimo polohu</translation>
     </message>
@@ -527,6 +1122,11 @@
         <location filename="../screens/offsets.cpp"/>
         <source>Not in use by the running program</source>
         <translation>Program ji nepoužívá</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Not loaded</source>
+        <translation>Nezaložené</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
@@ -539,6 +1139,16 @@
         <translation>Nic nechybí</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Nothing would change</source>
+        <translation>Nic by se nezměnilo</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Now</source>
+        <translation>Nyní</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Number</source>
         <translation>Číslo</translation>
@@ -549,14 +1159,34 @@
         <translation>Korekce</translation>
     </message>
     <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Offset number</source>
+        <translation>Číslo korekce</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Offset number of the radius</source>
+        <translation>Číslo korekce poloměru</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.hpp"/>
         <source>Offsets</source>
         <translation>Korekce</translation>
     </message>
     <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>One ring</source>
+        <translation>Jeden kroužek</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Open folder</source>
         <translation>Otevřít složku</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Operation time</source>
+        <translation>Doba provozu</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -574,6 +1204,21 @@
         <translation>Volitelný stop M1: start pokračuje</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Order among sisters</source>
+        <translation>Pořadí mezi sesterskými</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Other level</source>
+        <translation>Jiná úroveň</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Outline that protection guards: X -60:0 Z -20:5</source>
+        <translation>Obrys pro ochranu: X -60:0 Z -20:5</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>Overrides</source>
         <translation>Korekce rychlostí</translation>
@@ -584,9 +1229,44 @@
         <translation>Přehled</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Own magazine</source>
+        <translation>Vlastní zásobník</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Own place</source>
+        <translation>Vlastní místo</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Pallet</source>
+        <translation>Paleta</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Pallet number, 0: no pallet</source>
+        <translation>Číslo palety, 0: bez palety</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Pallets</source>
+        <translation>Palety</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Parameters</source>
         <translation>Parametry</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Part time</source>
+        <translation>Doba dílu</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Part transfer, step by step</source>
+        <translation>Předání dílu po krocích</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -594,12 +1274,72 @@
         <translation>Kusy</translation>
     </message>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Parts in all</source>
+        <translation>Dílů celkem</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Parts left</source>
+        <translation>Zbývá dílů</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Parts of this job</source>
+        <translation>Dílů této zakázky</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Parts since the start</source>
+        <translation>Dílů od startu</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Parts wanted</source>
+        <translation>Požadováno dílů</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Password</source>
+        <translation>Heslo</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Picture</source>
+        <translation>Snímek</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Place</source>
         <translation>Místo</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Plain S means the counter spindle</source>
+        <translation>Prosté S je protivřeteno</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Plain S means the main spindle</source>
+        <translation>Prosté S je hlavní vřeteno</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Pool %1</source>
+        <translation>Zásoba %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Power on</source>
+        <translation>Zapnuto</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Presetter</source>
+        <translation>Seřizovač</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Process</source>
         <translation>Proces</translation>
     </message>
@@ -609,14 +1349,19 @@
         <translation>Proces skončil</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Processes</source>
         <translation>Procesy</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Processes and ticks</source>
         <translation>Procesy a takty</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>Program</source>
+        <translation>Program</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -634,9 +1379,19 @@
         <translation>Programy a úlohy</translation>
     </message>
     <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Put it here</source>
+        <translation>Dát sem</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Radius</source>
         <translation>Rádius</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Radius, commanded</source>
+        <translation>Poloměr, požadovaný</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -654,6 +1409,26 @@
         <translation>Načíst znovu</translation>
     </message>
     <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>Ready</source>
+        <translation>Připravený</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Record</source>
+        <translation>Záznam</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Records</source>
+        <translation>Zaznamenává</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Redo</source>
+        <translation>Znovu</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Reference</source>
         <translation>Reference</translation>
@@ -662,6 +1437,16 @@
         <location filename="../screens/manual.cpp"/>
         <source>Reference all</source>
         <translation>Reference všech</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Release place</source>
+        <translation>Uvolnit místo</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Release tool</source>
+        <translation>Uvolnit nástroj</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -694,9 +1479,34 @@
         <translation>Reset všech</translation>
     </message>
     <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>Restart</source>
+        <translation>Restart</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>Restart at</source>
+        <translation>Začít od</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Restart in the middle</source>
+        <translation>Návrat doprostřed</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Restart: start makes the approach</source>
         <translation>Opakovaný start: start provede najetí</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Restore</source>
+        <translation>Obnovit</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Restored: %1 values and files</source>
+        <translation>Obnoveno: %1 hodnot a souborů</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -709,9 +1519,49 @@
         <translation>Návrat %1</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Room above, half places</source>
+        <translation>Prostor nahoře, půlmísta</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Room below, half places</source>
+        <translation>Prostor dole, půlmísta</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Room to the left, half places</source>
+        <translation>Prostor vlevo, půlmísta</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Room to the right, half places</source>
+        <translation>Prostor vpravo, půlmísta</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Runs</source>
         <translation>Běží</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Save</source>
+        <translation>Uložit</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Save now</source>
+        <translation>Uložit nyní</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Saved: %1</source>
+        <translation>Uloženo: %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis.cpp"/>
+        <source>Scope</source>
+        <translation>Osciloskop</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -744,19 +1594,29 @@
         <translation>Nastaví nulu: znovu</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Shorter</source>
+        <translation>Kratší</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Signal</source>
         <translation>Signál</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Signals</source>
         <translation>Signály</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Signals of NC and PLC</source>
         <translation>Signály NC a PLC</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Since</source>
+        <translation>Od</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -784,6 +1644,11 @@
         <translation>Po bloku: start provede další</translation>
     </message>
     <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Sister</source>
+        <translation>Sesterský</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Size</source>
         <translation>Velikost</translation>
@@ -794,9 +1659,24 @@
         <translation>Menší</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>So much left is a warning</source>
+        <translation>Varovat při zbytku</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Some ticks were missed</source>
+        <translation>Některé takty chybí</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>Spindle</source>
         <translation>Vřeteno</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Stands</source>
+        <translation>Stojí</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -809,7 +1689,7 @@
         <translation>Start všech</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Starts</source>
         <translation>Startuje</translation>
     </message>
@@ -819,14 +1699,24 @@
         <translation>Spustí vše: znovu</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>State</source>
         <translation>Stav</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Station</source>
+        <translation>Stanice</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
         <source>Stock</source>
         <translation>Polotovar</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Stop record</source>
+        <translation>Zastavit záznam</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -839,9 +1729,19 @@
         <translation>Synchronní pohled</translation>
     </message>
     <message>
+        <location filename="../screens/system.hpp"/>
+        <source>System</source>
+        <translation>Systém</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Text</source>
         <translation>Text</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>The axes are free: press again</source>
+        <translation>Osy jsou volné: znovu</translation>
     </message>
     <message>
         <location filename="../machine/requests.cpp"/>
@@ -854,6 +1754,11 @@
         <translation>Řízení odmítlo.</translation>
     </message>
     <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>The counter spindle is free</source>
+        <translation>Protivřeteno je volné</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>The job is being driven in virtual time</source>
         <translation>Úloha běží ve virtuálním čase</translation>
@@ -862,6 +1767,41 @@
         <location filename="../screens/offsets.cpp"/>
         <source>The machine works with it</source>
         <translation>Stroj s tím pracuje</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>The main chuck clamps</source>
+        <translation>Hlavní sklíčidlo upne</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>The main chuck opens</source>
+        <translation>Hlavní sklíčidlo se otevře</translation>
+    </message>
+    <message>
+        <location filename="../app/help_view.cpp"/>
+        <source>The manual is not installed here.</source>
+        <translation>Příručka zde není nainstalována.</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>The offset is written</source>
+        <translation>Korekce je zapsána</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>The pallet in a row goes with its program. «Exchange»: choose a row, press, choose the other row, press again.</source>
+        <translation>Paleta se mění i s programem. «Vyměnit»: zvolte řádek, stiskněte, zvolte druhý, stiskněte znovu.</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>The program cannot be checked here.</source>
+        <translation>Program zde nelze zkontrolovat.</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>The program is being read</source>
+        <translation>Program se čte</translation>
     </message>
     <message>
         <location filename="../machine/dry_run.cpp"/>
@@ -874,9 +1814,39 @@
         <translation>Programy se čtou</translation>
     </message>
     <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>The turret turns: press again</source>
+        <translation>Revolver se otočí: znovu</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Then</source>
+        <translation>Potom</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>There are no tools yet: «New tool» on the page of tool data.</source>
+        <translation>Nástroje ještě nejsou: «Nový nástroj» na stránce dat.</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>There are no users: everybody may do everything. The first one must be a maker.</source>
+        <translation>Nejsou uživatelé: každý smí vše. První musí být výrobce.</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>There is no backup in this folder.</source>
+        <translation>V této složce není záloha.</translation>
+    </message>
+    <message>
         <location filename="../machine/requests.cpp"/>
         <source>There is no connection to the controller.</source>
         <translation>Není spojení s řízením.</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>This channel has no turret.</source>
+        <translation>Kanál nemá revolver.</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -889,14 +1859,39 @@
         <translation>Zde je toto</translation>
     </message>
     <message>
+        <location filename="../widgets/magazine.cpp"/>
+        <source>This machine has no magazine: PT_TURRET_MAGAZINE and N2905 to N2922 describe it.</source>
+        <translation>Tento stroj nemá zásobník: popisují ho PT_TURRET_MAGAZINE a N2905 až N2922.</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>This machine has no pallets (N3300).</source>
+        <translation>Tento stroj nemá palety (N3300).</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Time</source>
         <translation>Čas</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Time left</source>
+        <translation>Zbývá času</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Timeline</source>
         <translation>Časová osa</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis.cpp"/>
+        <source>Timers and counters</source>
+        <translation>Časovače a čítače</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis.cpp"/>
+        <source>Timers, counters</source>
+        <translation>Čítače</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -909,9 +1904,34 @@
         <translation>Břit je na míře: znovu</translation>
     </message>
     <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>To</source>
+        <translation>Do</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>To be replaced</source>
+        <translation>K výměně</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>To go</source>
         <translation>Zbývá</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Tool</source>
+        <translation>Nástroj</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Tool %1 is new: enter what it is</source>
+        <translation>Nástroj %1 je nový: zadejte data</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Tool data</source>
+        <translation>Data nástroje</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -919,14 +1939,29 @@
         <translation>Korekce nástrojů</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Tool unit, 0 all</source>
+        <translation>Nástrojová jednotka, 0 všechny</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.hpp"/>
+        <source>Tools</source>
+        <translation>Nástroje</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Tools that it needs</source>
         <translation>Potřebné nástroje</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Torque</source>
         <translation>Moment</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>Touch a block twice, or Enter: the program restarts there. «Restart» reads to it without moving, with all waits replayed. Then start: the control shows what it will do. Start again: tool, functions, axes, and it cuts. Bring the axes to a free place first.</source>
+        <translation>Dotkněte se bloku dvakrát nebo Enter: program začne tam. «Restart» k němu čte bez pohybu a přehraje všechna čekání. Pak start: je vidět, co přijde. Znovu start: nástroj, funkce, osy a řeže se. Osy nejdřív odjeďte na volné místo.</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -939,12 +1974,52 @@
         <translation>Dotyky a klávesy nefungují. Stroj běží dál.</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Trace off</source>
+        <translation>Signál vyp</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Trigger downwards</source>
+        <translation>Spoušť dolů</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Trigger level</source>
+        <translation>Úroveň spouště</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Trigger upwards</source>
+        <translation>Spoušť nahoru</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Triggered</source>
+        <translation>Spuštěno</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Type a number, or touch it; Input takes it over.</source>
+        <translation>Napište číslo nebo se ho dotkněte; «Vložit» ho převezme.</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Type a part of the name</source>
         <translation>Zadejte část názvu</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Type number: the T that calls it</source>
+        <translation>Číslo typu: T, které ho volá</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Type, Enter takes it over.</source>
+        <translation>Napište, Enter převezme.</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
         <source>Undo</source>
         <translation>Zpět</translation>
     </message>
@@ -954,14 +2029,44 @@
         <translation>Jednotka</translation>
     </message>
     <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Unload</source>
+        <translation>Vyjmout</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Up</source>
         <translation>Nahoru</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Used up</source>
+        <translation>Spotřebováno</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>User</source>
+        <translation>Uživatel</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Users</source>
+        <translation>Uživatelé</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Value</source>
         <translation>Hodnota</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Variable</source>
+        <translation>Proměnná</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis.cpp"/>
+        <source>Variables</source>
+        <translation>Proměnné</translation>
     </message>
     <message>
         <location filename="../screens/job_views.cpp"/>
@@ -989,6 +2094,11 @@
         <translation>Čeká na %1, všichni jsou tu</translation>
     </message>
     <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Waits for the trigger</source>
+        <translation>Čeká na spoušť</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Wear</source>
         <translation>Opotř.</translation>
@@ -999,14 +2109,39 @@
         <translation>Opotř. R</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Weight</source>
+        <translation>Hmotnost</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>What</source>
         <translation>Co</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>What its life counts</source>
+        <translation>Co počítá životnost</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
         <source>What stands</source>
         <translation>Trvající</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>What would change</source>
+        <translation>Co by se změnilo</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Wheel in program</source>
+        <translation>Kolečko v programu</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Wheel, tool, transfer</source>
+        <translation>Kolečko, nástroj</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -1024,9 +2159,49 @@
         <translation>Nulové body</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Working area</source>
+        <translation>Pracovní prostor</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Workpiece</source>
         <translation>Obrobek</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>Works</source>
+        <translation>Pracuje</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>Worn</source>
+        <translation>Opotřebený</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Would be entered</source>
+        <translation>Zapsalo by se</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Writes the offset: press again</source>
+        <translation>Zapíše korekci: ještě jednou</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Written</source>
+        <translation>Zapsáno</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>X of its end, radius</source>
+        <translation>X jeho konce, poloměr</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Z of its end</source>
+        <translation>Z jeho konce</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -1074,6 +2249,21 @@
         <translation>osou se ručně pohybuje</translation>
     </message>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>and %1 more</source>
+        <translation>a dalších %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>angle</source>
+        <translation>úhel</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>arm S%1</source>
+        <translation>rameno S%1</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>attach it (AP_DETCHR)</source>
         <translation>připojte ji (AP_DETCHR)</translation>
@@ -1104,9 +2294,24 @@
         <translation>dojeďte jím na konec</translation>
     </message>
     <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>button tool</source>
+        <translation>kotoučový nůž</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>choose auto or mdi</source>
         <translation>zvolte automatiku nebo MDI</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>chuck holds</source>
+        <translation>drží</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>chuck open</source>
+        <translation>otevřené</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -1119,9 +2324,39 @@
         <translation>zavřete je nebo zapněte seřizování</translation>
     </message>
     <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>commanded</source>
+        <translation>požadovaná</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>commanded speed</source>
+        <translation>požadované otáčky</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>compensation</source>
+        <translation>kompenzace</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>detached</source>
         <translation>odpojena</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>deviation</source>
+        <translation>odchylka</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>drill</source>
+        <translation>vrták</translation>
+    </message>
+    <message>
+        <location filename="../widgets/magazine.cpp"/>
+        <source>empty</source>
+        <translation>prázdné</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -1129,17 +2364,52 @@
         <translation>vše zastavil alarm</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>file</source>
+        <translation>soubor</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>fill up its oil</source>
         <translation>doplňte olej</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>finishing tool</source>
+        <translation>dokončovací nůž</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>following error</source>
+        <translation>regulační odchylka</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>follows S%1</source>
+        <translation>sleduje S%1</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>follows it synchronously</source>
         <translation>sleduje ji synchronně</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>grinding wheel</source>
+        <translation>brusný kotouč</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>grooving tool</source>
+        <translation>zapichovací nůž</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>input %1</source>
+        <translation>vstup %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>its way is added to the own one</source>
         <translation>její dráha se přičítá</translation>
     </message>
@@ -1149,12 +2419,17 @@
         <translation>řádek</translation>
     </message>
     <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>line %1, column %2</source>
+        <translation>řádek %1, sloupec %2</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>load a new one</source>
         <translation>vložte novou</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>longest %1 of a tick of %2 µs</source>
         <translation>nejdelší %1 z taktu %2 µs</translation>
     </message>
@@ -1164,7 +2439,32 @@
         <translation>výrobce</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>measured</source>
+        <translation>měřená</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>metres of cutting</source>
+        <translation>metry řezu</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>milling tool</source>
+        <translation>fréza</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>min</source>
+        <translation>min</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>minutes of cutting</source>
+        <translation>minuty řezu</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>moves its drive: the axes are exchanged</source>
         <translation>pohybuje jejím pohonem: osy zaměněny</translation>
     </message>
@@ -1172,6 +2472,11 @@
         <location filename="../screens/job_views.cpp"/>
         <source>never comes: %1</source>
         <translation>nikdy nepřijde: %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>no</source>
+        <translation>ne</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -1194,6 +2499,11 @@
         <translation>bez nástroje</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>nobody</source>
+        <translation>nikdo</translation>
+    </message>
+    <message>
         <location filename="../widgets/number_pad.cpp"/>
         <source>not a number yet</source>
         <translation>ještě ne číslo</translation>
@@ -1204,14 +2514,54 @@
         <translation>osy nemají referenci</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>not referenced</source>
         <translation>bez reference</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>not watched</source>
+        <translation>nesleduje se</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>nothing</source>
+        <translation>nic</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>off</source>
+        <translation>vyp</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
         <source>operator</source>
         <translation>obsluha</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>parting tool</source>
+        <translation>upichovací nůž</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>path left</source>
+        <translation>zbytek dráhy</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>path speed</source>
+        <translation>rychlost dráhy</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>pcs</source>
+        <translation>ks</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>pieces</source>
+        <translation>kusy</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/machine_step.hpp"/>
@@ -1234,6 +2584,11 @@
         <translation>stiskněte návrat</translation>
     </message>
     <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>probe</source>
+        <translation>sonda</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>reference it</source>
         <translation>najeďte referenci</translation>
@@ -1254,9 +2609,29 @@
         <translation>odstraňte příčinu, pak reset</translation>
     </message>
     <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>roughing tool</source>
+        <translation>hrubovací nůž</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>setter</source>
         <translation>seřizovač</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>since the start</source>
+        <translation>od startu</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>special tool</source>
+        <translation>speciální nástroj</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>speed</source>
+        <translation>otáčky</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -1334,9 +2709,24 @@
         <translation>koník není vzadu ani nedrží</translation>
     </message>
     <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>threading tool</source>
+        <translation>závitový nůž</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>tip</source>
         <translation>břit</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>tool %1</source>
+        <translation>nástroj %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>torque</source>
+        <translation>moment</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/machine_step.hpp"/>
@@ -1344,14 +2734,29 @@
         <translation>uvolněte tlačítko, pak zapněte stroj</translation>
     </message>
     <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>turning drill</source>
+        <translation>soustružnický vrták</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>turns as spindle S%1</source>
         <translation>otáčí se jako vřeteno S%1</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>turns with it, deviation %1°</source>
         <translation>otáčí se s ním, odchylka %1°</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>uses</source>
+        <translation>použití</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>velocity</source>
+        <translation>rychlost</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/machine_step.hpp"/>
@@ -1377,6 +2782,21 @@
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>wait until the axes rest</source>
         <translation>počkejte, až osy stojí</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>wear</source>
+        <translation>opotřebení</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>yes</source>
+        <translation>ano</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>«Measure» finds the tip and shows what would be entered. The gauge pin calibrates the camera first.</source>
+        <translation>«Změřit» najde špičku a ukáže, co by se zapsalo. Kameru nejdřív zkalibruje kolík.</translation>
     </message>
 </context>
 </TS>

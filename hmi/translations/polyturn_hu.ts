@@ -4,9 +4,34 @@
 <context>
     <name>hmi</name>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>  of it cutting</source>
+        <translation>  ebből forgácsolás</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>  of it rapid</source>
+        <translation>  ebből gyorsjárat</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>  of it waiting</source>
+        <translation>  ebből várakozás</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>%1 has a new insert: life and wear begin anew</source>
+        <translation>%1: új lapka, az élettartam és a kopás újrakezdődik</translation>
+    </message>
+    <message>
         <location filename="../screens/job_views.cpp"/>
         <source>%1 in all</source>
         <translation>összesen %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>%1 is logged in</source>
+        <translation>%1 bejelentkezett</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -19,9 +44,39 @@
         <translation>%1 kiválasztva a csatornáiban</translation>
     </message>
     <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>%1 is taken out</source>
+        <translation>%1 ki van véve</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>%1 s after the start of the controller</source>
         <translation>%1 s a vezérlő indulása után</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>%1 s wide</source>
+        <translation>%1 s széles</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>%1 stands in %2</source>
+        <translation>%1 itt áll: %2</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>%1 values and files would change</source>
+        <translation>%1 érték és fájl változna</translation>
+    </message>
+    <message>
+        <location filename="../widgets/magazine.cpp"/>
+        <source>%1: choose its place, Enter puts it there, Escape leaves it</source>
+        <translation>%1: válasszon helyet, Enter leteszi, Escape elhagyja</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -69,9 +124,19 @@
         <translation>Mind</translation>
     </message>
     <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>All at their tools</source>
+        <translation>Mind a szerszámtól</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>All groups</source>
         <translation>Minden csoport</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>All tools</source>
+        <translation>Minden szerszám</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -94,24 +159,74 @@
         <translation>Automata</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Axes</source>
         <translation>Tengelyek</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Axes and drives</source>
         <translation>Tengelyek és hajtások</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Axes of L%1</source>
+        <translation>L%1 tengelyei</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Axis</source>
         <translation>Tengely</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Back</source>
+        <translation>Vissza</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Backup</source>
+        <translation>Mentés</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Backups</source>
+        <translation>Mentések</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Block skip</source>
         <translation>Mondatkihagyás</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>Broken</source>
+        <translation>Törött</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Calibrate</source>
+        <translation>Kalibrálás</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Calibrated: %1 µm a pixel, tilted by %2°</source>
+        <translation>Kalibrálva: %1 µm képpontonként, dőlés %2°</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Call %1</source>
+        <translation>Hívás: %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Called by</source>
+        <translation>Hívja</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Cannot be written: %1</source>
+        <translation>Nem írható: %1</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -129,7 +244,7 @@
         <translation>Változások a képernyők indítása óta</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Channel</source>
         <translation>Csatorna</translation>
     </message>
@@ -137,6 +252,11 @@
         <location filename="../screens/programs.cpp"/>
         <source>Check, waits</source>
         <translation>Ellenőrzés, várakozások</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Choose a backup: «What would change» compares it with the machine, and nothing is changed yet.</source>
+        <translation>Válasszon mentést: a «Mi változna» összeveti a géppel, és még semmit sem változtat.</translation>
     </message>
     <message>
         <location filename="../widgets/number_pad.cpp"/>
@@ -149,6 +269,26 @@
         <translation>Válasszon munkát vagy programot</translation>
     </message>
     <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Choose a picture of the tool's shadow</source>
+        <translation>Válasszon képet a szerszám árnyékáról</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Choose a signal; type a part of its name</source>
+        <translation>Válasszon jelet; írja be a neve részét</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Choose signal</source>
+        <translation>Jel választása</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis.cpp"/>
+        <source>Circularity</source>
+        <translation>Köralak</translation>
+    </message>
+    <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Clear</source>
         <translation>Törlés</translation>
@@ -159,27 +299,32 @@
         <translation>Keresés törlése</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../app/help_view.cpp"/>
+        <source>Close</source>
+        <translation>Bezárás</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Commanded</source>
         <translation>Parancs</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Compensation</source>
         <translation>Kompenzáció</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Computing time of ticks</source>
         <translation>Ütemek számítási ideje</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Couplings</source>
         <translation>Csatolások</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Couplings and exchanges</source>
         <translation>Csatolások és cserék</translation>
     </message>
@@ -189,9 +334,24 @@
         <translation>Forgácsolás</translation>
     </message>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Cutting time</source>
+        <translation>Forgácsolási idő</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Cycle</source>
         <translation>Ciklus</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Cycle last, mean</source>
+        <translation>Ciklus utolsó, átlag</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Cycle now</source>
+        <translation>Ciklus most</translation>
     </message>
     <message>
         <location filename="../app/main_window.cpp"/>
@@ -209,12 +369,42 @@
         <translation>Alapérték</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Delete tool</source>
+        <translation>Szerszám törlése</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Delete user</source>
+        <translation>Felhasználó törlése</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Depends on</source>
         <translation>Mitől függ</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis.hpp"/>
+        <source>Diagnosis</source>
+        <translation>Diagnosztika</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Diameter</source>
+        <translation>Átmérő</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Diameter of the pin</source>
+        <translation>A csap átmérője</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Do this step</source>
+        <translation>Lépés végrehajtása</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Drive fault</source>
         <translation>Hajtáshiba</translation>
     </message>
@@ -234,7 +424,22 @@
         <translation>Várakozási idő</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/programs.cpp"/>
+        <source>Edit</source>
+        <translation>Szerkesztés</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Editor</source>
+        <translation>Szerkesztő</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Effect</source>
+        <translation>Hatás</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
         <source>Emergency stop</source>
         <translation>Vészstop</translation>
     </message>
@@ -259,14 +464,64 @@
         <translation>Befejezi a programot: újra</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../widgets/text_pad.cpp"/>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Enter it</source>
+        <translation>Beírás</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Enter logs in. A new user gets this name, this password and the level %1.</source>
+        <translation>Az Enter bejelentkeztet. Az új felhasználó ezt a nevet, jelszót és szintet kapja: %1.</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Enter, or a second touch, changes it.</source>
+        <translation>Az Enter vagy második érintés átállítja.</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Entered</source>
+        <translation>Beírva</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Every axis and spindle is on its own: nothing is coupled, exchanged or followed.</source>
         <translation>Minden tengely és orsó önálló: nincs csatolás, csere vagy követés.</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Everything becomes as then: press again</source>
+        <translation>Minden olyan lesz, mint akkor: újra</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Exchange</source>
+        <translation>Csere</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Exchange with it</source>
+        <translation>Csere ezzel</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Export</source>
+        <translation>Exportálás</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
         <source>External</source>
         <translation>Külső</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Factor</source>
+        <translation>Szorzó</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -284,6 +539,11 @@
         <translation>Fájlok</translation>
     </message>
     <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Filter</source>
+        <translation>Szűrő</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>First part</source>
         <translation>Első darab</translation>
@@ -294,14 +554,29 @@
         <translation>Első darab: a start ezzel a szerszámmal folytatja</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>First to stop the machine: %1 after %2 more parts</source>
+        <translation>Elsőként állítja meg a gépet: %1, még %2 darab után</translation>
+    </message>
+    <message>
+        <location filename="../screens/channel_card.cpp"/>
         <source>Follow. error</source>
         <translation>Köv. hiba</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>For the offset and the gauge pin</source>
+        <translation>A korrekcióhoz és a mérőcsaphoz</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>From</source>
         <translation>Forrás</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Full torque</source>
+        <translation>Teljes nyomaték</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -314,9 +589,29 @@
         <translation>Geometria + kopás</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Give this level</source>
+        <translation>Szint megadása</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Goes back to its own place</source>
+        <translation>Visszatér a saját helyére</translation>
+    </message>
+    <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Graphics</source>
         <translation>Grafika</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Greatest, least deviation</source>
+        <translation>Legnagyobb, legkisebb eltérés</translation>
+    </message>
+    <message>
+        <location filename="../app/help_view.cpp"/>
+        <source>Handbook</source>
+        <translation>Kézikönyv</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -329,12 +624,17 @@
         <translation>Tartva</translation>
     </message>
     <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>Help</source>
+        <translation>Súgó</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>History</source>
         <translation>Előzmények</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/hand_page.cpp"/>
         <source>Hold %1</source>
         <translation>Állj %1</translation>
     </message>
@@ -344,14 +644,19 @@
         <translation>Állj mind</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>How</source>
         <translation>Hogyan</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>In position</source>
         <translation>Pozícióban</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>In this magazine</source>
+        <translation>Ebben a tárban</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -364,9 +669,24 @@
         <translation>Megszakítva</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Interval meter</source>
+        <translation>Szakaszmérő</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>It acts at once: press again</source>
+        <translation>Azonnal hat: újra</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
         <source>It cannot be shown.</source>
         <translation>Nem jeleníthető meg.</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>It follows the main spindle</source>
+        <translation>Követi a főorsót</translation>
     </message>
     <message>
         <location filename="../machine/dry_run.cpp"/>
@@ -374,14 +694,104 @@
         <translation>Nem adott eredményt.</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>It is gone: press again</source>
+        <translation>Eltűnik: még egyszer</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>It is no text in UTF-8: it cannot be edited without a loss.</source>
+        <translation>Nem UTF-8 szöveg: veszteség nélkül nem szerkeszthető.</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>It is the gauge pin: press again</source>
+        <translation>Ez a mérőcsap: még egyszer</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>It reads to the block: start shows what comes</source>
+        <translation>A mondatig olvas: az indítás mutatja, mi jön</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>It runs now: press again</source>
+        <translation>Most fut: újra</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>It stood at</source>
+        <translation>Itt állt</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Its chuck clamps</source>
+        <translation>A tokmánya szorít</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Its chuck opens</source>
+        <translation>A tokmánya nyit</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>Its tool came at</source>
+        <translation>A szerszám itt jött</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Jog</source>
         <translation>Kézi</translation>
     </message>
     <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Jog against the part</source>
+        <translation>Kézzel a darabhoz</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Jog keys</source>
+        <translation>Kézi gombok</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Jog: pull the part out</source>
+        <translation>Kézzel: darab kihúzása</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Keyboard</source>
+        <translation>Billentyűzet</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Kind</source>
+        <translation>Fajta</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Kind of place that it needs, 0 any</source>
+        <translation>Szükséges helyfajta, 0 bármely</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Kind: 500 roughing, 510 finishing, 200 drill ...</source>
+        <translation>Fajta: 500 nagyoló, 510 simító, 200 fúró ...</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>L%1: restart at block</source>
+        <translation>L%1: folytatás a mondattól</translation>
+    </message>
+    <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Larger</source>
         <translation>Nagyobb</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Largest speed</source>
+        <translation>Legnagyobb fordulat</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -394,9 +804,49 @@
         <translation>Elhagyás %1</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Length</source>
+        <translation>Hossz</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Level</source>
         <translation>Szint</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Life</source>
+        <translation>Élettartam</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Life and forecast</source>
+        <translation>Élettartam és előrejelzés</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Life and wear to 0: press again</source>
+        <translation>Élettartam, kopás nullára: újra</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Life group of programs</source>
+        <translation>Programok élettartamcsoportja</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Life left</source>
+        <translation>Hátralévő élet</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>Life nearly over</source>
+        <translation>Élettartam fogy</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Life, 0 is not watched</source>
+        <translation>Élettartam, 0: nem figyelt</translation>
     </message>
     <message>
         <location filename="../app/main_window.cpp"/>
@@ -404,14 +854,64 @@
         <translation>Világos</translation>
     </message>
     <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Little torque for the slide</source>
+        <translation>Kis nyomaték a szánnak</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Load</source>
+        <translation>Betöltés</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Loading station</source>
+        <translation>Betöltő állomás</translation>
+    </message>
+    <message>
         <location filename="../app/main_window.cpp"/>
         <source>Lock</source>
         <translation>Zár</translation>
     </message>
     <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Lock place</source>
+        <translation>Hely zárol</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Lock tool</source>
+        <translation>Szerszám zárol</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>Locked</source>
+        <translation>Zárolt</translation>
+    </message>
+    <message>
         <location filename="../app/main_window.cpp"/>
         <source>Locked for cleaning</source>
         <translation>Zárolva tisztításhoz</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Log in</source>
+        <translation>Belépés</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Log out</source>
+        <translation>Kilépés</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Logged in: %1, %2</source>
+        <translation>Bejelentkezve: %1, %2</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Longer</source>
+        <translation>Hosszabb</translation>
     </message>
     <message>
         <location filename="../screens/job_views.cpp"/>
@@ -444,9 +944,19 @@
         <translation>Gép be</translation>
     </message>
     <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Magazines</source>
+        <translation>Tárak</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.hpp"/>
         <source>Manual</source>
         <translation>Kézi</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>May be used</source>
+        <translation>Használható</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -454,14 +964,24 @@
         <translation>Átlag</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Meaning</source>
         <translation>Jelentés</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Measure</source>
+        <translation>Mérés</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Measured</source>
         <translation>Mért</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Measures ...</source>
+        <translation>Mér ...</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
@@ -469,7 +989,12 @@
         <translation>Üzenet</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Move</source>
+        <translation>Áthelyezés</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Moves</source>
         <translation>Mozog</translation>
     </message>
@@ -479,9 +1004,34 @@
         <translation>Név</translation>
     </message>
     <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>New insert</source>
+        <translation>Új lapka</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>New tool</source>
+        <translation>Új szerszám</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>New user</source>
+        <translation>Új felhasználó</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Next fault</source>
+        <translation>Következő hiba</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>No alarm stands.</source>
         <translation>Nincs fennálló riasztás.</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>No circle has been driven since the record began: drive at least three quarters of one in L%1</source>
+        <translation>A rögzítés kezdete óta nem volt kör: járjon be legalább háromnegyedet L%1-ben</translation>
     </message>
     <message>
         <location filename="../app/main_window.cpp"/>
@@ -489,9 +1039,14 @@
         <translation>A vezérlő nem válaszol</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/editor_page.cpp"/>
         <source>No faults found</source>
         <translation>Nincs hiba</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>No forecast yet: it begins when parts have been made with tools whose life is watched.</source>
+        <translation>Még nincs előrejelzés: akkor kezdődik, ha figyelt élettartamú szerszámmal készült darab.</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -504,9 +1059,39 @@
         <translation>Nincs paraméter ilyen számmal, névvel vagy jelentéssel.</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>No pictures (PGM, BMP, PNG) in this folder.</source>
+        <translation>Ebben a mappában nincs kép (PGM, BMP, PNG).</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>No signal has this in its name or meaning.</source>
         <translation>Nincs jel ilyen névvel vagy jelentéssel.</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>No tool is chosen.</source>
+        <translation>Nincs kiválasztott szerszám.</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>No tool is like this.</source>
+        <translation>Nincs ilyen szerszám.</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>No trace is chosen: Enter on a line, or touch it twice</source>
+        <translation>Nincs jel kiválasztva: Enter a soron vagy kettős érintés</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>No variable has this in its name.</source>
+        <translation>Nincs ilyen nevű változó.</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>No variable of this channel has a value.</source>
+        <translation>A csatornának nincs értékkel bíró változója.</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -514,12 +1099,22 @@
         <translation>Sz.</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Nobody is logged in. Without a login: %1</source>
+        <translation>Senki sincs bejelentkezve. Anélkül: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>None is known.</source>
         <translation>Nem ismert.</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>Not enabled</source>
+        <translation>Nincs engedélyezve</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Not in position</source>
         <translation>Nincs pozícióban</translation>
     </message>
@@ -527,6 +1122,11 @@
         <location filename="../screens/offsets.cpp"/>
         <source>Not in use by the running program</source>
         <translation>A program nem használja</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Not loaded</source>
+        <translation>Nincs betöltve</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
@@ -539,6 +1139,16 @@
         <translation>Semmi nem hiányzik</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Nothing would change</source>
+        <translation>Semmi sem változna</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Now</source>
+        <translation>Most</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Number</source>
         <translation>Szám</translation>
@@ -549,14 +1159,34 @@
         <translation>Korrekció</translation>
     </message>
     <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Offset number</source>
+        <translation>Korrekció száma</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Offset number of the radius</source>
+        <translation>Sugárkorrekció száma</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.hpp"/>
         <source>Offsets</source>
         <translation>Korrekciók</translation>
     </message>
     <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>One ring</source>
+        <translation>Egy gyűrű</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Open folder</source>
         <translation>Mappa megnyitása</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Operation time</source>
+        <translation>Üzemidő</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -574,6 +1204,21 @@
         <translation>Feltételes megállás M1: a start folytatja</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Order among sisters</source>
+        <translation>Sorrend a testvérek közt</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Other level</source>
+        <translation>Másik szint</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Outline that protection guards: X -60:0 Z -20:5</source>
+        <translation>Védett körvonal: X -60:0 Z -20:5</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>Overrides</source>
         <translation>Override-ok</translation>
@@ -584,9 +1229,44 @@
         <translation>Áttekintés</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Own magazine</source>
+        <translation>Saját tár</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Own place</source>
+        <translation>Saját hely</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Pallet</source>
+        <translation>Paletta</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Pallet number, 0: no pallet</source>
+        <translation>Paletta száma, 0: nincs</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Pallets</source>
+        <translation>Paletták</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Parameters</source>
         <translation>Paraméterek</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Part time</source>
+        <translation>Darabidő</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Part transfer, step by step</source>
+        <translation>Darabátadás lépésenként</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -594,12 +1274,72 @@
         <translation>Darab</translation>
     </message>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Parts in all</source>
+        <translation>Összes darab</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Parts left</source>
+        <translation>Darab hátra</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Parts of this job</source>
+        <translation>A munka darabjai</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Parts since the start</source>
+        <translation>Darab indítás óta</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Parts wanted</source>
+        <translation>Kívánt darab</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Password</source>
+        <translation>Jelszó</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Picture</source>
+        <translation>Kép</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Place</source>
         <translation>Hely</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Plain S means the counter spindle</source>
+        <translation>A sima S az ellenorsó</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Plain S means the main spindle</source>
+        <translation>A sima S a főorsó</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Pool %1</source>
+        <translation>Tároló %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Power on</source>
+        <translation>Bekapcsolva</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Presetter</source>
+        <translation>Bemérő</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Process</source>
         <translation>Folyamat</translation>
     </message>
@@ -609,14 +1349,19 @@
         <translation>A folyamat leállt</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Processes</source>
         <translation>Folyamatok</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Processes and ticks</source>
         <translation>Folyamatok és ütemek</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>Program</source>
+        <translation>Program</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -634,9 +1379,19 @@
         <translation>Programok és munkák</translation>
     </message>
     <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Put it here</source>
+        <translation>Ide tenni</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Radius</source>
         <translation>Sugár</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Radius, commanded</source>
+        <translation>Sugár, előírt</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -654,6 +1409,26 @@
         <translation>Újraolvasás</translation>
     </message>
     <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>Ready</source>
+        <translation>Kész</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Record</source>
+        <translation>Rögzítés</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Records</source>
+        <translation>Rögzít</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Redo</source>
+        <translation>Újra</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Reference</source>
         <translation>Referencia</translation>
@@ -662,6 +1437,16 @@
         <location filename="../screens/manual.cpp"/>
         <source>Reference all</source>
         <translation>Mind referencia</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Release place</source>
+        <translation>Hely felold</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Release tool</source>
+        <translation>Szerszám felold</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -694,9 +1479,34 @@
         <translation>Reset mind</translation>
     </message>
     <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>Restart</source>
+        <translation>Újraindítás</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>Restart at</source>
+        <translation>Folytatás innen</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Restart in the middle</source>
+        <translation>Folytatás középről</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Restart: start makes the approach</source>
         <translation>Újraindítás: a start elvégzi a ráállást</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Restore</source>
+        <translation>Visszaállítás</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Restored: %1 values and files</source>
+        <translation>Visszaállítva: %1 érték és fájl</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -709,9 +1519,49 @@
         <translation>Vissza %1</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Room above, half places</source>
+        <translation>Hely felül, félhely</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Room below, half places</source>
+        <translation>Hely alul, félhely</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Room to the left, half places</source>
+        <translation>Hely balra, félhely</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Room to the right, half places</source>
+        <translation>Hely jobbra, félhely</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Runs</source>
         <translation>Fut</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Save</source>
+        <translation>Mentés</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Save now</source>
+        <translation>Mentés most</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Saved: %1</source>
+        <translation>Mentve: %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis.cpp"/>
+        <source>Scope</source>
+        <translation>Oszcilloszkóp</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -744,19 +1594,29 @@
         <translation>Nullát állít: újra</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Shorter</source>
+        <translation>Rövidebb</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Signal</source>
         <translation>Jel</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Signals</source>
         <translation>Jelek</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Signals of NC and PLC</source>
         <translation>NC és PLC jelei</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Since</source>
+        <translation>Mióta</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -784,6 +1644,11 @@
         <translation>Mondatonként: a start a következőt hajtja végre</translation>
     </message>
     <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Sister</source>
+        <translation>Testvér</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Size</source>
         <translation>Méret</translation>
@@ -794,9 +1659,24 @@
         <translation>Kisebb</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>So much left is a warning</source>
+        <translation>Ennyi maradéknál figyelmeztet</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Some ticks were missed</source>
+        <translation>Néhány ütem kimaradt</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>Spindle</source>
         <translation>Orsó</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Stands</source>
+        <translation>Áll</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -809,7 +1689,7 @@
         <translation>Start mind</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Starts</source>
         <translation>Indul</translation>
     </message>
@@ -819,14 +1699,24 @@
         <translation>Mindet indítja: újra</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>State</source>
         <translation>Állapot</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Station</source>
+        <translation>Állomás</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
         <source>Stock</source>
         <translation>Nyersdarab</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Stop record</source>
+        <translation>Rögzítés állj</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -839,9 +1729,19 @@
         <translation>Szinkron nézet</translation>
     </message>
     <message>
+        <location filename="../screens/system.hpp"/>
+        <source>System</source>
+        <translation>Rendszer</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Text</source>
         <translation>Szöveg</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>The axes are free: press again</source>
+        <translation>A tengelyek szabadok: újra</translation>
     </message>
     <message>
         <location filename="../machine/requests.cpp"/>
@@ -854,6 +1754,11 @@
         <translation>A vezérlő elutasította.</translation>
     </message>
     <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>The counter spindle is free</source>
+        <translation>Az ellenorsó szabad</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>The job is being driven in virtual time</source>
         <translation>A munka virtuális időben fut</translation>
@@ -862,6 +1767,41 @@
         <location filename="../screens/offsets.cpp"/>
         <source>The machine works with it</source>
         <translation>A gép ezzel dolgozik</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>The main chuck clamps</source>
+        <translation>A fő tokmány szorít</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>The main chuck opens</source>
+        <translation>A fő tokmány nyit</translation>
+    </message>
+    <message>
+        <location filename="../app/help_view.cpp"/>
+        <source>The manual is not installed here.</source>
+        <translation>A kézikönyv itt nincs telepítve.</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>The offset is written</source>
+        <translation>A korrekció be van írva</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>The pallet in a row goes with its program. «Exchange»: choose a row, press, choose the other row, press again.</source>
+        <translation>A paletta a programjával együtt cserél. «Csere»: válasszon sort, nyomja meg, válassza a másikat, nyomja meg újra.</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>The program cannot be checked here.</source>
+        <translation>A program itt nem ellenőrizhető.</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>The program is being read</source>
+        <translation>A program olvasása folyik</translation>
     </message>
     <message>
         <location filename="../machine/dry_run.cpp"/>
@@ -874,9 +1814,39 @@
         <translation>A programok olvasása folyik</translation>
     </message>
     <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>The turret turns: press again</source>
+        <translation>A revolver fordul: újra</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Then</source>
+        <translation>Utána</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>There are no tools yet: «New tool» on the page of tool data.</source>
+        <translation>Még nincs szerszám: «Új szerszám» az adatok lapján.</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>There are no users: everybody may do everything. The first one must be a maker.</source>
+        <translation>Nincs felhasználó: mindenki mindent tehet. Az elsőnek gyártónak kell lennie.</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>There is no backup in this folder.</source>
+        <translation>Ebben a mappában nincs mentés.</translation>
+    </message>
+    <message>
         <location filename="../machine/requests.cpp"/>
         <source>There is no connection to the controller.</source>
         <translation>Nincs kapcsolat a vezérlővel.</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>This channel has no turret.</source>
+        <translation>A csatornának nincs revolvere.</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -889,14 +1859,39 @@
         <translation>Itt ennyi</translation>
     </message>
     <message>
+        <location filename="../widgets/magazine.cpp"/>
+        <source>This machine has no magazine: PT_TURRET_MAGAZINE and N2905 to N2922 describe it.</source>
+        <translation>Ennek a gépnek nincs tára: a PT_TURRET_MAGAZINE és az N2905–N2922 írja le.</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>This machine has no pallets (N3300).</source>
+        <translation>Ennek a gépnek nincs palettája (N3300).</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Time</source>
         <translation>Idő</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Time left</source>
+        <translation>Idő hátra</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Timeline</source>
         <translation>Idővonal</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis.cpp"/>
+        <source>Timers and counters</source>
+        <translation>Időzítők és számlálók</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis.cpp"/>
+        <source>Timers, counters</source>
+        <translation>Számlálók</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -909,9 +1904,34 @@
         <translation>A csúcs a méreten: újra</translation>
     </message>
     <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>To</source>
+        <translation>Eddig</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>To be replaced</source>
+        <translation>Cserélendő</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>To go</source>
         <translation>Hátravan</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Tool</source>
+        <translation>Szerszám</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Tool %1 is new: enter what it is</source>
+        <translation>A(z) %1. szerszám új: adja meg az adatait</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Tool data</source>
+        <translation>Adatok</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -919,14 +1939,29 @@
         <translation>Korrekciók</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Tool unit, 0 all</source>
+        <translation>Szerszámegység, 0 mind</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.hpp"/>
+        <source>Tools</source>
+        <translation>Szerszámok</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Tools that it needs</source>
         <translation>Szükséges szerszámok</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Torque</source>
         <translation>Nyomaték</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>Touch a block twice, or Enter: the program restarts there. «Restart» reads to it without moving, with all waits replayed. Then start: the control shows what it will do. Start again: tool, functions, axes, and it cuts. Bring the axes to a free place first.</source>
+        <translation>Érintse kétszer a mondatot, vagy Enter: a program onnan folytatja. Az «Újraindítás» mozgás nélkül olvas odáig, minden várakozással. Aztán indítás: látszik, mi jön. Újra indítás: szerszám, funkciók, tengelyek, és forgácsol. Előbb vigye szabad helyre a tengelyeket.</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -939,12 +1974,52 @@
         <translation>Az érintés és a billentyűk hatástalanok. A gép megy tovább.</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Trace off</source>
+        <translation>Jel ki</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Trigger downwards</source>
+        <translation>Indítás lefelé</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Trigger level</source>
+        <translation>Indítószint</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Trigger upwards</source>
+        <translation>Indítás felfelé</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Triggered</source>
+        <translation>Indítva</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Type a number, or touch it; Input takes it over.</source>
+        <translation>Írja be vagy érintse a számot; a «Bevitel» átveszi.</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Type a part of the name</source>
         <translation>Írja be a név egy részét</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Type number: the T that calls it</source>
+        <translation>Típusszám: az őt hívó T</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Type, Enter takes it over.</source>
+        <translation>Írja be, az Enter átveszi.</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
         <source>Undo</source>
         <translation>Visszavonás</translation>
     </message>
@@ -954,14 +2029,44 @@
         <translation>Egység</translation>
     </message>
     <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Unload</source>
+        <translation>Kivétel</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Up</source>
         <translation>Fel</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Used up</source>
+        <translation>Elhasznált rész</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>User</source>
+        <translation>Felhasználó</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Users</source>
+        <translation>Felhasználók</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Value</source>
         <translation>Érték</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Variable</source>
+        <translation>Változó</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis.cpp"/>
+        <source>Variables</source>
+        <translation>Változók</translation>
     </message>
     <message>
         <location filename="../screens/job_views.cpp"/>
@@ -989,6 +2094,11 @@
         <translation>Vár itt: %1, mindenki itt van</translation>
     </message>
     <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Waits for the trigger</source>
+        <translation>Indítójelre vár</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Wear</source>
         <translation>Kopás</translation>
@@ -999,14 +2109,39 @@
         <translation>Kopás R</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Weight</source>
+        <translation>Tömeg</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>What</source>
         <translation>Mi</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>What its life counts</source>
+        <translation>Mit számol az élettartam</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
         <source>What stands</source>
         <translation>Fennálló</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>What would change</source>
+        <translation>Mi változna</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Wheel in program</source>
+        <translation>Kézikerék menet közben</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Wheel, tool, transfer</source>
+        <translation>Kerék, szerszám</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -1024,9 +2159,49 @@
         <translation>Nullpontok</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Working area</source>
+        <translation>Munkatér</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Workpiece</source>
         <translation>Munkadarab</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>Works</source>
+        <translation>Dolgozik</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>Worn</source>
+        <translation>Elhasznált</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Would be entered</source>
+        <translation>Ez kerülne be</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Writes the offset: press again</source>
+        <translation>Beírja a korrekciót: még egyszer</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Written</source>
+        <translation>Beírva</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>X of its end, radius</source>
+        <translation>A végének X-e, sugár</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Z of its end</source>
+        <translation>A végének Z-je</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -1074,6 +2249,21 @@
         <translation>egy tengelyt kézzel mozgatnak</translation>
     </message>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>and %1 more</source>
+        <translation>és még %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>angle</source>
+        <translation>szög</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>arm S%1</source>
+        <translation>kar S%1</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>attach it (AP_DETCHR)</source>
         <translation>csatolja vissza (AP_DETCHR)</translation>
@@ -1104,9 +2294,24 @@
         <translation>vigye a végállásba</translation>
     </message>
     <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>button tool</source>
+        <translation>gombkés</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>choose auto or mdi</source>
         <translation>válasszon automatát vagy MDI-t</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>chuck holds</source>
+        <translation>tart</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>chuck open</source>
+        <translation>nyitva</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -1119,9 +2324,39 @@
         <translation>csukja be, vagy váltson beállító módra</translation>
     </message>
     <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>commanded</source>
+        <translation>előírt</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>commanded speed</source>
+        <translation>előírt fordulat</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>compensation</source>
+        <translation>kompenzáció</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>detached</source>
         <translation>leválasztva</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>deviation</source>
+        <translation>eltérés</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>drill</source>
+        <translation>fúró</translation>
+    </message>
+    <message>
+        <location filename="../widgets/magazine.cpp"/>
+        <source>empty</source>
+        <translation>üres</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -1129,17 +2364,52 @@
         <translation>riasztás állított le mindent</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>file</source>
+        <translation>fájl</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>fill up its oil</source>
         <translation>töltse fel az olajat</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>finishing tool</source>
+        <translation>simító kés</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>following error</source>
+        <translation>követési hiba</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>follows S%1</source>
+        <translation>követi: S%1</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>follows it synchronously</source>
         <translation>szinkronban követi</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>grinding wheel</source>
+        <translation>köszörűkorong</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>grooving tool</source>
+        <translation>beszúró kés</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>input %1</source>
+        <translation>%1. bemenet</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>its way is added to the own one</source>
         <translation>az útja hozzáadódik</translation>
     </message>
@@ -1149,12 +2419,17 @@
         <translation>sor</translation>
     </message>
     <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>line %1, column %2</source>
+        <translation>%1. sor, %2. oszlop</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>load a new one</source>
         <translation>töltsön be újat</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>longest %1 of a tick of %2 µs</source>
         <translation>leghosszabb %1, ütem %2 µs</translation>
     </message>
@@ -1164,7 +2439,32 @@
         <translation>gyártó</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>measured</source>
+        <translation>mért</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>metres of cutting</source>
+        <translation>forgácsolási métert</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>milling tool</source>
+        <translation>maró</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>min</source>
+        <translation>perc</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>minutes of cutting</source>
+        <translation>forgácsolási percet</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>moves its drive: the axes are exchanged</source>
         <translation>annak hajtását mozgatja: cserélt tengelyek</translation>
     </message>
@@ -1172,6 +2472,11 @@
         <location filename="../screens/job_views.cpp"/>
         <source>never comes: %1</source>
         <translation>sosem jön: %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>no</source>
+        <translation>nem</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -1194,6 +2499,11 @@
         <translation>nincs szerszám</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>nobody</source>
+        <translation>senki</translation>
+    </message>
+    <message>
         <location filename="../widgets/number_pad.cpp"/>
         <source>not a number yet</source>
         <translation>még nem szám</translation>
@@ -1204,14 +2514,54 @@
         <translation>nincs minden referencia</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>not referenced</source>
         <translation>nincs referencia</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>not watched</source>
+        <translation>nem figyelt</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>nothing</source>
+        <translation>semmit</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>off</source>
+        <translation>ki</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
         <source>operator</source>
         <translation>kezelő</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>parting tool</source>
+        <translation>leszúró kés</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>path left</source>
+        <translation>hátralévő út</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>path speed</source>
+        <translation>pályasebesség</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>pcs</source>
+        <translation>db</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>pieces</source>
+        <translation>darabot</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/machine_step.hpp"/>
@@ -1234,6 +2584,11 @@
         <translation>nyomja meg: visszatérés</translation>
     </message>
     <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>probe</source>
+        <translation>tapintó</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>reference it</source>
         <translation>vegyen fel referenciát</translation>
@@ -1254,9 +2609,29 @@
         <translation>szüntesse meg az okát, majd reset</translation>
     </message>
     <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>roughing tool</source>
+        <translation>nagyoló kés</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>setter</source>
         <translation>beállító</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>since the start</source>
+        <translation>indítás óta</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>special tool</source>
+        <translation>különleges szerszám</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>speed</source>
+        <translation>fordulat</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -1334,9 +2709,24 @@
         <translation>a szegnyereg sem hátul, sem szorítva</translation>
     </message>
     <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>threading tool</source>
+        <translation>menetkés</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>tip</source>
         <translation>csúcs</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>tool %1</source>
+        <translation>%1. szerszám</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>torque</source>
+        <translation>nyomaték</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/machine_step.hpp"/>
@@ -1344,14 +2734,29 @@
         <translation>oldja ki a gombot, majd gép be</translation>
     </message>
     <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>turning drill</source>
+        <translation>esztergafúró</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>turns as spindle S%1</source>
         <translation>S%1 orsóként forog</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>turns with it, deviation %1°</source>
         <translation>vele forog, eltérés %1°</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>uses</source>
+        <translation>használat</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>velocity</source>
+        <translation>sebesség</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/machine_step.hpp"/>
@@ -1377,6 +2782,21 @@
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>wait until the axes rest</source>
         <translation>várja meg, míg a tengelyek megállnak</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>wear</source>
+        <translation>kopást</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>yes</source>
+        <translation>igen</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>«Measure» finds the tip and shows what would be entered. The gauge pin calibrates the camera first.</source>
+        <translation>A «Mérés» megkeresi a csúcsot, és mutatja, mi kerülne be. A kamerát előbb a mérőcsap kalibrálja.</translation>
     </message>
 </context>
 </TS>

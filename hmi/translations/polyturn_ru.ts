@@ -4,9 +4,34 @@
 <context>
     <name>hmi</name>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>  of it cutting</source>
+        <translation>  из него резание</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>  of it rapid</source>
+        <translation>  из него ускоренный ход</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>  of it waiting</source>
+        <translation>  из него ожидание</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>%1 has a new insert: life and wear begin anew</source>
+        <translation>%1: новая пластина, ресурс и износ начинаются заново</translation>
+    </message>
+    <message>
         <location filename="../screens/job_views.cpp"/>
         <source>%1 in all</source>
         <translation>всего %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>%1 is logged in</source>
+        <translation>%1 вошёл</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -19,9 +44,39 @@
         <translation>%1 выбрано в своих каналах</translation>
     </message>
     <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>%1 is taken out</source>
+        <translation>%1 извлечён</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>%1 of %2</source>
+        <translation>%1 из %2</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>%1 s after the start of the controller</source>
         <translation>через %1 с после запуска УЧПУ</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>%1 s wide</source>
+        <translation>ширина %1 с</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>%1 stands in %2</source>
+        <translation>%1 стоит в %2</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>%1 values and files would change</source>
+        <translation>Изменится %1 значений и файлов</translation>
+    </message>
+    <message>
+        <location filename="../widgets/magazine.cpp"/>
+        <source>%1: choose its place, Enter puts it there, Escape leaves it</source>
+        <translation>%1: выберите место, Enter поставит, Escape отменит</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -69,9 +124,19 @@
         <translation>Всё</translation>
     </message>
     <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>All at their tools</source>
+        <translation>Все от инструмента</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>All groups</source>
         <translation>Все группы</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>All tools</source>
+        <translation>Все инструменты</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -94,24 +159,74 @@
         <translation>Автомат</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Axes</source>
         <translation>Оси</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Axes and drives</source>
         <translation>Оси и приводы</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Axes of L%1</source>
+        <translation>Оси L%1</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Axis</source>
         <translation>Ось</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Back</source>
+        <translation>Назад</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Backup</source>
+        <translation>Копия</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Backups</source>
+        <translation>Копии</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Block skip</source>
         <translation>Пропуск кадров</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>Broken</source>
+        <translation>Сломан</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Calibrate</source>
+        <translation>Калибровать</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Calibrated: %1 µm a pixel, tilted by %2°</source>
+        <translation>Откалибровано: %1 мкм на пиксель, наклон %2°</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Call %1</source>
+        <translation>Вызвать %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Called by</source>
+        <translation>Вызов</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Cannot be written: %1</source>
+        <translation>Не записать: %1</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -129,7 +244,7 @@
         <translation>Изменения с запуска экранов</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Channel</source>
         <translation>Канал</translation>
     </message>
@@ -137,6 +252,11 @@
         <location filename="../screens/programs.cpp"/>
         <source>Check, waits</source>
         <translation>Проверка, ожидания</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Choose a backup: «What would change» compares it with the machine, and nothing is changed yet.</source>
+        <translation>Выберите копию: «Что изменится» сравнит её со станком, пока ничего не меняя.</translation>
     </message>
     <message>
         <location filename="../widgets/number_pad.cpp"/>
@@ -149,6 +269,26 @@
         <translation>Выберите задание или программу</translation>
     </message>
     <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Choose a picture of the tool's shadow</source>
+        <translation>Выберите снимок тени инструмента</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Choose a signal; type a part of its name</source>
+        <translation>Выберите сигнал; наберите часть имени</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Choose signal</source>
+        <translation>Выбрать сигнал</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis.cpp"/>
+        <source>Circularity</source>
+        <translation>Круглость</translation>
+    </message>
+    <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Clear</source>
         <translation>Очистить</translation>
@@ -159,27 +299,32 @@
         <translation>Очистить поиск</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../app/help_view.cpp"/>
+        <source>Close</source>
+        <translation>Закрыть</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Commanded</source>
         <translation>Задано</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Compensation</source>
         <translation>Компенсация</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Computing time of ticks</source>
         <translation>Время счёта тактов</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Couplings</source>
         <translation>Связи</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Couplings and exchanges</source>
         <translation>Связи и обмен осей</translation>
     </message>
@@ -189,9 +334,24 @@
         <translation>Резание</translation>
     </message>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Cutting time</source>
+        <translation>Время резания</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Cycle</source>
         <translation>Цикл</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Cycle last, mean</source>
+        <translation>Цикл последний, средний</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Cycle now</source>
+        <translation>Цикл сейчас</translation>
     </message>
     <message>
         <location filename="../app/main_window.cpp"/>
@@ -209,12 +369,42 @@
         <translation>По умолчанию</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Delete tool</source>
+        <translation>Удалить инструмент</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Delete user</source>
+        <translation>Удалить</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Depends on</source>
         <translation>Зависит от</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis.hpp"/>
+        <source>Diagnosis</source>
+        <translation>Диагностика</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Diameter</source>
+        <translation>Диаметр</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Diameter of the pin</source>
+        <translation>Диаметр калибра</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Do this step</source>
+        <translation>Выполнить шаг</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Drive fault</source>
         <translation>Авария привода</translation>
     </message>
@@ -234,7 +424,22 @@
         <translation>Пауза</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/programs.cpp"/>
+        <source>Edit</source>
+        <translation>Правка</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Editor</source>
+        <translation>Редактор</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Effect</source>
+        <translation>Действие</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
         <source>Emergency stop</source>
         <translation>Аварийный стоп</translation>
     </message>
@@ -259,14 +464,64 @@
         <translation>Прервёт программу: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../widgets/text_pad.cpp"/>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Enter it</source>
+        <translation>Ввести</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Enter logs in. A new user gets this name, this password and the level %1.</source>
+        <translation>Enter выполняет вход. Новый пользователь получит это имя, этот пароль и уровень «%1».</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Enter, or a second touch, changes it.</source>
+        <translation>Enter или второе касание меняет.</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Entered</source>
+        <translation>Введено</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Every axis and spindle is on its own: nothing is coupled, exchanged or followed.</source>
         <translation>Каждая ось и шпиндель сами по себе: нет связей, обмена и слежения.</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Everything becomes as then: press again</source>
+        <translation>Всё станет как тогда: ещё раз</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Exchange</source>
+        <translation>Поменять</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Exchange with it</source>
+        <translation>Поменять с ним</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Export</source>
+        <translation>Экспорт</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
         <source>External</source>
         <translation>Внешний</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Factor</source>
+        <translation>Множитель</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -284,6 +539,11 @@
         <translation>Файлы</translation>
     </message>
     <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Filter</source>
+        <translation>Фильтр</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>First part</source>
         <translation>Первая деталь</translation>
@@ -294,14 +554,29 @@
         <translation>Первая деталь: пуск продолжит этим инструментом</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>First to stop the machine: %1 after %2 more parts</source>
+        <translation>Первым остановит станок: %1 через %2 деталей</translation>
+    </message>
+    <message>
+        <location filename="../screens/channel_card.cpp"/>
         <source>Follow. error</source>
         <translation>Рассогл.</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>For the offset and the gauge pin</source>
+        <translation>Для корректора и калибра</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>From</source>
         <translation>От</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Full torque</source>
+        <translation>Полный момент</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -314,9 +589,29 @@
         <translation>Геометрия + износ</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Give this level</source>
+        <translation>Дать уровень</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Goes back to its own place</source>
+        <translation>Возвращается на своё место</translation>
+    </message>
+    <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Graphics</source>
         <translation>Графика</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Greatest, least deviation</source>
+        <translation>Наибольшее, наименьшее отклонение</translation>
+    </message>
+    <message>
+        <location filename="../app/help_view.cpp"/>
+        <source>Handbook</source>
+        <translation>Руководство</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -329,12 +624,17 @@
         <translation>Удержан</translation>
     </message>
     <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>Help</source>
+        <translation>Справка</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>History</source>
         <translation>Журнал</translation>
     </message>
     <message>
-        <location filename="../screens/manual.cpp"/>
+        <location filename="../screens/hand_page.cpp"/>
         <source>Hold %1</source>
         <translation>Стоп подачи %1</translation>
     </message>
@@ -344,14 +644,19 @@
         <translation>Стоп подачи всех</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>How</source>
         <translation>Как</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>In position</source>
         <translation>В позиции</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>In this magazine</source>
+        <translation>В этом магазине</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -364,9 +669,24 @@
         <translation>Прерван</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Interval meter</source>
+        <translation>Интервальный счётчик</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>It acts at once: press again</source>
+        <translation>Действует сразу: ещё раз</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
         <source>It cannot be shown.</source>
         <translation>Показать нельзя.</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>It follows the main spindle</source>
+        <translation>Он следует за главным</translation>
     </message>
     <message>
         <location filename="../machine/dry_run.cpp"/>
@@ -374,14 +694,104 @@
         <translation>Результата нет.</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>It is gone: press again</source>
+        <translation>Исчезнет: ещё раз</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>It is no text in UTF-8: it cannot be edited without a loss.</source>
+        <translation>Это не текст UTF-8: правка испортит его.</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>It is the gauge pin: press again</source>
+        <translation>Это калибр: ещё раз</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>It reads to the block: start shows what comes</source>
+        <translation>Чтение до кадра: пуск покажет, что будет</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>It runs now: press again</source>
+        <translation>Она работает: ещё раз</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>It stood at</source>
+        <translation>Стояла на</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Its chuck clamps</source>
+        <translation>Его патрон зажимает</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Its chuck opens</source>
+        <translation>Его патрон открывается</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>Its tool came at</source>
+        <translation>Инструмент вызван в</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Jog</source>
         <translation>Ручной</translation>
     </message>
     <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Jog against the part</source>
+        <translation>Подвести к детали</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Jog keys</source>
+        <translation>Клавиши осей</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Jog: pull the part out</source>
+        <translation>Вытянуть деталь</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Keyboard</source>
+        <translation>Клавиатура</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Kind</source>
+        <translation>Вид</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Kind of place that it needs, 0 any</source>
+        <translation>Вид нужного места, 0 любое</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Kind: 500 roughing, 510 finishing, 200 drill ...</source>
+        <translation>Вид: 500 черновой, 510 чистовой, 200 сверло ...</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>L%1: restart at block</source>
+        <translation>L%1: начать с кадра</translation>
+    </message>
+    <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Larger</source>
         <translation>Крупнее</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Largest speed</source>
+        <translation>Наибольшие обороты</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -394,9 +804,49 @@
         <translation>Отвод %1</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Length</source>
+        <translation>Длина</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Level</source>
         <translation>Уровень</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Life</source>
+        <translation>Ресурс</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Life and forecast</source>
+        <translation>Ресурс и прогноз</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Life and wear to 0: press again</source>
+        <translation>Ресурс и износ в 0: ещё раз</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Life group of programs</source>
+        <translation>Группа ресурса программ</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Life left</source>
+        <translation>Остаток ресурса</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>Life nearly over</source>
+        <translation>Ресурс на исходе</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Life, 0 is not watched</source>
+        <translation>Ресурс, 0 без учёта</translation>
     </message>
     <message>
         <location filename="../app/main_window.cpp"/>
@@ -404,14 +854,64 @@
         <translation>Светлая</translation>
     </message>
     <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Little torque for the slide</source>
+        <translation>Малый момент суппорта</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Load</source>
+        <translation>Загрузить</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Loading station</source>
+        <translation>Станция загрузки</translation>
+    </message>
+    <message>
         <location filename="../app/main_window.cpp"/>
         <source>Lock</source>
         <translation>Замок</translation>
     </message>
     <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Lock place</source>
+        <translation>Блок. место</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Lock tool</source>
+        <translation>Блок. инструмент</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>Locked</source>
+        <translation>Заблокирован</translation>
+    </message>
+    <message>
         <location filename="../app/main_window.cpp"/>
         <source>Locked for cleaning</source>
         <translation>Заблокировано для протирки</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Log in</source>
+        <translation>Войти</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Log out</source>
+        <translation>Выйти</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Logged in: %1, %2</source>
+        <translation>Вошёл: %1, %2</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Longer</source>
+        <translation>Дольше</translation>
     </message>
     <message>
         <location filename="../screens/job_views.cpp"/>
@@ -444,9 +944,19 @@
         <translation>Станок вкл.</translation>
     </message>
     <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Magazines</source>
+        <translation>Магазины</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.hpp"/>
         <source>Manual</source>
         <translation>Вручную</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>May be used</source>
+        <translation>Разрешён к работе</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -454,14 +964,24 @@
         <translation>Средний</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Meaning</source>
         <translation>Значение (смысл)</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Measure</source>
+        <translation>Измерить</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Measured</source>
         <translation>Измерено</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Measures ...</source>
+        <translation>Измерение ...</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
@@ -469,7 +989,12 @@
         <translation>Сообщение</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Move</source>
+        <translation>Переместить</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Moves</source>
         <translation>Движется</translation>
     </message>
@@ -479,9 +1004,34 @@
         <translation>Имя</translation>
     </message>
     <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>New insert</source>
+        <translation>Новая пластина</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>New tool</source>
+        <translation>Новый инструмент</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>New user</source>
+        <translation>Новый</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Next fault</source>
+        <translation>Следующая ошибка</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>No alarm stands.</source>
         <translation>Активных аварий нет.</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>No circle has been driven since the record began: drive at least three quarters of one in L%1</source>
+        <translation>С начала записи круга не было: проедьте хотя бы три четверти круга в L%1</translation>
     </message>
     <message>
         <location filename="../app/main_window.cpp"/>
@@ -489,9 +1039,14 @@
         <translation>Нет связи с УЧПУ</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/editor_page.cpp"/>
         <source>No faults found</source>
         <translation>Ошибок нет</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>No forecast yet: it begins when parts have been made with tools whose life is watched.</source>
+        <translation>Прогноза ещё нет: он начнётся, когда детали будут сделаны инструментом с учётом ресурса.</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -504,9 +1059,39 @@
         <translation>Нет параметра с таким номером, именем или смыслом.</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>No pictures (PGM, BMP, PNG) in this folder.</source>
+        <translation>В этой папке нет снимков (PGM, BMP, PNG).</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>No signal has this in its name or meaning.</source>
         <translation>Нет сигнала с таким именем или смыслом.</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>No tool is chosen.</source>
+        <translation>Инструмент не выбран.</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>No tool is like this.</source>
+        <translation>Таких инструментов нет.</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>No trace is chosen: Enter on a line, or touch it twice</source>
+        <translation>Сигнал не выбран: Enter на строке или двойное касание</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>No variable has this in its name.</source>
+        <translation>Нет переменной с таким именем.</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>No variable of this channel has a value.</source>
+        <translation>Ни у одной переменной канала нет значения.</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -514,12 +1099,22 @@
         <translation>№</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Nobody is logged in. Without a login: %1</source>
+        <translation>Никто не вошёл. Без входа: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>None is known.</source>
         <translation>Неизвестно.</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>Not enabled</source>
+        <translation>Не разрешён</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Not in position</source>
         <translation>Не в позиции</translation>
     </message>
@@ -527,6 +1122,11 @@
         <location filename="../screens/offsets.cpp"/>
         <source>Not in use by the running program</source>
         <translation>Программой не используется</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Not loaded</source>
+        <translation>Не загружены</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
@@ -539,6 +1139,16 @@
         <translation>Всё готово</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Nothing would change</source>
+        <translation>Ничего не изменится</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Now</source>
+        <translation>Сейчас</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Number</source>
         <translation>Номер</translation>
@@ -549,14 +1159,34 @@
         <translation>Корректор</translation>
     </message>
     <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Offset number</source>
+        <translation>Номер корректора</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Offset number of the radius</source>
+        <translation>Номер корректора радиуса</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.hpp"/>
         <source>Offsets</source>
         <translation>Коррекции</translation>
     </message>
     <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>One ring</source>
+        <translation>Одно кольцо</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Open folder</source>
         <translation>Открыть папку</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Operation time</source>
+        <translation>Время работы</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -574,6 +1204,21 @@
         <translation>Останов M1: пуск продолжит</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Order among sisters</source>
+        <translation>Порядок среди дублёров</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Other level</source>
+        <translation>Другой уровень</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Outline that protection guards: X -60:0 Z -20:5</source>
+        <translation>Контур для защиты: X -60:0 Z -20:5</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>Overrides</source>
         <translation>Коррекции</translation>
@@ -584,9 +1229,44 @@
         <translation>Обзор</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Own magazine</source>
+        <translation>Свой магазин</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Own place</source>
+        <translation>Своё место</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Pallet</source>
+        <translation>Паллета</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Pallet number, 0: no pallet</source>
+        <translation>Номер паллеты, 0: нет паллеты</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Pallets</source>
+        <translation>Паллеты</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Parameters</source>
         <translation>Параметры</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Part time</source>
+        <translation>Время детали</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Part transfer, step by step</source>
+        <translation>Передача детали по шагам</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -594,12 +1274,72 @@
         <translation>Детали</translation>
     </message>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Parts in all</source>
+        <translation>Деталей всего</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Parts left</source>
+        <translation>Деталей ещё</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Parts of this job</source>
+        <translation>Деталей задания</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Parts since the start</source>
+        <translation>Деталей с запуска</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Parts wanted</source>
+        <translation>Нужно деталей</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Password</source>
+        <translation>Пароль</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Picture</source>
+        <translation>Снимок</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Place</source>
         <translation>Место</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Plain S means the counter spindle</source>
+        <translation>Простое S — противошпиндель</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Plain S means the main spindle</source>
+        <translation>Простое S — главный шпиндель</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Pool %1</source>
+        <translation>Накопитель %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Power on</source>
+        <translation>Включено</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Presetter</source>
+        <translation>Прибор настройки</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Process</source>
         <translation>Процесс</translation>
     </message>
@@ -609,14 +1349,19 @@
         <translation>Процесс погиб</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Processes</source>
         <translation>Процессы</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Processes and ticks</source>
         <translation>Процессы и такты</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>Program</source>
+        <translation>Программа</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -634,9 +1379,19 @@
         <translation>Программы и задания</translation>
     </message>
     <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Put it here</source>
+        <translation>Поставить сюда</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Radius</source>
         <translation>Радиус</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Radius, commanded</source>
+        <translation>Радиус, заданный</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -654,6 +1409,26 @@
         <translation>Перечитать</translation>
     </message>
     <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>Ready</source>
+        <translation>Готов</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Record</source>
+        <translation>Запись</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Records</source>
+        <translation>Записывает</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Redo</source>
+        <translation>Повторить</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Reference</source>
         <translation>Выход в 0</translation>
@@ -662,6 +1437,16 @@
         <location filename="../screens/manual.cpp"/>
         <source>Reference all</source>
         <translation>Все в ноль</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Release place</source>
+        <translation>Разблок. место</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Release tool</source>
+        <translation>Разблок. инструмент</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -694,9 +1479,34 @@
         <translation>Сброс всех</translation>
     </message>
     <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>Restart</source>
+        <translation>Перезапуск</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>Restart at</source>
+        <translation>Начать с</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Restart in the middle</source>
+        <translation>Пуск с середины</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Restart: start makes the approach</source>
         <translation>Возобновление: пуск выполнит подвод</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Restore</source>
+        <translation>Восстановить</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Restored: %1 values and files</source>
+        <translation>Восстановлено: %1 значений и файлов</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -709,9 +1519,49 @@
         <translation>Возврат %1</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Room above, half places</source>
+        <translation>Место сверху, полуместа</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Room below, half places</source>
+        <translation>Место снизу, полуместа</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Room to the left, half places</source>
+        <translation>Место слева, полуместа</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Room to the right, half places</source>
+        <translation>Место справа, полуместа</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Runs</source>
         <translation>Работает</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Save</source>
+        <translation>Сохранить</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Save now</source>
+        <translation>Сохранить</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Saved: %1</source>
+        <translation>Сохранено: %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis.cpp"/>
+        <source>Scope</source>
+        <translation>Осциллограф</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -744,19 +1594,29 @@
         <translation>Задаст нуль: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Shorter</source>
+        <translation>Короче</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Signal</source>
         <translation>Сигнал</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Signals</source>
         <translation>Сигналы</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Signals of NC and PLC</source>
         <translation>Сигналы ЧПУ и ПЛК</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Since</source>
+        <translation>С</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -784,6 +1644,11 @@
         <translation>Покадрово: пуск выполнит следующий кадр</translation>
     </message>
     <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Sister</source>
+        <translation>Дублёр</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Size</source>
         <translation>Размер</translation>
@@ -794,9 +1659,24 @@
         <translation>Мельче</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>So much left is a warning</source>
+        <translation>Предупредить при остатке</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Some ticks were missed</source>
+        <translation>Часть тактов пропущена</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>Spindle</source>
         <translation>Шпиндель</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Stands</source>
+        <translation>Стоит</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -809,7 +1689,7 @@
         <translation>Пуск всех</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Starts</source>
         <translation>Запускается</translation>
     </message>
@@ -819,14 +1699,24 @@
         <translation>Пуск всех каналов: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>State</source>
         <translation>Состояние</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Station</source>
+        <translation>Станция</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
         <source>Stock</source>
         <translation>Заготовка</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Stop record</source>
+        <translation>Стоп записи</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -839,9 +1729,19 @@
         <translation>Синхронный вид</translation>
     </message>
     <message>
+        <location filename="../screens/system.hpp"/>
+        <source>System</source>
+        <translation>Система</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Text</source>
         <translation>Текст</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>The axes are free: press again</source>
+        <translation>Оси свободны: ещё раз</translation>
     </message>
     <message>
         <location filename="../machine/requests.cpp"/>
@@ -854,6 +1754,11 @@
         <translation>УЧПУ отказало.</translation>
     </message>
     <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>The counter spindle is free</source>
+        <translation>Противошпиндель свободен</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>The job is being driven in virtual time</source>
         <translation>Задание идёт в виртуальном времени</translation>
@@ -862,6 +1767,41 @@
         <location filename="../screens/offsets.cpp"/>
         <source>The machine works with it</source>
         <translation>Станок работает с ним</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>The main chuck clamps</source>
+        <translation>Главный патрон зажимает</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>The main chuck opens</source>
+        <translation>Главный патрон открывается</translation>
+    </message>
+    <message>
+        <location filename="../app/help_view.cpp"/>
+        <source>The manual is not installed here.</source>
+        <translation>Руководство здесь не установлено.</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>The offset is written</source>
+        <translation>Корректор записан</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>The pallet in a row goes with its program. «Exchange»: choose a row, press, choose the other row, press again.</source>
+        <translation>Паллета меняется вместе с программой. «Поменять»: выберите строку, нажмите, выберите другую, нажмите ещё раз.</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>The program cannot be checked here.</source>
+        <translation>Программу здесь не проверить.</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>The program is being read</source>
+        <translation>Программа читается</translation>
     </message>
     <message>
         <location filename="../machine/dry_run.cpp"/>
@@ -874,9 +1814,39 @@
         <translation>Программы читаются</translation>
     </message>
     <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>The turret turns: press again</source>
+        <translation>Револьвер повернётся: ещё раз</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Then</source>
+        <translation>Потом</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>There are no tools yet: «New tool» on the page of tool data.</source>
+        <translation>Инструментов ещё нет: «Новый инструмент» на странице данных.</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>There are no users: everybody may do everything. The first one must be a maker.</source>
+        <translation>Пользователей нет: всем можно всё. Первым должен быть изготовитель.</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>There is no backup in this folder.</source>
+        <translation>В этой папке нет копий.</translation>
+    </message>
+    <message>
         <location filename="../machine/requests.cpp"/>
         <source>There is no connection to the controller.</source>
         <translation>Нет соединения с УЧПУ.</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>This channel has no turret.</source>
+        <translation>У канала нет револьвера.</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -889,14 +1859,39 @@
         <translation>Здесь это</translation>
     </message>
     <message>
+        <location filename="../widgets/magazine.cpp"/>
+        <source>This machine has no magazine: PT_TURRET_MAGAZINE and N2905 to N2922 describe it.</source>
+        <translation>У этого станка нет магазина: его описывают PT_TURRET_MAGAZINE и N2905 до N2922.</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>This machine has no pallets (N3300).</source>
+        <translation>У этого станка нет паллет (N3300).</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Time</source>
         <translation>Время</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Time left</source>
+        <translation>Время ещё</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Timeline</source>
         <translation>Временная шкала</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis.cpp"/>
+        <source>Timers and counters</source>
+        <translation>Таймеры и счётчики</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis.cpp"/>
+        <source>Timers, counters</source>
+        <translation>Таймеры</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -909,9 +1904,34 @@
         <translation>Вершина на размере: ещё раз</translation>
     </message>
     <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>To</source>
+        <translation>До</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>To be replaced</source>
+        <translation>К замене</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>To go</source>
         <translation>Остаток</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Tool</source>
+        <translation>Инструмент</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Tool %1 is new: enter what it is</source>
+        <translation>Инструмент %1 новый: введите данные</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.cpp"/>
+        <source>Tool data</source>
+        <translation>Данные</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -919,14 +1939,29 @@
         <translation>Корректоры</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Tool unit, 0 all</source>
+        <translation>Инструментальный узел, 0 все</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools.hpp"/>
+        <source>Tools</source>
+        <translation>Инструменты</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Tools that it needs</source>
         <translation>Нужные инструменты</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Torque</source>
         <translation>Момент</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>Touch a block twice, or Enter: the program restarts there. «Restart» reads to it without moving, with all waits replayed. Then start: the control shows what it will do. Start again: tool, functions, axes, and it cuts. Bring the axes to a free place first.</source>
+        <translation>Коснитесь кадра дважды или Enter: программа начнёт с него. «Перезапуск» читает до него без движения, повторяя все ожидания. Затем пуск: видно, что будет. Ещё пуск: инструмент, функции, оси, и резание. Сначала отведите оси на свободное место.</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -939,12 +1974,52 @@
         <translation>Касания и клавиши не действуют. Станок работает.</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Trace off</source>
+        <translation>Сигнал выкл</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Trigger downwards</source>
+        <translation>Запуск вниз</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Trigger level</source>
+        <translation>Уровень запуска</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Trigger upwards</source>
+        <translation>Запуск вверх</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Triggered</source>
+        <translation>Сработал</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Type a number, or touch it; Input takes it over.</source>
+        <translation>Наберите или коснитесь числа; «Ввод» примет.</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Type a part of the name</source>
         <translation>Введите часть имени</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Type number: the T that calls it</source>
+        <translation>Номер типа: T, которое его вызывает</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Type, Enter takes it over.</source>
+        <translation>Наберите, Enter примет.</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
         <source>Undo</source>
         <translation>Отменить</translation>
     </message>
@@ -954,14 +2029,44 @@
         <translation>Единица</translation>
     </message>
     <message>
+        <location filename="../screens/tools_requests.cpp"/>
+        <source>Unload</source>
+        <translation>Извлечь</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Up</source>
         <translation>Вверх</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Used up</source>
+        <translation>Израсходовано</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>User</source>
+        <translation>Пользователь</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Users</source>
+        <translation>Пользователи</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Value</source>
         <translation>Значение</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Variable</source>
+        <translation>Переменная</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis.cpp"/>
+        <source>Variables</source>
+        <translation>Переменные</translation>
     </message>
     <message>
         <location filename="../screens/job_views.cpp"/>
@@ -989,6 +2094,11 @@
         <translation>Ждёт на %1, все на месте</translation>
     </message>
     <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Waits for the trigger</source>
+        <translation>Ждёт запуска</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Wear</source>
         <translation>Износ</translation>
@@ -999,14 +2109,39 @@
         <translation>Износ R</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Weight</source>
+        <translation>Масса</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>What</source>
         <translation>Что</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>What its life counts</source>
+        <translation>Что считает ресурс</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
         <source>What stands</source>
         <translation>Активные</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>What would change</source>
+        <translation>Что изменится</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Wheel in program</source>
+        <translation>Маховик в программе</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Wheel, tool, transfer</source>
+        <translation>Маховик, инструмент</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -1024,9 +2159,49 @@
         <translation>Нули детали</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Working area</source>
+        <translation>Рабочая зона</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Workpiece</source>
         <translation>Деталь</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>Works</source>
+        <translation>Работает</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>Worn</source>
+        <translation>Изношен</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Would be entered</source>
+        <translation>Будет введено</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Writes the offset: press again</source>
+        <translation>Запишет корректор: ещё раз</translation>
+    </message>
+    <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Written</source>
+        <translation>Записано</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>X of its end, radius</source>
+        <translation>X его торца, радиус</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>Z of its end</source>
+        <translation>Z его торца</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -1074,6 +2249,21 @@
         <translation>ось перемещают вручную</translation>
     </message>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>and %1 more</source>
+        <translation>и ещё %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>angle</source>
+        <translation>угол</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>arm S%1</source>
+        <translation>рука S%1</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>attach it (AP_DETCHR)</source>
         <translation>присоедините её (AP_DETCHR)</translation>
@@ -1104,9 +2294,24 @@
         <translation>доведите её до конца</translation>
     </message>
     <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>button tool</source>
+        <translation>круглый резец</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>choose auto or mdi</source>
         <translation>выберите автомат или РВД</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>chuck holds</source>
+        <translation>патрон зажат</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>chuck open</source>
+        <translation>патрон открыт</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -1119,9 +2324,39 @@
         <translation>закройте её или включите режим наладки</translation>
     </message>
     <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>commanded</source>
+        <translation>заданное</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>commanded speed</source>
+        <translation>заданные обороты</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>compensation</source>
+        <translation>компенсация</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>detached</source>
         <translation>отсоединена</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>deviation</source>
+        <translation>отклонение</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>drill</source>
+        <translation>сверло</translation>
+    </message>
+    <message>
+        <location filename="../widgets/magazine.cpp"/>
+        <source>empty</source>
+        <translation>пусто</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -1129,17 +2364,52 @@
         <translation>всё остановлено аварией</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>file</source>
+        <translation>файл</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>fill up its oil</source>
         <translation>долейте масло</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>finishing tool</source>
+        <translation>чистовой резец</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>following error</source>
+        <translation>рассогласование</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>follows S%1</source>
+        <translation>следует за S%1</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>follows it synchronously</source>
         <translation>следует за ней синхронно</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>grinding wheel</source>
+        <translation>шлифовальный круг</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>grooving tool</source>
+        <translation>канавочный резец</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>input %1</source>
+        <translation>вход %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>its way is added to the own one</source>
         <translation>её путь добавляется к своему</translation>
     </message>
@@ -1149,12 +2419,17 @@
         <translation>строка</translation>
     </message>
     <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>line %1, column %2</source>
+        <translation>строка %1, столбец %2</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>load a new one</source>
         <translation>загрузите новый</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>longest %1 of a tick of %2 µs</source>
         <translation>наибольшее %1 в такте %2 µs</translation>
     </message>
@@ -1164,7 +2439,32 @@
         <translation>изготовитель</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>measured</source>
+        <translation>измеренное</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>metres of cutting</source>
+        <translation>метры резания</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>milling tool</source>
+        <translation>фреза</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>min</source>
+        <translation>мин</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>minutes of cutting</source>
+        <translation>минуты резания</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>moves its drive: the axes are exchanged</source>
         <translation>движет её приводом: оси обменены</translation>
     </message>
@@ -1172,6 +2472,11 @@
         <location filename="../screens/job_views.cpp"/>
         <source>never comes: %1</source>
         <translation>не придёт: %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>no</source>
+        <translation>нет</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -1194,6 +2499,11 @@
         <translation>нет инструмента</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>nobody</source>
+        <translation>никто</translation>
+    </message>
+    <message>
         <location filename="../widgets/number_pad.cpp"/>
         <source>not a number yet</source>
         <translation>ещё не число</translation>
@@ -1204,14 +2514,54 @@
         <translation>не все оси в нуле</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>not referenced</source>
         <translation>нет выхода в ноль</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>not watched</source>
+        <translation>без учёта</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>nothing</source>
+        <translation>ничего</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>off</source>
+        <translation>выкл</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
         <source>operator</source>
         <translation>оператор</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>parting tool</source>
+        <translation>отрезной резец</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>path left</source>
+        <translation>остаток пути</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>path speed</source>
+        <translation>скорость по контуру</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>pcs</source>
+        <translation>шт</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>pieces</source>
+        <translation>детали</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/machine_step.hpp"/>
@@ -1234,6 +2584,11 @@
         <translation>нажмите «возврат»</translation>
     </message>
     <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>probe</source>
+        <translation>щуп</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>reference it</source>
         <translation>выведите её в ноль</translation>
@@ -1254,9 +2609,29 @@
         <translation>устраните причину, затем сброс</translation>
     </message>
     <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>roughing tool</source>
+        <translation>черновой резец</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>setter</source>
         <translation>наладчик</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>since the start</source>
+        <translation>с запуска</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>special tool</source>
+        <translation>спецрезец</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>speed</source>
+        <translation>обороты</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -1334,9 +2709,24 @@
         <translation>задняя бабка ни отведена, ни прижата</translation>
     </message>
     <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>threading tool</source>
+        <translation>резьбовой резец</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>tip</source>
         <translation>вершина</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>tool %1</source>
+        <translation>инструмент %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>torque</source>
+        <translation>момент</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/machine_step.hpp"/>
@@ -1344,14 +2734,29 @@
         <translation>отпустите кнопку, затем включите станок</translation>
     </message>
     <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>turning drill</source>
+        <translation>токарное сверло</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>turns as spindle S%1</source>
         <translation>вращается как шпиндель S%1</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>turns with it, deviation %1°</source>
         <translation>вращается с ним, отклонение %1°</translation>
+    </message>
+    <message>
+        <location filename="../machine/tool_words.cpp"/>
+        <source>uses</source>
+        <translation>вызовов</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>velocity</source>
+        <translation>скорость</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/machine_step.hpp"/>
@@ -1377,6 +2782,21 @@
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>wait until the axes rest</source>
         <translation>подождите остановки осей</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>wear</source>
+        <translation>износ</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>yes</source>
+        <translation>да</translation>
+    </message>
+    <message>
+        <location filename="../screens/presetter_page.cpp"/>
+        <source>«Measure» finds the tip and shows what would be entered. The gauge pin calibrates the camera first.</source>
+        <translation>«Измерить» находит вершину и показывает, что будет введено. Сначала камеру калибрует калибр.</translation>
     </message>
 </context>
 </TS>

@@ -93,8 +93,9 @@ void Table::compose(Writer& w) {
             if (byCell && here && c == column_) w.frame(box.adjusted(1, 1, -1, -1), t.accent, px(4), px(2));
             double from = box.left() + pad;
             if (one.sign != Sign::None) w.sign(QRectF(from, box.center().y() - px(9), px(18), px(18)), one.sign, one.colour.isValid() ? one.colour : t.dim), from += px(26);
+            if (one.bar >= 0) w.bar(QRectF(box.left() + pad, box.bottom() - px(8), box.width() - 2 * pad, px(5)), one.bar, one.colour.isValid() ? one.colour : t.good, t.edge);
             if (!one.text.isEmpty())
-                w.data(QRectF(from, box.top(), box.right() - pad - from, row), one.text, lettering(one.units > 0 ? one.units : textUnits, one.bold, one.face), one.colour.isValid() ? one.colour : t.text,
+                w.data(QRectF(from, box.top(), box.right() - pad - from, one.bar >= 0 ? row - px(7) : row), one.text, lettering(one.units > 0 ? one.units : textUnits, one.bold, one.face), one.colour.isValid() ? one.colour : t.text,
                        column.align);
         }
     }
@@ -106,6 +107,12 @@ void Table::compose(Writer& w) {
         const double room = height() - head(), part = std::max<double>(px(24), room * visibleRows() / all);
         w.fill(QRectF(width() - px(9), head() + (room - part) * first / std::max(1, all - visibleRows()), px(6), part), t.edge, px(3));
     }
+}
+
+int Table::rowAt(const QPointF& point) const {
+    if (point.y() < head() || !rect().contains(point.toPoint())) return -1;
+    const int row = static_cast<int>(std::lround(first_)) + static_cast<int>((point.y() - head()) / px(rowUnits));
+    return row < count() ? row : -1;
 }
 
 void Table::mousePressEvent(QMouseEvent* event) {

@@ -23,6 +23,7 @@ public:
         Face face = Face::Text;
         QColor behind = {};                     // invalid: that of the row
         double units = 0;                       // size of the letters; 0: the table's
+        double bar = -1;                        // 0 to 1: a bar along the foot of the cell, in the cell's colour
     };
     explicit Table(QWidget* parent);
 
@@ -48,6 +49,8 @@ protected:
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+
+    int rowAt(const QPointF& point) const;      // -1: none
 
 private:
     double head() const;

@@ -78,7 +78,7 @@ public:
     // Screens by their name, soft keys by their text.
     void screen(const char* name) {
         for (std::size_t i = 0; i < window_.screens().size(); ++i)
-            if (QString(window_.screens()[i]->name()) == name) return key(static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(i)), Qt::AltModifier);
+            if (QString(window_.screens()[i]->name()) == name) return key(static_cast<Qt::Key>(Qt::Key_0 + static_cast<int>((i + 1) % 10)), Qt::AltModifier);
         FAIL() << "there is no screen " << name;
     }
     void soft(const QString& text) {

@@ -1,51 +1,15 @@
 // What an operator does all day, driven by touches and keys only, against a real controller with a running two-channel job. Each task
 // has a most of actions.
 
-#include "hmi/machine/channel_words.hpp"
 #include "hmi/screens/manual.hpp"
 #include "hmi/screens/offsets.hpp"
 #include "hmi/screens/programs.hpp"
-#include "tests/unit/hmi/controller.hpp"
-#include "tests/unit/hmi/screen_checks.hpp"
+#include "hmi/screens/system.hpp"
+#include "ipc/machine/work_zeros.hpp"
+#include "tests/unit/hmi/tasks.hpp"
 
 namespace polyturn::hmi {
 namespace {
-
-class Tasks : public ::testing::Test {
-protected:
-    static void SetUpTestSuite() { g_controller = new Controller; }
-    static void TearDownTestSuite() { delete g_controller, g_controller = nullptr; }
-    void SetUp() override {
-        Choices choices;
-        choices.instance = g_controller->name.toStdString();
-        choices.language = "en", choices.theme = "dark";
-        window = std::make_unique<MainWindow>(choices);
-        window->resize(1280, 800);
-        window->show();
-        ASSERT_TRUE(waitFor([&] { return live().connected() && live().channels().size() == 2; }));
-        g_controller->press("reset");
-        ASSERT_TRUE(waitFor([&] { return state(1) != ChannelState::Running && state(2) != ChannelState::Running && state(1) != ChannelState::Held; }));
-        ASSERT_TRUE(live().status().machine_state == 2 || g_controller->press("machine_on"));
-        ASSERT_TRUE(waitFor([&] { return static_cast<MachineStep>(live().status().step) == MachineStep::Ready || static_cast<MachineStep>(live().status().step) == MachineStep::NotReferenced; }));
-    }
-    const Live& live() const { return window->desk().live; }
-    ChannelState state(unsigned channel) const { return static_cast<ChannelState>(live().channel(channel).state); }
-    template <class Kind> Kind& screenOf() const {
-        for (Screen* one : window->screens())
-            if (auto* found = dynamic_cast<Kind*>(one)) return *found;
-        throw std::runtime_error("no such screen");
-    }
-    void startJob() {
-        const QString job = QString(POLYTURN_SOURCE_DIR) + "/examples/jobs/shaft/shaft.job.toml";
-        ASSERT_TRUE(g_controller->press("select " + job));
-        ASSERT_TRUE(g_controller->press("cycle_start"));
-        ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Running; })) << waitWords(live(), 1).toStdString();
-    }
-
-    std::unique_ptr<MainWindow> window;
-    static Controller* g_controller;
-};
-Controller* Tasks::g_controller = nullptr;
 
 TEST_F(Tasks, CorrectAWearByTwoHundredthsInFourActions) {
     const double before = live().store(1).offsets[3].wear[0];
@@ -127,6 +91,92 @@ TEST_F(Tasks, SetAZeroWhereTheAxisStands) {
     const double machine = live().status().axes[1].act;
     const double tool = live().view(1).known ? live().view(1).picture.tool_shift[1] : 0.0;
     EXPECT_TRUE(waitFor([&] { return std::abs(live().store(1).zeros[2 * kChannelAxes + 1] - (machine - tool - 5)) < 1e-4; }, 10)) << live().store(1).zeros[2 * kChannelAxes + 1];
+}
+
+// Single block in both channels, then start after start, until one of them waits for the other.
+TEST_F(Tasks, SingleBlockBothChannelsToAWait) {
+    startJob();
+    Operator hand(*window);
+    hand.screen("overview");
+    hand.soft("Single block all");
+    ASSERT_TRUE(waitFor([&] { return (live().channel(1).keys & kKeySingleBlock) && (live().channel(2).keys & kKeySingleBlock); }));
+    const auto waits = [&] { return state(1) == ChannelState::Waiting || state(2) == ChannelState::Waiting; };
+    for (int start = 0; start < 6 && !waits(); ++start) {
+        ASSERT_TRUE(waitFor([&] { return waits() || (state(1) != ChannelState::Running && state(2) != ChannelState::Running); }));
+        if (!waits()) hand.soft("Start all");
+        QTest::qWait(200);
+    }
+    EXPECT_TRUE(waitFor(waits, 20));
+    EXPECT_LE(hand.actions, 8);
+    EXPECT_TRUE(waitWords(live(), 1).contains("L2") || waitWords(live(), 2).contains("L1"));
+    hand.soft("Single block all");
+    EXPECT_TRUE(waitFor([&] { return !(live().channel(1).keys & kKeySingleBlock); }));
+}
+
+// The tip touches a diameter that has been measured: geometry follows from where the axis stands.
+TEST_F(Tasks, MeasureAToolByItsTouch) {
+    Operator hand(*window);
+    hand.screen("offsets");
+    Offsets& offsets = screenOf<Offsets>();
+    hand.soft("Tool offsets");
+    hand.touchCell(offsets.table(), 4, 1);       // offset 5: geometry X
+    hand.type("52.48");
+    hand.soft("Measured");
+    hand.soft("Measured");                       // asked once more
+    EXPECT_LE(hand.actions, 6);
+    const auto stands = [&] {
+        const AxisStatus& axis = live().status().axes[0];
+        const ChannelStore& store = live().store(1);
+        const double zero = live().view(1).known ? 2 * (live().view(1).picture.shift[0] - live().view(1).picture.tool_shift[0]) : store.zeros[0] + store.zeros[kChannelAxes] + store.zeros[kZeroShift * kChannelAxes];
+        return 2 * axis.act - zero - 52.48 - store.offsets[5].wear[0];   // X is shown as a diameter
+    };
+    EXPECT_TRUE(waitFor([&] { return std::abs(live().store(1).offsets[5].geometry[0] - stands()) < 1e-3; }, 10)) << live().store(1).offsets[5].geometry[0] << " is not " << stands();
+}
+
+// A tool breaks: reset, say that a new insert is in, go on where its tool was called.
+TEST_F(Tasks, RestartAfterABrokenTool) {
+    startJob();
+    ASSERT_TRUE(waitFor([&] { return live().channel(1).block > 60 && live().channel(1).file == 0; }));
+    Operator hand(*window);
+    hand.screen("overview");
+    hand.soft("Hold all");
+    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Held; }));
+    hand.soft("Reset all");
+    hand.soft("Reset all");                      // asked once more
+    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Reset && state(2) == ChannelState::Reset; }));
+    hand.screen("programs");
+    Programs& programs = screenOf<Programs>();
+    hand.soft("Restart in the middle");
+    hand.soft("All at their tools");
+    EXPECT_EQ(programs.restartPage().wanted(1), 20);
+    EXPECT_EQ(programs.restartPage().wanted(2), 20);
+    hand.soft("Restart");
+    hand.soft("Restart");                        // the axes are free
+    ASSERT_TRUE(waitFor([&] { return live().channel(1).restart == static_cast<unsigned>(RestartState::AtBlock) && live().channel(2).restart == static_cast<unsigned>(RestartState::AtBlock); }, 20))
+        << live().channel(1).restart << " " << live().channel(2).restart;
+    hand.soft("Start all");
+    EXPECT_LE(hand.actions, 11);
+    EXPECT_TRUE(waitFor([&] { return state(1) == ChannelState::Running && live().channel(1).block >= 20; }));
+}
+
+TEST_F(Tasks, RestoreABackup) {
+    System& system = screenOf<System>();
+    QTemporaryDir folder;
+    system.readFolder(folder.path());
+    Operator hand(*window);
+    hand.screen("system");
+    hand.soft("Save now");
+    ASSERT_TRUE(waitFor([&] { return QDir(folder.path()).entryList({"*.ptb"}).size() == 1; }, 20));
+    const double before = live().store(1).offsets[9].geometry[2];
+    ASSERT_TRUE(g_controller->set(QString("offset L1 9 geometry Z=%1").arg(before + 12.5)));
+    ASSERT_TRUE(waitFor([&] { return std::abs(live().store(1).offsets[9].geometry[2] - before - 12.5) < 1e-9; }));
+    hand.soft("What would change");
+    ASSERT_TRUE(waitFor([&] { return system.right().rows() >= 1; }, 20));
+    hand.soft("Restore");
+    EXPECT_NEAR(live().store(1).offsets[9].geometry[2], before + 12.5, 1e-9) << "one press must not restore";
+    hand.soft("Restore");                        // asked once more
+    EXPECT_LE(hand.actions, 6);
+    EXPECT_TRUE(waitFor([&] { return std::abs(live().store(1).offsets[9].geometry[2] - before) < 1e-9; }, 20)) << live().store(1).offsets[9].geometry[2];
 }
 
 TEST_F(Tasks, AJogKeyMovesAsLongAsItIsHeld) {

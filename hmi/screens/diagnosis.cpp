@@ -1,0 +1,136 @@
+#include "hmi/screens/diagnosis.hpp"
+
+#include <QKeyEvent>
+
+namespace polyturn::hmi {
+
+Diagnosis::Diagnosis(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), table_(new Table(this)), detail_(new FreeSheet(this)), scope_(new ScopePage(desk, this)) {
+    setFocusPolicy(Qt::StrongFocus);
+    head_->onCompose = [this](Writer& w) { composeHead(w); };
+    head_->onTouched = [this](int channel) { desk_.choose(static_cast<unsigned>(channel)), refresh(); };
+    detail_->onCompose = [this](Writer& w) { composeTicks(w); };
+    showPage(Page::Signals);
+}
+
+void Diagnosis::rebuilt() {
+    scope_->rebuilt();
+    showPage(page_);
+}
+
+void Diagnosis::restore(const QString& state) {
+    const int page = state.toInt();
+    if (page >= 0 && page <= static_cast<int>(Page::Scope)) showPage(static_cast<Page>(page));
+}
+
+// The circularity plot is the eighth page of pictures.
+void Diagnosis::turnTo(int page) {
+    showPage(static_cast<Page>(std::min(page, static_cast<int>(Page::Scope))));
+    scope_->showCircle(page == 7);
+}
+
+void Diagnosis::showPage(Page page) {
+    page_ = page;
+    search_.clear();
+    table_->nothing.clear();
+    switch (page) {
+        case Page::Signals: fillSignals(); break;
+        case Page::Axes: fillAxes(); break;
+        case Page::Couplings: fillCouplings(); break;
+        case Page::Variables: fillVariables(); break;
+        case Page::Counters: fillCounters(); break;
+        case Page::Processes: fillProcesses(); break;
+        case Page::Scope: scope_->showCircle(false); break;
+    }
+    if (page != Page::Scope) table_->choose(0);
+    layOut();
+    refresh();
+    if (desk_.keysChanged) desk_.keysChanged();
+}
+
+void Diagnosis::resizeEvent(QResizeEvent*) { layOut(); }
+
+void Diagnosis::layOut() {
+    const bool beside = page_ == Page::Processes, scope = page_ == Page::Scope;
+    const int top = px(46), edge = px(8), side = beside ? width() / 2 : 0;
+    head_->setGeometry(0, 0, width(), top);
+    table_->setGeometry(edge, top, width() - 2 * edge - side, height() - top - edge);
+    detail_->setGeometry(width() - side, top, side - edge, height() - top - edge);
+    scope_->setGeometry(0, top, width(), height() - top);
+    table_->setVisible(!scope), detail_->setVisible(beside), scope_->setVisible(scope);
+}
+
+std::vector<Sheet*> Diagnosis::sheets() {
+    std::vector<Sheet*> out{head_};
+    if (page_ == Page::Scope) {
+        for (Sheet* one : scope_->sheets()) out.push_back(one);
+        return out;
+    }
+    out.push_back(table_);
+    if (page_ == Page::Processes) out.push_back(detail_);
+    return out;
+}
+
+void Diagnosis::composeHead(Writer& w) {
+    const Theme& t = theme();
+    static constexpr const char* kTitles[] = {WORD("Signals of NC and PLC"), WORD("Axes and drives"), WORD("Couplings and exchanges"), WORD("Variables"), WORD("Timers and counters"), WORD("Processes and ticks"), WORD("Scope")};
+    w.fill(QRectF(0, 0, head_->width(), head_->height()), t.window);
+    w.text(QRectF(px(14), 0, head_->width() * 0.4, head_->height()), page_ == Page::Scope && scope_->circle() ? word("Circularity") : word(kTitles[static_cast<std::size_t>(page_)]), lettering(20, true), t.text);
+    double right = head_->width() - px(8);
+    if (page_ == Page::Variables || (page_ == Page::Scope && scope_->circle())) {
+        const auto& all = desk_.live.channels();
+        for (auto channel = all.rbegin(); channel != all.rend() && right > head_->width() * 0.7; ++channel) {
+            const bool here = *channel == desk_.channel;
+            const QRectF box(right - px(58), px(7), px(54), head_->height() - px(12));
+            w.fill(box, here ? t.mark : t.card, px(6));
+            w.frame(box, here ? t.accent : t.edge, px(6), here ? px(2) : 1);
+            w.text(box, QString("L%1").arg(*channel), lettering(16, here), t.text, Qt::AlignCenter);
+            w.hit(box, static_cast<int>(*channel));
+            right -= px(60);
+        }
+    }
+    if (page_ == Page::Signals || page_ == Page::Variables)
+        w.data(QRectF(head_->width() * 0.4, 0, right - head_->width() * 0.4 - px(14), head_->height()), search_.isEmpty() ? word("Type a part of the name") : search_ + QString::fromUtf8("▏"), lettering(16),
+               search_.isEmpty() ? t.dim : t.accent, Qt::AlignRight | Qt::AlignVCenter);
+}
+
+void Diagnosis::refresh() {
+    switch (page_) {
+        case Page::Couplings: fillCouplings(); break;
+        case Page::Variables: fillVariables(); break;
+        case Page::Processes: fillProcesses(); break;
+        case Page::Scope: scope_->follow(), scope_->refresh(); break;
+        default: break;
+    }
+    head_->refresh();
+    if (page_ != Page::Scope) table_->refresh();
+    if (page_ == Page::Processes) detail_->refresh();
+}
+
+std::vector<SoftKey> Diagnosis::keys() {
+    if (page_ == Page::Scope) return scope_->keys([this] { scope_->circle() ? scope_->showCircle(false) : showPage(Page::Signals); });
+    const auto page = [this](Page wanted, const QString& text) { return SoftKey{text, [this, wanted] { showPage(wanted); }, Sign::None, true, page_ == wanted}; };
+    return {page(Page::Signals, word("Signals")), page(Page::Axes, word("Axes")), page(Page::Couplings, word("Couplings")), page(Page::Variables, word("Variables")), page(Page::Counters, word("Timers, counters")),
+            page(Page::Processes, word("Processes")), {word("Scope"), [this] { showPage(Page::Scope); }, Sign::Feed}, {word("Circularity"), [this] { showPage(Page::Scope), scope_->showCircle(true); }, Sign::Spindle}};
+}
+
+bool Diagnosis::key(QKeyEvent* event) {
+    if (page_ == Page::Scope) {
+        const bool done = scope_->key(event);
+        if (done && desk_.keysChanged) desk_.keysChanged();
+        return done;
+    }
+    if (page_ == Page::Signals || page_ == Page::Variables) {
+        const QString text = event->text();
+        if (event->key() == Qt::Key_Backspace) search_.chop(1);
+        else if (event->key() == Qt::Key_Escape) search_.clear();
+        else if (text.size() == 1 && text[0].isPrint() && !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier))) search_ += text;
+        else return table_->key(event);
+        page_ == Page::Signals ? fillSignals() : fillVariables();
+        table_->choose(0);
+        refresh();
+        return true;
+    }
+    return table_->key(event);
+}
+
+}  // namespace polyturn::hmi

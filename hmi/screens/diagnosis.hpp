@@ -1,0 +1,62 @@
+// What the machine is like inside: signals by name, axes and drives, couplings and since when, variables of the channels, timers and
+// counters, processes with the computing time of ticks, the scope and the circularity plot.
+#pragma once
+#include "hmi/app/screen.hpp"
+#include "hmi/screens/scope_page.hpp"
+#include "hmi/widgets/table.hpp"
+
+namespace polyturn::hmi {
+
+class Diagnosis : public Screen {
+public:
+    explicit Diagnosis(Desk& desk);
+    QString title() const override { return word("Diagnosis"); }
+    Sign sign() const override { return Sign::Feed; }
+    const char* name() const override { return "diagnosis"; }
+    std::vector<SoftKey> keys() override;
+    void refresh() override;
+    void rebuilt() override;
+    bool key(QKeyEvent* event) override;
+    bool typing() const override { return page_ == Page::Signals || page_ == Page::Variables || page_ == Page::Scope; }
+    QString state() const override { return QString::number(static_cast<int>(page_)); }
+    void restore(const QString& state) override;
+    std::vector<Sheet*> sheets() override;
+    int pages() const override { return 8; }
+    HelpTopic help() const override { return {"operator.md", "Diagnosis:", {}}; }
+    void turnTo(int page) override;
+
+    enum class Page : std::uint8_t { Signals, Axes, Couplings, Variables, Counters, Processes, Scope };
+    void showPage(Page page);
+    Table& table() { return *table_; }
+    ScopePage& scope() { return *scope_; }
+
+protected:
+    void resizeEvent(QResizeEvent*) override;
+
+private:
+    void layOut();
+    void fillSignals();
+    void fillAxes();
+    void fillCouplings();
+    void fillVariables();
+    void fillCounters();
+    void fillProcesses();
+    void composeHead(Writer& w);
+    void composeTicks(Writer& w);
+
+    FreeSheet* head_;
+    Table* table_;
+    FreeSheet* detail_;
+    ScopePage* scope_;
+    Page page_ = Page::Signals;
+    struct SignalLine {
+        QString name;
+        QString meaning;
+        std::uint32_t slot;
+        bool plc, isRegister;
+    };
+    std::vector<SignalLine> signals_, found_;
+    QString search_;
+};
+
+}  // namespace polyturn::hmi

@@ -1,0 +1,232 @@
+// The tables of diagnosis: where each line comes from.
+#include <cmath>
+
+#include "hmi/machine/tool_words.hpp"
+#include "hmi/screens/diagnosis.hpp"
+#include "ipc/machine/counters.hpp"
+#include "ipc/params/export.hpp"
+#include "ipc/params/unit.hpp"
+
+namespace polyturn::hmi {
+
+void Diagnosis::fillSignals() {
+    table_->columns = {{word("Signal"), 2.4}, {word("Value"), 1}, {word("From"), 0.7}, {word("Meaning"), 6}};
+    table_->rowUnits = 32;
+    signals_.clear();
+    const MachineConfig& machine = desk_.live.config();
+    for (const SignalRow& row : signal_rows()) {
+        if (row.kind == SignalKind::Double) continue;
+        const bool plc = row.writer == SignalWriter::Plc;
+        const auto add = [&](const QString& scope, std::uint32_t instance) {
+            signals_.push_back({fromView(row.name) + scope, fromView(row.meaning), row.slot + instance - 1, plc, row.is_register});
+        };
+        switch (row.scope) {
+            case SignalScope::Axis:
+                for (std::uint32_t a = 1; a <= machine.last_axis; ++a)
+                    if (machine.axis(a).exists()) add(QString(" A%1").arg(a), a);
+                break;
+            case SignalScope::Channel:
+                for (const unsigned l : desk_.live.channels()) add(QString(" L%1").arg(l), l);
+                break;
+            case SignalScope::Spindle:
+                for (std::uint32_t s = 1; s <= machine.last_spindle; ++s)
+                    if (machine.spindle(s).exists()) add(QString(" S%1").arg(s), s);
+                break;
+            default:
+                if (row.elements == 0) add({}, 1);
+                else
+                    for (std::uint32_t i = 0; i < row.elements; ++i) add(QString("[%1]").arg(row.first + i), i + 1);
+        }
+    }
+    found_.clear();
+    for (const SignalLine& one : signals_)
+        if (search_.isEmpty() || one.name.contains(search_, Qt::CaseInsensitive) || one.meaning.contains(search_, Qt::CaseInsensitive)) found_.push_back(one);
+    table_->nothing = word("No signal has this in its name or meaning.");
+    table_->rows = [this] { return static_cast<int>(found_.size()); };
+    table_->cell = [this](int row, int column) -> Table::Cell {
+        const SignalLine& one = found_[static_cast<std::size_t>(row)];
+        const Theme& t = theme();
+        const std::int32_t value = one.plc ? desk_.live.plc(one.slot) : desk_.live.nc(one.slot);
+        switch (column) {
+            case 0: return {one.name, t.text, Sign::None, true};
+            case 1: return {QString::number(value), value ? t.good : t.dim, value && !one.isRegister ? Sign::Good : Sign::None, value != 0};
+            case 2: return {one.plc ? "PLC" : "NC", t.dim};
+            default: return {one.meaning, t.dim};
+        }
+    };
+}
+
+void Diagnosis::fillAxes() {
+    table_->columns = {{word("Axis"), 1}, {word("Channel"), 0.9}, {word("Commanded"), 1.5, Qt::AlignRight | Qt::AlignVCenter}, {word("Measured"), 1.5, Qt::AlignRight | Qt::AlignVCenter},
+                       {word("Follow. error"), 1.2, Qt::AlignRight | Qt::AlignVCenter}, {word("Compensation"), 1.4, Qt::AlignRight | Qt::AlignVCenter},
+                       {word("Torque"), 1.0, Qt::AlignRight | Qt::AlignVCenter}, {word("State"), 2.4}};
+    table_->rowUnits = 34;
+    auto axes = std::make_shared<std::vector<std::uint32_t>>();
+    for (std::uint32_t a = 1; a <= desk_.live.config().last_axis; ++a)
+        if (desk_.live.config().axis(a).exists()) axes->push_back(a);
+    table_->rows = [axes] { return static_cast<int>(axes->size()); };
+    table_->cell = [this, axes](int row, int column) -> Table::Cell {
+        const std::uint32_t number = (*axes)[static_cast<std::size_t>(row)];
+        const AxisConfig& axis = desk_.live.config().axis(number);
+        const AxisStatus& now = desk_.live.status().axes[number - 1];
+        const unsigned decimals = decimalsOf(desk_.live.config(), axis);
+        const Theme& t = theme();
+        switch (column) {
+            case 0: return {QString("A%1  %2").arg(number).arg(fromView(axis.name_text())), t.text, Sign::None, true};
+            case 1: return {axis.channel ? QString("L%1").arg(axis.channel) : QString(), t.dim};
+            case 2: return {lengthText(shown(axis, now.cmd), decimals)};
+            case 3: return {lengthText(shown(axis, now.act), decimals)};
+            case 4: return {lengthText(now.error, decimals), t.dim};
+            case 5: return {lengthText(now.compensation, decimals), t.dim};
+            case 6: return {QString("%1 %").arg(now.torque / 10, 0, 'f', 1), t.dim};
+            default:
+                if (now.flags & kDriveFault) return {word("Drive fault"), t.bad, Sign::Alarm, true};
+                if (!(now.flags & kReferenced) && !axis.on_spindle) return {word("not referenced"), t.warn, Sign::Warning};
+                if (now.flags & kMoving) return {word("Moves"), t.good, Sign::Run};
+                return {now.flags & kInPos ? word("In position") : word("Not in position"), t.dim};
+        }
+    };
+}
+
+void Diagnosis::fillCouplings() {
+    table_->columns = {{word("What"), 1.6}, {word("Depends on"), 1.6}, {word("How"), 4}, {word("Since"), 2.4}};
+    table_->rowUnits = 36;
+    table_->nothing = word("Every axis and spindle is on its own: nothing is coupled, exchanged or followed.");
+    auto lines = std::make_shared<std::vector<std::array<QString, 4>>>();
+    const MachineConfig& machine = desk_.live.config();
+    const auto axisName = [&](std::uint32_t number) { return QString("A%1 %2").arg(number).arg(number <= kMaxAxes ? fromView(machine.axis(number).name_text()) : QString()); };
+    const auto since = [&](std::int64_t tick, std::int32_t code, std::uint32_t channel) {
+        if (tick <= 0) return word("since the start");
+        const QString time = timeText(desk_.live.seconds(desk_.live.status().tick - tick));
+        return code >= 0 ? QString("M%1 L%2   %3").arg(code).arg(channel).arg(time) : time;
+    };
+    for (std::uint32_t a = 1; a <= machine.last_axis; ++a) {
+        if (!machine.axis(a).exists()) continue;
+        const AxisStatus& now = desk_.live.status().axes[a - 1];
+        const QString when = since(now.since, now.since_code, now.since_channel);
+        if (now.master) lines->push_back({axisName(a), axisName(now.master), word("follows it synchronously"), when});
+        if (now.added_master) lines->push_back({axisName(a), axisName(now.added_master), word("its way is added to the own one"), when});
+        if (const unsigned route = desk_.live.status().route[a - 1]; route && route != a) lines->push_back({axisName(a), axisName(route), word("moves its drive: the axes are exchanged"), when});
+    }
+    for (std::uint32_t s = 1; s <= machine.last_spindle; ++s) {
+        if (!machine.spindle(s).exists()) continue;
+        const SpindleStatus& now = desk_.live.status().spindles[s - 1];
+        if (now.master) lines->push_back({QString("S%1").arg(s), QString("S%1").arg(now.master), word("turns with it, deviation %1°").arg(now.deviation, 0, 'f', 3), since(now.since, now.since_code, now.since_channel)});
+    }
+    table_->rows = [lines] { return static_cast<int>(lines->size()); };
+    table_->cell = [lines](int row, int column) -> Table::Cell { return {(*lines)[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)], {}, Sign::None, column == 0}; };
+}
+
+// What the program has written so far, as far as the channel has read: reading is ahead of the machine.
+void Diagnosis::fillVariables() {
+    table_->columns = {{word("Variable"), 2}, {word("Value"), 2, Qt::AlignRight | Qt::AlignVCenter}, {"", 5}};
+    table_->rowUnits = 32;
+    table_->nothing = search_.isEmpty() ? word("No variable of this channel has a value.") : word("No variable has this in its name.");
+    auto lines = std::make_shared<std::vector<std::pair<QString, double>>>();
+    const VariableList& list = desk_.live.variables(desk_.channel);
+    for (std::size_t i = 0; i < std::min<std::size_t>(list.count, list.rows.size()); ++i) {
+        const NamedValue& row = list.rows[i];
+        const QString name = QString::fromUtf8(row.name.data(), static_cast<int>(::strnlen(row.name.data(), row.name.size())));
+        if (search_.isEmpty() || name.contains(search_, Qt::CaseInsensitive)) lines->emplace_back(name, row.value);
+    }
+    if (list.count == 0)   // nothing has run yet: what is kept over power-off
+        for (std::size_t n = 0; desk_.live.connected() && n < 500; ++n)
+            if (const double value = desk_.live.store(desk_.channel).variables[n]; !std::isnan(value)) {
+                const QString name = QString("#%1").arg(500 + n);
+                if (search_.isEmpty() || name.contains(search_, Qt::CaseInsensitive)) lines->emplace_back(name, value);
+            }
+    const std::uint32_t more = list.more;
+    table_->rows = [lines, more] { return static_cast<int>(lines->size()) + (more ? 1 : 0); };
+    table_->cell = [lines, more](int row, int column) -> Table::Cell {
+        if (row == static_cast<int>(lines->size())) return column == 0 ? Table::Cell{word("and %1 more").arg(more), theme().dim} : Table::Cell{};
+        const auto& [name, value] = (*lines)[static_cast<std::size_t>(row)];
+        return column == 0 ? Table::Cell{name, theme().text, Sign::None, true, Face::Program} : column == 1 ? Table::Cell{QString::number(value, 'g', 12), theme().text} : Table::Cell{};
+    };
+}
+
+// The machine's own counters are parameters N2300 to N2307; beside them what belongs to the cycle that runs.
+void Diagnosis::fillCounters() {
+    struct Line {
+        QString title, scope;
+        std::function<QString()> value;
+    };
+    table_->columns = {{word("What"), 4}, {word("Channel"), 1}, {word("Value"), 2, Qt::AlignRight | Qt::AlignVCenter}};
+    table_->rowUnits = 34;
+    auto lines = std::make_shared<std::vector<Line>>();
+    if (desk_.live.connected()) {
+        const auto parameter = [&](const char* number, const QString& title, unsigned instance, const QString& scope) {
+            const params::Row* row = params::find(number);
+            if (row) lines->push_back({title, scope, [this, row, instance] { return QString::fromStdString(params::value_text(*row, desk_.live.table(), instance, 0)) + "  " + fromView(params::unit_of(*row, desk_.live.table(), instance)); }});
+        };
+        parameter("N2300", word("Power on"), 1, {});
+        for (const unsigned l : desk_.live.channels()) {
+            const QString scope = QString("L%1").arg(l);
+            const auto status = [&](const QString& title, std::function<QString(const ChannelStatus&)> text) { lines->push_back({title, scope, [this, l, text = std::move(text)] { return text(desk_.live.channel(l)); }}); };
+            status(word("Cycle now"), [](const ChannelStatus& s) { return timeText(s.cycle_s); });
+            status(word("  of it cutting"), [](const ChannelStatus& s) { return timeText(s.cutting_s); });
+            status(word("  of it rapid"), [](const ChannelStatus& s) { return timeText(s.rapid_s); });
+            status(word("  of it waiting"), [](const ChannelStatus& s) { return timeText(s.waiting_s); });
+            status(word("Cycle last, mean"), [](const ChannelStatus& s) { return timeText(s.last_cycle_s) + "  /  " + timeText(s.mean_cycle_s); });
+            status(word("Parts since the start"), [](const ChannelStatus& s) { return QString::number(s.parts); });
+            parameter("N2301", word("Operation time"), l, scope), parameter("N2302", word("Cutting time"), l, scope), parameter("N2303", word("Interval meter"), l, scope), parameter("N2304", word("Part time"), l, scope);
+            parameter("N2305", word("Parts wanted"), l, scope), parameter("N2306", word("Parts in all"), l, scope), parameter("N2307", word("Parts of this job"), l, scope);
+        }
+    }
+    table_->rows = [lines] { return static_cast<int>(lines->size()); };
+    table_->cell = [lines](int row, int column) -> Table::Cell {
+        const Line& line = (*lines)[static_cast<std::size_t>(row)];
+        if (column == 0) return {line.title, theme().text, Sign::None, line.scope.isEmpty()};
+        return column == 1 ? Table::Cell{line.scope, theme().dim} : Table::Cell{line.value(), theme().text, Sign::None, true};
+    };
+}
+
+void Diagnosis::fillProcesses() {
+    table_->columns = {{word("Process"), 2}, {word("Number"), 1.2}, {word("State"), 2}};
+    table_->rowUnits = 36;
+    auto processes = std::make_shared<std::vector<Live::Process>>(desk_.live.processes());
+    table_->rows = [processes] { return static_cast<int>(processes->size()); };
+    table_->cell = [processes](int row, int column) -> Table::Cell {
+        const Live::Process& one = (*processes)[static_cast<std::size_t>(row)];
+        const Theme& t = theme();
+        if (column == 0) return {QString::fromStdString(one.name), t.text, Sign::None, true};
+        if (column == 1) return {one.pid > 0 ? QString::number(one.pid) : QString(), t.dim};
+        switch (one.state) {
+            case ProcessState::Running: return {word("Runs"), t.good, Sign::Run};
+            case ProcessState::Starting: return {word("Starts"), t.warn, Sign::Wait};
+            case ProcessState::Stopped: return {word("Stopped"), t.warn, Sign::Hold};
+            default: return {word("Process dead"), t.bad, Sign::Alarm};
+        }
+    };
+}
+
+// How long ticks have computed: the histogram of the kernel, from 1 us, four bars for each doubling.
+void Diagnosis::composeTicks(Writer& w) {
+    const Theme& t = theme();
+    const double wide = detail_->width(), high = detail_->height();
+    w.fill(QRectF(0, 0, wide, high), t.window);
+    w.fill(QRectF(px(8), 0, wide - px(8), high), t.card, px(8));
+    w.text(QRectF(px(24), px(10), wide - px(40), px(30)), word("Computing time of ticks"), lettering(16, true), t.text);
+    const auto& cost = desk_.live.tickCost();
+    std::uint64_t all = 0, most = 1;
+    std::size_t first = cost.size(), last = 0;
+    for (std::size_t i = 0; i < cost.size(); ++i) {
+        all += cost[i], most = std::max(most, cost[i]);
+        if (cost[i]) first = std::min(first, i), last = i;
+    }
+    if (!all) return;
+    const double left = px(28), right = wide - px(24), top = px(60), bottom = high - px(64);
+    const double each = (right - left) / static_cast<double>(last - first + 1);
+    for (std::size_t i = first; i <= last; ++i) {
+        if (!cost[i]) continue;
+        const double part = std::log1p(static_cast<double>(cost[i])) / std::log1p(static_cast<double>(most));   // rare long ticks must be seen
+        const double x = left + each * static_cast<double>(i - first);
+        w.fill(QRectF(x + 1, bottom - (bottom - top) * part, std::max(1.0, each - 2), (bottom - top) * part), t.accent, px(2));
+    }
+    w.line({left, bottom}, {right, bottom}, t.edge, 1);
+    const auto microseconds = [](std::size_t i) { return QString::fromUtf8("%1 µs").arg(std::exp2(static_cast<double>(i) / 4), 0, 'f', 0); };
+    w.text(QRectF(left, bottom + px(4), px(120), px(20)), microseconds(first), lettering(13), t.dim);
+    w.text(QRectF(right - px(140), bottom + px(4), px(140), px(20)), microseconds(last), lettering(13), t.dim, Qt::AlignRight | Qt::AlignVCenter);
+    w.text(QRectF(left, bottom + px(28), right - left, px(22)), word("longest %1 of a tick of %2 µs").arg(microseconds(last)).arg(desk_.live.config().tick_us), lettering(14), t.text);
+}
+
+}  // namespace polyturn::hmi

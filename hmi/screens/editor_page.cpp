@@ -1,0 +1,266 @@
+#include "hmi/screens/editor_page.hpp"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QKeyEvent>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QSaveFile>
+#include <QScroller>
+#include <QTextBlock>
+
+#include "ipc/diagnosis/tongue.hpp"
+
+namespace polyturn::hmi {
+namespace {
+
+constexpr int kPauseMs = 500;                      // no letter for so long: it is checked
+constexpr qint64 kMostBytes = 4'000'000;
+
+QString told(const QString& english, const QString& number) {
+    for (const Dialect dialect : {Dialect::Polyturn, Dialect::Fanuc, Dialect::Nct, Dialect::Fagor, Dialect::Sinumerik, Dialect::Mefi})
+        if (const auto found = retell(number.toStdString(), dialect, english.toStdString(), spoken())) return QString::fromStdString(found->text);
+    return english;
+}
+
+}  // namespace
+
+void ProgramColours::highlightBlock(const QString& text) {
+    const Theme& t = theme();
+    struct Rule {
+        const char* pattern;
+        QColor colour;
+        bool bold;
+    };
+    // Later rules win: comments and texts last.
+    const Rule rules[] = {{"(?:^|(?<=[\\sA-Z0-9.]))[+-]?\\d*\\.?\\d+", t.text, false},
+                          {"\\b(?:IF|GOTO|THEN|WHILE|DO|END|ELSE|ENDIF|ENDWHILE|FOR|ENDFOR|LOOP|ENDLOOP|REPEAT|UNTIL|CASE|DEF|PROC|RET|CALL|STOPRE|MSG|AND|OR|XOR|MOD|EQ|NE|GT|LT|GE|LE|SIN|COS|TAN|ATAN|SQRT|ABS|ROUND|FIX|FUP)\\b", t.wait, true},
+                          {"(?:#\\d+|#\\[|\\bR\\d+\\s*(?==)|\\$[A-Z_]+\\w*|\\bP\\d+\\s*(?==))", t.wait, false},
+                          {"(?:^|(?<=[^A-Z_$]))G\\s*\\d+(?:\\.\\d+)?", t.accent, true},
+                          {"(?:^|(?<=[^A-Z_$]))M\\s*\\d+", t.good, true},
+                          {"(?:^|(?<=[^A-Z_$]))[TSDH]\\s*=?\\s*\\d+", t.warn, false},
+                          {"^\\s*/?\\d?\\s*N\\d+", t.dim, false},
+                          {"^\\s*(?:O\\d+|:\\d+|%.*)", t.dim, true}};
+    for (const Rule& rule : rules) {
+        QTextCharFormat format;
+        format.setForeground(rule.colour);
+        if (rule.bold) format.setFontWeight(QFont::Bold);
+        const QRegularExpression expression(rule.pattern, QRegularExpression::CaseInsensitiveOption);
+        for (auto found = expression.globalMatch(text); found.hasNext();) {
+            const auto one = found.next();
+            setFormat(static_cast<int>(one.capturedStart()), static_cast<int>(one.capturedLength()), format);
+        }
+    }
+    QTextCharFormat comment;
+    comment.setForeground(t.faint);
+    comment.setFontItalic(true);
+    const QRegularExpression quiet(language_ == "sinumerik" || language_ == "fagor" ? ";.*$|\"[^\"]*\"" : "\\([^)]*\\)?");
+    for (auto found = quiet.globalMatch(text); found.hasNext();) {
+        const auto one = found.next();
+        setFormat(static_cast<int>(one.capturedStart()), static_cast<int>(one.capturedLength()), comment);
+    }
+}
+
+EditorPage::EditorPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), edit_(new QPlainTextEdit(this)), line_(new FreeSheet(this)), pad_(new TextPad(this)) {
+    edit_->setFrameShape(QFrame::NoFrame);
+    edit_->setLineWrapMode(QPlainTextEdit::NoWrap);
+    edit_->setTabChangesFocus(true);
+    QScroller::grabGesture(edit_->viewport(), QScroller::TouchGesture);
+    pad_->capitals = true;
+    pad_->onText = [this](const QString& text) { edit_->insertPlainText(text); };
+    pad_->onBackspace = [this] { edit_->textCursor().deletePreviousChar(); };
+    pad_->onEnter = [this] { edit_->insertPlainText("\n"); };
+    wait_.setSingleShot(true);
+    QObject::connect(&wait_, &QTimer::timeout, this, [this] { check(); });
+    QObject::connect(edit_, &QPlainTextEdit::textChanged, this, [this] { if (!file_.isEmpty()) wait_.start(kPauseMs); });
+    QObject::connect(edit_, &QPlainTextEdit::cursorPositionChanged, this, [this] { line_->refresh(); });
+    line_->onCompose = [this](Writer& w) {
+        const Theme& t = theme();
+        w.fill(QRectF(0, 0, line_->width(), line_->height()), t.window);
+        w.fill(QRectF(0, px(4), line_->width(), line_->height() - px(4)), t.card, px(6));
+        const int here = edit_->textCursor().blockNumber() + 1;
+        const Fault* shown = nullptr;              // that of this line, else the first one
+        for (const Fault& one : faults_)
+            if (!shown || (one.line == here && shown->line != here)) shown = &one;
+        const QRectF place(line_->width() - px(200), px(4), px(190), line_->height() - px(4));
+        w.text(place, word("line %1, column %2").arg(here).arg(edit_->textCursor().positionInBlock() + 1), lettering(14), t.dim, Qt::AlignRight | Qt::AlignVCenter);
+        const Sign sign = !failure_.isEmpty() ? Sign::Warning : checking() ? Sign::Wait : !shown ? Sign::Good : shown->error ? Sign::Alarm : Sign::Warning;
+        const QColor colour = !failure_.isEmpty() ? t.warn : checking() ? t.wait : !shown ? t.good : shown->error ? t.bad : t.warn;
+        w.sign(QRectF(px(10), px(11), px(22), px(22)), sign, colour);
+        w.data(QRectF(px(42), px(4), place.left() - px(52), line_->height() - px(4)), !failure_.isEmpty() ? failure_ : shown ? QString("%1:%2  %3  %4").arg(shown->line).arg(shown->column).arg(shown->number, shown->text) : checking() ? word("The program is being read") : word("No faults found"), lettering(15), t.text);
+    };
+}
+
+EditorPage::~EditorPage() {
+    if (process_) process_->disconnect(), process_->kill(), process_->waitForFinished(500);
+    if (!temporary_.isEmpty()) QFile::remove(temporary_);
+}
+
+std::vector<Sheet*> EditorPage::sheets() { return keyboard_ ? std::vector<Sheet*>{line_, pad_} : std::vector<Sheet*>{line_}; }
+
+bool EditorPage::open(const QString& file, const QString& language) {
+    QFile source(file);
+    if (!source.open(QIODevice::ReadOnly) || source.size() > kMostBytes) return desk_.tell(word("It cannot be shown."), Told::Refused), false;
+    const QByteArray bytes = source.readAll();
+    const QString text = QString::fromUtf8(bytes);
+    if (text.toUtf8() != bytes) return desk_.tell(word("It is no text in UTF-8: it cannot be edited without a loss."), Told::Refused), false;
+    file_.clear();
+    language_ = language;
+    colours_ = std::make_unique<ProgramColours>(edit_->document(), language);
+    edit_->setPlainText(text);
+    edit_->document()->setModified(false);
+    file_ = file;
+    faults_.clear(), failure_.clear();
+    refresh();
+    edit_->setFocus();
+    check();
+    return true;
+}
+
+bool EditorPage::save() {
+    QSaveFile out(file_);
+    const QByteArray bytes = edit_->toPlainText().toUtf8();
+    if (!out.open(QIODevice::WriteOnly) || out.write(bytes) != bytes.size() || !out.commit()) return desk_.tell(word("Cannot be written: %1").arg(file_), Told::Refused), false;
+    edit_->document()->setModified(false);
+    desk_.tell(word("Saved: %1").arg(QFileInfo(file_).fileName()), Told::Good);
+    if (desk_.keysChanged) desk_.keysChanged();
+    return true;
+}
+
+// A copy beside the program, so that its subprograms are found; elsewhere when nothing may be written there.
+void EditorPage::check() {
+    if (file_.isEmpty()) return;
+    if (process_) return wait_.start(kPauseMs);    // the one that runs ends first
+    const QFileInfo info(file_);
+    for (const QString& folder : {info.absolutePath(), QDir::tempPath()}) {
+        temporary_ = QString("%1/.check-%2-%3").arg(folder).arg(QCoreApplication::applicationPid()).arg(info.fileName());
+        QFile copy(temporary_);
+        const QByteArray bytes = edit_->toPlainText().toUtf8();
+        if (copy.open(QIODevice::WriteOnly) && copy.write(bytes) == bytes.size()) break;
+        temporary_.clear();
+    }
+    if (temporary_.isEmpty()) return void(failure_ = word("The program cannot be checked here."));
+    out_.clear();
+    process_ = std::make_unique<QProcess>();
+    process_->setStandardErrorFile(QProcess::nullDevice());
+    QObject::connect(process_.get(), &QProcess::readyReadStandardOutput, this, [this] { out_ += process_->readAllStandardOutput(); });
+    QObject::connect(process_.get(), &QProcess::finished, this, [this] { out_ += process_->readAllStandardOutput(), finish(); });
+    QObject::connect(process_.get(), &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
+        if (error == QProcess::FailedToStart) failure_ = word("The program polyturn is not beside the HMI."), finish();
+    });
+    QStringList arguments{"check", "--quiet", QString("%1=%2").arg(desk_.channel).arg(temporary_)};
+    if (!language_.isEmpty()) arguments << "--language" << QString("%1=%2").arg(desk_.channel).arg(language_);
+    if (desk_.live.connected()) arguments << "--like" << QString::fromStdString(desk_.live.instance());
+    process_->start(QCoreApplication::applicationDirPath() + "/polyturn", arguments);
+    line_->refresh();
+}
+
+void EditorPage::finish() {
+    if (!process_) return;
+    process_.release()->deleteLater();
+    QFile::remove(temporary_);
+    const QString name = QFileInfo(temporary_).fileName();
+    temporary_.clear();
+    faults_.clear();
+    for (const QByteArray& line : out_.split('\n')) {
+        const QJsonObject event = QJsonDocument::fromJson(line).object();
+        if (event.value("ev").toString() != "alarm" || faults_.size() >= 200) continue;
+        const bool own = QFileInfo(event.value("file").toString()).fileName() == name;
+        const QString number = event.value("number").isString() ? event.value("number").toString() : QString::number(event.value("number").toInt());
+        Fault fault{own ? event.value("line").toInt() : 0, event.value("column").toInt(), event.value("severity").toString() != "warning", number, told(event.value("text").toString(), number)};
+        if (!own && event.contains("file")) fault.text = QString("%1:%2  ").arg(QFileInfo(event.value("file").toString()).fileName()).arg(event.value("line").toInt()) + fault.text;
+        faults_.push_back(fault);
+    }
+    mark();
+    if (desk_.keysChanged) desk_.keysChanged();
+}
+
+// A wavy line under the word at the column; without a column under the whole line.
+void EditorPage::mark() {
+    QList<QTextEdit::ExtraSelection> marks;
+    for (const Fault& fault : faults_) {
+        const QTextBlock block = edit_->document()->findBlockByNumber(fault.line - 1);
+        if (fault.line < 1 || !block.isValid()) continue;
+        QTextEdit::ExtraSelection one;
+        one.cursor = QTextCursor(block);
+        const QString text = block.text();
+        const int from = fault.column > 0 ? std::min<int>(fault.column - 1, static_cast<int>(text.size())) : 0;
+        int to = from + 1;
+        while (to < text.size() && fault.column > 0 && !text[to].isSpace() && !text[to].isLetter()) ++to;
+        if (fault.column <= 0) to = static_cast<int>(text.size());
+        one.cursor.setPosition(block.position() + from);
+        one.cursor.setPosition(block.position() + std::min<int>(to, static_cast<int>(text.size())), QTextCursor::KeepAnchor);
+        one.format.setUnderlineStyle(QTextCharFormat::WaveUnderline);
+        one.format.setUnderlineColor(fault.error ? theme().bad : theme().warn);
+        one.format.setBackground(QColor(fault.error ? theme().bad.red() : theme().warn.red(), fault.error ? theme().bad.green() : theme().warn.green(), fault.error ? theme().bad.blue() : theme().warn.blue(), 50));
+        marks.push_back(one);
+    }
+    edit_->setExtraSelections(marks);
+    line_->refresh();
+}
+
+void EditorPage::goToFault(int step) {
+    const int here = edit_->textCursor().blockNumber() + 1;
+    const Fault* next = nullptr;
+    for (const Fault& one : faults_)
+        if (one.line > 0 && (step > 0 ? one.line > here && (!next || one.line < next->line) : one.line < here && (!next || one.line > next->line))) next = &one;
+    for (const Fault& one : faults_)
+        if (!next && one.line > 0) next = &one;
+    if (!next) return;
+    QTextCursor cursor(edit_->document()->findBlockByNumber(next->line - 1));
+    cursor.movePosition(QTextCursor::Right, QTextCursor::MoveAnchor, std::max(0, next->column - 1));
+    edit_->setTextCursor(cursor);
+    edit_->centerCursor();
+}
+
+void EditorPage::refresh() {
+    const Theme& t = theme();
+    QPalette colours = edit_->palette();
+    if (colours.color(QPalette::Base) != t.card) {
+        colours.setColor(QPalette::Base, t.card), colours.setColor(QPalette::Text, t.text), colours.setColor(QPalette::Highlight, t.accent), colours.setColor(QPalette::HighlightedText, t.onAccent);
+        edit_->setPalette(colours);
+        edit_->setFont(lettering(17, false, Face::Program));
+        if (colours_) colours_->rehighlight();
+    }
+    for (Sheet* one : sheets()) one->refresh();
+}
+
+bool EditorPage::key(QKeyEvent* event) {
+    if (event->modifiers() & Qt::ControlModifier && event->key() == Qt::Key_S) return save(), true;
+    if (!edit_->hasFocus()) {
+        edit_->setFocus();
+        QCoreApplication::sendEvent(edit_, event);
+        return true;
+    }
+    return false;                                  // the editor takes it itself
+}
+
+void EditorPage::resizeEvent(QResizeEvent*) { layOut(); }
+
+void EditorPage::layOut() {
+    const int edge = px(8), line = px(44), pad = keyboard_ ? px(260) : 0;
+    edit_->setGeometry(edge, 0, width() - 2 * edge, height() - line - pad - edge);
+    line_->setGeometry(edge, height() - line - pad - edge, width() - 2 * edge, line);
+    pad_->setGeometry(edge, height() - pad, width() - 2 * edge, std::max(0, pad - edge));
+    pad_->setVisible(keyboard_);
+}
+
+void EditorPage::addKeys(std::vector<SoftKey>& keys) {
+    bool runs = false;                             // this very file is at work
+    for (const unsigned channel : desk_.live.channels()) {
+        const auto state = static_cast<ChannelState>(desk_.live.channel(channel).state);
+        if (state != ChannelState::Running && state != ChannelState::Held && state != ChannelState::Waiting) continue;
+        for (const std::string& one : desk_.live.view(channel).programs) runs |= QFileInfo(QString::fromStdString(one)) == QFileInfo(file_);
+    }
+    bool faults = false;
+    for (const Fault& one : faults_) faults |= one.line > 0;
+    keys.push_back({word("Save"), [this] { save(); }, Sign::Good, changed(), false, false, runs ? word("It runs now: press again") : QString()});
+    keys.push_back({word("Undo"), [this] { edit_->undo(); }, Sign::Left, edit_->document()->isUndoAvailable()});
+    keys.push_back({word("Redo"), [this] { edit_->redo(); }, Sign::Right, edit_->document()->isRedoAvailable()});
+    keys.push_back({word("Next fault"), [this] { goToFault(1); }, Sign::Warning, faults});
+    keys.push_back({word("Keyboard"), [this] { keyboard_ = !keyboard_, layOut(); }, Sign::Key, true, keyboard_});
+}
+
+}  // namespace polyturn::hmi

@@ -1,0 +1,73 @@
+// A program as text: the words of its language in colours, faults under the text as one types (`polyturn check` beside the machine), saved
+// whole or not at all. The machine goes on with the program that it has read.
+#pragma once
+#include <QJsonObject>
+#include <QPlainTextEdit>
+#include <QSyntaxHighlighter>
+#include <memory>
+
+#include "hmi/app/screen.hpp"
+#include "hmi/widgets/text_pad.hpp"
+
+class QProcess;
+
+namespace polyturn::hmi {
+
+// Comments, block numbers, G and M words, tools, variables, words of the language, numbers.
+class ProgramColours : public QSyntaxHighlighter {
+public:
+    ProgramColours(QTextDocument* document, QString language) : QSyntaxHighlighter(document), language_(std::move(language)) {}
+
+protected:
+    void highlightBlock(const QString& text) override;
+
+private:
+    QString language_;
+};
+
+class EditorPage : public QWidget {
+public:
+    EditorPage(Desk& desk, QWidget* parent);
+    ~EditorPage() override;
+    bool open(const QString& file, const QString& language);
+    bool changed() const { return edit_->document()->isModified(); }
+    const QString& file() const { return file_; }
+    void refresh();
+    void addKeys(std::vector<SoftKey>& keys);
+    bool key(QKeyEvent* event);
+    std::vector<Sheet*> sheets();
+    QPlainTextEdit& edit() { return *edit_; }
+    struct Fault {
+        int line = 0, column = 0;
+        bool error = true;
+        QString number, text;
+    };
+    const std::vector<Fault>& faults() const { return faults_; }
+    bool checking() const { return process_ != nullptr || wait_.isActive(); }
+    bool save();
+
+protected:
+    void resizeEvent(QResizeEvent*) override;
+
+private:
+    void layOut();
+    void check();
+    void finish();
+    void mark();
+    void goToFault(int step);
+
+    Desk& desk_;
+    QPlainTextEdit* edit_;
+    FreeSheet* line_;
+    TextPad* pad_;
+    std::unique_ptr<ProgramColours> colours_;
+    QString file_, language_, temporary_;
+    bool keyboard_ = false;
+    QTimer wait_;                                  // after the last letter
+    std::unique_ptr<QProcess> process_;
+    QByteArray out_;
+    std::vector<Fault> faults_;
+    QString failure_;
+};
+
+}  // namespace polyturn::hmi

@@ -1,0 +1,268 @@
+#include "hmi/screens/hand_page.hpp"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <cmath>
+
+#include "hmi/machine/tool_words.hpp"
+
+namespace polyturn::hmi {
+namespace {
+
+constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
+constexpr double kClicksATurn = 100, kTurn = 6.283185307179586;
+constexpr std::array<int, 3> kFactors{1, 10, 100};
+
+}  // namespace
+
+// docs/builder.md, part transfer: what the built-in PLC understands.
+const std::vector<HandPage::Step>& HandPage::list() {
+    static const std::vector<Step> kSteps{{WORD("Plain S means the counter spindle"), "M72", false}, {WORD("Its chuck opens"), "M11", false}, {WORD("It follows the main spindle"), "M61", false}, {WORD("Little torque for the slide"), "M66", false},
+                                          {WORD("Jog against the part"), "", false}, {WORD("Its chuck clamps"), "M10", false}, {WORD("Full torque"), "M67", false}, {WORD("The main chuck opens"), "M11", true},
+                                          {WORD("Jog: pull the part out"), "", false}, {WORD("The main chuck clamps"), "M10", true}, {WORD("The counter spindle is free"), "M62", false}, {WORD("Plain S means the main spindle"), "M71", false}};
+    return kSteps;
+}
+
+HandPage::HandPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), wheel_(new FreeSheet(this)), state_(new FreeSheet(this)), tools_(new Table(this)), steps_(new Table(this)) {
+    wheel_->onCompose = [this](Writer& w) { composeWheel(w); };
+    wheel_->onTouched = [this](int number) {
+        focus_ = 0;
+        if (number >= kFactorHits && number < kFactorHits + 3) factor_ = kFactors[static_cast<std::size_t>(number - kFactorHits)];
+        else if (number >= kAxisHits && number < kFactorHits) place_ = static_cast<unsigned>(number - kAxisHits);
+        else if (number == kMinusHit || number == kPlusHit) turn(number == kPlusHit ? 1 : -1);
+        refresh();
+    };
+    wheel_->installEventFilter(this);
+    state_->onCompose = [this](Writer& w) { composeState(w); };
+    tools_->columns = {{word("Station"), 0.8, kRight}, {word("Tool"), 2.4}, {"", 0.5}};
+    tools_->rowUnits = 38;
+    tools_->nothing = word("This channel has no turret.");
+    tools_->rows = [this] { return static_cast<int>(stations_.size()); };
+    tools_->cell = [this](int row, int column) -> Table::Cell {
+        const Theme& t = theme();
+        const Station& one = stations_[static_cast<std::size_t>(row)];
+        const ToolRow* tool = toolOf(desk_.live, one.tool);
+        const ChannelView& view = desk_.live.view(desk_.channel);
+        const bool works = view.known && view.picture.tool == one.number;
+        if (column == 0) return {QString::number(one.number), works ? t.good : t.dim, works ? Sign::Run : Sign::None, true};
+        if (column == 1) return {tool ? toolName(*tool, one.tool) : QString::fromUtf8("–"), tool ? t.text : t.dim};
+        return tool ? Table::Cell{{}, toolWords(*tool).colour, toolWords(*tool).sign} : Table::Cell{};
+    };
+    tools_->onChosen = [this] { focus_ = 1; if (desk_.keysChanged) desk_.keysChanged(); };
+    steps_->columns = {{"", 0.4, kRight}, {word("Part transfer, step by step"), 4}, {"", 0.8}};
+    steps_->rowUnits = 34;
+    steps_->textUnits = 14.5;
+    steps_->rows = [] { return static_cast<int>(list().size()); };
+    steps_->cell = [](int row, int column) -> Table::Cell {
+        const Step& one = list()[static_cast<std::size_t>(row)];
+        if (column == 0) return {QString::number(row + 1), theme().dim};
+        if (column == 1) return {word(one.title)};
+        return {one.code, theme().accent, one.code[0] ? Sign::None : Sign::Manual, true, Face::Program};
+    };
+    steps_->onChosen = [this] { focus_ = 2; if (desk_.keysChanged) desk_.keysChanged(); };
+}
+
+unsigned HandPage::axis() const {
+    const ChannelConfig& config = desk_.live.config().channel(desk_.channel);
+    return desk_.live.connected() && place_ < config.axis_count ? config.axes[place_] : 0;
+}
+
+unsigned HandPage::otherChannel() const {
+    for (const unsigned one : desk_.live.channels())
+        if (one != desk_.channel) return one;
+    return desk_.channel;
+}
+
+void HandPage::turn(int clicks) {
+    if (!axis() || clicks == 0) return;
+    turned_ += clicks;
+    desk_.requests.press(QString("handwheel 1 A%1 %2%3").arg(axis()).arg(clicks > 0 ? "+" : "").arg(clicks * factor_));
+    wheel_->refresh();
+}
+
+// A hundred clicks a turn; what is left of a click waits.
+bool HandPage::eventFilter(QObject* object, QEvent* event) {
+    if (object != wheel_) return false;
+    const auto type = event->type();
+    if (type == QEvent::Wheel) return turn(static_cast<QWheelEvent*>(event)->angleDelta().y() > 0 ? 1 : -1), true;
+    if (type != QEvent::MouseButtonPress && type != QEvent::MouseMove && type != QEvent::MouseButtonRelease) return false;
+    const QPointF at = static_cast<QMouseEvent*>(event)->position();
+    const QRectF dial = wheel_->boxOf(kDialHit);
+    const double angle = std::atan2(at.y() - dial.center().y(), at.x() - dial.center().x());
+    if (type == QEvent::MouseButtonPress) {
+        dialing_ = dial.contains(at);
+        lastAngle_ = angle, angleLeft_ = 0;
+        return false;
+    }
+    if (!dialing_) return false;
+    if (type == QEvent::MouseMove) {
+        angleLeft_ += std::remainder(angle - lastAngle_, kTurn);
+        lastAngle_ = angle;
+        const int clicks = static_cast<int>(angleLeft_ / kTurn * kClicksATurn);
+        if (clicks) angleLeft_ -= clicks * kTurn / kClicksATurn, turn(clicks);
+    } else {
+        dialing_ = false;
+    }
+    return false;
+}
+
+void HandPage::composeWheel(Writer& w) {
+    const Theme& t = theme();
+    const double wide = wheel_->width(), high = wheel_->height();
+    w.fill(QRectF(0, 0, wide, high), t.window);
+    w.fill(QRectF(0, 0, wide, high), t.card, px(8));
+    if (focus_ == 0) w.frame(QRectF(0, 0, wide, high), t.accent, px(8), px(2));
+    w.text(QRectF(px(14), px(8), wide - px(28), px(28)), word("Handwheel"), lettering(17, true), t.text);
+    if (!desk_.live.connected()) return;
+    const ChannelConfig& config = desk_.live.config().channel(desk_.channel);
+    const double each = std::min<double>(px(84), (wide - px(24)) / std::max<std::size_t>(1, config.axis_count));
+    for (unsigned place = 0; place < config.axis_count; ++place) {
+        const QRectF box(px(12) + place * each, px(44), each - px(6), px(48));
+        const bool here = place == place_;
+        w.fill(box, here ? t.mark : t.raised, px(6));
+        w.frame(box, here ? t.accent : t.edge, px(6), here ? px(2) : 1);
+        w.text(box, fromView(desk_.live.config().axis(config.axes[place]).name_text()), lettering(20, true), t.text, Qt::AlignCenter);
+        w.hit(box, kAxisHits + static_cast<int>(place));
+    }
+    for (std::size_t i = 0; i < kFactors.size(); ++i) {
+        const double unit = (wide - px(24)) / 3;
+        const QRectF box(px(12) + static_cast<double>(i) * unit, px(100), unit - px(6), px(46));
+        const bool here = factor_ == kFactors[i];
+        w.fill(box, here ? t.mark : t.raised, px(6));
+        w.frame(box, here ? t.accent : t.edge, px(6), here ? px(2) : 1);
+        w.text(box, QString::fromUtf8("× %1").arg(kFactors[i]), lettering(17, here), t.text, Qt::AlignCenter);
+        w.hit(box, kFactorHits + static_cast<int>(i));
+    }
+    if (const unsigned number = axis()) {
+        const AxisConfig& axis = desk_.live.config().axis(number);
+        const AxisStatus& now = desk_.live.status().axes[number - 1];
+        w.text(QRectF(px(14), px(154), wide - px(28), px(48)), fromView(axis.name_text()) + "  " + lengthText(shown(axis, now.act), decimalsOf(desk_.live.config(), axis)), lettering(32, true), now.flags & kMoving ? t.good : t.text, kRight);
+    }
+    // the dial: a finger turns it
+    const double top = px(210), side = std::min(wide - px(150), high - top - px(12)), r = side / 2;
+    const QPointF middle(wide / 2, top + r);
+    w.fill(QRectF(middle.x() - r, middle.y() - r, side, side), t.raised, r);
+    w.frame(QRectF(middle.x() - r, middle.y() - r, side, side), t.edge, r, px(3));
+    for (int i = 0; i < 20; ++i) {
+        const double a = kTurn * (i / 20.0 + turned_ / kClicksATurn) - kTurn / 4;
+        const QPointF way(std::cos(a), std::sin(a));
+        w.line(middle + way * (r * 0.86), middle + way * (r * 0.95), i == 0 ? t.accent : t.dim, i == 0 ? px(5) : px(2));
+    }
+    const QPointF knob = middle + QPointF(std::cos(kTurn * turned_ / kClicksATurn - kTurn / 4), std::sin(kTurn * turned_ / kClicksATurn - kTurn / 4)) * (r * 0.62);
+    w.fill(QRectF(knob.x() - r * 0.16, knob.y() - r * 0.16, r * 0.32, r * 0.32), t.accent, r * 0.16);
+    w.hit(QRectF(middle.x() - r, middle.y() - r, side, side), kDialHit);
+    for (const bool plus : {false, true}) {
+        const QRectF box(plus ? wide - px(64) : px(12), middle.y() - px(34), px(52), px(68));
+        w.fill(box, t.raised, px(8));
+        w.frame(box, t.edge, px(8), 1);
+        w.text(box, plus ? QString("+") : QString::fromUtf8("−"), lettering(26, true), t.text, Qt::AlignCenter);
+        w.hit(box, plus ? kPlusHit : kMinusHit);
+    }
+}
+
+// Which chucks hold, and whether the counter spindle follows.
+void HandPage::composeState(Writer& w) {
+    const Theme& t = theme();
+    w.fill(QRectF(0, 0, state_->width(), state_->height()), t.window);
+    w.fill(QRectF(0, 0, state_->width(), state_->height()), t.card, px(8));
+    if (!desk_.live.connected()) return;
+    double y = px(6);
+    for (std::uint32_t s = 1; s <= std::min<std::uint32_t>(2, desk_.live.config().last_spindle); ++s) {
+        if (!desk_.live.config().spindle(s).exists()) continue;
+        const bool open = desk_.live.plc(signals::sp_unclamped(s)) != 0;
+        const SpindleStatus& now = desk_.live.status().spindles[s - 1];
+        w.sign(QRectF(px(12), y + px(4), px(20), px(20)), open ? Sign::Warning : Sign::Lock, open ? t.warn : t.good);
+        w.text(QRectF(px(42), y, px(40), px(28)), QString("S%1").arg(s), lettering(16, true), t.text);
+        w.text(QRectF(px(86), y, px(130), px(28)), open ? word("chuck open") : word("chuck holds"), lettering(15), open ? t.warn : t.good);
+        w.text(QRectF(px(216), y, state_->width() - px(228), px(28)), now.master ? word("follows S%1").arg(now.master) : QString("%1 1/min").arg(now.speed, 0, 'f', 0), lettering(15), now.master ? t.accent : t.dim, kRight);
+        y += px(30);
+    }
+}
+
+void HandPage::fillTools() {
+    stations_.clear();
+    if (!desk_.live.connected()) return;
+    const auto magazine = static_cast<std::int32_t>(params::get(desk_.live.table(), params::pt_turret_magazine, desk_.channel));
+    const ToolPlaceTable& places = desk_.live.places();
+    for (std::size_t i = 0; magazine && i < places.count; ++i)
+        if (places.places[i].magazine == magazine) stations_.push_back({places.places[i].pot, places.places[i].tool});
+    if (stations_.empty())
+        for (int n = 1; n <= static_cast<int>(params::get(desk_.live.table(), params::pt_turret_stations, desk_.channel)); ++n) stations_.push_back({n, 0});
+}
+
+QString HandPage::toolBlock() const {
+    const auto row = static_cast<std::size_t>(tools_->row());
+    if (row >= stations_.size()) return {};
+    const Station& one = stations_[row];
+    const std::string language(params::get_text(desk_.live.table(), params::pt_language, desk_.channel));
+    const ToolRow* tool = toolOf(desk_.live, one.tool);
+    const bool managed = params::bit(desk_.live.table(), params::n2900_tool_m_config, 0);
+    if (language == "sinumerik") return managed && tool && tool->name[0] ? QString("T=\"%1\" D1").arg(toolName(*tool, one.tool)) : QString("T%1 D1").arg(one.number);
+    if (language == "fagor") return QString("T%1 D1").arg(managed && tool && tool->type_number ? tool->type_number : one.number);
+    if (managed && tool && tool->type_number) return QString("T%1%2").arg(tool->type_number, 2, 10, QChar('0')).arg(tool->h_cell % 100, 2, 10, QChar('0'));
+    return QString("T%1%1").arg(one.number, 2, 10, QChar('0'));
+}
+
+void HandPage::callTool() {
+    if (const QString block = toolBlock(); !block.isEmpty()) desk_.requests.press(QString("mdi L%1 %2").arg(desk_.channel).arg(block));
+}
+
+void HandPage::doStep() {
+    const Step& one = list()[static_cast<std::size_t>(steps_->row())];
+    if (one.code[0]) desk_.requests.press(QString("mdi L%1 %2").arg(one.main ? otherChannel() : desk_.channel).arg(one.code));
+}
+
+void HandPage::refresh() {
+    fillTools();
+    for (Sheet* one : sheets()) one->refresh();
+}
+
+void HandPage::resizeEvent(QResizeEvent*) {
+    const int edge = px(8), left = static_cast<int>(width() * 0.38), right = px(400), state = px(72);
+    wheel_->setGeometry(edge, edge, left, height() - 2 * edge);
+    tools_->setGeometry(left + 2 * edge, edge, width() - left - right - 4 * edge, height() - 2 * edge);
+    state_->setGeometry(width() - right - edge, edge, right, state);
+    steps_->setGeometry(width() - right - edge, state + 2 * edge, right, height() - state - 3 * edge);
+}
+
+bool HandPage::key(QKeyEvent* event) {
+    switch (event->key()) {
+        case Qt::Key_Tab: return focus_ = (focus_ + 1) % 3, refresh(), true;
+        case Qt::Key_Backtab: return focus_ = (focus_ + 2) % 3, refresh(), true;
+        case Qt::Key_Plus: return turn(1), true;
+        case Qt::Key_Minus: return turn(-1), true;
+        default: break;
+    }
+    if (focus_ == 1) return tools_->key(event);
+    if (focus_ == 2) return steps_->key(event);
+    const ChannelConfig& config = desk_.live.config().channel(desk_.channel);
+    switch (event->key()) {
+        case Qt::Key_Right: return turn(1), true;
+        case Qt::Key_Left: return turn(-1), true;
+        case Qt::Key_Up: return place_ = place_ ? place_ - 1 : 0, refresh(), true;
+        case Qt::Key_Down: return place_ = std::min<unsigned>(place_ + 1, config.axis_count ? static_cast<unsigned>(config.axis_count) - 1 : 0), refresh(), true;
+        default: return false;
+    }
+}
+
+std::vector<SoftKey> HandPage::keys(std::function<void()> back) {
+    const bool there = desk_.live.connected();
+    const ChannelStatus& status = desk_.live.channel(desk_.channel);
+    const QString name = QString("L%1").arg(desk_.channel);
+    const auto press = [this](const QString& words) { return [this, words] { desk_.requests.press(words); }; };
+    const bool superposes = (status.keys & kKeySuperpose) != 0;
+    const QString block = there ? toolBlock() : QString();
+    const bool step = list()[static_cast<std::size_t>(steps_->row())].code[0] != 0;
+    return {{word("Jog keys"), std::move(back), Sign::Left},
+            {word("Handwheel"), press(QString("mode %1=handwheel").arg(name)), Sign::Manual, there, static_cast<ChannelMode>(status.mode) == ChannelMode::Handwheel},
+            {word("Factor"), [this] { factor_ = factor_ >= 100 ? 1 : factor_ * 10, refresh(); }, Sign::None, there},
+            {word("Wheel in program"), press(QString("superpose %1=%2").arg(name, superposes ? "off" : "on")), Sign::None, there, superposes},
+            {word("Reference"), press(QString("mode %1=reference").arg(name)), Sign::Offsets, there, static_cast<ChannelMode>(status.mode) == ChannelMode::Reference},
+            {word("Call %1").arg(block), [this] { callTool(); }, Sign::Tools, !block.isEmpty(), false, false, word("The turret turns: press again")},
+            {word("Do this step"), [this] { doStep(); }, Sign::Run, there && step, false, false, word("It acts at once: press again")},
+            {},
+            {word("Hold %1").arg(name), press("feed_hold " + name), Sign::Hold, there},
+            {word("Emergency stop"), press("emergency_stop"), Sign::Off, there, false, true}};
+}
+
+}  // namespace polyturn::hmi

@@ -1,0 +1,57 @@
+// The rest of what is done by hand: the wheel on the screen, a tool called from its station, and a part passed to the counter spindle step by
+// step with the functions of the built-in lathe PLC. Each sends what a program would say, as a block by hand.
+#pragma once
+#include "hmi/app/screen.hpp"
+#include "hmi/widgets/table.hpp"
+
+namespace polyturn::hmi {
+
+class HandPage : public QWidget {
+public:
+    HandPage(Desk& desk, QWidget* parent);
+    void refresh();
+    bool key(QKeyEvent* event);
+    std::vector<SoftKey> keys(std::function<void()> back);
+    std::vector<Sheet*> sheets() { return {wheel_, tools_, steps_, state_}; }
+    FreeSheet& wheel() { return *wheel_; }
+    Table& tools() { return *tools_; }
+    Table& steps() { return *steps_; }
+    unsigned axis() const;                       // that the wheel turns; 0 none
+    void turn(int clicks);                       // as often as the factor says
+    QString toolBlock() const;                   // «T0303» in the channel's language
+    static constexpr int kAxisHits = 100, kFactorHits = 300, kMinusHit = 400, kPlusHit = 401, kDialHit = 402;
+
+protected:
+    void resizeEvent(QResizeEvent*) override;
+    bool eventFilter(QObject* object, QEvent* event) override;   // the dial is turned by a finger
+
+private:
+    struct Station {
+        int number = 0;
+        std::int32_t tool = 0;
+    };
+    struct Step {
+        const char* title;
+        const char* code;                        // empty: by jog
+        bool main;                               // in the channel of the main spindle
+    };
+    static const std::vector<Step>& list();
+    void composeWheel(Writer& w);
+    void composeState(Writer& w);
+    void fillTools();
+    void callTool();
+    void doStep();
+    unsigned otherChannel() const;
+    unsigned spindleOf(unsigned channel) const { return desk_.live.config().channel(channel).default_spindle; }
+
+    Desk& desk_;
+    FreeSheet *wheel_, *state_;
+    Table *tools_, *steps_;
+    std::vector<Station> stations_;
+    unsigned place_ = 0;                         // of the axis in the channel
+    int factor_ = 1, focus_ = 0, turned_ = 0;    // focus: 0 wheel, 1 tools, 2 steps
+    bool dialing_ = false;
+    double lastAngle_ = 0, angleLeft_ = 0;
+};
+
+}  // namespace polyturn::hmi

@@ -1,0 +1,242 @@
+#include "hmi/screens/presetter_page.hpp"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QKeyEvent>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTimer>
+#include <algorithm>
+
+#include "hmi/machine/channel_words.hpp"
+
+namespace polyturn::hmi {
+namespace {
+
+constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
+
+// Where dark and bright meet, half way between the darkest and the brightest pixel: rows, then columns, so that slopes of any angle count.
+std::vector<QPoint> outlineOf(const QImage& image) {
+    std::vector<QPoint> out;
+    int low = 255, high = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) low = std::min<int>(low, image.constScanLine(y)[x]), high = std::max<int>(high, image.constScanLine(y)[x]);
+    const int half = (low + high) / 2;
+    for (int y = 1; y < image.height(); ++y) {
+        const uchar *line = image.constScanLine(y), *above = image.constScanLine(y - 1);
+        for (int x = 1; x < image.width(); ++x)
+            if ((line[x] > half) != (line[x - 1] > half) || (line[x] > half) != (above[x] > half)) out.push_back({x, y});
+    }
+    return out;
+}
+
+}  // namespace
+
+PresetterPage::PresetterPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), files_(new Table(this)), values_(new Table(this)), result_(new FreeSheet(this)), pad_(new NumberPad(this)) {
+    files_->columns = {{word("Picture"), 1}};
+    files_->rowUnits = 34;
+    files_->nothing = word("No pictures (PGM, BMP, PNG) in this folder.");
+    files_->rows = [this] { return static_cast<int>(entries_.size()); };
+    files_->cell = [this](int row, int) -> Table::Cell {
+        const QFileInfo& one = entries_[static_cast<std::size_t>(row)];
+        const QString name = one.fileName();
+        return {row == 0 && one.absoluteFilePath() == QFileInfo(folder_).absolutePath() ? QString("..") : one.isDir() ? name + "/" : name, one.isDir() ? theme().dim : theme().text, one.isDir() ? Sign::None : Sign::Graphics};
+    };
+    files_->onChosen = [this] { onValues_ = false, look(); };
+    files_->onActivated = [this] { open(); };
+    values_->columns = {{word("For the offset and the gauge pin"), 2.2}, {"", 1, kRight}};
+    values_->rowUnits = 34;
+    values_->rows = [] { return 4; };
+    values_->cell = [this](int row, int column) -> Table::Cell {
+        static constexpr const char* kTitles[] = {WORD("Offset number"), WORD("Diameter of the pin"), WORD("X of its end, radius"), WORD("Z of its end")};
+        if (column == 0) return {word(kTitles[row])};
+        return {lengthText(number_[row], row == 0 ? 0 : 3), theme().text, Sign::None, true};
+    };
+    values_->onChosen = [this] { onValues_ = true, pad_->clear(); };
+    pad_->field = [this]() -> std::optional<NumberPad::Field> {
+        const int row = values_->row();
+        return NumberPad::Field{values_->cell(row, 0).text, row == 0 ? QString() : QString("mm"), number_[row], row == 0 ? 0u : 3u};
+    };
+    pad_->onInput = [this](double value) {
+        const int row = values_->row();
+        number_[row] = row == kOffset ? std::clamp(std::round(value), 1.0, 999.0) : value;
+        values_->refresh();
+    };
+    result_->onCompose = [this](Writer& w) { composeResult(w); };
+    readFolder(desk.folder.isEmpty() ? QDir::homePath() : desk.folder);
+}
+
+PresetterPage::~PresetterPage() {
+    if (!process_) return;
+    process_->disconnect();
+    process_->kill();
+}
+
+QString PresetterPage::calibrationFile() const {
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + "/polyturn";
+    QDir().mkpath(folder);
+    return folder + "/presetter-" + QString::fromStdString(desk_.live.instance()) + ".json";
+}
+
+void PresetterPage::readFolder(const QString& folder) {
+    folder_ = QDir(folder).absolutePath();
+    entries_.clear();
+    if (!QDir(folder_).isRoot()) entries_.push_back(QFileInfo(QFileInfo(folder_).absolutePath()));
+    for (const QFileInfo& one : QDir(folder_).entryInfoList({"*.pgm", "*.bmp", "*.png"}, QDir::Files | QDir::AllDirs | QDir::NoDotAndDotDot, QDir::DirsFirst | QDir::Name)) entries_.push_back(one);
+    answer_ = {}, failure_.clear(), pictureOf_.clear(), picture_ = {}, outline_.clear();
+    files_->choose(0);
+}
+
+QString PresetterPage::chosen() const {
+    const int row = files_->row();
+    return row < static_cast<int>(entries_.size()) && entries_[static_cast<std::size_t>(row)].isFile() ? entries_[static_cast<std::size_t>(row)].absoluteFilePath() : QString();
+}
+
+void PresetterPage::open() {
+    const int row = files_->row();
+    if (row >= static_cast<int>(entries_.size())) return;
+    const QFileInfo entry = entries_[static_cast<std::size_t>(row)];
+    if (entry.isDir()) readFolder(entry.absoluteFilePath());
+    else measure(false);
+}
+
+void PresetterPage::look() {
+    const QString file = chosen();
+    if (file == pictureOf_) return;
+    pictureOf_ = file;
+    answer_ = {}, failure_.clear(), written_ = false, calibrated_ = false;
+    picture_ = file.isEmpty() ? QImage() : QImage(file).convertToFormat(QImage::Format_Grayscale8);
+    outline_ = outlineOf(picture_);
+    update(room_), result_->refresh();
+    if (desk_.keysChanged) desk_.keysChanged();
+}
+
+// The command line measures and proposes; with --yes it enters. One at a time; nothing here waits for it.
+void PresetterPage::run(QStringList arguments, bool written) {
+    if (process_) return;
+    failure_.clear(), answer_ = {}, out_.clear(), errors_.clear();
+    written_ = false, calibrated_ = false;
+    process_ = std::make_unique<QProcess>();
+    QObject::connect(process_.get(), &QProcess::readyReadStandardOutput, this, [this] { out_ += process_->readAllStandardOutput(); });
+    QObject::connect(process_.get(), &QProcess::readyReadStandardError, this, [this] { errors_ += process_->readAllStandardError(); });
+    const auto over = [this, written, calibration = arguments.contains("calibrate")](bool ran) {
+        if (!process_) return;
+        if (ran) out_ += process_->readAllStandardOutput(), errors_ += process_->readAllStandardError();
+        process_.release()->deleteLater();
+        answer_ = QJsonDocument::fromJson(out_).object();
+        if (!ran) failure_ = word("The program polyturn is not beside the HMI.");
+        else if (answer_.isEmpty()) failure_ = QString::fromUtf8(errors_).simplified();
+        written_ = written && !answer_.isEmpty(), calibrated_ = calibration && !answer_.isEmpty();
+        if (written_) desk_.tell(word("The offset is written"), Told::Good);
+        refresh();
+        if (desk_.keysChanged) desk_.keysChanged();
+    };
+    QObject::connect(process_.get(), &QProcess::finished, this, [over] { over(true); });
+    QObject::connect(process_.get(), &QProcess::errorOccurred, this, [over](QProcess::ProcessError error) { if (error == QProcess::FailedToStart) over(false); });
+    arguments << "--calibration" << calibrationFile() << "--instance" << QString::fromStdString(desk_.live.instance()) << "--json";
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("LANG", QString("%1_XX.UTF-8").arg(codeOf(spoken())));
+    process_->setProcessEnvironment(environment);
+    process_->start(QCoreApplication::applicationDirPath() + "/polyturn", arguments);
+}
+
+void PresetterPage::measure(bool write) {
+    if (chosen().isEmpty()) return;
+    QStringList arguments{"presetter", "measure", chosen(), QString("L%1").arg(desk_.channel), QString::number(number_[kOffset], 'f', 0)};
+    if (write) arguments << "--yes";
+    run(arguments, write);
+}
+
+void PresetterPage::calibrate() {
+    if (chosen().isEmpty()) return;
+    run({"presetter", "calibrate", chosen(), QString("diameter=%1").arg(number_[kPinDiameter], 0, 'f', 6), QString("x=%1").arg(number_[kPinX], 0, 'f', 6), QString("z=%1").arg(number_[kPinZ], 0, 'f', 6)}, false);
+}
+
+void PresetterPage::resizeEvent(QResizeEvent*) {
+    const int edge = px(8), left = px(270), right = px(340), pad = px(350);
+    files_->setGeometry(edge, 0, left, height() - edge);
+    room_ = QRect(left + 2 * edge, 0, width() - left - right - 4 * edge, height() - edge);
+    const int values = px(30) + 4 * px(34) + px(2);
+    result_->setGeometry(width() - right - edge, 0, right, height() - pad - values - 3 * edge);
+    values_->setGeometry(width() - right - edge, height() - pad - values - 2 * edge, right, values);
+    pad_->setGeometry(width() - right - edge, height() - pad - edge, right, pad);
+}
+
+void PresetterPage::refresh() {
+    for (Sheet* one : sheets()) one->refresh();
+}
+
+void PresetterPage::paintEvent(QPaintEvent*) {
+    const Theme& t = theme();
+    QPainter p(this);
+    p.setRenderHint(QPainter::Antialiasing);
+    p.fillRect(rect(), t.window);
+    p.setPen(Qt::NoPen);
+    p.setBrush(t.card);
+    p.drawRoundedRect(room_, px(8), px(8));
+    if (picture_.isNull()) {
+        p.setPen(t.dim);
+        p.setFont(lettering(15));
+        p.drawText(room_, Qt::AlignCenter | Qt::TextWordWrap, word("Choose a picture of the tool's shadow"));
+        return;
+    }
+    const QRectF inside = QRectF(room_).adjusted(px(10), px(10), -px(10), -px(10));
+    const double scale = std::min(inside.width() / picture_.width(), inside.height() / picture_.height());
+    const QSizeF size(picture_.width() * scale, picture_.height() * scale);
+    const QRectF box(inside.center() - QPointF(size.width(), size.height()) / 2, size);
+    p.setRenderHint(QPainter::SmoothPixmapTransform);
+    p.drawImage(box, picture_);
+    p.setBrush(t.accent);
+    const double dot = std::max<double>(1.5, scale);
+    for (const QPoint& at : outline_) p.fillRect(QRectF(box.left() + at.x() * scale - dot / 2, box.top() + at.y() * scale - dot / 2, dot, dot), t.accent);
+}
+
+void PresetterPage::composeResult(Writer& w) {
+    const Theme& t = theme();
+    const double wide = result_->width(), high = result_->height();
+    w.fill(QRectF(0, 0, wide, high), t.window);
+    w.fill(QRectF(0, 0, wide, high), t.card, px(8));
+    const auto sentence = [&](Sign sign, const QColor& colour, const QString& text, bool from_outside) {
+        w.sign(QRectF(px(12), px(12), px(22), px(22)), sign, colour);
+        Item& item = w.text(QRectF(px(44), px(10), wide - px(56), high - px(20)), text, lettering(14.5), t.text, Qt::AlignLeft | Qt::AlignTop);
+        item.wraps = true, item.data = from_outside;
+    };
+    if (process_) return sentence(Sign::Wait, t.wait, word("Measures ..."), false);
+    if (!failure_.isEmpty()) return sentence(Sign::Alarm, t.bad, failure_, true);
+    if (calibrated_) return sentence(Sign::Good, t.good, word("Calibrated: %1 µm a pixel, tilted by %2°").arg(answer_.value("um_per_pixel").toDouble(), 0, 'f', 3).arg(answer_.value("tilt_deg").toDouble(), 0, 'f', 3), false);
+    if (answer_.isEmpty()) return sentence(Sign::Note, t.dim, word("«Measure» finds the tip and shows what would be entered. The gauge pin calibrates the camera first."), false);
+    double y = px(6);
+    for (const char* name : {"X", "Z", "R"}) {
+        w.text(QRectF(px(12), y, px(26), px(22)), name, lettering(15, true), t.dim);
+        w.text(QRectF(px(40), y, wide * 0.4, px(22)), lengthText(answer_.value(name).toDouble(), 4), lettering(16, true), t.text, kRight);
+        w.text(QRectF(wide * 0.55, y, wide * 0.45 - px(12), px(22)), QString::fromUtf8("± %1 mm").arg(answer_.value(QString(name) + "_error").toDouble(), 0, 'f', 4), lettering(14), t.dim, kRight);
+        y += px(22);
+    }
+    w.text(QRectF(px(12), y, wide - px(24), px(22)), QString::fromUtf8("T %1     %2°").arg(answer_.value("T").toInt()).arg(answer_.value("included_deg").toDouble(), 0, 'f', 2), lettering(15), t.text);
+    y += px(24);
+    w.sign(QRectF(px(12), y + px(2), px(18), px(18)), written_ ? Sign::Good : Sign::Note, written_ ? t.good : t.accent);
+    w.text(QRectF(px(36), y, wide - px(48), px(22)), written_ ? word("Entered") : word("Would be entered"), lettering(14.5, true), written_ ? t.good : t.accent);
+    y += px(22);
+    for (const auto& one : answer_.value("entries").toArray()) {
+        const QJsonObject entry = one.toObject();
+        w.data(QRectF(px(12), y, wide - px(24), px(20)), QString::fromUtf8("%1: %2 → %3").arg(entry.value("what").toString(), lengthText(entry.value("old").toDouble(), 4), lengthText(entry.value("new").toDouble(), 4)), lettering(13.5, false, Face::Condensed), t.text);
+        y += px(20);
+    }
+}
+
+bool PresetterPage::key(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Tab || event->key() == Qt::Key_Backtab) return onValues_ = !onValues_, refresh(), true;
+    if (pad_->key(event)) return true;
+    return onValues_ ? values_->key(event) : files_->key(event);
+}
+
+void PresetterPage::addKeys(std::vector<SoftKey>& keys) {
+    const bool ready = !chosen().isEmpty() && !process_ && desk_.live.connected();
+    keys.push_back({word("Measure"), [this] { measure(false); }, Sign::None, ready});
+    keys.push_back({word("Enter it"), [this] { measure(true); }, Sign::Good, ready && answer_.contains("entries") && !written_, false, false, word("Writes the offset: press again")});
+    keys.push_back({word("Calibrate"), [this] { calibrate(); }, Sign::None, ready, false, false, word("It is the gauge pin: press again")});
+}
+
+}  // namespace polyturn::hmi

@@ -1,0 +1,63 @@
+// The presetter: pictures of a tool's shadow, the outline found in the one that is chosen, what `polyturn presetter measure` says of it,
+// and what would be entered in the offset. Nothing is written before it is confirmed.
+#pragma once
+#include <QFileInfo>
+#include <QImage>
+#include <QJsonObject>
+#include <memory>
+
+#include "hmi/app/screen.hpp"
+#include "hmi/widgets/number_pad.hpp"
+#include "hmi/widgets/table.hpp"
+
+class QProcess;
+
+namespace polyturn::hmi {
+
+class PresetterPage : public QWidget {
+public:
+    PresetterPage(Desk& desk, QWidget* parent);
+    ~PresetterPage() override;
+    void refresh();
+    bool key(QKeyEvent* event);
+    void addKeys(std::vector<SoftKey>& keys);
+    std::vector<Sheet*> sheets() { return {files_, result_, values_, pad_}; }
+    Table& files() { return *files_; }
+    Table& values() { return *values_; }
+    void readFolder(const QString& folder);
+    const QJsonObject& answer() const { return answer_; }
+    const QString& failure() const { return failure_; }
+    bool busy() const { return process_ != nullptr; }
+
+protected:
+    void resizeEvent(QResizeEvent*) override;
+    void paintEvent(QPaintEvent*) override;
+
+private:
+    enum Value : std::uint8_t { kOffset, kPinDiameter, kPinX, kPinZ };
+    void open();
+    void look();                       // reads the chosen picture
+    void run(QStringList arguments, bool written);
+    void measure(bool write);
+    void calibrate();
+    void composeResult(Writer& w);
+    QString chosen() const;
+    QString calibrationFile() const;
+
+    Desk& desk_;
+    Table *files_, *values_;
+    FreeSheet* result_;
+    NumberPad* pad_;
+    QString folder_, failure_, pictureOf_;
+    std::vector<QFileInfo> entries_;
+    QImage picture_;
+    std::vector<QPoint> outline_;      // of the shadow, pixels of picture_
+    QRect room_;
+    double number_[4] = {1, 6, 50, 30};
+    QJsonObject answer_;
+    QByteArray out_, errors_;
+    std::unique_ptr<QProcess> process_;
+    bool written_ = false, calibrated_ = false, onValues_ = false;
+};
+
+}  // namespace polyturn::hmi

@@ -1,0 +1,133 @@
+#include "hmi/screens/restart_page.hpp"
+
+#include <QFileInfo>
+#include <QKeyEvent>
+#include <QRegularExpression>
+#include <cmath>
+
+#include "hmi/machine/channel_words.hpp"
+
+namespace polyturn::hmi {
+namespace {
+
+constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
+enum Column { kChannel, kProgram, kStood, kTool, kWanted };
+
+QString blockText(std::int64_t block) { return block < 0 ? QString::fromUtf8("–") : QString("N%1").arg(block); }
+
+}  // namespace
+
+RestartPage::RestartPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), table_(new Table(this)), note_(new FreeSheet(this)), pad_(new NumberPad(this)) {
+    table_->columns = {{word("Channel"), 0.8}, {word("Program"), 2}, {word("It stood at"), 1.1, kRight, true}, {word("Its tool came at"), 1.3, kRight, true}, {word("Restart at"), 1.1, kRight, true}};
+    table_->byCell = true;
+    table_->rowUnits = 54;
+    table_->textUnits = 18;
+    table_->rows = [this] { return static_cast<int>(desk_.live.channels().size()); };
+    table_->cell = [this](int row, int column) -> Table::Cell {
+        const Theme& t = theme();
+        const unsigned channel = desk_.live.channels()[static_cast<std::size_t>(row)];
+        const Stood& one = at(channel);
+        switch (column) {
+            case kChannel: return {QString("L%1").arg(channel), t.text, Sign::None, true};
+            case kProgram: {
+                const auto& programs = desk_.live.view(channel).programs;
+                return {programs.empty() ? QString() : QFileInfo(QString::fromStdString(programs[0])).fileName(), t.text};
+            }
+            case kStood: return {blockText(one.block), t.text};
+            case kTool: return {blockText(toolBlock(one)), t.text};
+            default: return {blockText(one.wanted), one.wanted < 0 ? t.dim : t.accent, one.wanted < 0 ? Sign::None : Sign::Run, true};
+        }
+    };
+    table_->onChosen = [this] { pad_->clear(); };
+    // A block that is touched again, or Enter on it: there.
+    table_->onActivated = [this] {
+        const auto channel = chosen();
+        if (!channel) return;
+        Stood& one = at(*channel);
+        if (table_->column() == kStood) one.wanted = one.block;
+        else if (table_->column() == kTool) one.wanted = toolBlock(one);
+        else one.wanted = -1;
+        refresh();
+        if (desk_.keysChanged) desk_.keysChanged();
+    };
+    pad_->field = [this]() -> std::optional<NumberPad::Field> {
+        const auto channel = chosen();
+        if (!channel) return std::nullopt;
+        return NumberPad::Field{word("L%1: restart at block").arg(*channel), {}, static_cast<double>(std::max<std::int64_t>(0, at(*channel).wanted)), 0};
+    };
+    pad_->onInput = [this](double value) {
+        if (const auto channel = chosen(); channel && value >= 0 && value == std::floor(value)) at(*channel).wanted = static_cast<std::int64_t>(value);
+        refresh();
+        if (desk_.keysChanged) desk_.keysChanged();
+    };
+    note_->onCompose = [this](Writer& w) {
+        const Theme& t = theme();
+        w.fill(QRectF(0, 0, note_->width(), note_->height()), t.window);
+        w.fill(QRectF(0, 0, note_->width(), note_->height()), t.card, px(8));
+        w.sign(QRectF(px(14), px(14), px(24), px(24)), Sign::Note, t.accent);
+        Item& item = w.text(QRectF(px(50), px(10), note_->width() - px(62), note_->height() - px(20)),
+                            word("Touch a block twice, or Enter: the program restarts there. «Restart» reads to it without moving, with all waits replayed. Then start: the control shows what it will do. Start again: tool, functions, axes, and it cuts. Bring the axes to a free place first."),
+                            lettering(15.5), t.text, Qt::AlignLeft | Qt::AlignTop);
+        item.wraps = true;
+    };
+}
+
+std::optional<unsigned> RestartPage::chosen() const {
+    const auto row = static_cast<std::size_t>(table_->row());
+    return row < desk_.live.channels().size() ? std::optional(desk_.live.channels()[row]) : std::nullopt;
+}
+
+void RestartPage::follow() {
+    for (const unsigned channel : desk_.live.channels()) {
+        const ChannelStatus& status = desk_.live.channel(channel);
+        const ChannelView& view = desk_.live.view(channel);
+        const auto state = static_cast<ChannelState>(status.state);
+        if (view.programs.empty() || status.file != 0 || status.block < 0 || status.line == 0) continue;
+        if (state == ChannelState::Absent || state == ChannelState::Reset || state == ChannelState::Ended || state == ChannelState::Dead) continue;
+        Stood& one = at(channel);
+        if (one.program != view.programs[0]) one = {view.programs[0], 0, -1, -1};
+        one.line = status.line, one.block = status.block;
+    }
+}
+
+std::int64_t RestartPage::toolBlock(const Stood& stood) {
+    static const QRegularExpression kCalls("^\\s*/?\\d?\\s*N(\\d+)[^(;]*T\\s*[=\\d\"]");
+    for (std::uint32_t line = stood.line; line >= 1; --line)
+        if (const auto found = kCalls.match(texts_.line(stood.program, line)); found.hasMatch()) return found.captured(1).toLongLong();
+    return -1;
+}
+
+void RestartPage::restart() {
+    QStringList words;
+    for (const unsigned channel : desk_.live.channels())
+        if (at(channel).wanted >= 0) words << QString("L%1=N%2").arg(channel).arg(at(channel).wanted);
+    if (words.isEmpty()) return;
+    desk_.requests.press("restart " + words.join(' '), [this](const Answer& answer) {
+        if (answer.ok) desk_.tell(word("It reads to the block: start shows what comes"), Told::Good);
+    });
+}
+
+void RestartPage::resizeEvent(QResizeEvent*) {
+    const int edge = px(8), right = px(340), foot = px(130), pad = px(380);
+    table_->setGeometry(edge, 0, width() - right - 3 * edge, height() - foot - 2 * edge);
+    note_->setGeometry(edge, height() - foot - edge, width() - right - 3 * edge, foot);
+    pad_->setGeometry(width() - right - edge, 0, right, pad);
+}
+
+void RestartPage::refresh() {
+    for (Sheet* one : sheets()) one->refresh();
+}
+
+bool RestartPage::key(QKeyEvent* event) { return pad_->key(event) || table_->key(event); }
+
+void RestartPage::addKeys(std::vector<SoftKey>& keys) {
+    bool any = false;
+    for (const unsigned channel : desk_.live.channels()) any |= at(channel).wanted >= 0;
+    keys.push_back({word("All at their tools"), [this] {
+                        for (const unsigned channel : desk_.live.channels()) at(channel).wanted = toolBlock(at(channel));
+                        refresh();
+                    }, Sign::Tools, !desk_.live.channels().empty()});
+    keys.push_back({word("Restart"), [this] { restart(); }, Sign::Run, any && desk_.live.connected(), false, false, word("The axes are free: press again")});
+}
+
+}  // namespace polyturn::hmi

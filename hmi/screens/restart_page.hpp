@@ -1,0 +1,48 @@
+// Going on in the middle of a program: where each channel stood last, where its tool came, and the block at which it restarts. The control
+// reads there without moving; the first start shows the approach, the second one cuts (docs/operator.md).
+#pragma once
+#include "hmi/app/screen.hpp"
+#include "hmi/machine/program_text.hpp"
+#include "hmi/widgets/number_pad.hpp"
+#include "hmi/widgets/table.hpp"
+
+namespace polyturn::hmi {
+
+class RestartPage : public QWidget {
+public:
+    RestartPage(Desk& desk, QWidget* parent);
+    void follow();                 // each frame: where the programs are
+    void refresh();
+    bool key(QKeyEvent* event);
+    void addKeys(std::vector<SoftKey>& keys);
+    std::vector<Sheet*> sheets() { return {table_, note_, pad_}; }
+    Table& table() { return *table_; }
+    NumberPad& pad() { return *pad_; }
+    std::int64_t wanted(unsigned channel) const { return at(channel).wanted; }
+    std::int64_t stood(unsigned channel) const { return at(channel).block; }
+
+protected:
+    void resizeEvent(QResizeEvent*) override;
+
+private:
+    struct Stood {
+        std::string program;
+        std::uint32_t line = 0;
+        std::int64_t block = -1;   // executed last in the main program
+        std::int64_t wanted = -1;  // -1: this channel does not restart
+    };
+    std::int64_t toolBlock(const Stood& stood);   // the last T before it; -1 none
+    Stood& at(unsigned channel) { return stood_[channel - 1]; }
+    const Stood& at(unsigned channel) const { return stood_[channel - 1]; }
+    void restart();
+    std::optional<unsigned> chosen() const;
+
+    Desk& desk_;
+    Table* table_;
+    FreeSheet* note_;
+    NumberPad* pad_;
+    ProgramText texts_;
+    std::array<Stood, kMaxChannels> stood_{};
+};
+
+}  // namespace polyturn::hmi

@@ -1,0 +1,377 @@
+#include "hmi/screens/scope_page.hpp"
+
+#include <QDateTime>
+#include <QDir>
+#include <QFile>
+#include <QKeyEvent>
+#include <QPainterPath>
+#include <QStandardPaths>
+#include <algorithm>
+#include <cmath>
+
+#include "hmi/machine/tool_words.hpp"
+
+namespace polyturn::hmi {
+namespace {
+
+constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
+constexpr std::array<double, 9> kSeconds{0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50};
+constexpr qint64 kPaintMs = 50;
+
+QColor colourOfTrace(std::size_t trace) {
+    static const char* kDark[] = {"#4ea6ff", "#f5b83d", "#42c883", "#ff635c", "#b896ff", "#4fd8d8", "#ff9ed1", "#d5dde5"};
+    static const char* kLight[] = {"#0a63bd", "#a06200", "#127c3e", "#c42723", "#6d38b5", "#007a7a", "#b0307a", "#404a54"};
+    return QColor(theme().dark ? kDark[trace] : kLight[trace]);
+}
+
+}  // namespace
+
+ScopePage::ScopePage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), traces_(new Table(this)), chooser_(new Table(this)), pad_(new NumberPad(this)), note_(new FreeSheet(this)) {
+    traces_->columns = {{"", 0.35}, {word("Signal"), 3}, {word("Now"), 1.3, kRight}, {word("From"), 1.1, kRight}, {word("To"), 1.1, kRight}, {word("Unit"), 0.9}};
+    traces_->rowUnits = 26;
+    traces_->textUnits = 13.5;
+    traces_->rows = [] { return static_cast<int>(kScopeTraces); };
+    traces_->cell = [this](int row, int column) -> Table::Cell {
+        const auto trace = static_cast<std::size_t>(row);
+        const QColor colour = colourOfTrace(trace);
+        QString unit;
+        const QString title = titleOf(trace, &unit);
+        const bool on = choice_.kind[trace] != 0;
+        const bool triggers = record_.trigger.trace == trace && record_.mode() != ScopeRecord::Mode::Runs;
+        if (column == 0) return {QString::number(row + 1), on ? colour : theme().faint, Sign::None, true};
+        if (column == 1) return {on ? title : word("off"), on ? colour : theme().faint, triggers ? (record_.trigger.rising ? Sign::Up : Sign::Down) : Sign::None, on};
+        if (!on) return {};
+        if (column == 5) return {unit, theme().dim};
+        if (record_.samples().empty()) return {};
+        if (column == 2) return {numberText(record_.samples().back().value[trace]), theme().text};
+        double low = 1e300, high = -1e300;
+        const auto first = record_.samples().size() > static_cast<std::size_t>(windowTicks()) ? record_.samples().size() - static_cast<std::size_t>(windowTicks()) : 0;
+        for (std::size_t i = first; i < record_.samples().size(); i += std::max<std::size_t>(1, (record_.samples().size() - first) / 2000)) low = std::min(low, record_.samples()[i].value[trace]), high = std::max(high, record_.samples()[i].value[trace]);
+        return {numberText(column == 3 ? low : high), theme().dim};
+    };
+    traces_->onChosen = [this] { if (desk_.keysChanged) desk_.keysChanged(); };
+    traces_->onActivated = [this] { choosing_ = true, search_.clear(), fillChoices(), layOut(); };
+    chooser_->columns = {{word("Signal"), 3}, {word("Unit"), 0.8}};
+    chooser_->rowUnits = 34;
+    chooser_->nothing = word("No signal has this in its name or meaning.");
+    chooser_->rows = [this] { return static_cast<int>(found_.size()); };
+    chooser_->cell = [this](int row, int column) -> Table::Cell { return column == 0 ? Table::Cell{found_[static_cast<std::size_t>(row)].title} : Table::Cell{found_[static_cast<std::size_t>(row)].unit, theme().dim}; };
+    chooser_->onActivated = [this] { if (chooser_->row() < static_cast<int>(found_.size())) choose(found_[static_cast<std::size_t>(chooser_->row())].words); };
+    pad_->field = [this]() -> std::optional<NumberPad::Field> {
+        QString unit;
+        const QString title = titleOf(record_.trigger.trace, &unit);
+        return NumberPad::Field{word("Trigger level") + "  " + title, unit, record_.trigger.level, 3};
+    };
+    pad_->onInput = [this](double value) { record_.trigger.level = value, level_ = false, record_.arm(), layOut(); };
+    note_->onCompose = [this](Writer& w) {
+        const Theme& t = theme();
+        w.fill(QRectF(0, 0, note_->width(), note_->height()), t.window);
+        const auto mode = record_.mode();
+        const QString state = choosing_ ? (search_.isEmpty() ? word("Choose a signal; type a part of its name") : search_ + QString::fromUtf8("▏"))
+                              : mode == ScopeRecord::Mode::Runs ? word("Records")
+                              : mode == ScopeRecord::Mode::Armed ? word("Waits for the trigger")
+                              : mode == ScopeRecord::Mode::Triggered ? word("Triggered") : word("Stands");
+        w.sign(QRectF(px(8), px(7), px(22), px(22)), choosing_ ? Sign::None : mode == ScopeRecord::Mode::Stopped ? Sign::Hold : mode == ScopeRecord::Mode::Armed ? Sign::Wait : Sign::Run, mode == ScopeRecord::Mode::Armed ? t.wait : t.good);
+        w.data(QRectF(px(38), 0, note_->width() * 0.4, note_->height()), state, lettering(16, true), choosing_ ? t.accent : t.text);
+        const double window = kSeconds[static_cast<std::size_t>(base_)];
+        w.text(QRectF(note_->width() * 0.44, 0, note_->width() * 0.2, note_->height()), word("%1 s wide").arg(window), lettering(15), t.dim);
+        w.data(QRectF(note_->width() * 0.62, 0, note_->width() * 0.38 - px(10), note_->height()), missed_ ? word("Some ticks were missed") : exported_, lettering(14), missed_ ? t.warn : t.dim, kRight);
+    };
+    layOut();
+}
+
+void ScopePage::rebuilt() { next_ = 0, record_.clear(), round_.reset(), fillChoices(); }
+
+double ScopePage::windowTicks() const { return kSeconds[static_cast<std::size_t>(base_)] / std::max(1e-6, desk_.live.seconds(1)); }
+
+QString ScopePage::titleOf(std::size_t trace, QString* unit) const {
+    const auto kind = static_cast<ScopeKind>(choice_.kind[trace]);
+    const unsigned object = choice_.object[trace];
+    const MachineConfig& machine = desk_.live.config();
+    const auto axis = [&](const char* what, const char* of) {
+        const bool rotary = object >= 1 && object <= kMaxAxes && machine.axis(object).rotary;
+        if (unit) *unit = QString(of).replace("mm", rotary ? QString::fromUtf8("°") : QString("mm"));
+        return QString("A%1 %2 %3").arg(object).arg(object >= 1 && object <= kMaxAxes ? fromView(machine.axis(object).name_text()) : QString(), word(what));
+    };
+    const auto spindle = [&](const char* what, const char* of) {
+        if (unit) *unit = QString::fromUtf8(of);
+        return QString("S%1 %2").arg(object).arg(word(what));
+    };
+    switch (kind) {
+        case ScopeKind::AxisCommanded: return axis(WORD("commanded"), "mm");
+        case ScopeKind::AxisMeasured: return axis(WORD("measured"), "mm");
+        case ScopeKind::AxisError: return axis(WORD("following error"), "mm");
+        case ScopeKind::AxisVelocity: return axis(WORD("velocity"), "mm/s");
+        case ScopeKind::AxisTorque: return axis(WORD("torque"), "‰");
+        case ScopeKind::AxisCompensation: return axis(WORD("compensation"), "mm");
+        case ScopeKind::SpindleCommanded: return spindle(WORD("commanded speed"), "1/min");
+        case ScopeKind::SpindleSpeed: return spindle(WORD("speed"), "1/min");
+        case ScopeKind::SpindleAngle: return spindle(WORD("angle"), "°");
+        case ScopeKind::SpindleDeviation: return spindle(WORD("deviation"), "°");
+        case ScopeKind::PathSpeed: return unit ? *unit = "mm/s", QString("L%1 %2").arg(object).arg(word("path speed")) : QString("L%1 %2").arg(object).arg(word("path speed"));
+        case ScopeKind::PathLeft: return unit ? *unit = "mm", QString("L%1 %2").arg(object).arg(word("path left")) : QString("L%1 %2").arg(object).arg(word("path left"));
+        case ScopeKind::Input: return word("input %1").arg(object);
+        case ScopeKind::NcSignal:
+        case ScopeKind::PlcSignal: {
+            const bool plc = kind == ScopeKind::PlcSignal;
+            const SignalRow* best = nullptr;   // the row with the highest slot that is not above
+            for (const SignalRow& row : signal_rows())
+                if ((row.writer == SignalWriter::Plc) == plc && row.slot <= object && (!best || row.slot > best->slot)) best = &row;
+            return best ? fromView(best->name) + QString(" %1").arg(object - best->slot + 1) : QString();
+        }
+        case ScopeKind::Off: break;
+    }
+    return {};
+}
+
+void ScopePage::fillChoices() {
+    all_.clear();
+    const MachineConfig& machine = desk_.live.config();
+    if (desk_.live.connected()) {
+        all_.push_back({"off", word("off"), {}});
+        const std::pair<const char*, const char*> kAxis[] = {{"command", WORD("commanded")}, {"measured", WORD("measured")}, {"error", WORD("following error")}, {"velocity", WORD("velocity")}, {"torque", WORD("torque")}, {"compensation", WORD("compensation")}};
+        for (std::uint32_t a = 1; a <= machine.last_axis; ++a)
+            if (machine.axis(a).exists())
+                for (const auto& [words, title] : kAxis)
+                    all_.push_back({QString("%1 A%2").arg(words).arg(a), QString("A%1 %2 %3").arg(a).arg(fromView(machine.axis(a).name_text()), word(title)), QString(title) == "torque" ? QString::fromUtf8("‰") : QString(title) == "velocity" ? QString("mm/s") : QString("mm")});
+        const std::pair<const char*, const char*> kSpindle[] = {{"speed", WORD("speed")}, {"speed_command", WORD("commanded speed")}, {"angle", WORD("angle")}, {"deviation", WORD("deviation")}};
+        for (std::uint32_t s = 1; s <= machine.last_spindle; ++s)
+            if (machine.spindle(s).exists())
+                for (const auto& [words, title] : kSpindle) all_.push_back({QString("%1 S%2").arg(words).arg(s), QString("S%1 %2").arg(s).arg(word(title)), QString(words).startsWith("speed") ? QString("1/min") : QString::fromUtf8("°")});
+        for (const unsigned l : desk_.live.channels()) {
+            all_.push_back({QString("path L%1").arg(l), QString("L%1 %2").arg(l).arg(word("path speed")), "mm/s"});
+            all_.push_back({QString("left L%1").arg(l), QString("L%1 %2").arg(l).arg(word("path left")), "mm"});
+        }
+        for (const SignalRow& row : signal_rows()) {
+            if (row.kind == SignalKind::Double || row.elements > 0) continue;
+            const auto add = [&](const QString& scope) { all_.push_back({"signal " + fromView(row.name) + scope, fromView(row.name) + scope + "  " + fromView(row.meaning), {}}); };
+            if (row.scope == SignalScope::Axis) for (std::uint32_t a = 1; a <= machine.last_axis; ++a) { if (machine.axis(a).exists()) add(QString(" A%1").arg(a)); }
+            else if (row.scope == SignalScope::Channel) for (const unsigned l : desk_.live.channels()) add(QString(" L%1").arg(l));
+            else if (row.scope == SignalScope::Spindle) for (std::uint32_t s = 1; s <= machine.last_spindle; ++s) { if (machine.spindle(s).exists()) add(QString(" S%1").arg(s)); }
+            else add({});
+        }
+    }
+    found_.clear();
+    for (const Choice& one : all_)
+        if (search_.isEmpty() || one.title.contains(search_, Qt::CaseInsensitive)) found_.push_back(one);
+    chooser_->choose(0);
+}
+
+void ScopePage::choose(const QString& words) {
+    desk_.requests.press(QString("scope %1 %2").arg(traces_->row() + 1).arg(words));
+    choosing_ = false;
+    record_.clear(), record_.run();
+    layOut();
+    if (desk_.keysChanged) desk_.keysChanged();
+}
+
+void ScopePage::setCircle() {
+    const Live& live = desk_.live;
+    const AxisConfig *x = find_axis(live.config(), desk_.channel, PlaneRole::BasicX), *z = find_axis(live.config(), desk_.channel, PlaneRole::BasicZ);
+    if (!x || !z) return;
+    const QString words[] = {QString("command A%1").arg(x->number), QString("command A%1").arg(z->number), QString("measured A%1").arg(x->number), QString("measured A%1").arg(z->number)};
+    for (int i = 0; i < 4; ++i) desk_.requests.press(QString("scope %1 %2").arg(i + 1).arg(words[i]));
+    record_.clear(), record_.run(), round_.reset();
+}
+
+void ScopePage::showCircle(bool on) {
+    circle_ = on, choosing_ = level_ = false;
+    layOut();
+    refresh();
+    if (desk_.keysChanged) desk_.keysChanged();
+}
+
+void ScopePage::follow() {
+    ScopeChoice now{};
+    if (desk_.live.scopeChoice(now) && (now.kind != choice_.kind || now.object != choice_.object)) choice_ = now, next_ = std::max(next_, now.first);
+    static thread_local std::vector<ScopeSample> fresh;
+    if (next_ == 0) next_ = choice_.first;
+    if (!desk_.live.scopeSamples(next_, fresh)) missed_ = true;
+    if (fresh.empty()) return;
+    record_.add(fresh, windowTicks());
+    const qint64 time = QDateTime::currentMSecsSinceEpoch();
+    if (time < paintedMs_ + kPaintMs) return;
+    paintedMs_ = time;
+    if (circle_ && time > roundMs_ + 500)
+        if (roundMs_ = time; auto round = roundnessOf(record_.samples())) round_ = std::move(round);
+    update(room_);
+}
+
+void ScopePage::save() {
+    const QString folder = desk_.folder.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) : desk_.folder;
+    const QString name = QDir(folder).filePath("scope-" + QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss") + ".csv");
+    std::array<std::string, kScopeTraces> names;
+    for (std::size_t i = 0; i < kScopeTraces; ++i) names[i] = choice_.kind[i] ? titleOf(i).replace(',', ' ').toStdString() : std::string();
+    QFile file(name);
+    const std::string text = record_.csv(names, desk_.live.seconds(1));
+    if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), static_cast<qint64>(text.size())) != static_cast<qint64>(text.size()) || !file.flush()) return desk_.tell(word("Cannot be written: %1").arg(name), Told::Refused);
+    exported_ = name;
+    desk_.tell(word("Saved: %1").arg(name), Told::Good);
+}
+
+void ScopePage::resizeEvent(QResizeEvent*) { layOut(); }
+
+void ScopePage::layOut() {
+    const int edge = px(8), head = px(36), table = px(30) + static_cast<int>(kScopeTraces) * px(26) + px(2);
+    note_->setGeometry(edge, 0, width() - 2 * edge, head);
+    traces_->setGeometry(edge, height() - table - edge, width() - 2 * edge - (level_ ? px(346) : 0), table);
+    room_ = QRect(edge, head, width() - 2 * edge - (level_ ? px(346) : 0), height() - head - table - 2 * edge);
+    chooser_->setGeometry(edge, head, width() - 2 * edge, height() - head - edge);
+    pad_->setGeometry(width() - px(340) - edge, head, px(340), height() - head - edge);
+    chooser_->setVisible(choosing_), traces_->setVisible(!choosing_ && !circle_), pad_->setVisible(level_ && !choosing_);
+    if (circle_) room_ = QRect(edge, head, width() - 2 * edge, height() - head - edge);
+    update();
+}
+
+std::vector<Sheet*> ScopePage::sheets() {
+    if (choosing_) return {note_, chooser_};
+    std::vector<Sheet*> out{note_};
+    if (!circle_) out.push_back(traces_);
+    if (level_) out.push_back(pad_);
+    return out;
+}
+
+void ScopePage::refresh() {
+    for (Sheet* one : sheets()) one->refresh();
+}
+
+void ScopePage::paintEvent(QPaintEvent*) {
+    QPainter p(this);
+    p.setRenderHint(QPainter::Antialiasing);
+    const Theme& t = theme();
+    p.fillRect(rect(), t.window);
+    if (choosing_) return;
+    p.setPen(Qt::NoPen);
+    p.setBrush(t.card);
+    p.drawRoundedRect(room_, px(8), px(8));
+    circle_ ? paintCircle(p) : paintTraces(p);
+}
+
+// Each trace has its own scale: from its least to its greatest value in the window, a little apart from the edges.
+void ScopePage::paintTraces(QPainter& p) {
+    const Theme& t = theme();
+    const QRectF box = QRectF(room_).adjusted(px(8), px(8), -px(8), -px(8));
+    p.setPen(QPen(t.edge, 1, Qt::DotLine));
+    for (int i = 1; i < 10; ++i) p.drawLine(QPointF(box.left() + box.width() * i / 10, box.top()), QPointF(box.left() + box.width() * i / 10, box.bottom()));
+    for (int i = 1; i < 8; ++i) p.drawLine(QPointF(box.left(), box.top() + box.height() * i / 8), QPointF(box.right(), box.top() + box.height() * i / 8));
+    const auto& samples = record_.samples();
+    if (samples.empty()) {
+        p.setPen(t.dim), p.setFont(lettering(16));
+        p.drawText(box, Qt::AlignCenter | Qt::TextWordWrap, word("No trace is chosen: Enter on a line, or touch it twice"));
+        return;
+    }
+    const double window = windowTicks(), end = static_cast<double>(samples.back().tick);
+    const auto first = static_cast<std::size_t>(std::lower_bound(samples.begin(), samples.end(), end - window, [](const ScopeSample& s, double tick) { return static_cast<double>(s.tick) < tick; }) - samples.begin());
+    const auto columns = static_cast<std::size_t>(std::max(2.0, box.width()));
+    for (std::size_t trace = 0; trace < kScopeTraces; ++trace) {
+        if (!choice_.kind[trace]) continue;
+        double low = 1e300, high = -1e300;
+        for (std::size_t i = first; i < samples.size(); ++i) low = std::min(low, samples[i].value[trace]), high = std::max(high, samples[i].value[trace]);
+        const double span = high - low > 1e-12 ? high - low : 1.0, middle = (low + high) / 2;
+        const auto at = [&](double tick, double value) { return QPointF(box.right() - (end - tick) / window * box.width(), box.center().y() - (value - middle) / span * box.height() * 0.9); };
+        // At most one line from least to greatest for each column of pixels: no spike is lost.
+        QPolygonF line;
+        const std::size_t step = std::max<std::size_t>(1, (samples.size() - first) / columns);
+        for (std::size_t i = first; i < samples.size(); i += step) {
+            double least = 1e300, most = -1e300;
+            for (std::size_t k = i; k < std::min(i + step, samples.size()); ++k) least = std::min(least, samples[k].value[trace]), most = std::max(most, samples[k].value[trace]);
+            const auto tick = static_cast<double>(samples[i].tick);
+            line << at(tick, least);
+            if (most > least) line << at(tick, most);
+        }
+        p.setPen(QPen(colourOfTrace(trace), px(1.6)));
+        p.setBrush(Qt::NoBrush);
+        p.drawPolyline(line);
+        if (record_.trigger.trace == trace && record_.mode() != ScopeRecord::Mode::Runs) {
+            p.setPen(QPen(colourOfTrace(trace), 1, Qt::DashLine));
+            const double y = std::clamp(at(end, record_.trigger.level).y(), box.top(), box.bottom());
+            p.drawLine(QPointF(box.left(), y), QPointF(box.right(), y));
+            if (record_.triggeredAt()) p.drawLine(QPointF(at(static_cast<double>(record_.triggeredAt()), middle).x(), box.top()), QPointF(at(static_cast<double>(record_.triggeredAt()), middle).x(), box.bottom()));
+        }
+    }
+}
+
+// The commanded circle as a line, the measured one with its deviation enlarged so that the greatest is a sixth of the radius.
+void ScopePage::paintCircle(QPainter& p) {
+    const Theme& t = theme();
+    const QRectF box = QRectF(room_).adjusted(px(12), px(12), -px(12), -px(12));
+    if (!round_) {
+        p.setPen(t.dim), p.setFont(lettering(16));
+        p.drawText(box, Qt::AlignCenter | Qt::TextWordWrap, word("No circle has been driven since the record began: drive at least three quarters of one in L%1").arg(desk_.channel));
+        return;
+    }
+    const double radius = std::min(box.width() * 0.6, box.height()) * 0.40, greatest = std::max({std::abs(round_->most), std::abs(round_->least), 1e-7}), enlarged = radius / 6 / greatest;
+    const QPointF middle(box.left() + box.width() * 0.34, box.center().y());
+    p.setPen(QPen(t.edge, 1, Qt::DotLine));
+    for (const double ring : {-1.0, -0.5, 0.5, 1.0}) p.drawEllipse(middle, radius + ring * radius / 6, radius + ring * radius / 6);
+    p.drawLine(middle - QPointF(radius * 1.2, 0), middle + QPointF(radius * 1.2, 0)), p.drawLine(middle - QPointF(0, radius * 1.2), middle + QPointF(0, radius * 1.2));
+    p.setPen(QPen(t.dim, px(1.5)));
+    p.setBrush(Qt::NoBrush);
+    p.drawEllipse(middle, radius, radius);
+    QPolygonF line;
+    const std::size_t step = std::max<std::size_t>(1, round_->points.size() / 4000);
+    for (std::size_t i = 0; i < round_->points.size(); i += step) {
+        const auto& [angle, deviation] = round_->points[i];
+        const double r = radius + deviation * enlarged;
+        line << middle + QPointF(std::cos(angle) * r, -std::sin(angle) * r);
+    }
+    p.setPen(QPen(t.accent, px(2)));
+    p.drawPolyline(line);
+    double y = box.top() + px(30);
+    const auto row = [&](const QString& title, const QString& value, const QColor& colour) {
+        p.setPen(t.dim), p.setFont(lettering(15));
+        p.drawText(QRectF(box.left() + box.width() * 0.68, y, box.width() * 0.32, px(24)), Qt::AlignLeft | Qt::AlignVCenter, title);
+        p.setPen(colour), p.setFont(lettering(21, true));
+        p.drawText(QRectF(box.left() + box.width() * 0.68, y + px(24), box.width() * 0.32, px(32)), Qt::AlignLeft | Qt::AlignVCenter, value);
+        y += px(66);
+    };
+    const auto micrometres = [](double mm) { return QString::fromUtf8("%1 µm").arg(mm * 1000, 0, 'f', 1); };
+    row(word("Circularity"), micrometres(round_->error()), t.text);
+    row(word("Greatest, least deviation"), micrometres(round_->most) + QString::fromUtf8("  /  ") + micrometres(round_->least), t.text);
+    row(word("Radius, commanded"), QString("%1 mm").arg(round_->radius, 0, 'f', 4), t.text);
+    row(word("One ring"), micrometres(greatest / 2), t.dim);
+}
+
+bool ScopePage::key(QKeyEvent* event) {
+    if (choosing_) {
+        const QString text = event->text();
+        if (event->key() == Qt::Key_Escape) return choosing_ = false, layOut(), true;
+        if (event->key() == Qt::Key_Backspace) return search_.chop(1), fillChoices(), true;
+        if (text.size() == 1 && text[0].isPrint() && !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier))) return search_ += text, fillChoices(), true;
+        return chooser_->key(event);
+    }
+    if (level_) {
+        if (event->key() == Qt::Key_Escape && pad_->text().isEmpty()) return level_ = false, layOut(), true;
+        if (pad_->key(event)) return true;
+    }
+    if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Right) return base_ = std::min<int>(base_ + 1, kSeconds.size() - 1), update(), true;
+    if (event->key() == Qt::Key_Minus || event->key() == Qt::Key_Left) return base_ = std::max(base_ - 1, 0), update(), true;
+    return circle_ ? false : traces_->key(event);
+}
+
+std::vector<SoftKey> ScopePage::keys(std::function<void()> back) {
+    const bool there = desk_.live.connected(), any = !record_.samples().empty(), runs = record_.mode() != ScopeRecord::Mode::Stopped;
+    std::vector<SoftKey> keys{{word("Back"), std::move(back), Sign::Left}};
+    keys.push_back({word("Circularity"), [this] { showCircle(!circle_); }, Sign::Spindle, true, circle_});
+    if (circle_) {
+        keys.push_back({word("Axes of L%1").arg(desk_.channel), [this] { setCircle(); }, Sign::Run, there});
+        keys.resize(8);
+    } else {
+        keys.push_back({word("Choose signal"), [this] { choosing_ = true, search_.clear(), fillChoices(), layOut(); }, Sign::None, there, choosing_});
+        keys.push_back({word("Trace off"), [this] { choose("off"); }, Sign::Off, there && choice_.kind[static_cast<std::size_t>(traces_->row())] != 0});
+        keys.push_back({word("Longer"), [this] { base_ = std::min<int>(base_ + 1, kSeconds.size() - 1), update(); }, Sign::None, base_ + 1 < static_cast<int>(kSeconds.size())});
+        keys.push_back({word("Shorter"), [this] { base_ = std::max(base_ - 1, 0), update(); }, Sign::None, base_ > 0});
+        keys.push_back({record_.trigger.rising ? word("Trigger upwards") : word("Trigger downwards"), [this] {
+                            const auto trace = static_cast<std::size_t>(traces_->row());
+                            if (record_.trigger.trace == trace && record_.mode() == ScopeRecord::Mode::Armed) record_.trigger.rising = !record_.trigger.rising;
+                            record_.trigger.trace = trace;
+                            record_.arm();
+                        }, record_.trigger.rising ? Sign::Up : Sign::Down, there && choice_.kind[static_cast<std::size_t>(traces_->row())] != 0, record_.mode() == ScopeRecord::Mode::Armed});
+        keys.push_back({word("Trigger level"), [this] { level_ = !level_, record_.trigger.trace = static_cast<std::size_t>(traces_->row()), layOut(); }, Sign::None, there, level_});
+    }
+    keys.push_back({runs ? word("Stop record") : word("Record"), [this, runs] { runs ? record_.stop() : (record_.clear(), record_.run()), missed_ = false; }, runs ? Sign::Hold : Sign::Run, any || !runs, false});
+    keys.push_back({word("Export"), [this] { save(); }, Sign::Programs, any});
+    return keys;
+}
+
+}  // namespace polyturn::hmi

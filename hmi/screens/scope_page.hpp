@@ -1,0 +1,64 @@
+// The scope: eight signals at tick rate, chosen from everything that the machine can tell, with trigger and export; and the circularity plot
+// of the circle that was driven last, from the first four traces.
+#pragma once
+#include "hmi/app/screen.hpp"
+#include "hmi/machine/scope_record.hpp"
+#include "hmi/widgets/number_pad.hpp"
+#include "hmi/widgets/table.hpp"
+
+namespace polyturn::hmi {
+
+class ScopePage : public QWidget {
+public:
+    ScopePage(Desk& desk, QWidget* parent);
+    void follow();                     // each frame while it is shown: takes the samples
+    void refresh();
+    void rebuilt();
+    bool key(QKeyEvent* event);
+    std::vector<SoftKey> keys(std::function<void()> back);
+    std::vector<Sheet*> sheets();
+    bool circle() const { return circle_; }
+    void showCircle(bool on);
+    const ScopeRecord& record() const { return record_; }
+    Table& traces() { return *traces_; }
+    Table& chooser() { return *chooser_; }
+    bool choosing() const { return choosing_; }
+    const QString& exported() const { return exported_; }
+    const std::optional<Roundness>& roundness() const { return round_; }
+
+protected:
+    void resizeEvent(QResizeEvent*) override;
+    void paintEvent(QPaintEvent*) override;
+
+private:
+    struct Choice {
+        QString words;                 // «measured A1», as press scope takes it
+        QString title, unit;
+    };
+    void layOut();
+    void fillChoices();
+    void choose(const QString& words);
+    void paintTraces(QPainter& p);
+    void paintCircle(QPainter& p);
+    void setCircle();                  // traces 1 to 4 become those of the channel's two axes
+    void save();
+    QString titleOf(std::size_t trace, QString* unit = nullptr) const;
+    double windowTicks() const;
+
+    Desk& desk_;
+    Table *traces_, *chooser_;
+    NumberPad* pad_;
+    FreeSheet* note_;
+    ScopeRecord record_;
+    ScopeChoice choice_{};
+    std::uint64_t next_ = 0;
+    bool choosing_ = false, circle_ = false, missed_ = false, level_ = false;
+    QString search_, exported_;
+    std::vector<Choice> all_, found_;
+    int base_ = 3;                     // of the time bases
+    qint64 paintedMs_ = 0, roundMs_ = 0;
+    QRect room_;
+    std::optional<Roundness> round_;
+};
+
+}  // namespace polyturn::hmi

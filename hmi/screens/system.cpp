@@ -1,0 +1,263 @@
+#include "hmi/screens/system.hpp"
+
+#include <QDateTime>
+#include <QDir>
+#include <QJsonObject>
+#include <QKeyEvent>
+#include <QStandardPaths>
+
+namespace polyturn::hmi {
+namespace {
+
+constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
+constexpr const char* kLevels[] = {"operator", "setter", "maker"};
+enum FormHit { kNameHit = 1, kPasswordHit };
+
+}  // namespace
+
+System::System(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), form_(new FreeSheet(this)), files_(new Table(this)), right_(new Table(this)), pad_(new TextPad(this)) {
+    setFocusPolicy(Qt::StrongFocus);
+    head_->onCompose = [this](Writer& w) { composeHead(w); };
+    form_->onCompose = [this](Writer& w) { composeForm(w); };
+    form_->onTouched = [this](int number) { inPassword_ = number == kPasswordHit, form_->refresh(); };
+    pad_->onText = [this](const QString& text) { type(text); };
+    pad_->onBackspace = [this] { backspace(); };
+    pad_->onEnter = [this] { logIn(); };
+    folder_ = QDir(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)).filePath("polyturn-backups");
+    showPage(Page::Backups);
+}
+
+void System::restore(const QString& state) {
+    const int bar = static_cast<int>(state.indexOf('|'));
+    if (bar < 0) return;
+    if (QDir(state.mid(bar + 1)).exists()) folder_ = state.mid(bar + 1);
+    showPage(state.left(bar).toInt() == 1 ? Page::Users : Page::Backups);
+}
+
+QString System::levelWord(const QString& level) const { return level == "maker" ? word("maker") : level == "setter" ? word("setter") : level == "operator" ? word("operator") : word("nobody"); }
+
+std::vector<Sheet*> System::sheets() {
+    if (page_ == Page::Backups) return {head_, files_, right_};
+    return {head_, files_, form_, pad_};
+}
+
+void System::showPage(Page page) {
+    page_ = page;
+    lookAt_ = 0, note_.clear(), name_.clear(), password_.clear();
+    right_->setVisible(page == Page::Backups), form_->setVisible(page == Page::Users), pad_->setVisible(page == Page::Users);
+    fill();
+    layOut();
+    if (desk_.keysChanged) desk_.keysChanged();
+}
+
+void System::fill() {
+    if (page_ == Page::Users) {
+        files_->columns = {{word("User"), 2}, {word("Level"), 1.4}};
+        files_->nothing = word("There are no users: everybody may do everything. The first one must be a maker.");
+        files_->rows = [this] { return static_cast<int>(users_.size()); };
+        files_->cell = [this](int row, int column) -> Table::Cell {
+            const User& one = users_[static_cast<std::size_t>(row)];
+            if (column == 0) return {one.name, one.locked ? theme().bad : theme().text, one.locked ? Sign::Lock : one.name == who_ ? Sign::Good : Sign::Key, one.name == who_};
+            return {levelWord(one.level), theme().dim};
+        };
+        files_->onChosen = [this] {
+            if (files_->row() < static_cast<int>(users_.size())) name_ = users_[static_cast<std::size_t>(files_->row())].name, inPassword_ = true;
+            form_->refresh();
+        };
+        files_->onActivated = [this] { logIn(); };
+        return;
+    }
+    files_->columns = {{word("Backup"), 3}, {word("Size"), 0.9, kRight}};
+    files_->nothing = word("There is no backup in this folder.");
+    files_->rows = [this] { return static_cast<int>(entries_.size()); };
+    files_->cell = [this](int row, int column) -> Table::Cell {
+        const QFileInfo& one = entries_[static_cast<std::size_t>(row)];
+        if (column == 1) return {one.isDir() ? QString() : QString("%1 kB").arg((one.size() + 1023) / 1024), theme().dim};
+        const bool up = row == 0 && one.absoluteFilePath() == QFileInfo(folder_).absolutePath();
+        return {up ? QString("..") : one.isDir() ? one.fileName() + "/" : one.fileName(), one.isDir() ? theme().dim : theme().text, one.isDir() ? Sign::None : Sign::Programs};
+    };
+    files_->onChosen = [this] { if (previewOf_ != chosenFile()) preview_ = {}, previewOf_.clear(), note_.clear(); };
+    files_->onActivated = [this] { open(); };
+    right_->columns = {{word("What would change"), 3}, {word("Now"), 1.3, kRight}, {word("Then"), 1.3, kRight}};
+    right_->rowUnits = 30;
+    right_->nothing = word("Choose a backup: «What would change» compares it with the machine, and nothing is changed yet.");
+    right_->rows = [this] { return static_cast<int>(preview_.size()); };
+    right_->cell = [this](int row, int column) -> Table::Cell {
+        const QJsonObject one = preview_.at(row).toObject();
+        return {one.value(column == 0 ? "what" : column == 1 ? "old" : "new").toString(), column == 2 ? theme().accent : theme().text, Sign::None, column == 2, Face::Condensed};
+    };
+    readFolder(folder_);
+}
+
+void System::readFolder(const QString& folder) {
+    folder_ = QDir(folder).absolutePath();
+    const QString before = chosenFile();
+    entries_.clear();
+    if (!QDir(folder_).isRoot()) entries_.push_back(QFileInfo(QFileInfo(folder_).absolutePath()));
+    for (const QFileInfo& one : QDir(folder_).entryInfoList({"*.ptb"}, QDir::Files | QDir::AllDirs | QDir::NoDotAndDotDot, QDir::DirsFirst | QDir::Time)) entries_.push_back(one);
+    for (std::size_t i = 0; i < entries_.size(); ++i)
+        if (entries_[i].absoluteFilePath() == before) return files_->choose(static_cast<int>(i));
+    files_->choose(0);
+}
+
+QString System::chosenFile() const {
+    if (page_ != Page::Backups || files_->row() >= static_cast<int>(entries_.size())) return {};
+    const QFileInfo& one = entries_[static_cast<std::size_t>(files_->row())];
+    return one.isDir() ? QString() : one.absoluteFilePath();
+}
+
+void System::open() {
+    if (files_->row() >= static_cast<int>(entries_.size())) return;
+    const QFileInfo one = entries_[static_cast<std::size_t>(files_->row())];
+    if (one.isDir()) readFolder(one.absoluteFilePath());
+    else bringBack(true);
+}
+
+void System::save() {
+    QDir().mkpath(folder_);
+    const QString file = QDir(folder_).filePath(QString("%1-%2.ptb").arg(QString::fromStdString(desk_.live.instance()), QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss")));
+    desk_.requests.store({{"do", "backup.to"}, {"file", file}, {"with", QJsonArray{}}}, [this, file](const Answer& answer) {
+        if (!answer.ok) return;
+        desk_.tell(word("Saved: %1").arg(QFileInfo(file).fileName()), Told::Good);
+        readFolder(folder_);
+        for (std::size_t i = 0; i < entries_.size(); ++i)
+            if (entries_[i].absoluteFilePath() == file) files_->choose(static_cast<int>(i));
+    });
+}
+
+// The same request with and without `preview`: what is shown is what will be done.
+void System::bringBack(bool preview) {
+    const QString file = chosenFile();
+    if (file.isEmpty()) return;
+    desk_.requests.store({{"do", "restore.from"}, {"file", file}, {"preview", preview}}, [this, file, preview](const Answer& answer) {
+        noteGood_ = answer.ok;
+        if (!answer.ok) return void(note_ = answer.text);
+        const int total = answer.object.value("total").toInt() + static_cast<int>(answer.object.value("files").toArray().size());
+        preview_ = preview ? answer.object.value("changes").toArray() : QJsonArray();
+        for (const auto& one : answer.object.value("files").toArray())
+            if (preview) preview_.append(QJsonObject{{"what", one.toString()}, {"new", word("file")}});
+        previewOf_ = preview ? file : QString();
+        note_ = !preview ? word("Restored: %1 values and files").arg(total) : total ? word("%1 values and files would change").arg(total) : word("Nothing would change");
+        if (!preview) desk_.tell(note_, Told::Good);
+        refresh();
+        if (desk_.keysChanged) desk_.keysChanged();
+    });
+}
+
+void System::look() {
+    lookAt_ = QDateTime::currentMSecsSinceEpoch() + 2'000;
+    desk_.requests.ask({{"do", "who"}}, [this](const Answer& answer) { who_ = answer.object.value("name").toString(), whoLevel_ = answer.object.value("level").toString(); }, true);
+    desk_.requests.store({{"do", "users.list"}}, [this](const Answer& answer) {
+        users_.clear();
+        for (const auto& one : answer.object.value("users").toArray()) users_.push_back({one.toObject().value("name").toString(), one.toObject().value("level").toString(), one.toObject().value("locked").toBool()});
+    }, true);
+}
+
+void System::logIn() {
+    if (name_.isEmpty()) return;
+    const QString password = std::exchange(password_, QString());
+    desk_.requests.store({{"do", "users.login"}, {"name", name_}, {"password", password}}, [this](const Answer& answer) {
+        if (!answer.ok) return;
+        desk_.requests.setToken(answer.object.value("token").toString());
+        desk_.tell(word("%1 is logged in").arg(name_), Told::Good);
+        lookAt_ = 0;
+    });
+    form_->refresh();
+}
+
+void System::type(const QString& text) {
+    QString& to = inPassword_ ? password_ : name_;
+    if (to.size() < 31) to += text;
+    form_->refresh();
+}
+
+void System::backspace() {
+    (inPassword_ ? password_ : name_).chop(1);
+    form_->refresh();
+}
+
+void System::resizeEvent(QResizeEvent*) { layOut(); }
+
+void System::layOut() {
+    const int top = px(46), edge = px(8), half = static_cast<int>(width() * 0.42), pad = px(330);
+    head_->setGeometry(0, 0, width(), top);
+    files_->setGeometry(edge, top, half - edge, height() - top - edge);
+    right_->setGeometry(half + edge, top, width() - half - 2 * edge, height() - top - edge);
+    form_->setGeometry(half + edge, top, width() - half - 2 * edge, height() - top - pad - 2 * edge);
+    pad_->setGeometry(half + edge, height() - pad - edge, width() - half - 2 * edge, pad);
+    for (Sheet* one : sheets()) one->refresh();
+}
+
+void System::composeHead(Writer& w) {
+    const Theme& t = theme();
+    w.fill(QRectF(0, 0, head_->width(), head_->height()), t.window);
+    w.text(QRectF(px(14), 0, px(210), head_->height()), page_ == Page::Backups ? word("Backups") : word("Users"), lettering(20, true), t.text);
+    if (page_ == Page::Backups) {
+        w.data(QRectF(px(224), 0, head_->width() * 0.42, head_->height()), folder_, lettering(14), t.dim);
+        if (!note_.isEmpty()) w.sign(QRectF(head_->width() * 0.66, px(12), px(22), px(22)), noteGood_ ? Sign::Good : Sign::Alarm, noteGood_ ? t.good : t.bad);
+        w.data(QRectF(head_->width() * 0.66 + px(30), 0, head_->width() * 0.34 - px(42), head_->height()), note_, lettering(15, true), noteGood_ ? t.good : t.bad);
+    } else {
+        w.data(QRectF(head_->width() * 0.44, 0, head_->width() * 0.56 - px(14), head_->height()), who_.isEmpty() ? word("Nobody is logged in. Without a login: %1").arg(levelWord(whoLevel_)) : word("Logged in: %1, %2").arg(who_, levelWord(whoLevel_)), lettering(15), t.accent, kRight);
+    }
+}
+
+void System::composeForm(Writer& w) {
+    const Theme& t = theme();
+    const double wide = form_->width();
+    w.fill(QRectF(0, 0, wide, form_->height()), t.window);
+    w.fill(QRectF(0, 0, wide, form_->height()), t.card, px(8));
+    const auto field = [&](double y, const QString& title, const QString& text, bool here, int hit) {
+        w.text(QRectF(px(16), y, wide * 0.3, px(44)), title, lettering(16), t.dim);
+        const QRectF box(wide * 0.32, y, wide * 0.68 - px(16), px(44));
+        w.fill(box, t.window, px(6));
+        w.frame(box, here ? t.accent : t.edge, px(6), here ? px(2) : 1);
+        w.data(box.adjusted(px(12), 0, -px(12), 0), text + (here ? QString::fromUtf8("▏") : QString()), lettering(18, true), t.text);
+        w.hit(box, hit);
+    };
+    field(px(16), word("User"), name_, !inPassword_, kNameHit);
+    field(px(70), word("Password"), QString(password_.size(), QChar(0x2022)), inPassword_, kPasswordHit);
+    Item& item = w.text(QRectF(px(16), px(124), wide - px(32), px(70)), word("Enter logs in. A new user gets this name, this password and the level %1.").arg(levelWord(kLevels[newLevel_])), lettering(15), t.dim, Qt::AlignLeft | Qt::AlignTop);
+    item.wraps = true;
+}
+
+void System::refresh() {
+    if (page_ == Page::Users && desk_.live.connected() && QDateTime::currentMSecsSinceEpoch() > lookAt_) look();
+    for (Sheet* one : sheets()) one->refresh();
+}
+
+std::vector<SoftKey> System::keys() {
+    const bool there = desk_.live.connected();
+    std::vector<SoftKey> keys{{word("Backups"), [this] { showPage(Page::Backups); }, Sign::None, true, page_ == Page::Backups}, {word("Users"), [this] { showPage(Page::Users); }, Sign::None, true, page_ == Page::Users}, {}};
+    if (page_ == Page::Backups) {
+        const bool file = !chosenFile().isEmpty();
+        keys.push_back({word("Save now"), [this] { save(); }, Sign::Good, there});
+        keys.push_back({word("Open folder"), [this] { open(); }, Sign::Right, !file && files_->row() < static_cast<int>(entries_.size())});
+        keys.push_back({word("What would change"), [this] { bringBack(true); }, Sign::None, there && file});
+        keys.push_back({word("Restore"), [this] { bringBack(false); }, Sign::Left, there && file && previewOf_ == chosenFile(), false, true, word("Everything becomes as then: press again")});
+        return keys;
+    }
+    const bool named = there && !name_.isEmpty();
+    const QString name = name_;
+    const auto told = [this](const Answer& answer) { if (answer.ok) desk_.tell(word("Written"), Told::Good), password_.clear(), lookAt_ = 0; };
+    keys.push_back({word("Log in"), [this] { logIn(); }, Sign::Good, named});
+    keys.push_back({word("Log out"), [this] { desk_.requests.ask({{"do", "logout"}}, [this](const Answer&) { desk_.requests.setToken({}), lookAt_ = 0; }); }, Sign::Left, there});
+    keys.push_back({word("New user"), [this, name, told] { desk_.requests.store({{"do", "users.add"}, {"name", name}, {"level", kLevels[newLevel_]}, {"password", password_}}, told); }, Sign::None, named && !password_.isEmpty()});
+    keys.push_back({word("Other level"), [this] { newLevel_ = (newLevel_ + 1) % 3, refresh(); }, Sign::None, true});
+    keys.push_back({word("Give this level"), [this, name, told] { desk_.requests.store({{"do", "users.level"}, {"name", name}, {"level", kLevels[newLevel_]}}, told); }, Sign::None, named});
+    keys.push_back({word("Delete user"), [this, name, told] { desk_.requests.store({{"do", "users.delete"}, {"name", name}}, told); }, Sign::Off, named, false, true, word("It is gone: press again")});
+    return keys;
+}
+
+bool System::key(QKeyEvent* event) {
+    if (page_ == Page::Backups) {
+        if (event->key() == Qt::Key_Backspace && !entries_.empty()) return files_->choose(0), open(), true;
+        return files_->key(event);
+    }
+    if (event->key() == Qt::Key_Tab || event->key() == Qt::Key_Backtab) return inPassword_ = !inPassword_, form_->refresh(), true;
+    if (event->key() == Qt::Key_Backspace) return backspace(), true;
+    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) return inPassword_ || name_.isEmpty() ? logIn() : void(inPassword_ = true), form_->refresh(), true;
+    if (const QString text = event->text(); text.size() == 1 && text[0].isPrint() && !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier))) return type(text), true;
+    return files_->key(event);
+}
+
+}  // namespace polyturn::hmi

@@ -1,0 +1,337 @@
+#include "hmi/screens/tools.hpp"
+
+#include <QDateTime>
+#include <QMouseEvent>
+#include <algorithm>
+
+namespace polyturn::hmi {
+namespace {
+
+constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
+constexpr int kFilterHit = 900;
+
+}  // namespace
+
+void ToolList::mousePressEvent(QMouseEvent* event) {
+    from_ = event->position();
+    out_ = false;
+    const int row = rowAt(from_);
+    lifted_ = row >= 0 && toolAt ? toolAt(row) : 0;
+    Table::mousePressEvent(event);
+}
+
+void ToolList::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF way = event->position() - from_;
+    if (lifted_ && !out_ && way.x() < -px(24) && std::abs(way.x()) > 1.5 * std::abs(way.y())) {
+        out_ = true;
+        if (onLifted) onLifted(lifted_);
+    }
+    if (!out_) Table::mouseMoveEvent(event);
+}
+
+void ToolList::mouseReleaseEvent(QMouseEvent* event) {
+    if (std::exchange(out_, false)) {
+        if (onDropped) onDropped(lifted_, event->globalPosition().toPoint());
+        lifted_ = 0;
+        return;
+    }
+    lifted_ = 0;
+    Table::mouseReleaseEvent(event);
+}
+
+Tools::Tools(Desk& desk)
+    : Screen(desk), head_(new FreeSheet(this)), detail_(new FreeSheet(this)), side_(new FreeSheet(this)), picture_(new Magazine(desk.live, this)), list_(new ToolList(this)), table_(new Table(this)),
+      pad_(new NumberPad(this)), presetter_(new PresetterPage(desk, this)) {
+    setFocusPolicy(Qt::StrongFocus);
+    picture_->focused = true;
+    head_->onCompose = [this](Writer& w) { composeHead(w); };
+    head_->onTouched = [this](int number) {
+        if (number == kFilterHit) return nextFilter();
+        picture_->show(number - 1000);
+        if (const ToolPlace* place = picture_->chosen()) picture_->choose(place->pot);
+        version_ = 0, refresh();
+        if (desk_.keysChanged) desk_.keysChanged();
+    };
+    detail_->onCompose = [this](Writer& w) { composeDetail(w); };
+    side_->onCompose = [this](Writer& w) { composeSide(w); };
+    picture_->onChosen = [this] {
+        const ToolPlace* place = picture_->chosen();
+        picture_->focused = true;
+        if (place && place->tool && !picture_->carried) chooseTool(place->tool);
+        if (desk_.keysChanged) desk_.keysChanged();
+    };
+    picture_->onActivated = [this] {
+        const ToolPlace* place = picture_->chosen();
+        if (picture_->carried) putDown(place);
+        else if (place && place->tool) showPage(Page::Data);
+    };
+    picture_->onLifted = [this](std::int32_t tool) { carry(tool); };
+    picture_->onDropped = [this](std::int32_t tool, const QPoint& at) { dropped(tool, at); };
+    list_->columns = {{word("No."), 0.55, kRight}, {word("Tool"), 2.0}, {word("Place"), 0.95}, {word("Life left"), 1.35}, {word("State"), 1.6}};
+    list_->rowUnits = 36;
+    list_->textUnits = 14.5;
+    list_->rows = [this] { return static_cast<int>(rows_.size()); };
+    list_->cell = [this](int row, int column) -> Table::Cell {
+        const Theme& t = theme();
+        const std::int32_t number = rows_[static_cast<std::size_t>(row)];
+        const ToolRow* tool = toolOf(desk_.live, number);
+        if (!tool) return {};
+        switch (column) {
+            case 0: return {QString::number(number), t.dim};
+            case 1: return {toolName(*tool, number) + (tool->duplo > 1 ? QString("  #%1").arg(tool->duplo) : QString()), t.text, Sign::None, number == tool_};
+            case 2: return {tool->magazine ? placeText(desk_.live, tool->magazine, tool->pot) : QString::fromUtf8("–"), tool->magazine ? t.text : t.dim};
+            case 3: {
+                Table::Cell cell{lifeText(*tool), lifeColour(*tool), Sign::None, false, Face::Condensed};
+                cell.bar = lifeLeft(*tool);
+                if (cell.bar < 0) cell = {};
+                return cell;
+            }
+            default: {
+                const StateWords state = toolWords(*tool);
+                return {state.text, state.colour, state.sign, false, Face::Condensed};
+            }
+        }
+    };
+    list_->onChosen = [this] {
+        picture_->focused = false;
+        if (list_->row() < static_cast<int>(rows_.size())) chooseTool(rows_[static_cast<std::size_t>(list_->row())]);
+    };
+    list_->onActivated = [this] { if (tool_) showPage(Page::Data); };
+    list_->toolAt = [this](int row) { return rows_[static_cast<std::size_t>(row)]; };
+    list_->onLifted = [this](std::int32_t tool) { carry(tool); };
+    list_->onDropped = [this](std::int32_t tool, const QPoint& at) { dropped(tool, at); };
+    table_->onChosen = [this] {
+        typed_.clear(), pad_->clear();
+        if (page_ == Page::Life && table_->row() < static_cast<int>(life_.size()) && life_[static_cast<std::size_t>(table_->row())].tool) tool_ = life_[static_cast<std::size_t>(table_->row())].tool;
+        if (desk_.keysChanged) desk_.keysChanged();
+    };
+    table_->onActivated = [this] { if (page_ == Page::Data) fieldActivated(); };
+    showPage(Page::Magazine);
+}
+
+void Tools::rebuilt() {
+    version_ = 0, lookAt_ = 0, life_.clear(), pallets_.clear(), whyNoPallets_.clear();
+    const auto all = magazines();
+    if (!all.empty() && std::find(all.begin(), all.end(), picture_->shown()) == all.end()) picture_->show(all.front());
+}
+
+void Tools::restore(const QString& state) {
+    const QStringList parts = state.split(' ');
+    if (parts.size() != 2) return;
+    picture_->show(parts[1].toInt());
+    if (parts[0].toInt() >= 0 && parts[0].toInt() <= static_cast<int>(Page::Presetter)) showPage(static_cast<Page>(parts[0].toInt()));
+}
+
+std::vector<Sheet*> Tools::sheets() {
+    switch (page_) {
+        case Page::Magazine: return {head_, picture_, list_, detail_};
+        case Page::Data: return {head_, table_, side_, pad_};
+        case Page::Pallets: return {head_, table_, side_, pad_};
+        case Page::Life: return {head_, table_, detail_};
+        case Page::Presetter: break;
+    }
+    std::vector<Sheet*> out = presetter_->sheets();
+    out.push_back(head_);
+    return out;
+}
+
+std::vector<std::int32_t> Tools::magazines() const {
+    std::vector<std::int32_t> out;
+    const ToolPlaceTable& places = desk_.live.places();
+    for (std::size_t i = 0; desk_.live.connected() && i < places.count; ++i)
+        if (out.empty() || out.back() != places.places[i].magazine) out.push_back(places.places[i].magazine);
+    return out;
+}
+
+void Tools::showPage(Page page) {
+    page_ = page;
+    picture_->carried = 0;
+    typed_.clear(), pad_->clear();
+    const bool magazine = page == Page::Magazine, own = page == Page::Presetter;
+    picture_->setVisible(magazine), list_->setVisible(magazine), detail_->setVisible(magazine || page == Page::Life);
+    table_->setVisible(!magazine && !own), side_->setVisible(page == Page::Data || page == Page::Pallets), pad_->setVisible(page == Page::Data || page == Page::Pallets);
+    presetter_->setVisible(own);
+    version_ = 0, lookAt_ = 0, taken_ = 0;
+    if (page == Page::Data) fillData();
+    if (page == Page::Life) fillLife();
+    if (page == Page::Pallets) fillPallets();
+    layOut();
+    if (desk_.keysChanged) desk_.keysChanged();
+}
+
+void Tools::resizeEvent(QResizeEvent*) { layOut(); }
+
+void Tools::layOut() {
+    const int top = px(46), edge = px(8), right = page_ == Page::Magazine ? px(600) : px(340), foot = px(150), pad = px(380);
+    head_->setGeometry(0, 0, width(), top);
+    picture_->setGeometry(edge, top, width() - right - 3 * edge, height() - top - edge);
+    list_->setGeometry(width() - right - edge, top, right, height() - top - foot - 2 * edge);
+    const bool side = page_ == Page::Data || page_ == Page::Pallets;
+    table_->setGeometry(edge, top, width() - 2 * edge - (side ? right + edge : 0), height() - top - edge - (page_ == Page::Life ? px(80) : 0));
+    if (page_ == Page::Life) detail_->setGeometry(edge, height() - px(76), width() - 2 * edge, px(68));
+    else detail_->setGeometry(width() - right - edge, height() - foot - edge, right, foot);
+    side_->setGeometry(width() - right - edge, top, right, height() - top - pad - 2 * edge);
+    pad_->setGeometry(width() - right - edge, height() - pad - edge, right, pad);
+    presetter_->setGeometry(0, top, width(), height() - top);
+    for (Sheet* one : sheets()) one->refresh();
+}
+
+bool Tools::passes(std::int32_t number, const ToolRow& tool) const {
+    if (!search_.isEmpty() && !toolName(tool, number).contains(search_, Qt::CaseInsensitive) && QString::number(number) != search_ && QString("T%1").arg(tool.type_number).compare(search_, Qt::CaseInsensitive) != 0) return false;
+    switch (filter_) {
+        case Filter::All: return true;
+        case Filter::Here: return tool.magazine == picture_->shown();
+        case Filter::Nowhere: return tool.magazine == 0;
+        case Filter::Replace: return (tool.state & (kToolWorn | kToolWarned | kToolBroken | kToolLocked)) != 0;
+    }
+    return true;
+}
+
+void Tools::fillList() {
+    version_ = desk_.live.toolsVersion();
+    rows_.clear();
+    if (desk_.live.connected())
+        for (std::int32_t n = 1; n <= static_cast<std::int32_t>(kTools); ++n)
+            if (const ToolRow* tool = toolOf(desk_.live, n); tool && passes(n, *tool)) rows_.push_back(n);
+    list_->nothing = !desk_.live.connected() ? QString() : filter_ == Filter::All && search_.isEmpty() ? word("There are no tools yet: «New tool» on the page of tool data.") : word("No tool is like this.");
+    if (!chosen()) tool_ = rows_.empty() ? 0 : rows_.front();
+}
+
+int Tools::rowOf(std::int32_t tool) const {
+    const auto at = std::find(rows_.begin(), rows_.end(), tool);
+    return at == rows_.end() ? -1 : static_cast<int>(at - rows_.begin());
+}
+
+void Tools::chooseTool(std::int32_t tool) {
+    if (tool_ == tool) return;
+    tool_ = tool;
+    const ToolRow* row = chosen();
+    if (picture_->focused) {
+        if (const int at = rowOf(tool); at >= 0 && list_->row() != at) {
+            const bool focused = picture_->focused;
+            list_->choose(at);
+            picture_->focused = focused;
+        }
+    } else if (row && row->magazine && !picture_->carried) {
+        picture_->show(row->magazine);
+        picture_->choose(row->pot);
+        picture_->focused = false;
+    }
+    if (page_ == Page::Data) fillData();
+    refresh();
+    if (desk_.keysChanged) desk_.keysChanged();
+}
+
+void Tools::nextFilter() {
+    filter_ = static_cast<Filter>((static_cast<int>(filter_) + 1) % 4);
+    fillList();
+    list_->choose(0);
+    refresh();
+    if (desk_.keysChanged) desk_.keysChanged();
+}
+
+void Tools::composeHead(Writer& w) {
+    const Theme& t = theme();
+    const double high = head_->height();
+    static constexpr const char* kTitles[] = {WORD("Magazines"), WORD("Tool data"), WORD("Life and forecast"), WORD("Pallets"), WORD("Presetter")};
+    w.fill(QRectF(0, 0, head_->width(), high), t.window);
+    w.text(QRectF(px(14), 0, px(230), high), word(kTitles[static_cast<std::size_t>(page_)]), lettering(20, true), t.text);
+    if (page_ == Page::Data) {
+        const ToolRow* tool = chosen();
+        w.data(QRectF(px(250), 0, head_->width() - px(260), high), tool ? QString("%1   %2").arg(tool_).arg(toolName(*tool, tool_)) : QString(), lettering(17, true), t.accent);
+    }
+    if (page_ != Page::Magazine) return;
+    double x = px(250);
+    for (const std::int32_t one : magazines()) {
+        const bool here = one == picture_->shown();
+        const QRectF box(x, px(6), px(62), high - px(11));
+        if (box.right() > head_->width() - px(608)) break;
+        w.fill(box, here ? t.mark : t.card, px(6));
+        w.frame(box, here ? t.accent : t.edge, px(6), here ? px(2) : 1);
+        w.text(box, one >= 10 ? placeText(desk_.live, one, 1) : QString("M%1").arg(one), lettering(15.5, here), t.text, Qt::AlignCenter);
+        w.hit(box, magazineHit(one));
+        x += px(68);
+    }
+    static constexpr const char* kFilters[] = {WORD("All tools"), WORD("In this magazine"), WORD("Not loaded"), WORD("To be replaced")};
+    const QRectF box(head_->width() - px(608), px(6), px(250), high - px(11));
+    w.fill(box, t.card, px(6));
+    w.frame(box, filter_ == Filter::All ? t.edge : t.accent, px(6), filter_ == Filter::All ? 1 : px(2));
+    w.text(box.adjusted(px(12), 0, -px(60), 0), word(kFilters[static_cast<std::size_t>(filter_)]), lettering(15, filter_ != Filter::All), t.text);
+    w.text(box.adjusted(px(180), 0, -px(12), 0), QString::number(rows_.size()), lettering(15), t.dim, kRight);
+    w.hit(box, kFilterHit);
+    w.data(QRectF(head_->width() - px(350), 0, px(338), high), search_.isEmpty() ? word("Type a part of the name") : search_ + QString::fromUtf8("▏"), lettering(15), search_.isEmpty() ? t.dim : t.accent);
+}
+
+// What the chosen tool is, beneath the list; on the page of lives what stops the machine first.
+void Tools::composeDetail(Writer& w) {
+    const Theme& t = theme();
+    const double wide = detail_->width(), high = detail_->height();
+    w.fill(QRectF(0, 0, wide, high), t.window);
+    w.fill(QRectF(0, 0, wide, high), t.card, px(8));
+    if (page_ == Page::Life) {
+        w.sign(QRectF(px(14), px(21), px(26), px(26)), firstToStop_.isEmpty() ? Sign::Note : Sign::Warning, firstToStop_.isEmpty() ? t.dim : t.warn);
+        Item& item = w.text(QRectF(px(52), px(6), wide - px(64), high - px(12)), firstToStop_.isEmpty() ? word("No forecast yet: it begins when parts have been made with tools whose life is watched.") : firstToStop_, lettering(16), t.text);
+        item.wraps = true, item.data = !firstToStop_.isEmpty();
+        return;
+    }
+    const ToolRow* tool = chosen();
+    if (!tool) return;
+    const StateWords state = toolWords(*tool);
+    w.fill(QRectF(0, 0, px(5), high), state.colour, px(2));
+    w.data(QRectF(px(16), px(8), wide * 0.56, px(28)), toolName(*tool, tool_), lettering(18, true), t.text);
+    w.sign(QRectF(wide * 0.62, px(11), px(22), px(22)), state.sign, state.colour);
+    w.text(QRectF(wide * 0.62 + px(30), px(8), wide * 0.38 - px(42), px(28)), state.text, lettering(16, true), state.colour);
+    const auto line = [&](double x, double y, const QString& title, const QString& value) {
+        w.text(QRectF(x, y, wide * 0.22, px(22)), title, lettering(14, false, Face::Condensed), t.dim);
+        w.data(QRectF(x + wide * 0.2, y, wide * 0.27, px(22)), value.isEmpty() ? QString::fromUtf8("–") : value, lettering(15, true), t.text);
+    };
+    const double second = wide * 0.5;
+    line(px(16), px(42), word("Place"), placeText(desk_.live, tool->magazine, tool->pot));
+    line(second, px(42), word("Called by"), tool->type_number ? QString("T%1").arg(tool->type_number) : QString());
+    line(px(16), px(66), word("Kind"), kindText(tool->kind));
+    line(second, px(66), word("Offset"), tool->h_cell ? QString::number(tool->h_cell) : QString());
+    int sisters = 0;
+    for (const ToolRow& one : desk_.live.tools().rows) sisters += one.used && tool->type_number && one.type_number == tool->type_number;
+    line(px(16), px(90), word("Sister"), sisters > 1 ? word("%1 of %2").arg(tool->duplo).arg(sisters) : QString());
+    line(second, px(90), word("Life left"), lifeText(*tool));
+    if (lifeLeft(*tool) >= 0) w.bar(QRectF(px(16), px(124), wide - px(32), px(12)), lifeLeft(*tool), lifeColour(*tool), t.edge);
+}
+
+void Tools::refresh() {
+    if (page_ == Page::Magazine && version_ != desk_.live.toolsVersion()) fillList();
+    if (page_ == Page::Data && version_ != desk_.live.toolsVersion()) fillData();
+    if ((page_ == Page::Life || page_ == Page::Pallets) && desk_.live.connected() && QDateTime::currentMSecsSinceEpoch() > lookAt_) look();
+    if (page_ == Page::Presetter) presetter_->refresh();
+    for (Sheet* one : sheets()) one->refresh();
+}
+
+bool Tools::key(QKeyEvent* event) {
+    if (page_ == Page::Presetter) return presetter_->key(event);
+    if (page_ == Page::Magazine) {
+        if (event->key() == Qt::Key_Escape) {
+            if (picture_->carried) picture_->carried = 0;
+            else search_.clear(), fillList();
+            return refresh(), true;
+        }
+        if (event->key() == Qt::Key_Tab || event->key() == Qt::Key_Backtab) return picture_->focused = !picture_->focused, refresh(), true;
+        const QString text = event->text();
+        if (event->key() == Qt::Key_Backspace || (text.size() == 1 && text[0].isPrint() && !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier)))) {
+            if (event->key() == Qt::Key_Backspace) search_.chop(1);
+            else search_ += text;
+            fillList(), list_->choose(0), refresh();
+            return true;
+        }
+        return picture_->focused || picture_->carried ? picture_->key(event) : list_->key(event);
+    }
+    if (page_ == Page::Data && textField()) {
+        const QString text = event->text();
+        if (event->key() == Qt::Key_Backspace) return typed_.chop(1), refresh(), true;
+        if (event->key() == Qt::Key_Escape) return typed_.clear(), refresh(), true;
+        if (text.size() == 1 && text[0].isPrint() && typed_.size() < 31) return typed_ += text, refresh(), true;
+    } else if ((page_ == Page::Data || page_ == Page::Pallets) && pad_->key(event)) {
+        return true;
+    }
+    return table_->key(event);
+}
+
+}  // namespace polyturn::hmi

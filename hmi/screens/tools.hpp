@@ -1,0 +1,123 @@
+// Tools: the magazines as pictures, all tools as a list with filters, one tool's data, life and forecast, pallets, and what the presetter
+// has measured. A tool is loaded, moved and unloaded by dragging it or by keys; it stands there when the store says so.
+#pragma once
+#include "hmi/app/screen.hpp"
+#include "hmi/screens/presetter_page.hpp"
+#include "hmi/widgets/magazine.hpp"
+#include "hmi/widgets/number_pad.hpp"
+#include "hmi/widgets/table.hpp"
+
+namespace polyturn::hmi {
+
+// The list; a row that is pulled to the left is lifted out of it.
+class ToolList : public Table {
+public:
+    using Table::Table;
+    std::function<std::int32_t(int row)> toolAt;
+    std::function<void(std::int32_t tool)> onLifted;
+    std::function<void(std::int32_t tool, const QPoint& global)> onDropped;
+
+protected:
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+
+private:
+    QPointF from_;
+    std::int32_t lifted_ = 0;
+    bool out_ = false;
+};
+
+class Tools : public Screen {
+public:
+    explicit Tools(Desk& desk);
+    QString title() const override { return word("Tools"); }
+    Sign sign() const override { return Sign::Tools; }
+    const char* name() const override { return "tools"; }
+    std::vector<SoftKey> keys() override;
+    void refresh() override;
+    void rebuilt() override;
+    bool key(QKeyEvent* event) override;
+    bool typing() const override { return true; }
+    QString state() const override { return QString("%1 %2").arg(static_cast<int>(page_)).arg(picture_->shown()); }
+    void restore(const QString& state) override;
+    std::vector<Sheet*> sheets() override;
+    int pages() const override { return 5; }
+    HelpTopic help() const override {
+        static constexpr const char* kFind[] = {"2. Enter tools and load them", "2. Enter tools and load them", "4. Set the life", "pallet", "Measure in the presetter"};
+        return {"setup.md", kFind[static_cast<std::size_t>(page_)], {}};
+    }
+    void turnTo(int page) override { showPage(static_cast<Page>(page)); }
+
+    enum class Page : std::uint8_t { Magazine, Data, Life, Pallets, Presetter };
+    enum class Filter : std::uint8_t { All, Here, Nowhere, Replace };
+    void showPage(Page page);
+    Magazine& picture() { return *picture_; }
+    ToolList& list() { return *list_; }
+    Table& table() { return *table_; }
+    PresetterPage& presetter() { return *presetter_; }
+    FreeSheet& head() { return *head_; }
+    std::int32_t tool() const { return tool_; }
+    int rowOf(std::int32_t tool) const;            // in the list; -1: filtered away
+    static int magazineHit(std::int32_t magazine) { return 1000 + magazine; }
+
+protected:
+    void resizeEvent(QResizeEvent*) override;
+
+private:
+    void layOut();
+    void fillList();
+    void fillData();
+    void fillLife();
+    void fillPallets();
+    void look();                                   // asks for the report or the pallets again
+    void composeHead(Writer& w);
+    void composeDetail(Writer& w);
+    void composeSide(Writer& w);
+    void chooseTool(std::int32_t tool);
+    void carry(std::int32_t tool);
+    void putDown(const ToolPlace* place);
+    void dropped(std::int32_t tool, const QPoint& global);
+    void unload();
+    void newInsert();
+    void setField(const char* field, const QString& value);
+    void fieldActivated();
+    void addTool();
+    void nextFilter();
+    bool passes(std::int32_t number, const ToolRow& tool) const;
+    std::vector<std::int32_t> magazines() const;
+    const ToolRow* chosen() const { return toolOf(desk_.live, tool_); }
+    bool textField() const;
+
+    Page page_ = Page::Magazine;
+    FreeSheet *head_, *detail_, *side_;
+    Magazine* picture_;
+    ToolList* list_;
+    Table* table_;                                 // of the other pages
+    NumberPad* pad_;
+    PresetterPage* presetter_;
+    Filter filter_ = Filter::All;
+    QString search_, typed_;
+    std::vector<std::int32_t> rows_;
+    std::int32_t tool_ = 0;
+    std::uint64_t version_ = 0;
+    struct LifeLine {
+        std::int32_t tool = 0;                     // 0: the line of a group
+        QString group, unit;
+        double left = -1, parts = -1, minutes = -1;
+        bool first = false;                        // it stops the machine first
+    };
+    std::vector<LifeLine> life_;
+    QString firstToStop_;
+    struct Pallet {
+        int row = 0;
+        QString station, program;
+        double number = 0;
+    };
+    std::vector<Pallet> pallets_;
+    QString whyNoPallets_;
+    int taken_ = 0;                                // row of the pallet that changes places
+    qint64 lookAt_ = 0;
+};
+
+}  // namespace polyturn::hmi

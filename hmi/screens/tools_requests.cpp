@@ -1,0 +1,163 @@
+// What the screen of tools asks of the store, and its keys.
+#include <QApplication>
+#include <QJsonArray>
+#include <algorithm>
+
+#include "hmi/screens/tools.hpp"
+
+namespace polyturn::hmi {
+
+void Tools::carry(std::int32_t tool) {
+    picture_->carried = tool;
+    picture_->focused = true;
+    if (const ToolRow* row = toolOf(desk_.live, tool); row && row->magazine) picture_->show(row->magazine), picture_->choose(row->pot);
+    else if (const ToolPlace* place = picture_->chosen()) picture_->choose(place->pot);
+    tool_ = tool;
+    refresh();
+}
+
+void Tools::putDown(const ToolPlace* place) {
+    const std::int32_t tool = std::exchange(picture_->carried, 0);
+    const ToolRow* row = toolOf(desk_.live, tool);
+    if (!row || !place) return refresh();
+    if (place->tool == tool) return refresh();   // back where it was
+    const QString name = toolName(*row, tool), where = placeText(desk_.live, place->magazine, place->pot);
+    desk_.requests.store({{"do", row->magazine ? "tools.move" : "tools.load"}, {"tool", tool}, {"magazine", place->magazine}, {"pot", place->pot}}, [this, name, where](const Answer& answer) {
+        if (answer.ok) desk_.tell(word("%1 stands in %2").arg(name, where), Told::Good);
+    });
+    refresh();
+}
+
+// Let go over a place: it goes there; over the list: out of the magazine; anywhere else: nothing.
+void Tools::dropped(std::int32_t tool, const QPoint& at) {
+    picture_->carried = tool;
+    if (const ToolPlace* place = picture_->placeAt(picture_->mapFromGlobal(at))) {
+        picture_->choose(place->pot);
+        return putDown(place);
+    }
+    picture_->carried = 0;
+    tool_ = tool;
+    if (const ToolRow* row = chosen(); row && row->magazine && list_->rect().contains(list_->mapFromGlobal(at))) unload();
+    refresh();
+}
+
+void Tools::unload() {
+    const ToolRow* row = chosen();
+    if (!row) return;
+    const QString name = toolName(*row, tool_);
+    desk_.requests.store({{"do", "tools.unload"}, {"tool", tool_}}, [this, name](const Answer& answer) {
+        if (answer.ok) desk_.tell(word("%1 is taken out").arg(name), Told::Good);
+    });
+}
+
+// A new insert: its life begins, it is not worn any more, and the wear of its offset is none.
+void Tools::newInsert() {
+    const ToolRow* row = chosen();
+    if (!row) return;
+    const QString name = toolName(*row, tool_);
+    unsigned channel = desk_.channel;   // whose offsets: that of the turret in which it stands
+    for (const unsigned l : desk_.live.channels())
+        if (row->magazine && static_cast<std::int32_t>(params::get(desk_.live.table(), params::pt_turret_magazine, l)) == row->magazine) channel = l;
+    desk_.requests.store({{"do", "life.reset"}, {"tools", QJsonArray{tool_}}, {"channel", static_cast<int>(channel)}}, [this, name](const Answer& answer) {
+        if (answer.ok) desk_.tell(word("%1 has a new insert: life and wear begin anew").arg(name), Told::Good);
+        lookAt_ = 0;
+    });
+}
+
+void Tools::setField(const char* field, const QString& value) {
+    if (!tool_) return;
+    desk_.requests.store({{"do", "tools.set"}, {"tool", tool_}, {"fields", QJsonObject{{field, value}}}}, [this](const Answer& answer) {
+        if (answer.ok) desk_.tell(word("Written"), Told::Good);
+    });
+}
+
+void Tools::addTool() {
+    desk_.requests.store({{"do", "tools.add"}, {"fields", QJsonObject{}}}, [this](const Answer& answer) {
+        if (!answer.ok) return;
+        tool_ = answer.object.value("tool").toInt();
+        desk_.tell(word("Tool %1 is new: enter what it is").arg(tool_), Told::Good);
+        showPage(Page::Data);
+    });
+}
+
+// The report of lives or the pallets, asked for again every two seconds while they are shown.
+void Tools::look() {
+    lookAt_ = QDateTime::currentMSecsSinceEpoch() + 2'000;
+    if (page_ == Page::Pallets) {
+        desk_.requests.store({{"do", "pallets.list"}}, [this](const Answer& answer) {
+            whyNoPallets_ = answer.ok ? QString() : answer.text;
+            pallets_.clear();
+            for (const auto& one : answer.object.value("pallets").toArray()) {
+                const QJsonObject row = one.toObject();
+                pallets_.push_back({row.value("row").toInt(), row.value("station").toString(), row.value("program").toString(), row.value("pallet").toDouble()});
+            }
+            if (page_ == Page::Pallets) fillPallets();
+        }, true);
+        return;
+    }
+    desk_.requests.store({{"do", "life.report"}}, [this](const Answer& answer) {
+        if (!answer.ok) return;
+        life_.clear();
+        const QString first = answer.object.value("stops_first").toObject().value("group").toString();
+        for (const auto& one : answer.object.value("groups").toArray()) {
+            const QJsonObject group = one.toObject();
+            for (const auto& entry : group.value("tools").toArray()) {
+                const QJsonObject tool = entry.toObject();
+                LifeLine line;
+                line.tool = tool.value("tool").toInt(), line.group = group.value("group").toString(), line.unit = lifeUnit(toolOf(desk_.live, line.tool) ? toolOf(desk_.live, line.tool)->life_kind : 0);
+                line.left = tool.value("left").toDouble(-1), line.first = line.group == first && !first.isEmpty();
+                line.parts = group.value("parts_left").toDouble(-1), line.minutes = group.value("minutes_left").toDouble(-1);
+                life_.push_back(line);
+            }
+        }
+        firstToStop_ = first.isEmpty() ? QString() : word("First to stop the machine: %1 after %2 more parts").arg(first).arg(answer.object.value("stops_first").toObject().value("parts_left").toDouble(), 0, 'f', 0);
+        if (page_ == Page::Life) fillLife();
+    }, true);
+}
+
+std::vector<SoftKey> Tools::keys() {
+    const bool there = desk_.live.connected();
+    const ToolRow* tool = there ? chosen() : nullptr;
+    const auto page = [this](Page wanted, const QString& text) { return SoftKey{text, [this, wanted] { showPage(wanted); }, Sign::None, true, page_ == wanted}; };
+    std::vector<SoftKey> keys{page(Page::Magazine, word("Magazines")), page(Page::Data, word("Tool data")), page(Page::Life, word("Life")), page(Page::Pallets, word("Pallets")), page(Page::Presetter, word("Presetter"))};
+    const SoftKey insert{word("New insert"), [this] { newInsert(); }, Sign::Good, tool != nullptr, false, false, word("Life and wear to 0: press again")};
+    const bool locked = tool && (tool->state & kToolLocked);
+    const SoftKey lock{locked ? word("Release tool") : word("Lock tool"), [this, locked] { setField("locked", locked ? "0" : "1"); }, Sign::Lock, tool != nullptr, locked};
+    switch (page_) {
+        case Page::Magazine: {
+            const bool carrying = picture_->carried != 0, stands = tool && tool->magazine;
+            keys.push_back({carrying ? word("Put it here") : stands ? word("Move") : word("Load"), [this, carrying] { carrying ? putDown(picture_->chosen()) : carry(tool_); }, Sign::Right, tool != nullptr && picture_->chosen() != nullptr, carrying});
+            keys.push_back({word("Unload"), [this] { unload(); }, Sign::Up, stands && !carrying});
+            keys.push_back(insert), keys.push_back(lock);
+            keys.push_back({word("Filter"), [this] { nextFilter(); }, Sign::None, true, filter_ != Filter::All});
+            break;
+        }
+        case Page::Data: {
+            keys.push_back({word("New tool"), [this] { addTool(); }, Sign::None, there});
+            keys.push_back({word("Delete tool"), [this] { desk_.requests.store({{"do", "tools.delete"}, {"tool", tool_}}); }, Sign::Off, tool != nullptr, false, true, word("It is gone: press again")});
+            keys.push_back(insert), keys.push_back(lock);
+            const ToolPlace* place = tool ? placeOf(desk_.live, tool->magazine, tool->pot) : nullptr;
+            const bool shut = place && (place->state & kPlaceLocked);
+            const std::int32_t magazine = place ? place->magazine : 0, pot = place ? place->pot : 0;
+            keys.push_back({shut ? word("Release place") : word("Lock place"), [this, magazine, pot, shut] { desk_.requests.store({{"do", "tools.place"}, {"magazine", magazine}, {"pot", pot}, {"locked", shut ? 0 : 1}}); }, Sign::Lock, place != nullptr, shut});
+            break;
+        }
+        case Page::Life:
+            keys.resize(7);
+            keys.push_back(insert), keys.push_back(lock);
+            break;
+        case Page::Pallets: {
+            const int row = table_->row() < static_cast<int>(pallets_.size()) ? pallets_[static_cast<std::size_t>(table_->row())].row : 0;
+            keys.push_back({taken_ ? word("Exchange with it") : word("Exchange"), [this, row] {
+                                if (!taken_) return void(taken_ = row);
+                                const int from = std::exchange(taken_, 0);
+                                if (from != row) desk_.requests.store({{"do", "pallets.exchange"}, {"row", from}, {"with", row}}, [this](const Answer&) { lookAt_ = 0; });
+                            }, Sign::Right, row > 0, taken_ != 0});
+            break;
+        }
+        case Page::Presetter: presetter_->addKeys(keys); break;
+    }
+    return keys;
+}
+
+}  // namespace polyturn::hmi

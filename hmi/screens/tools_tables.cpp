@@ -1,0 +1,183 @@
+// The tables of the screen of tools: one tool's data, lives with their forecast, pallets.
+#include <cmath>
+
+#include "hmi/screens/tools.hpp"
+#include "ipc/machine/tool_fields.hpp"
+
+namespace polyturn::hmi {
+namespace {
+
+constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
+
+// A column of the tool table as it is shown; of the others the command line tells (tools fields).
+struct Shown {
+    const char* field;
+    const char* title;
+    const char* unit;
+};
+constexpr Shown kShown[] = {{"name", WORD("Name"), ""},
+                            {"type", WORD("Type number: the T that calls it"), ""},
+                            {"duplo", WORD("Order among sisters"), ""},
+                            {"kind", WORD("Kind: 500 roughing, 510 finishing, 200 drill ..."), ""},
+                            {"h", WORD("Offset number"), ""},
+                            {"life_kind", WORD("What its life counts"), ""},
+                            {"life", WORD("Life, 0 is not watched"), "life"},
+                            {"counter", WORD("Used up"), "life"},
+                            {"warning", WORD("So much left is a warning"), "life"},
+                            {"enabled", WORD("May be used"), ""},
+                            {"locked", WORD("Locked"), ""},
+                            {"worn", WORD("Worn"), ""},
+                            {"broken", WORD("Broken"), ""},
+                            {"measured", WORD("Measured"), ""},
+                            {"group", WORD("Life group of programs"), ""},
+                            {"unit", WORD("Tool unit, 0 all"), ""},
+                            {"d", WORD("Offset number of the radius"), ""},
+                            {"place_type", WORD("Kind of place that it needs, 0 any"), ""},
+                            {"home_magazine", WORD("Own magazine"), ""},
+                            {"home_pot", WORD("Own place"), ""},
+                            {"fixed", WORD("Goes back to its own place"), ""},
+                            {"size_left", WORD("Room to the left, half places"), ""},
+                            {"size_right", WORD("Room to the right, half places"), ""},
+                            {"size_up", WORD("Room above, half places"), ""},
+                            {"size_down", WORD("Room below, half places"), ""},
+                            {"length", WORD("Length"), "mm"},
+                            {"diameter", WORD("Diameter"), "mm"},
+                            {"weight", WORD("Weight"), "kg"},
+                            {"speed", WORD("Largest speed"), "1/min"},
+                            {"outline", WORD("Outline that protection guards: X -60:0 Z -20:5"), "mm"}};
+
+const char* kindWord(unsigned kind) {
+    static constexpr const char* kWords[] = {WORD("nothing"), WORD("minutes of cutting"), WORD("pieces"), WORD("uses"), WORD("metres of cutting"), WORD("wear")};
+    return kWords[std::min<std::size_t>(kind, std::size(kWords) - 1)];
+}
+
+}  // namespace
+
+bool Tools::textField() const {
+    return page_ == Page::Data && table_->row() < static_cast<int>(std::size(kShown)) && tool_field(kShown[table_->row()].field).is_text();
+}
+
+void Tools::fillData() {
+    version_ = desk_.live.toolsVersion();
+    table_->columns = {{word("What"), 3}, {word("Value"), 1.6, kRight}, {word("Unit"), 0.6}};
+    table_->rowUnits = 34;
+    table_->nothing = word("No tool is chosen.");
+    table_->rows = [this] { return chosen() ? static_cast<int>(std::size(kShown)) : 0; };
+    table_->cell = [this](int row, int column) -> Table::Cell {
+        const Theme& t = theme();
+        const ToolRow* tool = chosen();
+        if (!tool) return {};
+        const Shown& one = kShown[row];
+        const ToolField& field = tool_field(one.field);
+        if (column == 0) return {word(one.title), t.text};
+        if (column == 2) return {std::string_view(one.unit) == "life" ? lifeUnit(tool->life_kind) : QString(one.unit), t.dim};
+        const bool here = row == table_->row() && textField() && !typed_.isEmpty();
+        if (here) return {typed_ + QString::fromUtf8("▏"), t.accent, Sign::None, true};
+        if (field.type == ToolFieldType::Flag) {
+            const bool on = tool_number(*tool, field) != 0;
+            return {on ? word("yes") : word("no"), on ? t.text : t.dim, on ? Sign::Good : Sign::None, on};
+        }
+        if (field.type == ToolFieldType::Life) return {word(kindWord(tool->life_kind)), t.text, Sign::None, true};
+        if (field.is_text()) return {QString::fromStdString(tool_text(*tool, field)), t.text, Sign::None, true};
+        const double value = tool_number(*tool, field);
+        return {numberText(value), value == field.fallback ? t.dim : t.text, Sign::None, value != field.fallback};
+    };
+    pad_->field = [this]() -> std::optional<NumberPad::Field> {
+        const ToolRow* tool = chosen();
+        if (page_ != Page::Data || !tool || table_->row() >= static_cast<int>(std::size(kShown))) return std::nullopt;
+        const Shown& one = kShown[table_->row()];
+        const ToolField& field = tool_field(one.field);
+        if (field.type != ToolFieldType::Number && field.type != ToolFieldType::Whole) return std::nullopt;
+        return NumberPad::Field{word(one.title), std::string_view(one.unit) == "life" ? lifeUnit(tool->life_kind) : QString(one.unit), tool_number(*tool, field), field.type == ToolFieldType::Whole ? 0u : 3u};
+    };
+    pad_->onInput = [this](double now) {
+        if (page_ == Page::Data) setField(kShown[table_->row()].field, numberText(now));
+    };
+}
+
+// Enter: a switch turns over, what its life counts goes on to the next, a text is taken.
+void Tools::fieldActivated() {
+    const ToolRow* tool = chosen();
+    if (!tool || table_->row() >= static_cast<int>(std::size(kShown))) return;
+    const Shown& one = kShown[table_->row()];
+    const ToolField& field = tool_field(one.field);
+    if (field.type == ToolFieldType::Flag) setField(one.field, tool_number(*tool, field) != 0 ? "0" : "1");
+    else if (field.type == ToolFieldType::Life) setField(one.field, fromView(kLifeKinds[(tool->life_kind + 1) % std::size(kLifeKinds)]));
+    else if (field.is_text() && !typed_.isEmpty()) setField(one.field, std::exchange(typed_, QString()));
+}
+
+void Tools::fillLife() {
+    table_->columns = {{word("Called by"), 1.1}, {word("No."), 0.6, kRight}, {word("Tool"), 2}, {word("Life left"), 1.8}, {word("State"), 1.8}, {word("Parts left"), 1, kRight}, {word("Time left"), 1, kRight}};
+    table_->rowUnits = 38;
+    table_->nothing = word("There are no tools yet: «New tool» on the page of tool data.");
+    table_->rows = [this] { return static_cast<int>(life_.size()); };
+    table_->cell = [this](int row, int column) -> Table::Cell {
+        const Theme& t = theme();
+        const LifeLine& line = life_[static_cast<std::size_t>(row)];
+        const ToolRow* tool = toolOf(desk_.live, line.tool);
+        if (!tool) return {};
+        const bool opens = row == 0 || life_[static_cast<std::size_t>(row - 1)].group != line.group;   // the first of its sisters tells of all
+        switch (column) {
+            case 0: return opens ? Table::Cell{line.group, line.first ? t.warn : t.text, line.first ? Sign::Warning : Sign::None, true} : Table::Cell{};
+            case 1: return {QString::number(line.tool), t.dim};
+            case 2: return {toolName(*tool, line.tool), t.text};
+            case 3: {
+                Table::Cell cell{lifeText(*tool), lifeColour(*tool)};
+                cell.bar = lifeLeft(*tool);
+                return cell.bar < 0 ? Table::Cell{word("not watched"), t.dim} : cell;
+            }
+            case 4: {
+                const StateWords state = toolWords(*tool);
+                return {state.text, state.colour, state.sign};
+            }
+            case 5: return opens && line.parts >= 0 ? Table::Cell{QString::number(line.parts, 'f', 0), line.first ? t.warn : t.text, Sign::None, true} : Table::Cell{};
+            default: return opens && line.minutes >= 0 ? Table::Cell{timeText(line.minutes * 60), t.dim} : Table::Cell{};
+        }
+    };
+    detail_->refresh();
+}
+
+void Tools::fillPallets() {
+    table_->columns = {{word("Station"), 2}, {word("Pallet"), 1, kRight}, {word("Program"), 3}};
+    table_->rowUnits = 40;
+    table_->nothing = whyNoPallets_.isEmpty() ? QString() : word("This machine has no pallets (N3300).");
+    table_->rows = [this] { return static_cast<int>(pallets_.size()); };
+    table_->cell = [this](int row, int column) -> Table::Cell {
+        const Theme& t = theme();
+        const Pallet& one = pallets_[static_cast<std::size_t>(row)];
+        if (column == 0) {
+            const QString title = one.station == "working area" ? word("Working area") : one.station == "loading station" ? word("Loading station") : word("Pool %1").arg(one.station.mid(5));
+            return {title, one.row == taken_ ? t.accent : t.text, one.row == taken_ ? Sign::Right : Sign::None, one.row == 1};
+        }
+        if (column == 1) return {one.number > 0 ? numberText(one.number) : QString::fromUtf8("–"), one.number > 0 ? t.text : t.dim, Sign::None, true};
+        return {one.program, t.text, Sign::None, false, Face::Program};
+    };
+    pad_->field = [this]() -> std::optional<NumberPad::Field> {
+        if (page_ != Page::Pallets || table_->row() >= static_cast<int>(pallets_.size())) return std::nullopt;
+        return NumberPad::Field{word("Pallet number, 0: no pallet"), {}, pallets_[static_cast<std::size_t>(table_->row())].number, 0};
+    };
+    pad_->onInput = [this](double now) {
+        if (page_ != Page::Pallets || table_->row() >= static_cast<int>(pallets_.size())) return;
+        desk_.requests.store({{"do", "pallets.set"}, {"row", pallets_[static_cast<std::size_t>(table_->row())].row}, {"fields", QJsonObject{{"pallet", numberText(now)}}}}, [this](const Answer& answer) {
+            if (answer.ok) desk_.tell(word("Written"), Told::Good);
+            lookAt_ = 0;
+        });
+    };
+}
+
+// How the chosen field is entered.
+void Tools::composeSide(Writer& w) {
+    const Theme& t = theme();
+    const double wide = side_->width(), high = side_->height();
+    w.fill(QRectF(0, 0, wide, high), t.window);
+    w.fill(QRectF(0, 0, wide, high), t.card, px(8));
+    QString words;
+    if (page_ == Page::Pallets) words = word("The pallet in a row goes with its program. «Exchange»: choose a row, press, choose the other row, press again.");
+    else if (textField()) words = word("Type, Enter takes it over.");
+    else if (pad_->field && pad_->field()) words = word("Type a number, or touch it; Input takes it over.");
+    else words = word("Enter, or a second touch, changes it.");
+    Item& item = w.text(QRectF(px(14), px(10), wide - px(28), high - px(20)), words, lettering(15), t.dim, Qt::AlignLeft | Qt::AlignTop);
+    item.wraps = true;
+}
+
+}  // namespace polyturn::hmi

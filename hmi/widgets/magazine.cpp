@@ -1,0 +1,238 @@
+#include "hmi/widgets/magazine.hpp"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <algorithm>
+#include <cmath>
+
+namespace polyturn::hmi {
+namespace {
+
+constexpr std::size_t kMostOfLoop = 40;   // places of a chain that a loop can show; more are rows
+constexpr double kTurn = 6.283185307179586;
+
+std::vector<const ToolPlace*> placesOf(const Live& live, std::int32_t magazine) {
+    std::vector<const ToolPlace*> out;
+    for (std::size_t i = 0; i < live.places().count; ++i)
+        if (live.places().places[i].magazine == magazine) out.push_back(&live.places().places[i]);
+    return out;
+}
+
+}  // namespace
+
+void Magazine::show(std::int32_t magazine) {
+    if (magazine_ == magazine) return;
+    magazine_ = magazine, pot_ = 0;
+    refresh();
+}
+
+const ToolPlace* Magazine::chosen() const {
+    const auto places = placesOf(live_, magazine_);
+    for (const ToolPlace* one : places)
+        if (one->pot == pot_) return one;
+    return places.empty() ? nullptr : places.front();
+}
+
+void Magazine::choose(std::int32_t pot) {
+    pot_ = pot;
+    if (onChosen) onChosen();
+    refresh();
+}
+
+void Magazine::turret(std::vector<Spot>& out, const std::vector<const ToolPlace*>& places) const {
+    double ring = 0;   // half places all round
+    bool halves = false;
+    for (const ToolPlace* one : places) {
+        if (!(one->state & kPlaceHalf)) ring += 2;
+        else halves = true;
+    }
+    const double side = std::min<double>(width(), height()), count = halves ? ring : ring / 2;
+    const double most = side * 0.5 * std::sin(kTurn / 2 / std::max(count, 4.0)) / (1 + std::sin(kTurn / 2 / std::max(count, 4.0))), size = std::min<double>(most * 2 * 0.94, px(118));
+    const double radius = side / 2 - size / 2 - px(4);
+    const QPointF middle(width() / 2.0, height() / 2.0);
+    for (const ToolPlace* one : places) {
+        const double angle = one->column / std::max(ring, 1.0) * kTurn - kTurn / 4;   // the first one on top, clockwise
+        const QPointF at = middle + QPointF(std::cos(angle), std::sin(angle)) * radius;
+        out.push_back({one, QRectF(at.x() - size / 2, at.y() - size / 2, size, size), true});
+    }
+}
+
+// A loop of two straights and two ends: places at even distances along it.
+void Magazine::chain(std::vector<Spot>& out, const std::vector<const ToolPlace*>& places) const {
+    const double count = static_cast<double>(places.size());
+    double size = px(96);
+    const auto length = [&](double s) { return 2 * std::max<double>(0.0, width() - height()) + kTurn / 2 * (std::min<double>(width(), height()) - s); };
+    while (size > px(30) && size * 1.06 * count > length(size)) size -= 1;
+    const double r = (std::min<double>(width(), height()) - size) / 2 - px(2), straight = std::max(0.0, width() - 2.0 * r - size - px(4)), all = 2 * straight + kTurn * r;
+    const QPointF middle(width() / 2.0, height() / 2.0);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        double s = all * static_cast<double>(i) / count;
+        QPointF at;
+        if (s < straight) at = {-straight / 2 + s, -r};
+        else if ((s -= straight) < kTurn / 2 * r) at = QPointF(straight / 2, 0) + QPointF(std::sin(s / r), -std::cos(s / r)) * r;
+        else if ((s -= kTurn / 2 * r) < straight) at = {straight / 2 - s, r};
+        else s -= straight, at = QPointF(-straight / 2, 0) + QPointF(-std::sin(s / r), std::cos(s / r)) * r;
+        at += middle;
+        out.push_back({places[i], QRectF(at.x() - size / 2, at.y() - size / 2, size, size), false});
+    }
+}
+
+// Rows and columns; where they do not all fit, those about the chosen place.
+void Magazine::grid(std::vector<Spot>& out, const std::vector<const ToolPlace*>& places) const {
+    const bool matrix = static_cast<PlaceKind>(places.front()->kind) == PlaceKind::Matrix;
+    double columns = 1;
+    if (matrix) for (const ToolPlace* one : places) columns = std::max(columns, one->column / 2 + 1);
+    else columns = std::max(1.0, std::min<double>(static_cast<double>(places.size()), std::floor(width() / static_cast<double>(px(84)))));
+    const double fit = std::max(1.0, std::floor(width() / static_cast<double>(px(58)))), shownColumns = std::min(columns, fit);
+    const double size = std::min<double>(px(118), width() / shownColumns), shownRows = std::max(1.0, std::floor(height() / size));
+    const auto rowOf = [&](std::size_t i) { return matrix ? places[i]->row / 2 : std::floor(static_cast<double>(i) / columns); };
+    const auto columnOf = [&](std::size_t i) { return matrix ? places[i]->column / 2 : std::fmod(static_cast<double>(i), columns); };
+    std::size_t at = 0;
+    double rows = 1;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (places[i]->pot == pot_) at = i;
+        rows = std::max(rows, rowOf(i) + 1);
+    }
+    const auto first = [](double chosen, double shown, double all) { return std::clamp(std::floor(chosen - shown / 2 + 0.5), 0.0, std::max(0.0, all - shown)); };
+    const double firstRow = first(rowOf(at), shownRows, rows), firstColumn = first(columnOf(at), shownColumns, columns);
+    const double left = (width() - size * shownColumns) / 2, top = std::max(0.0, (height() - size * std::min(rows, shownRows)) / 2);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const double row = rowOf(i) - firstRow, column = columnOf(i) - firstColumn;
+        if (row < 0 || row >= shownRows || column < 0 || column >= shownColumns) continue;
+        out.push_back({places[i], QRectF(left + column * size + px(2), top + row * size + px(2), size - px(4), size - px(4)), false});
+    }
+}
+
+void Magazine::arrange(std::vector<Spot>& out) const {
+    const auto places = placesOf(live_, magazine_);
+    if (places.empty()) return;
+    const auto kind = static_cast<PlaceKind>(places.front()->kind);
+    if (kind == PlaceKind::Turret && places.size() <= 48) turret(out, places);
+    else if (kind == PlaceKind::Chain && places.size() <= kMostOfLoop && places.size() > 2) chain(out, places);
+    else grid(out, places);
+}
+
+void Magazine::composeSpot(Writer& w, const Spot& spot) const {
+    const Theme& t = theme();
+    const ToolPlace& place = *spot.place;
+    const QRectF& box = spot.box;
+    const double side = box.width(), round = spot.round ? side / 2 : px(8);
+    const ToolRow* tool = toolOf(live_, place.tool);
+    const ToolPlace* bright = chosen();
+    const bool here = bright == spot.place, locked = (place.state & kPlaceLocked) != 0;
+    const StateWords state = tool ? toolWords(*tool) : StateWords{{}, Sign::None, t.edge};
+    unsigned works = 0;
+    for (unsigned l = 0; l < kMaxChannels; ++l)
+        if (place.tool && live_.tools().in_channel[l] == place.tool) works = l + 1;
+    w.fill(box, here ? t.mark : tool ? t.raised : t.window, round);
+    w.frame(box, here && focused ? t.accent : tool ? state.colour : t.edge, round, here ? px(4) : tool ? px(2) : 1);
+    const double line = side * 0.2, inner = side * (spot.round ? 0.74 : 0.9), left = box.center().x() - inner / 2;
+    w.text(QRectF(box.center().x() - side * 0.3, box.top() + side * 0.05, side * 0.6, line * 1.1), QString::number(place.pot), lettering(std::max(10.0, side / panelScale() * 0.16), true), works ? t.good : t.dim, Qt::AlignCenter);
+    if (works) w.text(QRectF(box.center().x() + side * 0.08, box.top() + side * 0.05, side * 0.34, line * 1.1), QString("L%1").arg(works), lettering(std::max(9.0, side / panelScale() * 0.13), true), t.good, Qt::AlignCenter);
+    if (locked) w.sign(QRectF(box.center().x() - side * 0.12, box.center().y() - side * 0.12, side * 0.24, side * 0.24), Sign::Lock, t.bad);
+    if (!tool) return;
+    w.data(QRectF(left, box.top() + side * 0.27, inner, line), toolName(*tool, place.tool), lettering(std::max(9.0, side / panelScale() * 0.135), false, Face::Condensed), t.text, Qt::AlignCenter);
+    if (!locked) w.sign(QRectF(box.center().x() - side * 0.11, box.top() + side * 0.47, side * 0.22, side * 0.22), state.sign, state.colour);
+    const double part = lifeLeft(*tool);
+    if (part >= 0) w.bar(QRectF(box.center().x() - side * 0.27, box.top() + side * 0.76, side * 0.54, std::max<double>(px(5), side * 0.06)), part, lifeColour(*tool), t.edge);
+}
+
+void Magazine::compose(Writer& w) {
+    const Theme& t = theme();
+    w.fill(QRectF(0, 0, width(), height()), t.window);
+    std::vector<Spot> spots;
+    arrange(spots);
+    if (spots.empty()) {
+        Item& item = w.text(QRectF(px(20), height() / 2.0 - px(60), width() - px(40), px(120)), live_.connected() ? word("This machine has no magazine: PT_TURRET_MAGAZINE and N2905 to N2922 describe it.") : QString(), lettering(16), t.dim, Qt::AlignCenter);
+        item.wraps = true;
+        return;
+    }
+    if (spots.front().round) {
+        const double side = std::min<double>(width(), height()), size = spots.front().box.width(), hub = side / 2 - size - px(10);
+        const QPointF middle(width() / 2.0, height() / 2.0);
+        w.fill(QRectF(middle.x() - side / 2, middle.y() - side / 2, side, side), t.card, side / 2);
+        w.fill(QRectF(middle.x() - hub, middle.y() - hub, 2 * hub, 2 * hub), t.window, hub);
+        const ToolPlace* bright = chosen();
+        const ToolRow* tool = bright ? toolOf(live_, bright->tool) : nullptr;
+        w.text(QRectF(middle.x() - hub, middle.y() - px(62), 2 * hub, px(50)), bright ? QString::number(bright->pot) : QString(), lettering(40, true), t.text, Qt::AlignCenter);
+        w.data(QRectF(middle.x() - hub * 0.9, middle.y() - px(8), 1.8 * hub, px(26)), tool ? toolName(*tool, bright->tool) : word("empty"), lettering(17, true), tool ? t.text : t.dim, Qt::AlignCenter);
+        if (tool) {
+            const StateWords state = toolWords(*tool);
+            w.sign(QRectF(middle.x() - px(11), middle.y() + px(22), px(22), px(22)), state.sign, state.colour);
+            w.text(QRectF(middle.x() - hub * 0.9, middle.y() + px(46), 1.8 * hub, px(24)), state.text, lettering(15), state.colour, Qt::AlignCenter);
+            w.text(QRectF(middle.x() - hub * 0.9, middle.y() + px(70), 1.8 * hub, px(24)), lifeText(*tool), lettering(15), t.dim, Qt::AlignCenter);
+        }
+    }
+    for (const Spot& spot : spots) {
+        composeSpot(w, spot);
+        w.hit(spot.box, placeHit(spot.place->pot));
+    }
+    if (carried) {
+        const ToolRow* tool = toolOf(live_, carried);
+        const QRectF box(px(8), height() - px(40), width() - px(16), px(34));
+        w.fill(box, t.mark, px(6));
+        w.frame(box, t.accent, px(6), px(2));
+        w.data(box.adjusted(px(10), 0, -px(10), 0), word("%1: choose its place, Enter puts it there, Escape leaves it").arg(tool ? toolName(*tool, carried) : QString()), lettering(14.5, true), t.text, Qt::AlignCenter);
+    }
+}
+
+const ToolPlace* Magazine::placeAt(const QPointF& point) const {
+    std::vector<Spot> spots;
+    arrange(spots);
+    for (const Spot& spot : spots)
+        if (spot.box.contains(point)) return spot.place;
+    return nullptr;
+}
+
+bool Magazine::key(QKeyEvent* event) {
+    const auto places = placesOf(live_, magazine_);
+    if (places.empty()) return false;
+    const ToolPlace* now = chosen();
+    const auto at = static_cast<std::ptrdiff_t>(std::find(places.begin(), places.end(), now) - places.begin()), all = static_cast<std::ptrdiff_t>(places.size());
+    std::ptrdiff_t row = 1;   // places in a row of a matrix
+    if (static_cast<PlaceKind>(now->kind) == PlaceKind::Matrix)
+        row = std::count_if(places.begin(), places.end(), [&](const ToolPlace* one) { return one->row == places.front()->row; });
+    const auto go = [&](std::ptrdiff_t step) { choose(places[static_cast<std::size_t>(((at + step) % all + all) % all)]->pot); };
+    switch (event->key()) {
+        case Qt::Key_Right: return go(1), true;
+        case Qt::Key_Left: return go(-1), true;
+        case Qt::Key_Down: return go(row), true;
+        case Qt::Key_Up: return go(-row), true;
+        case Qt::Key_Home: return choose(places.front()->pot), true;
+        case Qt::Key_End: return choose(places.back()->pot), true;
+        case Qt::Key_Return:
+        case Qt::Key_Enter: if (onActivated) onActivated(); return true;
+        default: return false;
+    }
+}
+
+void Magazine::mousePressEvent(QMouseEvent* event) {
+    down_ = event->position();
+    dragging_ = false;
+    const ToolPlace* place = placeAt(down_);
+    lifted_ = place ? place->tool : 0;
+}
+
+void Magazine::mouseMoveEvent(QMouseEvent* event) {
+    if (!lifted_ || dragging_ || (event->position() - down_).manhattanLength() < px(14)) return;
+    dragging_ = true;
+    if (onLifted) onLifted(lifted_);
+    refresh();
+}
+
+void Magazine::mouseReleaseEvent(QMouseEvent* event) {
+    const std::int32_t tool = std::exchange(lifted_, 0);
+    if (std::exchange(dragging_, false)) {
+        if (onDropped) onDropped(tool, event->globalPosition().toPoint());
+        return;
+    }
+    const ToolPlace* place = placeAt(event->position());
+    if (!place) return;
+    const ToolPlace* before = chosen();
+    const bool again = focused && before == place;
+    choose(place->pot);
+    if (carried || again)
+        if (onActivated) onActivated();
+}
+
+}  // namespace polyturn::hmi

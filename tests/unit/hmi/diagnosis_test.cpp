@@ -1,0 +1,142 @@
+// Diagnosis: the scope's trigger and export, the roundness of a circle, and both against a real controller.
+#include <QFile>
+#include <cmath>
+
+#include "hmi/screens/diagnosis.hpp"
+#include "tests/unit/hmi/tasks.hpp"
+
+namespace polyturn::hmi {
+namespace {
+
+std::vector<ScopeSample> ramp(std::int64_t from, int count) {   // trace 0 counts the ticks
+    std::vector<ScopeSample> out(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) out[static_cast<std::size_t>(i)].tick = from + i, out[static_cast<std::size_t>(i)].value[0] = static_cast<double>(from + i);
+    return out;
+}
+
+TEST(Diagnosis, TheTriggerStopsTheRecordFourFifthsOfTheWindowBehindIt) {
+    ScopeRecord record;
+    record.trigger = {0, 500.0, true};
+    record.arm();
+    record.add(ramp(0, 400), 1000);
+    EXPECT_EQ(record.mode(), ScopeRecord::Mode::Armed);
+    record.add(ramp(400, 200), 1000);
+    EXPECT_EQ(record.mode(), ScopeRecord::Mode::Triggered);
+    EXPECT_EQ(record.triggeredAt(), 500);
+    record.add(ramp(600, 2000), 1000);
+    EXPECT_EQ(record.mode(), ScopeRecord::Mode::Stopped);
+    EXPECT_EQ(record.samples().back().tick, 1300);
+    record.trigger.rising = false;               // a signal that only rises never triggers
+    record.arm();
+    record.add(ramp(0, 5000), 1000);
+    EXPECT_EQ(record.mode(), ScopeRecord::Mode::Armed);
+}
+
+TEST(Diagnosis, TheRecordIsAMinuteAtMostAndWrittenAsATable) {
+    ScopeRecord record;
+    for (int i = 0; i < 7; ++i) record.add(ramp(i * 10'000, 10'000), 1000);
+    EXPECT_EQ(record.samples().size(), ScopeRecord::kMost);
+    record.clear();
+    record.add(ramp(7, 2), 1000);
+    EXPECT_EQ(record.csv({"A1", "", "", "", "", "", "", ""}, 0.001), "t,A1\n0,7\n0.001,8\n");
+}
+
+std::deque<ScopeSample> circle(double turns, double radius, double (*deviation)(double angle), bool with_way) {
+    std::deque<ScopeSample> out;
+    const auto add = [&](double x, double z, double off_x, double off_z) {
+        ScopeSample s{};
+        s.tick = static_cast<std::int64_t>(out.size());
+        s.value[0] = x, s.value[1] = z, s.value[2] = x + off_x, s.value[3] = z + off_z;
+        out.push_back(s);
+    };
+    for (int i = 0; i < 100; ++i) add(30, -20, 0, 0);                                            // stands
+    if (with_way) for (int i = 0; i < 200; ++i) add(30 + radius * i / 200.0, -20 + 5 - i * 5 / 200.0, 0, 0);   // to the start of the circle
+    const int count = static_cast<int>(turns * 4000);
+    for (int i = 0; i <= count; ++i) {
+        const double a = i * 2 * 3.141592653589793 / 4000, d = deviation(a);
+        add(30 + radius * std::cos(a), -20 + radius * std::sin(a), d * std::cos(a), d * std::sin(a));
+    }
+    return out;
+}
+
+TEST(Diagnosis, RoundnessIsTheSpreadOfTheMeasuredRadius) {
+    const auto round = roundnessOf(circle(1, 12, [](double a) { return 0.003 * std::cos(2 * a); }, false));
+    ASSERT_TRUE(round);
+    EXPECT_NEAR(round->radius, 12, 1e-6);
+    EXPECT_NEAR(round->x, 30, 1e-6);
+    EXPECT_NEAR(round->error(), 0.006, 1e-5);
+    const auto with_way = roundnessOf(circle(1, 12, [](double) { return -0.001; }, true));
+    ASSERT_TRUE(with_way);
+    EXPECT_NEAR(with_way->most, -0.001, 2e-4) << "the way to the circle is no part of it";
+    EXPECT_FALSE(roundnessOf(circle(0.4, 12, [](double) { return 0.0; }, false))) << "less than three quarters of a turn";
+    EXPECT_FALSE(roundnessOf({}));
+}
+
+class DiagnosisTasks : public Tasks {};
+
+TEST_F(DiagnosisTasks, TheScopeRecordsTheRunningMachineAtItsTicks) {
+    startJob();
+    Operator hand(*window);
+    hand.screen("diagnosis");
+    hand.soft("Scope");
+    ScopePage& scope = screenOf<Diagnosis>().scope();
+    hand.key(Qt::Key_Return);                    // trace 1
+    ASSERT_TRUE(scope.choosing());
+    hand.type("A2 Z comm"), hand.key(Qt::Key_Return);
+    ASSERT_TRUE(waitFor([&] { return scope.record().samples().size() > 300; }, 20));
+    const auto& samples = scope.record().samples();
+    for (std::size_t i = 1; i < samples.size(); ++i) ASSERT_EQ(samples[i].tick, samples[i - 1].tick + 1);
+    EXPECT_TRUE(waitFor([&] { return samples.back().value[0] != samples.front().value[0]; }, 20)) << "the axis moves in this job";
+    window->desk().folder = g_controller->folder.path();
+    hand.soft("Export");
+    QFile file(scope.exported());
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly)) << scope.exported().toStdString();
+    EXPECT_EQ(file.readLine(), "t,A2 Z commanded\n");
+    noWordIsShortened(*window);
+}
+
+TEST_F(DiagnosisTasks, TheCircleThatWasDrivenIsJudged) {
+    Operator hand(*window);
+    hand.screen("diagnosis");
+    hand.soft("Circularity");
+    hand.soft("Axes of L1");
+    ScopePage& scope = screenOf<Diagnosis>().scope();
+    QTest::qWait(500);
+    ASSERT_TRUE(g_controller->press("reference all"));
+    ASSERT_TRUE(waitFor([&] { return static_cast<MachineStep>(live().status().step) == MachineStep::Ready; }, 60));
+    QFile file(g_controller->folder.filePath("circle.nc"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("O0003\nN10 G98 G0 U-20. W-20.\nN20 G1 U-.2 F600.\nN30 G2 U0 W-20. R10.\nN35 G2 U0 W20. R10.\nN40 M30\n");
+    file.close();
+    ASSERT_TRUE(g_controller->press("select L1=" + file.fileName()) && g_controller->press("cycle_start L1"));
+    EXPECT_TRUE(waitFor([&] { return scope.roundness().has_value(); }, 60));
+    ASSERT_TRUE(scope.roundness());
+    EXPECT_NEAR(scope.roundness()->radius, 10, 0.01);
+    EXPECT_LT(scope.roundness()->error(), 0.5);
+}
+
+TEST_F(DiagnosisTasks, VariablesOfAChannelAreThoseThatItsProgramHasWritten) {
+    QFile file(g_controller->folder.filePath("variables.nc"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("O0004\nN10 #101=12.5\nN20 #505=-3\nN30 G4 X2.\nN40 M30\n");
+    file.close();
+    ASSERT_TRUE(g_controller->press("select L1=" + file.fileName()) && g_controller->press("cycle_start L1"));
+    Operator hand(*window);
+    hand.screen("diagnosis");
+    hand.soft("Variables");
+    hand.key(Qt::Key_1, Qt::ControlModifier);
+    Table& table = screenOf<Diagnosis>().table();
+    const auto value = [&](const QString& name) {
+        for (int row = 0; row < table.rows(); ++row)
+            if (table.cell(row, 0).text == name) return table.cell(row, 1).text;
+        return QString();
+    };
+    EXPECT_TRUE(waitFor([&] { return value("#101") == "12.5" && value("#505") == "-3"; }, 20)) << value("#101").toStdString() << " " << value("#505").toStdString();
+    hand.soft("Timers, counters");
+    EXPECT_GT(table.rows(), 10);
+    hand.soft("Couplings"), hand.soft("Processes");
+    noWordIsShortened(*window);
+}
+
+}  // namespace
+}  // namespace polyturn::hmi

@@ -1,0 +1,160 @@
+// The screen of tools against a real store: loaded, moved and unloaded by touch, by dragging and by keys; what it shows is what the store has.
+#include "hmi/screens/overview.hpp"
+#include "hmi/screens/tools.hpp"
+#include "tests/unit/hmi/tasks.hpp"
+
+namespace polyturn::hmi {
+namespace {
+
+class ToolTasks : public Tasks {
+protected:
+    void SetUp() override {
+        Tasks::SetUp();
+        for (int tool = 1; tool <= 3; ++tool) g_controller->run({"tools", "unload", QString::number(tool), "--instance", g_controller->name});
+        for (int tool = 1; tool <= 3; ++tool) g_controller->run({"tools", "delete", QString::number(tool), "--instance", g_controller->name});
+        add({"1", "name=ROUGH_80", "type=1", "h=1", "kind=500", "life_kind=pieces", "life=10", "warning=2"});
+        add({"2", "name=FINISH_35", "type=3", "h=3", "kind=510"});
+        add({"3", "name=GROOVE_3", "type=5", "h=5", "kind=520", "life_kind=minutes", "life=45", "counter=44", "warning=5"});
+        ASSERT_TRUE(g_controller->run({"tools", "load", "1", "1", "1", "--instance", g_controller->name}));
+        ASSERT_TRUE(waitFor([&] { return row(3).used && row(1).magazine == 1; }));
+    }
+    void add(QStringList words) { ASSERT_TRUE(g_controller->run(QStringList{"tools", "add"} << words << "--instance" << g_controller->name)) << words.join(' ').toStdString(); }
+    const ToolRow& row(int tool) const { return live().tools().rows[static_cast<std::size_t>(tool - 1)]; }
+};
+
+TEST_F(ToolTasks, ATurretShowsItsStationsAndWhatStandsThere) {
+    Operator hand(*window);
+    hand.screen("tools");
+    Tools& tools = screenOf<Tools>();
+    EXPECT_EQ(tools.picture().shown(), 1);
+    ASSERT_NE(tools.picture().chosen(), nullptr);
+    EXPECT_EQ(tools.picture().chosen()->kind, static_cast<std::uint32_t>(PlaceKind::Turret));
+    for (int station = 1; station <= 12; ++station) EXPECT_FALSE(tools.picture().boxOf(tools.picture().placeHit(station)).isEmpty()) << station;
+    EXPECT_EQ(tools.list().rows(), 3);
+    EXPECT_EQ(toolWords(row(3)).sign, Sign::Good);
+    EXPECT_NEAR(lifeLeft(row(3)), 1.0 / 45, 1e-9);
+    EXPECT_LT(lifeLeft(row(2)), 0) << "its life is not watched";
+    noWordIsShortened(*window);
+}
+
+TEST_F(ToolTasks, AToolIsLoadedByKeysAlone) {
+    Operator hand(*window);
+    hand.screen("tools");
+    Tools& tools = screenOf<Tools>();
+    hand.key(Qt::Key_Tab);                       // to the list
+    hand.key(Qt::Key_Down);                      // FINISH_35
+    EXPECT_EQ(tools.tool(), 2);
+    hand.soft("Load");
+    hand.key(Qt::Key_Right), hand.key(Qt::Key_Right);   // from station 1 to 3
+    hand.key(Qt::Key_Return);
+    EXPECT_TRUE(waitFor([&] { return row(2).magazine == 1 && row(2).pot == 3; }, 10)) << row(2).magazine << "/" << row(2).pot;
+    hand.soft("Unload");
+    EXPECT_TRUE(waitFor([&] { return row(2).magazine == 0; }, 10));
+}
+
+TEST_F(ToolTasks, AToolIsDraggedFromTheListFromPlaceToPlaceAndBack) {
+    Operator hand(*window);
+    hand.screen("tools");
+    Tools& tools = screenOf<Tools>();
+    const auto drag = [](QWidget* from, const QPoint& start, QWidget* to, const QPoint& end) {
+        QTest::mousePress(from, Qt::LeftButton, {}, start);
+        const QPoint there = from->mapFromGlobal(to->mapToGlobal(end));
+        for (int step = 1; step <= 8; ++step) QTest::mouseMove(from, start + (there - start) * step / 8), QTest::qWait(5);
+        QTest::mouseRelease(from, Qt::LeftButton, {}, there);
+    };
+    const auto station = [&](int number) { return tools.picture().boxOf(tools.picture().placeHit(number)).center().toPoint(); };
+    const QPoint line = tools.list().cellBox(tools.rowOf(3), 1).center().toPoint();
+    drag(&tools.list(), line, &tools.picture(), station(7));
+    ASSERT_TRUE(waitFor([&] { return row(3).magazine == 1 && row(3).pot == 7; }, 10)) << row(3).magazine << "/" << row(3).pot;
+    drag(&tools.picture(), station(7), &tools.picture(), station(9));
+    ASSERT_TRUE(waitFor([&] { return row(3).pot == 9; }, 10)) << row(3).pot;
+    drag(&tools.picture(), station(9), &tools.picture(), station(1));   // taken: the store refuses, it stays
+    QTest::qWait(400);
+    EXPECT_EQ(row(3).pot, 9);
+    drag(&tools.picture(), station(9), &tools.list(), tools.list().rect().center());
+    EXPECT_TRUE(waitFor([&] { return row(3).magazine == 0; }, 10));
+}
+
+TEST_F(ToolTasks, TheListIsFilteredByWhatIsTypedAndByState) {
+    Operator hand(*window);
+    hand.screen("tools");
+    Tools& tools = screenOf<Tools>();
+    hand.type("groo");
+    EXPECT_EQ(tools.list().rows(), 1);
+    EXPECT_EQ(tools.rowOf(3), 0);
+    hand.key(Qt::Key_Escape);
+    EXPECT_EQ(tools.list().rows(), 3);
+    hand.soft("Filter");                         // in this magazine
+    EXPECT_EQ(tools.list().rows(), 1);
+    hand.soft("Filter"), hand.soft("Filter");    // not loaded, to be replaced
+    EXPECT_EQ(tools.list().rows(), 0);
+    ASSERT_TRUE(g_controller->run({"tools", "set", "2", "worn=1", "--instance", g_controller->name}));
+    EXPECT_TRUE(waitFor([&] { return tools.list().rows() == 1; }, 10));
+}
+
+TEST_F(ToolTasks, DataAreEnteredAndWrongOnesRefused) {
+    Operator hand(*window);
+    hand.screen("tools");
+    Tools& tools = screenOf<Tools>();
+    hand.touchCell(tools.list(), tools.rowOf(2), 1);
+    hand.soft("Tool data");
+    ASSERT_EQ(tools.table().cell(4, 0).text, "Offset number");
+    hand.touchCell(tools.table(), 4, 1);
+    hand.type("23"), hand.key(Qt::Key_Return);
+    EXPECT_TRUE(waitFor([&] { return row(2).h_cell == 23; }, 10)) << row(2).h_cell;
+    hand.touchCell(tools.table(), 0, 1);
+    hand.type("FIN"), hand.key(Qt::Key_Return);
+    EXPECT_TRUE(waitFor([&] { return toolName(row(2), 2) == "FIN"; }, 10)) << toolName(row(2), 2).toStdString();
+    hand.touchCell(tools.table(), 4, 1);
+    hand.type("5000"), hand.key(Qt::Key_Return);   // cells go to 999
+    QTest::qWait(400);
+    EXPECT_EQ(row(2).h_cell, 23);
+    noWordIsShortened(*window);
+}
+
+TEST_F(ToolTasks, LifeTellsWhatStopsTheMachineFirst) {
+    ASSERT_TRUE(g_controller->run({"tools", "load", "3", "1", "5", "--instance", g_controller->name}));
+    Operator hand(*window);
+    hand.screen("tools");
+    Tools& tools = screenOf<Tools>();
+    hand.soft("Life");
+    ASSERT_TRUE(waitFor([&] { return tools.table().rows() == 3; }, 10));
+    hand.soft("Pallets");
+    hand.soft("Presetter");
+    noWordIsShortened(*window);
+}
+
+// The life of a tool ends while the job runs: from the message to the restart.
+TEST_F(ToolTasks, ReplaceAWornInsertFromMessageToRestartInTwelveActions) {
+    const auto parameter = [&](const char* line) { ASSERT_TRUE(g_controller->run({"params", "set", line, "--instance", g_controller->name})) << line; };
+    parameter("N2900=00000001"), parameter("PT_LIFE_END L1=1");
+    for (const char* job : {"tool_a.nc", "tool_b.nc"}) {
+        QFile file(g_controller->folder.filePath(job));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(QString(job) == "tool_a.nc" ? "O0001\nN10 T0100\nN20 G98 G0 X80. Z20.\nN30 M500 P12\nN40 G1 Z15. F600.\nN50 M30\n" : "O0002\nN10 M500 P12\nN20 G98 G1 Z18. F600.\nN30 M30\n");
+    }
+    ASSERT_TRUE(g_controller->run({"tools", "set", "1", "life=1", "counter=0", "warning=0", "--instance", g_controller->name}));
+    ASSERT_TRUE(g_controller->press("select L1=" + g_controller->folder.filePath("tool_a.nc")) && g_controller->press("select L2=" + g_controller->folder.filePath("tool_b.nc")));
+    ASSERT_TRUE(g_controller->press("cycle_start"));
+    ASSERT_TRUE(waitFor([&] { return (row(1).state & kToolWorn) != 0; }, 30)) << row(1).counter;
+    ASSERT_TRUE(waitFor([&] { return state(1) != ChannelState::Running && state(2) != ChannelState::Running; }, 30));
+    Operator hand(*window);                      // the message is there: from here on it is the operator's turn
+    hand.screen("alarms");
+    hand.screen("tools");
+    Tools& tools = screenOf<Tools>();
+    hand.touch(&tools.picture(), tools.picture().placeHit(1));
+    EXPECT_EQ(tools.tool(), 1);
+    hand.soft("New insert");
+    hand.soft("New insert");                     // asked once more
+    ASSERT_TRUE(waitFor([&] { return !(row(1).state & kToolWorn) && row(1).counter == 0; }, 10));
+    hand.screen("overview");
+    hand.soft("Reset all");
+    hand.soft("Start all");
+    hand.soft("Start all");                      // asked once more
+    EXPECT_LE(hand.actions, 12);
+    EXPECT_TRUE(waitFor([&] { return row(1).counter == 1; }, 30)) << "the next part is made with the new insert";
+    parameter("N2900=00000000");
+}
+
+}  // namespace
+}  // namespace polyturn::hmi
