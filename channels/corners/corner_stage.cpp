@@ -109,7 +109,8 @@ void CornerStage::join(Move b, const BlockContext& at) {
         fail(Alarm::FagorTangential);
         return;
     }
-    if (fit == Fit::TooLarge && !call.reduce) {
+    const bool cusp = fit == Fit::Smooth && call.letter != 0 && !both_rapid && compensation::dot(first.end_dir, second.start_dir) < 0;
+    if ((fit == Fit::TooLarge && !call.reduce) || cusp) {   // straight back where a word of this block asks for the element
         fail(Alarm::CornerTooLarge);
         return;
     }

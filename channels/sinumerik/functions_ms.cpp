@@ -63,6 +63,8 @@ bool Interpreter::spindle_words() {
                     if (core_.path.spindle.mode == SpindleModeCode::SurfaceSpeed && !metric_lengths()) value *= 0.3048;   // feet a minute
                     if (spindle && (modal_.wheel_speeds >> (spindle - 1) & 1u))   // GWPSON: m/s, feet a second
                         value *= (metric_lengths() ? 1.0 : 0.3048) * 60'000.0 / (2.0 * std::numbers::pi * modal_.wheel_radius_mm[spindle]);
+                    if (spindle && (modal_.wheel_speeds >> (spindle - 1) & 1u) && modal_.wheel_most_rpm[spindle] > 0)
+                        value = std::fmin(value, modal_.wheel_most_rpm[spindle]);
                     if (!core_.spindle_speed(value)) return false;
                 } else {
                     const auto m = static_cast<std::int64_t>(word.number());

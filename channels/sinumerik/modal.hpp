@@ -28,6 +28,11 @@ struct Trail {
     double factor = 1.0;
 };
 
+// COUPDEF: turns of the following spindle for turns of the leading one.
+struct SpindleRatio {
+    double turns = 1.0, master_turns = 1.0;
+};
+
 // Everything that holds from block to block beside positions, calls and variables: part of a resume state.
 struct Modal {
     std::optional<double> inclined_deg;       // TRAANG: the angle programmed last
@@ -59,7 +64,7 @@ struct Modal {
     std::uint32_t cutting_speeds = 0;    // bit n: its speed comes from SVC
     std::array<double, kMaxSpindles + 1> cutting_speed_m_min{};   // SVC
     std::uint32_t wheel_speeds = 0;      // bit n: GWPSON, its S is the speed of the wheel's rim
-    std::array<double, kMaxSpindles + 1> wheel_radius_mm{};
+    std::array<double, kMaxSpindles + 1> wheel_radius_mm{}, wheel_most_rpm{};   // most: of the wheel, 0 none
     AxisValues acceleration{};        // ACC, percent as written; 0: 100
     int sum_offset = 0;               // DL
     AxisSet per_revolution = 0;       // FPRAON: FA counts revolutions
@@ -67,6 +72,8 @@ struct Modal {
     AxisSet released = 0;             // RELEASE
     AxisValues stop_torque{}, stop_window{};   // FXST percent, FXSW mm or degrees; 0: the parameters'
     std::vector<Trail> trails;        // TRAILON
+    std::map<std::uint32_t, SpindleRatio> couplings;   // COUPDEF, by 100 * following + leading spindle
+    std::uint32_t coupled_spindles = 0;  // bit n: spindle n follows (COUPON)
     bool corner_feed_stale = false;   // FRCM belongs to another feed type
     std::map<std::uint16_t, SpindleState> spindles;   // of spindles that are not the master now
     std::optional<ModalCall> call;

@@ -51,17 +51,24 @@ bool Interpreter::refresh_cutting_speeds() {
 // that is not the active one (7.4). R is the edge's radius, or its length 1 where it has none.
 bool Interpreter::p_wheel_speed(Call& c) {
     const bool on = block_.procedures.front().first->name == "GWPSON";
-    const std::uint16_t n = modal_.master_spindle;
-    if (n == 0 || n > kMaxSpindles) return fail(Alarm::SpindleMissing);
+    const auto found = tools_.find(c.has(0) ? static_cast<std::int64_t>(c.value(0).number) : modal_.tool);
+    const double own = found == tools_.end() ? 0.0 : found->second.grinding[1];   // TPG1: the wheel's spindle
+    const auto n = static_cast<std::uint16_t>(own >= 1 && own <= kMaxSpindles ? own : modal_.master_spindle);
+    if (n == 0 || !core_.view().machine.spindle(n).exists()) return fail(Alarm::SpindleMissing);
     modal_.wheel_speeds &= ~(1u << (n - 1));
     if (!on) return true;
-    const auto found = tools_.find(c.has(0) ? static_cast<std::int64_t>(c.value(0).number) : modal_.tool);
     if (found == tools_.end() || found->second.edges.empty()) return fail(Alarm::ToolUnknown, c.has(0) ? to_text(c.value(0)) : "GWPSON");
     const bool active_one = found->first == modal_.tool && modal_.edge_data;
     const Edge& edge = active_one ? *modal_.edge_data : found->second.edges.begin()->second;
     if (edge.dp[1] < 400 || edge.dp[1] >= 500) return fail(Alarm::ValueOutOfRange, "GWPSON: $TC_DP1", edge.dp[1]);
-    const double radius = edge.dp[6] > 0 ? edge.dp[6] + edge.dp[15] : edge.dp[3] + edge.dp[12];
+    const std::array<double, 10>& wheel = found->second.grinding;
+    const int by = static_cast<int>(wheel[9]);   // TPG9: the length or radius that reaches the rim
+    const double radius = by >= 3 && by <= 5 ? edge.dp[static_cast<std::size_t>(by)] + edge.dp[static_cast<std::size_t>(by) + 9]
+                          : edge.dp[6] > 0   ? edge.dp[6] + edge.dp[15]
+                                             : edge.dp[3] + edge.dp[12];
     if (!(radius > 0)) return fail(Alarm::ToolUnknown, "GWPSON: R = 0");
+    const double rim = wheel[7] * 60'000.0 / (2.0 * std::numbers::pi * radius);   // TPG7: most at the rim, m/s; TPG6: most 1/min
+    modal_.wheel_most_rpm[n] = wheel[6] > 0 && rim > 0 ? std::fmin(wheel[6], rim) : std::fmax(wheel[6], rim);
     modal_.wheel_speeds |= 1u << (n - 1);
     modal_.wheel_radius_mm[n] = radius;
     return true;

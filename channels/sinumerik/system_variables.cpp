@@ -21,6 +21,11 @@ int parameter_of(std::string_view name, std::string_view prefix) {
     return number;
 }
 
+// $TC_TPG1 to $TC_TPG9: its number; 0 another name.
+int grinding_parameter(std::string_view name) {
+    return name.size() == 8 && name.starts_with("$TC_TPG") && name[7] >= '1' && name[7] <= '9' ? name[7] - '0' : 0;
+}
+
 }  // namespace
 
 // The name behind $ and its indices; the cursor stands at $.
@@ -45,7 +50,7 @@ bool Interpreter::is_system_variable(std::string_view name) const {
         "$AN_LANGUAGE_ON_HMI", "$P_ACTID", "$P_UIFR", "$P_UIFRNUM", "$P_NUM_SPINDLES"};
     for (const std::string_view known : kNames)
         if (known == name) return true;
-    return name.starts_with("$TC_DP") || name.starts_with("$TC_MOP") || name == "$TC_TP9" || name == "$TC_TP2" || name == "$TC_TP_MAX_VELO";
+    return name.starts_with("$TC_DP") || name.starts_with("$TC_MOP") || name == "$TC_TP9" || name == "$TC_TP2" || name == "$TC_TP_MAX_VELO" || grinding_parameter(name);
 }
 
 bool Interpreter::system_value(Value& value) {
@@ -170,6 +175,7 @@ bool Interpreter::tool_value(const std::string& name, const std::vector<Value>& 
     const auto found = tools_.find(tool_number);
     if (name == "$TC_TP2") return value = Value::of_text(found == tools_.end() ? std::string() : found->second.name), true;
     if (name == "$TC_TP_MAX_VELO") return value = Value::of_real(found == tools_.end() ? 0.0 : found->second.max_velocity), true;
+    if (const int n = grinding_parameter(name)) return value = Value::of_real(found == tools_.end() ? 0.0 : found->second.grinding[static_cast<std::size_t>(n)]), true;
     double* cell = nullptr;
     if (!edge_cell(name, indices, from, length, false, cell)) return false;
     const bool whole = name == "$TC_DP1" || name == "$TC_DP2";
@@ -221,7 +227,7 @@ bool Interpreter::parse_system_assignment() {
     Value value;
     if (!expression(value)) return false;
     const auto key = [&] { return name + "[" + to_text(Value::of_int(std::nearbyint(indices[0].number))) + "]"; };
-    if (name == "$TC_TP2" || name == "$TC_TP_MAX_VELO") {
+    if (name == "$TC_TP2" || name == "$TC_TP_MAX_VELO" || grinding_parameter(name)) {
         if (indices.size() != 1 || !indices[0].is_number()) return fail_at(Alarm::ArrayIndexMissing, from, length, name);
         const auto number = static_cast<std::int64_t>(indices[0].number);
         if (number < 1 || number > 32000) return fail_at(Alarm::ArrayIndexIllegal, from, length, name, indices[0].number);
@@ -232,6 +238,7 @@ bool Interpreter::parse_system_assignment() {
             else tools_.erase(number);
         });
         if (name == "$TC_TP2") tools_[number].name = value.text;
+        else if (const int n = grinding_parameter(name)) tools_[number].grinding[static_cast<std::size_t>(n)] = value.number;
         else tools_[number].max_velocity = value.number;
         return true;
     }

@@ -18,6 +18,7 @@ struct Tool {
     std::string name;                 // case counts
     std::int32_t duplo = 1;
     double max_velocity = 0.0;        // $TC_TP_MAX_VELO
+    std::array<double, 10> grinding{};   // $TC_TPG1 to $TC_TPG9, by their numbers (part 1, 6.5)
     std::map<int, Edge> edges;
 };
 

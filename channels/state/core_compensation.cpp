@@ -156,7 +156,7 @@ bool Core::end_compensated_block(bool counts, bool wants_barrier, bool program_e
 
 bool Core::compensation_failed() {
     if (staged_ && stage_->failed() && stage_->fault() != Alarm{}) {
-        fail(stage_->fault(), stage_->fault_letter());
+        fail(stage_->fault(), stage_->fault_letter(), stage_->fault() == Alarm::FagorTangential ? "G37, G38, G39" : "");
         fault_.block = stage_->fault_block();
         return false;
     }

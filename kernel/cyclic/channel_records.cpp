@@ -250,9 +250,12 @@ bool ChannelRunner::handshake(const PathRecord& r) noexcept {
         phase_ = Phase::Handshake;
         if (std::exchange(early_, kNoRecord) != cursor_) {
             strobe(r);
+            phase_since_ = core_.tick;
             return false;
         }
     }
+    // Nobody waits for its end, but the PLC has to see it while the spindle that it means is the selected one.
+    if ((r.flags & kBesidePath) && core_.tick <= phase_since_ + core_.config.plc_cycle_ticks) return false;
     if (!unfinished_ && core_.signals.plc(lines.finished(number_)) != strobe_) return false;
     if (managed) {
         if (!core_.tools.in_place(core_, index_)) return false;   // the store's ring is full

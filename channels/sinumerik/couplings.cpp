@@ -1,0 +1,102 @@
+// Synchronous spindles: COUPDEF COUPDEL COUPRES COUPON COUPONC COUPOF COUPOFS WAITC (sinumerik_part3 7.18). What turns by another's
+// turns is the kernel's (kernel/cyclic/spindle_couplings.hpp): its record holds the program until the follower runs synchronously,
+// so every block-change criterion is met behind COUPON.
+#include <cmath>
+
+#include "channels/sinumerik/interpreter.hpp"
+
+namespace polyturn::channels::sinumerik {
+namespace {
+
+namespace p = params;
+
+bool one_of(const std::string& text, std::initializer_list<std::string_view> names) {
+    for (const std::string_view name : names)
+        if (text == name) return true;
+    return text.empty();
+}
+
+}  // namespace
+
+// Following and leading spindle of a call; false: fault().
+bool Interpreter::spindle_pair(const Call& c, std::uint16_t& follows, std::uint16_t& leads) {
+    if (!feed_source(c.arguments[0], follows)) return false;
+    leads = 0;
+    if (c.has(1) && c.value(1).type != Type::String && !feed_source(c.arguments[1], leads)) return false;
+    return follows != leads || fail(Alarm::SpindleNumberIllegal, {}, leads);
+}
+
+// The ratio that the machine data give: PT_SYNC_TURNS to PT_SYNC_MASTER_TURNS where the leading spindle is the configured one.
+SpindleRatio Interpreter::configured_ratio(std::uint16_t follows, std::uint16_t leads) const {
+    const params::Table& table = const_cast<Interpreter*>(this)->core_.view().table();
+    if (p::get(table, p::pt_spindle_master, follows) != leads) return {};
+    return {static_cast<double>(p::get(table, p::pt_sync_turns, follows)), static_cast<double>(p::get(table, p::pt_sync_master_turns, follows))};
+}
+
+bool Interpreter::p_coupling(Call& c) {
+    const std::string_view name = block_.procedures.front().first->name;
+    std::uint16_t follows = 0, leads = 0;
+    if (!spindle_pair(c, follows, leads)) return false;
+    const std::uint32_t key = follows * 100u + leads;
+    auto& defined = modal_.couplings;
+    const bool coupled = modal_.coupled_spindles >> (follows - 1) & 1u;
+    if (name == "WAITC") return coupled || fail(Alarm::SpindleCoupleRefused, "S" + std::to_string(follows));
+    if (leads == 0) return fail(Alarm::ArgumentMissing, std::string(name), 2);
+    if (name == "COUPDEF") {
+        const double turns = c.has(2) ? c.number(2) : 1.0, master_turns = c.has(3) ? c.number(3) : 1.0;
+        if (turns == 0 || master_turns == 0) return fail(Alarm::ValueOutOfRange, "COUPDEF", turns == 0 ? turns : master_turns);
+        if (c.has(4) && !one_of(c.value(4).text, {"NOC", "FINE", "COARSE", "IPOSTOP"})) return fail(Alarm::FunctionArgument, c.value(4).text);
+        if (c.has(5) && !one_of(c.value(5).text, {"DV", "AV"})) return fail(Alarm::NotBuilt, "COUPDEF " + c.value(5).text);
+        if (coupled) return fail(Alarm::CodesContradict, "COUPDEF, COUPON");
+        defined[key] = {turns, master_turns};
+        return true;
+    }
+    if (name == "COUPDEL" || name == "COUPRES") {
+        if (coupled) return fail(Alarm::CodesContradict, std::string(name) + ", COUPON");
+        if (name == "COUPDEL") defined.erase(key);
+        else defined[key] = configured_ratio(follows, leads);
+        return true;
+    }
+    Spindle told;
+    told.spindle = leads;
+    told.follower = static_cast<std::uint8_t>(kMaxAxes + follows - 1);
+    if (name.starts_with("COUPON")) {
+        const auto kept = defined.find(key);
+        const SpindleRatio ratio = kept != defined.end() ? kept->second : configured_ratio(follows, leads);
+        if (name == "COUPONC") {   // its own speed would lie over the coupling
+            const auto other = modal_.spindles.find(follows);
+            const SpindleState* const now = core_.path.spindle.spindle == follows ? &core_.path.spindle : other != modal_.spindles.end() ? &other->second : nullptr;
+            if (now && now->turn != SpindleTurn::Stop && now->rpm != 0) return fail(Alarm::NotBuilt, "COUPONC: M3, M4");
+        }
+        told.mode = SpindleModeCode::Couple;
+        told.turns = ratio.turns, told.master_turns = ratio.master_turns;
+        if (c.has(2)) told.phase_deg = c.number(2);
+        modal_.coupled_spindles |= 1u << (follows - 1);
+    } else {
+        if (c.has(2)) return fail(Alarm::NotBuilt, std::string(name) + ": POSFS");   // crossing angles before it lets go
+        told.mode = SpindleModeCode::Uncouple;
+        modal_.coupled_spindles &= ~(1u << (follows - 1));
+    }
+    stop_reading();
+    if (!core_.couple_spindle(told)) return false;
+    if (name != "COUPOFS") return true;   // COUPOF: it turns on as fast as it was
+    return with_spindle(follows, [&] { return core_.spindle_turn(SpindleTurn::Stop) && core_.commit_spindle(); });
+}
+
+// POSRANGE(axis, reference, width, system): does the set position lie in the interval about the reference? 0 MCS, 1 BCS, 2 SZS, 3 WCS.
+bool Interpreter::f_posrange(Call& c) {
+    std::size_t place = 0;
+    if (!axis_argument(c, 0, "POSRANGE", place)) return false;
+    const double system = c.has(3) ? c.number(3) : 0.0;
+    if (system != std::floor(system) || system < 0 || system > 3) return fail(Alarm::FunctionArgument, "POSRANGE", system);
+    if (!need_fresh()) return false;
+    double now = core_.machine_now(static_cast<unsigned>(place));
+    if (system == 2) now = programmable(core_.path.programmed)[place];
+    else if (system == 3) now = core_.path.programmed[place];
+    if (system >= 2) now *= counts_diameter(static_cast<unsigned>(place), false) ? 2.0 : 1.0;
+    const double factor = core_.view().axes[place].rotary ? 1.0 : unit();
+    c.result = Value::of_bool(std::fabs(now - c.number(1) * factor) <= std::fabs(c.number(2) * factor) / 2 + 1e-9);
+    return true;
+}
+
+}  // namespace polyturn::channels::sinumerik
