@@ -204,7 +204,7 @@ void MainWindow::composeTop(Writer& w) {
         w.hit(box, hit);
         right = box.left() - px(6);
     };
-    button(kHitHelp, word("Help"), Sign::Help, 96);
+    button(kHitHelp, word("Help"), Sign::Help, 116);
     button(kHitLock, word("Lock"), Sign::Lock, 104);
     button(kHitTheme, dark_ ? word("Light") : word("Dark"), dark_ ? Sign::Sun : Sign::Moon, 100);
     button(kHitTongue, nameOf(spoken()), Sign::Tongue, 104);

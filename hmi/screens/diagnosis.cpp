@@ -78,14 +78,15 @@ void Diagnosis::composeHead(Writer& w) {
     double right = head_->width() - px(8);
     if (page_ == Page::Variables || (page_ == Page::Scope && scope_->circle())) {
         const auto& all = desk_.live.channels();
-        for (auto channel = all.rbegin(); channel != all.rend() && right > head_->width() * 0.7; ++channel) {
+        for (auto channel = all.rbegin(); channel != all.rend(); ++channel) {
             const bool here = *channel == desk_.channel;
-            const QRectF box(right - px(58), px(7), px(54), head_->height() - px(12));
+            const double step = std::min<double>(px(60), head_->width() * 0.6 / static_cast<double>(all.size()));
+            const QRectF box(right - step + px(2), px(7), step - px(6), head_->height() - px(12));
             w.fill(box, here ? t.mark : t.card, px(6));
             w.frame(box, here ? t.accent : t.edge, px(6), here ? px(2) : 1);
             w.text(box, QString("L%1").arg(*channel), lettering(16, here), t.text, Qt::AlignCenter);
             w.hit(box, static_cast<int>(*channel));
-            right -= px(60);
+            right -= step;
         }
     }
     if (page_ == Page::Signals || page_ == Page::Variables)

@@ -49,7 +49,7 @@ HandPage::HandPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), 
         return tool ? Table::Cell{{}, toolWords(*tool).colour, toolWords(*tool).sign} : Table::Cell{};
     };
     tools_->onChosen = [this] { focus_ = 1; if (desk_.keysChanged) desk_.keysChanged(); };
-    steps_->columns = {{"", 0.4, kRight}, {word("Part transfer, step by step"), 4}, {"", 0.8}};
+    steps_->columns = {{"", 0.6, kRight}, {word("Part transfer, step by step"), 4}, {"", 0.8}};
     steps_->rowUnits = 34;
     steps_->textUnits = 14.5;
     steps_->rows = [] { return static_cast<int>(list().size()); };

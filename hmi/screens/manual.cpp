@@ -135,15 +135,17 @@ void Manual::composeAxes(Writer& w) {
     const ChannelConfig& config = live.config().channel(desk_.channel);
     // channels
     double x = 0;
+    const double strip = wide - px(270), step = std::min<double>(px(102), strip / static_cast<double>(std::max<std::size_t>(1, live.channels().size())));   // sixteen fit, too
+    const bool narrow = step < px(84);
     for (const unsigned channel : live.channels()) {
         const bool here = channel == desk_.channel;
-        const QRectF box(x, 0, px(96), px(42));
+        const QRectF box(x, 0, step - px(narrow ? 3 : 6), px(42));
         w.fill(box, here ? t.mark : t.card, px(6));
         w.frame(box, here ? t.accent : t.edge, px(6), here ? px(2) : 1);
-        w.sign(QRectF(box.left() + px(10), px(12), px(18), px(18)), stateWords(live.channel(channel)).sign, stateWords(live.channel(channel)).colour);
-        w.text(box.adjusted(px(34), 0, -px(4), 0), QString("L%1").arg(channel), lettering(18, here), t.text);
+        if (!narrow) w.sign(QRectF(box.left() + px(10), px(12), px(18), px(18)), stateWords(live.channel(channel)).sign, stateWords(live.channel(channel)).colour);
+        w.text(narrow ? box : box.adjusted(px(34), 0, -px(4), 0), step < px(40) ? QString::number(channel) : QString("L%1").arg(channel), lettering(narrow ? 15 : 18, here), narrow ? stateWords(live.channel(channel)).colour : t.text, narrow ? Qt::AlignCenter : Qt::AlignLeft | Qt::AlignVCenter);
         w.hit(box, kChannelHits + static_cast<int>(channel));
-        x += px(102);
+        x += step;
     }
     const ChannelStatus& status = live.channel(desk_.channel);
     const StateWords state = stateWords(status);

@@ -157,10 +157,10 @@ void PresetterPage::calibrate() {
 void PresetterPage::resizeEvent(QResizeEvent*) {
     const int edge = px(8), left = px(270), right = px(340), pad = px(350);
     files_->setGeometry(edge, 0, left, height() - edge);
-    room_ = QRect(left + 2 * edge, 0, width() - left - right - 4 * edge, height() - edge);
-    const int values = px(30) + 4 * px(34) + px(2);
-    result_->setGeometry(width() - right - edge, 0, right, height() - pad - values - 3 * edge);
-    values_->setGeometry(width() - right - edge, height() - pad - values - 2 * edge, right, values);
+    const int middle = width() - left - right - 4 * edge, result = px(206);
+    room_ = QRect(left + 2 * edge, 0, middle, height() - result - 2 * edge);
+    result_->setGeometry(left + 2 * edge, height() - result - edge, middle, result);
+    values_->setGeometry(width() - right - edge, 0, right, height() - pad - 2 * edge);
     pad_->setGeometry(width() - right - edge, height() - pad - edge, right, pad);
 }
 

@@ -2,9 +2,11 @@
 
 #include <QDateTime>
 #include <QDir>
+#include <QProcess>
 #include <algorithm>
 
 #include "hmi/machine/channel_words.hpp"
+#include "hmi/machine/setup_sheet.hpp"
 #include "ipc/text/job.hpp"
 
 namespace polyturn::hmi {
@@ -105,6 +107,15 @@ void Programs::select() {
     desk_.requests.press(job ? "select " + path : QString("select L%1=%2").arg(desk_.channel).arg(path), [this, name, job](const Answer& answer) {
         if (answer.ok) desk_.tell(job ? word("%1 is selected in its channels").arg(name) : word("%1 is selected in L%2").arg(name).arg(desk_.channel), Told::Good);
     });
+}
+
+// As a file beside the job, and to the printer where the computer has one.
+void Programs::print() {
+    if (!job_) return;
+    const QString file = chosenPath().chopped(9) + "-setup.pdf";
+    if (!printSheet(desk_.live, *job_, file)) return desk_.tell(word("Cannot be written: %1").arg(file), Told::Refused);
+    const bool printer = QProcess::startDetached("lp", {file});
+    desk_.tell(printer ? word("Printed: %1").arg(QFileInfo(file).fileName()) : word("Saved: %1").arg(QFileInfo(file).fileName()), Told::Good);
 }
 
 // In the language of the channel that runs it, or of the job beside it that names it; else of the channel that keys speak to.
@@ -225,10 +236,14 @@ void Programs::composePreview(Writer& w) {
     if (!job_->tools.empty()) {
         y += px(8);
         headline(word("Tools that it needs"));
-        for (const text::JobTool& tool : job_->tools) {
+        for (const SheetTool& tool : compareTools(desk_.live, *job_)) {   // wanted against mounted
             if (y + px(26) > high) break;
+            const bool same = tool.match == SheetTool::Match::Same, unknown = tool.match == SheetTool::Match::Unknown;
+            const bool usable = same && tool.state.sign != Sign::Alarm && tool.state.sign != Sign::Lock && tool.state.sign != Sign::Stop;
             w.text(QRectF(px(16), y, px(120), px(24)), QString("L%1   T%2").arg(tool.channel).arg(tool.station), lettering(15, true), t.text);
-            w.data(QRectF(px(140), y, wide - px(160), px(24)), QString::fromStdString(tool.name), lettering(15), t.text);
+            w.data(QRectF(px(140), y, wide * 0.34, px(24)), tool.wanted, lettering(15), t.text);
+            w.sign(QRectF(wide * 0.34 + px(150), y + px(3), px(18), px(18)), unknown ? Sign::None : usable ? Sign::Good : same ? tool.state.sign : Sign::Warning, usable ? t.good : same ? t.bad : t.warn);
+            w.data(QRectF(wide * 0.34 + px(176), y, wide * 0.66 - px(190), px(24)), same && !usable ? tool.state.text : matchText(tool), lettering(14.5), usable || unknown ? t.dim : t.text);
             y += px(26);
         }
     }
@@ -276,7 +291,8 @@ std::vector<SoftKey> Programs::keys() {
         {word("Start all"), [this] { desk_.requests.press("cycle_start"), desk_.show(0); }, Sign::Run, there},
     };
     if (page_ == Page::Restart) restart_->addKeys(keys);
-    if (page_ == Page::Files) keys.push_back({word("Edit"), [this] { edit(); }, Sign::Programs, file && !job});
+    if (page_ == Page::Files && job_) keys.push_back({word("Print setup sheet"), [this] { print(); }, Sign::Programs, true});
+    else if (page_ == Page::Files) keys.push_back({word("Edit"), [this] { edit(); }, Sign::Programs, file && !job});
     if (page_ == Page::Edit) {
         keys.resize(4);
         editor_->addKeys(keys);

@@ -46,6 +46,7 @@ private:
     void open();
     void select();
     void edit();
+    void print();
     void preview();
     void composePreview(Writer& w);
     void composeTogether(Writer& w);

@@ -185,8 +185,9 @@ void ScopePage::follow() {
     ScopeChoice now{};
     if (desk_.live.scopeChoice(now) && (now.kind != choice_.kind || now.object != choice_.object)) choice_ = now, next_ = std::max(next_, now.first);
     static thread_local std::vector<ScopeSample> fresh;
-    if (next_ == 0) next_ = choice_.first;
-    if (!desk_.live.scopeSamples(next_, fresh)) missed_ = true;
+    const bool first = next_ == 0;                 // what was before this look is not missed
+    if (first) next_ = choice_.first;
+    if (!desk_.live.scopeSamples(next_, fresh) && !first) missed_ = true;
     if (fresh.empty()) return;
     record_.add(fresh, windowTicks());
     const qint64 time = QDateTime::currentMSecsSinceEpoch();
@@ -267,7 +268,7 @@ void ScopePage::paintTraces(QPainter& p) {
         if (!choice_.kind[trace]) continue;
         double low = 1e300, high = -1e300;
         for (std::size_t i = first; i < samples.size(); ++i) low = std::min(low, samples[i].value[trace]), high = std::max(high, samples[i].value[trace]);
-        const double span = high - low > 1e-12 ? high - low : 1.0, middle = (low + high) / 2;
+        const double middle = (low + high) / 2, span = std::max({high - low, std::abs(middle) * 1e-3, 1e-6});   // what hardly changes is a straight line
         const auto at = [&](double tick, double value) { return QPointF(box.right() - (end - tick) / window * box.width(), box.center().y() - (value - middle) / span * box.height() * 0.9); };
         // At most one line from least to greatest for each column of pixels: no spike is lost.
         QPolygonF line;

@@ -22,7 +22,7 @@ void ToolList::mousePressEvent(QMouseEvent* event) {
 
 void ToolList::mouseMoveEvent(QMouseEvent* event) {
     const QPointF way = event->position() - from_;
-    if (lifted_ && !out_ && way.x() < -px(24) && std::abs(way.x()) > 1.5 * std::abs(way.y())) {
+    if (lifted_ && !out_ && way.x() < -px(24) && std::abs(way.x()) > 0.6 * std::abs(way.y())) {
         out_ = true;
         if (onLifted) onLifted(lifted_);
     }
@@ -41,8 +41,11 @@ void ToolList::mouseReleaseEvent(QMouseEvent* event) {
 
 Tools::Tools(Desk& desk)
     : Screen(desk), head_(new FreeSheet(this)), detail_(new FreeSheet(this)), side_(new FreeSheet(this)), picture_(new Magazine(desk.live, this)), list_(new ToolList(this)), table_(new Table(this)),
-      pad_(new NumberPad(this)), presetter_(new PresetterPage(desk, this)) {
+      pad_(new NumberPad(this)), letters_(new TextPad(this)), presetter_(new PresetterPage(desk, this)) {
     setFocusPolicy(Qt::StrongFocus);
+    letters_->onText = [this](const QString& text) { if (typed_.size() < 31) typed_ += text, refresh(); };
+    letters_->onBackspace = [this] { typed_.chop(1), refresh(); };
+    letters_->onEnter = [this] { fieldActivated(), refresh(); };
     picture_->focused = true;
     head_->onCompose = [this](Writer& w) { composeHead(w); };
     head_->onTouched = [this](int number) {
@@ -102,6 +105,7 @@ Tools::Tools(Desk& desk)
     list_->onDropped = [this](std::int32_t tool, const QPoint& at) { dropped(tool, at); };
     table_->onChosen = [this] {
         typed_.clear(), pad_->clear();
+        if (page_ == Page::Data && letters_->isVisible() != textField()) layOut();
         if (page_ == Page::Life && table_->row() < static_cast<int>(life_.size()) && life_[static_cast<std::size_t>(table_->row())].tool) tool_ = life_[static_cast<std::size_t>(table_->row())].tool;
         if (desk_.keysChanged) desk_.keysChanged();
     };
@@ -125,7 +129,9 @@ void Tools::restore(const QString& state) {
 std::vector<Sheet*> Tools::sheets() {
     switch (page_) {
         case Page::Magazine: return {head_, picture_, list_, detail_};
-        case Page::Data: return {head_, table_, side_, pad_};
+        case Page::Data:
+            if (letters_->isVisible()) return {head_, table_, side_, pad_, letters_};
+            return {head_, table_, side_, pad_};
         case Page::Pallets: return {head_, table_, side_, pad_};
         case Page::Life: return {head_, table_, detail_};
         case Page::Presetter: break;
@@ -167,7 +173,10 @@ void Tools::layOut() {
     picture_->setGeometry(edge, top, width() - right - 3 * edge, height() - top - edge);
     list_->setGeometry(width() - right - edge, top, right, height() - top - foot - 2 * edge);
     const bool side = page_ == Page::Data || page_ == Page::Pallets;
-    table_->setGeometry(edge, top, width() - 2 * edge - (side ? right + edge : 0), height() - top - edge - (page_ == Page::Life ? px(80) : 0));
+    const bool letters = page_ == Page::Data && textField();
+    letters_->setVisible(letters);
+    letters_->setGeometry(edge, height() - px(280) - edge, width() - right - 3 * edge, px(280));
+    table_->setGeometry(edge, top, width() - 2 * edge - (side ? right + edge : 0), height() - top - edge - (page_ == Page::Life ? px(80) : letters ? px(288) : 0));
     if (page_ == Page::Life) detail_->setGeometry(edge, height() - px(76), width() - 2 * edge, px(68));
     else detail_->setGeometry(width() - right - edge, height() - foot - edge, right, foot);
     side_->setGeometry(width() - right - edge, top, right, height() - top - pad - 2 * edge);

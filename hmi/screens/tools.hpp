@@ -6,6 +6,7 @@
 #include "hmi/widgets/magazine.hpp"
 #include "hmi/widgets/number_pad.hpp"
 #include "hmi/widgets/table.hpp"
+#include "hmi/widgets/text_pad.hpp"
 
 namespace polyturn::hmi {
 
@@ -95,6 +96,7 @@ private:
     ToolList* list_;
     Table* table_;                                 // of the other pages
     NumberPad* pad_;
+    TextPad* letters_;                             // for a finger, while a text is entered
     PresetterPage* presetter_;
     Filter filter_ = Filter::All;
     QString search_, typed_;

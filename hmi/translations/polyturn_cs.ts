@@ -244,7 +244,7 @@
         <translation>Změny od startu obrazovek</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Channel</source>
         <translation>Kanál</translation>
     </message>
@@ -989,6 +989,11 @@
         <translation>Zpráva</translation>
     </message>
     <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>Mounted</source>
+        <translation>Založeno</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>Move</source>
         <translation>Přemístit</translation>
@@ -1269,7 +1274,7 @@
         <translation>Předání dílu po krocích</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Parts</source>
         <translation>Kusy</translation>
     </message>
@@ -1339,6 +1344,16 @@
         <translation>Seřizovač</translation>
     </message>
     <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Print setup sheet</source>
+        <translation>Tisk seřizovacího listu</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Printed: %1</source>
+        <translation>Vytištěno: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Process</source>
         <translation>Proces</translation>
@@ -1369,7 +1384,7 @@
         <translation>Programový stop M0: start pokračuje</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Programs</source>
         <translation>Programy</translation>
     </message>
@@ -1699,17 +1714,17 @@
         <translation>Spustí vše: znovu</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>State</source>
         <translation>Stav</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Station</source>
         <translation>Stanice</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Stock</source>
         <translation>Polotovar</translation>
     </message>
@@ -1949,7 +1964,7 @@
         <translation>Nástroje</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Tools that it needs</source>
         <translation>Potřebné nástroje</translation>
     </message>
@@ -2097,6 +2112,11 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>Waits for the trigger</source>
         <translation>Čeká na spoušť</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>Wanted</source>
+        <translation>Požadováno</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -2464,6 +2484,11 @@
         <translation>minuty řezu</translation>
     </message>
     <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>mounted</source>
+        <translation>založen</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>moves its drive: the axes are exchanged</source>
         <translation>pohybuje jejím pohonem: osy zaměněny</translation>
@@ -2512,6 +2537,11 @@
         <location filename="../../ipc/machine/machine_step.hpp"/>
         <source>not all axes are referenced</source>
         <translation>osy nemají referenci</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>not entered</source>
+        <translation>nezadáno</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -2692,6 +2722,11 @@
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>the mode is for moving by hand</source>
         <translation>režim je ruční</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>the place is empty</source>
+        <translation>místo je prázdné</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>

@@ -244,7 +244,7 @@
         <translation>Változások a képernyők indítása óta</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Channel</source>
         <translation>Csatorna</translation>
     </message>
@@ -989,6 +989,11 @@
         <translation>Üzenet</translation>
     </message>
     <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>Mounted</source>
+        <translation>Befogva</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>Move</source>
         <translation>Áthelyezés</translation>
@@ -1269,7 +1274,7 @@
         <translation>Darabátadás lépésenként</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Parts</source>
         <translation>Darab</translation>
     </message>
@@ -1339,6 +1344,16 @@
         <translation>Bemérő</translation>
     </message>
     <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Print setup sheet</source>
+        <translation>Beállítólap nyomtatása</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Printed: %1</source>
+        <translation>Kinyomtatva: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Process</source>
         <translation>Folyamat</translation>
@@ -1369,7 +1384,7 @@
         <translation>Programozott megállás M0: a start folytatja</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Programs</source>
         <translation>Programok</translation>
     </message>
@@ -1699,17 +1714,17 @@
         <translation>Mindet indítja: újra</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>State</source>
         <translation>Állapot</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Station</source>
         <translation>Állomás</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Stock</source>
         <translation>Nyersdarab</translation>
     </message>
@@ -1949,7 +1964,7 @@
         <translation>Szerszámok</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Tools that it needs</source>
         <translation>Szükséges szerszámok</translation>
     </message>
@@ -2097,6 +2112,11 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>Waits for the trigger</source>
         <translation>Indítójelre vár</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>Wanted</source>
+        <translation>Kívánt</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -2464,6 +2484,11 @@
         <translation>forgácsolási percet</translation>
     </message>
     <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>mounted</source>
+        <translation>befogva</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>moves its drive: the axes are exchanged</source>
         <translation>annak hajtását mozgatja: cserélt tengelyek</translation>
@@ -2512,6 +2537,11 @@
         <location filename="../../ipc/machine/machine_step.hpp"/>
         <source>not all axes are referenced</source>
         <translation>nincs minden referencia</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>not entered</source>
+        <translation>nincs megadva</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -2692,6 +2722,11 @@
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>the mode is for moving by hand</source>
         <translation>a mód kézi mozgatás</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>the place is empty</source>
+        <translation>üres a hely</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>

@@ -244,7 +244,7 @@
         <translation>Изменения с запуска экранов</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Channel</source>
         <translation>Канал</translation>
     </message>
@@ -989,6 +989,11 @@
         <translation>Сообщение</translation>
     </message>
     <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>Mounted</source>
+        <translation>Установлено</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>Move</source>
         <translation>Переместить</translation>
@@ -1269,7 +1274,7 @@
         <translation>Передача детали по шагам</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Parts</source>
         <translation>Детали</translation>
     </message>
@@ -1339,6 +1344,16 @@
         <translation>Прибор настройки</translation>
     </message>
     <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Print setup sheet</source>
+        <translation>Печать карты наладки</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Printed: %1</source>
+        <translation>Напечатано: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Process</source>
         <translation>Процесс</translation>
@@ -1369,7 +1384,7 @@
         <translation>Останов M0: пуск продолжит</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Programs</source>
         <translation>Программы</translation>
     </message>
@@ -1699,17 +1714,17 @@
         <translation>Пуск всех каналов: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>State</source>
         <translation>Состояние</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Station</source>
         <translation>Станция</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Stock</source>
         <translation>Заготовка</translation>
     </message>
@@ -1949,7 +1964,7 @@
         <translation>Инструменты</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Tools that it needs</source>
         <translation>Нужные инструменты</translation>
     </message>
@@ -2097,6 +2112,11 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>Waits for the trigger</source>
         <translation>Ждёт запуска</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>Wanted</source>
+        <translation>Нужно</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -2464,6 +2484,11 @@
         <translation>минуты резания</translation>
     </message>
     <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>mounted</source>
+        <translation>установлен</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>moves its drive: the axes are exchanged</source>
         <translation>движет её приводом: оси обменены</translation>
@@ -2512,6 +2537,11 @@
         <location filename="../../ipc/machine/machine_step.hpp"/>
         <source>not all axes are referenced</source>
         <translation>не все оси в нуле</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>not entered</source>
+        <translation>не введено</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -2692,6 +2722,11 @@
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>the mode is for moving by hand</source>
         <translation>режим ручных перемещений</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>the place is empty</source>
+        <translation>место пусто</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>

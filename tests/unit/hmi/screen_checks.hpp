@@ -17,12 +17,19 @@ inline std::vector<std::string> shortenedWords(MainWindow& window, int& looked) 
         window.setTongue(tongue);
         for (std::size_t i = 0; i < window.screens().size(); ++i) {
             window.showScreen(static_cast<int>(i));
-            std::vector<Sheet*> sheets = window.ownSheets();
-            for (Sheet* one : window.screen()->sheets()) sheets.push_back(one);
-            looked += static_cast<int>(sheets.size());
-            for (Sheet* sheet : sheets)
-                for (const QString& text : sheet->shortened())
-                    found.push_back(codeOf(tongue) + (", " + std::string(window.screen()->name())) + ": " + text.toStdString());
+            const bool starts = QString(window.screen()->name()) == "programs";   // its pages start processes
+            const QString before = window.screen()->state();
+            for (int page = 0; page < (starts ? 1 : window.screen()->pages()); ++page) {
+                if (!starts) window.screen()->turnTo(page), window.screen()->refresh();
+                window.softKeys().show(window.screen()->keys());
+                std::vector<Sheet*> sheets = window.ownSheets();
+                for (Sheet* one : window.screen()->sheets()) sheets.push_back(one);
+                looked += static_cast<int>(sheets.size());
+                for (Sheet* sheet : sheets)
+                    for (const QString& text : sheet->shortened())
+                        found.push_back(codeOf(tongue) + (", " + std::string(window.screen()->name())) + " " + std::to_string(page + 1) + ": " + text.toStdString());
+            }
+            if (!starts) window.screen()->restore(before);
         }
     }
     window.setTongue(Tongue::English);

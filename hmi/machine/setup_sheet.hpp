@@ -1,0 +1,20 @@
+// The setup sheet of a job: what it needs beside what is mounted, on the screen and on paper (PDF).
+#pragma once
+#include "hmi/machine/tool_words.hpp"
+#include "ipc/text/job.hpp"
+
+namespace polyturn::hmi {
+
+struct SheetTool {
+    enum class Match : std::uint8_t { Unknown, Same, Other, Missing } match = Match::Unknown;   // Unknown: nothing is entered for this turret
+    unsigned channel = 0, station = 0;
+    QString wanted, mounted;
+    std::int32_t tool = 0;             // data number of what is mounted
+    StateWords state{};                // of it
+};
+std::vector<SheetTool> compareTools(const Live& live, const text::Job& job);
+QString matchText(const SheetTool& tool);
+// Writes it; false: the file cannot be written.
+bool printSheet(const Live& live, const text::Job& job, const QString& file);
+
+}  // namespace polyturn::hmi
