@@ -34,6 +34,7 @@ public:
     Table& right() { return *right_; }
     FreeSheet& form() { return *form_; }
     TextPad& pad() { return *pad_; }
+    const QString& note() const { return note_; }
 
 protected:
     void resizeEvent(QResizeEvent*) override;

@@ -166,12 +166,12 @@ TEST_F(Tasks, RestoreABackup) {
     Operator hand(*window);
     hand.screen("system");
     hand.soft("Save now");
-    ASSERT_TRUE(waitFor([&] { return QDir(folder.path()).entryList({"*.ptb"}).size() == 1; }, 20));
+    ASSERT_TRUE(waitFor([&] { return system.files().rows() == 2; }, 20)) << "the way up and the backup";   // listed when the store has answered
     const double before = live().store(1).offsets[9].geometry[2];
     ASSERT_TRUE(g_controller->set(QString("offset L1 9 geometry Z=%1").arg(before + 12.5)));
     ASSERT_TRUE(waitFor([&] { return std::abs(live().store(1).offsets[9].geometry[2] - before - 12.5) < 1e-9; }));
     hand.soft("What would change");
-    ASSERT_TRUE(waitFor([&] { return system.right().rows() >= 1; }, 20));
+    ASSERT_TRUE(waitFor([&] { return system.right().rows() >= 1; }, 20)) << system.note().toStdString();
     hand.soft("Restore");
     EXPECT_NEAR(live().store(1).offsets[9].geometry[2], before + 12.5, 1e-9) << "one press must not restore";
     hand.soft("Restore");                        // asked once more
