@@ -55,6 +55,10 @@ public:
     // stays the same number and becomes another point of the machine.
     // False: not here (blocks are read ahead: compensation); try again later.
     virtual bool offsets_changed() = 0;
+    // Axes were moved by hand in a hold, by so much (drives, by place), and the program goes on without going back first. Called
+    // behind resume_at(): whether the path of the block moves along is the language's rule. False: it has none, go back first.
+    virtual bool starts_away() const { return false; }
+    virtual void start_away(const AxisValues& /*by*/) {}
     // What the program leaves to the one that is started next in this channel; taken behind start().
     virtual std::any carry() const { return {}; }
     virtual void take_carry(const std::any& /*before*/, bool /*after_reset*/) {}

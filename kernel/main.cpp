@@ -15,6 +15,7 @@
 #include "kernel/cyclic/attach.hpp"
 #include "kernel/cyclic/clock_real.hpp"
 #include "kernel/cyclic/clock_virtual.hpp"
+#include "kernel/cyclic/table_watch.hpp"
 
 namespace {
 using namespace polyturn;
@@ -78,6 +79,8 @@ int run(const std::string& instance) {
         clock.run();
     } else {
         std::atomic<bool> stop{false};
+        kernel::TableWatch tables(std::string((*supervisor)->options.machine_folder.data()) + ".compensation", **store, machine->core());
+        std::thread table_watcher([&] { if ((*supervisor)->options.machine_folder[0]) tables.run(stop); });
         std::thread watcher([&] { peers.watch(*machine, stop); });  // before the priority is raised: it keeps the ordinary one
         kernel::RealClock clock(*machine);
         if (const std::string refused = clock.claim_real_time(); !refused.empty()) {
@@ -87,6 +90,7 @@ int run(const std::string& instance) {
         clock.run();
         stop.store(true, std::memory_order_release);
         watcher.join();
+        table_watcher.join();
     }
     return 0;
 }

@@ -323,6 +323,12 @@ bool Interpreter::axis_word(const Word& word, AxisValues& target, AxisSet& named
 
 // The target of the block: the programmed point with the block's axis words in it.
 bool Interpreter::read_axis_words(AxisValues& target, AxisSet* named) {
+    if (away_) {
+        bool incremental = false;
+        for (unsigned k = 0; k < axis_word_count_; ++k) incremental |= axis_of(block_.words[axis_words_[k]]).incremental;
+        if (incremental) core_.displaced(*away_);
+        if (axis_word_count_) away_.reset();
+    }
     const unsigned count = core_.view().axis_count;
     for (unsigned i = 0; i < count; ++i) target[i] = core_.path.programmed[i];
     AxisSet set = 0;

@@ -86,6 +86,13 @@ void Interpreter::keep_groups(const Inherited& was) {
         (void)apply_tool_offsets();
     }
     if (stays(12, GGroup::MacroModal)) modal_calls_ = was.modal_calls;
+    // The start of a program is a barrier: the plane may begin here, where the axes stand.
+    const Transformation& plane = was.path.transformation;
+    if (keeps(t, l, 21) && plane.active() && kind_of(plane.kinematics) == KinematicsKind::Polar) {
+        (void)stays(21, GGroup::Transform);
+        if (core_.transform(plane)) plane_before_ = path.plane, path.plane = Plane::XY;
+        else barrier_fault_ = core_.fault();
+    }
     // Compensation begins anew with the next move.
     if (stays(7, GGroup::Comp) && was.side != CompSide::Off) (void)core_.compensation(was.side);
 }

@@ -76,6 +76,8 @@ public:
     bool resume_at(std::uint64_t serial) override;
     bool may_resume_at(std::uint64_t serial) const override;
     bool offsets_changed() override;
+    bool starts_away() const override { return settings_.nct; }
+    void start_away(const AxisValues& by) override;
     bool interrupt(std::uint64_t serial, bool within, unsigned input) override;
     std::any carry() const override;
     void take_carry(const std::any& before, bool after_reset) override;
@@ -412,6 +414,7 @@ private:
     } cycle_data_;
     bool reads_contour_ = false;      // this interpreter only looks at a contour
     bool absolute_ = true, inch_ = false;
+    std::optional<AxisValues> away_;  // moved in the hold (N1337 REL): the next block with axis words decides
     std::int64_t last_m_ = 0, last_t_ = 0, last_n_ = 0;
     bool parameter_input_ = false;    // between G10 L50 and G11
     LifeInput life_;                  // between G10 L3 and G11

@@ -61,6 +61,7 @@ bool Interpreter::go_back_to(std::uint64_t serial, bool within_compensation) {
     managed_serial_ = 0;
     fresh_ = true;
     measuring_ = {};
+    away_.reset();
     remote_.active = external_.active = false;
     look_whether_hidden();
     state_changed_ = true;
@@ -68,6 +69,11 @@ bool Interpreter::go_back_to(std::uint64_t serial, bool within_compensation) {
 }
 
 bool Interpreter::may_resume_at(std::uint64_t serial) const { return points_.may_go_back(core_, serial); }
+
+// nct N1337 #5: only incremental words move along with what was done by hand; every other path is the programmed one.
+void Interpreter::start_away(const AxisValues& by) {
+    if (settings_.shifts_when_away) away_ = by;
+}
 
 bool Interpreter::offsets_changed() {
     if (core_.reads_ahead() || core_.transformed()) return false;

@@ -108,6 +108,7 @@ struct Settings {
     bool s_drains = false, t_drains = false;
     bool skip_sign_drains = false;       // N1337 CBB 0: a block skip sign stops preparation
     std::uint16_t power_on_length = 0;   // N1300 G43, G44: 430 or 440; H alone is then its offset
+    bool shifts_when_away = false;       // N1337 REL 1: a start away from the path shifts what is incremental
     bool helix_in_plane = false;         // N1337 HEF 0: F of a helix counts in the plane of its arc
     std::array<bool, 3> aux_drains{};    // N1336 AU1 to AU3
     std::vector<std::pair<double, double>> m_groups;     // contradictory M codes

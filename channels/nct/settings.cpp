@@ -35,6 +35,7 @@ fanuc::Settings nct_settings(const Table& t, unsigned l) {
     s.dwell_by_feed_mode = !bit(t, n1337_execution_config, l, 1);
     s.dwell_p_milliseconds = false;
     s.helix_in_plane = !bit(t, n1337_execution_config, l, 3);
+    s.shifts_when_away = bit(t, n1337_execution_config, l, 5);
     s.skip_sign_drains = !bit(t, n1337_execution_config, l, 4);
     const double unit = bit(t, n0104_unit_of_measure, l, 0) ? 25.4 : 1.0;
     s.compensation.check = !bit(t, n1403_interference, l, 0) ? compensation::Check::Off
@@ -61,7 +62,8 @@ fanuc::Settings nct_settings(const Table& t, unsigned l) {
     s.surface_speed = static_cast<double>(get(t, n0686_default_surf_speed, l)) * (bit(t, n0104_unit_of_measure, l, 0) ? 0.3048 : 1.0);
     if (const auto first = get(t, n1702_write_prt_low, l); first >= 500) s.protected_first = first, s.protected_last = get(t, n1703_write_prt_hig, l);
     const bool mill = get(t, n0001_control_type, l) == 1;
-    if (mill) s.power_on_length = bit(t, n1300_defaultg1, l, 5) ? 430 : bit(t, n1300_defaultg1, l, 6) ? 440 : 0;
+    const bool lengths = mill || (bit(t, n1414_comp_config_on_lathes, l, 0) && bit(t, n1414_comp_config_on_lathes, l, 6));   // where G43 and G44 exist
+    if (lengths) s.power_on_length = bit(t, n1300_defaultg1, l, 5) ? 430 : bit(t, n1300_defaultg1, l, 6) ? 440 : 0;
     s.offsets_by_g = mill || bit(t, n1414_comp_config_on_lathes, l, 0);
     s.keeps_offset = !bit(t, n1414_comp_config_on_lathes, l, 5);
     s.offsets_turn = !bit(t, n1414_comp_config_on_lathes, l, 7);

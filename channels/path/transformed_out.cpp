@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "channels/path/pole_parameter.hpp"
 #include "ipc/kinematics/polar.hpp"
 
 namespace polyturn::channels {
@@ -108,12 +109,14 @@ void TransformedOut::put_pieces() {
         put(piece_, true, true);
         return;
     }
+    const PoleParameter parameter = PoleParameter::of(record_, kinematics_, *drives_);
     double from = 0;
     for (bool first = true; first || from < record_.length; first = false) {
         const double length = piece_length(from, record_.length - from);
         const bool last = from + length >= record_.length;
         if (first && last) piece_ = record_;
         else cut(record_, from, last ? record_.length : from + length, piece_);
+        parameter.apply(from, last ? record_.length : from + length, piece_);
         piece_.turn = turn_;
         piece_.side = static_cast<std::uint8_t>(side_);
         const Branch branch{turn_, side_};

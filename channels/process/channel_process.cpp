@@ -191,6 +191,7 @@ void ChannelProcess::begin_program() {
         return;
     }
     run_->keep_resume_states(true);
+    own_->starts_away.store(run_->starts_away(), std::memory_order_release);
     if (carried_.has_value()) run_->take_carry(carried_, after_reset_);
     after_reset_ = false;
     state_ = State::Reading;

@@ -51,6 +51,8 @@ public:
     virtual bool may_resume_at(std::uint64_t /*serial*/) const { return false; }
     virtual bool resume_at(std::uint64_t /*serial*/) { return false; }
     virtual bool offsets_changed() { return true; }
+    virtual bool starts_away() const { return false; }
+    virtual void start_away(const AxisValues& /*by*/) {}
     virtual BlockContext at() const { return {}; }                 // the block that was interpreted last
     virtual const Core* core() const { return nullptr; }           // what holds behind that block
     virtual void active_codes(std::string& /*out*/) const {}

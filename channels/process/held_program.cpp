@@ -12,8 +12,6 @@
 namespace polyturn::channels {
 namespace {
 
-constexpr std::uint64_t kBegun = 1ull << 32, kByHand = 1ull << 33;   // of ChannelEvent::record
-
 std::string_view text_of(const ChannelEvent& event) { return {event.text.data(), ::strnlen(event.text.data(), event.text.size())}; }
 
 }  // namespace
@@ -54,9 +52,9 @@ void ChannelProcess::ask_resume(const ChannelEvent& event) {
     auto answer = ResumeAnswer::Nothing;
     if (run_ && !held_run_) {
         look_for_changes();
-        const bool wanted = operator_changed_ || (event.record & kByHand) != 0;
+        const bool away = (event.record & kResumeAway) != 0, wanted = operator_changed_ || away || (event.record & kResumeByHand) != 0;
         const auto serial = static_cast<std::uint64_t>(event.value);
-        if (wanted) answer = !restart_sink_->searching() && run_->may_resume_at(serial) ? ResumeAnswer::GoesBack : ResumeAnswer::Cannot;
+        if (wanted) answer = !restart_sink_->searching() && (!away || run_->starts_away()) && run_->may_resume_at(serial) ? ResumeAnswer::GoesBack : ResumeAnswer::Cannot;
     }
     own_->answer.store(static_cast<std::uint32_t>(answer), std::memory_order_relaxed);
     own_->answered.store(event.seq, std::memory_order_release);
@@ -86,7 +84,12 @@ void ChannelProcess::resume(const ChannelEvent& event) {
     if (!take_store()) return;
     if (operator_changed_) operator_changed_ = !run_->offsets_changed();
     const AxisValues now = axes_now();
-    resume_sink_->go_back(serial, static_cast<std::uint32_t>(event.record), (event.record & kBegun) != 0, now, was_left ? left_at_ : now);
+    if (event.record & kResumeAway) {
+        AxisValues by{};
+        for (unsigned i = 0; i < view_->axis_count; ++i) by[i] = now[i] - kernel_->left_at[view_->axes[i].machine_axis].load(std::memory_order_acquire);
+        run_->start_away(by);
+    }
+    resume_sink_->go_back(serial, static_cast<std::uint32_t>(event.record), (event.record & kResumeBegun) != 0, now, was_left ? left_at_ : now);
     state_ = State::Reading;
 }
 

@@ -49,6 +49,8 @@ public:
     void keep_resume_states(bool on) override { language_->keep_resume_states(on); }
     bool may_resume_at(std::uint64_t serial) const override { return language_->may_resume_at(serial); }
     bool resume_at(std::uint64_t serial) override { return language_->resume_at(serial); }
+    bool starts_away() const override { return language_ && language_->starts_away(); }
+    void start_away(const AxisValues& by) override { language_->start_away(by); }
     bool offsets_changed() override { return language_->offsets_changed(); }
     BlockContext at() const override { return language_->core().at; }
     std::size_t file_count() const override { return files_.count(); }

@@ -40,7 +40,11 @@ bool Interpreter::transformation_data(std::int64_t kind, const Call& c, std::siz
     }
     for (unsigned n = 1; n <= kSets && !set; ++n)
         if (kinds[n - 1] == kind) set = n;
-    if (!set) return fail(Alarm::TransformNone, name);
+    if (!set) {   // of a cylinder, only the one without groove side offset is there (512, not 513 and 514)
+        for (unsigned n = 1; n <= kSets; ++n)
+            if (kind == kTracyl && (kinds[n - 1] == 513 || kinds[n - 1] == 514)) return fail(Alarm::NotBuilt, "TRACYL " + to_text(Value::of_int(static_cast<double>(kinds[n - 1]))));
+        return fail(Alarm::TransformNone, name);
+    }
     const auto place = [&](unsigned k, int otherwise) {
         const auto number = params::get(t, axes_of_set(set), view.channel, k);
         return number > 0 ? (number <= static_cast<std::int64_t>(view.axis_count) ? static_cast<int>(number - 1) : -1) : otherwise;

@@ -26,6 +26,11 @@ void Core::start_at_machine(const AxisValues& machine) {
     rebase_all();
 }
 
+void Core::displaced(const AxisValues& by) {
+    for (unsigned i = 0; i < view_->axis_count; ++i) path.machine[i] += view_->axes[i].from_drive(by[i]) - view_->axes[i].from_drive(0.0);
+    rebase_all();
+}
+
 void Core::take_machine(unsigned place, double drive) {
     double machine = view_->axes[place].from_drive(drive);
     if (transforms_) transforms_->axes()[place] = machine;

@@ -173,6 +173,7 @@ public:
 
     // --- positions
     void start_at_machine(const AxisValues& machine);
+    void displaced(const AxisValues& by);                 // drives: the point moves with the axes, and what is programmed from it
     void take_machine(unsigned place, double drive);      // after a barrier: where the axis really is
     // Offsets or zeros have other values now. `load` brings the tool's into shift and wanted; the programmed point stays what
     // it is, so the machine coordinate of the point becomes another one. Where the axes are is not looked at.

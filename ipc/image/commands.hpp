@@ -17,7 +17,7 @@
 //   SetSignal, ReleaseSignal      object: slot, flags: 0 written by the NC, 1 by the PLC; value
 //   SetInput                      object: number of the input, value: 0 or 1; flags 1: given back to sensors and PLC
 //   DriveFault                    object: axis (flags 0) or spindle (flags 1), value: 1 fault, 2 fault of its encoder, 0 gone
-//   Sensor                        object: axis, flags: number of the input, channel: 1 in positive, 2 in negative, 0 in both directions
+//   Sensor                        object: axis (kMaxAxes + n: spindle n), flags: number of the input, channel: 1 in positive, 2 in negative, 0 in both directions
 //                                 of travel, value: true machine mm or degrees from which on the input is on
 //   SetParameter                  text: a parameter line
 //   Watch                         object: slot, flags as SetSignal: each change is logged as a Signal event

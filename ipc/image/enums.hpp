@@ -109,6 +109,10 @@ enum class ChannelEventKind : std::uint32_t {
                      // now; value: serial of the block (0: none, all is executed), record: part of it, bit 32: that has begun
     HeldMdi,         // text: a block that is executed in the hold, epoch raised; the program goes on by Resume
 };
+// Bits of ChannelEvent::record of AskResume and Resume, above the part.
+inline constexpr std::uint64_t kResumeBegun = 1ull << 32;    // it was held within the part
+inline constexpr std::uint64_t kResumeByHand = 1ull << 33;   // a block by hand comes first
+inline constexpr std::uint64_t kResumeAway = 1ull << 34;     // axes were moved in the hold (KernelSegment::left_at) and do not go back first
 
 enum class KernelEventKind : std::uint32_t {
     None = 0,

@@ -24,6 +24,10 @@ namespace polyturn {
 
 enum class SegmentKind : std::uint8_t { Supervisor, Kernel, Plc, Store, Channel };
 
+// PlcFastPlan::read: what is not less is a digital input, by its number behind this one.
+inline constexpr std::uint32_t kFastInput = 1u << 16;
+static_assert(kNcSignals < kFastInput);
+
 // Slots of SupervisorSegment::processes.
 inline constexpr std::size_t kProcessKernel = 0, kProcessPlc = 1, kProcessStore = 2, kProcessHmi = 3, kProcessCell = 4, kProcessDrives = 5, kProcessChannel = 8;
 inline constexpr std::size_t kProcesses = kProcessChannel + kMaxChannels;
@@ -38,6 +42,7 @@ struct ChannelSegment {
     std::atomic<std::uint32_t> epoch{0};                 // of the records it pushes now
     std::atomic<std::uint32_t> answer{0};                // ResumeAnswer to the event `answered`; stored before it
     std::atomic<std::uint64_t> answered{0};
+    std::atomic<std::uint32_t> starts_away{0};           // 1: after axes were moved in a hold, a start goes on from where they stand
     RingTail event_tail;                                 // consumer of KernelSegment::events
     NoteHead notes;                                      // tail: SupervisorSegment::note_tail
     Snapshot<ProgramNames> programs;
@@ -62,11 +67,13 @@ struct KernelSegment {
     RingHead<StoreRequest, 8192> persist;                // what programs write, in path order; tail: StoreSegment::persist_tail
     RingTail param_tail;                                 // consumer of StoreSegment::param_changes
     RingTail tool_tail;                                  // consumer of StoreSegment::tool_answers
+    std::array<std::atomic<double>, kMaxAxes> left_at;   // own position of an axis when moving it in a hold was allowed; stored before the Resume that needs it
     Snapshot<GuardStatus> guard;                         // shapes of the machine as they stand, some times a second
     Snapshot<PlcInputs> plc_inputs;
     Snapshot<PlcOutputs> plc_seen;                       // the PLC's signals as they act (forced ones included)
     Snapshot<ScopeChoice> scope_choice;
     RingHead<ScopeSample, kScopeRing> scope;             // nobody consumes it, the oldest samples are written over
+    Snapshot<PlcFastInputs> plc_fast;                    // each tick, while the PLC has a fast task
     Doorbell plc_bell, supervisor_bell, store_bell;
     std::array<std::atomic<std::uint64_t>, 64> tick_cost;  // histogram: ticks that computed for 2^(i/4) us and less
 };
@@ -76,6 +83,9 @@ struct PlcSegment {
     SegmentHeader header;
     Snapshot<PlcOutputs> outputs;
     alignas(64) std::atomic<std::uint64_t> cycle{0};     // of the newest outputs; stored after they are published
+    PlcFastPlan fast_plan{};                             // written before the segment is published
+    Snapshot<PlcFastOutputs> fast;
+    alignas(64) std::atomic<std::uint64_t> fast_count{0};  // of the newest of them; stored after they are published
     Doorbell bell;
 };
 

@@ -41,7 +41,7 @@ struct ToolSetup {
 
 struct SensorSetup {
     std::string input;  // name or number of the input
-    std::string axis;   // name of the axis in its channel
+    std::string axis;   // name of the axis in its channel; S1 ..: a switch that the spindle passes at the angle `at`
     double at = 0.0;    // machine position as displayed, from which the input is on ...
     int direction = 0;  // ... in this direction of travel: -1, +1; 0 in both
 };

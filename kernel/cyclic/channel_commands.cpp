@@ -33,7 +33,7 @@ StartView ChannelRunner::start_view() const noexcept {
     view.resting = !resetting_;
     view.alarmed = state_ == ChannelState::Interrupted;
     view.by_hand_mode = mode_ == ChannelMode::Jog || mode_ == ChannelMode::Handwheel || mode_ == ChannelMode::Reference;
-    view.away = jog_in_hold_;
+    view.away = jog_in_hold_ && !goes_on_away();
     return view;
 }
 
@@ -107,6 +107,9 @@ void ChannelRunner::restart(double block, ChannelSet together) noexcept {
 
 bool ChannelRunner::allow_jog_in_hold() noexcept {
     if (state_ != ChannelState::Held || !at_rest()) return false;
+    if (jog_in_hold_) return true;
+    for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
+        if (core_.config.axes[a].channel == number_ || core_.axes[a].owner == number_) core_.image.left_at[a].store(core_.axes[a].own(), std::memory_order_release);
     return jog_in_hold_ = true;
 }
 
@@ -153,7 +156,8 @@ void ChannelRunner::finish_reset() noexcept {
     superposed_from_ = 0;
     core_.signals.set_nc(signals::cn_balance(number_), 0);
     core_.stroke2_off &= ~(ChannelSet{1} << index_);
-    change_due_ = asked_by_hand_ = start_wanted_ = held_mdi_ = program_left_ = false;
+    asked_for_ = BackFor::Change;
+    change_due_ = start_wanted_ = held_mdi_ = program_left_ = false;
     question_ = 0;
     restart_ = RestartState::None;
     trail_.clear();
@@ -192,7 +196,7 @@ void ChannelRunner::set_mode(ChannelMode mode) noexcept {
 void ChannelRunner::mdi(std::string_view text) noexcept {
     if (state_ == ChannelState::Held && !question_ && (program_left_ || stands_in_hold())) {   // a block in the hold; the program goes on behind it
         copy_text(mdi_, text);
-        return program_left_ ? enter_by_hand() : ask_to_go_back(true);
+        return program_left_ ? enter_by_hand() : ask_to_go_back(BackFor::ByHand);
     }
     if (program_runs()) {
         core_.alarm(Alarm::NotReady, number_, "a block is entered only in reset or after the end");

@@ -13,10 +13,15 @@ ChannelRunner::Place ChannelRunner::place_now() const noexcept {
 }
 
 // At a place where what was pushed may be taken back: no function, wait or thread is under way.
-bool ChannelRunner::stands_in_hold() const noexcept {
-    if (!segment_ || dead_ || stopped_ || resetting_ || interrupted_ || held_mdi_ || jog_in_hold_ || !at_rest() || retract_.active() || trail_.active()) return false;
+bool ChannelRunner::rests_in_hold() const noexcept {
+    if (!segment_ || dead_ || stopped_ || resetting_ || interrupted_ || held_mdi_ || !at_rest() || retract_.active() || trail_.active()) return false;
     const bool held = state_ == ChannelState::Held || (state_ == ChannelState::ProgramStop && stop_reason_ == StopReason::SingleBlock);
     return held && (phase_ == Phase::None || phase_ == Phase::Dwell) && (program_left_ || place_now().serial != 0);
+}
+
+// Axes were moved in the hold, and the language knows how to go on without going back first (N1337 #5 REL).
+bool ChannelRunner::goes_on_away() const noexcept {
+    return state_ == ChannelState::Held && retrace_ >= 0 && !program_left_ && rests_in_hold() && segment_->starts_away.load(std::memory_order_acquire) != 0;
 }
 
 void ChannelRunner::settle_hold() noexcept {
@@ -24,20 +29,20 @@ void ChannelRunner::settle_hold() noexcept {
         if (dead_ || !segment_) question_ = 0;
         else if (segment_->answered.load(std::memory_order_acquire) >= question_) take_answer();
     } else if (change_due_ && !program_left_ && stands_in_hold()) {
-        ask_to_go_back(false);
+        ask_to_go_back(BackFor::Change);
     } else if (start_wanted_ && !core_.store.value_open()) {
         start_wanted_ = false;
         cycle_start();
     }
 }
 
-void ChannelRunner::ask_to_go_back(bool by_hand) noexcept {
-    constexpr std::uint64_t kBegun = 1ull << 32, kByHand = 1ull << 33;
+void ChannelRunner::ask_to_go_back(BackFor why) noexcept {
     if (outbox_count_ == outbox_.size()) return;
-    if (!by_hand) change_due_ = false;
+    if (why != BackFor::ByHand) change_due_ = false;
     asked_ = place_now();
-    asked_by_hand_ = by_hand;
-    tell(ChannelEventKind::AskResume, asked_.part | (asked_.begun ? kBegun : 0) | (by_hand ? kByHand : 0), static_cast<double>(asked_.serial));
+    asked_for_ = why;
+    tell(ChannelEventKind::AskResume, asked_.part | (asked_.begun ? kResumeBegun : 0) | (why == BackFor::ByHand ? kResumeByHand : 0) | (why == BackFor::Away ? kResumeAway : 0),
+         static_cast<double>(asked_.serial));
     question_ = events_sent_ + outbox_count_;
 }
 
@@ -45,7 +50,15 @@ void ChannelRunner::take_answer() noexcept {
     question_ = 0;
     const auto answer = static_cast<ResumeAnswer>(segment_->answer.load(std::memory_order_relaxed));
     const bool goes_back = answer == ResumeAnswer::GoesBack;
-    if (asked_by_hand_) {
+    if (asked_for_ == BackFor::Away) {
+        if (goes_back) {
+            jog_in_hold_ = false;
+            go_back_to(asked_, true);
+        } else {
+            start_wanted_ = false;
+            core_.alarm(Alarm::NotReady, number_, "axes were moved in the hold, and this block cannot go on from elsewhere (press return)", 0, line_);
+        }
+    } else if (asked_for_ == BackFor::ByHand) {
         if (goes_back) {
             left_ = asked_;
             enter_by_hand();
@@ -79,17 +92,18 @@ void ChannelRunner::discard() noexcept {
     begun_ = released_ = passing_ = skipping_ = false;
 }
 
-void ChannelRunner::go_back_to(const Place& place) noexcept {
+void ChannelRunner::go_back_to(const Place& place, bool away) noexcept {
     if (place.begun && cursor_ < visible_end_) report(KernelEventKind::RecordEnd, record(cursor_), 0);
     discard();
     if (place.begun) last_serial_ = place.serial, last_part_ = place.part;   // it stays begun, however often it is read again
+    if (away) trail_.clear();   // between its end and here there is a gap
     know_positions();
-    tell(ChannelEventKind::Resume, place.part | (place.begun ? 1ull << 32 : 0), static_cast<double>(place.serial));
+    tell(ChannelEventKind::Resume, place.part | (place.begun ? kResumeBegun : 0) | (away ? kResumeAway : 0), static_cast<double>(place.serial));
 }
 
 void ChannelRunner::enter_by_hand() noexcept {
-    if (asked_by_hand_ && left_.begun && cursor_ < visible_end_) report(KernelEventKind::RecordEnd, record(cursor_), 0);
-    asked_by_hand_ = false;
+    if (asked_for_ == BackFor::ByHand && left_.begun && cursor_ < visible_end_) report(KernelEventKind::RecordEnd, record(cursor_), 0);
+    asked_for_ = BackFor::Change;
     discard();
     know_positions();
     tell(ChannelEventKind::HeldMdi, cursor_, 0, std::string_view(mdi_.data()));
@@ -107,8 +121,12 @@ bool ChannelRunner::ready_to_go_on() noexcept {
         go_back_to(left_);
         return true;
     }
+    if (jog_in_hold_) {
+        ask_to_go_back(BackFor::Away);
+        return start_wanted_ = question_ != 0, false;
+    }
     if (change_due_ && stands_in_hold()) {
-        ask_to_go_back(false);
+        ask_to_go_back(BackFor::Change);
         return start_wanted_ = question_ != 0, false;
     }
     return true;

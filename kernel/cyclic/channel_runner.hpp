@@ -196,11 +196,15 @@ private:
         bool begun = false;
     };
     Place place_now() const noexcept;
-    bool stands_in_hold() const noexcept;
+    // Why the channel is asked: offsets have changed, a block is entered by hand, or it starts where its axes were moved to.
+    enum class BackFor : std::uint8_t { Change, ByHand, Away };
+    bool rests_in_hold() const noexcept;
+    bool stands_in_hold() const noexcept { return !jog_in_hold_ && rests_in_hold(); }
+    bool goes_on_away() const noexcept;
     void settle_hold() noexcept;
-    void ask_to_go_back(bool by_hand) noexcept;
+    void ask_to_go_back(BackFor why) noexcept;
     void take_answer() noexcept;
-    void go_back_to(const Place& place) noexcept;
+    void go_back_to(const Place& place, bool away = false) noexcept;
     void enter_by_hand() noexcept;
     void discard() noexcept;
     PathInput path_input() noexcept;
@@ -298,7 +302,8 @@ private:
     std::uint32_t last_part_ = 0;
     std::uint64_t question_ = 0;           // AskResume that is not answered yet; 0 none
     Place asked_, left_;                   // where it would go back to; where the program was left for a block by hand
-    bool change_due_ = false, asked_by_hand_ = false, start_wanted_ = false;
+    BackFor asked_for_ = BackFor::Change;
+    bool change_due_ = false, start_wanted_ = false;
     bool held_mdi_ = false, program_left_ = false;   // a block by hand runs in the hold; one has run
     RestartState restart_ = RestartState::None;
     Trail trail_;

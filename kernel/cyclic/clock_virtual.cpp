@@ -52,7 +52,7 @@ void VirtualClock::participants() {
         const ChannelSegment* segment = core.channel_segment[l].load(std::memory_order_acquire);
         await(segment->bell, kProcessChannel + l, core.image.channel_bell[l], waits_.channels, [&] { return channel.supplied(); });
     }
-    if (machine_.plc().due() && machine_.plc().present())
+    if (machine_.plc().asked())
         await(core.plc_segment.load(std::memory_order_acquire)->bell, kProcessPlc, core.image.plc_bell, waits_.plc, [&] { return machine_.plc().answered(); });
     if (SegmentDrives* drives = machine_.segment_drives()) {
         const auto answers = [&] { return core.supervisor.processes[kProcessDrives].state.load(std::memory_order_acquire) == static_cast<std::uint32_t>(ProcessState::Running); };

@@ -93,7 +93,7 @@ void Machine::run_command(const Command& c) noexcept {
             else core_.signals.set_input(c.object, on);
             break;
         case CommandKind::Sensor:
-            if (c.object >= 1 && c.object <= kMaxAxes && c.flags < kInputs) core_.sensors.add({c.object - 1, c.flags, c.channel == 1 ? 1 : c.channel == 2 ? -1 : 0, c.value});
+            if (c.object >= 1 && c.object <= kMaxAxes + kMaxSpindles && c.flags < kInputs) core_.sensors.add({c.object - 1, c.flags, c.channel == 1 ? 1 : c.channel == 2 ? -1 : 0, c.value});
             break;
         case CommandKind::DriveFault:
             if (!c.flags && c.object >= 1 && c.object <= kMaxAxes) core_.axes[c.object - 1].simulate = static_cast<std::uint16_t>(c.value);

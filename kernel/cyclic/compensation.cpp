@@ -47,7 +47,7 @@ double Compensation::cell_value(const Pitch& layout, double position, bool secon
     const auto left = std::min(static_cast<std::int64_t>(place), layout.last - layout.first - 1);
     const double share = place - static_cast<double>(left);
     const std::int64_t base = second ? layout.second : layout.first;
-    return tables_.cell(base + left) * (1 - share) + tables_.cell(base + left + 1) * share;
+    return tables_->cell(base + left) * (1 - share) + tables_->cell(base + left + 1) * share;
 }
 
 void Compensation::configure(const p::Table& t, const KernelConfig& config) noexcept {
@@ -121,7 +121,7 @@ void Compensation::configure(const p::Table& t, const KernelConfig& config) noex
 // Eight corners around the point, each weighted with how near it is.
 void Compensation::add_grid(const Core& core, std::size_t l) noexcept {
     const Grid& grid = grids_[l];
-    const auto& points = tables_.points[l];
+    const auto& points = tables_->points[l];
     if (points.empty() || (!grid.axis[0] && !grid.axis[1] && !grid.axis[2])) return;
     std::int64_t corner[3] = {};
     double share[3] = {};

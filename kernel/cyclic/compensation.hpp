@@ -25,7 +25,8 @@ namespace polyturn::kernel {
 
 class Compensation {
 public:
-    void take_tables(CompensationTables tables) { tables_ = std::move(tables); }   // not in the cyclic thread
+    void take_tables(CompensationTables tables) { own_ = std::move(tables), tables_ = &own_; }   // not in the cyclic thread
+    void use_tables(const CompensationTables& tables) noexcept { tables_ = &tables; }            // that outlive their use
     void configure(const params::Table& table, const KernelConfig& config) noexcept;
     // Before the drives are spoken to.
     void step(Core& core) noexcept;
@@ -68,7 +69,8 @@ private:
     static void follow(Axis& axis, const AxisConfig& config, double dt) noexcept;
     void add_grid(const Core& core, std::size_t channel) noexcept;
 
-    CompensationTables tables_;
+    CompensationTables own_;                      // what the machine began with
+    const CompensationTables* tables_ = &own_;
     std::array<Axis, kMaxAxes> axes_{};
     std::array<Straight, kMaxChannels * 6> straights_{};
     std::size_t straight_count_ = 0;

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "ipc/image/segments.hpp"
+#include "ipc/machine/compensation_tables.hpp"
 #include "kernel/cyclic/axis_unit.hpp"
 #include "kernel/cyclic/event_log.hpp"
 #include "kernel/cyclic/sensors.hpp"
@@ -38,6 +39,8 @@ struct Core {
     std::atomic<const PlcSegment*> next_plc{nullptr};
     std::atomic<const StoreSegment*> next_store{nullptr};
     std::atomic<const ToolShapes*> next_shapes{nullptr};   // outlines of tools have changed; valid until the next but one
+    std::atomic<const CompensationTables*> next_compensation{nullptr};   // taken while all axes rest; valid until the next but one
+    std::atomic<bool> compensation_refused{false};         // the file that came does not fit the parameters
 
     params::Table table{};
     KernelConfig config{};

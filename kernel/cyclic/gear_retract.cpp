@@ -13,7 +13,16 @@ void Machine::retract_gear(std::uint32_t l) noexcept {
 
 // What a program has coupled ends with its reset; a gear stays closed, or is taken out of the work first.
 void Machine::reset_couplings(std::uint32_t channel) noexcept {
-    spindle_couplings_.reset(channel);
+    // N1301 CLR with N1305 C31: G51.2 stays what it is (nct part 1 14.2).
+    const auto keeps = [&](std::uint32_t l) {
+        return params::bit(core_.table, params::n1301_defaultg2, l, 7) && params::bit(core_.table, params::n1305_clr_g_table4, l, 7);
+    };
+    if (channel != 0) {
+        if (!keeps(channel)) spindle_couplings_.reset(channel);
+    } else {
+        for (std::uint32_t l = 1; l <= kMaxChannels; ++l)
+            if (!keeps(l)) spindle_couplings_.reset(l);
+    }
     for (std::uint32_t l = 1; l <= kMaxChannels; ++l)
         if ((channel == 0 || channel == l) && core_.config.channels[l - 1].gear_opens) retract_gear(l);
 }

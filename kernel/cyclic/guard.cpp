@@ -84,6 +84,13 @@ void Guard::configure(const p::Table& t, const KernelConfig& config) {
                 }
             const auto add = [&](const RoomBox& b, std::uint32_t station) { return add_box(body, {b.x_low + dx, b.x_high + dx, b.z_low + dz, b.z_high + dz, station}); };
             if (turret != room_.turrets.end()) {
+                const RoomTurret& r = turret->second;
+                body.looks_along_x = std::fabs(r.direction.x) > 0.5;
+                if (r.reach > 0 && r.stations > 1 && (body.looks_along_x || std::fabs(r.direction.z) > 0.5)) {
+                    body.stations = r.stations;
+                    body.outwards = (body.looks_along_x ? r.direction.x : r.direction.z) < 0 ? -1.0 : 1.0;
+                    body.axis_at = (body.looks_along_x ? dx : dz) - body.outwards * r.reach;
+                }
                 for (const RoomBox& b : turret->second.body) (void)add(b, 0);
                 for (const auto& [station, boxes] : turret->second.tools)
                     for (const RoomBox& b : boxes) {
@@ -118,7 +125,9 @@ void Guard::configure(const p::Table& t, const KernelConfig& config) {
             std::snprintf(name, sizeof name, "chuck of L%u", l);
             Body& body = add_body(name, Kind::Chuck);
             const double face = length(p::n1906_chuck_position_z), centre = length(p::n1905_chuck_position_x);
-            const double grip = length(p::n1903_l2_holding_length_of_jaws), held = length(p::n1904_w2_holding_width_of_jaws);
+            // Jaws that hold a part by its outside are around it: seen from the side, their grip is as wide as they are.
+            const bool outside = p::bit(t, p::n1900_chuck_config, l, 0);
+            const double grip = length(p::n1903_l2_holding_length_of_jaws), held = outside ? std::max(width, length(p::n1904_w2_holding_width_of_jaws)) : length(p::n1904_w2_holding_width_of_jaws);
             barrier(body, face - kBehindFace, face, width, centre);
             barrier(body, face, face + jaws, width, centre);
             if (grip > 0) barrier(body, face + jaws, face + jaws + grip, held, centre);
@@ -232,15 +241,51 @@ void Guard::place(const Core& core, Body& body) noexcept {
     body.watched = watched;
 }
 
+// Of a station that is `steps` away from the one in work; anywhere: on its whole circle.
+Guard::Box Guard::turned(const Body& body, const Box& own, double steps, bool anywhere) noexcept {
+    constexpr double kTurn = 2 * 3.14159265358979323846;
+    const double low = body.looks_along_x ? own.x_low : own.z_low, high = body.looks_along_x ? own.x_high : own.z_high;
+    const double across = (body.looks_along_x ? own.z_high - own.z_low : own.x_high - own.x_low) / 2;
+    const double u1 = body.outwards * (low - body.axis_at), u2 = body.outwards * (high - body.axis_at);
+    const double angle = kTurn * steps / body.stations, c = std::cos(angle), wide = across * std::fabs(std::sin(angle));
+    const double most = std::hypot(std::max(std::fabs(u1), std::fabs(u2)), across);
+    const double from = anywhere ? -most : std::min(u1 * c, u2 * c) - wide, to = anywhere ? most : std::max(u1 * c, u2 * c) + wide;
+    const double a = body.axis_at + body.outwards * from, b = body.axis_at + body.outwards * to;
+    Box box = own;
+    if (body.looks_along_x) box.x_low = std::min(a, b), box.x_high = std::max(a, b);
+    else box.z_low = std::min(a, b), box.z_high = std::max(a, b);
+    return box;
+}
+
+// Where the turret stands: as its PLC says; before that, as the program has told it. Worked out anew only when that changes.
+void Guard::turn_tools(const Core& core, Body& body) noexcept {
+    std::int64_t index = core.signals.plc(signals::cp_actt(body.channel));
+    if (index <= 0) index = static_cast<std::int64_t>(std::max<std::uint32_t>(station_[body.channel - 1], 1));
+    const bool turns = core.signals.plc(signals::cp_turretopen(body.channel)) != 0;
+    if (body.turned_for == (turns ? 0 : index)) return;
+    body.turned_for = turns ? 0 : index;
+    for (std::size_t i = body.first; i < body.first + body.count; ++i)
+        if (boxes_[i].station) turned_[i] = turned(body, boxes_[i], static_cast<double>(boxes_[i].station) - static_cast<double>(index), turns);
+}
+
 // The boxes that count now, where they are now, and what is around all of them.
-void Guard::show(Body& body) noexcept {
+void Guard::show(const Core& core, Body& body) noexcept {
+    if (body.stations && body.channel) turn_tools(core, body);
     body.shown = shown_count_;
     body.shown_count = 0;
     body.outline = {kFarAway, -kFarAway, kFarAway, -kFarAway, 0};
     for (std::size_t i = body.first; i < body.first + body.count; ++i) {
         const Box& own = boxes_[i];
-        if (own.station && body.channel && own.station != station_[body.channel - 1]) continue;
         Vector at = body.at;
+        if (own.station && body.channel && own.station != station_[body.channel - 1]) {
+            if (body.stations == 0) continue;
+            const Box& off = turned_[i];
+            const Box box{off.x_low + at.x, off.x_high + at.x, off.z_low + at.z, off.z_high + at.z, own.station};
+            body.outline = {std::min(body.outline.x_low, box.x_low), std::max(body.outline.x_high, box.x_high), std::min(body.outline.z_low, box.z_low), std::max(body.outline.z_high, box.z_high), 0};
+            shown_[shown_count_++] = box;
+            ++body.shown_count;
+            continue;
+        }
         if (own.goes && body.channel && tools_[body.channel - 1].known) at = {at.x + tools_[body.channel - 1].tip.x - own.tip.x, at.z + tools_[body.channel - 1].tip.z - own.tip.z};
         const Box box{own.x_low + at.x, own.x_high + at.x, own.z_low + at.z, own.z_high + at.z, own.station};
         body.outline = {std::min(body.outline.x_low, box.x_low), std::max(body.outline.x_high, box.x_high), std::min(body.outline.z_low, box.z_low), std::max(body.outline.z_high, box.z_high), 0};
@@ -255,17 +300,22 @@ double Guard::gaps(const Body& a, const Body& b, double reach, const Relative& w
     const bool flat = !a.in_z || !b.in_z;   // Z does not separate them
     const auto z_gap = [flat](double gap) { return flat ? -kFarAway : gap; };
     const auto outside = [&](const Box& p, const Box& q) { return gap_of(p.x_low - q.x_high, q.x_low - p.x_high, z_gap(p.z_low - q.z_high), z_gap(q.z_low - p.z_high), 0, 0); };
+    // Of b, only what lies near enough to all of a.
+    std::array<std::uint16_t, kBoxes> near;
+    std::size_t near_count = 0;
     double now = kFarAway;
+    for (std::size_t k = b.shown; k < b.shown + b.shown_count; ++k)
+        if (const double least = outside(a.outline, shown_[k]); least <= reach || least < nearest_.distance) near[near_count++] = static_cast<std::uint16_t>(k);
     for (std::size_t i = a.shown; i < a.shown + a.shown_count; ++i) {
         const Box& p = shown_[i];
         if (const double least = outside(p, b.outline); least > reach && least >= now) continue;
-        for (std::size_t k = b.shown; k < b.shown + b.shown_count; ++k) {
-            const Box& q = shown_[k];
+        for (std::size_t n = 0; n < near_count; ++n) {
+            const Box& q = shown_[near[n]];
             const double x1 = p.x_low - q.x_high, x2 = q.x_low - p.x_high, z1 = z_gap(p.z_low - q.z_high), z2 = z_gap(q.z_low - p.z_high);
             const double gap = gap_of(x1, x2, z1, z2, 0, 0);
             now = std::min(now, gap);
             if (gap > reach) continue;
-            for (std::size_t n = 0; n < kSamples; ++n) then[n] = std::min(then[n], gap_of(x1, x2, z1, z2, way.x[n], way.z[n]));
+            for (std::size_t s = 0; s < kSamples; ++s) then[s] = std::min(then[s], gap_of(x1, x2, z1, z2, way.x[s], way.z[s]));
         }
     }
     return now;
@@ -290,7 +340,7 @@ Guard::Finding Guard::step(const Core& core) noexcept {
         station_[l] = station;
     }
     shown_count_ = 0;
-    for (std::size_t i = 0; i < body_count_; ++i) place(core, bodies_[i]), show(bodies_[i]);
+    for (std::size_t i = 0; i < body_count_; ++i) place(core, bodies_[i]), show(core, bodies_[i]);
     for (std::uint32_t i = 0; i < body_count_; ++i) {
         const Body& a = bodies_[i];
         for (std::uint32_t k = i + 1; k < body_count_; ++k) {

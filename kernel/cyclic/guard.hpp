@@ -8,6 +8,13 @@
 //                 | B |
 //                 +---+     The way of a path bends as it has bent in the last tick.
 //
+// A turret whose room says where its axis is (stations, reach, direction) carries the tools of its other stations along: they stand
+// turned about that axis, seen from the side, and while the turret turns each of them is anywhere on its circle.
+//
+//        axis o----- reach ---->| tool in work        a box from u to u' outwards of the axis, w wide across: turned by t it covers
+//              \                                      u cos t ... u' cos t, and w |sin t| on both sides
+//               \ t ---> [tool of the next station]   (across, the width of a tool is taken as its width along Z)
+//
 // Only the relative way of two bodies counts, so the eight points are found once for a pair, and a box pair adds four subtractions
 // to each. Pairs, and boxes of them, that are too far apart for both ways are left out by their outlines.
 //
@@ -54,7 +61,7 @@ private:
     };
     struct Box {
         double x_low, x_high, z_low, z_high;
-        std::uint32_t station;             // only while it is in work; 0 always
+        std::uint32_t station;             // in work as it is drawn, else turned with the turret; 0 always
         bool goes = false;                 // with the tip of the tool
         Vector tip{};                      // that it is drawn with
     };
@@ -73,6 +80,10 @@ private:
         Vector origin;
         std::size_t first = 0, count = 0;  // boxes
         bool in_z = true, by_hand = true, without_tool = true;
+        std::uint32_t stations = 0;        // of a turret whose axis is known; 0: tools count only while they are in work
+        bool looks_along_x = true;         // its tools point along X of the room, else along Z
+        double outwards = 1, axis_at = 0;  // the sign of that, and where the axis is, from the carrier's point
+        std::int64_t turned_for = -1;      // station that turned_ holds its boxes for; 0 anywhere, -1 none yet
         // now
         Vector at, velocity, before, rest, bend;
         double way_left = 0;               // mm until it rests
@@ -87,7 +98,9 @@ private:
     Body& add_body(std::string_view name, Kind kind);
     void add_carrier(Body& body, unsigned axis_number);
     void place(const Core& core, Body& body) noexcept;
-    void show(Body& body) noexcept;
+    void show(const Core& core, Body& body) noexcept;
+    static Box turned(const Body& body, const Box& own, double steps, bool anywhere) noexcept;
+    void turn_tools(const Core& core, Body& body) noexcept;
     bool off(const Core& core, const Body& a, const Body& b) const noexcept;
     double gaps(const Body& a, const Body& b, double reach, const Relative& way, std::array<double, 8>& then) const noexcept;
 
@@ -97,7 +110,7 @@ private:
     ToolShapes shapes_;
     std::array<Body, kBodies> bodies_{};
     Body spare_;                           // takes what there is no room for
-    std::array<Box, kBoxes> boxes_{}, shown_{};
+    std::array<Box, kBoxes> boxes_{}, shown_{}, turned_{};   // turned_: as boxes_, those of other stations as the turret stands
     std::size_t shown_count_ = 0;
     std::array<std::uint32_t, kMaxChannels> station_{};   // in work
     std::array<Tool, kMaxChannels> tools_{};

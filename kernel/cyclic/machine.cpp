@@ -103,6 +103,15 @@ void Machine::take_successors() noexcept {
             guard_.take_tools(*shapes);
             guard_.configure(core_.table, core_.config);
         }
+    if (core_.next_compensation.load(std::memory_order_relaxed) != nullptr) {
+        bool rest = true;
+        for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) rest = rest && !(core_.axes[a].exists() && core_.axes[a].moving());
+        if (rest) {
+            compensation_.use_tables(*core_.next_compensation.load(std::memory_order_acquire));
+            core_.next_compensation.store(nullptr, std::memory_order_release);
+        }
+    }
+    if (core_.compensation_refused.exchange(false, std::memory_order_acquire)) core_.alarm(Alarm::CompensationTable, 0, "machine.compensation was not taken (params check says why)");
     // What operators change in the store (offsets, zeros) the channels take over at their next barrier.
     const std::uint64_t version = store_segment_->version.load(std::memory_order_acquire);
     if (version != store_version_) {
@@ -141,7 +150,7 @@ void Machine::tick() noexcept {
     if (segment_drives_) segment_drives_->end();
     position_signals();
     watch_step();
-    core_.sensors.look(core_.axes, core_.signals, core_.config.axis_count, core_.tick);
+    core_.sensors.look(core_.axes, core_.spindles, core_.signals, core_.config.axis_count, core_.tick);
     count_totals();
     watch_signals();
     trace();
@@ -174,8 +183,9 @@ void Machine::take_answers() noexcept {
         for (auto& channel : channels_) channel->store_changed();
     // Said once; the machine stays stopped until a reset finds the PLC answering again.
     const PlcLink::Take plc = plc_.take_outputs();
-    if (plc == PlcLink::Take::Late && !plc_late_) stop_all(Alarm::PlcLate);
-    if (plc != PlcLink::Take::Nothing) plc_late_ = plc == PlcLink::Take::Late;
+    const bool late = plc_.take_fast() == PlcLink::Take::Late || plc == PlcLink::Take::Late;
+    if (late && !plc_late_) stop_all(Alarm::PlcLate);
+    if (late || plc != PlcLink::Take::Nothing) plc_late_ = late;
 }
 
 void Machine::supervise() noexcept {

@@ -1,10 +1,11 @@
 #include "kernel/cyclic/sensors.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace polyturn::kernel {
 
-void Sensors::look(const std::array<AxisUnit, kMaxAxes>& axes, Signals& signals, std::uint32_t axis_count, std::int64_t tick) noexcept {
+void Sensors::look(const std::array<AxisUnit, kMaxAxes>& axes, const std::array<SpindleUnit, kMaxSpindles>& spindles, Signals& signals, std::uint32_t axis_count, std::int64_t tick) noexcept {
     if (count_ == 0) return;
     for (std::uint32_t a = 0; a < axis_count; ++a) {
         before_[a] = looked_ ? now_[a] : axes[a].measured();
@@ -16,6 +17,11 @@ void Sensors::look(const std::array<AxisUnit, kMaxAxes>& axes, Signals& signals,
     for (std::size_t i = 0; i < count_; ++i) {
         Sensor& one = sensors_[i];
         known[one.input] = true;
+        if (one.axis >= kMaxAxes) {
+            const double passed = std::fmod(spindles[one.axis - kMaxAxes].true_angle() - one.at + 720.0, 360.0);
+            if (passed < kCamDeg) sensed[one.input] = true;
+            continue;
+        }
         const int way = way_[one.axis], side = one.direction != 0 ? one.direction : way;
         const double here = now_[one.axis], last = before_[one.axis];
         const bool beyond = side != 0 && (side > 0 ? here >= one.at : here <= one.at);

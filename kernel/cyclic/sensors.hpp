@@ -7,11 +7,12 @@
 
 #include "kernel/cyclic/axis_unit.hpp"
 #include "kernel/cyclic/signals.hpp"
+#include "kernel/cyclic/spindle_unit.hpp"
 
 namespace polyturn::kernel {
 
 struct Sensor {
-    std::uint32_t axis = 0;   // from 0
+    std::uint32_t axis = 0;   // from 0; from kMaxAxes on spindles: a switch that the turning spindle passes, on for kCamDeg from its angle on
     std::uint32_t input = 0;
     int direction = 0;        // of travel in which it answers: -1, 1; 0 both
     double at = 0;            // machine coordinate, mm or degrees
@@ -24,7 +25,8 @@ public:
     void add(const Sensor& sensor) noexcept {
         if (count_ < kMost) sensors_[count_++] = sensor;
     }
-    void look(const std::array<AxisUnit, kMaxAxes>& axes, Signals& signals, std::uint32_t axis_count, std::int64_t tick) noexcept;
+    static constexpr double kCamDeg = 10.0;
+    void look(const std::array<AxisUnit, kMaxAxes>& axes, const std::array<SpindleUnit, kMaxSpindles>& spindles, Signals& signals, std::uint32_t axis_count, std::int64_t tick) noexcept;
     // For the tick after: part of the last tick (0 to 1) at which the input came; 1 when no sensor knows better.
     double risen_part(std::size_t input, std::int64_t tick) const noexcept { return count_ && risen_tick_[input] == tick - 1 ? risen_part_[input] : 1.0; }
     double position(const AxisUnit& axis, std::size_t a, double part) const noexcept { return count_ ? before_[a] + part * (now_[a] - before_[a]) : axis.measured(); }

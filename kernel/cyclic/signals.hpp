@@ -6,6 +6,7 @@
 #include <array>
 #include <bitset>
 #include <cstdint>
+#include <span>
 
 #include "polyturn/image_structs.hpp"
 
@@ -25,6 +26,7 @@ public:
     // The PLC's answer of one of its cycles.
     void take_plc(const PlcOutputs& outputs) noexcept {
         answered_ = outputs.signal;
+        for (std::size_t i = 0; i < fast_count_; ++i) answered_[fast_[i].slot] = fast_[i].value;
         if (forced_plc_.none()) {   // nearly always: a copy of thousands of slots, not a decision for each
             plc_ = answered_;
             return;
@@ -32,6 +34,20 @@ public:
         for (std::size_t i = 0; i < kPlcSignals; ++i)
             if (!forced_plc_[i]) plc_[i] = answered_[i];
     }
+    // Of these the PLC's fast task is the only writer; what its cycle says of them does not count.
+    void give_to_fast_task(std::span<const std::uint32_t> slots) noexcept {
+        fast_count_ = 0;
+        for (const std::uint32_t slot : slots)
+            if (slot < kPlcSignals && fast_count_ < fast_.size()) fast_[fast_count_++] = {slot, answered_[slot]};
+    }
+    // The n-th of them.
+    void take_fast(std::size_t n, std::int32_t value) noexcept {
+        if (n >= fast_count_) return;
+        fast_[n].value = answered_[fast_[n].slot] = value;
+        if (!forced_plc_[fast_[n].slot]) plc_[fast_[n].slot] = value;
+    }
+    std::uint32_t fast_slot(std::size_t n) const noexcept { return fast_[n].slot; }
+    std::size_t fast_count() const noexcept { return fast_count_; }
     void force_plc(std::uint32_t slot, std::int32_t value) noexcept { forced_plc_[slot] = true, plc_[slot] = value; }
     void force_nc(std::uint32_t slot, std::int32_t value) noexcept { forced_nc_[slot] = true, nc_[slot] = value; }
     void release_plc(std::uint32_t slot) noexcept { forced_plc_[slot] = false, plc_[slot] = answered_[slot]; }
@@ -55,6 +71,12 @@ private:
     std::array<std::int32_t, kPlcSignals> plc_{}, answered_{};
     std::bitset<kNcSignals> forced_nc_;
     std::bitset<kPlcSignals> forced_plc_;
+    struct Fast {
+        std::uint32_t slot;
+        std::int32_t value;
+    };
+    std::array<Fast, kFastSignals> fast_{};
+    std::size_t fast_count_ = 0;
     std::bitset<kInputs> input_, sensed_, forced_input_;
 };
 

@@ -2,10 +2,12 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <utility>
 
+#include "ipc/image/segments.hpp"
 #include "ipc/params/registry.hpp"
 
 namespace polyturn::plc {
@@ -37,6 +39,18 @@ std::int32_t slot(SignalWriter writer, const char* name, std::uint32_t instance)
         return static_cast<std::int32_t>(row.slot + instance - 1);
     }
     return -1;
+}
+
+// Of the fast task, likewise while its init() runs.
+PlcFastPlan* asked_plan = nullptr;
+
+// A signal that is asked for again has the place it has.
+std::int32_t place(std::array<std::uint32_t, kFastSignals>& slots, std::uint32_t& count, std::uint32_t slot) {
+    const auto end = slots.begin() + count;
+    const auto there = std::find(slots.begin(), end, slot);
+    if (there == end && count == slots.size()) return -1;
+    if (there == end) slots[count++] = slot;
+    return static_cast<std::int32_t>(there - slots.begin());
 }
 
 int parameter(const char* number, std::uint32_t instance, double* value) {
@@ -75,7 +89,33 @@ Result<BuilderPlc> BuilderPlc::load(const std::string& library) {
             if (what->offset > out.plc_->state_size || what->size > out.plc_->state_size - what->offset) return fault(Alarm::PlcLoad, library, "what it wants kept does not lie in its state");
             out.retained_ = *what;
         }
+    if (const auto fast = reinterpret_cast<PolyturnPlcInt0Function>(dlsym(object, POLYTURN_PLC_INT0_SYMBOL))) {
+        out.int0_ = fast();
+        if (!out.int0_ || !out.int0_->init || !out.int0_->run) return fault(Alarm::PlcLoad, library, POLYTURN_PLC_INT0_SYMBOL " gave no fast task");
+    }
     return out;
+}
+
+Result<void> BuilderPlc::init_fast() {
+    plan_ = {};
+    if (!int0_) return {};
+    const PolyturnPlcInt0Host host{
+        POLYTURN_PLC_API,
+        [](const char* name, std::uint32_t instance) {
+            const std::int32_t at = slot(SignalWriter::Nc, name, instance);
+            return at < 0 ? -1 : place(asked_plan->read, asked_plan->reads, static_cast<std::uint32_t>(at));
+        },
+        [](std::uint32_t number) { return number < kInputs ? place(asked_plan->read, asked_plan->reads, kFastInput + number) : -1; },
+        [](const char* name, std::uint32_t instance) {
+            const std::int32_t at = slot(SignalWriter::Plc, name, instance);
+            return at < 0 ? -1 : place(asked_plan->write, asked_plan->writes, static_cast<std::uint32_t>(at));
+        }};
+    asked_plan = &plan_;
+    const char* why = nullptr;
+    const int status = int0_->init(state_.get(), &host, &why);
+    asked_plan = nullptr;
+    if (status != 0) return fault(Alarm::PlcStart, library_, why ? why : "its fast task gave no reason");
+    return {};
 }
 
 Result<void> BuilderPlc::init(const params::Table& parameters, double tick_s, PlcMemory& memory) {
@@ -95,8 +135,10 @@ Result<void> BuilderPlc::init(const params::Table& parameters, double tick_s, Pl
     const int status = plc_->init(state_.get(), &host, &why);
     asked_parameters = nullptr;
     if (status != 0) return fault(Alarm::PlcStart, library_, why ? why : "it gave no reason");
-    return {};
+    return init_fast();
 }
+
+void BuilderPlc::fast(const PlcFastInputs& inputs, PlcFastOutputs& outputs) { int0_->run(state_.get(), inputs.tick, inputs.value.data(), outputs.value.data()); }
 
 std::span<std::byte> BuilderPlc::retained() const {
     if (!state_ || retained_.size == 0) return {};

@@ -7,6 +7,7 @@
  *     |-- polyturn_plc() ------------------------->  its name, the size of its state
  *     |-- init(state, host) ---------------------->  asks host for the slots of the signals it uses, keeps them
  *     |-- cycle(state, inputs n, outputs n) ------>  reads, decides, writes     every PT_PLC_CYCLE (10 ms)
+ *     |-- Int0 (optional): run(state, ...) ------->  a few values               every tick (see below)
  *
  * Rules
  *   R1  cycle() must return within a fraction of the cycle: no sleeping, no files, no waiting. A cycle that does not
@@ -89,6 +90,27 @@ typedef struct PolyturnPlcRetained {
 } PolyturnPlcRetained;
 #define POLYTURN_PLC_RETAINED_SYMBOL "polyturn_plc_retained"
 typedef const PolyturnPlcRetained* (*PolyturnPlcRetainedFunction)(void);
+
+/* Optional: Int0, the fast task, for what cannot wait for a cycle (the switch that orients a spindle). It is called at every
+ * tick of the interpolation, between two cycles of the PLC and never within one, sees up to 64 signals and inputs as they
+ * are at that tick, and what it answers acts at the next one. It finds its values by place, in the order in which it has
+ * asked for them. Of the signals that it writes it is the only writer: cycle() leaves them alone. A task that writes nothing
+ * is never called. It should need a few microseconds; without an answer for a whole PLC cycle the machine stops. */
+#define POLYTURN_PLC_INT0_MOST 64u
+typedef struct PolyturnPlcInt0Host {
+    uint32_t api;
+    /* For init() of the task only. Its place in `read` or `write`; -1: there is no such signal or input, or no room. */
+    int32_t (*read_signal)(const char* name, uint32_t instance); /* one that the NC writes */
+    int32_t (*read_input)(uint32_t number);                      /* digital input, from 0 */
+    int32_t (*write_signal)(const char* name, uint32_t instance);
+} PolyturnPlcInt0Host;
+typedef struct PolyturnPlcInt0 {
+    /* Behind the PLC's own init(), with the same state. 0: ready; otherwise the PLC is not started, *why says the reason. */
+    int (*init)(void* state, const PolyturnPlcInt0Host* host, const char** why);
+    void (*run)(void* state, int64_t tick, const int32_t* read, int32_t* write);
+} PolyturnPlcInt0;
+#define POLYTURN_PLC_INT0_SYMBOL "polyturn_plc_int0"
+typedef const PolyturnPlcInt0* (*PolyturnPlcInt0Function)(void);
 
 #ifdef __cplusplus
 }

@@ -65,15 +65,35 @@ Result<SessionEnd> run_session(const std::string& instance, BuilderPlc& plc, con
     auto own = OwnSegment<PlcSegment>::create(instance, generation);
     if (!own) return own.diagnosis();
     PlcSegment& segment = **own;
+    segment.fast_plan = plc.fast_plan();
     own->publish();
 
     const auto inputs = std::make_unique<PlcInputs>();
     const auto outputs = std::make_unique<PlcOutputs>();
-    std::uint64_t done = 0;
+    PlcFastInputs fast_inputs{};
+    PlcFastOutputs fast_outputs{};
+    const bool has_fast = plc.fast_plan().writes != 0;
+    std::uint64_t done = 0, fast_version = 0, version = 0, turns = 0;
+    bool waits = false;   // inputs of a cycle have been read and are not worked off
     while (!stop.load(std::memory_order_relaxed)) {
         const std::uint32_t rung = kernel.plc_bell.seen();
-        if (kernel.plc_inputs.read(*inputs) && inputs->cycle != done) {
-            cycle_watch::begin(inputs->cycle);
+        bool worked = false;
+        if (const std::uint64_t newest = has_fast ? kernel.plc_fast.version() : 0; newest != fast_version && kernel.plc_fast.read(fast_inputs)) {
+            fast_version = newest;
+            cycle_watch::begin(++turns);
+            plc.fast(fast_inputs, fast_outputs);
+            cycle_watch::end();
+            fast_outputs.count = fast_inputs.count;
+            segment.fast.write(fast_outputs);
+            segment.fast_count.store(fast_outputs.count, std::memory_order_release);
+            segment.bell.ring();
+            worked = true;
+        }
+        if (const std::uint64_t newest = kernel.plc_inputs.version(); newest != version && kernel.plc_inputs.read(*inputs)) version = newest, waits = inputs->cycle != done;
+        // The fast task of the same tick is sent behind the cycle's inputs and comes first: one order, however this process is woken.
+        if (waits && (!has_fast || fast_inputs.tick >= inputs->tick)) {
+            waits = false;
+            cycle_watch::begin(++turns);
             memory.begin_cycle();
             plc.cycle(*inputs, *outputs);
             cycle_watch::end();
@@ -82,8 +102,9 @@ Result<SessionEnd> run_session(const std::string& instance, BuilderPlc& plc, con
             segment.cycle.store(done, std::memory_order_release);
             segment.bell.ring();
             memory.end_cycle();
-            continue;
+            worked = true;
         }
+        if (worked) continue;
         kernel.plc_bell.wait(rung, kLookRoundUs, kSpins);
         if (kernel.plc_bell.seen() == rung && another_kernel(instance, generation)) return SessionEnd::NewKernel;
     }

@@ -46,6 +46,12 @@ TablePointer running_table(const std::string& instance) {
     return table;
 }
 
+// "…/machine" of the machine that a running controller has; empty: it has parameters only.
+std::string running_base(const std::string& instance) {
+    const auto supervisor = PeerSegment<SupervisorSegment>::attach(instance);
+    return supervisor ? std::string((*supervisor)->options.machine_folder.data()) : std::string();
+}
+
 TablePointer table_of_file(const std::string& machine) {
     LoadedMachine loaded = load_machine_file(machine);
     if (tell(loaded.diagnoses)) return nullptr;
@@ -144,12 +150,22 @@ int export_table(const ParamsOptions& options) {
 
 // Measured errors are imported whole: the table is checked against the machine's parameters, then it takes the old one's place.
 int import_compensation(const ParamsOptions& options, const std::string& path, const std::string& content) {
-    if (options.machine.empty()) {
-        std::fputs(say("polyturn: a compensation table is imported with --machine FILE; it acts from the next start\n").data(), stderr);
+    const std::string base = options.instance.empty() ? std::string() : running_base(options.instance);
+    if (options.instance.empty() ? options.machine.empty() : base.empty()) {
+        std::fputs(say("polyturn: a compensation table is imported with --machine FILE, or with --instance NAME into a controller that runs a machine\n").data(), stderr);
         return 2;
     }
     std::vector<Diagnosis> faults;
     const CompensationTables tables = parse_compensation(content, path, faults);
+    if (!options.instance.empty()) {
+        const TablePointer table = running_table(options.instance);
+        if (!table) return 2;
+        check_compensation_tables(*table, tables, path, faults);
+        if (tell(faults)) return 2;
+        if (const int failed = rewrite(base + ".compensation", content)) return failed;
+        print(fmt::format(fmt::runtime(say("{}: acts as soon as the axes rest\n")), base + ".compensation"));
+        return 0;
+    }
     LoadedMachine loaded = load_machine_file(options.machine);
     std::erase_if(loaded.diagnoses, [](const Diagnosis& d) { return d.alarm == Alarm::CompensationTable; });   // of the one that is replaced
     if (tell(loaded.diagnoses) || !loaded.table) return 2;
@@ -204,6 +220,10 @@ int check(const ParamsOptions& options) {
         const TablePointer table = running_table(options.instance);
         if (!table) return 2;
         contradictions = check_machine_config(*table);
+        if (const std::string base = running_base(options.instance); !base.empty()) {
+            const std::string file = base + ".compensation";
+            check_compensation_tables(*table, load_compensation(file, contradictions), file, contradictions);
+        }
     } else {
         const LoadedMachine loaded = load_machine_file(options.arguments.empty() ? options.machine : options.arguments.front());
         if (tell(loaded.diagnoses)) return 2;

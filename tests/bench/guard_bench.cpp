@@ -69,6 +69,7 @@ private:
             room.axes[2 * l] = {{}, {0, 0, 1}};
             RoomTurret& turret = room.turrets[l];
             turret.body = {{-40, 40, -40, 40}, {-30, 30, -60, 60}};
+            turret.stations = kStations, turret.reach = 100, turret.direction = {-1, 0, 0};   // the tools of all stations count
             for (unsigned s = 1; s <= kStations; ++s) turret.tools[s] = {{-60, -40, -10, 10}, {-55, -40, -25, 5}, {40, 60, -10, 10}};
         }
         room.chucks[1] = {{{0, 0, -700}, {0, 0, 1}}, 250, 200, 60, 0};

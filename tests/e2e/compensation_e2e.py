@@ -132,6 +132,23 @@ class MeasuredErrors(Case):
         done = self.polyturn("params", "set", "N2500 A2=0", "--instance", name)
         self.assertEqual(done.status, 0, done.said())
         self.assertTrue(wait(lambda: axes()["A2"]["compensation"] == 0), axes().get("A2"))
+        # A table that is imported while the machine runs acts at once, fading in; one that has a gap changes nothing.
+        self.assertEqual(self.polyturn("params", "set", "N2500 A2=1", "--instance", name).status, 0)
+        self.assertTrue(wait(lambda: abs(axes()["A2"]["compensation"] - 0.05) < 1e-6), axes().get("A2"))
+        other = self.write("other.compensation", FLAT.replace("0.05", "-0.02"))
+        done = self.polyturn("params", "import", other, "--instance", name)
+        self.assertEqual(done.status, 0, done.said())
+        self.assertTrue(wait(lambda: abs(axes()["A2"]["compensation"] + 0.02) < 1e-6), axes().get("A2"))
+        self.assertEqual(self.polyturn("params", "check", "--instance", name).status, 0)
+        gap = "".join(FLAT.splitlines(True)[:-1])
+        done = self.polyturn("params", "import", self.write("gap.compensation", gap), "--instance", name)
+        self.assertEqual(done.status, 2, done.said())
+        (machine / "machine.compensation").write_text(gap)   # by hand: the controller refuses it and keeps what it has
+        self.assertTrue(wait(lambda: "PT0696" in self.polyturn("alarms", "--instance", name).out), self.polyturn("alarms", "--instance", name).said())
+        self.assertAlmostEqual(axes()["A2"]["compensation"], -0.02, delta=1e-6)
+        done = self.polyturn("params", "check", "--instance", name)
+        self.assertEqual(done.status, 1, done.said())
+        self.assertIn("PT0696", done.out + done.err)
         running.send_signal(signal.SIGTERM)
         running.wait(timeout=20)
 

@@ -129,6 +129,65 @@ press = "cycle_start L1"
         self.assertTrue([1 for a, b in zip(x, z) if b < left_at - 0.01 and a > 30.001 and b > -39.9] == [], "back before it goes on")
         self.assertTrue([b for b in z if b < -39.999])
 
+    # nct part 1 14.4, N1337 #5: the operator moves X by 5 mm in the hold and starts without `return`.
+    AWAY = """
+[[at]]
+when = { ev = "move", ch = 1, kind = "linear" }
+after = 1.0
+press = "feed_hold L1"
+[[at]]
+when = { ev = "move", ch = 1, kind = "linear" }
+after = 2.0
+press = "jog_in_hold L1"
+[[at]]
+when = { ev = "move", ch = 1, kind = "linear" }
+after = 2.1
+press = "step A1+ 5"
+[[at]]
+when = { ev = "move", ch = 1, kind = "linear" }
+after = 4.0
+press = "cycle_start L1"
+"""
+
+    def away(self, program, *sets, language="nct", status=0):
+        arguments = ["run", "--virtual", "--language", language, "--setup", self.write("setup.toml", SETUP), "--trace", self.folder / "trace.csv",
+                     "--scenario", self.write("scenario.toml", self.AWAY)]
+        for line in sets:
+            arguments += ["--set", line]
+        done = self.polyturn(*arguments, self.write("O0001.nc", program))
+        self.assertEqual(done.status, status, done.said())
+        trace = self.trace()
+        return done, list(zip(trace["A1.cmd"], trace["A2.cmd"]))
+
+    def test_a_start_away_from_an_incremental_path(self):
+        program = "G90 G94 G18\nG0 X60. Z0.\nG91 G1 Z-40. F600.\nX4.\nZ-5.\nG90 X50. Z-60.\nM30\n"
+        _, path = self.away(program)            # REL 0: back onto the programmed path
+        behind = [x for x, z in path if -39.9 < z < -20]
+        self.assertTrue(behind)
+        self.assertAlmostEqual(max(behind), 30.0, places=6)
+        self.assertTrue([1 for x, z in path if abs(x - 32) < 1e-6 and abs(z + 44) < 0.5])
+        self.assertAlmostEqual(path[-1][0], 25.0, places=6)
+        _, path = self.away(program, "N1337#5 L1=1")     # the path has moved along, until both axes are named absolutely
+        behind = [x for x, z in path if -39.9 < z < -20]
+        self.assertTrue(behind)
+        self.assertAlmostEqual(min(behind), 35.0, places=6)
+        self.assertTrue([1 for x, z in path if abs(x - 37) < 1e-6 and abs(z + 44) < 0.5])
+        self.assertAlmostEqual(path[-1][0], 25.0, places=6)
+        self.assertAlmostEqual(path[-1][1], -60.0, places=6)
+        self.assertTrue(all(b[1] <= a[1] + 1e-6 for a, b in zip(path, path[1:]) if a[1] < -0.001), "nothing is cut twice")
+
+    def test_a_start_away_from_an_absolute_path_goes_back_to_it(self):
+        for sets in ((), ("N1337#5 L1=1",)):
+            _, path = self.away("G90 G94 G18\nG0 X60. Z0.\nG1 Z-40. F600.\nX70.\nM30\n", *sets)
+            self.assertAlmostEqual(max(x for x, z in path if -39.9 < z < -20), 30.0, places=6)
+            self.assertAlmostEqual(path[-1][0], 35.0, places=6)
+
+    def test_other_languages_want_the_axes_back_first(self):
+        done, path = self.away("G98\nG0 X60. Z0.\nG1 Z-40. F600.\nX70.\nM30\n", language="fanuc", status=1)
+        self.assertIn("axes were moved in the hold", done.said())
+        self.assertAlmostEqual(path[-1][0], 35.0, places=6)
+        self.assertGreater(path[-1][1], -20)
+
     def test_restart_shows_and_approaches_and_goes_on(self):
         program = "N10 G98 T0101\nN20 G97 S500 M3\nN30 G0 X60. Z2. M8\nN40 G1 Z-10. F600.\nN50 X70.\nN60 G0 Z2.\nN70 X50.\nN80 G1 Z-20.\nN90 G0 X100. Z50. M9\nM30\n"
         done = self.run_it(program, "", "--from", "1=N80")

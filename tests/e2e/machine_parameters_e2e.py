@@ -191,6 +191,24 @@ class Spindles(Parameters):
         self.assertAlmostEqual(self.trace()["S1.angle"][-30], 90.0, delta=0.5)
         self.assertEqual(self.run_nct("M19\nAM2=90.\nM30\n", status=1).alarms[0]["line"], 2)
 
+    # 8.4, N0609 OSW: the switch reaches the spindle by the PLC's fast task, within ticks and not within cycles.
+    def test_a_spindle_is_oriented_by_a_switch_that_the_fast_task_copies(self):
+        setup = SETUP.replace("[channel.2]", '[[channel.1.sensor]]\ninput = 4\naxis = "S1"\nat = 123.0\n[channel.2]')
+
+        def angle(*sets, status=0):
+            arguments = ["run", "--virtual", "--language", "nct", "--setup", self.write("switch.toml", setup), "--trace", self.folder / "trace.csv"]
+            for line in ("N0609#4 S1=1", "N0801 S1=200", *sets):
+                arguments += ["--set", line]
+            program = self.write("O0001.nc", "M19\nG4 P0.3\nM30\n")
+            done = self.polyturn(*arguments, f"1={program}")
+            self.assertEqual(done.status, status, done.said())
+            return self.trace()["S1.angle"][-30]
+        self.assertTrue(123.0 < angle("PT_IN_ORIENT S1=5") < 123.0 + 4 * 1.2, "a tick is 1.2 degrees, a PLC cycle 12")
+        angle("PT_IN_ORIENT S1=6", status=1)   # nobody sees the switch: it does not come into position
+        done = self.polyturn("run", "--virtual", "--setup", self.write("none.toml", setup.replace("S1", "S9")), self.write("O0002.nc", "M30\n"))
+        self.assertEqual(done.status, 2, done.said())
+        self.assertIn("S9", done.said())
+
     # 5, N0320 and N0328: in rapid, or at a feed that is held.
     def test_a_positioned_spindle_moves_in_rapid_or_at_its_feed(self):
         def seconds(motion, *sets):

@@ -88,6 +88,9 @@ public:
     // nullptr, or the name of the signal or parameter that is missing.
     const char* resolve(const PolyturnPlcHost& host);
     void cycle(const PolyturnPlcInputs& in, PolyturnPlcOutputs& out);
+    // Int0: the switches that orient spindles (PT_IN_ORIENT) go to SP_OSW at every tick (nct_parameters_part1 8.4).
+    const char* resolve_fast(const PolyturnPlcInt0Host& host);
+    void run_fast(const std::int32_t* read, std::int32_t* write) const;
     // What survives power-off: where the turrets stand.
     static PolyturnPlcRetained retained();
 
@@ -151,7 +154,7 @@ private:
     struct SpindleSettings {
         double chuck_time_s, gear_time_s;
         std::array<double, kRanges> range_max;
-        std::int32_t ranges, closing_code, state_low, state_high, c_axis_code, in_chuck, follow_code, master;
+        std::int32_t ranges, closing_code, state_low, state_high, c_axis_code, in_chuck, in_orient, follow_code, master;
     };
     struct View {  // one cycle's inputs and outputs, by meaning
         const PolyturnPlcInputs& in;
@@ -227,6 +230,11 @@ private:
     std::int32_t machine_on_slot_ = 0, emergency_slot_ = 0, message_slot_ = 0, stop_slot_ = 0, in_stop_ = 0, power_slot_ = 0, in_power_ = 0, key_slot_ = 0, in_key_ = 0, group_stride_ = 0;
     double tick_s_ = 0.001, couple_time_s_ = 0;
     bool first_ = true;
+    struct Copied {                      // by the fast task: place of what it reads, place of what it writes
+        std::int32_t from, to;
+    };
+    std::array<Copied, kSpindles> copied_{};
+    std::size_t copies_ = 0;
     struct Kept {
         std::uint32_t used = 0;          // 0: nothing was kept
         std::array<std::int32_t, kChannels> station{};

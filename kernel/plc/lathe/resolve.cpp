@@ -78,6 +78,7 @@ const char* LathePlc::resolve(const PolyturnPlcHost& host) {
         set.ranges = f.whole("PT_GEAR_RANGES", s);
         set.c_axis_code = f.whole("PT_M_C_AXIS", s);
         set.in_chuck = f.whole("PT_IN_CHUCK", s);
+        set.in_orient = f.whole("PT_IN_ORIENT", s);
         set.master = f.whole("PT_SPINDLE_MASTER", s);
         if (set.master > static_cast<std::int32_t>(kSpindles)) set.master = 0;
         set.follow_code = f.whole("PT_M_FOLLOW", s);
@@ -109,6 +110,21 @@ const char* LathePlc::resolve(const PolyturnPlcHost& host) {
     in_key_ = f.whole("PT_IN_KEY", 1);
     tick_s_ = host.tick_s;
     return f.missing;
+}
+
+const char* LathePlc::resolve_fast(const PolyturnPlcInt0Host& host) {
+    copies_ = 0;
+    for (std::uint32_t s = 1; s <= kSpindles; ++s) {
+        if (spindle_settings_[s - 1].in_orient <= 0) continue;
+        const Copied one{host.read_input(static_cast<std::uint32_t>(spindle_settings_[s - 1].in_orient - 1)), host.write_signal("SP_OSW", s)};
+        if (one.from < 0 || one.to < 0) return "an input of PT_IN_ORIENT, or SP_OSW";
+        copied_[copies_++] = one;
+    }
+    return nullptr;
+}
+
+void LathePlc::run_fast(const std::int32_t* read, std::int32_t* write) const {
+    for (std::size_t i = 0; i < copies_; ++i) write[copied_[i].to] = read[copied_[i].from] != 0;
 }
 
 }  // namespace polyturn::plc

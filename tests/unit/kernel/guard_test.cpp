@@ -79,6 +79,51 @@ TEST(Guard, HoldsTheToolsOfAllTurrets) {
     EXPECT_LE(m.rig.position(1), 53.0);
 }
 
+// The turret of L1 has twelve stations on a radius of 100 mm behind the carrier's point; the tool of station 2 reaches 80 mm out.
+struct Turret : TwoCarriers {
+    explicit Turret(double reach, int station_in_work = 1) {
+        Room room;
+        for (unsigned a = 1; a <= 4; ++a) room.axes[a] = {{}, a % 2 ? RoomVector{1, 0, 0} : RoomVector{0, 0, 1}};
+        room.turrets[1].body = room.turrets[2].body = {{-10, 10, -10, 10}};
+        room.turrets[1].stations = 12;
+        room.turrets[1].reach = reach;
+        room.turrets[1].direction = {-1, 0, 0};
+        room.turrets[1].tools[2] = {{-80, -10, -5, 5}};
+        rig.machine->take_room(room, derive_machine_config(rig.machine->core().table));
+        rig.machine->adopt_parameters();
+        rig.machine->core().signals.force_plc(signals::cp_actt(1), station_in_work);
+    }
+    double stops_at() {
+        rig.push(1, rig.line(1, {-100, 0}, 100));
+        rig.start(1);
+        rig.run(3000);
+        EXPECT_TRUE(rig.alarmed(Alarm::GuardStop, 1));
+        return rig.position(1);
+    }
+};
+
+TEST(Guard, WatchesTheToolsOfTheOtherStationsWhereTheTurretHasTurnedThem) {
+    // From the axis the tool goes from 110 to 180 mm and is 10 mm wide: turned by 30 degrees it reaches 180 cos 30 + 5 sin 30.
+    const double ahead = 180 * std::cos(M_PI / 6) + 2.5 - 100;
+    Turret near(100), unknown(0), opposite(100, 8), in_place(100, 2), away(100, 5);
+    EXPECT_NEAR(near.stops_at(), 11 + ahead, 1.5);
+    EXPECT_NEAR(unknown.stops_at(), 21, 2);      // where the axis is nobody has said: in work only
+    EXPECT_NEAR(opposite.stops_at(), 21, 2);     // it looks the other way
+    EXPECT_NEAR(away.stops_at(), 21, 2);         // a quarter of a turn away: behind the body
+    EXPECT_NEAR(in_place.stops_at(), 91, 2);     // turned into work, whatever T the program has called
+}
+
+TEST(Guard, GivesATurretThatTurnsItsWholeCircle) {
+    Turret m(100, 8);
+    m.rig.machine->core().signals.force_plc(signals::cp_turretopen(1), 1);
+    // A start is refused while the turret is open, so a hand moves it.
+    m.rig.run(25);
+    m.rig.command(CommandKind::Jog, 0, -5, 0, 1);
+    m.rig.run(6000);
+    EXPECT_TRUE(m.rig.alarmed(Alarm::GuardStop, 1));
+    EXPECT_NEAR(m.rig.position(1), 11 + std::hypot(180, 5) - 100, 2);
+}
+
 TEST(Guard, StopsBothWhenBothMove) {
     TwoCarriers m;
     m.rig.push(1, m.rig.line(1, {-90, 0}, 150));
@@ -162,6 +207,22 @@ TEST(Guard, ChuckBarrierOfParametersActsUntilThePlcTakesItAway) {
         EXPECT_EQ(m.rig.alarmed(Alarm::GuardStop, 1), !off);
         if (off) EXPECT_NEAR(m.rig.position(2), -180, 1e-9);
         else EXPECT_GE(m.rig.position(2), -170 + 10 + 1.0);
+    }
+}
+
+// N1900 TYP: beside a grip that holds a bore the carrier goes as far as the jaws; a grip around the part is as wide as they are.
+TEST(Guard, TheGripIsAsWideAsTheChuckHolds) {
+    for (const int outside : {0, 1}) {
+        TwoCarriers m([&](params::Table& t) {
+            params::put(t, params::n1901_l1_length_of_jaws, 30, 1), params::put(t, params::n1902_w1_width_of_jaws, 200, 1);
+            params::put(t, params::n1903_l2_holding_length_of_jaws, 40, 1), params::put(t, params::n1904_w2_holding_width_of_jaws, 20, 1);
+            params::put(t, params::n1906_chuck_position_z, -200, 1), params::put(t, params::n1900_chuck_config, outside, 1);
+        });
+        m.rig.push(1, m.rig.line(1, {0, -180}, 100));
+        m.rig.start(1);
+        m.rig.run(4000);
+        EXPECT_TRUE(m.rig.alarmed(Alarm::GuardStop, 1));
+        EXPECT_NEAR(m.rig.position(2), (outside ? -130 : -170) + 11, 2);
     }
 }
 

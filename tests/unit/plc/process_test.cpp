@@ -174,6 +174,51 @@ TEST_F(PlcKeeps, MemoryThatItReadsAndWritesItselfAtOnceOneInACycleOrQueued) {
     EXPECT_EQ(first_.output[30] + first_.output[31] + outputs.output[32], 0);
 }
 
+TEST_F(PlcProcess, FastTaskAnswersEveryTickAndComesBeforeTheCycleOfItsTick) {
+    start(POLYTURN_BIN_DIR "/fast_plc.so");
+    attach();
+    const PlcFastPlan& plan = plc_->fast_plan;
+    ASSERT_EQ(plan.reads, 2u);
+    ASSERT_EQ(plan.writes, 2u);
+    EXPECT_EQ(plan.read[0], kFastInput + 3);
+    EXPECT_EQ(plan.read[1], signals::an_move(1));
+    EXPECT_EQ(plan.write[0], signals::sp_osw(2));
+    KernelSegment& kernel = *kernel_;
+    const auto tick = [&](std::uint64_t count, std::int64_t at, std::int32_t in) {
+        PlcFastInputs& fast = kernel.plc_fast.draft();
+        fast.count = count;
+        fast.tick = at;
+        fast.value[0] = in, fast.value[1] = 0;
+        kernel.plc_fast.publish();
+        kernel.plc_bell.ring();
+        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+        while (plc_->fast_count.load() != count && std::chrono::steady_clock::now() < until) std::this_thread::yield();
+        PlcFastOutputs out;
+        EXPECT_TRUE(plc_->fast.read(out));
+        return out;
+    };
+    for (std::uint64_t n = 1; n <= 25; ++n) {
+        if (n % 10 == 0) {   // a cycle's inputs come first, and wait for the task of their tick
+            PlcInputs& in = kernel.plc_inputs.draft();
+            in.cycle = n / 10;
+            in.tick = static_cast<std::int64_t>(n);
+            kernel.plc_inputs.publish();
+            kernel.plc_bell.ring();
+            sleep_ms(20);
+            EXPECT_EQ(plc_->cycle.load(), n / 10 - 1);
+        }
+        const PlcFastOutputs out = tick(n, static_cast<std::int64_t>(n), n % 3 == 0);
+        EXPECT_EQ(out.value[0], n % 3 == 0);
+        EXPECT_EQ(out.value[1], static_cast<std::int32_t>(n));
+        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+        while (n % 10 == 0 && plc_->cycle.load() != n / 10 && std::chrono::steady_clock::now() < until) std::this_thread::yield();
+    }
+    ASSERT_TRUE(plc_->outputs.read(outputs));
+    EXPECT_EQ(outputs.cycle, 2u);
+    EXPECT_EQ(outputs.output[0], 0) << "20 runs before the second cycle";
+    EXPECT_EQ(outputs.output[1], 1);
+}
+
 struct Fault { const char* library; bool signal; int number; };
 class PlcFault : public PlcProcess, public ::testing::WithParamInterface<Fault> {};
 

@@ -105,6 +105,46 @@ TEST(TransformedOut, LeadsTheDrivesOnWithoutAStep) {
     }
 }
 
+// Past the pole the pieces count the turn of the rotary axis too: the points are those of the line, speed and acceleration go on
+// from piece to piece and into what stands beside, and the way never goes faster than the feed.
+TEST(TransformedOut, CountsTheTurnWithoutLeavingTheLineOrItsFeed) {
+    for (const double b : {0.2, 0.02, 0.001, 0.0006}) {
+        SCOPED_TRACE(b);
+        const auto records = pieces_of(40, b, -25, b);
+        double way = 0, length = 0;
+        std::size_t curves = 0;
+        for (std::size_t n = 0; n < records.size(); ++n) {
+            const PathRecord& r = records[n];
+            curves += r.kind == static_cast<std::uint8_t>(RecordKind::Curve);
+            length += r.length;
+            way += r.start[0] - r.end[0];
+            for (int i = 0; i <= 20; ++i) {
+                SlotVector p{};
+                position_at(r, r.length * i / 20, p);
+                ASSERT_NEAR(p[1], b, 1e-9);
+                PathDerivatives d;
+                derivatives_at(r, r.length * i / 20, d);
+                ASSERT_LE(-d.first[0] * r.feed, 50 * (1 + 1e-9)) << n;   // mm/s of the way
+                ASSERT_GT(-d.first[0], 0) << n;
+            }
+            if (n == 0) continue;
+            PathDerivatives before, behind;
+            derivatives_at(records[n - 1], records[n - 1].length, before);
+            derivatives_at(r, 0, behind);
+            ASSERT_NEAR(before.first[0], behind.first[0], 1e-7 + 1e-5 * std::abs(behind.first[0])) << n;
+            ASSERT_NEAR(before.second[0], behind.second[0], 1e-6 + 1e-4 * std::abs(behind.second[0])) << n;
+        }
+        EXPECT_NEAR(way, 65, 1e-9);
+        EXPECT_GT(curves, 10u);
+        EXPECT_GT(length, 65.0);
+    }
+    // Where the rotary axis follows the feed anyway, and at the ends of a line, nothing is counted differently.
+    for (const PathRecord& r : pieces_of(30, 20, -30, 20)) EXPECT_EQ(r.kind, static_cast<std::uint8_t>(RecordKind::Line));
+    const auto records = pieces_of(40, 0.001, -25, 0.001);
+    EXPECT_EQ(records.front().kind, static_cast<std::uint8_t>(RecordKind::Line));
+    EXPECT_EQ(records.back().kind, static_cast<std::uint8_t>(RecordKind::Line));
+}
+
 TEST(TransformedOut, CutsNoMoreThanThePoleDemands) {
     EXPECT_LE(pieces_of(30, 40, -30, 40).size(), 16u);
     EXPECT_LE(pieces_of(30, 0.0006, -30, 0.0006).size(), 200u);
