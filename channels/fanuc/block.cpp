@@ -336,6 +336,7 @@ bool Interpreter::read_axis_words(AxisValues& target, AxisSet* named) {
         if (!axis_word(block_.words[axis_words_[k]], target, set)) return false;
     if (polar_ && !polar_target(target, set)) return false;
     if (named) *named = set;
+    core_.fixture_names(set);
     return true;
 }
 

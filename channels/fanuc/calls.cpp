@@ -66,6 +66,7 @@ bool Interpreter::call_count(std::int64_t& repeats) {
     repeats = 1;
     if (!block_.has('L')) return true;
     if (!whole('L', repeats)) return false;
+    if (repeats < 1) return core_.fail(Alarm::ValueOutOfRange, 'L', "L");
     return repeats <= 9999 ? true : core_.fail(Alarm::DigitsTooMany, 'L', "L");
 }
 

@@ -81,7 +81,7 @@ bool Interpreter::g_data(const GCode&) {
             return true;
         }
         if (kind == 3) return begin_life_groups();
-        if (kind == 2 || kind == 20) return g10_zero();
+        if (kind == 2 || kind == 20 || kind == 21) return g10_zero();
         if (kind == 10 || kind == 11) return g10_offset();
         return core_.fail(Alarm::NotBuilt, 'L', fmt::format("G10 L{}", kind));
     }
@@ -149,13 +149,14 @@ bool Interpreter::g10_offset() {
     return true;
 }
 
-// G10 L2 Pn, G10 L20 Pn: work zeros; P0 is the external shift.
+// G10 L2 Pn, G10 L20 Pn: work zeros; P0 is the external shift. G10 L21 Pn: fixture offsets of the table (G54.2).
 bool Interpreter::g10_zero() {
     std::int64_t p = 0;
     if (block_.has('P') && !whole('P', p)) return false;
-    const bool extended = block_.value('L') == 20;
-    if (p > (extended ? 300 : 6) || (extended && p < 1)) return core_.fail(Alarm::OffsetNumberIllegal, 'P', {}, static_cast<double>(p), extended ? 300 : 6);
-    const std::int32_t row = extended ? kZeroG541Row + static_cast<std::int32_t>(p) : static_cast<std::int32_t>(p);
+    const bool extended = block_.value('L') == 20, fixture = block_.value('L') == 21;
+    const std::int64_t most = fixture ? static_cast<std::int64_t>(kFixtureRows.size()) : extended ? 300 : 6;
+    if (p > most || ((extended || fixture) && p < 1)) return core_.fail(Alarm::OffsetNumberIllegal, 'P', {}, static_cast<double>(p), static_cast<double>(most));
+    const std::int32_t row = fixture ? kFixtureRows[static_cast<std::size_t>(p - 1)] : extended ? kZeroG541Row + static_cast<std::int32_t>(p) : static_cast<std::int32_t>(p);
     for (unsigned k = 0; k < axis_word_count_; ++k) {
         const Word& word = block_.words[axis_words_[k]];
         const auto [place, incremental] = axis_of(word);

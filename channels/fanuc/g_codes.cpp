@@ -73,7 +73,7 @@ constexpr auto kRows = std::to_array<GCode>({
     {"G54", 540, kAll, G::Zero, &I::g_zero, "", true, "Work zero 1"},
     {"G54", 540, kM, G::Zero, &I::g_shift, "", false, "Zero shift 1"},
     {"G54.1", 541, kAll, G::Zero, &I::g_zero_extended, "P", false, "Further work zeros"},
-    {"G54.2", 542, kAll, G::OneShot, nullptr, "P", false, "Fixture offset that follows the rotary table"},
+    {"G54.2", 542, kAll, G::OneShot, &I::g_fixture, "P", false, "Fixture offset that follows the rotary table"},
     {"G55", 550, kAll, G::Zero, &I::g_zero, "", false, "Work zero 2"},
     {"G55", 550, kM, G::Zero, &I::g_shift, "", false, "Zero shift 2"},
     {"G56", 560, kAll, G::Zero, &I::g_zero, "", false, "Work zero 3"},

@@ -4,6 +4,9 @@
 #include <limits>
 
 #include "channels/fanuc/interpreter.hpp"
+#include "channels/state/tip_control.hpp"
+#include "channels/state/zero_rows.hpp"
+#include "ipc/kinematics/five_axis.hpp"
 
 namespace polyturn::channels::fanuc {
 
@@ -82,6 +85,41 @@ bool Interpreter::g_zero_extended(const GCode&) {
     if (block_.has('P') && !whole('P', number)) return false;
     if (number < 1 || number > 300) return core_.fail(Alarm::OffsetNumberIllegal, 'P', {}, static_cast<double>(number), 300);
     core_.select_zero(kZeroG541Row + static_cast<std::int32_t>(number));
+    return true;
+}
+
+// G54.2 Pn: the n-th fixture offset, which turns with the table (N3200 2 or 3); P0: none. Nothing moves.
+bool Interpreter::g_fixture(const GCode&) {
+    std::int64_t number = 0;
+    if (!block_.has('P')) return core_.fail(Alarm::CycleWordMissing, 'G', "P");
+    if (!whole('P', number)) return false;
+    if (number > static_cast<std::int64_t>(kFixtureRows.size())) return core_.fail(Alarm::OffsetNumberIllegal, 'P', {}, static_cast<double>(number), static_cast<double>(kFixtureRows.size()));
+    if (core_.reads_ahead()) return core_.fail(Alarm::TransformPlace, 'G', "G41 G42");
+    if (number == 0) {
+        core_.fixture_off();
+        return true;
+    }
+    if (core_.transformed()) return core_.fail(Alarm::TransformPlace, 'G', "G54.2");
+    Transformation described;
+    if (!describe_head(core_, false, described)) return false;
+    FixtureOffset fixture;
+    fixture.table = described.kinematics;
+    const auto turns_part = [&](std::size_t head, std::size_t direction) { return fixture.table.value[head] == 0 && five_axis::exists(fixture.table, direction); };
+    if (!turns_part(five_axis::kFirstIsHead, five_axis::kFirstDirection) && !turns_part(five_axis::kSecondIsHead, five_axis::kSecondDirection))
+        return core_.fail(Alarm::FiveAxisUndefined, 'G', "N3200: a head turns no workpiece");
+    const MachineView& view = core_.view();
+    const double* const row = view.store->zeros.data() + static_cast<std::size_t>(kFixtureRows[static_cast<std::size_t>(number - 1)]) * kChannelAxes;
+    constexpr std::array kRoles{PlaneRole::BasicX, PlaneRole::BasicY, PlaneRole::BasicZ};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto place = static_cast<unsigned>(view.axis_by_role(kRoles[k]));   // describe_head has found all three
+        fixture.measured[k] = view.from_shown(place, row[place]);
+    }
+    for (std::size_t r = 0; r < 2; ++r) {
+        const std::uint8_t place = fixture.table.axis[3 + r];
+        fixture.at_deg[r] = place == kNoPlace ? fixture.table.centre[3 + r] : row[place];
+    }
+    fixture.rotary_alone = params::bit(view.table(), params::n3212_5d_control, view.channel, 7);
+    core_.set_fixture(fixture);
     return true;
 }
 

@@ -83,6 +83,7 @@ void Interpreter::clear_modal() {
 
 Result<void> Interpreter::start(FileId main) {
     core_.compensation_reset();
+    core_.fixture_off();
     core_.compensation_options(settings_.compensation);
     clear_modal();
     frames_.clear();
@@ -404,18 +405,19 @@ bool Interpreter::return_from(bool has_target, std::int64_t target) {
     loops_.resize(frame.loops);
     if (frame.repeats > 0 && !has_target) {
         --frame.repeats;
-        if (frame.macro) variables_.locals() = frame.arguments;
+        if (frame.macro && !frame.modal_call) variables_.locals() = frame.arguments;   // those of G66 are given once (fanuc_lathe 6.9.3)
         source_->seek(frame.begin);
         blocks_begun_ = false;
         jumped_ = true;
         line_left_ = false;
         return true;
     }
-    const CallLevel done = std::move(frame);
+    CallLevel done = std::move(frame);
     frames_.pop_back();
     look_whether_hidden();
+    if (done.modal_call && !done.outer_modals.empty()) done.outer_modals.back().arguments = variables_.locals();   // the next call goes on with them
     if (done.macro) variables_.pop_locals();
-    if (done.modal_call) modal_calls_ = done.outer_modals;
+    if (done.modal_call) modal_calls_ = std::move(done.outer_modals);
     program_number_ = done.outer_program;
     source_ = &files_->source(frames_.back().file);
     source_->seek(done.resume);

@@ -104,6 +104,7 @@ public:
     bool g_nothing(const GCode&);
     bool g_zero(const GCode&);
     bool g_zero_extended(const GCode&);
+    bool g_fixture(const GCode&);
     bool g_shift(const GCode&);         // mefi
     bool g_shift_table(const GCode&);   // mefi
     bool g_rapid(const GCode&);

@@ -183,6 +183,7 @@ void Core::clear_preset() {
 
 void Core::set_shift(const AxisValues& shift) {
     for (unsigned i = 0; i < view_->axis_count; ++i) path.shift[i] = shift[i];
+    if (path.fixture.on) shift_by(path.fixture.now, 1.0);
     rebase_all();
     refresh_surface_zero();
 }

@@ -25,6 +25,7 @@
 #include "channels/machine_view.hpp"
 #include "channels/port.hpp"
 #include "channels/sink.hpp"
+#include "channels/state/fixture.hpp"
 #include "channels/state/frame.hpp"
 #include "channels/state/transformation.hpp"
 #include "channels/state/work_zone.hpp"
@@ -98,6 +99,7 @@ struct PathState {
     Frame frame, inverse;
     bool factored = false;                  // some axes have a factor that acts behind compensation
     AxisValues factor{};                    // by place, while there is one; `frame` has them too
+    FixtureOffset fixture;                  // its vector is in `shift`
     Transformation transformation;          // machine and programmed are coordinates of its path while it is on
     FeedMode feed_mode = FeedMode::PerMinute;
     double feed = 0.0;                      // mm/min, mm/rev
@@ -331,6 +333,9 @@ public:
     bool commit_spindle();
     void forget_pending() { mode_changed_ = speed_changed_ = turn_changed_ = limit_changed_ = named_speed_changed_ = named_turn_changed_ = false, transformation_restored(); }   // after PathState was put back
     void refresh_surface_zero();                          // G96: the zero of X may have changed
+    void set_fixture(const FixtureOffset& fixture);       // G54.2 (core_fixture.cpp)
+    void fixture_off();
+    void fixture_names(AxisSet named) { fixture_named_ = named; }   // axes that the block has words for
 
 private:
     bool spindle_to(double degrees, SpindleApproach approach, double way_deg, bool whole_turns = false);
@@ -356,6 +361,10 @@ private:
     void suspend_compensation(AxisSet which);
     void drop_compensation_vector();
     void accept(const AxisValues& target);
+    std::array<double, 3> fixture_at(const AxisValues& point) const;
+    bool follow_fixture(const AxisValues& target, MoveKind kind);
+    void take_fixture_step();
+    void shift_by(const std::array<double, 3>& vector, double sense);
     AxisValues chain_offset() const;                      // what is added to frame(programmed)
     void follow_offsets(const AxisValues& programmed, const AxisValues& before);
     void sum_zeros();
@@ -394,6 +403,8 @@ private:
     std::unique_ptr<TransformSink> transforms_;   // in front of it once a transformation has been on
     Port* port_;
     Move move_;
+    std::array<double, 3> fixture_step_{};   // X Y Z: what the move that is begun adds to the fixture offset
+    AxisSet fixture_named_ = 0;
     AxisValues framed_{};   // target of the move that is begun, outside the frame
     Fault fault_;
     std::unique_ptr<compensation::Compensator> comp_;

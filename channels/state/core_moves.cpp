@@ -29,7 +29,8 @@ double Core::rollover_target(unsigned i, double word, bool absolute) {
         if (distance <= -period / 2) distance += period;   // half a turn goes the positive way
     } else {
         const double target = wrapped(axis.rollover_sign_is_direction ? std::fabs(word) : word, period);
-        distance = std::signbit(word) ? -wrapped(now - target, period) : wrapped(target - now, period);
+        const bool backwards = axis.rollover_sign_is_direction ? std::signbit(word) : word < 0;   // the sign of a position: 0 is positive (part 1, 3.5)
+        distance = backwards ? -wrapped(now - target, period) : wrapped(target - now, period);
     }
     return now + distance;
 }
@@ -42,8 +43,13 @@ bool Core::begin_move(const AxisValues& target, MoveKind kind) {
     factors_off_ = false;
     if (path.framed && !frame_reachable(target)) return false;
     const AxisValues& point = path.framed ? framed_ = framed(target) : target;
+    AxisValues along{};   // that the table takes the workpiece with it
+    if (path.fixture.on) {
+        if (!follow_fixture(target, kind)) return false;
+        put_geo(along, fixture_step_);
+    }
     for (unsigned i = 0; i < count; ++i) {
-        const double end = point[i] + path.turns_deg[i] + path.zero[i] + path.shift[i] + path.wanted[i];
+        const double end = along[i] + point[i] + path.turns_deg[i] + path.zero[i] + path.shift[i] + path.wanted[i];
         move_.machine_start[i] = path.machine[i];
         move_.pos[i] = point[i];
         if (std::fabs(end - path.machine[i]) > kSame) {
@@ -142,6 +148,7 @@ void Core::deliver() {
 }
 
 void Core::accept(const AxisValues& target) {
+    if (path.fixture.on) take_fixture_step();
     for (unsigned i = 0; i < view_->axis_count; ++i) {
         path.programmed[i] = target[i];
         path.vector[i] = path.wanted[i];

@@ -9,6 +9,7 @@ namespace polyturn::channels {
 
 bool Core::transform(const Transformation& wanted) {
     if (reads_ahead()) return fail(Alarm::TransformPlace, 'G', "G41 G42");
+    if (path.fixture.on) return fail(Alarm::TransformPlace, 'G', "G54.2 P0");
     if (vector_pending()) take_wanted();   // the tool's offset is in the centre
     if (!transforms_) {
         transforms_ = std::make_unique<TransformSink>(*view_, path.transformation);

@@ -1,13 +1,15 @@
 #include "ipc/machine/work_zeros.hpp"
 
 #include <cctype>
+#include <iterator>
 
 namespace polyturn {
 namespace {
 
 constexpr std::size_t kExternal = 0, kFirst = 1, kShift = 7, kExtended = 10, kExtendedCount = 300, kG53 = 311, kG500 = 312;
+constexpr std::size_t kFixture[] = {313, 314, 315, 316, 317, 318, 319, 9};   // G54.2P1..G54.2P8
 constexpr std::size_t kPlain = 6;   // G54..G59
-static_assert(kG500 < kWorkZeros);
+static_assert(kFixture[6] < kWorkZeros);
 
 // Digits only, up to four of them: more is no number that a zero offset has.
 std::optional<std::size_t> number(std::string_view digits) {
@@ -41,6 +43,10 @@ std::optional<std::size_t> work_zero_row(std::string_view name) {
         const auto p = number(w.substr(6));
         return p && *p >= 1 && *p <= kExtendedCount ? std::optional(kExtended + *p) : std::nullopt;
     }
+    if (w.starts_with("G54.2P")) {
+        const auto p = number(w.substr(6));
+        return p && *p >= 1 && *p <= std::size(kFixture) ? std::optional(kFixture[*p - 1]) : std::nullopt;
+    }
     if (w.starts_with("G159N")) {
         const auto n = number(w.substr(5));
         return n && *n <= 20 ? settable_zero_row(*n) : std::nullopt;
@@ -60,6 +66,8 @@ std::string work_zero_name(std::size_t row) {
     if (row == kG500) return "G500";
     if (row >= kFirst && row < kFirst + kPlain) return "G" + std::to_string(53 + row);
     if (row > kExtended && row <= kExtended + kExtendedCount) return "G54.1P" + std::to_string(row - kExtended);
+    for (std::size_t p = 0; p < std::size(kFixture); ++p)
+        if (row == kFixture[p]) return "G54.2P" + std::to_string(p + 1);
     return {};
 }
 

@@ -1,7 +1,7 @@
 // Names of zero offsets, and the row of ChannelStore::zeros that each has (see the end of segments.hpp).
 //
-//   row    0         1..6      7                11..310            311   312
-//   name   external  G54..G59  shift (G10 P0)   G54.1P1..G54.1P300 G53   G500
+//   row    0         1..6      7                11..310            311   312    313..319, 9
+//   name   external  G54..G59  shift (G10 P0)   G54.1P1..G54.1P300 G53   G500   G54.2P1..G54.2P8
 //
 // Controls call the same tables otherwise. The n-th settable offset is one row for all of them: 1 to 6 are G54 to G59,
 // from 7 on the rows of G54.1; so a channel that changes its language keeps its zeros.
