@@ -14,6 +14,7 @@
 #include "channels/cycles/contour.hpp"
 #include "channels/cycles/drilling.hpp"
 #include "channels/cycles/simple_cycles.hpp"
+#include "channels/fanuc/interpreter_state.hpp"
 #include "channels/fanuc/settings.hpp"
 #include "channels/fanuc/expression.hpp"
 #include "channels/fanuc/block_index.hpp"
@@ -25,38 +26,6 @@
 #include "channels/text/word_scanner.hpp"
 
 namespace polyturn::channels::fanuc {
-
-// G66: called after each block that moves.
-struct ModalCall {
-    std::int64_t program = 0;
-    std::int64_t repeats = 1;
-    bool every_block = false;        // G66.1
-    bool armed = false;              // its own block is past
-    LocalSet arguments{};
-};
-
-// A program that is being run: the main program, a subprogram or a macro.
-struct CallLevel {
-    FileId file = 0;
-    TextPosition resume;             // where the caller goes on
-    std::size_t resume_column = 0;   // byte in that line
-    TextPosition begin;              // first block of the program, for repetitions and jumps
-    std::int64_t repeats = 0;        // calls still to come after this one
-    bool macro = false;              // it has local variables of its own
-    bool by_code = false;            // called by a G, M or T code: no such calls inside
-    bool modal_call = false;         // called by G66
-    bool interrupt = false;          // an interrupt macro: M99 goes back to where the program was interrupted
-    std::size_t loops = 0;           // entries of loops_ that belong to outer frames
-    std::int64_t program = 0;        // its O number
-    std::int64_t outer_program = 0;
-    LocalSet arguments{};            // of a macro, for its repetitions
-    std::vector<ModalCall> outer_modals;   // a macro called by G66 runs without its own G66
-};
-
-struct Loop {
-    std::uint8_t number = 0;
-    TextPosition at;
-};
 
 class Interpreter : public Language, private ScanHook, private VariableHost {
 public:
@@ -180,26 +149,6 @@ private:
     void note_resume_point();
     bool go_back_to(std::uint64_t serial, bool within_compensation);
     bool is_plain_move() const;
-    struct Interrupting {             // M96 in force
-        bool on = false;
-        std::int64_t program = 0;
-    };
-    struct LifeInput {                // G10 L3
-        enum Mode : std::uint8_t { Off, Register, Change, Forget } mode = Off;
-        std::int32_t group = 0;       // that was opened last; 0 none
-    };
-    struct FrameChain { Frame mirror, scaling, rotation; };
-    struct LengthState {               // G43 G44 G43.7, D
-        std::int32_t number = 0, radius = 0;
-        int sign = 1;
-        bool turning = false;
-        AxisSet axes = 0;
-    };
-    struct CornerThen {                // behind a chamfer or corner of the lathe's own form
-        bool pending = false, along_z = false;
-        int sign = 1;
-        char letter = 0;
-    };
     // Everything that holds from block to block beside positions, calls and variables.
     auto modal() {
         return std::tie(motion_, active_, cycle_end_, cycle_set_, cycle_taper_, drilling_, drill_, finishing_, cycle_data_, absolute_, inch_, unit_, last_m_, last_t_, last_n_,
@@ -265,14 +214,6 @@ private:
     double second_geometry(std::size_t axis, const OffsetCell& cell);
     bool offset_value_good(OffsetTable table, double shown);
     // B axis (b_axis.cpp)
-    struct BStep {
-        int motion = 0;                // 0 none, 1 G0, 2 G1
-        int feed_mode = 0;             // 0 none, 1 G98, 2 G99
-        int one_shot = 0, drilling = 0;   // G number times ten
-        bool absolute = false, has_b = false, has_r = false, has_p = false;
-        double b = 0, r = 0, q = 0, p = 0, feed = 0, code = 0;
-        char letter = 0;               // M S T
-    };
     bool b_step(BStep& step, bool single);
     bool b_record();
     bool b_run(const std::vector<BStep>& program);
@@ -284,11 +225,6 @@ private:
     Step finish_skip();
     std::string_view dwell_signal();
     // repetitive cycles (g_repetitive.cpp)
-    struct ContourText {
-        TextPosition first, behind;      // block P; the line behind block Q
-        std::int64_t last = 0;           // Q
-        bool directly = false;           // nothing stands between the cycle and block P
-    };
     bool read_contour(cycles::Contour& contour, ContourText& text);
     bool read_contour_blocks(cycles::ContourRecorder& recorder, Interpreter& reader, ContourText& text);
     void after_contour(const ContourText& text);
@@ -398,31 +334,16 @@ private:
     AxisSet cycle_set_ = 0;
     double cycle_taper_ = 0.0;
     const GCode* drilling_ = nullptr; // active drilling cycle
-    struct DrillWords {
-        double initial = 0, r_level = 0, bottom = 0, q = 0, p = 0, e = 0;
-        bool initial_known = false, r_set = false, bottom_set = false, p_set = false, e_set = false;
-    } drill_;
-    struct Finishing {                // G70 drives the blocks P to Q
-        bool active = false;
-        std::string_view name;
-        std::int64_t last = 0;        // Q
-        TextPosition resume;
-        std::size_t depth = 0;        // of frames_
-        AxisValues start{};
-    } finishing_;
-    struct CycleData {                // what first blocks have said (fanuc: it stays; nct: for the next block)
-        std::optional<double> depth, escape, relief_z, relief_x, divisions, peck_return, thread_passes, thread_chamfer, tool_angle, least_infeed, thread_allowance;
-    } cycle_data_;
+    DrillWords drill_;
+    Finishing finishing_;   // G70 drives the blocks P to Q
+    CycleData cycle_data_;   // what first blocks have said (fanuc: it stays; nct: for the next block)
     bool reads_contour_ = false;      // this interpreter only looks at a contour
     bool absolute_ = true, inch_ = false;
     std::optional<AxisValues> away_;  // moved in the hold (N1337 REL): the next block with axis words decides
     std::int64_t last_m_ = 0, last_t_ = 0, last_n_ = 0;
     bool parameter_input_ = false;    // between G10 L50 and G11
     LifeInput life_;                  // between G10 L3 and G11
-    struct OneBlockShift {            // mefi G58, G59: what holds again behind the block
-        std::int32_t before = 0;
-        const GCode* code = nullptr;
-    } one_block_;
+    OneBlockShift one_block_;   // mefi G58, G59: what holds again behind the block
 
     // the block
     std::array<const GCode*, static_cast<std::size_t>(GGroup::Count)> coded_{};
@@ -435,28 +356,9 @@ private:
     unsigned m_count_ = 0, axis_word_count_ = 0, g_count_ = 0;
     std::array<std::uint8_t, 12> g_words_{};
     AxisValues target_{};
-    struct Measuring {
-        bool skipping = false, measuring = false;   // a skip move stands before its barrier; it measures the offset
-        unsigned place = 0;
-        double target = 0.0, range = 0.0;           // true mm
-    } measuring_;
-    struct RemoteData {               // G5: blocks of binary data come
-        bool active = false;
-        unsigned axes = 0, filled = 0;
-        double unit_minutes = 0.0;
-        std::uint64_t blocks = 0;
-        std::array<unsigned char, 2 * kChannelAxes + 1> block{};
-        std::int64_t silent_since_ms = -1;
-        bool override_was_locked = false;
-        double feed_was = 0.0;
-        FeedMode feed_mode_was = FeedMode::PerMinute;
-        ByteStream from;
-    } remote_;
-    struct ExternalProgram {          // M198: a program text comes through a socket
-        bool active = false;
-        std::int64_t number = 0, repeats = 1, silent_since_ms = -1;
-        std::string text, name;
-    } external_;
+    Measuring measuring_;
+    RemoteData remote_;   // G5: blocks of binary data come
+    ExternalProgram external_;   // M198: a program text comes through a socket
     std::deque<std::string> external_texts_;   // of programs that came
     Interrupting interrupting_;
     FrameChain frames_of_;
@@ -470,24 +372,12 @@ private:
     std::array<std::uint32_t, 8> corner_lines_{};  // of the newest blocks with a chamfer or corner R
     unsigned corner_count_ = 0;
     std::uint64_t comp_moves_ = ~0ull;         // moves delivered when compensation was switched on
+    std::uint16_t comp_code_ = 0;              // G41 or G42, in tenths, as it was programmed last
     std::array<std::uint8_t, 2> comma_words_{};
     unsigned comma_count_ = 0;
     bool words_used_ = false;                  // a setting of this block has taken the axis words
-    struct BPrograms {
-        std::array<std::vector<BStep>, 3> programs;
-        std::vector<BStep> draft;
-        unsigned registering = 0;              // 1 to 3
-        bool single_before = false, single_now = false;
-    } b_;
-    struct Interruption {             // an interrupt program runs
-        bool running = false;
-        bool shows_end = false;       // #5001 still gives the end of the interrupted block
-        bool again = false;           // the rest of the interrupted block is still to be driven
-        AxisValues end{}, begin{};    // of the interrupted block, workpiece system
-        PathState path;
-        CompSide side = CompSide::Off;   // compensation that goes on behind it
-        std::array<double, 130> modal_variables{};
-    } interruption_;
+    BPrograms b_;
+    Interruption interruption_;   // an interrupt program runs
     std::shared_ptr<ResumeState> interrupted_;   // what held when the program was interrupted
     double parts_ = 0, parts_wanted_ = 0;
     double pattern_ = 0;              // #5900
