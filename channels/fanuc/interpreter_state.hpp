@@ -11,6 +11,7 @@
 
 #include "channels/fanuc/g_codes.hpp"
 #include "channels/fanuc/variables.hpp"
+#include "channels/program_files.hpp"
 #include "channels/state/core.hpp"
 #include "channels/text/byte_stream.hpp"
 #include "channels/text/line_source.hpp"

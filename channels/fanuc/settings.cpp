@@ -117,14 +117,15 @@ Settings fanuc_settings(const Table& t, unsigned l) {
     return s;
 }
 
-// F1008, F1260: roll-over as a fanuc machine is set up for it; they win over N0107 where they say anything.
+// F1008, F1260: roll-over as a fanuc machine is set up for it (fanuc_lathe 10.2); N0107 is the nct control's.
 void fanuc_axes(MachineView& view) {
     const Table& t = view.table();
     for (unsigned i = 0; i < view.axis_count; ++i) {
         ChannelAxis& axis = view.axes[i];
         const unsigned a = axis.machine_axis + 1u;
-        if (!axis.rotary || !bit(t, f1008, a, 0)) continue;
-        axis.rollover = true;
+        if (!axis.rotary) continue;
+        axis.rollover = bit(t, f1008, a, 0);
+        if (!axis.rollover) continue;
         axis.rollover_shortest = !bit(t, f1008, a, 1);
         axis.rollover_sign_is_direction = bit(t, f1008, a, 1);
         axis.rollover_reduces_increments = false;

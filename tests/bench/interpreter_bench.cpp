@@ -12,28 +12,18 @@
 
 #include "channels/check/check_port.hpp"
 #include "channels/language.hpp"
+#include "tests/unit/channels/quiet_sink.hpp"
 
 namespace {
 
 using namespace polyturn;
 using namespace polyturn::channels;
 
-class NullSink final : public Sink {
+class NullSink final : public testing::QuietSink {
 public:
     std::uint64_t moves = 0;
     void move(const Move& m, const BlockContext&) override { moves += m.moved != 0; }
-    void dwell(const Dwell&, const BlockContext&) override {}
-    void aux(const Aux&, const BlockContext&) override {}
-    void spindle(const Spindle&, const BlockContext&) override {}
-    void wait(const Wait&, const BlockContext&) override {}
-    void variable(const Variable&, const BlockContext&) override {}
-    void offset(const OffsetWrite&, const BlockContext&) override {}
-    void message(std::string_view, const BlockContext&) override {}
-    void stop(const Stop&, const BlockContext&) override {}
-    void part(double, const BlockContext&) override {}
     void alarm(const Diagnosis& d, const BlockContext&) override { std::fputs(render(d, Dialect::Fanuc, {}).c_str(), stderr); }
-    void barrier(const BlockContext&) override {}
-    void block_end(const BlockContext&) override {}
 };
 
 // A lathe channel X Z, its parameters at their defaults.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "channels/compensation/compensator.hpp"
+#include "tests/unit/channels/quiet_sink.hpp"
 
 namespace polyturn::channels::compensation {
 namespace {
@@ -48,22 +49,10 @@ Piece piece_of(const Move& m) {
     return piece;
 }
 
-struct Recorder final : Sink {
+struct Recorder final : testing::QuietSink {
     std::vector<Move> moves;
     std::vector<std::int64_t> blocks;
     void move(const Move& m, const BlockContext& at) override { moves.push_back(m), blocks.push_back(at.block); }
-    void dwell(const Dwell&, const BlockContext&) override {}
-    void aux(const Aux&, const BlockContext&) override {}
-    void spindle(const Spindle&, const BlockContext&) override {}
-    void wait(const Wait&, const BlockContext&) override {}
-    void variable(const Variable&, const BlockContext&) override {}
-    void offset(const OffsetWrite&, const BlockContext&) override {}
-    void message(std::string_view, const BlockContext&) override {}
-    void stop(const Stop&, const BlockContext&) override {}
-    void part(double, const BlockContext&) override {}
-    void alarm(const Diagnosis&, const BlockContext&) override {}
-    void barrier(const BlockContext&) override {}
-    void block_end(const BlockContext&) override {}
 };
 
 // Numbers below `end`, evenly from the first test on.

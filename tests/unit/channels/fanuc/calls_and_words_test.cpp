@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "../play.hpp"
+#include "../quiet_sink.hpp"
 
 namespace polyturn::channels::testing {
 namespace {
@@ -32,6 +33,59 @@ TEST(MacroRound, KeepsTheIncrementOfAnAddress) {   // fanuc_lathe 6.4
 TEST(MacroCalls, CountToNineThousand) {   // fanuc_lathe 6.9.2
     EXPECT_TRUE(play("G65 P1 L10000\nM30\n").has({R"("number":3)"}));
     EXPECT_TRUE(play("M98 P1 L10000\nM30\n").has({R"("number":3)"}));
+    for (const char* none : {"G65 P1 L0\nM30\n", "M98 P1 L0\nM30\n"}) EXPECT_TRUE(play(none).has({R"("number":"PT1508")", R"("column":8)"})) << play(none).events;   // from 1 on
+}
+
+TEST(MacroCalls, OfG66GoOnWithTheirVariables) {   // fanuc_lathe 6.9.3: arguments are given once, in the block of G66
+    const Played played = play("#100=0\nG66 P8100 A1.\nG0 X90.\nX80.\nX70.\nG67\n#101=#1\nM30\nO8100\n#100=#100*10+#1\n#1=#1+1\nM99\n");
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_TRUE(played.has({R"("name":"#100","value":123})"})) << played.events;
+    EXPECT_TRUE(played.has({R"("name":"#101","value":null})"})) << played.events;   // the caller's own
+}
+
+TEST(RollOver, IsFanucsOwn) {   // fanuc_lathe 10.2: without F1008#0 positions run on, whatever the nct control's N0107 says
+    Play how;
+    how.sets = {"N0107 A5=1", "F1008 A5=0"};
+    EXPECT_TRUE(play("G0 C-350.\nM30\n", how).has({R"("machine":{"X":)", R"("C":-350)"})) << play("G0 C-350.\nM30\n", how).events;
+    how.sets = {"N0107 A5=1", "F1008 A5=1"};
+    EXPECT_TRUE(play("G0 C20.\nN2 C-350.\nM30\n", how).has({R"("n":2,)", R"("pos":{"X":)", R"("C":10)"})) << play("G0 C20.\nN2 C-350.\nM30\n", how).events;
+}
+
+// Where the C axis goes, whole turns included.
+struct Turns final : QuietSink {
+    std::vector<double> ends;
+    void move(const Move& m, const BlockContext&) override { ends.push_back(m.machine[2] - m.machine_start[2]); }
+};
+
+std::vector<double> turns_of(std::string_view program, const std::vector<std::string>& sets) {
+    const auto table = lathe(sets);
+    MachineView view = make_machine_view(*table, 1);
+    ProgramFiles files;
+    Turns turns;
+    const text::Setup setup;
+    CheckPort port(setup, 1, true);
+    const auto main = files.open_text(program, "test.nc");
+    if (!main) return {};
+    const auto interpreter = make_language("nct", view, turns, port, files);
+    (void)interpreter->start(*main).ok();
+    interpreter->core().start_at_machine(view.start);
+    for (int n = 0; n < 100 && interpreter->step() == Step::Continue; ++n) {}
+    return turns.ends;
+}
+
+TEST(RollOver, TakesZeroAsPositive) {   // nct part 1 3.5: the sign of a position; of a direction it is the sign that is written
+    EXPECT_EQ(turns_of("G0 C330.\nC-0.\n", {"N0107 A5=1"}), (std::vector<double>{330, 30}));
+    EXPECT_EQ(turns_of("G0 C330.\nC-0.\n", {"N0107 A5=5"}), (std::vector<double>{330, -330}));
+    EXPECT_EQ(turns_of("G0 C330.\nC-10.\n", {"N0107 A5=1"}), (std::vector<double>{330, -340}));
+}
+
+TEST(Compensation, GoesOnOnItsSideRightBehindItsBeginning) {   // fanuc_lathe 3.9
+    Play how;
+    const auto nose = [](MachineView& view) { view.store->offsets[1].geometry_r = 0.4; };
+    const Played refused = play("G98 F100 T0101\nG41 G1 X40. Z2.\nG42 Z-10.\nX50.\nM30\n", how, nose);
+    EXPECT_TRUE(refused.has({R"("line":3)", R"("number":9)", R"("column":1)"})) << refused.events;
+    const Played later = play("G98 F100 T0101\nG41 G1 X40. Z2.\nZ-10.\nG42 X50. Z-20.\nX60.\nM30\n", how, nose);
+    EXPECT_EQ(later.errors, 0u) << later.events;
 }
 
 TEST(OffsetVariables, CountInTheUnitOfTheProgram) {

@@ -4,12 +4,13 @@
 #include <sstream>
 
 #include "../play.hpp"
+#include "../quiet_sink.hpp"
 
 namespace polyturn::channels::testing {
 namespace {
 
 // The steps as short lines: "all", "forget 2", "open 1 uses 30", "tool 1 3/5" (station 3, offset 5).
-class Steps final : public Sink {
+class Steps final : public QuietSink {
 public:
     std::ostringstream text;
     void life_group(const LifeGroup& g, const BlockContext&) override {
@@ -21,18 +22,8 @@ public:
         }
     }
     void move(const Move&, const BlockContext&) override { text << "move\n"; }
-    void dwell(const Dwell&, const BlockContext&) override {}
     void aux(const Aux& a, const BlockContext&) override { text << "aux " << a.text << "\n"; }
-    void spindle(const Spindle&, const BlockContext&) override {}
-    void wait(const Wait&, const BlockContext&) override {}
-    void variable(const Variable&, const BlockContext&) override {}
-    void offset(const OffsetWrite&, const BlockContext&) override {}
-    void message(std::string_view, const BlockContext&) override {}
-    void stop(const Stop&, const BlockContext&) override {}
-    void part(double, const BlockContext&) override {}
     void alarm(const Diagnosis& d, const BlockContext&) override { text << "alarm " << alarm_number(d.alarm, Dialect::Fanuc) << " line " << d.place.line << " column " << d.place.column << "\n"; }
-    void barrier(const BlockContext&) override {}
-    void block_end(const BlockContext&) override {}
 };
 
 std::string steps_of(std::string_view program) {
