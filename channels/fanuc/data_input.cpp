@@ -188,8 +188,14 @@ bool Interpreter::g10_parameter_block() {
         line += fmt::format(" A{}", view.axes[static_cast<std::size_t>(axis - 1)].machine_axis + 1);
     }
     const double value = block_.value('R');
-    if (row->type == params::Type::Bits) line += fmt::format("={:08.0f}", value);
-    else line += fmt::format("={}", value);
+    if (row->type == params::Type::Bits) {   // digits of 0 and 1, #7 first; leading zeros may be left out
+        bool binary = value >= 0 && value <= 11'111'111 && value == std::floor(value);
+        for (auto digits = static_cast<std::int64_t>(binary ? value : 0); digits > 0; digits /= 10) binary = binary && digits % 10 <= 1;
+        if (!binary) return core_.fail(Alarm::ParameterInputIllegal, 'R', name + " takes eight digits of 0 and 1");
+        line += fmt::format("={:08.0f}", value);
+    } else {
+        line += fmt::format("={}", value);
+    }
     return give_parameter(line, 'R');
 }
 

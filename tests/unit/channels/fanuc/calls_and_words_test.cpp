@@ -43,6 +43,11 @@ TEST(MacroCalls, OfG66GoOnWithTheirVariables) {   // fanuc_lathe 6.9.3: argument
     EXPECT_TRUE(played.has({R"("name":"#101","value":null})"})) << played.events;   // the caller's own
 }
 
+TEST(ParameterInput, TakesBitsAsBinaryDigits) {   // fanuc_lathe 7
+    for (const char* wrong : {"R2", "R00000102", "R111111111", "R-1"}) EXPECT_EQ(play("G10 L50\nN5002 " + std::string(wrong) + "\nG11\nM30\n").errors, 1u) << wrong;
+    for (const char* right : {"R10", "R00010010", "R0", "R11111111"}) EXPECT_EQ(play("G10 L50\nN5002 " + std::string(right) + "\nG11\nM30\n").errors, 0u) << right;
+}
+
 TEST(RollOver, IsFanucsOwn) {   // fanuc_lathe 10.2: without F1008#0 positions run on, whatever the nct control's N0107 says
     Play how;
     how.sets = {"N0107 A5=1", "F1008 A5=0"};
