@@ -1,6 +1,8 @@
 #include "kernel/cyclic/axis_unit.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace polyturn::kernel {
 namespace {
@@ -12,6 +14,7 @@ constexpr std::uint16_t kEncoderErrors = 0x7300, kEncoderErrorMask = 0xFF00;   /
 
 bool AxisUnit::open(unsigned number, const AxisConfig& config, double tick_s, double start, const PolyturnDriveApi& api) {
     config_ = config;
+    set_most();
     api_ = &api;
     const ServoConfig& servo = config.servo;
     const ReferenceConfig& reference = config.reference;
@@ -50,6 +53,7 @@ bool AxisUnit::open(unsigned number, const AxisConfig& config, double tick_s, do
 
 void AxisUnit::configure(const AxisConfig& config) noexcept {
     config_ = config;
+    set_most();
     if (!drive_) return;
     // A full scale (N0505) that begins to limit acts from standstill: what is under way was planned without it.
     ServoConfig servo = config.servo;
@@ -161,6 +165,7 @@ void AxisUnit::exchange(double tick_s, bool powered) noexcept {
     }
     closed_ = closes;
     if (!closes) target_ = command_, own_target_ = own_command_;
+    else watch_command();
     const double v = (target_ - command_) / tick_s;
     if (!forwarded_) output_ = closes ? loop_.speed(target_, rapid) + compensation_speed_ + pull_ : 0.0;
     pull_ = 0;
@@ -216,6 +221,21 @@ void AxisUnit::exchange(double tick_s, bool powered) noexcept {
     own_command_ = own_target_;
     not_on_s_ = closes && !polyturn_drive_operates(was) && !polyturn_drive_has_fault(was) ? not_on_s_ + tick_s : 0.0;
     if (closes) supervise(tick_s);
+}
+
+// The last door in front of the drive. Whatever went wrong before it (a path that does not begin where the axis stands, a fault in a
+// transformation): a command that is far beyond what the axis can do in a tick is not passed on. It stays, and the machine stops.
+// Planned motion keeps the axis' own limits, of a coupled axis those of its drive; the fourfold leaves room for what is added.
+void AxisUnit::watch_command() noexcept {
+    if (std::fabs(target_ - command_) <= most_in_a_tick_) return;
+    if (!faulted()) fault_ = Fault::CommandJump, fault_value_ = target_ - command_;
+    target_ = command_, own_target_ = own_command_;
+}
+
+void AxisUnit::set_most() noexcept {
+    constexpr double kTimes = 4, kLeast = 0.05;   // mm or degrees: smoothed ends of short moves
+    const double fastest = std::max({config_.rapid, config_.max_feed, config_.manual_rapid, config_.jog_max_feed});
+    most_in_a_tick_ = fastest > 0 ? kTimes * fastest * config_.tick_s + kLeast : std::numeric_limits<double>::infinity();
 }
 
 void AxisUnit::supervise(double tick_s) noexcept {

@@ -18,7 +18,7 @@ namespace polyturn::kernel {
 
 class AxisUnit {
 public:
-    enum class Fault : std::uint8_t { None, Drive, FollowingError, StandstillError, ModelError, DualDifference, Lost, NotOn };
+    enum class Fault : std::uint8_t { None, Drive, FollowingError, StandstillError, ModelError, DualDifference, Lost, NotOn, CommandJump };
     // What the PLC says about the loop; it acts with the next exchange.
     struct Requests {
         bool open = false;          // AP_OPNR
@@ -118,6 +118,8 @@ public:
 
 private:
     void supervise(double tick_s) noexcept;
+    void watch_command() noexcept;
+    void set_most() noexcept;
     void read_encoder() noexcept;
     [[nodiscard]] std::int64_t pulses(double machine) const noexcept;
     [[nodiscard]] double units(std::int64_t pulses) const noexcept;
@@ -131,6 +133,7 @@ private:
     double pulses_per_unit_ = 1e6;
     double output_ = 0, remainder_ = 0;                    // remainder: of the speed command, thousandths of a pulse
     double compensation_ = 0, compensation_speed_ = 0, pull_ = 0;
+    double most_in_a_tick_ = 0;                            // way of a command that no planning makes longer
     double kept_ = 0, way_back_ = 0, fault_value_ = 0;
     void* direct_drive_ = nullptr;
     double direct_units_ = 0;                              // of a pulse of the direct device

@@ -276,7 +276,7 @@ void Machine::run_axes() noexcept {
 
 void Machine::axis_fault(std::size_t a) noexcept {
     const AxisUnit& axis = core_.axes[a];
-    static constexpr Alarm kReasons[] = {Alarm::DriveFault, Alarm::DriveFault, Alarm::FollowingError, Alarm::StandstillError, Alarm::ModelError, Alarm::DualDifference, Alarm::DriveLost, Alarm::DriveNotOn};
+    static constexpr Alarm kReasons[] = {Alarm::DriveFault, Alarm::DriveFault, Alarm::FollowingError, Alarm::StandstillError, Alarm::ModelError, Alarm::DualDifference, Alarm::DriveLost, Alarm::DriveNotOn, Alarm::CommandJump};
     emergency_stop(kReasons[static_cast<std::size_t>(axis.fault())], axis.config().channel, name_of('A', a).view(), axis.fault_value());
 }
 

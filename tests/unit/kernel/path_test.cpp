@@ -37,6 +37,21 @@ TEST(Path, IsDrivenWithinTheLimitsAndReportedWithPartsOfATick) {
     EXPECT_EQ(rig.kernel->path_tail[0].tail.load(), 3u);
 }
 
+// Whatever a channel sends, no drive is told to be elsewhere within a tick.
+TEST(Path, ThatDoesNotBeginWhereTheAxisStandsIsNotDriven) {
+    TickRig rig;
+    rig.place(1, 0, 50);   // the channel believes that X stands at 50
+    rig.push(1, rig.line(1, {10, 0}, 50));
+    rig.push(1, rig.stop(1, StopReason::M30));
+    double worst = 0, before = 0;
+    rig.on_tick = [&] { worst = std::max(worst, std::fabs(rig.position(1) - before)), before = rig.position(1); };
+    rig.start(1);
+    rig.run(500);
+    EXPECT_EQ(worst, 0);
+    EXPECT_TRUE(rig.alarmed(Alarm::CommandJump, 1));
+    EXPECT_EQ(rig.machine->core().state, MachineState::EmergencyStop);
+}
+
 TEST(Path, IsFollowedByTheMeasuredAxis) {
     TickRig rig;
     rig.push(1, rig.line(1, {0, -100}, 100));
