@@ -26,7 +26,7 @@ Played first_blocks(const PowerOn& row, bool on) {
     how.sets.insert(how.sets.begin(), {"N1300 L1=2", "N1301 L1=0", "N0300 L1=100", "N0301 L1=0.2"});
     const std::string name(row.bit);
     how.sets.push_back(name + "=" + (on ? "1" : "0"));
-    how.setup.offsets[3].geometry["Z"] = 7.0;
+    how.setup.offsets[3].geometry.z = 7.0;
     return play(std::string(row.program) + "\nM30\n", how);
 }
 
@@ -56,7 +56,7 @@ TEST(NctPowerOn, EachBitOfN1300AndN1301Chooses) {
     Play both;
     both.language = "nct";
     both.sets = {"N1300 L1=01100010", "N1414 L1=01000001"};
-    both.setup.offsets[3].geometry["Z"] = 7.0;
+    both.setup.offsets[3].geometry.z = 7.0;
     EXPECT_TRUE(play("Z10. H3\nM30\n", both).has({"\"Z\":17"}));
 }
 
@@ -64,7 +64,7 @@ TEST(NctPowerOn, EachBitOfN1300AndN1301Chooses) {
 Played behind_reset(const std::string& first, const std::string& second, const std::vector<std::string>& sets) {
     const auto table = lathe(sets);
     text::Setup setup;
-    setup.channels[1].offsets[3].geometry["Z"] = 7.0;
+    setup.channels[1].offsets[3].geometry.z = 7.0;
     Played played;
     std::any left;
     for (const std::string& program : {first, second}) {
