@@ -35,6 +35,7 @@ public:
         w_.fill(all, t_.card, px(10));
         w_.frame(all, focus_ ? t_.accent : t_.edge, px(10), focus_ ? px(2) : 1);
         w_.hit(all, static_cast<int>(channel_));
+        if (size_.height() < px(250)) return small();
         header();
         strip();
         axes();
@@ -45,18 +46,56 @@ public:
     }
 
 private:
+    // More than eight channels: state, what matters most, two axes and the drives, each on one line.
+    void small() {
+        const StateWords state = stateWords(status_);
+        const Plight now = plight(live_, alarms_, channel_);
+        w_.sign(QRectF(left_, y_ + px(3), px(20), px(20)), state.sign, state.colour);
+        w_.text(QRectF(left_ + px(28), y_, px(52), px(26)), QString("L%1").arg(channel_), lettering(17, true), t_.text);
+        w_.data(QRectF(left_ + px(80), y_, wide_ - px(80), px(26)), state.text, lettering(15, true), state.colour, kRight);
+        y_ += px(27);
+        const bool trouble = now.kind != Plight::Kind::None;
+        const QColor colour = now.kind == Plight::Kind::Alarm ? t_.bad : now.kind == Plight::Kind::Waits ? t_.wait : t_.warn;
+        const std::string path = view_.file < view_.programs.size() ? view_.programs[view_.file] : std::string();
+        const QString block = status_.block >= 0 && status_.line ? QString("  N%1").arg(status_.block) : QString();
+        w_.fill(QRectF(left_, y_, wide_, px(24)), t_.raised, px(5));
+        if (trouble) w_.sign(QRectF(left_ + px(5), y_ + px(4), px(16), px(16)), now.kind == Plight::Kind::Alarm ? Sign::Alarm : now.kind == Plight::Kind::Waits ? Sign::Wait : Sign::Warning, colour);
+        w_.data(QRectF(left_ + px(trouble ? 27 : 8), y_, wide_ - px(trouble ? 32 : 12), px(24)), trouble ? now.text : path.empty() ? word("no program") : QFileInfo(QString::fromStdString(path)).fileName() + block, lettering(13.5, false, Face::Condensed), path.empty() && !trouble ? t_.faint : t_.text);
+        y_ += px(28);
+        const double row = px(21), foot = px(28);
+        for (std::size_t place = 0; place < config_.axis_count && y_ + row + foot < size_.height(); ++place) {
+            const AxisConfig& axis = live_.config().axis(config_.axes[place]);
+            const AxisStatus& at = live_.status().axes[config_.axes[place] - 1u];
+            const unsigned decimals = decimalsOf(live_.config(), axis);
+            const bool spins = axis.on_spindle && live_.nc(signals::sn_axis(axis.on_spindle)) == 0, referenced = (at.flags & kReferenced) != 0 || axis.on_spindle;
+            double workpiece = 0;
+            const bool known = live_.workpiece(channel_, static_cast<unsigned>(place), at.act, workpiece);
+            w_.text(QRectF(left_, y_, px(30), row), fromView(axis.name_text()), lettering(15, true), at.flags & kMoving ? t_.good : t_.text);
+            w_.text(QRectF(left_ + px(30), y_, wide_ * 0.52 - px(30), row), spins ? kDash : known ? lengthText(shown(axis, workpiece), decimals) : referenced ? lengthText(machineShown(axis, at.act), decimals) : word("no ref."), lettering(15, true), referenced ? t_.text : t_.warn, kRight);
+            if (!spins) w_.text(QRectF(left_ + wide_ * 0.54, y_, wide_ * 0.46, row), view_.moves[place] ? lengthText(shown(axis, view_.end[place] - at.cmd), decimals) : QString(), lettering(13.5), t_.dim, kRight);
+            y_ += row;
+        }
+        const unsigned spindle = view_.known && view_.picture.spindle ? view_.picture.spindle : config_.default_spindle;
+        const double bottom = size_.height() - px(28), third = wide_ / 3;
+        w_.line({left_, bottom}, {left_ + wide_, bottom}, t_.edge, 1);
+        w_.text(QRectF(left_, bottom, third, px(24)), view_.known && view_.picture.tool > 0 ? QString("T%1").arg(view_.picture.tool) : kDash, lettering(14, true), t_.text);
+        w_.text(QRectF(left_ + third, bottom, third, px(24)), QString("F %1").arg(status_.path_speed * 60, 0, 'f', 0), lettering(14), status_.feed_override != 1 ? t_.warn : t_.dim, kRight);
+        w_.text(QRectF(left_ + 2 * third, bottom, third, px(24)), spindle >= 1 && spindle <= kMaxSpindles ? QString("S %1").arg(std::abs(live_.status().spindles[spindle - 1].speed), 0, 'f', 0) : QString(), lettering(14), t_.dim, kRight);
+    }
+
     double gap() const { return px(dense_ ? 4 : 9); }
     void below(double height) { y_ += height + gap(); }
     void rule() { w_.line({left_, y_ - gap() / 2}, {left_ + wide_, y_ - gap() / 2}, t_.edge, 1); }
 
     void header() {
         const double h = px(dense_ ? 26 : 34);
+        const double title = wide_ < px(320) ? px(46) : wide_ * 0.4;   // the number, and the name where there is room
         const StateWords state = stateWords(status_);
         w_.sign(QRectF(left_, y_ + (h - px(22)) / 2, px(22), px(22)), state.sign, state.colour);
         const double mode = std::min<double>(wide_ * 0.3, px(110));
-        w_.data(QRectF(left_ + px(30), y_, wide_ * 0.4, h), channelTitle(live_, channel_), lettering(dense_ ? 17 : 21, true), t_.text);
+        w_.data(QRectF(left_ + px(30), y_, title, h), wide_ < px(320) ? QString("L%1").arg(channel_) : channelTitle(live_, channel_), lettering(dense_ ? 17 : 21, true), t_.text);
         w_.text(QRectF(left_ + wide_ - mode, y_, mode, h), modeWord(status_.mode), lettering(14.5), t_.dim, kRight);
-        w_.text(QRectF(left_ + wide_ * 0.4, y_, wide_ * 0.6 - mode - px(8), h), state.text, lettering(dense_ ? 15 : 18, true), state.colour, kRight);
+        w_.text(QRectF(left_ + px(30) + title, y_, wide_ - px(38) - title - mode, h), state.text, lettering(dense_ ? 15 : 18, true), state.colour, kRight);
         below(h);
     }
 
@@ -96,11 +135,12 @@ private:
     void axes() {
         const std::size_t count = config_.axis_count;
         const double head = px(dense_ ? 14 : 17), row = px(dense_ ? 22 : count > 4 ? 26 : 35);
-        const double name = px(34), first = (wide_ - name) * 0.34, other = (wide_ - name - first) / 3;
+        const int columns = wide_ < px(320) ? 3 : 4;   // a narrow card leaves the following error out
+        const double name = px(34), first = (wide_ - name) * 0.34, other = (wide_ - name - first) / (columns - 1);
         const double at[] = {left_ + name, left_ + name + first, left_ + name + first + other, left_ + name + first + 2 * other};
         const double wide[] = {first, other, other, other};
         const QString heads[] = {word("Workpiece"), word("Machine"), word("To go"), word("Follow. error")};
-        for (int c = 0; c < 4; ++c) w_.text(QRectF(at[c], y_, wide[c], head), heads[c], lettering(11.5, false, Face::Condensed), t_.dim, kRight);
+        for (int c = 0; c < columns; ++c) w_.text(QRectF(at[c], y_, wide[c], head), heads[c], lettering(11.5, false, Face::Condensed), t_.dim, kRight);
         y_ += head;
         for (std::size_t place = 0; place < count && y_ + row < size_.height(); ++place) {
             const AxisConfig& axis = live_.config().axis(config_.axes[place]);
@@ -112,7 +152,7 @@ private:
             // Its drive belongs to the spindle just now: the axis is nowhere.
             if (axis.on_spindle && live_.nc(signals::sn_axis(axis.on_spindle)) == 0) {
                 w_.text(QRectF(at[0], y_, wide[0], row), kDash, lettering(dense_ ? 16 : 20, true), t_.faint, kRight);
-                w_.text(QRectF(at[1], y_, at[3] + wide[3] - at[1], row), word("turns as spindle S%1").arg(axis.on_spindle), lettering(dense_ ? 12.5 : 14), t_.faint, kRight);
+                w_.text(QRectF(at[1], y_, at[columns - 1] + other - at[1], row), word("turns as spindle S%1").arg(axis.on_spindle), lettering(dense_ ? 12.5 : 14), t_.faint, kRight);
                 y_ += row;
                 continue;
             }
@@ -123,7 +163,7 @@ private:
             w_.text(QRectF(at[1], y_, wide[1], row), referenced ? lengthText(machineShown(axis, now.act), decimals) : word("no ref."), small, referenced ? t_.text : t_.warn, kRight);
             w_.text(QRectF(at[2], y_, wide[2], row), view_.moves[place] ? lengthText(shown(axis, view_.end[place] - now.cmd), decimals) : lengthText(0, decimals), small,
                     view_.moves[place] ? t_.text : t_.faint, kRight);
-            w_.text(QRectF(at[3], y_, wide[3], row), lengthText(now.error, decimals), small, t_.dim, kRight);
+            if (columns == 4) w_.text(QRectF(at[3], y_, wide[3], row), lengthText(now.error, decimals), small, t_.dim, kRight);
             y_ += row;
         }
         y_ += gap();

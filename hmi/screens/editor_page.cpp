@@ -94,6 +94,8 @@ EditorPage::EditorPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(des
 }
 
 EditorPage::~EditorPage() {
+    edit_->disconnect(this);                       // taking the colours off counts as a change of the text
+    colours_.reset();
     if (process_) process_->disconnect(), process_->kill(), process_->waitForFinished(500);
     if (!temporary_.isEmpty()) QFile::remove(temporary_);
 }

@@ -252,13 +252,18 @@ std::vector<SoftKey> HandPage::keys(std::function<void()> back) {
     const auto press = [this](const QString& words) { return [this, words] { desk_.requests.press(words); }; };
     const bool superposes = (status.keys & kKeySuperpose) != 0;
     const QString block = there ? toolBlock() : QString();
-    const bool step = list()[static_cast<std::size_t>(steps_->row())].code[0] != 0;
+    const Step& chosen = list()[static_cast<std::size_t>(steps_->row())];
+    const auto idle = [this](unsigned channel) {
+        const auto state = static_cast<ChannelState>(desk_.live.channel(channel).state);
+        return state != ChannelState::Running && state != ChannelState::Waiting;
+    };
+    const bool step = chosen.code[0] != 0 && idle(chosen.main ? otherChannel() : desk_.channel);
     return {{word("Jog keys"), std::move(back), Sign::Left},
             {word("Handwheel"), press(QString("mode %1=handwheel").arg(name)), Sign::Manual, there, static_cast<ChannelMode>(status.mode) == ChannelMode::Handwheel},
             {word("Factor"), [this] { factor_ = factor_ >= 100 ? 1 : factor_ * 10, refresh(); }, Sign::None, there},
             {word("Wheel in program"), press(QString("superpose %1=%2").arg(name, superposes ? "off" : "on")), Sign::None, there, superposes},
             {word("Reference"), press(QString("mode %1=reference").arg(name)), Sign::Offsets, there, static_cast<ChannelMode>(status.mode) == ChannelMode::Reference},
-            {word("Call %1").arg(block), [this] { callTool(); }, Sign::Tools, !block.isEmpty(), false, false, word("The turret turns: press again")},
+            {word("Call %1").arg(block), [this] { callTool(); }, Sign::Tools, !block.isEmpty() && idle(desk_.channel), false, false, word("The turret turns: press again")},
             {word("Do this step"), [this] { doStep(); }, Sign::Run, there && step, false, false, word("It acts at once: press again")},
             {},
             {word("Hold %1").arg(name), press("feed_hold " + name), Sign::Hold, there},

@@ -38,7 +38,7 @@ void Overview::layOut() {
     empty_->setGeometry(rect());
     const int count = static_cast<int>(cards_.size());
     if (!count) return;
-    const int rows = count <= 4 ? 1 : count <= 8 ? 2 : 3, columns = (count + rows - 1) / rows;
+    const int rows = count <= 4 ? 1 : (count + 3) / 4, columns = (count + rows - 1) / rows;
     for (int i = 0; i < count; ++i) {
         const int left = width() * (i % columns) / columns, right = width() * (i % columns + 1) / columns;
         const int top = height() * (i / columns) / rows, bottom = height() * (i / columns + 1) / rows;

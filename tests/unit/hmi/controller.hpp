@@ -26,7 +26,7 @@ inline bool waitFor(const std::function<bool()>& condition, int seconds = 60) {
 
 class Controller {
 public:
-    Controller() : name(QString("hmi-test-%1").arg(::getpid())) {
+    explicit Controller(QString machine = {}) : name(QString("hmi-test-%1").arg(::getpid())), machine_(std::move(machine)) {
         process_.setProcessChannelMode(QProcess::MergedChannels);
         process_.setStandardOutputFile(folder.filePath("log"));
         start();
@@ -36,7 +36,8 @@ public:
         run({"clean"});
     }
     void start() {
-        process_.start(program(), {"start", "--instance", name, "--store", folder.filePath("store"), "--no-hmi", "--set", "PT_PLC_CYCLE=100", "--set", "PT_LATE_MAX=1000"});
+        const QStringList machine = machine_.isEmpty() ? QStringList() : QStringList{machine_};
+        process_.start(program(), QStringList{"start"} << machine << QStringList{"--instance", name, "--store", folder.filePath("store"), "--no-hmi", "--set", "PT_PLC_CYCLE=100", "--set", "PT_LATE_MAX=1000"});
         EXPECT_TRUE(waitFor([&] { return run({"status", "--instance", name}); }, 60));
     }
     void stop() {
@@ -52,6 +53,7 @@ public:
 
 private:
     static QString program() { return QString(POLYTURN_BIN_DIR) + "/polyturn"; }
+    QString machine_;                              // of the examples; empty: the default one
     QProcess process_;
 };
 

@@ -1,0 +1,137 @@
+// Pages that act: the wheel, a tool called from its station, part transfer, the editor, help; and machines with many channels.
+#include <QFile>
+
+#include "hmi/screens/alarms.hpp"
+#include "hmi/screens/manual.hpp"
+#include "hmi/screens/programs.hpp"
+#include "tests/unit/hmi/tasks.hpp"
+
+namespace polyturn::hmi {
+namespace {
+
+// On the machine with a counter spindle that takes the part over.
+class PageTasks : public Tasks {
+protected:
+    static void SetUpTestSuite() { g_controller = new Controller("transfer"); }
+};
+
+TEST_F(PageTasks, TheWheelTurnsAnAxisByKeysByTouchAndByTheDial) {
+    Operator hand(*window);
+    hand.screen("manual");
+    hand.soft("Wheel, tool, transfer");
+    HandPage& page = screenOf<Manual>().hand();
+    hand.soft("Handwheel");
+    ASSERT_TRUE(waitFor([&] { return static_cast<ChannelMode>(live().channel(1).mode) == ChannelMode::Handwheel; }, 10));
+    hand.key(Qt::Key_Down);                      // X, then Z
+    ASSERT_EQ(page.axis(), 2u);
+    const auto stands = [&] { return !(live().status().axes[1].flags & kMoving); };
+    const auto place = [&] { return live().status().axes[1].cmd; };
+    ASSERT_TRUE(waitFor(stands, 10));
+    const double from = place();
+    hand.touch(&page.wheel(), HandPage::kFactorHits + 2);   // a hundred clicks a click: 0.1 mm
+    hand.key(Qt::Key_Right), hand.key(Qt::Key_Plus);
+    hand.touch(&page.wheel(), HandPage::kPlusHit);
+    EXPECT_TRUE(waitFor([&] { return std::abs(place() - from - 0.3) < 1e-6; }, 10)) << place() - from;
+    const QRectF dial = page.wheel().boxOf(HandPage::kDialHit);
+    const auto point = [&](double turn) { return (dial.center() + QPointF(std::cos(turn * 6.2831853), std::sin(turn * 6.2831853)) * dial.width() * 0.4).toPoint(); };
+    QTest::mousePress(&page.wheel(), Qt::LeftButton, {}, point(0));
+    for (int i = 1; i <= 25; ++i) QTest::mouseMove(&page.wheel(), point(-i / 100.0)), QTest::qWait(2);   // a quarter back
+    QTest::mouseRelease(&page.wheel(), Qt::LeftButton, {}, point(-0.25));
+    EXPECT_TRUE(waitFor([&] { return stands() && place() < from - 2.0; }, 10)) << place() - from;
+    EXPECT_NEAR(place() - from, 0.3 - 2.5, 0.21);
+    noWordIsShortened(*window);
+}
+
+TEST_F(PageTasks, AToolIsCalledFromItsStation) {
+    Operator hand(*window);
+    hand.screen("manual");
+    hand.soft("Wheel, tool, transfer");
+    HandPage& page = screenOf<Manual>().hand();
+    hand.touchCell(page.tools(), 4, 0);          // station 5
+    EXPECT_EQ(page.toolBlock(), "T0505");
+    hand.soft("Call T0505");
+    QTest::qWait(200);
+    EXPECT_FALSE(live().view(1).known && live().view(1).picture.tool == 5) << "one press must not turn the turret";
+    hand.soft("Call T0505");
+    EXPECT_TRUE(waitFor([&] { return live().view(1).known && live().view(1).picture.tool == 5; }, 20));
+}
+
+TEST_F(PageTasks, PartTransferGoesStepByStep) {
+    Operator hand(*window);
+    hand.screen("manual");
+    hand.soft("Wheel, tool, transfer");
+    hand.key(Qt::Key_2, Qt::ControlModifier);    // the turret of the counter spindle
+    HandPage& page = screenOf<Manual>().hand();
+    const auto step = [&](int row) {
+        hand.touchCell(page.steps(), row, 1);
+        hand.soft("Do this step"), hand.soft("Do this step");
+        QTest::qWait(400);                       // the block has begun
+        EXPECT_TRUE(waitFor([&] { return state(2) != ChannelState::Running && state(2) != ChannelState::Waiting; }, 20));
+    };
+    step(0), step(1);                            // M72 M11
+    EXPECT_TRUE(waitFor([&] { return live().plc(signals::sp_unclamped(2)) != 0; }, 20)) << "the counter chuck is open";
+    step(5);                                     // M10
+    EXPECT_TRUE(waitFor([&] { return live().plc(signals::sp_unclamped(2)) == 0; }, 20));
+    step(11);                                    // M71
+    hand.key(Qt::Key_1, Qt::ControlModifier);
+}
+
+TEST_F(PageTasks, TheEditorMarksFaultsWhileOneTypes) {
+    QTemporaryDir folder;
+    QFile file(folder.filePath("O0007.nc"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("O0007\nN10 G98 G0 X40. Z5.\nN20 G1 X4.0. F200.\nN30 M30\n");
+    file.close();
+    Programs& programs = screenOf<Programs>();
+    programs.restore("0|" + file.fileName());
+    Operator hand(*window);
+    hand.screen("programs");
+    hand.soft("Edit");
+    EditorPage& editor = programs.editor();
+    ASSERT_EQ(editor.file(), file.fileName());
+    ASSERT_TRUE(waitFor([&] { return !editor.checking() && !editor.faults().empty(); }, 20));
+    EXPECT_EQ(editor.faults().front().line, 3);
+    EXPECT_GT(editor.faults().front().column, 0);
+    EXPECT_FALSE(editor.edit().extraSelections().isEmpty());
+    QTextCursor cursor(editor.edit().document()->findBlockByNumber(2));   // take the second point away
+    cursor.movePosition(QTextCursor::Right, QTextCursor::MoveAnchor, 12);
+    editor.edit().setTextCursor(cursor);
+    QTest::keyClick(&editor.edit(), Qt::Key_Backspace);
+    ASSERT_EQ(editor.edit().document()->findBlockByNumber(2).text(), "N20 G1 X4.0 F200.");
+    EXPECT_TRUE(waitFor([&] { return !editor.checking() && editor.faults().empty(); }, 20)) << (editor.faults().empty() ? "" : editor.faults().front().text.toStdString());
+    EXPECT_TRUE(editor.changed());
+    hand.soft("Save");
+    EXPECT_FALSE(editor.changed());
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_EQ(file.readAll(), "O0007\nN10 G98 G0 X40. Z5.\nN20 G1 X4.0 F200.\nN30 M30\n");
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 1) << "nothing is left beside it";
+}
+
+TEST_F(PageTasks, TheHelpKeyOpensThePageOfWhatIsChosen) {
+    Operator hand(*window);
+    hand.screen("tools");
+    hand.key(Qt::Key_Help);
+    ASSERT_TRUE(window->help().isVisible());
+    EXPECT_TRUE(window->help().text().toPlainText().contains("Enter tools and load them"));
+    EXPECT_EQ(window->help().text().textCursor().selectedText(), "2. Enter tools and load them") << "it stands at the place";
+    hand.key(Qt::Key_Escape);
+    EXPECT_FALSE(window->help().isVisible());
+    hand.screen("parameters");
+    hand.key(Qt::Key_H, Qt::ControlModifier);
+    EXPECT_TRUE(window->help().text().toPlainText().startsWith("N0")) << window->help().text().toPlainText().left(80).toStdString();
+    hand.key(Qt::Key_Escape);
+    g_controller->press("mode L1=auto");
+    g_controller->press("select L1=/nowhere/at/all.nc");
+    g_controller->press("cycle_start L1");
+    hand.screen("alarms");
+    ASSERT_TRUE(waitFor([&] { return window->desk().alarms.standing() != nullptr; }, 20));
+    const AlarmEntry alarm = *window->desk().alarms.standing();
+    QTest::qWait(100);
+    hand.key(Qt::Key_Help);
+    const QString text = window->help().text().toPlainText();
+    EXPECT_TRUE(text.contains(alarm.number) && text.contains(alarm.remedy.left(20))) << text.left(200).toStdString();
+    g_controller->press("reset");
+}
+
+}  // namespace
+}  // namespace polyturn::hmi
