@@ -1,5 +1,6 @@
 /* A PLC with a fast task: SP_OSW S2 is digital input 3 while A1 rests, PLC_NOTE counts the runs of the task; output 0 tells
  * how often it ran before the cycle of the same tick (odd or even), output 1 that what does not exist was refused. */
+#include "plc_api.h"
 
 typedef struct {
     uint32_t runs;
