@@ -136,6 +136,63 @@ TEST(Hold, RunsABlockByHandAndStaysHeld) {
     EXPECT_EQ(rig.state(1), ChannelState::Running);
 }
 
+// N1337 #5: what an axis was moved by in the hold reaches the channel; other languages want it back first.
+TEST(Hold, StartsWhereItWasMovedToWhenTheLanguageKnowsHow) {
+    for (const bool knows : {false, true}) {
+        Held rig;
+        rig.channel[0]->starts_away.store(knows);
+        rig.hold_in_second_block();
+        const double left_at = rig.position(1);
+        rig.command(CommandKind::JogInHold, 1);
+        rig.run(2);
+        rig.command(CommandKind::Step, 0, 5, 0, 1);
+        rig.run(1500);
+        ASSERT_NEAR(rig.position(1), left_at + 5, 1e-9);
+        EXPECT_EQ(rig.kernel->left_at[0].load(), left_at);
+        rig.start(1);
+        rig.run(3);
+        if (!knows) {
+            EXPECT_FALSE(rig.asked());
+            EXPECT_TRUE(rig.alarmed(Alarm::NotReady, 1));
+            EXPECT_EQ(rig.state(1), ChannelState::Held);
+            continue;
+        }
+        ASSERT_TRUE(rig.asked());
+        EXPECT_EQ(rig.asked()->record, kResumeAway | kResumeBegun | 1u);
+        rig.answer(ResumeAnswer::GoesBack);
+        rig.run(3);
+        ASSERT_TRUE(rig.resumed());
+        EXPECT_EQ(rig.resumed()->record, kResumeAway | kResumeBegun | 1u);
+        EXPECT_EQ(rig.state(1), ChannelState::Running);
+        rig.command(CommandKind::Step, 0, 1, 0, 1);   // no longer moved by hand
+        rig.run(5);
+        EXPECT_NEAR(rig.position(1), left_at + 5, 1e-9);
+    }
+}
+
+TEST(Hold, AStartAwayThatTheBlockDoesNotAllowLeavesTheWayBack) {
+    Held rig;
+    rig.channel[0]->starts_away.store(1);
+    rig.hold_in_second_block();
+    const double left_at = rig.position(1);
+    rig.command(CommandKind::JogInHold, 1);
+    rig.run(2);
+    rig.command(CommandKind::Step, 0, 5, 0, 1);
+    rig.run(1500);
+    rig.start(1);
+    rig.run(2);
+    rig.answer(ResumeAnswer::Cannot);
+    rig.run(5);
+    EXPECT_TRUE(rig.alarmed(Alarm::NotReady, 1));
+    EXPECT_EQ(rig.state(1), ChannelState::Held);
+    rig.command(CommandKind::Return, 1);
+    rig.run(1500);
+    EXPECT_NEAR(rig.position(1), left_at, 1e-6);
+    rig.start(1);
+    rig.run_until_idle();
+    EXPECT_NEAR(rig.position(1), 30, 1e-9);
+}
+
 TEST(Hold, RestartOfAProgramTellsBlockAndSet) {
     TickRig rig;
     rig.command(CommandKind::Restart, 1, 120, 0, 0, 3);
