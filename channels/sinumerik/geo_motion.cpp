@@ -96,6 +96,13 @@ bool Interpreter::go_line(const AxisValues& wanted, bool rapid) {
     }
     const AxisValues from = core_.path.programmed;
     if (const Word* probe = word("MEAS")) return measuring_line(target, *probe);
+    if (const Word* probe = word("MEASA")) {   // MEASA[axis]=(mode, event): the axis alone moves, so its way to go is the path's
+        Word event = *probe;
+        if (probe->number() != 1 || probe->further.size() != 1) return fail_word(Alarm::NotBuilt, *probe, "MEASA: mode, events");
+        if (probe->axis < 0 || axis_words() != AxisSet{1} << probe->axis) return fail_word(Alarm::NotBuilt, *probe, "MEASA");
+        event.value = probe->further.front();
+        return measuring_line(target, event);
+    }
     if (!corner_words(true)) return false;
     if (!(rapid ? core_.rapid(target) : core_.linear(target))) return false;
     note_tangent(from, target);
@@ -103,7 +110,7 @@ bool Interpreter::go_line(const AxisValues& wanted, bool rapid) {
     return true;
 }
 
-// MEAS=1, 2: the probe's signal comes and ends the move; -1, -2: it goes (sinumerik_part3 5.3).
+// MEAS=1, 2, MEASA: the probe's signal comes and ends the move; -1, -2: it goes (sinumerik_part3 5.3).
 bool Interpreter::measuring_line(const AxisValues& target, const Word& probe) {
     const double input = std::fabs(probe.number());
     if (input != 1 && input != 2) return fail_word(Alarm::ValueOutOfRange, probe, "MEAS", probe.number());

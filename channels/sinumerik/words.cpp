@@ -316,7 +316,8 @@ bool Interpreter::read_value(Word& word) {
                 }
     }
     word.has_value = true;
-    if (word.address->name != "POSP" || word.mode != Mode::Plain || !cursor_.eat('(')) return expression(word.value);
+    const bool list = word.address->name == "POSP" || word.address->name == "MEASA";
+    if (!list || word.mode != Mode::Plain || !cursor_.eat('(')) return expression(word.value);
     // (end, part, mode): values that belong together
     const std::string_view first = cursor_.name_ahead();
     for (const ModeName& row : kModes) {
@@ -332,7 +333,7 @@ bool Interpreter::read_value(Word& word) {
         Value further;
         const char* const at = cursor_.at();
         if (!expression(further)) return false;
-        if (!further.is_number()) return fail_at(Alarm::OperandTypeIllegal, at, 1, "POSP");
+        if (!further.is_number()) return fail_at(Alarm::OperandTypeIllegal, at, 1, std::string(word.address->name));
         word.further.push_back(std::move(further));
     }
     return cursor_.eat(')') || syntax(cursor_.at(), ")");
