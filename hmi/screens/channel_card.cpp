@@ -195,10 +195,10 @@ private:
         w_.text(QRectF(box.left() + px(30), box.top() + px(3), box.width() - px(38) - unitWide, line), value, lettering(big, true), t_.text, kRight);
         if (unitWide > 0) w_.text(QRectF(box.right() - unitWide - px(4), box.top() + px(3), unitWide, line), unit, lettering(12.5), t_.dim, kRight);
         const double second = box.top() + line + px(2);
-        if (!dense_) w_.data(QRectF(box.left() + px(9), second, box.width() * 0.62, px(16)), wanted, lettering(12.5), t_.dim);
+        if (!dense_) w_.data(QRectF(box.left() + px(9), second, box.width() * 0.5, px(16)), wanted, lettering(12.5), t_.dim);
         const bool changed = std::abs(override - 1.0) > 1e-6;
         const QString percent = QString("%1 %").arg(std::lround(override * 100));
-        if (!dense_) w_.text(QRectF(box.left() + box.width() * 0.62, second, box.width() * 0.38 - px(9), px(16)), note, lettering(12.5, false, Face::Condensed), t_.dim, kRight);
+        if (!dense_) w_.text(QRectF(box.left() + box.width() * 0.5, second, box.width() * 0.5 - px(9), px(16)), note, lettering(12.5, false, Face::Condensed), t_.dim, kRight);
         const double bar = box.bottom() - px(dense_ ? 12 : 15);
         w_.bar(QRectF(box.left() + px(10), bar + px(1), box.width() - px(70), px(7)), override / 1.5, changed ? t_.warn : t_.accent, t_.edge);
         w_.text(QRectF(box.right() - px(56), bar - px(5), px(48), px(18)), percent, lettering(13, true), changed ? t_.warn : t_.text, kRight);

@@ -12,6 +12,8 @@
 namespace polyturn::hmi {
 namespace {
 
+constexpr std::size_t kFewChannels = 4;   // whose legend leaves room for a note
+
 constexpr std::size_t kMostPoints = 20'000;
 constexpr double kLeastWay = 0.02;     // mm
 constexpr qint64 kPaintEveryMs = 40;
@@ -60,12 +62,15 @@ Graphics::Graphics(Desk& desk) : Screen(desk), head_(new FreeSheet(this)) {
         w.fill(QRectF(0, 0, head_->width(), head_->height()), t.window);
         w.text(QRectF(px(14), 0, px(200), head_->height()), word("Graphics"), lettering(20, true), t.text);
         double x = px(230);
+        const std::size_t count = desk_.live.channels().size();
+        const double step = std::min<double>(px(84), (head_->width() - px(240)) / static_cast<double>(std::max<std::size_t>(1, count)));
         for (const unsigned channel : desk_.live.channels()) {
-            w.fill(QRectF(x, head_->height() / 2.0 - px(3), px(26), px(6)), colourOf(channel), px(3));
-            w.text(QRectF(x + px(32), 0, px(44), head_->height()), QString("L%1").arg(channel), lettering(15, true), t.text);
-            x += px(84);
+            const double stroke = step < px(80) ? px(12) : px(26);
+            w.fill(QRectF(x, head_->height() / 2.0 - px(3), stroke, px(6)), colourOf(channel), px(3));
+            w.text(QRectF(x + stroke + px(5), 0, step - stroke - px(8), head_->height()), QString("L%1").arg(channel), lettering(15, true), t.text);
+            x += step;
         }
-        w.text(QRectF(x + px(8), 0, head_->width() - x - px(20), head_->height()), word("Since the start of these screens; tips as points, without width and radius"), lettering(13.5), t.dim, Qt::AlignRight | Qt::AlignVCenter);
+        if (count <= kFewChannels) w.text(QRectF(x + px(8), 0, head_->width() - x - px(20), head_->height()), word("Since the start of these screens; tips as points, without width and radius"), lettering(13.5), t.dim, Qt::AlignRight | Qt::AlignVCenter);
     };
 }
 
@@ -215,6 +220,11 @@ void Graphics::paintEvent(QPaintEvent*) {
         p.setFont(lettering(15, true));
         const ChannelView& view = desk_.live.view(channel);
         p.drawText(last + QPointF(px(16), -side * px(16)), view.known && view.picture.tool > 0 ? QString("L%1 T%2").arg(channel).arg(view.picture.tool) : QString("L%1").arg(channel));
+    }
+    if (desk_.live.channels().size() > kFewChannels) {   // no room for it on top
+        p.setPen(t.dim);
+        p.setFont(lettering(13.5));
+        p.drawText(area.adjusted(px(16), 0, 0, -px(10)), Qt::AlignLeft | Qt::AlignBottom, word("Since the start of these screens; tips as points, without width and radius"));
     }
     if (trails_.empty() || !stock_.any()) {
         p.setPen(t.dim);

@@ -11,6 +11,7 @@
 #include <functional>
 
 #include "hmi/app/main_window.hpp"
+#include "hmi/widgets/table.hpp"
 
 namespace polyturn::hmi {
 
