@@ -68,7 +68,7 @@ void Interpreter::keep_groups(const Inherited& was) {
     if (stays(1, GGroup::Motion)) motion_ = motion;
     if (stays(2, GGroup::Plane)) path.plane = was.path.plane;
     if (stays(3, GGroup::Distance)) absolute_ = absolute;
-    if (stays(4, GGroup::StrokeArea) && was.path.stroke2_off) path.stroke2_off = true, core_.signal("STROKE2", 0.0);
+    if (stays(4, GGroup::StrokeArea) && was.path.stroke2_off) path.stroke2_off = true, core_.signal("STROKE2", 0.0), core_.refresh_limits();
     if (stays(5, GGroup::FeedMode)) path.feed_mode = was.path.feed_mode, path.feed = was.path.feed;
     if (stays(6, GGroup::Units)) inch_ = inch, unit_ = unit;
     if (stays(9, GGroup::Drilling)) drilling_ = drilling, drill_ = drill;

@@ -10,7 +10,8 @@
 namespace polyturn::channels::testing {
 namespace {
 
-const std::vector<std::string> kMill{"N0001 L1=1"};
+// C would make H its increment.
+const std::vector<std::string> kMill{"N0001 L1=1", "N0002 A5=0"};
 
 struct PowerOn {
     const char* bit;
@@ -26,18 +27,17 @@ Played first_blocks(const PowerOn& row, bool on) {
     how.sets.insert(how.sets.begin(), {"N1300 L1=2", "N1301 L1=0", "N0300 L1=100", "N0301 L1=0.2"});
     const std::string name(row.bit);
     how.sets.push_back(name + "=" + (on ? "1" : "0"));
-    how.setup.offsets[3].geometry.z = 7.0;
-    return play(std::string(row.program) + "\nM30\n", how);
+    return play(std::string(row.program) + "\nM30\n", how, [](MachineView& view) { view.store->offsets[3].geometry = {0, 0, 7}; });
 }
 
 TEST(NctPowerOn, EachBitOfN1300AndN1301Chooses) {
     const std::vector<std::string> y{"N0002 A7=1", "N0100 A7=89", "N0103 A7=2"};
-    std::vector<std::string> y_only = y, lathe_with_g43{"N1414 L1=01000001"};
+    std::vector<std::string> y_only = y, lathe_with_g43{"N1414 L1=01000001", "N0002 A5=0"};
     y_only.push_back("N1300#1 L1=0");
     const PowerOn rows[] = {
         {"N1300#0 L1", "Z5.", {"\"kind\":\"linear\""}, {"\"kind\":\"rapid\""}, {}},
         {"N1300#1 L1", "G2 X20. Z-10. R10.", {"\"kind\":\"cw\""}, {"\"ev\":\"alarm\""}, {}},
-        {"N1300#2 L1", "G2 Y10. Z-10. R10.", {"\"kind\":\"cw\""}, {"\"ev\":\"alarm\""}, y_only},
+        {"N1300#2 L1", "G2 Y10. Z-10. J0 K-10.", {"\"kind\":\"cw\""}, {"\"ev\":\"alarm\""}, y_only},
         {"N1300#3 L1", "Z1.", {"\"Z\":25.4"}, {"\"Z\":1,"}, {}},
         {"N1300#5 L1", "Z10. H3", {"\"machine\":{\"X\":0,\"Z\":17"}, {"\"ev\":\"alarm\""}, lathe_with_g43},
         {"N1300#6 L1", "Z10. H3", {"\"machine\":{\"X\":0,\"Z\":3"}, {"\"ev\":\"alarm\""}, lathe_with_g43},
@@ -55,21 +55,20 @@ TEST(NctPowerOn, EachBitOfN1300AndN1301Chooses) {
     // G43 wins where both are on.
     Play both;
     both.language = "nct";
-    both.sets = {"N1300 L1=01100010", "N1414 L1=01000001"};
-    both.setup.offsets[3].geometry.z = 7.0;
-    EXPECT_TRUE(play("Z10. H3\nM30\n", both).has({"\"Z\":17"}));
+    both.sets = {"N1300 L1=01100010", "N1414 L1=01000001", "N0002 A5=0"};
+    EXPECT_TRUE(play("Z10. H3\nM30\n", both, [](MachineView& view) { view.store->offsets[3].geometry = {0, 0, 7}; }).has({"\"Z\":17"}));
 }
 
 // Runs both programs one after the other in one channel; a reset between them. Events of the second one.
 Played behind_reset(const std::string& first, const std::string& second, const std::vector<std::string>& sets) {
     const auto table = lathe(sets);
     text::Setup setup;
-    setup.channels[1].offsets[3].geometry.z = 7.0;
     Played played;
     std::any left;
     for (const std::string& program : {first, second}) {
         MachineView view = make_machine_view(*table, 1);
         view.store->zeros[2 * kChannelAxes + 1] = 100;   // G55 Z
+        view.store->offsets[3].geometry = {0, 0, 7};
         ProgramFiles files;
         played.events.clear();
         EventSink sink({&view, &files, Dialect::Nct}, played.events, true, '\n');
@@ -103,13 +102,13 @@ TEST(NctReset, EachBitOfN1302ToN1306KeepsItsGroup) {
         {"N1302#1 L1", "G1 Z5.", "Z3.", {"\"kind\":\"linear\""}, {}},
         {"N1302#2 L1", "G17", "G2 X20. Z-10. R10. F100", {"\"ev\":\"alarm\""}, {}},
         {"N1302#3 L1", "G91 Z1.", "Z2.\nZ2.", {"\"Z\":4"}, {}},
-        {"N1302#4 L1", "G23", "G0 Z-60.", {"\"Z\":-60"}, {"N1000 A2=00000010", "N1012 A2=100", "N1014 A2=-50"}},
+        {"N1302#4 L1", "G23", "G0 Z-60.", {"\"Z\":-60"}, {"N1001 L1=00000111", "N1000 A2=00000010", "N1006 A2=100", "N1007 A2=-50"}},
         {"N1302#5 L1", "G95 S500 M3", "S500 M3\nG1 Z5. F0.3", {"\"per_rev\""}, {}},
         {"N1302#6 L1", "G20", "Z1.", {"\"Z\":25.4"}, {}},
         {"N1302#7 L1", "G41 G1 X20. F100", "G1 Z-5. F100\nZ-10.\nG40 X50.", {"\"comp\":\"left\""}, {}},
-        {"N1303#0 L1", "G43 Z10. H3", "Z20.", {"\"machine\":{\"X\":0,\"Z\":27"}, {"N1414 L1=01000001"}},
+        {"N1303#0 L1", "G43 Z10. H3", "Z20.", {"\"machine\":{\"X\":0,\"Z\":27"}, {"N1414 L1=01000001", "N0002 A5=0"}},
         {"N1303#1 L1", "G81 X0 Z-5. R2. F100", "X20.", {"\"Z\":-5"}, {"N1414 L1=01000001"}},
-        {"N1303#2 L1", "G99", "G81 X0 Z-5. R2. F100", {"\"kind\":\"rapid\"", "\"Z\":2", "G81"}, {"N1414 L1=01000001"}},
+        {"N1303#2 L1", "G99", "G81 X0 Z-5. R2. F100\nG80\nG91 G0 Z10.", {"\"Z\":12"}, {"N1414 L1=01000001"}},
         {"N1303#3 L1", "G51 X0 Z0 P2.", "Z10.", {"\"Z\":20"}, {}},
         {"N1303#5 L1", "G96 S100 M3", "M3\nG4 P1.", {"\"css\""}, {}},
         {"N1303#6 L1", "G55", "Z5.", {"\"Z\":105"}, {}},
