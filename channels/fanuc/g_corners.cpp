@@ -5,6 +5,7 @@
 //   G1 X40. A135.     the angle from the +Z axis gives the missing coordinate
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "channels/fanuc/interpreter.hpp"
 
@@ -34,7 +35,35 @@ bool Interpreter::corner_word(const Word& word) {
     call.shape = chamfer ? corners::Shape::ChamferLeg : corners::Shape::Rounding;
     call.size = size;
     call.required = true;
+    if (chamfer && line) note_chamfer(size);
     return core_.corner(call);
+}
+
+// An inner chamfer must be as large as the nose is (fanuc_lathe 3.16); the next line tells whether it is an inner one.
+void Interpreter::note_chamfer(double size) {
+    int p = -1, q = -1;
+    core_.plane_axes(p, q);
+    const AxisValues& here = core_.path.programmed;
+    const bool counts = core_.compensating() && core_.at.comp != CompSide::Off && p >= 0 && q >= 0;
+    chamfer_before_ = {counts, size, counts ? std::array{here[static_cast<std::size_t>(p)], here[static_cast<std::size_t>(q)]} : std::array<double, 2>{}, core_.at};
+}
+
+bool Interpreter::chamfer_has_room(const AxisValues& target) {
+    const ChamferBefore chamfer = std::exchange(chamfer_before_, {});
+    const ToolState& tool = core_.path.tool;
+    if (!chamfer.pending || (tool.geometry == 0 && tool.wear == 0) || chamfer.size >= std::fabs(tool.nose_radius) - 1e-9) return true;
+    int p = -1, q = -1;
+    core_.plane_axes(p, q);
+    const auto i = static_cast<std::size_t>(p), k = static_cast<std::size_t>(q);
+    const AxisValues& corner = core_.path.programmed;
+    const double turn = (corner[i] - chamfer.from[0]) * (target[k] - corner[k]) - (corner[k] - chamfer.from[1]) * (target[i] - corner[i]);
+    const bool right = (core_.at.comp == CompSide::Right) == (tool.nose_radius >= 0);
+    if (right ? turn >= 0 : turn <= 0) return true;   // an outer one
+    (void)core_.fail(Alarm::CompCornerElement);
+    Fault fault = core_.fault();
+    fault.block = chamfer.at;
+    core_.set_fault(std::move(fault));
+    return false;
 }
 
 // I, K, C, R of a line along one axis of the plane.
@@ -66,6 +95,7 @@ bool Interpreter::lathe_corner(AxisSet named) {
     call.size = std::fabs(size);
     call.letter = letter;
     call.required = true;
+    if (letter != 'R') note_chamfer(call.size);
     return core_.corner(call);
 }
 
@@ -73,6 +103,7 @@ bool Interpreter::lathe_corner(AxisSet named) {
 bool Interpreter::follows_corner(const AxisValues& target, bool line) {
     const CornerThen then = corner_then_;
     corner_then_ = {};
+    if (!chamfer_has_room(target)) return false;
     if (!then.pending) return true;
     if (!line) return core_.fail(Alarm::CornerNotLine, 'G');
     const MachineView& view = core_.view();

@@ -208,6 +208,8 @@ private:
     bool corner_allowed(char letter);
     bool corner_word(const Word& word);
     bool lathe_corner(AxisSet named);
+    void note_chamfer(double size);
+    bool chamfer_has_room(const AxisValues& target);
     bool follows_corner(const AxisValues& target, bool line);
     bool angle_line(AxisSet named);
     bool radius_offset();
@@ -365,6 +367,7 @@ private:
     LengthState length_;
     Plane plane_before_ = Plane::ZX;           // what G13.1 goes back to
     CornerThen corner_then_;
+    ChamferBefore chamfer_before_;
     bool polar_ = false, polar_known_ = false;
     double polar_radius_ = 0.0, polar_angle_ = 0.0;
     double angle_dp_ = 0.0, angle_dq_ = 0.0;   // direction of a line whose end the next block tells

@@ -71,6 +71,13 @@ struct CornerThen {                // behind a chamfer or corner of the lathe's 
     char letter = 0;
 };
 
+struct ChamferBefore {              // the line before this one ends in a chamfer, and compensation is on
+    bool pending = false;
+    double size = 0;               // leg, mm
+    std::array<double, 2> from{};  // where that line began, in the plane
+    BlockContext at;
+};
+
 struct BStep {
     int motion = 0;                // 0 none, 1 G0, 2 G1
     int feed_mode = 0;             // 0 none, 1 G98, 2 G99

@@ -84,6 +84,16 @@ TEST(RollOver, TakesZeroAsPositive) {   // nct part 1 3.5: the sign of a positio
     EXPECT_EQ(turns_of("G0 C330.\nC-10.\n", {"N0107 A5=1"}), (std::vector<double>{330, -340}));
 }
 
+TEST(Compensation, NeedsRoomInAnInnerChamfer) {   // fanuc_lathe 3.16
+    const auto nose = [](MachineView& view) { view.store->offsets[1].geometry_r = 0.5; };
+    const auto shoulder = [&](const std::string& words, const std::string& next) {
+        return play("G98 F100 T0101\nG42 G1 X40. Z2.\nZ-20. " + words + "\n" + next + "\nZ-30.\nM30\n", Play{}, nose);
+    };
+    for (const char* small : {",C.3", "I.3", ",R.4"}) EXPECT_TRUE(shoulder(small, "X50.").has({R"("line":3)", R"("number":39)"})) << small << shoulder(small, "X50.").events;
+    for (const char* room : {",C2.", "I2.", ",C.5", ",R.6"}) EXPECT_EQ(shoulder(room, "X50.").errors, 0u) << room << shoulder(room, "X50.").events;
+    EXPECT_EQ(shoulder(",C.3", "X30.").errors, 0u) << shoulder(",C.3", "X30.").events;   // an outer one
+}
+
 TEST(Compensation, GoesOnOnItsSideRightBehindItsBeginning) {   // fanuc_lathe 3.9
     Play how;
     const auto nose = [](MachineView& view) { view.store->offsets[1].geometry_r = 0.4; };
