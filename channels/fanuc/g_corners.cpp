@@ -49,6 +49,7 @@ void Interpreter::note_chamfer(double size) {
 }
 
 bool Interpreter::chamfer_has_room(const AxisValues& target) {
+    if (chamfer_before_.at.serial == core_.at.serial) return true;   // ,C is read before its own line is driven
     const ChamferBefore chamfer = std::exchange(chamfer_before_, {});
     const ToolState& tool = core_.path.tool;
     if (!chamfer.pending || (tool.geometry == 0 && tool.wear == 0) || chamfer.size >= std::fabs(tool.nose_radius) - 1e-9) return true;
