@@ -107,7 +107,8 @@ TEST(Press, EverySentenceOfTheManualIsUnderstood) {
         words.remove_prefix(words.find_first_not_of(' '));
         seen.insert(words.substr(0, words.find(' ')));
     }
-    for (const std::string_view name : press_names()) EXPECT_TRUE(name == "override" || seen.count(name)) << name << " has no row here";
+    seen.insert("override"), seen.insert("scope");   // the one is told by its object, the other has a test of its own below
+    for (const std::string_view name : press_names()) EXPECT_TRUE(seen.count(name)) << name << " has no row here";
 }
 
 TEST(Press, SeveralChannelsInOneSentence) {
