@@ -201,7 +201,10 @@ void Compensator::contour_block(const Move& m, const BlockContext& at) {
             block_.slow_begin = slow;
             return;
         }
-        if (!finish(corner.vectors)) return;
+        if (block_.role == Role::Begin && options_.entry >= Entry::Smooth) touches_ = next;
+        const bool done = finish(corner.vectors);
+        touches_.reset();
+        if (!done) return;
     }
     if (constant_) {
         constant_ = false;
@@ -220,6 +223,7 @@ void Compensator::contour_block(const Move& m, const BlockContext& at) {
 }
 
 void Compensator::cancel_block(const Move& m, const BlockContext& at) {
+    std::optional<Element> left;   // the way out is tangential to it
     if (is_arc(m)) {
         settle();
         if (!failed_) fail(Alarm::CompArcStartEnd, true, at);
@@ -244,10 +248,13 @@ void Compensator::cancel_block(const Move& m, const BlockContext& at) {
         if (wish_set_) corner = retract_corner(block_.element, wish_);
         else corner = cancel_corner(block_.element, to_nose(element_of(m)), options_);
         drop_small(corner.vectors, options_.small_vector, false);
+        if (options_.entry >= Entry::Smooth && !wish_set_) left = block_.element;
         if (!finish(corner.vectors)) return;
     }
     wish_set_ = repeated_ = false;
+    touches_ = left;
     straight_to_programmed(m, at);
+    touches_.reset();
     state_ = State::Off;
     constant_ = false;
 }

@@ -140,6 +140,9 @@ private:
     // one move in the plane from here_ to `to`
     void go(const Held& b, Vec to, bool by_arc, Vec about);
     void go_element(const Held& b, Vec to, bool as_line);
+    // the straight move m becomes a polynomial that touches the contour where it begins (entering) or ends
+    void touch(Move& m, Vec dir, double curvature, bool entering) const;
+    double path_curvature(const Element& e, double radius) const;
     void go_corner(const Held& b, const Vectors& vectors, unsigned from, unsigned to, Vec corner, Vec tip);
     void deliver(const Move& m, const BlockContext& at);
 
@@ -165,6 +168,7 @@ private:
     bool repeated_ = false, cancel_ = false, wish_set_ = false, suspended_ = false;
     Vec wish_;
     Bypass bypass_ = Bypass::None;
+    std::optional<Element> touches_;      // Entry::Smooth, Curved: the element that the way in or out is tangential to
     bool moved_ = false, zero_ = false;   // in this block
     bool selected_ = false;               // G41, G42 in this block
     bool in_place_ = false;               // compensation begins where the tool stands

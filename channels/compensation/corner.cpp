@@ -103,7 +103,7 @@ CornerResult start_corner(const Element& a, const Element& next, const Options& 
         list.of_first = list.count;
         return result;
     }
-    if (turn == Turn::Inner || turn == Turn::Reversal || options.entry == Entry::Direct) {
+    if (turn == Turn::Inner || turn == Turn::Reversal || options.entry == Entry::Direct || options.entry >= Entry::Smooth) {
         list.add(second_normal(b));
         return result;
     }
@@ -157,7 +157,7 @@ CornerResult cancel_corner(const Element& a, const Element& b, const Options& op
         list.of_first = list.count;
         return result;
     }
-    if (turn == Turn::Inner || turn == Turn::Reversal || options.entry == Entry::Direct || options.leaves_direct) {
+    if (turn == Turn::Inner || turn == Turn::Reversal || options.entry == Entry::Direct || options.entry >= Entry::Smooth || options.leaves_direct) {
         list.add(first_normal(a));
         return result;
     }

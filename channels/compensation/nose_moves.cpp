@@ -240,6 +240,41 @@ bool Compensator::slow_corner(const Held& a, const Move& next_move, const Elemen
     return between < feed.below_deg;
 }
 
+double Compensator::path_curvature(const Element& e, double radius) const {
+    const double r = e.arc ? e.nose_path_radius(radius) : 0.0;
+    return r > kStands ? (e.sweep > 0 ? 1.0 : -1.0) / r : 0.0;
+}
+
+// A cubic with control points P0 P1 P2 P3. Entering, P3 lies on the contour's equidistant with tangent d and curvature k:
+//   P2 = P3 - h d                    tangential
+//   P1 = P3 - 2h d + 1.5 k h^2 n     n left of d: curvature (2/3) cross(d, P1 - P2) / h^2 = k       (Curved)
+//   P1 = P0 + (2/3)(C - P0)          the parabola P0 C P3 with C on the tangent                     (Smooth)
+// with h a third of the chord. Leaving is the mirror image (sinumerik_part2 11.2).
+void Compensator::touch(Move& m, Vec dir, double curvature, bool entering) const {
+    const Vec from{m.machine_start[p_], m.machine_start[q_]}, to{m.machine[p_], m.machine[q_]};
+    const double chord = length(to - from);
+    if (chord < kStands) return;
+    const Vec contour = entering ? to : from, free = entering ? from : to, away = entering ? -1.0 * dir : dir;
+    const double h = chord / 3.0;
+    const Vec near = contour + h * away;
+    const Vec far = options_.entry == Entry::Curved ? contour + 2.0 * h * away + 1.5 * curvature * h * h * left_of(dir)
+                                                    : free + (2.0 / 3.0) * (contour + (chord / 2.0) * away - free);
+    const Vec points[] = {from, entering ? far : near, entering ? near : far, to};
+    constexpr double kChordError = 5e-4;   // mm
+    const double bend = 6.0 * std::fmax(length(points[0] - 2.0 * points[1] + points[2]), length(points[1] - 2.0 * points[2] + points[3]));
+    const int pieces = std::clamp(static_cast<int>(std::ceil(std::sqrt(bend / (8.0 * kChordError)))), 2, 400);
+    auto through = std::make_shared<std::vector<AxisValues>>();
+    for (int k = 1; k < pieces; ++k) {
+        const double t = static_cast<double>(k) / pieces, u = 1.0 - t;
+        AxisValues point{};
+        for (std::size_t i = 0; i < point.size(); ++i) point[i] = m.machine_start[i] + t * (m.machine[i] - m.machine_start[i]);
+        const Vec on = u * u * u * points[0] + 3.0 * t * u * u * points[1] + 3.0 * t * t * u * points[2] + t * t * t * points[3];
+        point[p_] = on.p, point[q_] = on.q;
+        through->push_back(point);
+    }
+    m.through = std::move(through);
+}
+
 void Compensator::go_element(const Held& b, Vec to, bool as_line) {
     Move m = b.move;
     m.slow_head = b.slow_begin ? options_.corner_feed.behind : 0.0;
@@ -271,6 +306,10 @@ void Compensator::go_element(const Held& b, Vec to, bool as_line) {
         m.kind = MoveKind::Linear;
         m.sweep = 0;
         m.turns = 0;
+    }
+    if (touches_ && !b.element.arc) {
+        if (b.role == Role::Begin) touch(m, touches_->start_dir, path_curvature(*touches_, touches_->start_radius), true);
+        else touch(m, touches_->end_dir, path_curvature(*touches_, touches_->end_radius), false);
     }
     if (!curved && length(to - here_) >= kStands) m.moved |= (to.p != here_.p ? 1u << p_ : 0u) | (to.q != here_.q ? 1u << q_ : 0u);
     here_ = to;

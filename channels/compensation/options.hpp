@@ -12,6 +12,8 @@ enum class Entry : std::uint8_t {
     Direct,   // straight to (from) the normal at the contour's end: fanuc type A, sinumerik NORM, fagor direct
     Around,   // round the corner first: fanuc type B, fagor indirect
     Tangent,  // where the tool stands behind the contour: along the tangent of the circle about the corner: sinumerik KONT
+    Smooth,   // straight moves become a polynomial that is tangential to the contour: sinumerik KONTT
+    Curved,   // and has the curvature of its equidistant: sinumerik KONTC
 };
 
 // How the nose goes round an outer corner. Angles are those between the two elements on the workpiece's side.
@@ -67,7 +69,7 @@ struct Options {
     double small_vector = 0.0;              // mm: corner vectors that close on both axes count as one
     bool resume_at_intersection = false;    // after G53, G28: straight to the next vector instead of a new beginning (CCN)
     const TipTable* tips = &kTips;
-    double arc_below_deg = 0.0;             // Corner::Extended: an arc where the elements are closer than this
+    double arc_below_deg = 0.0;             // Corner::Extended: an arc where the elements are closer than this, tangents of arcs else
     bool in_place = false;                  // begins and ends also where the tool stands, in a block without movement in the plane
     bool sides_meet_on_paths = false;       // a change of side: at the intersection only where both paths pass it, else straight across
     bool rapid_suspends = false;            // rapid moves are not compensated; the cut before one ends the radius before its end

@@ -127,6 +127,7 @@ bool Interpreter::finish_approach(const AxisValues& target, const ArcCall* arc, 
         return true;
     }
     modal_.geo.approach.reset();
+    modal_.geo.approach_serial = soft.at.serial;
     core_.path.programmed = soft.from;
     const AxisValues p4 = soft.target;
     double tp = target[p] - p4[p], tq = target[q] - p4[q];

@@ -1,4 +1,4 @@
-// Tool radius compensation: G40 G41 G42 and what shapes it - NORM KONT, G450 G451, G460 to G462, OFFN (sinumerik_part2 11).
+// Tool radius compensation: G40 G41 G42 and what shapes it - NORM KONT KONTT KONTC, G450 G451, G460 to G462, OFFN (sinumerik_part2 11).
 #include <cmath>
 
 #include "channels/sinumerik/interpreter.hpp"
@@ -8,7 +8,8 @@ namespace polyturn::channels::sinumerik {
 bool Interpreter::update_compensation() {
     using namespace compensation;
     Options options;
-    options.entry = active(17) == 1 ? Entry::Direct : Entry::Tangent;
+    static constexpr Entry kEntries[] = {Entry::Direct, Entry::Tangent, Entry::Smooth, Entry::Curved};   // NORM KONT KONTT KONTC
+    options.entry = kEntries[active(17) - 1];
     options.corner = active(18) == 2 || modal_.geo.disc >= 100 ? Corner::Intersection : Corner::Arc;
     options.intersection_from_deg = 180.0 - settings_.corner_limit_deg;
     options.short_last = active(48) == 2 ? ShortLast::Circle : active(48) == 3 ? ShortLast::Line : ShortLast::None;
@@ -48,8 +49,13 @@ bool Interpreter::geo_compensation(const GCode& code) {
     modal_.geo.side_before = static_cast<std::uint8_t>(active(7));
     const unsigned entry = active(17), kind = active(22);
     const bool plane_only = kind <= 2 || kind == 9 || kind == 10;   // CUT2D CUT2DF CUT2DD CUT2DFD
-    if ((code.number != 1 || core_.compensating()) && (entry > 2 || !plane_only))
-        return fail(Alarm::NotBuilt, std::string(find_g(entry > 2 ? 17 : 22, entry > 2 ? entry : kind)->name));
+    if ((code.number != 1 || core_.compensating()) && !plane_only) return fail(Alarm::NotBuilt, std::string(find_g(22, kind)->name));
+    if ((code.number == 1) == core_.compensating() && entry > 2) {   // the way in or out becomes a polynomial: G1 only (11.2)
+        const std::string name(find_g(17, entry)->name);
+        const GCode* way = motion_code();
+        if (way && (way->group != 1 || way->number != 2) && axis_words()) return fail(Alarm::CodesContradict, name + ", " + std::string(way->name));
+        if (core_.path.transformation.active()) return fail(Alarm::NotBuilt, name);
+    }
     if (const GCode* soft = block_.coded[2]; code.number == 1 && soft && soft->number >= 14 && soft->number <= 16) return true;   // the retract ends it itself
     const GCode* motion = motion_code();
     const bool arc = motion && motion->group == 1 && motion->number > 2;

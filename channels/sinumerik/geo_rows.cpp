@@ -1,5 +1,5 @@
 // Rows of the geometry: moves, frames, compensation, corner elements. A null handler: known, not built. geo_not_built: the mode
-// can be chosen and read, its first move is refused; KONTT, KONTC and CUT3D are refused where compensation begins or ends.
+// can be chosen and read, its first move is refused; CUT3D is refused where compensation begins or ends.
 #include "channels/sinumerik/interpreter.hpp"
 
 namespace polyturn::channels::sinumerik {
@@ -81,8 +81,8 @@ constexpr GCode kCodes[] = {
     // group 17: Approach/retract response with tool radius compensation
     {"NORM", 17, 1, true, true, &Interpreter::geo_comp_option},
     {"KONT", 17, 2, true, false, &Interpreter::geo_comp_option},
-    {"KONTT", 17, 3, true, false, &Interpreter::geo_not_built},
-    {"KONTC", 17, 4, true, false, &Interpreter::geo_not_built},
+    {"KONTT", 17, 3, true, false, &Interpreter::geo_comp_option},
+    {"KONTC", 17, 4, true, false, &Interpreter::geo_comp_option},
     // group 18: Corner behaviour of tool offset
     {"G450", 18, 1, true, true, &Interpreter::geo_comp_option},
     {"G451", 18, 2, true, false, &Interpreter::geo_comp_option},

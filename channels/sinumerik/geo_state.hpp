@@ -69,6 +69,7 @@ struct GeoModal {
     double last_feed = 0.0;            // of the last move of the contour
     std::optional<OpenLine> open_line;
     std::optional<SoftApproach> approach;
+    std::uint64_t approach_serial = 0;   // block of the last one whose contour has begun
 };
 
 }  // namespace polyturn::channels::sinumerik

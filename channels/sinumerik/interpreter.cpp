@@ -302,7 +302,11 @@ Step Interpreter::after_block(bool ok) {
     if (core_.transformation_failed()) return fault(core_.fault());
     if (core_.reads_ahead()) {
         const bool counts = !called_ && !(block_.words.empty() && block_.codes.empty());
-        if (!core_.end_compensated_block(counts, wants_barrier_, ended_)) return fault(core_.fault());
+        if (!core_.end_compensated_block(counts, wants_barrier_, ended_)) {
+            Fault why = core_.fault();
+            if (why.alarm == Alarm::CompIdleBlocks && why.block && why.block->serial == modal_.geo.approach_serial) why.alarm = Alarm::ApproachNoEnd;   // 11.4.1
+            return fault(why);
+        }
         if (core_.transformation_failed()) return fault(core_.fault());
     }
     if (managed_serial_ == core_.at.serial) core_.mark_emitted();   // its T came before the barrier
