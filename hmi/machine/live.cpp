@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "ipc/diagnosis/tongue.hpp"
+
 namespace polyturn::hmi {
 namespace {
 
@@ -28,27 +30,35 @@ Live::Live(std::string instance)
 
 Live::~Live() = default;
 
-void Live::detach(std::string why) {
+void Live::detach(Diagnosis why) {
     if (connected_) ++generation_;
     connected_ = false;
-    whyNot_ = std::move(why);
+    why_ = std::move(why);
     supervisor_ = {}, kernel_ = {}, storeSegment_ = {};
     for (auto& one : channelSegments_) one = {};
     channels_.clear();
     for (auto& one : views_) one = {};
 }
 
+// A person knows the controller by its name, not by that of a segment.
+Diagnosis Live::named(Diagnosis why) const {
+    if (why.alarm == Alarm::SegmentMissing || why.alarm == Alarm::SegmentNotReady) why.detail = instance_;
+    return why;
+}
+
+std::string Live::whyNot() const { return why_ ? text_in(*why_, tongue_now()) : std::string(); }
+
 void Live::attach() {
     auto supervisor = PeerSegment<SupervisorSegment>::attach(instance_);
-    if (!supervisor) return detach(supervisor.diagnosis().text());
+    if (!supervisor) return detach(named(supervisor.diagnosis()));
     auto kernel = PeerSegment<KernelSegment>::attach(instance_);
-    if (!kernel) return detach(kernel.diagnosis().text());
+    if (!kernel) return detach(named(kernel.diagnosis()));
     auto store = PeerSegment<StoreSegment>::attach(instance_);
-    if (!store) return detach(store.diagnosis().text());
+    if (!store) return detach(named(store.diagnosis()));
     supervisor_ = std::move(*supervisor), kernel_ = std::move(*kernel), storeSegment_ = std::move(*store);
-    if (!peersLive()) return detach(Diagnosis{Alarm::SegmentMissing, {}, {}, instance_}.text());
+    if (!peersLive()) return detach({Alarm::SegmentMissing, {}, {}, instance_});
     connected_ = true;
-    whyNot_.clear();
+    why_.reset();
     ++generation_;
     tickSeconds_ = static_cast<double>(kernel_->tick_ns.load(std::memory_order_acquire)) * 1e-9;
     storeVersion_ = tableVersion_ = 0;
@@ -123,7 +133,7 @@ void Live::poll() {
     if (now >= nextLook_) {
         nextLook_ = now + kLookEvery;
         if (!connected_) attach();
-        else if (!peersLive()) detach(Diagnosis{Alarm::SegmentMissing, {}, {}, instance_}.text());
+        else if (!peersLive()) detach({Alarm::SegmentMissing, {}, {}, instance_});
         if (connected_) readStore(), attachChannels();
     }
     if (!connected_) return;

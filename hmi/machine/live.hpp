@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,7 @@ public:
     // Everything has been replaced: another generation, or the controller has come or gone.
     std::uint64_t generation() const { return generation_; }
     bool connected() const { return connected_; }
-    const std::string& whyNot() const { return whyNot_; }
+    std::string whyNot() const;            // there is no controller, in the language of the screens; empty: there is one
     const std::string& instance() const { return instance_; }
 
     const MachineStatus& status() const { return *status_; }
@@ -74,13 +75,15 @@ public:
 
 private:
     void attach();
-    void detach(std::string why);
+    void detach(Diagnosis why);
+    Diagnosis named(Diagnosis why) const;
     bool peersLive() const;
     void attachChannels();
     void readChannel(unsigned number);
     void readStore();
 
-    std::string instance_, whyNot_;
+    std::string instance_;
+    std::optional<Diagnosis> why_;
     bool connected_ = false;
     std::uint64_t generation_ = 0;
     double tickSeconds_ = 0.001;

@@ -25,7 +25,11 @@ TEST(Screens, WaitForAControllerAndSaySo) {
     window.show();
     QTest::qWait(50);
     EXPECT_FALSE(window.desk().live.connected());
-    EXPECT_FALSE(window.desk().live.whyNot().empty());
+    speak(Tongue::Hungarian);
+    const std::string why = window.desk().live.whyNot();   // in words and by the controller's name, not by that of a segment
+    EXPECT_NE(why.find(std::string(alarm_text(Alarm::SegmentMissing, Tongue::Hungarian).text.substr(0, 10))), std::string::npos) << why;
+    EXPECT_EQ(why.find(".supervisor"), std::string::npos) << why;
+    speak(Tongue::English);
     for (std::size_t i = 0; i < window.screens().size(); ++i) {
         window.showScreen(static_cast<int>(i));
         for (const SoftKey& key : window.screen()->keys())   // nothing that asks the machine may be offered
