@@ -16,6 +16,7 @@ namespace polyturn::supervisor {
 namespace {
 
 constexpr std::size_t kMostClients = 32;
+constexpr unsigned kLineBits = 32;
 constexpr std::size_t kLongestLine = 1 << 20;
 
 socklen_t address_of(const std::string& instance, sockaddr_un& address) {
@@ -72,7 +73,7 @@ void RequestServer::accept_all() {
     }
 }
 
-bool RequestServer::read_from(Client client, Connection& connection, const Handler& handler) {
+bool RequestServer::read_from(std::uint64_t number, Connection& connection, const Handler& handler) {
     char block[4096];
     for (;;) {
         const auto got = read(connection.fd, block, sizeof block);
@@ -85,14 +86,14 @@ bool RequestServer::read_from(Client client, Connection& connection, const Handl
     for (auto end = connection.in.find('\n'); end != std::string::npos; end = connection.in.find('\n')) {
         const std::string line = connection.in.substr(0, end);
         connection.in.erase(0, end + 1);
-        handler(client, line);
+        handler(number << kLineBits | connection.asked++, line);
     }
     return true;
 }
 
 void RequestServer::serve(int timeout_ms, const Handler& handler) {
     std::vector<pollfd> fds{{fd_, POLLIN, 0}};
-    std::vector<Client> clients;
+    std::vector<std::uint64_t> clients;
     for (const auto& [client, connection] : connections_) {
         fds.push_back({connection.fd, static_cast<short>(POLLIN | (connection.out.empty() ? 0 : POLLOUT)), 0});
         clients.push_back(client);
@@ -117,17 +118,25 @@ void RequestServer::serve(int timeout_ms, const Handler& handler) {
 }
 
 std::int64_t RequestServer::uid_of(Client client) const {
-    const auto found = connections_.find(client);
+    const auto found = connections_.find(client >> kLineBits);
     return found == connections_.end() ? -1 : found->second.uid;
 }
 
 void RequestServer::answer(Client client, std::string line) {
-    const auto found = connections_.find(client);
+    const auto found = connections_.find(client >> kLineBits);
     if (found == connections_.end()) return;  // it did not wait
-    found->second.out += line;
-    if (line.empty() || line.back() != '\n') found->second.out += '\n';
-    const auto wrote = send(found->second.fd, found->second.out.data(), found->second.out.size(), MSG_NOSIGNAL);
-    if (wrote > 0) found->second.out.erase(0, static_cast<std::size_t>(wrote));
+    Connection& connection = found->second;
+    if (static_cast<std::uint32_t>(client) < connection.told) return;   // told already
+    if (line.empty() || line.back() != '\n') line += '\n';
+    connection.early.try_emplace(static_cast<std::uint32_t>(client), std::move(line));
+    for (auto next = connection.early.find(connection.told); next != connection.early.end(); next = connection.early.find(connection.told)) {
+        connection.out += next->second;
+        connection.early.erase(next);
+        ++connection.told;
+    }
+    if (connection.out.empty()) return;
+    const auto wrote = send(connection.fd, connection.out.data(), connection.out.size(), MSG_NOSIGNAL);
+    if (wrote > 0) connection.out.erase(0, static_cast<std::size_t>(wrote));
 }
 
 Result<std::string> ask_controller(const std::string& instance, std::string_view line, int patience_ms) {

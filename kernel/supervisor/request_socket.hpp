@@ -19,8 +19,9 @@ namespace polyturn::supervisor {
 
 class RequestServer {
 public:
-    using Client = std::uint64_t;
-    // Answers now by answer(), or later.
+    using Client = std::uint64_t;          // one line of one connection
+    // Answers now by answer(), or later: once for each line. Whoever asks several things on one connection gets the answers in the
+    // order of his lines, whichever is known first.
     using Handler = std::function<void(Client client, const std::string& line)>;
 
     static Result<RequestServer> open(const std::string& instance);
@@ -42,14 +43,16 @@ private:
         std::string in, out;
         bool closing = false;
         std::int64_t uid = -1;
+        std::uint32_t asked = 0, told = 0;           // lines that have come, answers that have gone
+        std::map<std::uint32_t, std::string> early;  // answers whose turn has not come
     };
     RequestServer() = default;
     void accept_all();
-    bool read_from(Client client, Connection& connection, const Handler& handler);  // false: gone
+    bool read_from(std::uint64_t number, Connection& connection, const Handler& handler);  // false: gone
 
     int fd_ = -1;
-    Client next_ = 1;
-    std::map<Client, Connection> connections_;
+    std::uint64_t next_ = 1;
+    std::map<std::uint64_t, Connection> connections_;
     std::function<bool(std::int64_t)> guests_;
 };
 

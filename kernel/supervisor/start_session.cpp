@@ -232,7 +232,7 @@ void StartSession::revive() {
         // A new kernel makes a new generation: everybody else starts anew and attaches to it.
         generation_ = new_generation();
         to_revive_.clear();
-        waiting_.clear();
+        for (const Waiting& one : std::exchange(waiting_, {})) server_.answer(one.client, refusal({Alarm::NotServed, {}, {}, "the machine was started anew"}));
         if (auto launched = launch(); !launched) {
             print_diagnosis(launched.diagnosis(), Dialect::Polyturn);
             ask_to_end_ = true;
