@@ -2,6 +2,8 @@
 
 #include <QKeyEvent>
 
+#include "hmi/screens/channel_keys.hpp"
+
 namespace polyturn::hmi {
 
 Diagnosis::Diagnosis(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), table_(new Table(this)), detail_(new FreeSheet(this)), scope_(new ScopePage(desk, this)) {
@@ -76,19 +78,7 @@ void Diagnosis::composeHead(Writer& w) {
     w.fill(QRectF(0, 0, head_->width(), head_->height()), t.window);
     w.text(QRectF(px(14), 0, head_->width() * 0.4, head_->height()), page_ == Page::Scope && scope_->circle() ? word("Circularity") : word(kTitles[static_cast<std::size_t>(page_)]), lettering(20, true), t.text);
     double right = head_->width() - px(8);
-    if (page_ == Page::Variables || (page_ == Page::Scope && scope_->circle())) {
-        const auto& all = desk_.live.channels();
-        for (auto channel = all.rbegin(); channel != all.rend(); ++channel) {
-            const bool here = *channel == desk_.channel;
-            const double step = std::min<double>(px(60), head_->width() * 0.6 / static_cast<double>(all.size()));
-            const QRectF box(right - step + px(2), px(7), step - px(6), head_->height() - px(12));
-            w.fill(box, here ? t.mark : t.card, px(6));
-            w.frame(box, here ? t.accent : t.edge, px(6), here ? px(2) : 1);
-            w.text(box, QString("L%1").arg(*channel), lettering(16, here), t.text, Qt::AlignCenter);
-            w.hit(box, static_cast<int>(*channel));
-            right -= step;
-        }
-    }
+    if (page_ == Page::Variables || (page_ == Page::Scope && scope_->circle())) right = composeChannelKeys(w, desk_, head_->size());
     if (page_ == Page::Signals || page_ == Page::Variables)
         w.data(QRectF(head_->width() * 0.4, 0, right - head_->width() * 0.4 - px(14), head_->height()), search_.isEmpty() ? word("Type a part of the name") : search_ + QString::fromUtf8("▏"), lettering(16),
                search_.isEmpty() ? t.dim : t.accent, Qt::AlignRight | Qt::AlignVCenter);

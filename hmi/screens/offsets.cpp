@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "hmi/machine/channel_words.hpp"
+#include "hmi/screens/channel_keys.hpp"
 #include "ipc/machine/work_zeros.hpp"
 
 namespace polyturn::hmi {
@@ -46,18 +47,7 @@ Offsets::Offsets(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), side_(n
         const Theme& t = theme();
         w.fill(QRectF(0, 0, head_->width(), head_->height()), t.window);
         w.text(QRectF(px(14), 0, head_->width() * 0.5, head_->height()), zeros_ ? word("Work zeros") : word("Tool offsets"), lettering(20, true), t.text);
-        const auto& all = desk_.live.channels();
-        double right = head_->width() - px(8);
-        for (auto channel = all.rbegin(); channel != all.rend(); ++channel) {
-            const bool here = *channel == desk_.channel;
-            const double step = std::min<double>(px(60), head_->width() * 0.6 / static_cast<double>(all.size()));
-            const QRectF box(right - step + px(2), px(7), step - px(6), head_->height() - px(12));
-            w.fill(box, here ? t.mark : t.card, px(6));
-            w.frame(box, here ? t.accent : t.edge, px(6), here ? px(2) : 1);
-            w.text(box, QString("L%1").arg(*channel), lettering(16, here), t.text, Qt::AlignCenter);
-            w.hit(box, static_cast<int>(*channel));
-            right -= step;
-        }
+        composeChannelKeys(w, desk_, head_->size());
     };
     head_->onTouched = [this](int channel) { desk_.choose(static_cast<unsigned>(channel)), refresh(); };
     side_->onCompose = [this](Writer& w) { composeSide(w); };

@@ -63,6 +63,15 @@ inline std::unique_ptr<params::Table> lathe(const std::vector<std::string>& more
     return table;
 }
 
+// Until it ends or stands in an alarm; nobody has to be waited for at a barrier.
+inline void run_to_end(Language& language) {
+    for (int steps = 0; steps < 100'000; ++steps) {
+        const Step step = language.step();
+        if (step == Step::AtBarrier) language.barrier_done();
+        else if (step != Step::Continue) return;
+    }
+}
+
 // `prepare` may enter offsets and zeros into the store and see the start point.
 template <class Prepare>
 Played play(std::string_view program, const Play& how, Prepare&& prepare) {
@@ -88,11 +97,7 @@ Played play(std::string_view program, const Play& how, Prepare&& prepare) {
     (void)interpreter->start(*main).ok();
     interpreter->core().start_at_machine(view.start);
     preset(*interpreter, how.setup);
-    for (int steps = 0; steps < 100'000; ++steps) {
-        const Step step = interpreter->step();
-        if (step == Step::AtBarrier) interpreter->barrier_done();
-        else if (step != Step::Continue) break;
-    }
+    run_to_end(*interpreter);
     played.errors = sink.errors();
     return played;
 }

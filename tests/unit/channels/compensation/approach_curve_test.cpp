@@ -6,25 +6,14 @@
 #include <gtest/gtest.h>
 
 #include "channels/compensation/compensator.hpp"
+#include "tests/unit/channels/quiet_sink.hpp"
 
 namespace polyturn::channels::compensation {
 namespace {
 
-struct Recorder final : Sink {
+struct Recorder final : testing::QuietSink {
     std::vector<Move> moves;
     void move(const Move& m, const BlockContext&) override { moves.push_back(m); }
-    void dwell(const Dwell&, const BlockContext&) override {}
-    void aux(const Aux&, const BlockContext&) override {}
-    void spindle(const Spindle&, const BlockContext&) override {}
-    void wait(const Wait&, const BlockContext&) override {}
-    void variable(const Variable&, const BlockContext&) override {}
-    void offset(const OffsetWrite&, const BlockContext&) override {}
-    void message(std::string_view, const BlockContext&) override {}
-    void stop(const Stop&, const BlockContext&) override {}
-    void part(double, const BlockContext&) override {}
-    void alarm(const Diagnosis&, const BlockContext&) override {}
-    void barrier(const BlockContext&) override {}
-    void block_end(const BlockContext&) override {}
 };
 
 Move line_to(Vec from, Vec to) {

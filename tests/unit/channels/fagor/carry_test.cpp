@@ -30,11 +30,7 @@ Played behind(std::string_view first, std::string_view second, const fs::path& m
         EXPECT_TRUE(language->start(*main).ok());
         language->core().start_at_machine(view.start);
         if (left.has_value() && memory.empty()) language->take_carry(left, false);
-        for (int steps = 0; steps < 10'000; ++steps) {
-            const Step step = language->step();
-            if (step == Step::AtBarrier) language->barrier_done();
-            else if (step != Step::Continue) break;
-        }
+        run_to_end(*language);
         played.errors = sink.errors();
         left = language->carry();
     }

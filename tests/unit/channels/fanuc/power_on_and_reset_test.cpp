@@ -79,11 +79,7 @@ Played behind_reset(const std::string& first, const std::string& second, const s
         language->core().start_at_machine(view.start);
         preset(*language, setup.channels[1]);
         if (left.has_value()) language->take_carry(left, true);
-        for (int steps = 0; steps < 10'000; ++steps) {
-            const Step step = language->step();
-            if (step == Step::AtBarrier) language->barrier_done();
-            else if (step != Step::Continue) break;
-        }
+        run_to_end(*language);
         played.errors = sink.errors();
         left = language->carry();
     }
@@ -152,9 +148,7 @@ TEST(NctReset, C15KeepsExactStopAndC12ModalCalls) {
             language->core().start_at_machine(view.start);
             if (left.has_value()) language->take_carry(left, true);
             exact = language->core().path.exact_stop_mode;
-            for (int steps = 0; steps < 1000; ++steps)
-                if (const Step step = language->step(); step == Step::AtBarrier) language->barrier_done();
-                else if (step != Step::Continue) break;
+            run_to_end(*language);
             left = language->carry();
         }
         EXPECT_EQ(exact, keeps);

@@ -1,0 +1,24 @@
+#include "hmi/screens/channel_keys.hpp"
+
+#include <algorithm>
+
+namespace polyturn::hmi {
+
+double composeChannelKeys(Writer& w, const Desk& desk, const QSizeF& title) {
+    const Theme& t = theme();
+    const auto& all = desk.live.channels();
+    double right = title.width() - px(8);
+    for (auto channel = all.rbegin(); channel != all.rend(); ++channel) {
+        const bool here = *channel == desk.channel;
+        const double step = std::min<double>(px(60), title.width() * 0.6 / static_cast<double>(all.size()));
+        const QRectF box(right - step + px(2), px(7), step - px(6), title.height() - px(12));
+        w.fill(box, here ? t.mark : t.card, px(6));
+        w.frame(box, here ? t.accent : t.edge, px(6), here ? px(2) : 1);
+        w.text(box, QString("L%1").arg(*channel), lettering(16, here), t.text, Qt::AlignCenter);
+        w.hit(box, static_cast<int>(*channel));
+        right -= step;
+    }
+    return right;
+}
+
+}  // namespace polyturn::hmi
