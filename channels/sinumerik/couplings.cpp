@@ -27,8 +27,8 @@ bool Interpreter::spindle_pair(const Call& c, std::uint16_t& follows, std::uint1
 }
 
 // The ratio that the machine data give: PT_SYNC_TURNS to PT_SYNC_MASTER_TURNS where the leading spindle is the configured one.
-SpindleRatio Interpreter::configured_ratio(std::uint16_t follows, std::uint16_t leads) const {
-    const params::Table& table = const_cast<Interpreter*>(this)->core_.view().table();
+SpindleRatio Interpreter::configured_ratio(std::uint16_t follows, std::uint16_t leads) {
+    const params::Table& table = core_.view().table();
     if (p::get(table, p::pt_spindle_master, follows) != leads) return {};
     return {static_cast<double>(p::get(table, p::pt_sync_turns, follows)), static_cast<double>(p::get(table, p::pt_sync_master_turns, follows))};
 }
