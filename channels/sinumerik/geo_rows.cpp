@@ -156,7 +156,7 @@ constexpr Command kCommands[] = {
     {"CTRANS", true, 0, 16, "ar+", &Interpreter::f_ctrans},  {"CFINE", true, 0, 16, "ar+", &Interpreter::f_cfine}, {"CSCALE", true, 0, 16, "ar+", &Interpreter::f_cscale},
     {"CROT", true, 0, 6, "ar+", &Interpreter::f_crot},     {"CROTS", true, 0, 4, "ar+", &Interpreter::f_crots},  {"CMIRROR", true, 0, 8, "a", &Interpreter::f_cmirror},
     {"CRPL", true, 2, 2, "r", &Interpreter::f_crpl},      {"ADDFRAME", true, 2, 2, "fs", &Interpreter::f_addframe}, {"INVFRAME", true, 1, 1, "f", &Interpreter::f_invframe},
-    {"MEAFRAME", true, 3, 3, "v", nullptr},
+    {"MEAFRAME", true, 3, 3, "v", &Interpreter::f_meaframe},
 };
 
 }  // namespace

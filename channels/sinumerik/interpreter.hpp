@@ -91,7 +91,7 @@ public:
     bool geo_limits(const GCode&), geo_pole(const GCode&), geo_compensation(const GCode&), geo_comp_option(const GCode&);
     bool geo_comp_kind(const GCode&), geo_approach(const GCode&), geo_retract(const GCode&);
     bool a_geometry(const Word&), a_without_effect(const Word&);
-    bool f_ctrans(Call&), f_cfine(Call&), f_cscale(Call&), f_crot(Call&), f_cmirror(Call&), f_crpl(Call&), f_invframe(Call&);
+    bool f_ctrans(Call&), f_cfine(Call&), f_cscale(Call&), f_crot(Call&), f_cmirror(Call&), f_crpl(Call&), f_invframe(Call&), f_meaframe(Call&);
 
     // --- addresses (settings_words.cpp, tools.cpp, spindles.cpp)
     bool a_feed(const Word&), a_feed_tooth(const Word&), a_override(const Word&), a_feed_radius(const Word&);
@@ -112,8 +112,13 @@ public:
     bool f_strlen(Call&), f_index(Call&), f_rindex(Call&), f_mindex(Call&), f_match(Call&), f_substr(Call&), f_sprint(Call&);
     bool f_axname(Call&), f_axstring(Call&), f_isaxis(Call&), f_spi(Call&), f_axtospi(Call&), f_modaxval(Call&), f_isvar(Call&);
     bool f_toolenv(Call&), f_gettenv(Call&), f_deltoolenv(Call&);   // tool_environments.cpp
+    bool f_gett(Call&), f_newt(Call&), p_delt(Call&), f_getdno(Call&), f_setdno(Call&), p_dzero(Call&), f_chkdno(Call&), f_chkdm(Call&), f_getacttd(Call&);   // tool_functions.cpp
+    bool f_getactt(Call&), f_toolgnt(Call&), f_toolgt(Call&), f_deldl(Call&), p_tca(Call&), p_tml(Call&), call_tool(std::int64_t number, ToolCallBy by);
+    std::vector<std::int64_t> tools_named(const std::string& name) const;   // by duplo
+    std::int64_t tool_named(const Call& call, std::size_t duplo) const;
+    static int edge_of_d(const Tool& tool, int d);                          // 0: no edge has this D number
     bool f_getvarlim(Call&), f_getvardft(Call&), f_getvarphu(Call&), f_getvarap(Call&);   // variable_facts.cpp
-    bool f_getvartyp(Call&), f_stringis(Call&), f_isfile(Call&), f_gett(Call&), f_newt(Call&), f_getdno(Call&), f_calcdat(Call&);
+    bool f_getvartyp(Call&), f_stringis(Call&), f_isfile(Call&), f_calcdat(Call&);
     bool p_preset(Call&), p_geometry_axes(Call&), p_axis_profile(Call&), p_overlay_off(Call&), p_axis_exchange(Call&);
     bool p_tool_of_spindle(Call&), p_lift_axes(Call&), p_feed_per_revolution(Call&), p_axis_per_revolution(Call&);
     bool f_crots(Call&), f_addframe(Call&);
@@ -124,9 +129,9 @@ public:
     bool p_cancel(Call&), p_lock(Call&), p_unlock(Call&), p_action_reset(Call&), p_stop_reading_of(Call&);   // synchronized.cpp
     bool p_interrupts(Call&), p_without_effect(Call&), p_trail(Call&), p_wheel_speed(Call&), a_sum_offset(const Word&);
     bool p_msg(Call&), p_setal(Call&), p_stopre(Call&), p_setms(Call&), p_wait_marker(Call&), p_wait_end(Call&);
-    bool p_set_marker(Call&), p_init(Call&), p_start(Call&), p_nothing(Call&), p_fgroup(Call&), p_diamchan(Call&);
+    bool p_set_marker(Call&), p_nothing(Call&), p_fgroup(Call&), p_diamchan(Call&);
     bool p_reset_monitoring(Call& c);
-    bool p_spindle_control(Call&), p_wait_axis(Call&), p_wait_spindle(Call&), p_delt(Call&), p_wrtpr(Call&);
+    bool p_spindle_control(Call&), p_wait_axis(Call&), p_wait_spindle(Call&), p_wrtpr(Call&);
     bool p_transmit(Call&), p_tracyl(Call&), p_traang(Call&), p_trafoof(Call&);   // geo_transform.cpp
     bool p_coupling(Call&), f_posrange(Call&);   // couplings.cpp
     bool spindle_pair(const Call& c, std::uint16_t& follows, std::uint16_t& leads);

@@ -1,4 +1,4 @@
-// Messages, alarms, master spindle, tools by their names; markers and waits between channels (sinumerik_part3 7.14, part 2 17.1b).
+// Messages, alarms, master spindle; markers and waits between channels (sinumerik_part3 7.14, part 2 17.1b).
 #include <algorithm>
 #include <cmath>
 
@@ -143,9 +143,6 @@ bool Interpreter::p_set_marker(Call& c) {
     return true;
 }
 
-bool Interpreter::p_init(Call&) { return fail(Alarm::NotBuilt, "INIT"); }
-bool Interpreter::p_start(Call&) { return fail(Alarm::NotBuilt, "START"); }
-
 // Axes of POSA arrive; then they are free for everybody.
 bool Interpreter::p_wait_axis(Call& c) {
     AxisSet which = 0;
@@ -170,47 +167,5 @@ bool Interpreter::p_wait_spindle(Call& c) {
 }
 
 // --- tools by their names
-
-bool Interpreter::f_gett(Call& c) {
-    double found = -1;
-    for (const auto& [number, tool] : tools_)
-        if (tool.name == c.value(0).text && (!c.has(1) || tool.duplo == static_cast<std::int32_t>(c.number(1)))) {
-            found = static_cast<double>(number);
-            break;
-        }
-    c.result = Value::of_int(found);
-    return true;
-}
-
-bool Interpreter::f_newt(Call& c) {
-    std::int64_t number = 1;
-    while (tools_.contains(number)) ++number;
-    if (number > 32000) return fail(Alarm::FunctionArgument, "NEWT", static_cast<double>(number));
-    undo([this, number] { tools_.erase(number); });
-    Tool& tool = tools_[number];
-    tool.name = c.value(0).text;
-    tool.duplo = c.has(1) ? static_cast<std::int32_t>(c.number(1)) : 1;
-    tool.edges[1];
-    c.result = Value::of_int(static_cast<double>(number));
-    return true;
-}
-
-bool Interpreter::f_getdno(Call& c) {
-    const auto found = tools_.find(static_cast<std::int64_t>(c.number(0)));
-    const int edge = static_cast<int>(c.number(1));
-    c.result = Value::of_int(found != tools_.end() && found->second.edges.contains(edge) ? edge : 0);
-    return true;
-}
-
-bool Interpreter::p_delt(Call& c) {
-    for (auto tool = tools_.begin(); tool != tools_.end(); ++tool) {
-        if (tool->second.name != c.value(0).text || (c.has(1) && tool->second.duplo != static_cast<std::int32_t>(c.number(1)))) continue;
-        if (tool->first == modal_.tool) return fail(Alarm::ToolUnknown, c.value(0).text);
-        undo([this, number = tool->first, before = tool->second] { tools_[number] = before; });
-        tools_.erase(tool);
-        return true;
-    }
-    return fail(Alarm::ToolUnknown, c.value(0).text);
-}
 
 }  // namespace polyturn::channels::sinumerik

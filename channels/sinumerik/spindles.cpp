@@ -11,7 +11,7 @@ bool Interpreter::a_cutting_speed(const Word& word) {
     const auto found = tools_.find(modal_.tool);
     const Edge* edge = nullptr;
     if (found != tools_.end())
-        if (const auto e = found->second.edges.find(modal_.edge); e != found->second.edges.end()) edge = &e->second;
+        if (const int number = edge_of_d(found->second, modal_.edge)) edge = &found->second.edges.at(number);
     const double radius = edge ? edge->dp[6] + edge->dp[15] + edge->sum[1][6] + edge->setup[1][6] : 0.0;
     if (radius <= 0) return fail_word(Alarm::ToolUnknown, word, "SVC: R = 0");
     const unsigned group = active(15);

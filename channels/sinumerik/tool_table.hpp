@@ -11,12 +11,13 @@ inline constexpr unsigned kEdgeParameters = 36;   // DP1 to DP35; DP0 unused
 struct Edge {
     std::array<double, kEdgeParameters> dp{};
     double teeth = 0.0;               // $TC_DPNT
+    int d_number = -1;                // by which D calls it; < 0: its own number, 0: DZERO has taken it
     std::array<std::array<double, 10>, 7> sum{}, setup{};   // $TC_SCPxy, $TC_ECPxy
 };
 
 struct Tool {
     std::string name;                 // case counts
-    std::int32_t duplo = 1;
+    std::int32_t duplo = 0;           // among those of its name; 0: none was given, the order of the numbers counts
     double max_velocity = 0.0;        // $TC_TP_MAX_VELO
     std::array<double, 10> grinding{};   // $TC_TPG1 to $TC_TPG9, by their numbers (part 1, 6.5)
     std::map<int, Edge> edges;

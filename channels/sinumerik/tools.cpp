@@ -79,7 +79,7 @@ bool Interpreter::change_tool() {
     if (const Word* edge = word("D")) return !settings_.tool_by_m6 || select_edge(static_cast<int>(edge->number()));   // the block says it itself
     if (settings_.default_edge == -2) return true;        // the old offset holds until D
     int edge = modal_.tool == 0 ? 0 : settings_.default_edge;
-    if (edge > 0 && found != tools_.end() && !found->second.edges.contains(edge)) return fail(Alarm::EdgeUnknown, std::to_string(modal_.tool), edge);
+    if (edge > 0 && found != tools_.end() && !edge_of_d(found->second, edge)) return fail(Alarm::EdgeUnknown, std::to_string(modal_.tool), edge);
     if (edge > 0 && found == tools_.end()) edge = 0;
     return select_edge(edge);
 }
@@ -91,12 +91,12 @@ bool Interpreter::select_edge(int edge) {
             if (modal_.tool != 0 || !tools_.empty()) return fail(Alarm::ToolUnknown, std::to_string(modal_.tool));
             return fail(Alarm::EdgeUnknown, std::to_string(modal_.tool), edge);
         }
-        if (!found->second.edges.contains(edge)) return fail(Alarm::EdgeUnknown, std::to_string(modal_.tool), edge);
+        if (!edge_of_d(found->second, edge)) return fail(Alarm::EdgeUnknown, std::to_string(modal_.tool), edge);
     }
     modal_.edge = edge;
     modal_.sum_offset = 0;
     core_.path.tool.ref.edge = edge;
-    modal_.edge_data = edge > 0 ? std::make_shared<const Edge>(found->second.edges.at(edge)) : nullptr;   // changed values wait for the next T or D
+    modal_.edge_data = edge > 0 ? std::make_shared<const Edge>(found->second.edges.at(edge_of_d(found->second, edge))) : nullptr;   // changed values wait for the next T or D
     modal_.teeth = modal_.edge_data ? modal_.edge_data->teeth : 0.0;
     apply_tool();
     return refresh_cutting_speeds();

@@ -50,6 +50,57 @@ TEST(SinumerikFacts, OfToolEnvironments) {   // part 3, 9.5
     for (const auto& [name, value] : rows) EXPECT_TRUE(sets(played, name, value)) << name << '\n' << played.events;
 }
 
+// Part 3, 9.1, worked out by hand: measured = shift + turn about Z by 90 degrees of the wanted points.
+TEST(SinumerikFacts, AFrameFromThreeMeasuredPoints) {
+    const std::string head = "DEF REAL MM1[3,3]\nDEF REAL WW1[3,3]\nDEF REAL QQ\nDEF FRAME FF\nWW1[0,0]=SET(0,0,0,10,0,0,0,0,30)\n";
+    const Played shifted = run(head + "MM1[0,0]=SET(5,0,7,15,0,7,5,0,37.3)\nFF=MEAFRAME(MM1,WW1,QQ)\nR1=FF[X,TR] R2=FF[Z,TR] R3=FF[X,SC] R4=QQ\nM30\n");
+    EXPECT_EQ(shifted.errors, 0u) << shifted.events;
+    EXPECT_TRUE(sets(shifted, "R1", "5") && sets(shifted, "R2", "7.1") && sets(shifted, "R3", "1") && sets(shifted, "R4", "0.2")) << shifted.events;   // the third point 0.3 too far: 0.2 of it left there
+    Play mill;
+    mill.language = "sinumerik";
+    mill.sets = {"N0002 A6=1", "N0100 A6=89", "N0103 A6=2"};
+    const Played turned = play(head + "WW1[2,1]=20 WW1[2,2]=0\nMM1[0,0]=SET(5,6,7,5,16,7,-15,6,7)\nFF=MEAFRAME(MM1,WW1,QQ)\nR1=FF[X,TR] R2=FF[Y,TR] R3=FF[Z,TR] R4=FF[Z,RT] R5=ROUND(QQ*1000000)\nM30\n", mill);
+    EXPECT_EQ(turned.errors, 0u) << turned.events;
+    for (const auto& [name, value] : {std::pair{"R1", "5"}, {"R2", "6"}, {"R3", "7"}, {"R4", "90"}, {"R5", "0"}}) EXPECT_TRUE(sets(turned, name, value)) << name << '\n' << turned.events;
+    EXPECT_GT(run(head + "MM1[0,0]=SET(0,0,0,10,0,0,20,0,0)\nFF=MEAFRAME(MM1,WW1,QQ)\nM30\n").errors, 0u);   // on one line
+}
+
+Play with_sisters() {   // T1 and T2 are ROUGH/1 and /2, T3 is alone
+    Play how;
+    how.language = "sinumerik";
+    how.sets = {"MD22550=0"};
+    for (const int tool : {1, 2, 3}) how.setup.tools[tool] = {tool < 3 ? "ROUGH" : "DRILL", {{1, {{"DP1", 500.0}, {"DP3", 10.0 * tool}}}, {2, {{"DP1", 500.0}, {"DP3", 10.0 * tool + 1}}}}};
+    return how;
+}
+
+TEST(SinumerikFacts, AnEdgeIsCalledByItsDNumber) {   // part 1, 6.6; part 3, 7.17, 9.5
+    const Played played = play(
+        "DEF INT TN\nR1=SETDNO(1,2,20) R2=GETDNO(1,2) R3=GETDNO(1,1)\nR4=SETDNO(1,1,20) R5=SETDNO(9,1,5) R6=SETDNO(1,3,5)\nR7=GETACTTD(TN,20)\nR8=TN\nR9=GETACTTD(TN,2)\nR10=TN\nR11=GETACTTD(TN,77)\n"
+        "R12=CHKDNO(1,2) R13=CHKDNO(1,2,20) R14=CHKDNO(1,2,1)\nSETDNO(2,1,30)\nSETDNO(2,2,31)\nR15=CHKDNO(1,2) R16=CHKDNO() R17=CHKDNO(1,9)\nT1 D20\nR18=$P_TOOL R19=$P_TOOLL[1]\nM30\n",
+        with_sisters());
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    const std::pair<const char*, const char*> rows[] = {{"R1", "1"}, {"R2", "20"}, {"R3", "1"}, {"R4", "0"}, {"R5", "0"}, {"R6", "0"}, {"R7", "0"}, {"R8", "1"}, {"R9", "-2"}, {"R10", "2"}, {"R11", "-1"},
+                                                        {"R12", "0"}, {"R13", "1"}, {"R14", "0"}, {"R15", "1"}, {"R16", "0"}, {"R17", "0"}, {"R18", "20"}, {"R19", "11"}};
+    for (const auto& [name, value] : rows) EXPECT_TRUE(sets(played, name, value)) << name << '\n' << played.events;
+    EXPECT_TRUE(play("SETDNO(1,2,20)\nT1 D2\nM30\n", with_sisters()).has({"\"number\":17180"}));
+    EXPECT_TRUE(play("DZERO\nT1 D1\nM30\n", with_sisters()).has({"\"number\":17180"}));
+    EXPECT_EQ(play("DZERO\nSETDNO(1,1,1)\nT1 D1\nM30\n", with_sisters()).errors, 0u);
+}
+
+TEST(SinumerikFacts, ToolsOfOneNameAreAGroup) {   // part 3, 7.17, 9.5
+    const Played played = play(
+        "DEF INT TN\nR1=TOOLGNT(\"ROUGH\") R2=TOOLGNT(\"rough\") R3=TOOLGT(\"ROUGH\",2) R4=TOOLGT(\"ROUGH\",3)\nR5=GETT(\"ROUGH\",2) R6=GETT(\"ROUGH\",3)\n"
+        "R7=GETACTT(TN,\"ROUGH\")\nR8=TN\nTCA(\"ROUGH\",2)\nR9=$P_TOOLNO\nR10=GETACTT(TN,\"ROUGH\")\nR11=TN\nR12=GETACTT(TN,\"NONE\")\nTML(3)\nR13=$P_TOOLNO\n"
+        "R14=NEWT(\"DRILL\")\nR15=TOOLGNT(\"DRILL\") R16=GETT(\"DRILL\",2)\nDELT(\"DRILL\",2)\nR17=TOOLGNT(\"DRILL\")\n"
+        "$TC_SCP13[1,1]=5 $TC_ECP13[1,2]=6\nR18=DELDL(1,1)\nR19=$TC_SCP13[1,1] R20=$TC_ECP13[1,2]\nR21=DELDL(1) R22=$TC_ECP13[1,2] R23=DELDL(1,7)\nM30\n",
+        with_sisters());
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    const std::pair<const char*, const char*> rows[] = {{"R1", "2"}, {"R2", "0"}, {"R3", "2"}, {"R4", "0"}, {"R5", "2"}, {"R6", "-1"}, {"R7", "0"}, {"R8", "1"}, {"R9", "2"}, {"R10", "0"}, {"R11", "2"}, {"R12", "-1"},
+                                                        {"R13", "3"}, {"R14", "4"}, {"R15", "2"}, {"R16", "4"}, {"R17", "1"}, {"R18", "0"}, {"R19", "0"}, {"R20", "6"}, {"R21", "0"}, {"R22", "0"}, {"R23", "-1"}};
+    for (const auto& [name, value] : rows) EXPECT_TRUE(sets(played, name, value)) << name << '\n' << played.events;
+    EXPECT_TRUE(play("TCA(\"ROUGH\",3)\nM30\n", with_sisters()).has({"\"number\":17190"}));
+}
+
 TEST(SinumerikFacts, ABlockHasTenAuxiliaryFunctionsAtTheMost) {   // part 2, 14
     EXPECT_EQ(run("M10 M11 M12 M13 M14 H1 H2 H3 S1=100 D0\nM30\n").errors, 0u);
     EXPECT_TRUE(run("M10 M11 M12 M13 M14 H1 H2 H3 S1=100 S2=100 D0\nM30\n").has({"\"number\":14750"})) << run("M10 M11 M12 M13 M14 H1 H2 H3 S1=100 S2=100 D0\nM30\n").events;
