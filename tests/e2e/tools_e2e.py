@@ -159,6 +159,12 @@ class SinumerikTools(Tools):
             self.wait_for(lambda: self.tool(tool)["worn"], 3, "the use to be counted")
         self.cycle(program, ends="interrupted")
         self.assertIn("PT0418", self.alarms())
+        for duplo, length in ((1, 30), (2, 35)):    # TCA takes it whatever its state
+            self.assertEqual(self.cycle(f'G18 G0 Z0\nTCA("ROUGH",{duplo})\nD1 Z20\nM30\n')["tool"], duplo)
+            z = next(a for a in self.ask("status")["axes"] if a["axis"] == "A2")["cmd"]
+            self.assertAlmostEqual(z, 20 + length, places=6)
+        self.assertEqual(self.cycle("G18 G0 Z0\nTML(3)\nM30\n", ends="interrupted")["tool"], 2)    # as T: it is used up
+        self.cycle("IF CHKDM(1)\nSETAL(65001)\nENDIF\nSETDNO(2,1,7)\nIF NOT CHKDM(1)\nSETAL(65002)\nENDIF\nM30\n")    # both have a D1 in magazine 1
         self.assertEqual(self.stop(), 0)
 
     def test_monitoring_reads_and_writes_the_same_life(self):
