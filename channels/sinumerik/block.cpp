@@ -116,6 +116,7 @@ bool Interpreter::motion() {
     }
     if (!code) return true;
     if (!code->act) return fail(Alarm::NotBuilt, std::string(code->name));
+    if (modal_.curve && (code->group != 1 || code->number > 2)) return fail(Alarm::CodesContradict, "CTABDEF, " + std::string(code->name));   // straight segments only
     const bool thread = code->group == 1 && ((code->number >= 10 && code->number <= 12) || code->number >= 16);
     const bool other = modal_.feed_spindle && modal_.feed_revolution && code->group == 1 && !thread;   // FPR
     if (!update_feed() || !with_spindle(other ? modal_.feed_spindle : std::uint16_t{0}, [&] { return (this->*code->act)(*code); })) return false;

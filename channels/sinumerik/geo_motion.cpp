@@ -88,6 +88,7 @@ bool Interpreter::corner_words(bool contour) {
 }
 
 bool Interpreter::go_line(const AxisValues& wanted, bool rapid) {
+    if (modal_.curve) return curve_point(wanted);
     const AxisValues target = modal_.trails.empty() ? wanted : trailed(wanted);
     if (!within_areas(target)) return false;
     if (bool taken = false; modal_.geo.approach) {

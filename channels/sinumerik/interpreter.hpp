@@ -116,6 +116,15 @@ public:
     bool f_getactt(Call&), f_toolgnt(Call&), f_toolgt(Call&), f_deldl(Call&), p_tca(Call&), p_tml(Call&), call_tool(std::int64_t number, ToolCallBy by);
     std::vector<std::int64_t> tools_named(const std::string& name) const;   // by duplo
     std::int64_t tool_named(const Call& call, std::size_t duplo) const;
+    // curve_table_commands.cpp
+    enum class CurveFigure : std::uint8_t { Used, Free, Most };
+    bool curve_point(const AxisValues& target), curve_sample(Call& c, std::size_t slope, const CurveTable::Sample& sample, double value), curve_extreme(Call& c, bool largest);
+    bool curve_memory(Call& c, CurveFigure figure, double (*used)(const CurveTables&, bool), double most), curve_fact(Call& c, const std::function<double(const CurveTable&)>& fact);
+    const CurveTable* curve_table(const Call& c, std::size_t i);
+    bool p_ctabdef(Call&), p_ctabend(Call&), p_ctab_each(Call&), f_ctab(Call&), f_ctabinv(Call&), f_ctabssv(Call&), f_ctabsev(Call&), f_ctabtsv(Call&), f_ctabtsp(Call&);
+    bool f_ctabtev(Call&), f_ctabtep(Call&), f_ctabtmin(Call&), f_ctabtmax(Call&), f_ctabexists(Call&), f_ctabislock(Call&), f_ctabmemtyp(Call&), f_ctabperiod(Call&);
+    bool f_ctabsegid(Call&), f_ctabpolid(Call&), f_ctabid(Call&), f_ctabno(Call&), f_ctabnomem(Call&), f_ctabfno(Call&), f_ctabseg(Call&), f_ctabfseg(Call&), f_ctabmseg(Call&);
+    bool f_ctabpol(Call&), f_ctabfpol(Call&), f_ctabmpol(Call&);
     static int edge_of_d(const Tool& tool, int d);                          // 0: no edge has this D number
     bool f_getvarlim(Call&), f_getvardft(Call&), f_getvarphu(Call&), f_getvarap(Call&);   // variable_facts.cpp
     bool f_getvartyp(Call&), f_stringis(Call&), f_isfile(Call&), f_calcdat(Call&);
@@ -383,6 +392,7 @@ private:
     Core core_;
     ProgramFiles* files_;
     Settings settings_;
+    CurveTables curve_tables_;
     ToolTable tools_;
     std::map<FileId, TextIndex> indices_;
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "channels/program_files.hpp"
+#include "channels/sinumerik/curve_table.hpp"
 #include "channels/sinumerik/geo_state.hpp"
 #include "channels/sinumerik/tables.hpp"
 #include "channels/sinumerik/tool_table.hpp"
@@ -78,6 +79,8 @@ struct Modal {
     std::map<std::uint16_t, SpindleState> spindles;   // of spindles that are not the master now
     std::optional<ModalCall> call;
     std::int64_t last_number = 0;
+    std::optional<CurveDefinition> curve;   // between CTABDEF and CTABEND
+    AxisValues before_curve{};              // what was programmed before it
     GeoModal geo;
 };
 
