@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "channels/dialogue.hpp"
 #include "ipc/capacities.hpp"
 #include "ipc/path/stroke_zones.hpp"
 
@@ -79,6 +80,8 @@ public:
     // The tools of the store as of the last barrier; null: no tool management, or check mode.
     virtual const ToolTable* tool_table() { return nullptr; }
     virtual const ToolEdgeTable* tool_edges() { return nullptr; }
+    // What the operator has answered to the dialogue at whose barrier the program stands.
+    virtual DialogueAnswers dialogue_answers() { return {}; }
     // This program cuts per revolution on a spindle that it has not started itself. Has somebody else?
     enum class Turning : unsigned char { No, Unknown, Watched };   // Watched: the kernel sees to it, nothing to say here
     virtual Turning started_by_others(unsigned spindle) = 0;

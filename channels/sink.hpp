@@ -216,8 +216,10 @@ struct Interrupts {
     std::uint32_t inputs = 0;       // bit n: INT<n+1>; then no other signal counts
 };
 
+struct DialoguePage;
 struct Stop {
     StopReason reason = StopReason::M00;
+    const DialoguePage* page = nullptr;   // Dialogue: what is asked
 };
 
 class Sink {

@@ -28,6 +28,7 @@ inline constexpr std::size_t kUsers = 64;
 inline constexpr std::size_t kScopeTraces = 8;      // signals that the scope records at each tick
 inline constexpr std::size_t kScopeRing = 8192;     // ticks that a screen may be late
 inline constexpr std::size_t kShownVariables = 800; // of a channel, on screens
+inline constexpr std::size_t kDialogueFields = 32;  // values that one page of a dialogue asks for
 inline constexpr std::size_t kFastSignals = 64;     // that the PLC's fast task Int0 reads, and that it writes
 inline constexpr std::size_t kInputs = 256;         // digital inputs of the machine
 

@@ -40,6 +40,12 @@ def collect():
             for column in columns:
                 if column < len(texts) and texts[column]:
                     found.setdefault(plain(texts[column]), "../" + header)
+    # Titles and meanings of the cycles' forms: every literal there that is words.
+    for path in sorted((TOP / "ipc/forms").glob("*_forms.cpp")):
+        content = re.sub(r"^\s*(?://|#include).*$", "", path.read_text(encoding="utf-8"), flags=re.M)
+        for text in re.findall(LITERAL, content):
+            if re.search(r"[A-Z][a-z]", text):
+                found.setdefault(plain(text), "../" + path.relative_to(TOP).as_posix())
     return found
 
 

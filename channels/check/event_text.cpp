@@ -281,6 +281,7 @@ void append_event(std::string& out, const EventScene& scene, const Stop& stop, c
         case StopReason::Held: reason = "held"; break;
         case StopReason::Waiting: reason = "waiting"; break;
         case StopReason::Restart: reason = "restart"; break;
+        case StopReason::Dialogue: reason = "dialogue"; break;
         default: break;
     }
     object.text("reason", reason);

@@ -60,6 +60,7 @@ public:
     bool optional_stop() override { return next_->optional_stop(); }
     bool single_block() override { return next_->single_block(); }
     double interface_value(std::int32_t variable) override { return next_->interface_value(variable); }
+    DialogueAnswers dialogue_answers() override { return next_->dialogue_answers(); }
     std::optional<double> given_variable(std::string_view name) override { return next_->given_variable(name); }
     CalendarTime clock() override { return next_->clock(); }
     double running_ms() override { return next_->running_ms(); }

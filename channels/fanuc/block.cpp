@@ -165,6 +165,11 @@ Step Interpreter::nc_block() {
         live_value_barrier();
         return Step::AtBarrier;
     }
+    if (!calls && dialogue_.open && ends_program()) {
+        bool done = false;
+        if (!pattern_dialogue(done)) return fault(core_.fault());
+        if (!done) return dialogue_.asked ? Step::AtBarrier : Step::Continue;
+    }
     if (!calls && !(classify() && transformation_allows() && (is_macro_call() ? macro_call() : check_words() && act()))) return fault(core_.fault());
     b_.single_before = b_.single_now;
     if (core_.transformation_failed()) return fault(core_.fault());

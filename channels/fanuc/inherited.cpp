@@ -21,18 +21,20 @@ struct Interpreter::Inherited {
     std::vector<ModalCall> modal_calls;
     PathState path;
     CompSide side = CompSide::Off;
+    double pattern = 0;   // #5900: until another one is chosen
     double parts = 0, parts_table = 0;   // #3901, and N2307 of the table: it follows a moment later, unless somebody has set it
 };
 
 std::any Interpreter::carry() const {
     auto& self = const_cast<Interpreter&>(*this);   // modal() ties references; they are only read here
-    return std::make_shared<Inherited>(Inherited{variables_.common(), variables_.levels().front(), values_of(self.modal()), modal_calls_, core_.path, core_.at.comp, parts_, settings_.parts_made});
+    return std::make_shared<Inherited>(Inherited{variables_.common(), variables_.levels().front(), values_of(self.modal()), modal_calls_, core_.path, core_.at.comp, pattern_, parts_, settings_.parts_made});
 }
 
 void Interpreter::take_carry(const std::any& before, bool after_reset) {
     const auto* held = std::any_cast<std::shared_ptr<Inherited>>(&before);
     if (!held || !*held) return;
     const Inherited& last = **held;
+    pattern_ = last.pattern;
     if (!after_reset && last.parts_table == settings_.parts_made) parts_ = last.parts;   // what was read ahead when it was reset has made no part
     if (!after_reset || settings_.keeps_common) variables_.take_common(last.common);
     if (!after_reset || settings_.keeps_locals) variables_.locals() = last.locals;

@@ -113,6 +113,7 @@ Result<void> Interpreter::start(FileId main) {
     variables_.undo().clear();
     state_changed_ = true;
     polygon_on_ = false;   // a reset has ended it
+    dialogue_ = {};
     core_.refresh_limits();
     if (settings_.mefi) core_.path.zero_row = settings_.priority_zero_row;
     core_.load_zeros();

@@ -265,6 +265,9 @@ private:
     Flow print_statement(std::string_view name, const char*& at, const char* end);   // printing.cpp
     Flow print_item(bool binary, const char*& at, const char* end, std::string& text);
     bool g_pattern_data(std::int64_t kind);                                          // pattern_data.cpp
+    bool ends_program() const;
+    bool pattern_dialogue(bool& done);
+    bool go_on_with(std::int64_t number);
     bool modal_variable(std::int64_t number, double& value);
     VariableStatus value_fault(std::int64_t number, double value);
     double mirrored_axes() const;     // #3007
@@ -384,6 +387,7 @@ private:
     std::shared_ptr<ResumeState> interrupted_;   // what held when the program was interrupted
     double parts_ = 0, parts_wanted_ = 0;
     double pattern_ = 0;              // #5900
+    PatternDialogue dialogue_;
     std::uint32_t outputs_ = 0;       // #1132
     double outputs_wide_ = 0;         // #1133
     bool settings_iso_ = false, settings_sequence_ = false, settings_tv_ = false;   // #3005 without a further effect

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "channels/dialogue.hpp"
 #include "channels/fanuc/g_codes.hpp"
 #include "channels/fanuc/variables.hpp"
 #include "channels/program_files.hpp"
@@ -48,6 +49,14 @@ struct CallLevel {
 struct Loop {
     std::uint8_t number = 0;
     TextPosition at;
+};
+
+// The page that G65 H90 to H94 build; it is asked where the program ends that has built it.
+struct PatternDialogue {
+    bool open = false;               // a page has been begun
+    bool menu = false;               // of patterns; otherwise of values
+    bool asked = false;              // the machine stands at it
+    DialoguePage page;
 };
 
 struct Interrupting {             // M96 in force

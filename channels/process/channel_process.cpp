@@ -40,7 +40,7 @@ ChannelProcess::ChannelProcess(PeerSegment<SupervisorSegment> supervisor, PeerSe
           own_->event_tail.tail.store(kernel_->events[channel - 1].head.load(std::memory_order_acquire), std::memory_order_relaxed);
           return {*kernel_, channel - 1, *own_};
       }()),
-      notes_(own_->notes, supervisor_->note_tail[channel - 1]), port_(*kernel_, channel), pictures_(*own_) {
+      notes_(own_->notes, supervisor_->note_tail[channel - 1]), port_(*kernel_, channel), pictures_(*own_), dialogue_(*own_) {
     seen_event_ = own_->event_tail.tail.load(std::memory_order_relaxed);
     own_->quiet.store(seen_event_, std::memory_order_relaxed);
     own_->notes.head.store(supervisor_->note_tail[channel - 1].load(std::memory_order_acquire), std::memory_order_relaxed);
@@ -108,6 +108,14 @@ void ChannelProcess::act(const ChannelEvent& event) {
         case ChannelEventKind::AskResume: break;   // answered when it came
         case ChannelEventKind::Resume: resume(event); break;
         case ChannelEventKind::HeldMdi: held_mdi(event); break;
+        case ChannelEventKind::DialogueValue:
+            if (state_ != State::Standing) break;
+            port_.answers().values.emplace_back(std::string(text_of(event)), event.value);
+            dialogue_.entered(text_of(event), event.value);
+            break;
+        case ChannelEventKind::DialogueKey:
+            if (state_ == State::Standing) port_.answers().key = static_cast<int>(event.value);
+            break;
         case ChannelEventKind::None: break;
     }
 }
@@ -171,6 +179,7 @@ void ChannelProcess::begin_program() {
     sink_->continue_notes(last_note_);
     sink_->more_parts(parts_left_ > 1);
     sink_->tell_writes(&changes_);
+    sink_->on_dialogue([this](const DialoguePage& page) { port_.answers() = {}, dialogue_.show(page); });
     if (!looked_at_) looked_at_ = std::make_unique<ChannelStore>();
     while (!store_->channels[channel_ - 1].read(*looked_at_)) {}
     changes_.begin(*looked_at_);
@@ -221,6 +230,7 @@ void ChannelProcess::go_on() {
     }
     sink_->skip_ended(port_);
     take_changes();
+    dialogue_.clear();
     run_->barrier_done();
     state_ = State::Reading;
 }
@@ -280,6 +290,8 @@ void ChannelProcess::reset(const ChannelEvent& event) {
     state_ = State::Idle;
     next_part_ = false;
     own_->epoch.store(event.epoch, std::memory_order_release);
+    port_.answers() = {};
+    dialogue_.clear();
 }
 
 // The path has stopped for the program's own interrupt signal: interpretation goes back to there.

@@ -23,6 +23,7 @@
 
 #include "channels/language.hpp"
 #include "channels/process/coupled_limits.hpp"
+#include "channels/process/dialogue_out.hpp"
 #include "channels/process/operator_changes.hpp"
 #include "channels/process/picture_out.hpp"
 #include "channels/process/record_sink.hpp"
@@ -134,6 +135,7 @@ private:
     std::unique_ptr<RestartSink> restart_sink_;   // in front of both: what the program speaks to
     OperatorChanges changes_;
     PictureOut pictures_;
+    DialogueOut dialogue_;
     std::string codes_;
     void show_variables(bool now);
     std::chrono::steady_clock::time_point variables_due_{};

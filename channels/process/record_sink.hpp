@@ -64,6 +64,7 @@ public:
     void finish(StopReason reason);
     void end_of_part();   // the program has ended, another part follows: a barrier instead of the stop
     void tell_writes(OperatorChanges* changes) { changes_ = changes; }
+    void on_dialogue(std::function<void(const DialoguePage&)> show) { show_dialogue_ = std::move(show); }   // before its stop is pushed
     void more_parts(bool more) { more_parts_ = more; }
 
     std::uint64_t drain_index() const { return drain_index_; }
@@ -125,6 +126,7 @@ private:
     std::uint16_t entry_ = 0;   // transformation of the newest move
     bool limits_forgotten_ = false;
     bool drained_ = false;      // the newest record drains
+    std::function<void(const DialoguePage&)> show_dialogue_;
     bool stopped_ = false;      // the program has ended itself
     bool failed_ = false;       // an error was delivered
     bool more_parts_ = false;

@@ -51,6 +51,8 @@ public:
     // program (MDI) nowhere.
     void print_beside(const std::string& program, std::string_view device);
     bool print(const MachineView& view, std::string_view bytes, bool control) override;
+    DialogueAnswers dialogue_answers() override { return std::exchange(answers_, {}); }
+    DialogueAnswers& answers() { return answers_; }   // filled by the events that come while the program stands
     Turning started_by_others(unsigned spindle) override;
     const MachineStatus& picture() const { return *status_; }
 
@@ -71,6 +73,7 @@ private:
     std::optional<double> clock_began_;   // what the computer's clock said when the machine's time began, seconds
     ByteStream print_;
     std::function<double(unsigned)> pretended_;
+    DialogueAnswers answers_;
 };
 
 }  // namespace polyturn::channels

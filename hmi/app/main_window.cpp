@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kFrameMs = 16;
 constexpr qint64 kToldMs = 8'000, kLockMs = 30'000;
-enum TopHit { kHitAlarm, kHitTongue, kHitTheme, kHitLock, kHitHelp };
+enum TopHit { kHitAlarm, kHitTongue, kHitTheme, kHitLock, kHitHelp, kHitDialogue };
 
 Sign signOf(MachineStep step) {
     switch (step) {
@@ -53,7 +53,7 @@ MainWindow::MainWindow(Choices choices)
     desk_.channel = kept_ ? kept_->value("channel", 1).toUInt() : 1;
     desk_.folder = kept("folder", "");
     desk_.tell = [this](const QString& text, Told how) { tell(text, how); };
-    desk_.keysChanged = [this] { if (ready_) bar_->show(screen()->keys()), rail_->refresh(); };
+    desk_.keysChanged = [this] { if (ready_) showKeys(), rail_->refresh(); };
     desk_.show = [this](int number) { showScreen(number); };
     requests_.onRefused = [this](const Answer& answer) { tell(answer.text + (answer.remedy.isEmpty() ? QString() : "  " + answer.remedy), Told::Refused); };
 
@@ -61,6 +61,7 @@ MainWindow::MainWindow(Choices choices)
     setMinimumSize(800, 600);
     top_ = new FreeSheet(this), rail_ = new FreeSheet(this), line_ = new FreeSheet(this), bar_ = new SoftKeyBar(this), stack_ = new QStackedWidget(this);
     help_ = new HelpView(this);
+    dialogue_ = new DialogueView(desk_, this);
     cover_ = new FreeSheet(this);
     cover_->hide();
     top_->onCompose = [this](Writer& w) { composeTop(w); };
@@ -105,10 +106,11 @@ void MainWindow::showScreen(int number) {
     if (number < 0 || number >= static_cast<int>(screens_.size())) return;
     shown_ = number;
     help_->hide();
+    dialogue_->hide();
     stack_->setCurrentIndex(number);
     screen()->setFocus();
     screen()->refresh();
-    bar_->show(screen()->keys());
+    showKeys();
     top_->refresh(), rail_->refresh(), line_->refresh();
     keep();
 }
@@ -166,7 +168,10 @@ void MainWindow::frame() {
     if (locked_ && QDateTime::currentMSecsSinceEpoch() > lockedUntil_) lock(false);
     for (Screen* one : screens_) one->follow();
     screen()->refresh();
-    bar_->show(screen()->keys());
+    if (dialogue_->follow()) dialogue_->show(), dialogue_->raise();
+    else if (!dialogue_->channel()) dialogue_->hide();
+    if (dialogue_->isVisible()) dialogue_->refresh();
+    showKeys();
     top_->refresh(), line_->refresh();
     if (locked_) cover_->refresh();
 }
@@ -182,9 +187,12 @@ void MainWindow::layOut() {
     line_->setGeometry(rail, height() - foot - line, width() - rail, line);
     bar_->setGeometry(0, height() - foot, width(), foot);
     help_->setGeometry(rail, top, width() - rail, height() - top - foot);
+    dialogue_->setGeometry(rail, top, width() - rail, height() - top - foot - line);
     cover_->setGeometry(rect());
     for (Sheet* one : ownSheets()) one->refresh();
 }
+
+void MainWindow::showKeys() { bar_->show(dialogue_->isVisible() ? dialogue_->keys() : screen()->keys()); }
 
 void MainWindow::composeTop(Writer& w) {
     const Theme& t = theme();
@@ -211,7 +219,13 @@ void MainWindow::composeTop(Writer& w) {
     w.text(QRectF(right - px(84), 0, px(78), h), QDateTime::currentDateTime().toString("HH:mm:ss"), lettering(15), t.dim, Qt::AlignRight | Qt::AlignVCenter);
     right -= px(90);
     const double left = px(384);
-    if (const AlarmEntry* alarm = live_.connected() ? alarms_.standing() : nullptr) {
+    if (dialogue_->channel() && !dialogue_->isVisible()) {   // put away: it comes back by a touch
+        const QRectF box(left, px(6), right - left, h - px(12));
+        w.fill(box, t.mark, px(6));
+        w.sign(QRectF(left + px(8), px(14), px(18), px(18)), Sign::Note, t.accent);
+        w.data(QRectF(left + px(34), 0, right - left - px(42), h), word("L%1 asks: %2").arg(dialogue_->channel()).arg(dialogue_->title()), lettering(14, true), t.text);
+        w.hit(box, kHitDialogue);
+    } else if (const AlarmEntry* alarm = live_.connected() ? alarms_.standing() : nullptr) {
         const QRectF box(left, px(6), right - left, h - px(12));
         w.fill(box, t.card, px(6));
         w.frame(box, t.bad, px(6), 1);
@@ -277,6 +291,7 @@ void MainWindow::topTouched(int number) {
         case kHitTheme: setDark(!dark_); break;
         case kHitLock: lock(true); break;
         case kHitHelp: showHelp(); break;
+        case kHitDialogue: dialogue_->show(), dialogue_->raise(), dialogue_->refresh(), showKeys(); break;
         default: break;
     }
 }
@@ -298,6 +313,8 @@ bool MainWindow::keyPressed(QKeyEvent* event) {
     const int key = event->key();
     if (key == Qt::Key_Help || (key == Qt::Key_H && event->modifiers() & Qt::ControlModifier)) return showHelp(), true;
     if (help_->isVisible() && help_->key(event)) return true;
+    const bool plain = !(event->modifiers() & (Qt::AltModifier | Qt::ControlModifier)) && !(key >= Qt::Key_F1 && key <= Qt::Key_F12);
+    if (dialogue_->isVisible() && plain && dialogue_->key(event)) return true;
     if (key >= Qt::Key_F1 && key <= Qt::Key_F10) {
         if (!event->isAutoRepeat()) bar_->press(key - Qt::Key_F1);
         return true;
@@ -310,7 +327,7 @@ bool MainWindow::keyPressed(QKeyEvent* event) {
         if (key == Qt::Key_L) return lock(true), true;
     }
     const bool done = screen()->key(event);
-    if (done) bar_->show(screen()->keys());
+    if (done) showKeys();
     return done;
 }
 

@@ -7,6 +7,7 @@
 #include <QTimer>
 #include <memory>
 
+#include "hmi/app/dialogue_view.hpp"
 #include "hmi/app/help_view.hpp"
 #include "hmi/widgets/soft_keys.hpp"
 
@@ -36,6 +37,8 @@ public:
     std::vector<Sheet*> ownSheets() const { return {top_, rail_, line_, bar_}; }
     bool locked() const { return locked_; }
     HelpView& help() { return *help_; }
+    DialogueView& dialogue() { return *dialogue_; }
+    void showKeys();                       // of the dialogue, or of the screen
     void showHelp();                       // or hides it
 
 protected:
@@ -67,6 +70,7 @@ private:
     FreeSheet *top_, *rail_, *line_, *cover_;
     SoftKeyBar* bar_;
     HelpView* help_;
+    DialogueView* dialogue_;
     QStackedWidget* stack_;
     std::vector<Screen*> screens_;
     int shown_ = 0;

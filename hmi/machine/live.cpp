@@ -114,6 +114,13 @@ const VariableList& Live::variables(unsigned channel) const {
     return *variables_;
 }
 
+bool Live::dialogue(unsigned channel, Dialogue& out) const {
+    const ChannelStatus& now = status_->channels[channel - 1];
+    const auto& segment = channelSegments_[channel - 1];
+    return connected_ && segment.attached() && static_cast<ChannelState>(now.state) == ChannelState::ProgramStop && static_cast<StopReason>(now.stop_reason) == StopReason::Dialogue &&
+           segment->dialogue.read(out) && out.serial != 0 && out.title[0] + out.keys[0] + static_cast<char>(out.field_count) != 0;
+}
+
 bool Live::scopeSamples(std::uint64_t& next, std::vector<ScopeSample>& out) const {
     out.clear();
     if (!connected_) return true;

@@ -59,6 +59,7 @@ public:
     std::uint64_t toolsVersion() const { return toolsVersion_; }
     const StoreTotals& totals() const { return *totals_; }
     const VariableList& variables(unsigned channel) const;   // read anew at each call
+    bool dialogue(unsigned channel, Dialogue& out) const;     // what its program asks now; false: nothing
     // The scope: what it records, and the samples from `next` on (moved behind them); false: some were missed.
     bool scopeChoice(ScopeChoice& out) const { return connected_ && kernel_->scope_choice.read(out); }
     bool scopeSamples(std::uint64_t& next, std::vector<ScopeSample>& out) const;

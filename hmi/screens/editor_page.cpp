@@ -11,6 +11,9 @@
 #include <QScroller>
 #include <QTextBlock>
 
+#include "hmi/screens/contour_page.hpp"
+#include "hmi/screens/cycle_form_page.hpp"
+
 #include "ipc/diagnosis/tongue.hpp"
 
 namespace polyturn::hmi {
@@ -63,7 +66,8 @@ void ProgramColours::highlightBlock(const QString& text) {
     }
 }
 
-EditorPage::EditorPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), edit_(new QPlainTextEdit(this)), line_(new FreeSheet(this)), pad_(new TextPad(this)) {
+EditorPage::EditorPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), edit_(new QPlainTextEdit(this)), line_(new FreeSheet(this)), pad_(new TextPad(this)), form_(new CycleFormPage(desk, this)), contour_(new ContourPage(desk, this)) {
+    for (EditorOverlay* one : {static_cast<EditorOverlay*>(form_), static_cast<EditorOverlay*>(contour_)}) layOver(one);
     edit_->setFrameShape(QFrame::NoFrame);
     edit_->setLineWrapMode(QPlainTextEdit::NoWrap);
     edit_->setTabChangesFocus(true);
@@ -100,7 +104,10 @@ EditorPage::~EditorPage() {
     if (!temporary_.isEmpty()) QFile::remove(temporary_);
 }
 
-std::vector<Sheet*> EditorPage::sheets() { return keyboard_ ? std::vector<Sheet*>{line_, pad_} : std::vector<Sheet*>{line_}; }
+std::vector<Sheet*> EditorPage::sheets() {
+    if (over_) return over_->sheets();
+    return keyboard_ ? std::vector<Sheet*>{line_, pad_} : std::vector<Sheet*>{line_};
+}
 
 bool EditorPage::open(const QString& file, const QString& language) {
     QFile source(file);
@@ -115,6 +122,7 @@ bool EditorPage::open(const QString& file, const QString& language) {
     edit_->document()->setModified(false);
     file_ = file;
     faults_.clear(), failure_.clear();
+    show(nullptr);
     refresh();
     edit_->setFocus();
     check();
@@ -229,7 +237,53 @@ void EditorPage::refresh() {
     for (Sheet* one : sheets()) one->refresh();
 }
 
+void EditorPage::layOver(EditorOverlay* over) {
+    over->hide();
+    over->onClose = [this] { show(nullptr); };
+    // As typed: it can be taken back in one step.
+    over->onWrite = [this](const std::vector<forms::LineChange>& changes) {
+        QTextCursor cursor(edit_->document());
+        cursor.beginEditBlock();
+        int moved = 0;
+        for (const forms::LineChange& one : changes) {
+            const QTextBlock block = edit_->document()->findBlockByNumber(one.at + moved);
+            cursor.setPosition(block.isValid() ? block.position() : edit_->document()->characterCount() - 1);
+            if (one.inserts) {
+                const bool behind = !block.isValid();
+                cursor.insertText(behind ? "\n" + QString::fromStdString(one.text) : QString::fromStdString(one.text) + "\n"), ++moved;
+            } else if (one.removes) {
+                cursor.movePosition(QTextCursor::NextBlock, QTextCursor::KeepAnchor);
+                cursor.removeSelectedText(), --moved;
+            } else {
+                cursor.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
+                cursor.insertText(QString::fromStdString(one.text));
+            }
+        }
+        cursor.endEditBlock();
+        if (!changes.empty()) edit_->setTextCursor(QTextCursor(edit_->document()->findBlockByNumber(changes.front().at)));
+    };
+}
+
+void EditorPage::show(EditorOverlay* over) {
+    if (over_) over_->hide();
+    over_ = over;
+    if (over_) layOut(), over_->show(), over_->raise(), over_->refresh();
+    else edit_->setFocus();
+    if (desk_.keysChanged) desk_.keysChanged();
+}
+
+void EditorPage::openForm() {
+    if (form_->open(edit_->toPlainText().split('\n'), edit_->textCursor().blockNumber(), formDialect(desk_.live, desk_.channel, language_))) show(form_);
+    else desk_.tell(word("This language has no cycles."), Told::Refused);
+}
+
+void EditorPage::openContour() {
+    contour_->open(edit_->toPlainText().split('\n'), edit_->textCursor().blockNumber(), contourWriting(desk_.live, desk_.channel, language_));
+    show(contour_);
+}
+
 bool EditorPage::key(QKeyEvent* event) {
+    if (over_) return over_->key(event), true;     // nothing reaches the text below
     if (event->modifiers() & Qt::ControlModifier && event->key() == Qt::Key_S) return save(), true;
     if (!edit_->hasFocus()) {
         edit_->setFocus();
@@ -247,9 +301,11 @@ void EditorPage::layOut() {
     line_->setGeometry(edge, height() - line - pad - edge, width() - 2 * edge, line);
     pad_->setGeometry(edge, height() - pad, width() - 2 * edge, std::max(0, pad - edge));
     pad_->setVisible(keyboard_);
+    form_->setGeometry(rect()), contour_->setGeometry(rect());
 }
 
 void EditorPage::addKeys(std::vector<SoftKey>& keys) {
+    if (over_) return over_->addKeys(keys);
     bool runs = false;                             // this very file is at work
     for (const unsigned channel : desk_.live.channels()) {
         const auto state = static_cast<ChannelState>(desk_.live.channel(channel).state);
@@ -262,6 +318,8 @@ void EditorPage::addKeys(std::vector<SoftKey>& keys) {
     keys.push_back({word("Undo"), [this] { edit_->undo(); }, Sign::Left, edit_->document()->isUndoAvailable()});
     keys.push_back({word("Redo"), [this] { edit_->redo(); }, Sign::Right, edit_->document()->isRedoAvailable()});
     keys.push_back({word("Next fault"), [this] { goToFault(1); }, Sign::Warning, faults});
+    keys.push_back({word("Cycle form"), [this] { openForm(); }, Sign::Tools, true});
+    keys.push_back({word("Contour"), [this] { openContour(); }, Sign::Graphics, true});
     keys.push_back({word("Keyboard"), [this] { keyboard_ = !keyboard_, layOut(); }, Sign::Key, true, keyboard_});
 }
 

@@ -13,6 +13,10 @@ class QProcess;
 
 namespace polyturn::hmi {
 
+class ContourPage;
+class CycleFormPage;
+class EditorOverlay;
+
 // Comments, block numbers, G and M words, tools, variables, words of the language, numbers.
 class ProgramColours : public QSyntaxHighlighter {
 public:
@@ -45,6 +49,13 @@ public:
     const std::vector<Fault>& faults() const { return faults_; }
     bool checking() const { return process_ != nullptr || wait_.isActive(); }
     bool save();
+    // The cycle at the cursor as a form, or the list of cycles; it lies over the text.
+    void openForm();
+    // The contour whose description stands at the cursor, or a new one.
+    void openContour();
+    bool covered() const { return over_ != nullptr; }
+    CycleFormPage& form() { return *form_; }
+    ContourPage& contour() { return *contour_; }
 
 protected:
     void resizeEvent(QResizeEvent*) override;
@@ -55,11 +66,16 @@ private:
     void finish();
     void mark();
     void goToFault(int step);
+    void show(EditorOverlay* over);   // null: the text
+    void layOver(EditorOverlay* over);
 
     Desk& desk_;
     QPlainTextEdit* edit_;
     FreeSheet* line_;
     TextPad* pad_;
+    CycleFormPage* form_;
+    ContourPage* contour_;
+    EditorOverlay* over_ = nullptr;                // what lies over the text
     std::unique_ptr<ProgramColours> colours_;
     QString file_, language_, temporary_;
     bool keyboard_ = false;

@@ -313,6 +313,12 @@ std::vector<SoftKey> Offsets::keys() {
     else
         keys.push_back({word("Measured"), [this] { measure(); }, Sign::None, ready && value->place >= 0 && value->words.contains("geometry"), false, false, word("Tip is at this measure: press again")});
     keys.push_back({word("Undo"), [this] { undo(); }, Sign::Left, any});
+    // The pattern menu of the fanuc family's macros: the program O9500 builds it, and its dialogue comes up.
+    if (keys.size() < 10 && params::get_text(desk_.live.table(), params::pt_language, desk_.channel) == "fanuc")
+        keys.push_back({word("Pattern menu"), [this] {
+                            desk_.requests.press(QString("mode L%1=mdi").arg(desk_.channel));
+                            desk_.requests.press(QString("mdi L%1 M98 P9500").arg(desk_.channel));
+                        }, Sign::Note, desk_.live.connected() && static_cast<ChannelState>(desk_.live.channel(desk_.channel).state) != ChannelState::Running});
     return keys;
 }
 

@@ -294,7 +294,7 @@ std::vector<SoftKey> Programs::keys() {
     if (page_ == Page::Files && job_) keys.push_back({word("Print setup sheet"), [this] { print(); }, Sign::Programs, true});
     else if (page_ == Page::Files) keys.push_back({word("Edit"), [this] { edit(); }, Sign::Programs, file && !job});
     if (page_ == Page::Edit) {
-        keys.resize(4);
+        keys.resize(3);
         editor_->addKeys(keys);
     }
     return keys;
@@ -305,7 +305,7 @@ bool Programs::key(QKeyEvent* event) {
         if (event->key() == Qt::Key_Backspace && !entries_.empty() && entries_.front().fileName() == "..") return files_->choose(0), open(), true;
         return files_->key(event);
     }
-    if (page_ == Page::Edit) return event->key() == Qt::Key_Escape && !editor_->changed() ? show(Page::Files), true : editor_->key(event);
+    if (page_ == Page::Edit) return event->key() == Qt::Key_Escape && !editor_->changed() && !editor_->covered() ? show(Page::Files), true : editor_->key(event);
     if (page_ == Page::Restart) return event->key() == Qt::Key_Escape && restart_->pad().text().isEmpty() ? show(Page::Files), true : restart_->key(event);
     switch (event->key()) {
         case Qt::Key_Up: scroll_ -= 1; break;

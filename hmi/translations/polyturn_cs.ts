@@ -84,6 +84,16 @@
         <translation>+ Vstup</translation>
     </message>
     <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>1/10 lead</source>
+        <translation>1/10 stoup.</translation>
+    </message>
+    <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>1/100 s</source>
+        <translation>1/100 s</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>A block by hand (MDI)</source>
         <translation>Blok ručně (MDI)</translation>
@@ -99,6 +109,11 @@
         <translation>Text: mění se příkazem polyturn params set</translation>
     </message>
     <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>A value is needed here.</source>
+        <translation>Zde je nutná hodnota.</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Absent</source>
         <translation>Není</translation>
@@ -112,6 +127,21 @@
         <location filename="../screens/offsets.cpp"/>
         <source>Active from the next blocks</source>
         <translation>Od dalších bloků</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Add a line</source>
+        <translation>Přidat úsečku</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Add an arc G2</source>
+        <translation>Přidat oblouk G2</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Add an arc G3</source>
+        <translation>Přidat oblouk G3</translation>
     </message>
     <message>
         <location filename="../screens/alarms.hpp"/>
@@ -144,9 +174,64 @@
         <translation>Všechny nuly</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>An arc turns through less than 360°.</source>
+        <translation>Oblouk má méně než 360°.</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Angle at its end to +Z</source>
+        <translation>Úhel na konci k +Z</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Angle at its start to +Z</source>
+        <translation>Úhel na začátku k +Z</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Angle it turns through</source>
+        <translation>Úhel oblouku</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Angle of the infeed</source>
+        <translation>Úhel přísuvu</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Angle of the spindle at the start</source>
+        <translation>Úhel vřetena na začátku</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Angle of the tool tip</source>
+        <translation>Úhel špičky nástroje</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Angle to +Z</source>
+        <translation>Úhel k +Z</translation>
+    </message>
+    <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>Another cycle</source>
+        <translation>Jiný cyklus</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Applied now</source>
         <translation>Nyní platí</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Arc G2</source>
+        <translation>Oblouk G2</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Arc G3</source>
+        <translation>Oblouk G3</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -184,6 +269,11 @@
         <translation>Zpět</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Back to the text</source>
+        <translation>Zpět k textu</translation>
+    </message>
+    <message>
         <location filename="../screens/system.cpp"/>
         <source>Backup</source>
         <translation>Záloha</translation>
@@ -197,6 +287,51 @@
         <location filename="../screens/channel_card.cpp"/>
         <source>Block skip</source>
         <translation>Vypuštění bloků</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Boring</source>
+        <translation>Vyvrtávání</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Boring in the face</source>
+        <translation>Vyvrtávání na čele</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Boring in the side</source>
+        <translation>Vyvrtávání z boku</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Boring with a dwell</source>
+        <translation>Vyvrtávání s prodlevou</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Boring, back with the spindle stopped</source>
+        <translation>Vyvrtávání, návrat se stojícím vřetenem</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Bottom X</source>
+        <translation>Dno X</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Bottom Z</source>
+        <translation>Dno Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Bottom of the hole X</source>
+        <translation>Dno díry X</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Bottom of the hole Z</source>
+        <translation>Dno díry Z</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -229,6 +364,41 @@
         <translation>Nelze zapsat: %1</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Centre X</source>
+        <translation>Střed X</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Centre Z</source>
+        <translation>Střed Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Centre from the start point X (radius)</source>
+        <translation>Střed od počátku X (poloměr)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Centre from the start point Z</source>
+        <translation>Střed od počátku Z</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Chamfer or rounding has no room here.</source>
+        <translation>Pro zkosení nebo zaoblení není místo.</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Chamfer to the next one</source>
+        <translation>Zkosení k dalšímu</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Change of the lead a revolution</source>
+        <translation>Změna stoupání na otáčku</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Changed</source>
         <translation>Změněno</translation>
@@ -257,6 +427,11 @@
         <location filename="../screens/system.cpp"/>
         <source>Choose a backup: «What would change» compares it with the machine, and nothing is changed yet.</source>
         <translation>Zvolte zálohu: «Co by se změnilo» ji porovná se strojem a nic zatím nemění.</translation>
+    </message>
+    <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>Choose a cycle: touch it twice, or Enter.</source>
+        <translation>Zvolte cyklus: dotkněte se dvakrát, nebo Enter.</translation>
     </message>
     <message>
         <location filename="../widgets/number_pad.cpp"/>
@@ -299,6 +474,11 @@
         <translation>Smazat hledání</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Clearance before the next peck</source>
+        <translation>Vůle před dalším krokem</translation>
+    </message>
+    <message>
         <location filename="../app/help_view.cpp"/>
         <source>Close</source>
         <translation>Zavřít</translation>
@@ -317,6 +497,16 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Computing time of ticks</source>
         <translation>Doba výpočtu taktů</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Contour</source>
+        <translation>Kontura</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Core diameter at the end</source>
+        <translation>Průměr jádra na konci</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis.cpp"/>
@@ -344,6 +534,11 @@
         <translation>Cyklus</translation>
     </message>
     <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Cycle form</source>
+        <translation>Formulář cyklu</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Cycle last, mean</source>
         <translation>Cyklus poslední, průměr</translation>
@@ -359,6 +554,11 @@
         <translation>Tmavý</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Datum</source>
+        <translation>Údaj</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Default</source>
         <translation>Výchozí</translation>
@@ -367,6 +567,11 @@
         <location filename="../screens/parameters.cpp"/>
         <source>Default value</source>
         <translation>Výchozí hodnota</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Delete the element</source>
+        <translation>Smazat prvek</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -384,6 +589,51 @@
         <translation>Závisí na</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Depth of a peck</source>
+        <translation>Hloubka kroku</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Depth of a peck along X (radius)</source>
+        <translation>Hloubka kroku v X (poloměr)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Depth of a peck along Z</source>
+        <translation>Hloubka kroku v Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Depth of a peck; 0: tapping</source>
+        <translation>Hloubka kroku; 0: závitování</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Depth of cut</source>
+        <translation>Hloubka řezu</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Depth of cut (radius)</source>
+        <translation>Hloubka řezu (poloměr)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Depth of cut along Z</source>
+        <translation>Hloubka řezu v Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Depth of the first pass (radius)</source>
+        <translation>Hloubka prvního řezu (poloměr)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Depth of the hole</source>
+        <translation>Hloubka díry</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis.hpp"/>
         <source>Diagnosis</source>
         <translation>Diagnostika</translation>
@@ -394,14 +644,59 @@
         <translation>Průměr</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Diameter at the end</source>
+        <translation>Průměr na konci</translation>
+    </message>
+    <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>Diameter of the pin</source>
         <translation>Průměr kolíku</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Diameter of this pass at the end</source>
+        <translation>Průměr tohoto řezu na konci</translation>
+    </message>
+    <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>Do this step</source>
         <translation>Provést krok</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Drilling</source>
+        <translation>Vrtání</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Drilling and tapping</source>
+        <translation>Vrtání a závitování</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Drilling in the face</source>
+        <translation>Vrtání na čele</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Drilling in the side</source>
+        <translation>Vrtání z boku</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Drilling with a dwell</source>
+        <translation>Vrtání s prodlevou</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Drilling with pecks</source>
+        <translation>Vrtání s výplachem</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Drilling, breaking chips</source>
+        <translation>Vrtání s lámáním třísky</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -424,6 +719,11 @@
         <translation>Prodleva</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Dwell at the bottom</source>
+        <translation>Prodleva na dně</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Edit</source>
         <translation>Upravit</translation>
@@ -442,6 +742,36 @@
         <location filename="../screens/hand_page.cpp"/>
         <source>Emergency stop</source>
         <translation>Nouzový stop</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Empty the field</source>
+        <translation>Vymazat pole</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>End of the thread Z</source>
+        <translation>Konec závitu Z</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>End point X</source>
+        <translation>Koncový bod X</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>End point X of the last plunge</source>
+        <translation>Koncový bod X posledního zápichu</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>End point Z</source>
+        <translation>Koncový bod Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>End point Z of the last plunge</source>
+        <translation>Koncový bod Z posledního zápichu</translation>
     </message>
     <message>
         <location filename="../screens/overview.cpp"/>
@@ -477,6 +807,11 @@
         <location filename="../screens/system.cpp"/>
         <source>Enter logs in. A new user gets this name, this password and the level %1.</source>
         <translation>Enter přihlásí. Nový uživatel dostane toto jméno, toto heslo a úroveň %1.</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Enter the start point, then add lines and arcs with what the drawing says.</source>
+        <translation>Zadejte počáteční bod, pak přidávejte úsečky a oblouky podle výkresu.</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -519,9 +854,34 @@
         <translation>Externí</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Face Z</source>
+        <translation>Čelo Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Facing a straight section</source>
+        <translation>Čelní soustružení přímého úseku</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Facing an arc</source>
+        <translation>Čelní soustružení oblouku</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Facing, one pass</source>
+        <translation>Čelo, jeden řez</translation>
+    </message>
+    <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>Factor</source>
         <translation>Násobek</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Factor of the pecks; tapping: kind 0, 1, 2</source>
+        <translation>Činitel kroků; závitování: druh 0, 1, 2</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -534,6 +894,31 @@
         <translation>Stop posuvu: start pokračuje</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Feed into hollows</source>
+        <translation>Posuv do prohlubní</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Feed of finishing</source>
+        <translation>Posuv dokončování</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Feed of finishing, where the contour says none</source>
+        <translation>Posuv dokončování, není-li v kontuře</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Feed of roughing</source>
+        <translation>Posuv hrubování</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Feed of the last roughing pass</source>
+        <translation>Posuv posledního hrubovacího řezu</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Files</source>
         <translation>Soubory</translation>
@@ -542,6 +927,36 @@
         <location filename="../screens/tools_requests.cpp"/>
         <source>Filter</source>
         <translation>Filtr</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Finishing a contour</source>
+        <translation>Dokončení kontury</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Finishing allowance</source>
+        <translation>Přídavek na dokončení</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Finishing allowance X</source>
+        <translation>Přídavek na dokončení X</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Finishing allowance Z</source>
+        <translation>Přídavek na dokončení Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Finishing passes</source>
+        <translation>Dokončovacích řezů</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>First block of the contour</source>
+        <translation>První blok kontury</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -572,6 +987,11 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>From</source>
         <translation>Od</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>From rapid to feed (R level)</source>
+        <translation>Přechod na posuv (úroveň R)</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -609,6 +1029,16 @@
         <translation>Největší, nejmenší odchylka</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Grooving along X</source>
+        <translation>Zapichování v X</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Grooving along Z</source>
+        <translation>Zapichování v Z</translation>
+    </message>
+    <message>
         <location filename="../app/help_view.cpp"/>
         <source>Handbook</source>
         <translation>Příručka</translation>
@@ -617,6 +1047,11 @@
         <location filename="../machine/channel_words.cpp"/>
         <source>Handwheel</source>
         <translation>Kolečko</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Height of the thread (radius)</source>
+        <translation>Výška závitu (poloměr)</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -724,6 +1159,11 @@
         <translation>Stál na</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Its blocks were edited by hand: writing replaces them.</source>
+        <translation>Bloky byly změněny ručně: zápis je nahradí.</translation>
+    </message>
+    <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>Its chuck clamps</source>
         <translation>Jeho sklíčidlo upne</translation>
@@ -732,6 +1172,11 @@
         <location filename="../screens/hand_page.cpp"/>
         <source>Its chuck opens</source>
         <translation>Jeho sklíčidlo se otevře</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Its data contradict each other, or nothing fits them.</source>
+        <translation>Údaje si odporují, nebo jim nic nevyhovuje.</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -769,6 +1214,11 @@
         <translation>Druh</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Kind of infeed</source>
+        <translation>Druh přísuvu</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Kind of place that it needs, 0 any</source>
         <translation>Druh potřebného místa, 0 libovolné</translation>
@@ -777,6 +1227,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>Kind: 500 roughing, 510 finishing, 200 drill ...</source>
         <translation>Druh: 500 hrubovací, 510 dokončovací, 200 vrták ...</translation>
+    </message>
+    <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>L%1 asks: %2</source>
+        <translation>L%1 se ptá: %2</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -799,14 +1254,44 @@
         <translation>Minulý</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Last block of the contour</source>
+        <translation>Poslední blok kontury</translation>
+    </message>
+    <message>
+        <location filename="../app/dialogue_view.cpp"/>
+        <source>Later</source>
+        <translation>Později</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Lead</source>
+        <translation>Stoupání</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Least depth of a pass</source>
+        <translation>Nejmenší hloubka řezu</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Least depth of a peck</source>
+        <translation>Nejmenší hloubka kroku</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>Leave the hold %1</source>
         <translation>Odjet %1</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/contour_page.cpp"/>
         <source>Length</source>
         <translation>Délka</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Length of the run-out</source>
+        <translation>Délka výběhu</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -852,6 +1337,16 @@
         <location filename="../app/main_window.cpp"/>
         <source>Light</source>
         <translation>Světlý</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Line</source>
+        <translation>Úsečka</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Line %1 of the description cannot be read: a new contour begins here.</source>
+        <translation>Řádek %1 popisu nelze přečíst: zde začíná nová kontura.</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -949,6 +1444,11 @@
         <translation>Zásobníky</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Main axis: 0 Z, 1 X</source>
+        <translation>Hlavní osa: 0 Z, 1 X</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.hpp"/>
         <source>Manual</source>
         <translation>Ručně</translation>
@@ -964,7 +1464,7 @@
         <translation>Průměr</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/contour_page.cpp"/>
         <source>Meaning</source>
         <translation>Význam</translation>
     </message>
@@ -1004,7 +1504,7 @@
         <translation>Jede</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../app/dialogue_view.cpp"/>
         <source>Name</source>
         <translation>Název</translation>
     </message>
@@ -1027,6 +1527,11 @@
         <location filename="../screens/editor_page.cpp"/>
         <source>Next fault</source>
         <translation>Další chyba</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Next solution</source>
+        <translation>Další řešení</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
@@ -1134,6 +1639,11 @@
         <translation>Nezaložené</translation>
     </message>
     <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>Nothing has been changed.</source>
+        <translation>Nic se nezměnilo.</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Nothing has been told since the controller started.</source>
         <translation>Od startu řízení nebylo nic hlášeno.</translation>
@@ -1154,9 +1664,34 @@
         <translation>Nyní</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../app/dialogue_view.cpp"/>
         <source>Number</source>
         <translation>Číslo</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Number of holes</source>
+        <translation>Počet děr</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Number of its first block</source>
+        <translation>Číslo prvního bloku</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Number of its last block</source>
+        <translation>Číslo posledního bloku</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Number of passes</source>
+        <translation>Počet řezů</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Number of starts</source>
+        <translation>Počet chodů</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -1184,9 +1719,29 @@
         <translation>Jeden kroužek</translation>
     </message>
     <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>Only a whole number is possible.</source>
+        <translation>Je možné jen celé číslo.</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Only more than 0 is possible here.</source>
+        <translation>Zde je možné jen více než 0.</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Open folder</source>
         <translation>Otevřít složku</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Open: %1 more data are needed, here or in the next elements.</source>
+        <translation>Otevřeno: chybí ještě údajů: %1, zde nebo v dalších prvcích.</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Open: what lies before it is not known yet.</source>
+        <translation>Otevřeno: co je před ním, ještě není známo.</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -1309,6 +1864,16 @@
         <translation>Heslo</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Pattern menu</source>
+        <translation>Menu vzorů</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Pecking and grooving along Z</source>
+        <translation>Přerušované zapichování v Z</translation>
+    </message>
+    <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>Picture</source>
         <translation>Snímek</translation>
@@ -1317,6 +1882,21 @@
         <location filename="../screens/alarms.cpp"/>
         <source>Place</source>
         <translation>Místo</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Place of the hole C</source>
+        <translation>Poloha díry C</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Place of the hole X</source>
+        <translation>Poloha díry X</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Place of the hole Z</source>
+        <translation>Poloha díry Z</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -1379,6 +1959,11 @@
         <translation>Program</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Program with the contour</source>
+        <translation>Program s konturou</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Programmed stop M0: start goes on</source>
         <translation>Programový stop M0: start pokračuje</translation>
@@ -1399,7 +1984,7 @@
         <translation>Dát sem</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/contour_page.cpp"/>
         <source>Radius</source>
         <translation>Rádius</translation>
     </message>
@@ -1464,6 +2049,11 @@
         <translation>Uvolnit nástroj</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Relief at the bottom</source>
+        <translation>Odskok na dně</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Remaining</source>
         <translation>Zbývá</translation>
@@ -1472,6 +2062,16 @@
         <location filename="../screens/alarms.cpp"/>
         <source>Remedy</source>
         <translation>Náprava</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Repair: where the thread was measured</source>
+        <translation>Oprava: kde byl závit změřen</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Repeating a contour</source>
+        <translation>Opakování kontury</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -1529,9 +2129,24 @@
         <translation>Zpětný chod je na konci</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Retract after each pass</source>
+        <translation>Odjezd po každém řezu</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>Return %1</source>
         <translation>Návrat %1</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Rigid tapping</source>
+        <translation>Synchronní závitování</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Rigid tapping of a left-hand thread</source>
+        <translation>Synchronní závitování, levý závit</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -1554,9 +2169,44 @@
         <translation>Prostor vpravo, půlmísta</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Roughing along X</source>
+        <translation>Hrubování podél X</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Roughing along Z</source>
+        <translation>Hrubování podél Z</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Rounding to the next one</source>
+        <translation>Zaoblení k dalšímu</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Run-out in tenths of the lead</source>
+        <translation>Výběh v desetinách stoupání</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Runs</source>
         <translation>Běží</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Runs in and out within the thread: 1</source>
+        <translation>Náběh a výběh uvnitř závitu: 1</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Safety distance</source>
+        <translation>Bezpečná vzdálenost</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Safety distance of the way back</source>
+        <translation>Bezpečná vzdálenost návratu</translation>
     </message>
     <message>
         <location filename="../screens/editor_page.cpp"/>
@@ -1607,6 +2257,11 @@
         <location filename="../screens/offsets.cpp"/>
         <source>Sets the zero: press again</source>
         <translation>Nastaví nulu: znovu</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Several solutions: touch the one that is meant, or «Next solution».</source>
+        <translation>Více řešení: dotkněte se správného, nebo «Další řešení».</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -1679,6 +2334,11 @@
         <translation>Varovat při zbytku</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Some elements are still open.</source>
+        <translation>Některé prvky jsou ještě otevřené.</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Some ticks were missed</source>
         <translation>Některé takty chybí</translation>
@@ -1694,6 +2354,11 @@
         <translation>Stojí</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Start</source>
+        <translation>Začátek</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>Start %1</source>
         <translation>Start %1</translation>
@@ -1702,6 +2367,16 @@
         <location filename="../screens/overview.cpp"/>
         <source>Start all</source>
         <translation>Start všech</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Start point X</source>
+        <translation>Počáteční bod X</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Start point Z</source>
+        <translation>Počáteční bod Z</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -1724,9 +2399,39 @@
         <translation>Stanice</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Step along X (radius)</source>
+        <translation>Krok v X (poloměr)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Step along Z</source>
+        <translation>Krok v Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Step between two plunges</source>
+        <translation>Krok mezi zápichy</translation>
+    </message>
+    <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>Stock</source>
         <translation>Polotovar</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Stock to take off</source>
+        <translation>Odebíraný přídavek</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Stock to take off along X (radius)</source>
+        <translation>Odebíraný přídavek v X (poloměr)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Stock to take off along Z</source>
+        <translation>Odebíraný přídavek v Z</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -1739,6 +2444,11 @@
         <translation>Zastaven</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Surface Z</source>
+        <translation>Povrch Z</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Synchronised view</source>
         <translation>Synchronní pohled</translation>
@@ -1749,6 +2459,46 @@
         <translation>Systém</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Tangential to the one before: 1</source>
+        <translation>Tečně k předchozímu: 1</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Tangential to what? Nothing lies before it.</source>
+        <translation>Tečně k čemu? Nic před ním není.</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Taper (Z at the start less that at the end)</source>
+        <translation>Kužel (Z na začátku minus na konci)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Taper (radius at the start less that at the end)</source>
+        <translation>Kužel (poloměr na začátku minus na konci)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Tapping</source>
+        <translation>Závitování</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Tapping a left-hand thread</source>
+        <translation>Závitování, levý závit</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Tapping in the face</source>
+        <translation>Závitování na čele</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Tapping in the side</source>
+        <translation>Závitování z boku</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Text</source>
         <translation>Text</translation>
@@ -1757,6 +2507,11 @@
         <location filename="../screens/restart_page.cpp"/>
         <source>The axes are free: press again</source>
         <translation>Osy jsou volné: znovu</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>The contour is complete.</source>
+        <translation>Kontura je úplná.</translation>
     </message>
     <message>
         <location filename="../machine/requests.cpp"/>
@@ -1819,6 +2574,11 @@
         <translation>Program se čte</translation>
     </message>
     <message>
+        <location filename="../app/dialogue_view.cpp"/>
+        <source>The program of L%1 waits for an answer</source>
+        <translation>Program L%1 čeká na odpověď</translation>
+    </message>
+    <message>
         <location filename="../machine/dry_run.cpp"/>
         <source>The program polyturn is not beside the HMI.</source>
         <translation>Program polyturn není vedle HMI.</translation>
@@ -1874,6 +2634,16 @@
         <translation>Zde je toto</translation>
     </message>
     <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>This is no number.</source>
+        <translation>To není číslo.</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>This language has no cycles.</source>
+        <translation>Tento jazyk nemá cykly.</translation>
+    </message>
+    <message>
         <location filename="../widgets/magazine.cpp"/>
         <source>This machine has no magazine: PT_TURRET_MAGAZINE and N2905 to N2922 describe it.</source>
         <translation>Tento stroj nemá zásobník: popisují ho PT_TURRET_MAGAZINE a N2905 až N2922.</translation>
@@ -1882,6 +2652,21 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>This machine has no pallets (N3300).</source>
         <translation>Tento stroj nemá palety (N3300).</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Thread in several passes</source>
+        <translation>Závit na více řezů</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Thread in the face</source>
+        <translation>Závit na čele</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Thread, one pass</source>
+        <translation>Závit, jeden řez</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
@@ -1932,6 +2717,21 @@
         <location filename="../screens/channel_card.cpp"/>
         <source>To go</source>
         <translation>Zbývá</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>To the start: 0 not, 1 feed, 2 rapid</source>
+        <translation>K počátku: 0 ne, 1 posuv, 2 rychle</translation>
+    </message>
+    <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>Too large: at most %1.</source>
+        <translation>Příliš mnoho: nejvýše %1.</translation>
+    </message>
+    <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>Too small: at least %1.</source>
+        <translation>Příliš málo: nejméně %1.</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -2014,6 +2814,21 @@
         <translation>Spuštěno</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Turning a straight section</source>
+        <translation>Soustružení přímého úseku</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Turning an arc</source>
+        <translation>Soustružení oblouku</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Turning, one pass</source>
+        <translation>Soustružení, jeden řez</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Type a number, or touch it; Input takes it over.</source>
         <translation>Napište číslo nebo se ho dotkněte; «Vložit» ho převezme.</translation>
@@ -2039,7 +2854,7 @@
         <translation>Zpět</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/cycle_form_page.cpp"/>
         <source>Unit</source>
         <translation>Jednotka</translation>
     </message>
@@ -2069,12 +2884,12 @@
         <translation>Uživatelé</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../app/dialogue_view.cpp"/>
         <source>Value</source>
         <translation>Hodnota</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../app/dialogue_view.cpp"/>
         <source>Variable</source>
         <translation>Proměnná</translation>
     </message>
@@ -2119,6 +2934,26 @@
         <translation>Požadováno</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Way along X (radius)</source>
+        <translation>Dráha v X (poloměr)</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Way along Z</source>
+        <translation>Dráha v Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Way back after each peck</source>
+        <translation>Návrat po každém kroku</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Way back or clearance of a peck</source>
+        <translation>Návrat nebo vůle kroku</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Wear</source>
         <translation>Opotř.</translation>
@@ -2137,6 +2972,16 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>What</source>
         <translation>Co</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>What is told</source>
+        <translation>Co je zadáno</translation>
+    </message>
+    <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>What it does</source>
+        <translation>Co dělá</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -2167,6 +3012,11 @@
         <location filename="../screens/parameters.cpp"/>
         <source>Without effect:</source>
         <translation>Bez účinku:</translation>
+    </message>
+    <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>Word</source>
+        <translation>Slovo</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -2202,6 +3052,11 @@
         <location filename="../screens/presetter_page.cpp"/>
         <source>Would be entered</source>
         <translation>Zapsalo by se</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Write into the program</source>
+        <translation>Zapsat do programu</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>
@@ -2384,6 +3239,11 @@
         <translation>vše zastavil alarm</translation>
     </message>
     <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>feed</source>
+        <translation>posuv</translation>
+    </message>
+    <message>
         <location filename="../screens/system.cpp"/>
         <source>file</source>
         <translation>soubor</translation>
@@ -2482,6 +3342,16 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>minutes of cutting</source>
         <translation>minuty řezu</translation>
+    </message>
+    <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>mm, diameter</source>
+        <translation>mm, průměr</translation>
+    </message>
+    <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>mm/rev</source>
+        <translation>mm/ot</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>

@@ -84,6 +84,16 @@
         <translation>+ Bevitel</translation>
     </message>
     <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>1/10 lead</source>
+        <translation>1/10 emelk.</translation>
+    </message>
+    <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>1/100 s</source>
+        <translation>1/100 s</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>A block by hand (MDI)</source>
         <translation>Mondat kézzel (MDI)</translation>
@@ -99,6 +109,11 @@
         <translation>Szöveg: a polyturn params set módosítja</translation>
     </message>
     <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>A value is needed here.</source>
+        <translation>Itt érték kell.</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Absent</source>
         <translation>Nincs</translation>
@@ -112,6 +127,21 @@
         <location filename="../screens/offsets.cpp"/>
         <source>Active from the next blocks</source>
         <translation>A következő mondatoktól</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Add a line</source>
+        <translation>Egyenes hozzáadása</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Add an arc G2</source>
+        <translation>G2 ív hozzáadása</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Add an arc G3</source>
+        <translation>G3 ív hozzáadása</translation>
     </message>
     <message>
         <location filename="../screens/alarms.hpp"/>
@@ -144,9 +174,64 @@
         <translation>Nullpontok együtt</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>An arc turns through less than 360°.</source>
+        <translation>Egy ív 360°-nál kisebb.</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Angle at its end to +Z</source>
+        <translation>Végszög a +Z-hez</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Angle at its start to +Z</source>
+        <translation>Kezdeti szög a +Z-hez</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Angle it turns through</source>
+        <translation>Az ív szöge</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Angle of the infeed</source>
+        <translation>Fogásvétel szöge</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Angle of the spindle at the start</source>
+        <translation>Főorsó szöge a kezdetnél</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Angle of the tool tip</source>
+        <translation>Szerszámcsúcs szöge</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Angle to +Z</source>
+        <translation>Szög a +Z-hez</translation>
+    </message>
+    <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>Another cycle</source>
+        <translation>Másik ciklus</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Applied now</source>
         <translation>Most érvényes</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Arc G2</source>
+        <translation>Ív G2</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Arc G3</source>
+        <translation>Ív G3</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -184,6 +269,11 @@
         <translation>Vissza</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Back to the text</source>
+        <translation>Vissza a szöveghez</translation>
+    </message>
+    <message>
         <location filename="../screens/system.cpp"/>
         <source>Backup</source>
         <translation>Mentés</translation>
@@ -197,6 +287,51 @@
         <location filename="../screens/channel_card.cpp"/>
         <source>Block skip</source>
         <translation>Mondatkihagyás</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Boring</source>
+        <translation>Kiesztergálás</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Boring in the face</source>
+        <translation>Kiesztergálás a homlokon</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Boring in the side</source>
+        <translation>Kiesztergálás oldalról</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Boring with a dwell</source>
+        <translation>Kiesztergálás várakozással</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Boring, back with the spindle stopped</source>
+        <translation>Kiesztergálás, vissza álló főorsóval</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Bottom X</source>
+        <translation>Fenék X</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Bottom Z</source>
+        <translation>Fenék Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Bottom of the hole X</source>
+        <translation>Furat alja X</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Bottom of the hole Z</source>
+        <translation>Furat alja Z</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -229,6 +364,41 @@
         <translation>Nem írható: %1</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Centre X</source>
+        <translation>Középpont X</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Centre Z</source>
+        <translation>Középpont Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Centre from the start point X (radius)</source>
+        <translation>Középpont a kezdettől X (sugár)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Centre from the start point Z</source>
+        <translation>Középpont a kezdettől Z</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Chamfer or rounding has no room here.</source>
+        <translation>A letörésnek vagy lekerekítésnek nincs helye.</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Chamfer to the next one</source>
+        <translation>Letörés a következőhöz</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Change of the lead a revolution</source>
+        <translation>Emelkedés változása fordulatonként</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Changed</source>
         <translation>Módosítva</translation>
@@ -257,6 +427,11 @@
         <location filename="../screens/system.cpp"/>
         <source>Choose a backup: «What would change» compares it with the machine, and nothing is changed yet.</source>
         <translation>Válasszon mentést: a «Mi változna» összeveti a géppel, és még semmit sem változtat.</translation>
+    </message>
+    <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>Choose a cycle: touch it twice, or Enter.</source>
+        <translation>Válasszon ciklust: érintse kétszer, vagy Enter.</translation>
     </message>
     <message>
         <location filename="../widgets/number_pad.cpp"/>
@@ -299,6 +474,11 @@
         <translation>Keresés törlése</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Clearance before the next peck</source>
+        <translation>Hézag a következő lépés előtt</translation>
+    </message>
+    <message>
         <location filename="../app/help_view.cpp"/>
         <source>Close</source>
         <translation>Bezárás</translation>
@@ -317,6 +497,16 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Computing time of ticks</source>
         <translation>Ütemek számítási ideje</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Contour</source>
+        <translation>Kontúr</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Core diameter at the end</source>
+        <translation>Magátmérő a végén</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis.cpp"/>
@@ -344,6 +534,11 @@
         <translation>Ciklus</translation>
     </message>
     <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Cycle form</source>
+        <translation>Ciklusűrlap</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Cycle last, mean</source>
         <translation>Ciklus utolsó, átlag</translation>
@@ -359,6 +554,11 @@
         <translation>Sötét</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Datum</source>
+        <translation>Adat</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Default</source>
         <translation>Alapérték</translation>
@@ -367,6 +567,11 @@
         <location filename="../screens/parameters.cpp"/>
         <source>Default value</source>
         <translation>Alapérték</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Delete the element</source>
+        <translation>Elem törlése</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -384,6 +589,51 @@
         <translation>Mitől függ</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Depth of a peck</source>
+        <translation>Lépés mélysége</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Depth of a peck along X (radius)</source>
+        <translation>Lépés mélysége X mentén (sugár)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Depth of a peck along Z</source>
+        <translation>Lépés mélysége Z mentén</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Depth of a peck; 0: tapping</source>
+        <translation>Lépés mélysége; 0: menetfúrás</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Depth of cut</source>
+        <translation>Fogásmélység</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Depth of cut (radius)</source>
+        <translation>Fogásmélység (sugár)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Depth of cut along Z</source>
+        <translation>Fogásmélység Z mentén</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Depth of the first pass (radius)</source>
+        <translation>Első fogás mélysége (sugár)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Depth of the hole</source>
+        <translation>Furat mélysége</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis.hpp"/>
         <source>Diagnosis</source>
         <translation>Diagnosztika</translation>
@@ -394,14 +644,59 @@
         <translation>Átmérő</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Diameter at the end</source>
+        <translation>Átmérő a végén</translation>
+    </message>
+    <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>Diameter of the pin</source>
         <translation>A csap átmérője</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Diameter of this pass at the end</source>
+        <translation>E fogás átmérője a végén</translation>
+    </message>
+    <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>Do this step</source>
         <translation>Lépés végrehajtása</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Drilling</source>
+        <translation>Fúrás</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Drilling and tapping</source>
+        <translation>Fúrás és menetfúrás</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Drilling in the face</source>
+        <translation>Fúrás a homlokon</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Drilling in the side</source>
+        <translation>Fúrás oldalról</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Drilling with a dwell</source>
+        <translation>Fúrás várakozással</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Drilling with pecks</source>
+        <translation>Fúrás lépésekben</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Drilling, breaking chips</source>
+        <translation>Fúrás forgácstöréssel</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -424,6 +719,11 @@
         <translation>Várakozási idő</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Dwell at the bottom</source>
+        <translation>Várakozás az alján</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Edit</source>
         <translation>Szerkesztés</translation>
@@ -442,6 +742,36 @@
         <location filename="../screens/hand_page.cpp"/>
         <source>Emergency stop</source>
         <translation>Vészstop</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Empty the field</source>
+        <translation>Mező ürítése</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>End of the thread Z</source>
+        <translation>Menet vége Z</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>End point X</source>
+        <translation>Végpont X</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>End point X of the last plunge</source>
+        <translation>Utolsó beszúrás végpontja X</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>End point Z</source>
+        <translation>Végpont Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>End point Z of the last plunge</source>
+        <translation>Utolsó beszúrás végpontja Z</translation>
     </message>
     <message>
         <location filename="../screens/overview.cpp"/>
@@ -477,6 +807,11 @@
         <location filename="../screens/system.cpp"/>
         <source>Enter logs in. A new user gets this name, this password and the level %1.</source>
         <translation>Az Enter bejelentkeztet. Az új felhasználó ezt a nevet, jelszót és szintet kapja: %1.</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Enter the start point, then add lines and arcs with what the drawing says.</source>
+        <translation>Adja meg a kezdőpontot, majd az egyeneseket és íveket a rajz szerint.</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -519,9 +854,34 @@
         <translation>Külső</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Face Z</source>
+        <translation>Homlok Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Facing a straight section</source>
+        <translation>Egyenes szakasz oldalazása</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Facing an arc</source>
+        <translation>Ív oldalazása</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Facing, one pass</source>
+        <translation>Oldalazás, egy fogás</translation>
+    </message>
+    <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>Factor</source>
         <translation>Szorzó</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Factor of the pecks; tapping: kind 0, 1, 2</source>
+        <translation>Lépések szorzója; menetfúrás: 0, 1, 2</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -534,6 +894,31 @@
         <translation>Előtolás-állj: a start folytatja</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Feed into hollows</source>
+        <translation>Előtolás a mélyedésekbe</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Feed of finishing</source>
+        <translation>Simítás előtolása</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Feed of finishing, where the contour says none</source>
+        <translation>Simító előtolás, ha a kontúr nem mondja</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Feed of roughing</source>
+        <translation>Nagyolás előtolása</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Feed of the last roughing pass</source>
+        <translation>Utolsó nagyoló fogás előtolása</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Files</source>
         <translation>Fájlok</translation>
@@ -542,6 +927,36 @@
         <location filename="../screens/tools_requests.cpp"/>
         <source>Filter</source>
         <translation>Szűrő</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Finishing a contour</source>
+        <translation>Kontúr simítása</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Finishing allowance</source>
+        <translation>Simítási ráhagyás</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Finishing allowance X</source>
+        <translation>Simítási ráhagyás X</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Finishing allowance Z</source>
+        <translation>Simítási ráhagyás Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Finishing passes</source>
+        <translation>Simító fogások</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>First block of the contour</source>
+        <translation>A kontúr első mondata</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -572,6 +987,11 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>From</source>
         <translation>Forrás</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>From rapid to feed (R level)</source>
+        <translation>Gyorsból előtolásra (R szint)</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -609,6 +1029,16 @@
         <translation>Legnagyobb, legkisebb eltérés</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Grooving along X</source>
+        <translation>Beszúrás X mentén</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Grooving along Z</source>
+        <translation>Beszúrás Z mentén</translation>
+    </message>
+    <message>
         <location filename="../app/help_view.cpp"/>
         <source>Handbook</source>
         <translation>Kézikönyv</translation>
@@ -617,6 +1047,11 @@
         <location filename="../machine/channel_words.cpp"/>
         <source>Handwheel</source>
         <translation>Kézikerék</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Height of the thread (radius)</source>
+        <translation>Menetmagasság (sugár)</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -724,6 +1159,11 @@
         <translation>Itt állt</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Its blocks were edited by hand: writing replaces them.</source>
+        <translation>A mondatokat kézzel módosították: az írás lecseréli őket.</translation>
+    </message>
+    <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>Its chuck clamps</source>
         <translation>A tokmánya szorít</translation>
@@ -732,6 +1172,11 @@
         <location filename="../screens/hand_page.cpp"/>
         <source>Its chuck opens</source>
         <translation>A tokmánya nyit</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Its data contradict each other, or nothing fits them.</source>
+        <translation>Az adatok ellentmondanak, vagy semmi sem illik rájuk.</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -769,6 +1214,11 @@
         <translation>Fajta</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Kind of infeed</source>
+        <translation>Fogásvétel fajtája</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Kind of place that it needs, 0 any</source>
         <translation>Szükséges helyfajta, 0 bármely</translation>
@@ -777,6 +1227,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>Kind: 500 roughing, 510 finishing, 200 drill ...</source>
         <translation>Fajta: 500 nagyoló, 510 simító, 200 fúró ...</translation>
+    </message>
+    <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>L%1 asks: %2</source>
+        <translation>L%1 kérdezi: %2</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -799,14 +1254,44 @@
         <translation>Előző</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Last block of the contour</source>
+        <translation>A kontúr utolsó mondata</translation>
+    </message>
+    <message>
+        <location filename="../app/dialogue_view.cpp"/>
+        <source>Later</source>
+        <translation>Később</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Lead</source>
+        <translation>Menetemelkedés</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Least depth of a pass</source>
+        <translation>Legkisebb fogásmélység</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Least depth of a peck</source>
+        <translation>Legkisebb lépésmélység</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>Leave the hold %1</source>
         <translation>Elhagyás %1</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/contour_page.cpp"/>
         <source>Length</source>
         <translation>Hossz</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Length of the run-out</source>
+        <translation>Kifutás hossza</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -852,6 +1337,16 @@
         <location filename="../app/main_window.cpp"/>
         <source>Light</source>
         <translation>Világos</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Line</source>
+        <translation>Egyenes</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Line %1 of the description cannot be read: a new contour begins here.</source>
+        <translation>A leírás %1. sora nem olvasható: itt új kontúr kezdődik.</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -949,6 +1444,11 @@
         <translation>Tárak</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Main axis: 0 Z, 1 X</source>
+        <translation>Főtengely: 0 Z, 1 X</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.hpp"/>
         <source>Manual</source>
         <translation>Kézi</translation>
@@ -964,7 +1464,7 @@
         <translation>Átlag</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/contour_page.cpp"/>
         <source>Meaning</source>
         <translation>Jelentés</translation>
     </message>
@@ -1004,7 +1504,7 @@
         <translation>Mozog</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../app/dialogue_view.cpp"/>
         <source>Name</source>
         <translation>Név</translation>
     </message>
@@ -1027,6 +1527,11 @@
         <location filename="../screens/editor_page.cpp"/>
         <source>Next fault</source>
         <translation>Következő hiba</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Next solution</source>
+        <translation>Másik megoldás</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
@@ -1134,6 +1639,11 @@
         <translation>Nincs betöltve</translation>
     </message>
     <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>Nothing has been changed.</source>
+        <translation>Semmi sem változott.</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Nothing has been told since the controller started.</source>
         <translation>A vezérlő indulása óta nem volt üzenet.</translation>
@@ -1154,9 +1664,34 @@
         <translation>Most</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../app/dialogue_view.cpp"/>
         <source>Number</source>
         <translation>Szám</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Number of holes</source>
+        <translation>Furatok száma</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Number of its first block</source>
+        <translation>Első mondat száma</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Number of its last block</source>
+        <translation>Utolsó mondat száma</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Number of passes</source>
+        <translation>Fogások száma</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Number of starts</source>
+        <translation>Bekezdések száma</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -1184,9 +1719,29 @@
         <translation>Egy gyűrű</translation>
     </message>
     <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>Only a whole number is possible.</source>
+        <translation>Csak egész szám lehet.</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Only more than 0 is possible here.</source>
+        <translation>Itt csak 0-nál nagyobb lehet.</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Open folder</source>
         <translation>Mappa megnyitása</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Open: %1 more data are needed, here or in the next elements.</source>
+        <translation>Nyitott: még %1 adat kell, itt vagy a következő elemekben.</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Open: what lies before it is not known yet.</source>
+        <translation>Nyitott: ami előtte van, még nem ismert.</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -1309,6 +1864,16 @@
         <translation>Jelszó</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Pattern menu</source>
+        <translation>Mintamenü</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Pecking and grooving along Z</source>
+        <translation>Lépéses beszúrás Z mentén</translation>
+    </message>
+    <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>Picture</source>
         <translation>Kép</translation>
@@ -1317,6 +1882,21 @@
         <location filename="../screens/alarms.cpp"/>
         <source>Place</source>
         <translation>Hely</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Place of the hole C</source>
+        <translation>Furat helye C</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Place of the hole X</source>
+        <translation>Furat helye X</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Place of the hole Z</source>
+        <translation>Furat helye Z</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -1379,6 +1959,11 @@
         <translation>Program</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Program with the contour</source>
+        <translation>A kontúr programja</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Programmed stop M0: start goes on</source>
         <translation>Programozott megállás M0: a start folytatja</translation>
@@ -1399,7 +1984,7 @@
         <translation>Ide tenni</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/contour_page.cpp"/>
         <source>Radius</source>
         <translation>Sugár</translation>
     </message>
@@ -1464,6 +2049,11 @@
         <translation>Szerszám felold</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Relief at the bottom</source>
+        <translation>Elhúzás az alján</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Remaining</source>
         <translation>Hátravan</translation>
@@ -1472,6 +2062,16 @@
         <location filename="../screens/alarms.cpp"/>
         <source>Remedy</source>
         <translation>Teendő</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Repair: where the thread was measured</source>
+        <translation>Javítás: hol mérték a menetet</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Repeating a contour</source>
+        <translation>Kontúr ismétlése</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -1529,9 +2129,24 @@
         <translation>A visszakövetés a végére ért</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Retract after each pass</source>
+        <translation>Kiemelés fogásonként</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>Return %1</source>
         <translation>Vissza %1</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Rigid tapping</source>
+        <translation>Merevszárú menetfúrás</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Rigid tapping of a left-hand thread</source>
+        <translation>Merevszárú balmenetfúrás</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -1554,9 +2169,44 @@
         <translation>Hely jobbra, félhely</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Roughing along X</source>
+        <translation>Nagyolás X mentén</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Roughing along Z</source>
+        <translation>Nagyolás Z mentén</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Rounding to the next one</source>
+        <translation>Lekerekítés a következőhöz</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Run-out in tenths of the lead</source>
+        <translation>Kifutás az emelkedés tizedében</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Runs</source>
         <translation>Fut</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Runs in and out within the thread: 1</source>
+        <translation>Be- és kifutás a meneten belül: 1</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Safety distance</source>
+        <translation>Biztonsági távolság</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Safety distance of the way back</source>
+        <translation>Visszahúzás biztonsági távolsága</translation>
     </message>
     <message>
         <location filename="../screens/editor_page.cpp"/>
@@ -1607,6 +2257,11 @@
         <location filename="../screens/offsets.cpp"/>
         <source>Sets the zero: press again</source>
         <translation>Nullát állít: újra</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Several solutions: touch the one that is meant, or «Next solution».</source>
+        <translation>Több megoldás: érintse meg a kívántat, vagy «Másik megoldás».</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -1679,6 +2334,11 @@
         <translation>Ennyi maradéknál figyelmeztet</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Some elements are still open.</source>
+        <translation>Néhány elem még nyitott.</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Some ticks were missed</source>
         <translation>Néhány ütem kimaradt</translation>
@@ -1694,6 +2354,11 @@
         <translation>Áll</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Start</source>
+        <translation>Kezdet</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>Start %1</source>
         <translation>Start %1</translation>
@@ -1702,6 +2367,16 @@
         <location filename="../screens/overview.cpp"/>
         <source>Start all</source>
         <translation>Start mind</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Start point X</source>
+        <translation>Kezdőpont X</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Start point Z</source>
+        <translation>Kezdőpont Z</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -1724,9 +2399,39 @@
         <translation>Állomás</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Step along X (radius)</source>
+        <translation>Lépés X mentén (sugár)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Step along Z</source>
+        <translation>Lépés Z mentén</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Step between two plunges</source>
+        <translation>Lépés két beszúrás között</translation>
+    </message>
+    <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>Stock</source>
         <translation>Nyersdarab</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Stock to take off</source>
+        <translation>Leválasztandó ráhagyás</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Stock to take off along X (radius)</source>
+        <translation>Ráhagyás X mentén (sugár)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Stock to take off along Z</source>
+        <translation>Ráhagyás Z mentén</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -1739,6 +2444,11 @@
         <translation>Megállt</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Surface Z</source>
+        <translation>Felület Z</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Synchronised view</source>
         <translation>Szinkron nézet</translation>
@@ -1749,6 +2459,46 @@
         <translation>Rendszer</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Tangential to the one before: 1</source>
+        <translation>Érintő az előzőhöz: 1</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Tangential to what? Nothing lies before it.</source>
+        <translation>Mihez érintő? Semmi sincs előtte.</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Taper (Z at the start less that at the end)</source>
+        <translation>Kúp (kezdő Z mínusz vég Z)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Taper (radius at the start less that at the end)</source>
+        <translation>Kúp (kezdősugár mínusz végsugár)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Tapping</source>
+        <translation>Menetfúrás</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Tapping a left-hand thread</source>
+        <translation>Balmenet fúrása</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Tapping in the face</source>
+        <translation>Menetfúrás a homlokon</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Tapping in the side</source>
+        <translation>Menetfúrás oldalról</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Text</source>
         <translation>Szöveg</translation>
@@ -1757,6 +2507,11 @@
         <location filename="../screens/restart_page.cpp"/>
         <source>The axes are free: press again</source>
         <translation>A tengelyek szabadok: újra</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>The contour is complete.</source>
+        <translation>A kontúr teljes.</translation>
     </message>
     <message>
         <location filename="../machine/requests.cpp"/>
@@ -1819,6 +2574,11 @@
         <translation>A program olvasása folyik</translation>
     </message>
     <message>
+        <location filename="../app/dialogue_view.cpp"/>
+        <source>The program of L%1 waits for an answer</source>
+        <translation>L%1 programja válaszra vár</translation>
+    </message>
+    <message>
         <location filename="../machine/dry_run.cpp"/>
         <source>The program polyturn is not beside the HMI.</source>
         <translation>A polyturn program nincs a HMI mellett.</translation>
@@ -1874,6 +2634,16 @@
         <translation>Itt ennyi</translation>
     </message>
     <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>This is no number.</source>
+        <translation>Ez nem szám.</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>This language has no cycles.</source>
+        <translation>Ebben a nyelvben nincsenek ciklusok.</translation>
+    </message>
+    <message>
         <location filename="../widgets/magazine.cpp"/>
         <source>This machine has no magazine: PT_TURRET_MAGAZINE and N2905 to N2922 describe it.</source>
         <translation>Ennek a gépnek nincs tára: a PT_TURRET_MAGAZINE és az N2905–N2922 írja le.</translation>
@@ -1882,6 +2652,21 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>This machine has no pallets (N3300).</source>
         <translation>Ennek a gépnek nincs palettája (N3300).</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Thread in several passes</source>
+        <translation>Menet több fogással</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Thread in the face</source>
+        <translation>Menet a homlokon</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Thread, one pass</source>
+        <translation>Menet, egy fogás</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
@@ -1932,6 +2717,21 @@
         <location filename="../screens/channel_card.cpp"/>
         <source>To go</source>
         <translation>Hátravan</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>To the start: 0 not, 1 feed, 2 rapid</source>
+        <translation>A kezdethez: 0 nem, 1 előtolás, 2 gyors</translation>
+    </message>
+    <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>Too large: at most %1.</source>
+        <translation>Túl nagy: legfeljebb %1.</translation>
+    </message>
+    <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>Too small: at least %1.</source>
+        <translation>Túl kicsi: legalább %1.</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -2014,6 +2814,21 @@
         <translation>Indítva</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Turning a straight section</source>
+        <translation>Egyenes szakasz esztergálása</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Turning an arc</source>
+        <translation>Ív esztergálása</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Turning, one pass</source>
+        <translation>Esztergálás, egy fogás</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Type a number, or touch it; Input takes it over.</source>
         <translation>Írja be vagy érintse a számot; a «Bevitel» átveszi.</translation>
@@ -2039,7 +2854,7 @@
         <translation>Visszavonás</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/cycle_form_page.cpp"/>
         <source>Unit</source>
         <translation>Egység</translation>
     </message>
@@ -2069,12 +2884,12 @@
         <translation>Felhasználók</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../app/dialogue_view.cpp"/>
         <source>Value</source>
         <translation>Érték</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../app/dialogue_view.cpp"/>
         <source>Variable</source>
         <translation>Változó</translation>
     </message>
@@ -2119,6 +2934,26 @@
         <translation>Kívánt</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Way along X (radius)</source>
+        <translation>Út X mentén (sugár)</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Way along Z</source>
+        <translation>Út Z mentén</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Way back after each peck</source>
+        <translation>Visszahúzás lépésenként</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Way back or clearance of a peck</source>
+        <translation>Lépés visszahúzása vagy hézaga</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Wear</source>
         <translation>Kopás</translation>
@@ -2137,6 +2972,16 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>What</source>
         <translation>Mi</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>What is told</source>
+        <translation>Ami adott</translation>
+    </message>
+    <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>What it does</source>
+        <translation>Mit csinál</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -2167,6 +3012,11 @@
         <location filename="../screens/parameters.cpp"/>
         <source>Without effect:</source>
         <translation>Hatás nélkül:</translation>
+    </message>
+    <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>Word</source>
+        <translation>Szó</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -2202,6 +3052,11 @@
         <location filename="../screens/presetter_page.cpp"/>
         <source>Would be entered</source>
         <translation>Ez kerülne be</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Write into the program</source>
+        <translation>Írás a programba</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>
@@ -2384,6 +3239,11 @@
         <translation>riasztás állított le mindent</translation>
     </message>
     <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>feed</source>
+        <translation>előtolás</translation>
+    </message>
+    <message>
         <location filename="../screens/system.cpp"/>
         <source>file</source>
         <translation>fájl</translation>
@@ -2482,6 +3342,16 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>minutes of cutting</source>
         <translation>forgácsolási percet</translation>
+    </message>
+    <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>mm, diameter</source>
+        <translation>mm, átmérő</translation>
+    </message>
+    <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>mm/rev</source>
+        <translation>mm/ford</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>

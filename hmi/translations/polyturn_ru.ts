@@ -84,6 +84,16 @@
         <translation>+ Ввод</translation>
     </message>
     <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>1/10 lead</source>
+        <translation>1/10 шага</translation>
+    </message>
+    <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>1/100 s</source>
+        <translation>1/100 с</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>A block by hand (MDI)</source>
         <translation>Кадр вручную (РВД)</translation>
@@ -99,6 +109,11 @@
         <translation>Текст: меняется командой polyturn params set</translation>
     </message>
     <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>A value is needed here.</source>
+        <translation>Здесь нужно значение.</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Absent</source>
         <translation>Нет</translation>
@@ -112,6 +127,21 @@
         <location filename="../screens/offsets.cpp"/>
         <source>Active from the next blocks</source>
         <translation>Со следующих кадров</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Add a line</source>
+        <translation>Добавить отрезок</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Add an arc G2</source>
+        <translation>Добавить дугу G2</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Add an arc G3</source>
+        <translation>Добавить дугу G3</translation>
     </message>
     <message>
         <location filename="../screens/alarms.hpp"/>
@@ -144,9 +174,64 @@
         <translation>Все нули вместе</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>An arc turns through less than 360°.</source>
+        <translation>Дуга меньше 360°.</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Angle at its end to +Z</source>
+        <translation>Угол в конце к +Z</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Angle at its start to +Z</source>
+        <translation>Угол в начале к +Z</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Angle it turns through</source>
+        <translation>Угол дуги</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Angle of the infeed</source>
+        <translation>Угол врезания</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Angle of the spindle at the start</source>
+        <translation>Угол шпинделя в начале</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Angle of the tool tip</source>
+        <translation>Угол вершины резца</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Angle to +Z</source>
+        <translation>Угол к +Z</translation>
+    </message>
+    <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>Another cycle</source>
+        <translation>Другой цикл</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Applied now</source>
         <translation>Действует сейчас</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Arc G2</source>
+        <translation>Дуга G2</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Arc G3</source>
+        <translation>Дуга G3</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -184,6 +269,11 @@
         <translation>Назад</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Back to the text</source>
+        <translation>К тексту</translation>
+    </message>
+    <message>
         <location filename="../screens/system.cpp"/>
         <source>Backup</source>
         <translation>Копия</translation>
@@ -197,6 +287,51 @@
         <location filename="../screens/channel_card.cpp"/>
         <source>Block skip</source>
         <translation>Пропуск кадров</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Boring</source>
+        <translation>Растачивание</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Boring in the face</source>
+        <translation>Растачивание в торце</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Boring in the side</source>
+        <translation>Растачивание сбоку</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Boring with a dwell</source>
+        <translation>Растачивание с выдержкой</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Boring, back with the spindle stopped</source>
+        <translation>Растачивание, отвод со стоящим шпинделем</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Bottom X</source>
+        <translation>Дно X</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Bottom Z</source>
+        <translation>Дно Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Bottom of the hole X</source>
+        <translation>Дно отверстия X</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Bottom of the hole Z</source>
+        <translation>Дно отверстия Z</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -229,6 +364,41 @@
         <translation>Не записать: %1</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Centre X</source>
+        <translation>Центр X</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Centre Z</source>
+        <translation>Центр Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Centre from the start point X (radius)</source>
+        <translation>Центр от начальной точки X (радиус)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Centre from the start point Z</source>
+        <translation>Центр от начальной точки Z</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Chamfer or rounding has no room here.</source>
+        <translation>Для фаски или скругления нет места.</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Chamfer to the next one</source>
+        <translation>Фаска к следующему</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Change of the lead a revolution</source>
+        <translation>Изменение шага за оборот</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Changed</source>
         <translation>Изменён</translation>
@@ -257,6 +427,11 @@
         <location filename="../screens/system.cpp"/>
         <source>Choose a backup: «What would change» compares it with the machine, and nothing is changed yet.</source>
         <translation>Выберите копию: «Что изменится» сравнит её со станком, пока ничего не меняя.</translation>
+    </message>
+    <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>Choose a cycle: touch it twice, or Enter.</source>
+        <translation>Выберите цикл: коснитесь дважды или Enter.</translation>
     </message>
     <message>
         <location filename="../widgets/number_pad.cpp"/>
@@ -299,6 +474,11 @@
         <translation>Очистить поиск</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Clearance before the next peck</source>
+        <translation>Зазор перед следующим шагом</translation>
+    </message>
+    <message>
         <location filename="../app/help_view.cpp"/>
         <source>Close</source>
         <translation>Закрыть</translation>
@@ -317,6 +497,16 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Computing time of ticks</source>
         <translation>Время счёта тактов</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Contour</source>
+        <translation>Контур</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Core diameter at the end</source>
+        <translation>Внутренний диаметр в конце</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis.cpp"/>
@@ -344,6 +534,11 @@
         <translation>Цикл</translation>
     </message>
     <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Cycle form</source>
+        <translation>Форма цикла</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Cycle last, mean</source>
         <translation>Цикл последний, средний</translation>
@@ -359,6 +554,11 @@
         <translation>Тёмная</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Datum</source>
+        <translation>Данное</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Default</source>
         <translation>По умолчанию</translation>
@@ -367,6 +567,11 @@
         <location filename="../screens/parameters.cpp"/>
         <source>Default value</source>
         <translation>По умолчанию</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Delete the element</source>
+        <translation>Удалить элемент</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -384,6 +589,51 @@
         <translation>Зависит от</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Depth of a peck</source>
+        <translation>Глубина шага</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Depth of a peck along X (radius)</source>
+        <translation>Глубина шага по X (радиус)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Depth of a peck along Z</source>
+        <translation>Глубина шага по Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Depth of a peck; 0: tapping</source>
+        <translation>Глубина шага; 0: резьба метчиком</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Depth of cut</source>
+        <translation>Глубина резания</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Depth of cut (radius)</source>
+        <translation>Глубина резания (радиус)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Depth of cut along Z</source>
+        <translation>Глубина резания по Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Depth of the first pass (radius)</source>
+        <translation>Глубина первого прохода (радиус)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Depth of the hole</source>
+        <translation>Глубина отверстия</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis.hpp"/>
         <source>Diagnosis</source>
         <translation>Диагностика</translation>
@@ -394,14 +644,59 @@
         <translation>Диаметр</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Diameter at the end</source>
+        <translation>Диаметр в конце</translation>
+    </message>
+    <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>Diameter of the pin</source>
         <translation>Диаметр калибра</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Diameter of this pass at the end</source>
+        <translation>Диаметр этого прохода в конце</translation>
+    </message>
+    <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>Do this step</source>
         <translation>Выполнить шаг</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Drilling</source>
+        <translation>Сверление</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Drilling and tapping</source>
+        <translation>Сверление и нарезание резьбы</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Drilling in the face</source>
+        <translation>Сверление в торце</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Drilling in the side</source>
+        <translation>Сверление сбоку</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Drilling with a dwell</source>
+        <translation>Сверление с выдержкой</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Drilling with pecks</source>
+        <translation>Сверление с выводом</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Drilling, breaking chips</source>
+        <translation>Сверление с ломкой стружки</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -424,6 +719,11 @@
         <translation>Пауза</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Dwell at the bottom</source>
+        <translation>Выдержка на дне</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Edit</source>
         <translation>Правка</translation>
@@ -442,6 +742,36 @@
         <location filename="../screens/hand_page.cpp"/>
         <source>Emergency stop</source>
         <translation>Аварийный стоп</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Empty the field</source>
+        <translation>Очистить поле</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>End of the thread Z</source>
+        <translation>Конец резьбы Z</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>End point X</source>
+        <translation>Конечная точка X</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>End point X of the last plunge</source>
+        <translation>Конечная точка X последнего врезания</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>End point Z</source>
+        <translation>Конечная точка Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>End point Z of the last plunge</source>
+        <translation>Конечная точка Z последнего врезания</translation>
     </message>
     <message>
         <location filename="../screens/overview.cpp"/>
@@ -477,6 +807,11 @@
         <location filename="../screens/system.cpp"/>
         <source>Enter logs in. A new user gets this name, this password and the level %1.</source>
         <translation>Enter выполняет вход. Новый пользователь получит это имя, этот пароль и уровень «%1».</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Enter the start point, then add lines and arcs with what the drawing says.</source>
+        <translation>Введите начальную точку, затем добавляйте отрезки и дуги по чертежу.</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -519,9 +854,34 @@
         <translation>Внешний</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Face Z</source>
+        <translation>Торец Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Facing a straight section</source>
+        <translation>Подрезка прямого участка</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Facing an arc</source>
+        <translation>Подрезка дуги</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Facing, one pass</source>
+        <translation>Подрезка, один проход</translation>
+    </message>
+    <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>Factor</source>
         <translation>Множитель</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Factor of the pecks; tapping: kind 0, 1, 2</source>
+        <translation>Множитель шагов; метчик: вид 0, 1, 2</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -534,6 +894,31 @@
         <translation>Стоп подачи: пуск продолжит</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Feed into hollows</source>
+        <translation>Подача врезания во впадины</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Feed of finishing</source>
+        <translation>Подача чистовой обработки</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Feed of finishing, where the contour says none</source>
+        <translation>Чистовая подача, если её нет в контуре</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Feed of roughing</source>
+        <translation>Подача черновой обработки</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Feed of the last roughing pass</source>
+        <translation>Подача последнего чернового прохода</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Files</source>
         <translation>Файлы</translation>
@@ -542,6 +927,36 @@
         <location filename="../screens/tools_requests.cpp"/>
         <source>Filter</source>
         <translation>Фильтр</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Finishing a contour</source>
+        <translation>Чистовая обработка контура</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Finishing allowance</source>
+        <translation>Чистовой припуск</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Finishing allowance X</source>
+        <translation>Чистовой припуск X</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Finishing allowance Z</source>
+        <translation>Чистовой припуск Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Finishing passes</source>
+        <translation>Чистовых проходов</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>First block of the contour</source>
+        <translation>Первый кадр контура</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -572,6 +987,11 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>From</source>
         <translation>От</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>From rapid to feed (R level)</source>
+        <translation>Переход на подачу (уровень R)</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -609,6 +1029,16 @@
         <translation>Наибольшее, наименьшее отклонение</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Grooving along X</source>
+        <translation>Канавки вдоль X</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Grooving along Z</source>
+        <translation>Канавки вдоль Z</translation>
+    </message>
+    <message>
         <location filename="../app/help_view.cpp"/>
         <source>Handbook</source>
         <translation>Руководство</translation>
@@ -617,6 +1047,11 @@
         <location filename="../machine/channel_words.cpp"/>
         <source>Handwheel</source>
         <translation>Маховичок</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Height of the thread (radius)</source>
+        <translation>Высота резьбы (радиус)</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -724,6 +1159,11 @@
         <translation>Стояла на</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Its blocks were edited by hand: writing replaces them.</source>
+        <translation>Кадры изменены вручную: запись их заменит.</translation>
+    </message>
+    <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>Its chuck clamps</source>
         <translation>Его патрон зажимает</translation>
@@ -732,6 +1172,11 @@
         <location filename="../screens/hand_page.cpp"/>
         <source>Its chuck opens</source>
         <translation>Его патрон открывается</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Its data contradict each other, or nothing fits them.</source>
+        <translation>Данные противоречат друг другу или им ничто не подходит.</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -769,6 +1214,11 @@
         <translation>Вид</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Kind of infeed</source>
+        <translation>Вид врезания</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Kind of place that it needs, 0 any</source>
         <translation>Вид нужного места, 0 любое</translation>
@@ -777,6 +1227,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>Kind: 500 roughing, 510 finishing, 200 drill ...</source>
         <translation>Вид: 500 черновой, 510 чистовой, 200 сверло ...</translation>
+    </message>
+    <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>L%1 asks: %2</source>
+        <translation>L%1 спрашивает: %2</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -799,14 +1254,44 @@
         <translation>Прошлый</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Last block of the contour</source>
+        <translation>Последний кадр контура</translation>
+    </message>
+    <message>
+        <location filename="../app/dialogue_view.cpp"/>
+        <source>Later</source>
+        <translation>Позже</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Lead</source>
+        <translation>Шаг резьбы</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Least depth of a pass</source>
+        <translation>Наименьшая глубина прохода</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Least depth of a peck</source>
+        <translation>Наименьшая глубина шага</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>Leave the hold %1</source>
         <translation>Отвод %1</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/contour_page.cpp"/>
         <source>Length</source>
         <translation>Длина</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Length of the run-out</source>
+        <translation>Длина сбега</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -852,6 +1337,16 @@
         <location filename="../app/main_window.cpp"/>
         <source>Light</source>
         <translation>Светлая</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Line</source>
+        <translation>Отрезок</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Line %1 of the description cannot be read: a new contour begins here.</source>
+        <translation>Строка %1 описания не читается: здесь начинается новый контур.</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -949,6 +1444,11 @@
         <translation>Магазины</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Main axis: 0 Z, 1 X</source>
+        <translation>Главная ось: 0 Z, 1 X</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.hpp"/>
         <source>Manual</source>
         <translation>Вручную</translation>
@@ -964,7 +1464,7 @@
         <translation>Средний</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../screens/contour_page.cpp"/>
         <source>Meaning</source>
         <translation>Значение (смысл)</translation>
     </message>
@@ -1004,7 +1504,7 @@
         <translation>Движется</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../app/dialogue_view.cpp"/>
         <source>Name</source>
         <translation>Имя</translation>
     </message>
@@ -1027,6 +1527,11 @@
         <location filename="../screens/editor_page.cpp"/>
         <source>Next fault</source>
         <translation>Следующая ошибка</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Next solution</source>
+        <translation>Другое решение</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
@@ -1134,6 +1639,11 @@
         <translation>Не загружены</translation>
     </message>
     <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>Nothing has been changed.</source>
+        <translation>Ничего не изменено.</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Nothing has been told since the controller started.</source>
         <translation>С запуска УЧПУ сообщений не было.</translation>
@@ -1154,9 +1664,34 @@
         <translation>Сейчас</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
+        <location filename="../app/dialogue_view.cpp"/>
         <source>Number</source>
         <translation>Номер</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Number of holes</source>
+        <translation>Число отверстий</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Number of its first block</source>
+        <translation>Номер первого кадра</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Number of its last block</source>
+        <translation>Номер последнего кадра</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Number of passes</source>
+        <translation>Число проходов</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Number of starts</source>
+        <translation>Число заходов</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -1184,9 +1719,29 @@
         <translation>Одно кольцо</translation>
     </message>
     <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>Only a whole number is possible.</source>
+        <translation>Возможно только целое число.</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Only more than 0 is possible here.</source>
+        <translation>Здесь возможно только больше 0.</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Open folder</source>
         <translation>Открыть папку</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Open: %1 more data are needed, here or in the next elements.</source>
+        <translation>Открыто: нужно ещё данных: %1, здесь или в следующих элементах.</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Open: what lies before it is not known yet.</source>
+        <translation>Открыто: то, что перед ним, ещё не известно.</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -1309,6 +1864,16 @@
         <translation>Пароль</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Pattern menu</source>
+        <translation>Меню шаблонов</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Pecking and grooving along Z</source>
+        <translation>Шаговое врезание вдоль Z</translation>
+    </message>
+    <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>Picture</source>
         <translation>Снимок</translation>
@@ -1317,6 +1882,21 @@
         <location filename="../screens/alarms.cpp"/>
         <source>Place</source>
         <translation>Место</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Place of the hole C</source>
+        <translation>Место отверстия C</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Place of the hole X</source>
+        <translation>Место отверстия X</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Place of the hole Z</source>
+        <translation>Место отверстия Z</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -1379,6 +1959,11 @@
         <translation>Программа</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Program with the contour</source>
+        <translation>Программа с контуром</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Programmed stop M0: start goes on</source>
         <translation>Останов M0: пуск продолжит</translation>
@@ -1399,7 +1984,7 @@
         <translation>Поставить сюда</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/contour_page.cpp"/>
         <source>Radius</source>
         <translation>Радиус</translation>
     </message>
@@ -1464,6 +2049,11 @@
         <translation>Разблок. инструмент</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Relief at the bottom</source>
+        <translation>Отвод на дне</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Remaining</source>
         <translation>Осталось</translation>
@@ -1472,6 +2062,16 @@
         <location filename="../screens/alarms.cpp"/>
         <source>Remedy</source>
         <translation>Что делать</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Repair: where the thread was measured</source>
+        <translation>Ремонт: где измерена резьба</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Repeating a contour</source>
+        <translation>Повторение контура</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -1529,9 +2129,24 @@
         <translation>Возврат по траектории дошёл до конца</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Retract after each pass</source>
+        <translation>Отвод после каждого прохода</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>Return %1</source>
         <translation>Возврат %1</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Rigid tapping</source>
+        <translation>Жёсткое нарезание</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Rigid tapping of a left-hand thread</source>
+        <translation>Жёсткое нарезание левой резьбы</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -1554,9 +2169,44 @@
         <translation>Место справа, полуместа</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Roughing along X</source>
+        <translation>Черновая обработка вдоль X</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Roughing along Z</source>
+        <translation>Черновая обработка вдоль Z</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Rounding to the next one</source>
+        <translation>Скругление к следующему</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Run-out in tenths of the lead</source>
+        <translation>Сбег в десятых шага</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Runs</source>
         <translation>Работает</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Runs in and out within the thread: 1</source>
+        <translation>Вход и выход внутри резьбы: 1</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Safety distance</source>
+        <translation>Безопасное расстояние</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Safety distance of the way back</source>
+        <translation>Безопасное расстояние отвода</translation>
     </message>
     <message>
         <location filename="../screens/editor_page.cpp"/>
@@ -1607,6 +2257,11 @@
         <location filename="../screens/offsets.cpp"/>
         <source>Sets the zero: press again</source>
         <translation>Задаст нуль: ещё раз</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Several solutions: touch the one that is meant, or «Next solution».</source>
+        <translation>Несколько решений: коснитесь нужного или «Другое решение».</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -1679,6 +2334,11 @@
         <translation>Предупредить при остатке</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Some elements are still open.</source>
+        <translation>Некоторые элементы ещё открыты.</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Some ticks were missed</source>
         <translation>Часть тактов пропущена</translation>
@@ -1694,6 +2354,11 @@
         <translation>Стоит</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Start</source>
+        <translation>Начало</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>Start %1</source>
         <translation>Пуск %1</translation>
@@ -1702,6 +2367,16 @@
         <location filename="../screens/overview.cpp"/>
         <source>Start all</source>
         <translation>Пуск всех</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Start point X</source>
+        <translation>Начальная точка X</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Start point Z</source>
+        <translation>Начальная точка Z</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -1724,9 +2399,39 @@
         <translation>Станция</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Step along X (radius)</source>
+        <translation>Шаг по X (радиус)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Step along Z</source>
+        <translation>Шаг по Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Step between two plunges</source>
+        <translation>Шаг между врезаниями</translation>
+    </message>
+    <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>Stock</source>
         <translation>Заготовка</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Stock to take off</source>
+        <translation>Снимаемый припуск</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Stock to take off along X (radius)</source>
+        <translation>Снимаемый припуск по X (радиус)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Stock to take off along Z</source>
+        <translation>Снимаемый припуск по Z</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -1739,6 +2444,11 @@
         <translation>Остановлен</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Surface Z</source>
+        <translation>Поверхность Z</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Synchronised view</source>
         <translation>Синхронный вид</translation>
@@ -1749,6 +2459,46 @@
         <translation>Система</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Tangential to the one before: 1</source>
+        <translation>Касательно к предыдущему: 1</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Tangential to what? Nothing lies before it.</source>
+        <translation>Касательно к чему? Перед ним ничего нет.</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Taper (Z at the start less that at the end)</source>
+        <translation>Конус (Z в начале минус в конце)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Taper (radius at the start less that at the end)</source>
+        <translation>Конус (радиус в начале минус в конце)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Tapping</source>
+        <translation>Нарезание метчиком</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Tapping a left-hand thread</source>
+        <translation>Левая резьба метчиком</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Tapping in the face</source>
+        <translation>Нарезание метчиком в торце</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Tapping in the side</source>
+        <translation>Нарезание метчиком сбоку</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Text</source>
         <translation>Текст</translation>
@@ -1757,6 +2507,11 @@
         <location filename="../screens/restart_page.cpp"/>
         <source>The axes are free: press again</source>
         <translation>Оси свободны: ещё раз</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>The contour is complete.</source>
+        <translation>Контур определён полностью.</translation>
     </message>
     <message>
         <location filename="../machine/requests.cpp"/>
@@ -1819,6 +2574,11 @@
         <translation>Программа читается</translation>
     </message>
     <message>
+        <location filename="../app/dialogue_view.cpp"/>
+        <source>The program of L%1 waits for an answer</source>
+        <translation>Программа L%1 ждёт ответа</translation>
+    </message>
+    <message>
         <location filename="../machine/dry_run.cpp"/>
         <source>The program polyturn is not beside the HMI.</source>
         <translation>Программы polyturn нет рядом с HMI.</translation>
@@ -1874,6 +2634,16 @@
         <translation>Здесь это</translation>
     </message>
     <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>This is no number.</source>
+        <translation>Это не число.</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>This language has no cycles.</source>
+        <translation>В этом языке нет циклов.</translation>
+    </message>
+    <message>
         <location filename="../widgets/magazine.cpp"/>
         <source>This machine has no magazine: PT_TURRET_MAGAZINE and N2905 to N2922 describe it.</source>
         <translation>У этого станка нет магазина: его описывают PT_TURRET_MAGAZINE и N2905 до N2922.</translation>
@@ -1882,6 +2652,21 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>This machine has no pallets (N3300).</source>
         <translation>У этого станка нет паллет (N3300).</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Thread in several passes</source>
+        <translation>Резьба за несколько проходов</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Thread in the face</source>
+        <translation>Резьба на торце</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Thread, one pass</source>
+        <translation>Резьба, один проход</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
@@ -1932,6 +2717,21 @@
         <location filename="../screens/channel_card.cpp"/>
         <source>To go</source>
         <translation>Остаток</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>To the start: 0 not, 1 feed, 2 rapid</source>
+        <translation>К началу: 0 нет, 1 подача, 2 ускор.</translation>
+    </message>
+    <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>Too large: at most %1.</source>
+        <translation>Слишком много: не больше %1.</translation>
+    </message>
+    <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>Too small: at least %1.</source>
+        <translation>Слишком мало: не меньше %1.</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -2014,6 +2814,21 @@
         <translation>Сработал</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Turning a straight section</source>
+        <translation>Точение прямого участка</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Turning an arc</source>
+        <translation>Точение дуги</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Turning, one pass</source>
+        <translation>Точение, один проход</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Type a number, or touch it; Input takes it over.</source>
         <translation>Наберите или коснитесь числа; «Ввод» примет.</translation>
@@ -2039,7 +2854,7 @@
         <translation>Отменить</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/cycle_form_page.cpp"/>
         <source>Unit</source>
         <translation>Единица</translation>
     </message>
@@ -2069,12 +2884,12 @@
         <translation>Пользователи</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../app/dialogue_view.cpp"/>
         <source>Value</source>
         <translation>Значение</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
+        <location filename="../app/dialogue_view.cpp"/>
         <source>Variable</source>
         <translation>Переменная</translation>
     </message>
@@ -2119,6 +2934,26 @@
         <translation>Нужно</translation>
     </message>
     <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Way along X (radius)</source>
+        <translation>Путь по X (радиус)</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Way along Z</source>
+        <translation>Путь по Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fagor_forms.cpp"/>
+        <source>Way back after each peck</source>
+        <translation>Отвод после каждого шага</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/fanuc_forms.cpp"/>
+        <source>Way back or clearance of a peck</source>
+        <translation>Отвод или зазор шага</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Wear</source>
         <translation>Износ</translation>
@@ -2137,6 +2972,16 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>What</source>
         <translation>Что</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>What is told</source>
+        <translation>Что задано</translation>
+    </message>
+    <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>What it does</source>
+        <translation>Что делает</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -2167,6 +3012,11 @@
         <location filename="../screens/parameters.cpp"/>
         <source>Without effect:</source>
         <translation>Не действует:</translation>
+    </message>
+    <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>Word</source>
+        <translation>Слово</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -2202,6 +3052,11 @@
         <location filename="../screens/presetter_page.cpp"/>
         <source>Would be entered</source>
         <translation>Будет введено</translation>
+    </message>
+    <message>
+        <location filename="../screens/contour_page.cpp"/>
+        <source>Write into the program</source>
+        <translation>Записать в программу</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>
@@ -2384,6 +3239,11 @@
         <translation>всё остановлено аварией</translation>
     </message>
     <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>feed</source>
+        <translation>подача</translation>
+    </message>
+    <message>
         <location filename="../screens/system.cpp"/>
         <source>file</source>
         <translation>файл</translation>
@@ -2482,6 +3342,16 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>minutes of cutting</source>
         <translation>минуты резания</translation>
+    </message>
+    <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>mm, diameter</source>
+        <translation>мм, диаметр</translation>
+    </message>
+    <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>mm/rev</source>
+        <translation>мм/об</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>

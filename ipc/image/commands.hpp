@@ -29,6 +29,8 @@
 //   StopAfterPart                 channel, value: 1 on, 0 off
 //   WarmUp                        channel, value: seconds after which the program ends with its part; 0: no warm-up
 //   Scope                         flags: trace from 0, value: ScopeKind, object: what it is of (see ScopeChoice)
+//   DialogueValue                 channel, text: variable of the field, value
+//   DialogueKey                   channel, value: number of the key
 //   Action                        nothing but an ActionDue event with code = seq
 //   ProcessDied, ProcessStopped, ProcessContinued   object: process slot (kProcessKernel ...)
 //   EndRun                        controlled end: axes and spindles come to rest, then the kernel ends

@@ -86,7 +86,8 @@ enum class SpindleApproach : std::uint8_t { Shortest = 0, Positive, Negative, In
 enum class StopReason : std::int32_t { None = 0, M00, M01, M02, M30, End, Held, Waiting, SingleBlock, Alarm, Reset, Death,
                                        Restart,     // before the approach of a restart
                                        FirstPart,   // before a tool, in first-part mode
-                                       Retrace };   // no further back, or at the place where the way back began
+                                       Retrace,     // no further back, or at the place where the way back began
+                                       Dialogue };  // until the operator has answered what ChannelSegment::dialogue asks
 enum class ChannelState : std::uint32_t { Absent = 0, Reset, Running, Held, Waiting, ProgramStop, Ended, Interrupted, Dead };
 enum class ChannelMode : std::uint32_t { Auto = 0, Mdi, Jog, Handwheel, Reference };
 enum class RestartState : std::uint32_t { None = 0, Searching, AtBlock };   // AtBlock: what comes next is the approach
@@ -108,6 +109,8 @@ enum class ChannelEventKind : std::uint32_t {
     Resume,          // the path is held; epoch raised: interpretation goes back to the place and reads on with the values that hold
                      // now; value: serial of the block (0: none, all is executed), record: part of it, bit 32: that has begun
     HeldMdi,         // text: a block that is executed in the hold, epoch raised; the program goes on by Resume
+    DialogueValue,   // text: variable of a field of the dialogue, value: what the operator has entered
+    DialogueKey,     // value: the key that ends the dialogue; the barrier behind it follows
 };
 // Bits of ChannelEvent::record of AskResume and Resume, above the part.
 inline constexpr std::uint64_t kResumeBegun = 1ull << 32;    // it was held within the part
@@ -149,6 +152,7 @@ enum class CommandKind : std::uint32_t {
     RapidKey, WarmUp,
     Superpose,       // a handwheel adds its way to the axes of a running program
     Scope,           // what a trace of the scope records
+    DialogueValue, DialogueKey,   // answers to the dialogue of a program
 };
 
 // Of a trace of the scope. Signals are slots, inputs their numbers.

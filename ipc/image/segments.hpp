@@ -47,6 +47,7 @@ struct ChannelSegment {
     NoteHead notes;                                      // tail: SupervisorSegment::note_tail
     Snapshot<ProgramNames> programs;
     Snapshot<VariableList> variables;
+    Snapshot<Dialogue> dialogue;
     alignas(64) std::atomic<std::uint64_t> picture_first{0};  // pictures before it belong to an earlier program
     RingHead<BlockPicture, kPictures> pictures;          // nobody consumes them, the oldest are written over: ipc/image/block_pictures.hpp
     Doorbell bell;                                       // rung after pushes and when quiet; the kernel waits on it in virtual time

@@ -62,6 +62,10 @@ void ChannelRunner::cycle_start() noexcept {
             stop_reason_ = StopReason::None;
             return;
         case ChannelState::ProgramStop:
+            if (stop_reason_ == StopReason::Dialogue && !answered_) {
+                core_.alarm(Alarm::NotReady, number_, "the program waits for an answer to its dialogue");
+                return;
+            }
             if (trail_.active() || retrace_ < 0) (void)start_retrace();
             else if (!ready_to_go_on()) return;
             restart_ = RestartState::None;
@@ -73,6 +77,26 @@ void ChannelRunner::cycle_start() noexcept {
             return;
         default: return;
     }
+}
+
+void ChannelRunner::dialogue_value(double value, std::string_view variable) noexcept {
+    const bool asks = state_ == ChannelState::ProgramStop && stop_reason_ == StopReason::Dialogue;
+    constexpr std::size_t kKeptFree = 4;   // of the outbox, for the key and what a tick tells besides
+    if (!asks) core_.alarm(Alarm::NotReady, number_, "no dialogue of the program is open");
+    else if (outbox_count_ + kKeptFree > outbox_.size()) core_.alarm(Alarm::NotReady, number_, "too many answers at a time");
+    else tell(ChannelEventKind::DialogueValue, cursor_, value, variable);
+}
+
+// The answer goes to the channel first, then the path goes on: the barrier behind the stop comes after it.
+void ChannelRunner::dialogue_key(double key) noexcept {
+    if (state_ != ChannelState::ProgramStop || stop_reason_ != StopReason::Dialogue) {
+        core_.alarm(Alarm::NotReady, number_, "no dialogue of the program is open");
+        return;
+    }
+    answered_ = true;
+    cycle_start();
+    answered_ = false;
+    if (state_ == ChannelState::Running) tell(ChannelEventKind::DialogueKey, cursor_, key);
 }
 
 void ChannelRunner::begin_program(ChannelEventKind how, double value, std::uint64_t record, std::string_view text) noexcept {

@@ -310,6 +310,7 @@ bool ChannelRunner::stop(const PathRecord& r) noexcept {
     switch (reason) {
         case StopReason::M00:
         case StopReason::M01:
+        case StopReason::Dialogue:
             phase_ = Phase::Stopped;
             continue_ = false;
             stand(ChannelState::ProgramStop, reason);

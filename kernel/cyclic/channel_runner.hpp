@@ -49,6 +49,9 @@ public:
 
     // --- commands, at a tick's start ---
     void cycle_start() noexcept;
+    // The program stands at a dialogue: a value that the operator has entered, and the key that ends it.
+    void dialogue_value(double value, std::string_view variable) noexcept;
+    void dialogue_key(double key) noexcept;
     std::uint32_t look_what_start_needs() noexcept;   // ChannelStatus::start_missing, now
     StartView start_view() const noexcept;   // what the start conditions must know of it
     void feed_hold() noexcept;      // the operator: a program may put it off (#3004)
@@ -288,7 +291,7 @@ private:
     std::int32_t m_code_ = -1;
     bool begun_ = false;                   // the standing record has reported its beginning
     bool jog_in_hold_ = false, stop_after_part_ = false, ends_with_part_ = false;
-    bool hold_ = false, dead_ = false, stopped_ = false, resetting_ = false, interrupted_ = false, alarm_ = false, continue_ = false;
+    bool hold_ = false, dead_ = false, stopped_ = false, resetting_ = false, interrupted_ = false, alarm_ = false, continue_ = false, answered_ = false;
     bool skipped_ = false;                 // the signal of the last skip move came
     bool group_ended_ = false;             // kControlNoSingleBlock has ended in single block: the path is to rest here
     bool rest_reported_ = false, released_ = false, passing_ = false, judged_ = false, emergency_ = false, skipping_ = false, torque_given_ = false;

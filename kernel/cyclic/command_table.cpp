@@ -119,6 +119,8 @@ void Machine::run_command(const Command& c) noexcept {
             each_channel(c, [&](ChannelRunner& r) { r.restart(c.value, c.flags); });
             break;
         case CommandKind::Retrace: each_channel(c, [&](ChannelRunner& r) { r.retrace(on); }); break;
+        case CommandKind::DialogueValue: each_channel(c, [&](ChannelRunner& r) { r.dialogue_value(c.value, text_of(c)); }); break;
+        case CommandKind::DialogueKey: each_channel(c, [&](ChannelRunner& r) { r.dialogue_key(c.value); }); break;
         case CommandKind::FirstPart: key(kKeyFirstPart); break;
         case CommandKind::ProgramWheel: program_wheel(c.channel, on); break;
         case CommandKind::StoreValue:

@@ -82,7 +82,7 @@ constexpr const char* kPressWords =
     "  jog A3+ 0.5s   step A3- 0.01   handwheel 1 A3 +120   reference A3|all\n"
     "  feed_override L1=50   rapid_override L1=25   spindle_override S1=80\n"
     "  single_block L1=on   optional_stop L1=on   block_skip L1=1   dry_run L1=on   machine_lock L1=on\n"
-    "  restart L1=N120 L2=N340   retrace L1=on   jog_in_hold L1   return L1   ignore_waits L2=on   stop_after_part\n  rapid_key L1=on   first_part L1=on   warm_up L1=600   program_wheel L1=on   superpose L1=on\n";
+    "  restart L1=N120 L2=N340   retrace L1=on   jog_in_hold L1   return L1   ignore_waits L2=on   stop_after_part\n  rapid_key L1=on   first_part L1=on   warm_up L1=600   program_wheel L1=on   superpose L1=on\n  answer L1 #500=12.5 key=1\n";
 
 }  // namespace
 
@@ -112,7 +112,9 @@ CommandLine read_command_line(int argc, char** argv) {
     press->footer(tell("What can be pressed:") + "\n" + kPressWords + tell(kExitStatus));
     CLI::App* set = app.add_subcommand("set", tell("Forces a PLC signal, register, input or drive fault, or sets a parameter: 'AP_SYNCR A3=1'"))->prefix_command();
     CLI::App* release = app.add_subcommand("release", tell("Gives a forced signal back to the PLC: 'AP_SYNCR A3'"))->prefix_command();
-    for (CLI::App* one : {press, set, release}) one->add_option("--instance", line.instance, tell("the controller; default polyturn"));
+    CLI::App* dialogue = app.add_subcommand("dialogue", tell("What programs ask the operator; with words: the answer, 'L1 #500=12.5 key=1'"))->prefix_command();
+    dialogue->add_flag("--json", line.json, tell("for programs"));
+    for (CLI::App* one : {press, set, release, dialogue}) one->add_option("--instance", line.instance, tell("the controller; default polyturn"));
 
     CLI::App* status = app.add_subcommand("status", tell("What runs, and what it does"));
     CLI::App* alarms = app.add_subcommand("alarms", tell("The alarms since the controller was started"));
@@ -183,6 +185,7 @@ CommandLine read_command_line(int argc, char** argv) {
                 line.verb = Verb::None;
             }
         }
+    if (*dialogue) line.verb = Verb::Dialogue, take_words(*dialogue, line);
     if (*params) {
         line.verb = Verb::Params;
         for (CLI::App* one : actions)

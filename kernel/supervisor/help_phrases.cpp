@@ -7,6 +7,8 @@ namespace polyturn::supervisor {
 namespace {
 
 constexpr auto kHelp = std::to_array<Phrase>({
+    {"What programs ask the operator; with words: the answer, 'L1 #500=12.5 key=1'", "Что программы спрашивают у оператора; со словами: ответ, 'L1 #500=12.5 key=1'",
+     "Na co se programy ptají obsluhy; se slovy: odpověď, 'L1 #500=12.5 key=1'", "Mit kérdeznek a programok a kezelőtől; szavakkal: a válasz, 'L1 #500=12.5 key=1'"},
     {"Exit status: 0 done; 1 the job ended with an alarm; 2 wrong usage or unreadable input.",
      "Код завершения: 0 выполнено; 1 задание закончилось аварией; 2 неверный вызов или нечитаемый ввод.",
      "Návratový kód: 0 hotovo; 1 úloha skončila poruchou; 2 chybné použití nebo nečitelný vstup.",

@@ -4,6 +4,7 @@
 #include "kernel/supervisor/ask_verbs.hpp"
 #include "kernel/supervisor/bench.hpp"
 #include "kernel/supervisor/check.hpp"
+#include "kernel/supervisor/dialogue_verb.hpp"
 #include "kernel/supervisor/options.hpp"
 #include "kernel/supervisor/params_verb.hpp"
 #include "kernel/supervisor/run.hpp"
@@ -29,6 +30,8 @@ int main(int argc, char** argv) {
             return show_status(line);
         case Verb::Alarms:
             return show_alarms(line);
+        case Verb::Dialogue:
+            return dialogue_verb(line);
         case Verb::Clean:
             return clean_up();
         case Verb::Params:

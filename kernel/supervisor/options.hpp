@@ -42,7 +42,7 @@ struct StoreOptions {
     bool incremental = false, preview = false, yes = false;
 };
 
-enum class Verb { None, Check, Run, Start, Press, Set, Release, Status, Alarms, Params, Clean, Bench, Store };
+enum class Verb { None, Check, Run, Start, Press, Set, Release, Status, Alarms, Params, Clean, Bench, Store, Dialogue };
 
 struct CommandLine {
     Verb verb = Verb::None;

@@ -35,6 +35,8 @@ constexpr auto kPhrases = std::to_array<Phrase>({
      "{} {}, L{} ({:.1f} с{}): L{} ждёт этого {:.1f} с на {}. Переданный в L{}, он экономит до {:.1f} с.",
      "{} {}, L{} ({:.1f} s{}): L{} na to čeká {:.1f} s u {}. Předáno kanálu L{} ušetří až {:.1f} s.",
      "{} {}, L{} ({:.1f} s{}): L{} {:.1f} s-ot vár rá itt: {}. L{} csatornára téve akár {:.1f} s-ot takarít meg."},
+    // dialogues
+    {"No program asks anything.\n", "Ни одна программа ничего не спрашивает.\n", "Žádný program se na nic neptá.\n", "Egy program sem kérdez semmit.\n"},
     // status
     {"{}: machine {}, {:.1f} s, {} alarms\n", "{}: станок {}, {:.1f} с, аварий {}\n", "{}: stroj {}, {:.1f} s, poruch {}\n", "{}: gép {}, {:.1f} s, {} hiba\n"},
     {"no program", "нет программы", "bez programu", "nincs program"},

@@ -41,6 +41,7 @@ enum class Form {
     Reference,       // reference A3, reference all
     Restart,         // restart L1=N120 L2=N340
     Scope,           // scope 1 measured A3, scope 1 off
+    Answer,          // answer L1 #500=12.5 #501=3 key=1
 };
 
 struct PressWord {
@@ -85,6 +86,7 @@ constexpr PressWord kWords[] = {
     {"first_part", CommandKind::FirstPart, Form::ChannelOnOff, "first_part L1=on"},
     {"warm_up", CommandKind::WarmUp, Form::ChannelSeconds, "warm_up L1=600 (seconds; 0: none)"},
     {"scope", CommandKind::Scope, Form::Scope, kScopeShape},
+    {"answer", CommandKind::DialogueKey, Form::Answer, "answer L1 [VARIABLE=VALUE ...] [key=NUMBER]"},
     {"stop_after_part", CommandKind::StopAfterPart, Form::Alone, "stop_after_part"},
 };
 
@@ -136,8 +138,8 @@ public:
                 return each_assignment('L', [&](Command& c, std::string_view value) { return level(c, value); });
             case Form::Restart:
                 return restart();
-            case Form::Scope:
-                return scope();
+            case Form::Scope: return scope();
+            case Form::Answer: return answer();
             case Form::Select:
                 return select();
             case Form::Mdi:
@@ -265,6 +267,30 @@ private:
         std::uint32_t set = 0;
         for (const Command& command : *out) set |= 1u << (command.channel - 1);
         for (Command& command : *out) command.flags = set;
+        return out;
+    }
+
+    // What a dialogue of the program is answered: values of its fields, the key that ends it last.
+    Result<Commands> answer() {
+        constexpr std::size_t kMostAtOnce = 10;
+        if (parts_.size() < 2) return shape();
+        const std::uint32_t channel = instance(parts_[0], 'L');
+        if (!channel) return why();
+        if (parts_.size() - 1 > kMostAtOnce) return fault(Alarm::PressArgument, fmt::format("more than {} answers at a time", kMostAtOnce));
+        Commands out;
+        for (std::size_t i = 1; i < parts_.size(); ++i) {
+            const auto equals = parts_[i].rfind('=');
+            if (equals == std::string_view::npos || equals == 0) return shape();
+            const std::string_view name = parts_[i].substr(0, equals);
+            const auto number = number_of(parts_[i].substr(equals + 1));
+            const bool ends = name == "key";
+            if (!number || (ends && (i + 1 != parts_.size() || *number < 1 || *number != std::floor(*number)))) return shape();
+            Command command = command_of(ends ? CommandKind::DialogueKey : CommandKind::DialogueValue);
+            command.channel = channel;
+            command.value = *number;
+            if (!ends && !put_text(command, name)) return too_long(name);
+            out.push_back(command);
+        }
         return out;
     }
 

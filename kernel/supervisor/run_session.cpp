@@ -43,6 +43,8 @@ std::string_view reason_text(StopReason reason) {
             return "first_part";
         case StopReason::Retrace:
             return "retrace";
+        case StopReason::Dialogue:
+            return "dialogue";
         default:
             return "end";
     }

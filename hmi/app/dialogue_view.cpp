@@ -1,0 +1,136 @@
+#include "hmi/app/dialogue_view.hpp"
+
+#include <QKeyEvent>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "hmi/machine/channel_words.hpp"
+
+namespace polyturn::hmi {
+namespace {
+
+constexpr std::size_t kNote = 64, kKey = 32;
+constexpr unsigned kDecimals = 4;
+
+}  // namespace
+
+DialogueView::DialogueView(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), head_(new FreeSheet(this)), table_(new Table(this)), pad_(new NumberPad(this)) {
+    setAutoFillBackground(true);
+    hide();
+    table_->rowUnits = 46, table_->textUnits = 18;
+    table_->rows = [this] { return static_cast<int>(asksValues() ? page_.field_count : pageKeys().size()); };
+    table_->cell = [this](int row, int column) -> Table::Cell {
+        const Theme& t = theme();
+        if (!asksValues()) {
+            const Key key = pageKeys()[static_cast<std::size_t>(row)];
+            return column == 0 ? Table::Cell{QString::number(key.number), t.accent, Sign::None, true} : column == 1 ? Table::Cell{key.text} : Table::Cell{};
+        }
+        const DialogueField& field = page_.fields[static_cast<std::size_t>(row)];
+        if (column == 0) return {QString::fromUtf8(field.variable.data()), t.dim};
+        if (column == 1) return {QString::fromUtf8(field.name.data()), t.text};
+        return {std::isfinite(field.value) ? lengthText(field.value, kDecimals) : QString::fromUtf8("–"), t.accent, Sign::None, true};
+    };
+    table_->onChosen = [this] { pad_->clear(); };
+    table_->onActivated = [this] {
+        const auto keys = pageKeys();
+        if (!asksValues() && static_cast<std::size_t>(table_->row()) < keys.size()) answer(keys[static_cast<std::size_t>(table_->row())].number);
+    };
+    pad_->field = [this]() -> std::optional<NumberPad::Field> {
+        const auto row = static_cast<std::size_t>(std::max(0, table_->row()));
+        if (!channel_ || row >= page_.field_count) return std::nullopt;
+        const DialogueField& field = page_.fields[row];
+        return NumberPad::Field{QString::fromUtf8(field.name.data()), QString::fromUtf8(field.variable.data()), std::isfinite(field.value) ? field.value : 0.0, kDecimals};
+    };
+    pad_->onInput = [this](double value) {
+        const auto row = static_cast<std::size_t>(table_->row());
+        if (row >= page_.field_count) return;
+        desk_.requests.press(QString("answer L%1 %2=%3").arg(channel_).arg(QString::fromUtf8(page_.fields[row].variable.data())).arg(value, 0, 'g', 12));
+        if (row + 1 < page_.field_count) table_->choose(static_cast<int>(row) + 1);
+        refresh();
+    };
+    head_->onCompose = [this](Writer& w) {
+        const Theme& t = theme();
+        w.fill(QRectF(0, 0, head_->width(), head_->height()), t.window);
+        w.sign(QRectF(px(14), px(12), px(26), px(26)), Sign::Note, t.accent);
+        w.data(QRectF(px(52), px(4), head_->width() * 0.45, px(42)), title(), lettering(22, true), t.text);
+        w.text(QRectF(head_->width() * 0.5, px(4), head_->width() * 0.5 - px(12), px(42)), channel_ ? word("The program of L%1 waits for an answer").arg(channel_) : QString(), lettering(15.5), t.warn, Qt::AlignRight | Qt::AlignVCenter);
+        double y = px(48);
+        for (std::size_t i = 0; i < page_.note_count && y + px(22) < head_->height(); ++i, y += px(22))
+            w.data(QRectF(px(52), y, head_->width() - px(64), px(22)), QString::fromUtf8(&page_.notes[i * kNote]), lettering(15), t.dim);
+    };
+}
+
+std::vector<DialogueView::Key> DialogueView::pageKeys() const {
+    std::vector<Key> out;
+    for (std::size_t k = 0; k < page_.keys.size() / kKey; ++k)
+        if (page_.keys[k * kKey]) out.push_back({static_cast<int>(k + 1), QString::fromUtf8(&page_.keys[k * kKey])});
+    return out;
+}
+
+bool DialogueView::follow() {
+    unsigned found = 0;
+    auto next = std::make_unique<Dialogue>();
+    for (const unsigned channel : desk_.live.channels())
+        if (desk_.live.dialogue(channel, *next) && (!found || channel == desk_.channel)) found = channel;
+    if (!found) {
+        channel_ = 0, serial_ = 0;
+        return false;
+    }
+    if (!desk_.live.dialogue(found, *next)) return false;
+    const bool fresh = found != channel_ || next->serial != serial_;
+    page_ = *next;
+    channel_ = found, serial_ = page_.serial;
+    if (fresh) {
+        table_->columns = asksValues() ? std::vector<Table::Column>{{word("Variable"), 0.8}, {word("Name"), 1.6}, {word("Value"), 1.2, Qt::AlignRight | Qt::AlignVCenter}}
+                                       : std::vector<Table::Column>{{word("Number"), 0.6}, {word("Name"), 3}};
+        table_->choose(0);
+        pad_->clear();
+    }
+    return fresh;
+}
+
+void DialogueView::answer(int key) {
+    if (channel_) desk_.requests.press(QString("answer L%1 key=%2").arg(channel_).arg(key));
+}
+
+void DialogueView::refresh() {
+    for (Sheet* one : sheets()) one->refresh();
+}
+
+std::vector<SoftKey> DialogueView::keys() {
+    std::vector<SoftKey> out;
+    for (const Key& key : pageKeys()) {
+        if (out.size() == 9) break;   // the others stand in the list
+        out.push_back({key.text, [this, number = key.number] { answer(number); }, Sign::Run, channel_ != 0});
+    }
+    out.resize(9);
+    out.push_back({word("Later"), [this] { hide(); if (desk_.keysChanged) desk_.keysChanged(); }, Sign::Left, true});
+    return out;
+}
+
+bool DialogueView::key(QKeyEvent* event) {
+    if (asksValues() && pad_->key(event)) return true;
+    if (event->key() == Qt::Key_Escape) {
+        hide();
+        if (desk_.keysChanged) desk_.keysChanged();
+        return true;
+    }
+    // A pattern by its number.
+    if (!asksValues() && event->text().size() == 1 && event->text()[0].isDigit()) {
+        const auto keys = pageKeys();
+        for (std::size_t i = 0; i < keys.size(); ++i)
+            if (keys[i].number == event->text().toInt()) return table_->choose(static_cast<int>(i)), refresh(), true;
+    }
+    return table_->key(event);
+}
+
+void DialogueView::resizeEvent(QResizeEvent*) {
+    const int edge = px(8), head = px(48 + 22 * 8), pad = px(350);
+    const int top = page_.note_count ? px(48) + px(22) * static_cast<int>(page_.note_count) + edge : px(52);
+    head_->setGeometry(0, 0, width(), std::min(head, top));
+    table_->setGeometry(edge, top, width() - pad - 3 * edge, height() - top - edge);
+    pad_->setGeometry(width() - pad - edge, top, pad, std::min(px(400), height() - top - edge));
+}
+
+}  // namespace polyturn::hmi

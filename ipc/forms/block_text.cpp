@@ -1,0 +1,142 @@
+#include "ipc/forms/block_text.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+namespace polyturn::forms {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+char capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; }
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+}  // namespace
+
+std::optional<double> plain_number(std::string_view text) {
+    bool digit = false, point = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (is_digit(text[i])) digit = true;
+        else if (text[i] == '.' && !point) point = true;
+        else if (!((text[i] == '+' || text[i] == '-') && i == 0)) return std::nullopt;
+    }
+    if (!digit) return std::nullopt;
+    double value = 0.0;
+    const std::size_t sign = text[0] == '+' || text[0] == '-' ? 1 : 0;
+    std::from_chars(text.data() + sign, text.data() + text.size(), value);
+    return text[0] == '-' ? -value : value;
+}
+
+std::string number_text(double value, int decimals, bool with_point) {
+    char buffer[64];
+    std::snprintf(buffer, sizeof buffer, "%.*f", decimals, value);
+    std::string out = buffer;
+    if (out.find('.') != std::string::npos) {
+        while (out.back() == '0') out.pop_back();
+        if (out.back() == '.' && !with_point) out.pop_back();
+    } else if (with_point) {
+        out += '.';
+    }
+    if (out == "-0" || out == "-0.") out.erase(0, 1);
+    return out;
+}
+
+BlockText::BlockText(std::string line, Notation notation) : line_(std::move(line)), notation_(notation) { read(); }
+
+// One pass; what is neither word nor comment makes the block one that no form may touch.
+void BlockText::read() {
+    words_.clear();
+    plain_ = true;
+    std::size_t i = 0;
+    const std::size_t n = line_.size();
+    while (i < n) {
+        const char c = line_[i];
+        if (is_blank(c)) {
+            ++i;
+        } else if (c == ';') {
+            if (notation_ == Notation::Family)   // what follows is another block
+                for (std::size_t k = i + 1; k < n; ++k) plain_ = plain_ && is_blank(line_[k]);
+            return;
+        } else if (c == '(' && notation_ == Notation::Family) {
+            const std::size_t end = line_.find(')', i);
+            if (end == std::string::npos) return void(plain_ = false);
+            i = end + 1;
+        } else if (c == '/') {
+            ++i;
+            while (i < n && is_digit(line_[i])) ++i;
+        } else if (is_letter(c)) {
+            TextWord word;
+            word.address = capital(c);
+            word.from = i++;
+            while (i < n && is_blank(line_[i])) ++i;
+            word.value_from = i;
+            const bool variable = i < n && (line_[i] == '#' || line_[i] == '[' || ((line_[i] == '-' || line_[i] == '+') && i + 1 < n && (line_[i + 1] == '#' || line_[i + 1] == '[')));
+            if (variable && notation_ == Notation::Family) {
+                int depth = 0;
+                while (i < n) {
+                    if (line_[i] == '[') ++depth;
+                    if (line_[i] == ']') --depth;
+                    const char d = line_[i];
+                    if (depth == 0 && d != ']' && !(d == '#' || is_digit(d) || ((d == '-' || d == '+') && i == word.value_from))) break;
+                    ++i;
+                    if (depth == 0 && d == ']') break;
+                }
+                plain_ = plain_ && depth == 0;
+            } else if (notation_ == Notation::Fagor && i < n && (capital(line_[i]) == 'P' || (line_[i] == '-' && i + 1 < n && capital(line_[i + 1]) == 'P')) && word.address != 'N') {
+                i += line_[i] == '-' ? 2 : 1;
+                const std::size_t digits = i;
+                while (i < n && is_digit(line_[i])) ++i;
+                plain_ = plain_ && i > digits;
+            } else {
+                while (i < n && (is_digit(line_[i]) || line_[i] == '.' || ((line_[i] == '-' || line_[i] == '+') && i == word.value_from))) ++i;
+            }
+            word.to = i;
+            word.value = line_.substr(word.value_from, i - word.value_from);
+            const auto number = plain_number(word.value);
+            word.plain = number.has_value();
+            word.number = number.value_or(0.0);
+            word.has_point = word.plain && word.value.find('.') != std::string::npos;
+            if (word.value.empty()) plain_ = false;
+            words_.push_back(std::move(word));
+        } else {
+            return void(plain_ = false);
+        }
+    }
+}
+
+const TextWord* BlockText::find(char address) const {
+    for (const TextWord& word : words_)
+        if (word.address == address) return &word;
+    return nullptr;
+}
+
+bool BlockText::has_code(std::string_view code) const {
+    if (code.empty() || !plain_) return false;
+    const auto number = plain_number(code.substr(1));
+    for (const TextWord& word : words_)
+        if (word.address == code[0] && word.plain && number && std::fabs(word.number - *number) < 1e-9) return true;
+    return false;
+}
+
+void BlockText::set(char address, const std::string& value) {
+    if (const TextWord* word = find(address)) {
+        line_.replace(word->value_from, word->to - word->value_from, value);
+    } else {
+        std::size_t at = words_.empty() ? line_.size() : words_.back().to;
+        line_.insert(at, std::string(at > 0 && !is_blank(line_[at - 1]) ? " " : "") + address + value);
+    }
+    read();
+}
+
+void BlockText::erase(char address) {
+    const TextWord* word = find(address);
+    if (!word) return;
+    std::size_t from = word->from, to = word->to;
+    if (from > 0 && is_blank(line_[from - 1])) --from;             // one blank goes with it
+    else if (to < line_.size() && is_blank(line_[to])) ++to;
+    line_.erase(from, to - from);
+    read();
+}
+
+}  // namespace polyturn::forms

@@ -1,0 +1,114 @@
+// The forms say what the interpreters do: every cycle that a language has is a form, with the words that the code takes and no others, and
+// the values that a new form proposes make blocks without a fault.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "channels/fagor/g_codes.hpp"
+#include "channels/fanuc/g_codes.hpp"
+#include "ipc/forms/cycle_block.hpp"
+#include "tests/unit/channels/play.hpp"
+
+namespace polyturn::channels {
+namespace {
+
+using forms::Form;
+
+std::string letters_of(const Form& form) {
+    std::string out;
+    for (const forms::Field& field : form.fields) {
+        if (out.find(field.address) == std::string::npos) out += field.address;
+        if (field.increment && out.find(field.increment) == std::string::npos) out += field.increment;
+    }
+    return out;
+}
+
+TEST(Forms, OfTheFanucFamilyTakeWhatTheCodesTake) {
+    using namespace fanuc;
+    const std::pair<forms::Speaks, GSystem> kSystems[] = {{forms::kFanucA, kA}, {forms::kFanucBC, kB}, {forms::kFanucBC, kC}, {forms::kSeries15A, kA}, {forms::kSeries15BC, kB}, {forms::kNct, kN}};
+    for (const Form& form : forms::fanuc_forms())
+        for (const auto& [speaks, system] : kSystems) {
+            if (!(form.speaks & speaks)) continue;
+            const GCode* row = GTable(system).find(static_cast<std::uint32_t>(std::lround(std::stod(std::string(form.code.substr(1))) * 10)));
+            ASSERT_TRUE(row && row->act) << form.code;
+            EXPECT_EQ(row->name, form.code);
+            for (const char letter : letters_of(form))
+                if (!std::strchr("FXZUWCH", letter)) EXPECT_NE(row->takes.find(letter), std::string_view::npos) << form.code << ' ' << letter;
+        }
+}
+
+// G70 to G79 and the drilling cycles of each system: none is without a form.
+TEST(Forms, OfTheFanucFamilyLeaveNoCycleOut) {
+    using namespace fanuc;
+    const auto is_cycle = [](const GCode& row, bool nct) {
+        const unsigned n = row.tenths;
+        if (row.group == GGroup::Drilling && n != 800) return n != 861 && !(nct && (n == 870 || n == 880));   // fine boring, back boring: no turning work
+        return (n >= 700 && n <= 790 && row.group != GGroup::Zero) || (row.systems == kA && (n == 900 || n == 920 || n == 940));
+    };
+    for (const GCode& row : g_codes()) {
+        for (const auto& [system, speaks] : {std::pair{kA, forms::kFanucA | forms::kSeries15A}, {kB, forms::kFanucBC | forms::kSeries15BC}, {kN, int{forms::kNct}}}) {
+            if (!(row.systems & system) || !row.act || !is_cycle(row, system == kN)) continue;
+            if (system != kN && row.tenths == 860) continue;   // fanuc lathes have none
+            bool found = false;
+            for (const Form& form : forms::fanuc_forms()) found = found || (form.code == row.name && (form.speaks & speaks));
+            EXPECT_TRUE(found) << row.name << " of system " << static_cast<int>(system);
+        }
+    }
+}
+
+TEST(Forms, OfFagorTakeWhatTheCodesTake) {
+    for (const fagor::GCode& row : fagor::g_codes()) {
+        if (row.group != fagor::GGroup::Cycle) continue;
+        const Form* found = nullptr;
+        for (const Form& form : forms::fagor_forms())
+            if (form.code == "G" + std::to_string(row.number)) found = &form;
+        ASSERT_TRUE(found) << row.number;
+        std::string takes(row.takes), has = letters_of(*found);
+        std::sort(takes.begin(), takes.end()), std::sort(has.begin(), has.end());
+        EXPECT_EQ(has, takes) << row.number;
+    }
+}
+
+// The proposals, as one would write them: a start beside the part, a contour where the cycle wants one.
+void play_proposals(const forms::Dialect& dialect, const std::string& language, const std::vector<std::string>& sets) {
+    forms::each_form(dialect, [&](const Form& form) {
+        const bool fagor = language == "fagor";
+        const std::string start = form.picture == forms::Picture::Groove || form.picture == forms::Picture::GrooveFace ? "X46. Z-10." : form.picture == forms::Picture::DrillSide || form.picture == forms::Picture::TapSide || form.picture == forms::Picture::BoreSide ? "X46. Z-10." : "X46. Z3.";
+        std::vector<std::string> lines{fagor ? "G95 G0 X46 Z3 S1000 M3" : std::string(language == "nct" || dialect.speaks & (forms::kFanucBC | forms::kSeries15BC) ? "G95 G98" : "G99") + " G97 S1000 M3", fagor ? (start == "X46. Z3." ? "F0.2" : "G0 X46 Z-10 F0.2") : "G0 " + start};
+        if (fagor) lines.insert(lines.begin(), {"%1", "T1 D1"});
+        const int at = static_cast<int>(lines.size());
+        lines.push_back(fagor ? "G0 X80 Z20" : "G0 X80. Z20.");
+        const bool contour = form.picture == forms::Picture::Roughing || form.picture == forms::Picture::FaceRoughing || form.picture == forms::Picture::Pattern || form.picture == forms::Picture::Finishing;
+        const bool facing = form.picture == forms::Picture::FaceRoughing;
+        const std::vector<std::string> kContour = fagor ? std::vector<std::string>{"N100 G1 X20 Z-10", "G1 X40 Z-20", "N200 G1 X44 Z-30"}
+                                                : facing ? std::vector<std::string>{"N100 G0 Z-20.", "G1 X40. F0.1", "Z-10.", "N200 X20. Z0."}
+                                                         : std::vector<std::string>{"N100 G0 X20.", "G1 Z-10. F0.1", "X40. Z-20.", "N200 Z-30."};
+        if (fagor) lines.push_back("M30");
+        if (contour) lines.insert(lines.end() - (fagor ? 0 : 1), kContour.begin(), kContour.end());
+        if (!fagor) lines.push_back("M30");
+        forms::CycleBlock cycle = forms::new_cycle(form);
+        EXPECT_TRUE(forms::is_good(forms::check_cycle(cycle))) << form.code;
+        forms::apply_changes(lines, forms::write_cycle(lines, forms::CycleBlock{&form, {}, {-1, -1}}, cycle, at, dialect));
+        std::string text;
+        for (const std::string& line : lines) text += line + "\n";
+        testing::Play how;
+        how.language = language;
+        how.sets = sets;
+        const testing::Played played = testing::play(text, how);
+        EXPECT_EQ(played.errors, 0u) << language << ' ' << form.code << "\n" << text << played.find({"\"alarm\""});
+        EXPECT_TRUE(played.has({"\"move\"", "\"cycle\""})) << language << ' ' << form.code << "\n" << text;
+    });
+}
+
+TEST(Forms, WhatFanucProposesRuns) {
+    play_proposals({forms::kFanucA, true, 0.001}, "fanuc", {});
+    play_proposals({forms::kFanucBC, true, 0.001}, "fanuc", {"F3401#6=1"});
+    play_proposals({forms::kSeries15A, true, 0.001}, "fanuc", {"F0001#1=1"});
+}
+TEST(Forms, WhatNctProposesRuns) { play_proposals({forms::kNct, true, 0.001}, "nct", {}); }
+TEST(Forms, WhatFagorProposesRuns) { play_proposals({forms::kFagor, false, 0.001}, "fagor", {}); }
+
+}  // namespace
+}  // namespace polyturn::channels

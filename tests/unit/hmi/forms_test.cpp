@@ -1,0 +1,172 @@
+// Cycle forms and the contour calculator over the editor, by touch and keys, without a machine; and that every field has its place in the picture.
+#include <QFile>
+
+#include "hmi/screens/contour_page.hpp"
+#include "hmi/screens/cycle_form_page.hpp"
+#include "hmi/screens/programs.hpp"
+#include "tests/unit/hmi/controller.hpp"
+#include "tests/unit/hmi/screen_checks.hpp"
+
+namespace polyturn::hmi {
+namespace {
+
+constexpr const char* kProgram =
+    "O0007 (shaft)\n"
+    "N10 G99 G97 S900 M3\n"
+    "G0 X62. Z2.\n"
+    "G71 U2. R0.5 (roughing)\n"
+    "G71 P100 Q200 U0.4 W0.1 F0.25 M8\n"
+    "N100 G0 X20.\n"
+    "G1 Z-20. F0.1\n"
+    "N200 X62.\n"
+    "M30\n";
+
+class Forms : public ::testing::Test {
+protected:
+    void SetUp() override {
+        QFile file(path());
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(kProgram);
+        file.close();
+        Choices choices;
+        choices.instance = "hmi-test-nobody";
+        choices.language = "en", choices.theme = "dark";
+        window = std::make_unique<MainWindow>(choices);
+        window->resize(1280, 800);
+        window->show();
+        for (Screen* one : window->screens())
+            if (auto* found = dynamic_cast<Programs*>(one)) programs = found;
+        ASSERT_TRUE(programs);
+        programs->restore("0|" + path());
+        hand = std::make_unique<Operator>(*window);
+        hand->screen("programs");
+        hand->soft("Edit");
+        ASSERT_EQ(editor().file(), path());
+    }
+    void TearDown() override { waitFor([this] { return !editor().checking(); }, 20); }
+    QString path() const { return folder.filePath("O0007.nc"); }
+    EditorPage& editor() const { return programs->editor(); }
+    QString text() const { return editor().edit().toPlainText(); }
+    void cursor(int line) const { editor().edit().setTextCursor(QTextCursor(editor().edit().document()->findBlockByNumber(line))); }
+
+    QTemporaryDir folder;
+    std::unique_ptr<MainWindow> window;
+    Programs* programs = nullptr;
+    std::unique_ptr<Operator> hand;
+};
+
+TEST_F(Forms, ACycleIsReadChangedAndWrittenBack) {
+    cursor(4);
+    hand->soft("Cycle form");
+    CycleFormPage& form = editor().form();
+    ASSERT_TRUE(form.cycle());
+    EXPECT_EQ(form.cycle()->form->code, "G71");
+    hand->touchCell(form.table(), 4, 2);              // U of the second block
+    hand->type("0.6");
+    hand->key(Qt::Key_Return);
+    EXPECT_DOUBLE_EQ(form.cycle()->values[4].number, 0.6);
+    EXPECT_EQ(form.table().row(), 5) << "the next field is chosen";
+    hand->key(Qt::Key_Delete);                        // no allowance along Z
+    noWordIsShortened(*window);
+    hand->soft("Write into the program");
+    EXPECT_EQ(text(), QString(kProgram).replace("U0.4 W0.1 F0.25 M8", "U0.6 F0.25 M8"));
+    hand->soft("Undo");
+    EXPECT_EQ(text(), kProgram) << "one step back";
+}
+
+TEST_F(Forms, AFaultStandsAtItsFieldAndIsNotWritten) {
+    cursor(3);
+    hand->soft("Cycle form");
+    CycleFormPage& form = editor().form();
+    hand->touchCell(form.table(), 0, 2);
+    hand->type("0"), hand->key(Qt::Key_Return);
+    EXPECT_FALSE(form.faultText(0).isEmpty());
+    QTest::qWait(60);
+    for (const SoftKey& key : window->softKeys().keys()) EXPECT_FALSE(key.text == "Write into the program" && key.enabled);
+    hand->type("50/20"), hand->key(Qt::Key_Return);
+    EXPECT_TRUE(form.faultText(0).isEmpty());
+    hand->soft("Write into the program");
+    EXPECT_TRUE(text().contains("G71 U2.5 R0.5 (roughing)\n"));
+}
+
+TEST_F(Forms, ANewCycleComesFromTheList) {
+    cursor(8);                                        // before M30
+    hand->soft("Cycle form");
+    CycleFormPage& form = editor().form();
+    ASSERT_TRUE(form.choosing());
+    for (int row = 0; row < 30 && form.choosing(); ++row) {
+        form.table().choose(row);
+        if (form.table().cell(row, 0).text == "G76") hand->touchCell(form.table(), row, 1);   // chosen already: the second touch
+    }
+    ASSERT_FALSE(form.choosing());
+    hand->soft("Write into the program");
+    EXPECT_EQ(text(), QString(kProgram).replace("M30\n", "G76 P021060 Q50 R0.02\nG76 X17.55 Z-20. P1227 Q300 F2.\nM30\n"));
+    EXPECT_TRUE(waitFor([&] { return !editor().checking(); }, 20));
+    EXPECT_TRUE(editor().faults().empty()) << (editor().faults().empty() ? "" : editor().faults()[0].text.toStdString());
+}
+
+TEST_F(Forms, AContourIsEnteredChosenWrittenAndReadBack) {
+    cursor(8);
+    hand->soft("Contour");
+    ContourPage& page = editor().contour();
+    const auto datum = [&](const char* name, const char* value) {
+        const int row = page.rowOf(name);
+        ASSERT_GE(row, 0) << name;
+        page.data().choose(row);
+        hand->type(value), hand->key(Qt::Key_Return);
+    };
+    datum("X", "20");                                 // the start: a diameter
+    datum("G", "1");
+    hand->soft("Add a line");
+    datum("A", "180");
+    EXPECT_EQ(page.solved().states[0], contour::State::Open);
+    hand->soft("Add an arc G2");
+    datum("R", "8");
+    datum("Z", "-30");
+    datum("X", "32");
+    datum("T", "1");
+    ASSERT_TRUE(page.solved().complete());
+    ASSERT_EQ(page.solved().choices.size(), 1u);
+    const auto before = page.solved().pieces.back().centre;
+    const auto place = page.picture().placeOf(0, 1);
+    ASSERT_TRUE(place);
+    QTest::mouseClick(&page.picture(), Qt::LeftButton, {}, place->toPoint());
+    EXPECT_GT(std::abs(page.solved().pieces.back().centre.z - before.z), 1.0) << "the other solution";
+    noWordIsShortened(*window);
+    hand->soft("Write into the program");
+    const QString written = text();
+    EXPECT_TRUE(written.startsWith(QString(kProgram).left(QString(kProgram).indexOf("M30"))));
+    EXPECT_TRUE(written.endsWith("(CONTOUR END)\nM30\n")) << written.toStdString();
+    EXPECT_TRUE(written.contains("(CONTOUR DIA Z0 X20 G1)\n(LINE A180)\n(CW T Z-30 X32 R8 SOL1)\n(BLOCKS)\nG1 X20. Z0.\n")) << written.toStdString();
+    EXPECT_TRUE(written.contains("G2 X32. Z-30. R8.\n")) << written.toStdString();
+    EXPECT_TRUE(waitFor([&] { return !editor().checking(); }, 20));
+    EXPECT_TRUE(editor().faults().empty()) << (editor().faults().empty() ? "" : editor().faults()[0].text.toStdString());
+    // Read back from one of its blocks, and taken further.
+    cursor(static_cast<int>(written.left(written.indexOf("G2 X32")).count('\n')));
+    hand->soft("Contour");
+    ASSERT_EQ(page.description().contour.elements.size(), 2u);
+    EXPECT_EQ(page.description().contour.elements[1].solution, 1);
+    page.elements().choose(2);
+    hand->soft("Add a line");
+    datum("dZ", "-5"), datum("dX", "0");
+    hand->soft("Write into the program");
+    EXPECT_TRUE(text().contains("G2 X32. Z-30. R8.\nG1 Z-35.\n(CONTOUR END)\nM30\n")) << text().toStdString();
+    EXPECT_EQ(text().count("CONTOUR END"), 1);
+}
+
+TEST(CyclePictures, HaveAPlaceForEveryField) {
+    for (const auto table : {forms::fanuc_forms(), forms::fagor_forms()})
+        for (const forms::Form& form : table) {
+            const Scene scene = sceneOf(form.picture);
+            EXPECT_FALSE(scene.part.isEmpty() || scene.paths.empty()) << form.code;
+            for (const forms::Field& field : form.fields) {
+                const bool found = field.mark == forms::Mark::None || std::any_of(scene.dims.begin(), scene.dims.end(), [&](const SceneDim& dim) { return dim.mark == field.mark; });
+                EXPECT_TRUE(found) << form.title << ": " << field.address << ' ' << field.meaning;
+            }
+            for (const SceneDim& dim : scene.dims)
+                for (const QPointF p : {dim.from, dim.to}) EXPECT_TRUE(p.x() >= 0 && p.x() <= kSceneWidth && p.y() >= 0 && p.y() <= kSceneHeight) << form.title;
+        }
+}
+
+}  // namespace
+}  // namespace polyturn::hmi
