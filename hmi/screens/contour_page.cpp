@@ -60,7 +60,8 @@ contour::Writing contourWriting(const Live& live, unsigned channel, const QStrin
     out.language = language == "sinumerik" ? Language::Sinumerik : language == "fagor" ? Language::Fagor : Language::Family;
     if (live.connected())
         for (std::size_t i = 0; i < live.config().last_axis; ++i)
-            if (const auto& axis = live.config().axes[i]; axis.exists() && axis.channel == channel && axis.name_text() == "X") out.diameter = axis.diameter, out.decimals = std::clamp(static_cast<int>(axis.decimals()), 1, 6);
+            if (const auto& axis = live.config().axes[i]; axis.exists() && axis.channel == channel && axis.name_text() == "X") out.diameter = axis.diameter;
+    if (live.connected()) out.decimals = std::clamp(static_cast<int>(live.config().channel(channel).decimals()), 1, 6);
     const params::Table& t = live.table();
     const bool system_a = language == "fanuc" && !params::bit(t, params::f3401, channel, 6) && !params::bit(t, params::f3401, channel, 7);
     out.says_absolute = !system_a;

@@ -30,13 +30,7 @@ QString unitText(Unit unit) {
 forms::Dialect formDialect(const Live& live, unsigned channel, const QString& language) {
     const params::Table& t = live.table();
     const bool a = !params::bit(t, params::f3401, channel, 6) && !params::bit(t, params::f3401, channel, 7);
-    double increment = 0.001;
-    if (live.connected())
-        for (std::size_t i = 0; i < live.config().last_axis; ++i)
-            if (const auto& axis = live.config().axes[i]; axis.exists() && axis.channel == channel) {
-                increment = std::pow(10.0, -static_cast<double>(axis.decimals()));
-                break;
-            }
+    const double increment = live.connected() ? std::pow(10.0, -static_cast<double>(live.config().channel(channel).decimals())) : 0.001;
     return forms::dialect_of(language.toStdString(), a, params::bit(t, params::f0001, channel, 1), params::bit(t, params::f3401, channel, 0), increment);
 }
 

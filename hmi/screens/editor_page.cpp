@@ -282,6 +282,15 @@ void EditorPage::openContour() {
     show(contour_);
 }
 
+void EditorPage::showSample(int number) {
+    const char* const kPlaces[] = {"G71", "G0", "CONTOUR"};
+    const QTextCursor found = edit_->document()->find(kPlaces[std::clamp(number, 0, 2)]);
+    edit_->setTextCursor(found.isNull() ? QTextCursor(edit_->document()) : found);
+    if (number == 2) return openContour();
+    openForm();
+    if (number == 0) form_->table().choose(4);
+}
+
 bool EditorPage::key(QKeyEvent* event) {
     if (over_) return over_->key(event), true;     // nothing reaches the text below
     if (event->modifiers() & Qt::ControlModifier && event->key() == Qt::Key_S) return save(), true;

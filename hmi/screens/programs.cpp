@@ -8,6 +8,7 @@
 #include "hmi/machine/channel_words.hpp"
 #include "hmi/machine/setup_sheet.hpp"
 #include "ipc/text/job.hpp"
+#include "ipc/text/machine_path.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -145,6 +146,17 @@ void Programs::show(Page page) {
     scroll_ = 0;
     layOut();
     refresh();
+}
+
+// For pictures of all of it; the editor's are those of a program of the examples.
+void Programs::turnTo(int page) {
+    if (page == 0) return show(Page::Files);
+    if (page == 3) return show(Page::Restart);
+    if (page < 3) return look(page == 1 ? DryRun::How::Check : DryRun::How::Drive);
+    const QString sample = QString::fromStdString(text::share_folder()) + "/examples/programs/O0050.nc";
+    if (!QFileInfo::exists(sample) || !editor_->open(sample, "fanuc")) return show(Page::Files);
+    show(Page::Edit);
+    editor_->showSample(page - 4);
 }
 
 void Programs::resizeEvent(QResizeEvent*) { layOut(); }

@@ -26,10 +26,10 @@ public:
     QString state() const override { return QString::number(static_cast<int>(page_)) + "|" + chosenPath(); }
     void restore(const QString& state) override;
     std::vector<Sheet*> sheets() override;
-    int pages() const override { return job_ || (page_ != Page::Files && page_ != Page::Restart) ? 4 : 1; }
+    int pages() const override { return job_ || (page_ != Page::Files && page_ != Page::Restart) ? 7 : 1; }
     HelpTopic help() const override { return page_ == Page::Restart ? HelpTopic{"operator.md", "Beginning in the middle", {}} : page_ == Page::Together ? HelpTopic{"programmer.md", "Waiting", {}} : HelpTopic{"operator.md", "Programs:", {}}; }
-    void turnTo(int page) override { page == 0 ? show(Page::Files) : page == 3 ? show(Page::Restart) : look(page == 1 ? DryRun::How::Check : DryRun::How::Drive); }
-    bool busy() const override { return dry_.running(); }
+    void turnTo(int page) override;
+    bool busy() const override { return dry_.running() || (page_ == Page::Edit && editor_->checking()); }
     Table& files() { return *files_; }
     EditorPage& editor() { return *editor_; }
     RestartPage& restartPage() { return *restart_; }

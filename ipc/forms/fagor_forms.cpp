@@ -12,9 +12,9 @@ constexpr double kMost = 99999.0;
 #define POLYTURN_START                                                                          \
     {'X', 0, U::Diameter, M::StartX, kNeeded, -kMost, kMost, "20", "Start point X"},            \
     {'Z', 0, U::Length, M::StartZ, kNeeded, -kMost, kMost, "0", "Start point Z"}
-#define POLYTURN_END                                                                            \
+#define POLYTURN_END(z)                                                                         \
     {'Q', 0, U::Diameter, M::EndX, kNeeded, -kMost, kMost, "40", "End point X"},                \
-    {'R', 0, U::Length, M::EndZ, kNeeded, -kMost, kMost, "-30", "End point Z"}
+    {'R', 0, U::Length, M::EndZ, kNeeded, -kMost, kMost, z, "End point Z"}
 #define POLYTURN_PASSES                                                                                     \
     {'C', 0, U::Length, M::Depth, kNeeded, 0.0001, kMost, "2", "Depth of cut"},                             \
     {'D', 0, U::Length, M::Safety, kMay, 0, kMost, "1", "Safety distance of the way back"}
@@ -25,8 +25,8 @@ constexpr double kMost = 99999.0;
     {'S', 0, U::Label, M::Contour, kNeeded, 0, 9999, "100", "First block of the contour"},                  \
     {'E', 0, U::Label, M::Contour, kNeeded, 0, 9999, "200", "Last block of the contour"},                   \
     {'Q', 0, U::Label, M::Contour, kMay, 0, 999999, "", "Program with the contour"}
-#define POLYTURN_SECTION                                                                                    \
-    POLYTURN_START, POLYTURN_END, POLYTURN_PASSES,                                                          \
+#define POLYTURN_SECTION(z)                                                                                 \
+    POLYTURN_START, POLYTURN_END(z), POLYTURN_PASSES,                                                          \
     {'L', 0, U::Length, M::AllowanceX, kMay, 0, kMost, "", "Finishing allowance X"},                        \
     {'M', 0, U::Length, M::AllowanceZ, kMay, 0, kMost, "", "Finishing allowance Z"}, POLYTURN_FEEDS
 
@@ -47,11 +47,11 @@ constexpr Field kG68[] = {
     {'K', 0, U::FeedRate, M::Feed, kMay, 0, kMost, "", "Feed into hollows"},
     POLYTURN_FEEDS, POLYTURN_PROFILE,
 };
-constexpr Field kG81[] = {POLYTURN_SECTION};
+constexpr Field kG81[] = {POLYTURN_SECTION("-30")};
 constexpr Field kG84[] = {
-    POLYTURN_SECTION,
-    {'I', 0, U::Length, M::CentreX, kMay, -kMost, kMost, "10", "Centre from the start point X (radius)"},
-    {'K', 0, U::Length, M::CentreZ, kMay, -kMost, kMost, "-30", "Centre from the start point Z"},
+    POLYTURN_SECTION("-10"),
+    {'I', 0, U::Length, M::CentreX, kMay, -kMost, kMost, "0", "Centre from the start point X (radius)"},
+    {'K', 0, U::Length, M::CentreZ, kMay, -kMost, kMost, "-10", "Centre from the start point Z"},
 };
 constexpr Field kG83[] = {
     {'X', 0, U::Diameter, M::Place, kNeeded, -kMost, kMost, "0", "Place of the hole X"},
@@ -65,9 +65,11 @@ constexpr Field kG83[] = {
     {'L', 0, U::Length, M::LeastPass, kMay, 0, kMost, "", "Least depth of a peck"},
     {'R', 0, U::Plain, M::None, kMay, 0, kMost, "", "Factor of the pecks; tapping: kind 0, 1, 2"},
 };
-#define POLYTURN_THREAD                                                                                                \
-    POLYTURN_START, {'Q', 0, U::Diameter, M::EndX, kNeeded, -kMost, kMost, "20", "End point X"},                       \
-    {'R', 0, U::Length, M::EndZ, kNeeded, -kMost, kMost, "-30", "End point Z"},                                        \
+#define POLYTURN_THREAD(x, z)                                                                                          \
+    {'X', 0, U::Diameter, M::StartX, kNeeded, -kMost, kMost, x, "Start point X"},                                      \
+    {'Z', 0, U::Length, M::StartZ, kNeeded, -kMost, kMost, "0", "Start point Z"},                                      \
+    {'Q', 0, U::Diameter, M::EndX, kNeeded, -kMost, kMost, "20", "End point X"},                                       \
+    {'R', 0, U::Length, M::EndZ, kNeeded, -kMost, kMost, z, "End point Z"},                                            \
     {'K', 0, U::Length, M::None, kMay, -kMost, kMost, "", "Repair: where the thread was measured"},                    \
     {'I', 0, U::Length, M::ThreadDepth, kNeeded, -kMost, kMost, "1.227", "Height of the thread (radius)"},             \
     {'B', 0, U::Length, M::FirstPass, kNeeded, -kMost, kMost, "0.3", "Depth of the first pass (radius)"},              \
@@ -82,16 +84,18 @@ constexpr Field kG83[] = {
     {'M', 0, U::Length, M::None, kMay, -500, 500, "", "Change of the lead a revolution"},                              \
     {'H', 0, U::Choice, M::None, kMay, 0, 9, "", "Kind of infeed"},                                                    \
     {'U', 0, U::Choice, M::None, kMay, 0, 1, "", "Runs in and out within the thread: 1"}
-constexpr Field kG86[] = {POLYTURN_THREAD};
-constexpr Field kG88[] = {
-    {'X', 0, U::Diameter, M::StartX, kNeeded, -kMost, kMost, "40", "Start point X"},
-    {'Z', 0, U::Length, M::StartZ, kNeeded, -kMost, kMost, "-10", "Start point Z"},
-    {'Q', 0, U::Diameter, M::EndX, kNeeded, -kMost, kMost, "30", "End point X"},
-    {'R', 0, U::Length, M::EndZ, kNeeded, -kMost, kMost, "-20", "End point Z"},
-    {'C', 0, U::Length, M::Step, kMay, 0.0001, kMost, "2", "Step between two plunges"},
-    {'D', 0, U::Length, M::Safety, kMay, 0, kMost, "1", "Safety distance"},
-    {'K', 0, U::Hundredths, M::Dwell, kMay, 0, 99999, "", "Dwell at the bottom"},
-};
+constexpr Field kG86[] = {POLYTURN_THREAD("20", "-30")};
+constexpr Field kG87[] = {POLYTURN_THREAD("40", "0")};
+#define POLYTURN_GROOVE(z, end)                                                                  \
+    {'X', 0, U::Diameter, M::StartX, kNeeded, -kMost, kMost, "40", "Start point X"},             \
+    {'Z', 0, U::Length, M::StartZ, kNeeded, -kMost, kMost, z, "Start point Z"},                  \
+    {'Q', 0, U::Diameter, M::EndX, kNeeded, -kMost, kMost, "30", "End point X"},                 \
+    {'R', 0, U::Length, M::EndZ, kNeeded, -kMost, kMost, end, "End point Z"},                    \
+    {'C', 0, U::Length, M::Step, kMay, 0.0001, kMost, "2", "Step between two plunges"},          \
+    {'D', 0, U::Length, M::Safety, kMay, 0, kMost, "1", "Safety distance"},                      \
+    {'K', 0, U::Hundredths, M::Dwell, kMay, 0, 99999, "", "Dwell at the bottom"}
+constexpr Field kG88[] = {POLYTURN_GROOVE("-10", "-20")};
+constexpr Field kG89[] = {POLYTURN_GROOVE("0", "-8")};
 
 constexpr Form kForms[] = {
     {"G66", kFagor, Picture::Pattern, "Repeating a contour", kG66, {}},
@@ -103,9 +107,9 @@ constexpr Form kForms[] = {
     {"G84", kFagor, Picture::ArcTurning, "Turning an arc", kG84, {}},
     {"G85", kFagor, Picture::ArcFacing, "Facing an arc", kG84, {}},
     {"G86", kFagor, Picture::Thread, "Thread in several passes", kG86, {}},
-    {"G87", kFagor, Picture::FaceThread, "Thread in the face", kG86, {}},
+    {"G87", kFagor, Picture::FaceThread, "Thread in the face", kG87, {}},
     {"G88", kFagor, Picture::Groove, "Grooving along X", kG88, {}},
-    {"G89", kFagor, Picture::GrooveFace, "Grooving along Z", kG88, {}},
+    {"G89", kFagor, Picture::GrooveFace, "Grooving along Z", kG89, {}},
 };
 
 }  // namespace
