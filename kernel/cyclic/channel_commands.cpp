@@ -160,6 +160,7 @@ void ChannelRunner::reset() noexcept {
 void ChannelRunner::finish_reset() noexcept {
     resetting_ = false;
     core_.tools.forget(index_);
+    core_.tools.end_search(index_);
     core_.waits.leave(index_);
     const bool ran = program_runs() || state_ == ChannelState::Interrupted;
     ++epoch_;

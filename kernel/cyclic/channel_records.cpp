@@ -89,6 +89,7 @@ bool ChannelRunner::execute_instant(const PathRecord& r, double offset_s) noexce
     switch (static_cast<RecordKind>(r.kind)) {
         case RecordKind::ToolData: {
             const bool edge = r.plane[0] != 0;
+            if (r.mask == 0) return !ToolDesk::managed(core_) || core_.tools.pieces(core_, index_, r.value);   // of no tool: pieces of those that took part
             return core_.store.ask_tool(edge ? StoreRequestKind::EdgeValue : StoreRequestKind::ToolValue, number_, static_cast<std::int32_t>(r.mask), edge ? r.plane[0] * 100 + r.code : r.code,
                                         r.value, edge ? std::string_view{} : text_of(r), core_.tick, core_.config.answer_ticks);
         }
@@ -244,6 +245,15 @@ bool ChannelRunner::handshake(const PathRecord& r) noexcept {
     const Lines lines = lines_of(r, core_.config.channels[index_].aux_letters);
     const bool managed = r.code == 'T' && ToolDesk::managed(core_);
     if (managed && phase_ != Phase::Handshake && !tool_is_known(r)) return false;
+    if (r.plane[2] != 0) {   // passed by a restart: the PLC hears nothing of it
+        if (managed || r.code == 'M') core_.tools.pass(core_, index_, r.code == 'M');
+        if (managed) core_.tools.forget(index_);
+        return true;
+    }
+    if (managed && phase_ != Phase::Handshake && core_.tools.differs(index_)) {
+        if (!interrupted_) raise(Alarm::ToolNotFound, "since the search for the block another sister has taken its place; restart again");
+        return false;
+    }
     if (phase_ != Phase::Handshake) {
         if (unfinished_ && core_.signals.plc(lines.finished(number_)) != core_.signals.nc(lines.strobe(number_))) return false;   // the code before is still to be seen
         unfinished_ = (control_ & kControlNoFinish) != 0 || (r.flags & kBesidePath) != 0;

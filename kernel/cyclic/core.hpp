@@ -24,6 +24,7 @@ namespace polyturn::kernel {
 enum class MachineState : std::uint32_t { EmergencyStop = 0, Off = 1, On = 2 };
 
 class SpindleCouplings;
+class Guard;
 
 struct Core {
     Core(KernelSegment& own, const SupervisorSegment& super, const StoreSegment& keeper)
@@ -92,6 +93,7 @@ struct Core {
     std::array<double, kMaxAxes> program_window{};
     std::array<bool, kMaxAxes> home_wish{}, home_busy{}, home_failed{};
     SpindleCouplings* spindle_couplings = nullptr;   // the machine's
+    const Guard* guard = nullptr;                    // likewise
     ChannelSet jogging = 0;                // channels of which an axis is moved by hand
     std::array<double, kMaxSpindles> spindle_rev_s{};  // measured, for feed per revolution
 

@@ -238,6 +238,7 @@ void Guard::place(const Core& core, Body& body) noexcept {
         if (jogging && !body.by_hand) watched = false;
         if (!body.without_tool && station_[body.channel - 1] == 0) watched = false;
     }
+    body.known = known;
     body.watched = watched;
 }
 
@@ -277,7 +278,9 @@ void Guard::show(const Core& core, Body& body) noexcept {
     for (std::size_t i = body.first; i < body.first + body.count; ++i) {
         const Box& own = boxes_[i];
         Vector at = body.at;
-        if (own.station && body.channel && own.station != station_[body.channel - 1]) {
+        // The called tool too is anywhere on its circle until the turret stands.
+        const bool turns = body.stations != 0 && body.turned_for == 0;
+        if (own.station && body.channel && (turns || own.station != station_[body.channel - 1])) {
             if (body.stations == 0) continue;
             const Box& off = turned_[i];
             const Box box{off.x_low + at.x, off.x_high + at.x, off.z_low + at.z, off.z_high + at.z, own.station};
@@ -367,6 +370,35 @@ Guard::Finding Guard::step(const Core& core) noexcept {
         }
     }
     return found;
+}
+
+bool Guard::protects(std::uint32_t channel) const noexcept {
+    return std::any_of(bodies_.begin(), bodies_.begin() + static_cast<std::ptrdiff_t>(body_count_), [&](const Body& b) { return b.kind == Kind::Carrier && b.channel == channel; });
+}
+
+bool Guard::circle_is_free(std::uint32_t channel, const std::array<double, kMaxAxes>& left) const noexcept {
+    const Body* const end = bodies_.data() + body_count_;
+    const Body* const own = std::find_if(bodies_.data(), end, [&](const Body& b) { return b.kind == Kind::Carrier && b.channel == channel; });
+    if (own == end || !own->watched || own->stations == 0) return false;
+    Vector way;
+    for (std::size_t i = 0; i < own->carriers; ++i) way.x += own->way[i].x * left[own->axis[i]], way.z += own->way[i].z * left[own->axis[i]];
+    for (std::size_t i = own->first; i < own->first + own->count; ++i) {
+        if (boxes_[i].station == 0) continue;   // the turret's body stays as it is
+        const Box t = turned(*own, boxes_[i], 0, true);
+        const double x = own->at.x, z = own->at.z;
+        const Box swept{t.x_low + x + std::min(way.x, 0.0), t.x_high + x + std::max(way.x, 0.0), t.z_low + z + std::min(way.z, 0.0), t.z_high + z + std::max(way.z, 0.0), 0};
+        for (const Body* other = bodies_.data(); other != end; ++other) {
+            if (other == own) continue;
+            if (!other->known) return false;
+            const bool flat = !own->in_z || !other->in_z;
+            for (std::size_t k = other->shown; k < other->shown + other->shown_count; ++k) {
+                const Box& q = shown_[k];
+                const double gap = gap_of(swept.x_low - q.x_high, q.x_low - swept.x_high, flat ? -kFarAway : swept.z_low - q.z_high, flat ? -kFarAway : q.z_low - swept.z_high, 0, 0);
+                if (gap <= distance_ + other->way_left) return false;
+            }
+        }
+    }
+    return true;
 }
 
 void Guard::publish(GuardStatus& out) const noexcept {

@@ -46,6 +46,11 @@ public:
     };
     static constexpr std::uint32_t kNone = ~0u;
     Finding step(const Core& core) noexcept;
+    bool protects(std::uint32_t channel) const noexcept;   // its carrier (N2000)
+    // The turret of the channel (from 1) may turn anywhere while its axes drive this much further (mm by machine axis, from 0): nothing
+    // that moves or stands comes within PT_GUARD_DISTANCE of the circle of its tools. False where protection is off, where the turret's
+    // axis is not known, or where something stands of which nobody knows the place.
+    bool circle_is_free(std::uint32_t channel, const std::array<double, kMaxAxes>& way) const noexcept;
     ChannelSet movers(const Core& core, std::uint32_t body) const noexcept;    // channels whose axes carry it
     bool carries(std::uint32_t body, std::uint32_t axis) const noexcept;
     std::string_view name(std::uint32_t body) const noexcept { return {bodies_[body].name.data()}; }
@@ -88,6 +93,7 @@ private:
         Vector at, velocity, before, rest, bend;
         double way_left = 0;               // mm until it rests
         bool moving = false, watched = false;
+        bool known = false;                // its axes are referenced: it stands where it seems to stand
         std::size_t shown = 0, shown_count = 0;   // boxes of now, in the room
         Box outline{};
     };

@@ -29,7 +29,7 @@ constexpr std::array<Interlock, 7> kInterlocks{{
     {"tailstock", Act::Stop, "the tailstock let go while the spindle turned", "look at tailstock and workpiece",
      [](const Core& c, const InterlockView& v) { return v.spindle_turns && c.signals.plc(signals::cp_tailopen(v.channel)) != 0; }},
     {"tool", Act::Stop, "the turret was unlocked while the axes moved", "bring a tool into place",
-     [](const Core& c, const InterlockView& v) { return v.path_moves && c.signals.plc(signals::cp_turretopen(v.channel)) != 0; }},
+     [](const Core& c, const InterlockView& v) { return v.path_moves && !v.turret_may_turn && c.signals.plc(signals::cp_turretopen(v.channel)) != 0; }},
     {"lubrication", Act::EndOfPart, "the lubrication is missing; the program ends with this part", "fill up its oil",
      [](const Core& c, const InterlockView& v) { return c.signals.plc(signals::cp_nolube(v.channel)) != 0; }},
     {"bar", Act::EndOfPart, "the bar is used up; the program ends with this part", "load a new bar",
@@ -53,7 +53,7 @@ void Machine::watch_interlocks() noexcept {
             continue;
         }
         const auto selected = static_cast<std::uint32_t>(core_.signals.nc(signals::cn_ssel(l + 1)));
-        InterlockView view{l + 1, selected <= kMaxSpindles ? selected : 0, false, runner.path_moves()};
+        InterlockView view{l + 1, selected <= kMaxSpindles ? selected : 0, false, runner.path_moves(), runner.turns_in_rapid()};
         if (view.spindle) view.spindle_turns = core_.spindles[view.spindle - 1].exists() && !core_.spindles[view.spindle - 1].standing();
         for (std::size_t i = 0; i < kInterlocks.size(); ++i) {
             const Interlock& row = kInterlocks[i];

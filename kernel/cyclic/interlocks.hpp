@@ -20,6 +20,7 @@ struct InterlockView {
     std::uint32_t spindle = 0;     // from 1: the one that the channel's plain S means; 0 none
     bool spindle_turns = false;
     bool path_moves = false;
+    bool turret_may_turn = false;  // its T was given on the last part of a rapid move
 };
 
 struct Interlock {

@@ -27,10 +27,11 @@ double feed_of_register(std::int32_t step, bool inch, bool rotary) {
 double Machine::jog_feed(std::uint32_t a) const noexcept {
     const AxisConfig& axis = core_.config.axes[a];
     const ChannelConfig& channel = core_.config.channels[axis.channel - 1];
-    if (channels_[axis.channel - 1]->keys & kKeyRapid) return by_hand(a);   // N0314
+    const bool measures = core_.signals.plc(signals::cp_tmeas(axis.channel)) != 0;   // N0319, whatever key is held: a setter bears no rapid
+    if ((channels_[axis.channel - 1]->keys & kKeyRapid) && !measures) return by_hand(a);   // N0314
     double most = axis.jog_max_feed > 0 ? std::fmin(axis.jog_max_feed, axis.rapid) : axis.rapid;
     if (core_.signals.plc(signals::cp_setup(axis.channel))) most = std::fmin(most, axis.setup_feed);
-    if (core_.signals.plc(signals::cp_tmeas(axis.channel))) return std::fmin(channel.measure_feed, most);   // towards the tool setter (N0319)
+    if (measures) return std::fmin(channel.measure_feed, most);
     const std::uint32_t s = channel.default_spindle;
     const double rev_s = s ? std::fabs(core_.spindle_rev_s[s - 1]) : 0.0;
     if (channel.jog_feed_source == kByRegister) {

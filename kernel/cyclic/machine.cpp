@@ -28,6 +28,7 @@ void Machine::start() {
     const RunOptions& options = core_.supervisor.options;
     core_.virtual_time = options.virtual_time != 0;
     core_.spindle_couplings = &spindle_couplings_;
+    core_.guard = &guard_;
     read_config(core_.table, core_.config, true);
     couplings_.configure(core_.table, core_.config);
     couplings_.lower_limits(core_);

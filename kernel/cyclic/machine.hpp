@@ -82,9 +82,10 @@ private:
     void look_at_setters() noexcept;
     bool touches_setter(std::uint32_t channel, std::uint32_t axis, double sign) const noexcept;   // it must not be moved further that way
     struct Setter {
-        std::array<bool, 2> on{};        // of spindle 1, 2
+        std::array<bool, 4> on{};        // tool setter of spindle 1, 2; workpiece setter of spindle 1, 2
+        bool touches() const noexcept { return on[0] || on[1] || on[2] || on[3]; }
         std::int32_t touched = 0;        // axis (from 1), negative: travelling in its negative direction
-        std::uint32_t at = 0;            // setter of spindle 1 or 2
+        std::uint32_t at = 0;            // which of them touched last, from 1
         std::int64_t told = -1'000'000;  // tick of the last refusal: a panel tells again and again that its key is held
     };
     std::array<Setter, kMaxChannels> setters_{};

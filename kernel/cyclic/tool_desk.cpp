@@ -99,9 +99,26 @@ void ToolDesk::show(Core& core, unsigned index) noexcept {
 }
 
 void ToolDesk::publish(unsigned index, ChannelStatus& out) const noexcept {
-    out.tool = desk_[index].now.tool;
-    out.tool_offset = desk_[index].now.offset;
-    out.tool_radius_offset = desk_[index].now.radius_offset;
+    const Desk& desk = desk_[index];
+    out.tool = desk.passed.any ? desk.passed.tool : desk.now.tool;
+    out.tool_offset = desk.passed.any ? desk.passed.offset : desk.now.offset;
+    out.tool_radius_offset = desk.passed.any ? desk.passed.radius_offset : desk.now.radius_offset;
+}
+
+void ToolDesk::pass(const Core& core, unsigned index, bool changes) noexcept {
+    Desk& desk = desk_[index];
+    const bool by_t = p::bit(core.table, p::n2901_search_config, index + 1, 1);   // TLC
+    if (changes) {
+        if (desk.passed_next.any) desk.passed = desk.passed_next, desk.passed_next = {};
+        return;
+    }
+    (desk.answer.spindle_place && !by_t ? desk.passed_next : desk.passed) = {true, desk.answer.tool, desk.answer.offset, desk.answer.radius_offset};
+}
+
+bool ToolDesk::differs(unsigned index) const noexcept {
+    const Desk& desk = desk_[index];
+    if (!desk.passed.any && !desk.passed_next.any) return false;
+    return !(desk.passed.any && desk.passed.tool == desk.answer.tool) && !(desk.passed_next.any && desk.passed_next.tool == desk.answer.tool);
 }
 
 bool ToolDesk::in_place(Core& core, unsigned index) noexcept {
@@ -136,6 +153,7 @@ void ToolDesk::work(Core& core, unsigned index, const ToolAnswer& answer) noexce
         std::copy_n(answer.text.begin(), desk.now.name.size() - 1, desk.now.name.begin());
     }
     desk.near = desk.over = false;
+    end_search(index);
     if (desk.now.kind == LifeKind::Uses) desk.now.left -= 1, desk.now.group_left -= 1;   // the store counts it itself
     look(core, index);
 }
@@ -214,6 +232,19 @@ void ToolDesk::part(Core& core, unsigned index) noexcept {
     if (!own || desk.now.kind != LifeKind::Pieces) return;
     desk.now.left -= 1, desk.now.group_left -= 1;
     look(core, index);
+}
+
+// Those are counted now: the end of the part counts what cuts from here on.
+bool ToolDesk::pieces(Core& core, unsigned index, double count) noexcept {
+    Desk& desk = desk_[index];
+    for (; desk.used_count > 0; --desk.used_count) {
+        const std::int32_t tool = desk.used[desk.used_count - 1];
+        if (!core.store.write(StoreRequestKind::ToolLife, index + 1, tool, static_cast<std::int32_t>(LifeKind::Pieces), count, {})) return false;
+        if (tool != desk.now.tool || desk.now.kind != LifeKind::Pieces) continue;
+        desk.now.left -= count, desk.now.group_left -= count;
+        look(core, index);
+    }
+    return true;
 }
 
 }  // namespace polyturn::kernel

@@ -33,6 +33,11 @@ public:
     Call call(unsigned index) const noexcept { return desk_[index].call; }
     const ToolAnswer& answer(unsigned index) const noexcept { return desk_[index].answer; }
     std::int64_t asked_at(unsigned index) const noexcept { return desk_[index].asked_at; }
+    // A restart at a block passes this T (changes: an M06) without calling the tool: the answer tells whose offset counts.
+    void pass(const Core& core, unsigned index, bool changes) noexcept;
+    // Another tool answers now than when the T was passed: its offset is not the one that the program goes on with.
+    bool differs(unsigned index) const noexcept;
+    void end_search(unsigned index) noexcept { desk_[index].passed = desk_[index].passed_next = {}; }
     void forget(unsigned index) noexcept { desk_[index].call = Call::None; }   // reset, or the T is done
     void publish(unsigned index, ChannelStatus& out) const noexcept;
     void show(Core& core, unsigned index) noexcept;    // CN_MGZNO and so on of the answer, before the strobe
@@ -40,6 +45,7 @@ public:
     bool changed(Core& core, unsigned index) noexcept;    // ... and M06
     void spend(Core& core, unsigned index, bool cuts, double seconds, double mm) noexcept;
     void part(Core& core, unsigned index) noexcept;
+    bool pieces(Core& core, unsigned index, double count) noexcept;   // so many by each tool that took part (SETPIECE); false: the store's ring is full
     bool flush(Core& core, unsigned index) noexcept;   // what was counted goes to the store; false: its ring is full
     // What the channel shall do because life is over: told once.
     enum class End : std::uint8_t { Nothing, StopAfterPart, Hold };
@@ -59,6 +65,10 @@ private:
         std::int64_t asked_at = 0;
         ToolAnswer answer{};           // to the last question
         bool next = false;             // it waits for M06
+        struct Passed {
+            bool any = false;
+            std::int32_t tool = 0, offset = 0, radius_offset = 0;
+        } passed, passed_next;         // instead of the one at work while a restart looks for its block
         Working now;
         double counted = 0;            // not yet sent
         double since_s = 0;

@@ -1,18 +1,29 @@
-// The tool setter on the machine (N3012, N3013): while a tool is measured (CP_TMEAS) an axis that its key jogs towards the setter,
-// with N0319, stops by itself when the tool touches it. Where that was stays to be read: AxisStatus::skip, ChannelStatus::touched.
-// Away from the setter the tool can always be moved; further into it no key moves the axis while they touch.
+// The setters on the machine: the tool setter (N3012, N3013), which a tool touches, and the workpiece setter (N3014, N3015), a probe in
+// the turret that touches the part. While something is measured (CP_TMEAS) an axis that its key jogs, with N0319, stops by itself when
+// one of them answers; which input it was says what is measured. Where that was stays to be read: AxisStatus::skip,
+// ChannelStatus::touched. Away from it the axis can always be moved; further into it no key moves it while they touch.
 #include "kernel/cyclic/machine.hpp"
 #include "polyturn/parameter_handles.hpp"
 
 namespace polyturn::kernel {
+namespace {
+
+// In the order of ChannelStatus::touched_at.
+std::array<std::size_t, 4> inputs_of(const params::Table& t, std::uint32_t l) noexcept {
+    return {static_cast<std::size_t>(params::get(t, params::n3012_sensor_input_of_tool_setter_s1, l)), static_cast<std::size_t>(params::get(t, params::n3013_sensor_input_of_tool_setter_s2, l)),
+            static_cast<std::size_t>(params::get(t, params::n3014_sensor_input_of_workpiece_setter_s1, l)), static_cast<std::size_t>(params::get(t, params::n3015_sensor_input_of_workpiece_setter_s2, l))};
+}
+
+}  // namespace
 
 void Machine::look_at_setters() noexcept {
     for (std::uint32_t l = 0; l < kMaxChannels; ++l) {
         Setter& setter = setters_[l];
         const bool measuring = core_.config.channels[l].exists && core_.signals.plc(signals::cp_tmeas(l + 1)) != 0;
-        if (!measuring && !setter.on[0] && !setter.on[1]) continue;
-        for (std::uint32_t s = 0; s < 2; ++s) {
-            const auto input = static_cast<std::size_t>(s ? params::get(core_.table, params::n3013_sensor_input_of_tool_setter_s2, l + 1) : params::get(core_.table, params::n3012_sensor_input_of_tool_setter_s1, l + 1));
+        if (!measuring && !setter.touches()) continue;
+        const std::array<std::size_t, 4> inputs = inputs_of(core_.table, l + 1);
+        for (std::uint32_t s = 0; s < setter.on.size(); ++s) {
+            const std::size_t input = inputs[s];
             const bool on = measuring && input > 0 && core_.signals.input(input), came = on && !setter.on[s];
             setter.on[s] = on;
             if (!came) continue;
@@ -30,7 +41,7 @@ void Machine::look_at_setters() noexcept {
 
 bool Machine::touches_setter(std::uint32_t l, std::uint32_t a, double sign) const noexcept {
     const Setter& setter = setters_[l - 1];
-    return (setter.on[0] || setter.on[1]) && setter.touched == static_cast<std::int32_t>(a + 1) * (sign < 0 ? -1 : 1);
+    return setter.touches() && setter.touched == static_cast<std::int32_t>(a + 1) * (sign < 0 ? -1 : 1);
 }
 
 }  // namespace polyturn::kernel

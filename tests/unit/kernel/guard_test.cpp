@@ -113,6 +113,64 @@ TEST(Guard, WatchesTheToolsOfTheOtherStationsWhereTheTurretHasTurnedThem) {
     EXPECT_NEAR(in_place.stops_at(), 91, 2);     // turned into work, whatever T the program has called
 }
 
+// N0421 ROL: where L1 stands, on its rapid way from X 100 to 250, when its T reaches the PLC. It brakes from 200 mm/s with 2000 mm/s2 and
+// 40 000 mm/s3, which takes 15 mm. The circle of the tool has the radius 180.07 about an axis 100 mm behind the carrier's point: it
+// reaches 80.07 mm in front of that.
+struct EarlyTurret : Turret {
+    double given_at = -1;
+    bool open_in_rapid = false;
+    explicit EarlyTurret(bool overlaps, double other_at = -200, std::uint32_t protection = 15, double share = 100) : Turret(100) {
+        params::put(rig.machine->core().table, params::n0421_acc_contr, overlaps ? 1 : 0, 1);
+        for (unsigned a = 1; a <= 2; ++a) params::put(rig.machine->core().table, params::n0422_rapid_reduct_ratio, share, a);
+        params::put(rig.machine->core().table, params::n2000_check_config, protection, 1);
+        rig.machine->adopt_parameters();
+        rig.place(2, 0, 0);
+        rig.push(2, rig.line(2, {other_at, 0}, 100));   // the other carrier goes out of the way, or into it
+        rig.push(2, rig.stop(2, StopReason::M30));
+        rig.start(2);
+        rig.run(6000);
+        rig.plc_program = [this, done = 0, since = 0](const PlcInputs& in, PlcOutputs& out) mutable {   // a turret that turns for half a second
+            TickRig::lathe(in, out);
+            const int asked = in.signal[signals::cn_tstr(1)];
+            if (asked != done && ++since > 50) done = asked, since = 0;
+            out.signal[signals::cp_tfin(1)] = done;
+            out.signal[signals::cp_turretopen(1)] = asked != done;
+        };
+        rig.push(1, rig.line(1, {150, 0}, 0, kRapid));
+        rig.push(1, serial(rig.aux(1, 'T', 2)));
+        rig.push(1, serial(rig.stop(1, StopReason::M30)));
+        rig.start(1);
+        for (int i = 0; i < 4000; ++i) {
+            rig.tick();
+            if (given_at < 0 && rig.machine->core().signals.nc(signals::cn_tstr(1)) != 0) given_at = rig.position(1);
+            open_in_rapid = open_in_rapid || (rig.speed_of(1) > 1 && rig.machine->core().signals.plc(signals::cp_turretopen(1)) != 0);
+        }
+        EXPECT_EQ(rig.state(1), ChannelState::Ended);
+        EXPECT_FALSE(rig.alarmed(Alarm::InterlockStop, 1));
+    }
+    PathRecord serial(PathRecord r) { return r.serial = ++serial_, r; }
+    std::uint64_t serial_ = 0;
+};
+
+TEST(Guard, LetsTheTurretTurnWhileTheRapidMoveBrakes) {
+    EarlyTurret overlapped(true), never(false), late(true, -200, 15, 30);
+    EXPECT_NEAR(overlapped.given_at, 250 - 15, 2.5);
+    EXPECT_TRUE(overlapped.open_in_rapid);
+    EXPECT_NEAR(never.given_at, 250, 1e-6);
+    EXPECT_FALSE(never.open_in_rapid);
+    EXPECT_GT(late.given_at, 244);                        // below 60 mm/s only
+    EXPECT_LT(late.given_at, 250);
+}
+
+// The other carrier's body ends 10 mm above where that stands; PT_GUARD_DISTANCE is 1 mm.
+TEST(Guard, ATurretTurnsInRapidOnlyWhileItsCircleIsFree) {
+    EarlyTurret just_free(true, 140), beside(true, 152), in_the_way(true, 175), unguarded(true, 152, 0);
+    EXPECT_NEAR(just_free.given_at, 235, 2.5);
+    EXPECT_NEAR(beside.given_at, 163 + 80.07, 1.0);       // free a little later
+    EXPECT_NEAR(in_the_way.given_at, 250, 1e-6);          // it stays within the circle to the end
+    EXPECT_NEAR(unguarded.given_at, 235, 2.5);            // nobody protects: ROL alone says it
+}
+
 TEST(Guard, GivesATurretThatTurnsItsWholeCircle) {
     Turret m(100, 8);
     m.rig.machine->core().signals.force_plc(signals::cp_turretopen(1), 1);

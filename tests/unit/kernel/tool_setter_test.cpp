@@ -4,13 +4,14 @@
 namespace polyturn::kernel {
 namespace {
 
-constexpr std::size_t kInput = 5;
+constexpr std::size_t kInput = 5, kProbe = 6;
 
 struct Setter {
     TickRig rig;
     bool measuring = true;
     Setter() : rig([](params::Table& t, RunOptions&) {
           params::put(t, params::n3012_sensor_input_of_tool_setter_s1, 5, 1);
+          params::put(t, params::n3015_sensor_input_of_workpiece_setter_s2, kProbe, 1);
           params::put(t, params::n0319_t_meas_feed, 300, 1);   // 5 mm/s
       }) {
         rig.machine->core().sensors.add({1, kInput, -1, -10.25, false});   // A2 meets it at Z -10.25
@@ -57,6 +58,29 @@ TEST(ToolSetter, FurtherIntoItNoKeyMovesTheAxisAwayEveryKeyDoes) {
     s.rig.run(2000);
     EXPECT_GT(s.rig.position(2), at + 4);
     EXPECT_EQ(s.status().channels[0].touched, -2);   // still to be read
+}
+
+TEST(ToolSetter, TheWorkpieceSetterStopsTheAxisLikewiseAndSaysWhichItWas) {
+    Setter s;
+    s.rig.machine->core().sensors.add({1, kProbe, -1, -3.5, false});
+    s.jog(-10);
+    s.rig.run(3000);
+    EXPECT_EQ(s.rig.speed_of(2), 0.0);
+    EXPECT_EQ(s.status().channels[0].touched, -2);
+    EXPECT_EQ(s.status().channels[0].touched_at, 4u);   // N3015
+    EXPECT_NEAR(s.status().axes[1].skip, -3.5, 1e-6);
+    const double at = s.rig.position(2);
+    s.jog(-1);
+    s.rig.run(300);
+    EXPECT_EQ(s.rig.position(2), at);
+}
+
+TEST(ToolSetter, TheRapidKeyDrivesNoFasterTowardsASetter) {
+    Setter s;
+    s.rig.command(CommandKind::RapidKey, 1, 1);
+    s.jog(-10);
+    s.rig.run(1500);
+    EXPECT_NEAR(s.rig.speed_of(2), -5.0, 1e-6);
 }
 
 TEST(ToolSetter, WhileNothingIsMeasuredItsInputMeansNothing) {
