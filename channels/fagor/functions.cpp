@@ -86,6 +86,12 @@ bool Interpreter::tool_words() {
         if (!whole(*word('T'), tool)) return false;
         if (tool > 255) return fail_word(*word('T'), Alarm::FagorValueRange, "T", static_cast<double>(tool));
         const bool told = managed_serial_ == core_.at.serial;   // tool management has chosen (managed_tools.cpp)
+        if (told && settings_.change_by_m06) {   // which of its family it is, M06 tells
+            if (has('D') && !whole(*word('D'), offset)) return false;
+            if (offset > std::min<std::int64_t>(settings_.offsets, static_cast<std::int64_t>(kOffsets) - 1)) return fail_word(*word('D'), Alarm::OffsetNumberIllegal, {}, static_cast<double>(offset), static_cast<double>(settings_.offsets));
+            modal_.next_tool = tool, modal_.next_offset = offset;
+            return true;
+        }
         if (told) tool = core_.port().tool_at_work().value_or(Port::ToolAtWork{}).number;
         // An expended tool gives way to another one of its family that is not (11.2.2).
         const auto expended = [this](std::int64_t n) {
@@ -188,7 +194,7 @@ bool Interpreter::m_function(const Word& word, bool behind) {
             CallFrame frame;
             frame.m_code = code;
             frame.m_itself = !entry->only_subroutine;
-            if (code == 6 && settings_.change_by_m06 && modal_.next_tool >= 0 && !change_tool(modal_.next_tool, modal_.next_offset)) return false;
+            if (code == 6 && settings_.change_by_m06 && modal_.next_tool >= 0 && !managed() && !change_tool(modal_.next_tool, modal_.next_offset)) return false;
             if (!call_subroutine(entry->subroutine, frame, nullptr)) return false;
             if (!behind && block_.count > 1) {   // the rest of the block comes behind the subroutine
                 frames_.back().resume = line_at_;
@@ -206,13 +212,17 @@ bool Interpreter::m_function(const Word& word, bool behind) {
         modal_.position_angle = angle;
         modal_.stands_at = std::fabs(angle) > 360.0 ? std::fmod(angle, 360.0) : angle;
     }
+    if (code == 6 && settings_.change_by_m06 && managed_serial_ == core_.at.serial && modal_.next_tool >= 0) return take_over_change();   // told already
     char text[16];
     const auto end = fmt::format_to_n(text, sizeof text, "M{}", code);
     // M05 gives the drive back to an axis that shares it: its next move counts from where the drive stands then.
-    const bool drains = (entry && entry->stops_preparation) || (code == 5 && core_.frees_axis() && !core_.reads_ahead());
+    const bool changes = code == 6 && settings_.change_by_m06 && modal_.next_tool >= 0, waits = changes && !core_.reads_ahead() && managed();
+    const bool drains = (entry && entry->stops_preparation) || waits || (code == 5 && core_.frees_axis() && !core_.reads_ahead());
     core_.aux('M', code, {text, end.size}, drains);
     if (drains) wants_barrier_ = true;
-    if (code == 6 && settings_.change_by_m06 && modal_.next_tool >= 0) {
+    if (waits) {
+        change_pending_ = true;
+    } else if (changes) {
         if (!change_tool(modal_.next_tool, modal_.next_offset)) return false;
         modal_.next_tool = modal_.next_offset = -1;
     }

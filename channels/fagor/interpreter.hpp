@@ -130,7 +130,8 @@ private:
     double from_length_plain(double mm) const;
     bool feed_word(), spindle_word(), tool_words(), m_before(), m_after();
     bool managed() { return core_.port().tool_table() != nullptr; }   // tool management answers T
-    bool asks_for_tool();              // the T of this block is executed first; true: it was told just now
+    bool asks_for_tool();              // the T or M06 of this block is executed first; true: it was told just now
+    bool take_over_change();
     void tell_tool(ToolField field, std::size_t n, double value);
 
     // tool, spindle, auxiliary functions (functions.cpp)
@@ -295,7 +296,8 @@ private:
     bool title_allowed_ = false;                  // the line is the first of its text
     bool wants_barrier_ = false, ended_ = false, jumped_ = false, called_ = false;
     bool reread_ = false, fresh_ = false;
-    std::uint64_t managed_serial_ = 0;   // of the block whose T has been executed before the rest of it
+    std::uint64_t managed_serial_ = 0;   // of the block whose T or M06 has been executed before the rest of it
+    bool change_pending_ = false;        // an M06 has been told; its tool is known when it has been executed
     bool probing_ = false;                        // a probe move stands before its barrier
     std::uint16_t probe_code_ = 75;
     std::uint64_t moves_at_touch_ = 0;            // no move since: the axes stand behind the touched point by

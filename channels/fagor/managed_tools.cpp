@@ -1,5 +1,5 @@
 // Tools of tool management (fagor_8037t_part2 11.2.2): the tool's number is its data number, its family the type number. An expended tool
-// gives way to another of its family; the store says which, so T is executed before the rest of its block is read.
+// gives way to another of its family; the store says which, so T (with TOFFM06: M06) is executed before the rest of its block is read.
 #include <cmath>
 #include <cstring>
 
@@ -20,15 +20,34 @@ void Interpreter::preset_stored(const ToolTable& tools, const ToolEdgeTable&, in
     }
 }
 
+// With TOFFM06 T only chooses: the tool, and so its offset, is known behind M06. One that has no subroutine and acts before the moves
+// of its block is executed first, like T; behind the others the change is taken over when they have been executed (take_over_change).
 bool Interpreter::asks_for_tool() {
-    if (!has('T') || managed_serial_ == core_.at.serial || settings_.change_by_m06 || core_.reads_ahead() || scanning_ || !managed()) return false;
-    const Word& tool = *word('T');
-    if (tool.value != std::nearbyint(tool.value) || tool.value < 0 || tool.value > 255) return false;   // told by tool_words()
-    char text[16];
-    std::snprintf(text, sizeof text, "T%d", static_cast<int>(tool.value));
-    core_.aux('T', tool.value, text, true, false, ToolCallBy::Substitute);
-    managed_serial_ = core_.at.serial;
-    return true;
+    if (managed_serial_ == core_.at.serial || core_.reads_ahead() || scanning_ || !managed()) return false;
+    if (change_pending_ && !take_over_change()) return false;
+    const MEntry* const entry = m_entry(6);
+    bool changes = false;
+    for (unsigned k = 0; k < m_count_ && settings_.change_by_m06; ++k) changes = changes || (m_words_[k]->value == 6 && !(entry && entry->subroutine) && !(entry && entry->after_motion) && (has('T') || modal_.next_tool >= 0));
+    if (has('T')) {
+        const Word& tool = *word('T');
+        if (tool.value != std::nearbyint(tool.value) || tool.value < 0 || tool.value > 255) return false;   // told by tool_words()
+        char text[16];
+        std::snprintf(text, sizeof text, "T%d", static_cast<int>(tool.value));
+        core_.aux('T', tool.value, text, !settings_.change_by_m06, false, ToolCallBy::Substitute);
+        managed_serial_ = core_.at.serial;
+    }
+    if (changes) core_.aux('M', 6, "M6", true);
+    if (changes) managed_serial_ = core_.at.serial;
+    return changes || (has('T') && !settings_.change_by_m06);
+}
+
+// What M06 has changed to: the tool that works now, with the offset that the program has named, or its own.
+bool Interpreter::take_over_change() {
+    change_pending_ = false;
+    const Port::ToolAtWork now = core_.port().tool_at_work().value_or(Port::ToolAtWork{});
+    const std::int64_t offset = modal_.next_offset >= 0 ? modal_.next_offset : now.offset;
+    modal_.next_tool = modal_.next_offset = -1;
+    return change_tool(now.number, offset);
 }
 
 // TLFN and the like: what the program writes is the store's too, in path order.

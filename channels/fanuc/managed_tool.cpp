@@ -55,11 +55,10 @@ bool Interpreter::names_managed_offset() const {
     return (block_.has('H') && block_.value('H') == code) || (block_.has('D') && block_.value('D') == code);
 }
 
-// Nothing tells in check mode: then no offset acts, and that is said. A restart behind such a T must not go on without one.
+// Nothing tells in check mode: then no offset acts, and that is said.
 bool Interpreter::managed_offset(bool radius, std::int64_t& offset) {
     const auto tool = core_.port().tool_at_work();
     const char letter = block_.has('T') ? 'T' : radius ? 'D' : 'H';
-    if (tool && tool->number < 0) return core_.fail(Alarm::NotBuilt, letter, "a restart behind the offset of a managed tool (N2923): restart before its T");
     if (!tool) core_.sink().alarm({Alarm::ManagedToolUnknown, {files_->path(frames_.back().file), core_.at.line, 0, 0}, {}, fmt::format("{}{:.0f}", letter, block_.value(letter))}, core_.at);
     offset = !tool ? 0 : radius && tool->radius_offset != 0 ? tool->radius_offset : tool->offset;
     return true;

@@ -188,6 +188,7 @@ void ChannelProcess::begin_program() {
     restart_sink_ = std::make_unique<RestartSink>(*view_, *resume_sink_);
     if (restart_to_) {
         restart_sink_->search(*restart_to_, restart_set_);
+        if (port_.tools_kept()) restart_sink_->look_up_tool = [this](const Aux& code, const BlockContext& at) { sink_->look_up_tool(code, at); };
         port_.pretend([this](unsigned axis) { return restart_sink_->position(axis); });
         restart_to_.reset();
     }

@@ -68,8 +68,18 @@ void RecordSink::dwell(const Dwell& dwell, const BlockContext& at) {
     push(r, true, false);
 }
 
+void RecordSink::look_up_tool(const Aux& code, const BlockContext& at) {
+    PathRecord r = event(RecordKind::Aux, at, 0);
+    r.plane[2] = 1;
+    push_code(r, code);
+}
+
 void RecordSink::aux(const Aux& aux, const BlockContext& at) {
     PathRecord r = event(RecordKind::Aux, at, aux.silent ? 0 : note([&](Sink& sink) { sink.aux(aux, at); }));
+    push_code(r, aux);
+}
+
+void RecordSink::push_code(PathRecord& r, const Aux& aux) {
     r.code = aux.letter;
     r.value = aux.value;
     if (aux.beside) r.flags |= kBesidePath;

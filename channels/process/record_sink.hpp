@@ -38,6 +38,8 @@ public:
     void slow_ends(const Move&, const BlockContext&);
     void dwell(const Dwell&, const BlockContext&) override;
     void aux(const Aux&, const BlockContext&) override;
+    // A restart passes this T or M6: the kernel asks which tool that is, and calls none.
+    void look_up_tool(const Aux&, const BlockContext&);
     void spindle(const Spindle&, const BlockContext&) override;
     void wait(const Wait&, const BlockContext&) override;
     void variable(const Variable&, const BlockContext&) override;
@@ -73,6 +75,7 @@ public:
     void continue_notes(std::uint64_t last) { note_ = last; }
 
 private:
+    void push_code(PathRecord& record, const Aux&);
     PathRecord event(RecordKind kind, const BlockContext& at, std::uint64_t note) const;
     void push(PathRecord& record, bool stands, bool drains);
     template <class Call> std::uint64_t note(Call&& call);

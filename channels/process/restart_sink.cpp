@@ -71,6 +71,7 @@ int RestartSink::group_of(const Aux& a) const {
 
 void RestartSink::aux(const Aux& a, const BlockContext& at) {
     if (here(at)) return next_->aux(a, at);
+    if (look_up_tool && (a.letter == 'T' || (a.letter == 'M' && a.value == 6))) look_up_tool(a, at);
     if (at.by_code && !macros_too_) return;   // N1338 DSM
     const int group = group_of(a);
     // With M6 the tool that is loaded and the one that is prepared behind it are two: T M6 T.

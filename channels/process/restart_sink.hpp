@@ -27,6 +27,8 @@ public:
     void search(std::int64_t block, std::uint32_t together);
     bool searching() const { return searching_; }
     std::int64_t wanted() const { return block_; }
+    // With tool management: which tool a T (or a change, M6) that is passed means. It is asked, the tool is not called.
+    std::function<void(const Aux& code, const BlockContext& at)> look_up_tool;
     // The interpreter has done a block: it may be the one, without having caused anything.
     void block_read(const BlockContext& at) { (void)here(at); }
     // Where the program thinks a machine axis (from 0) is, while it is only interpreted.

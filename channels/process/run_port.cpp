@@ -127,9 +127,8 @@ unsigned RunPort::selected_spindle() {
     return number > 0 && number <= static_cast<std::int32_t>(kMaxSpindles) ? static_cast<unsigned>(number) : 0u;
 }
 
-// A program that is only interpreted (restart at a block) calls none of the tools it passes.
+// A program that is only interpreted (restart at a block) calls none of the tools it passes; which one it would be the kernel has asked.
 std::optional<Port::ToolAtWork> RunPort::tool_at_work() {
-    if (pretended_) return ToolAtWork{-1, 0, 0};
     return ToolAtWork{own().tool, own().tool_offset, own().tool_radius_offset};
 }
 

@@ -46,6 +46,7 @@ public:
     std::optional<ToolAtWork> tool_at_work() override;
     const ToolTable* tool_table() override;
     const ToolEdgeTable* tool_edges() override;
+    bool tools_kept() const { return store_ != nullptr; }
     void tools_from(const StoreSegment* store) { store_ = store; }   // null: there is no tool management
     // What the program prints goes to `device` (PT_PRINT_TO), or into a file beside it: <program>.L<channel>.print; without a
     // program (MDI) nowhere.
