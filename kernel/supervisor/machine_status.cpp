@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
 
@@ -13,6 +14,7 @@
 #include "kernel/supervisor/event_text.hpp"
 #include "kernel/supervisor/phrases.hpp"
 #include "kernel/supervisor/scenario_player.hpp"
+#include "polyturn/parameter_handles.hpp"
 
 namespace polyturn::supervisor {
 
@@ -57,7 +59,16 @@ struct Picture {
     double tick_s = 0.001;
     std::vector<std::pair<std::string, int>> processes;
     std::string program[kMaxChannels];
+    std::array<std::int32_t, kMaxChannels> shown_tool{};   // what the PLC says is active; 0 nothing
 };
+
+// N2901 TSP: of the channel, or of the spindle that its tools are in.
+std::int32_t shown_tool(const params::Table& table, const PlcOutputs& plc, unsigned channel) {
+    if (!params::bit(table, params::n2901_search_config, channel, 7)) return plc.signal[PlcSignal{signals::cp_actt}(channel)];
+    const auto driven = params::get(table, params::pt_driven_spindle, channel), own = params::get(table, params::n0604_default_spindle, channel);
+    const auto spindle = static_cast<std::uint32_t>(driven > 0 ? driven : own);
+    return spindle >= 1 && spindle <= kMaxSpindles ? plc.signal[PlcSignal{signals::sp_actt}(spindle)] : 0;
+}
 
 Result<std::unique_ptr<Picture>> take_picture(const std::string& instance) {
     auto supervisor = PeerSegment<SupervisorSegment>::attach(instance);
@@ -75,6 +86,8 @@ Result<std::unique_ptr<Picture>> take_picture(const std::string& instance) {
     choose_tongue(params::get_text(*table, params::pt_display_language));
     picture->machine = derive_machine_config(*table);
     picture->tick_s = static_cast<double>((*kernel)->tick_ns.load(std::memory_order_acquire)) * 1e-9;
+    if (const auto plc = std::make_unique<PlcOutputs>(); (*kernel)->plc_seen.read(*plc))
+        for (unsigned number = 1; number <= kMaxChannels; ++number) picture->shown_tool[number - 1] = shown_tool(*table, *plc, number);
     for (std::size_t slot = 0; slot < kProcesses; ++slot) {
         const ProcessEntry& entry = (*supervisor)->processes[slot];
         if (entry.state.load(std::memory_order_acquire) == static_cast<std::uint32_t>(ProcessState::Running))
@@ -149,7 +162,8 @@ Result<std::string> status_json(const std::string& instance) {
             i + 1, state_text(channel.state), mode_text(channel.mode), channel.line, number(channel.feed_override), number(channel.rapid_override),
             channel.wait_code, channel.parts, number(channel.cycle_s), number(channel.cutting_s), number(channel.rapid_s), number(channel.waiting_s), channel.retrace, channel.wheel != 0, (channel.keys & kKeySuperpose) != 0, restart_text(channel.restart));
         if (channel.tool) channels += fmt::format(",\"tool\":{},\"tool_offset\":{}", channel.tool, channel.tool_offset);   // of tool management
-        if (channel.touched) channels += fmt::format(",\"touched\":\"A{}{}\",\"setter\":{}", std::abs(channel.touched), channel.touched < 0 ? '-' : '+', channel.touched_at);
+        if (p.shown_tool[i] > 0) channels += fmt::format(",\"active_tool\":{}", p.shown_tool[i]);
+        if (channel.touched) channels += fmt::format(",\"touched\":\"A{}{}\",\"{}\":{}", std::abs(channel.touched), channel.touched < 0 ? '-' : '+', channel.touched_at > 2 ? "workpiece_setter" : "setter", channel.touched_at > 2 ? channel.touched_at - 2 : channel.touched_at);
         if (!p.program[i].empty()) channels += ",\"program\":", append_json_text(channels, p.program[i]);
         channels += '}';
     }

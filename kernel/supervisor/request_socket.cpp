@@ -1,5 +1,7 @@
 #include "kernel/supervisor/request_socket.hpp"
 
+#include "kernel/supervisor/refusal.hpp"
+
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/socket.h>
@@ -63,7 +65,10 @@ void RequestServer::accept_all() {
         if (fd < 0) return;
         const std::int64_t uid = asker(fd);
         const bool may = uid >= 0 && (uid == static_cast<std::int64_t>(geteuid()) || uid == 0 || (guests_ && guests_(uid)));
-        if (!may || connections_.size() >= kMostClients) {
+        if (!may || connections_.size() >= kMostClients) {   // told before it is closed, so that whoever asked knows why
+            const std::string why = (may ? refusal({Alarm::NotServed, {}, {}, "too many programs ask at once"})
+                                         : refusal({Alarm::LevelTooLow, {}, {}, fmt::format("user {} of this computer is no user of the controller (users add NAME LEVEL uid={})", uid, uid)})) + "\n";
+            (void)!send(fd, why.data(), why.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
             close(fd);
             continue;
         }

@@ -199,6 +199,7 @@ void LathePlc::write_outputs(View view) const {
         const ChannelSettings& set = channel_settings_[c];
         view.out.signal[slot.fin] = me.finished;
         view.out.signal[slot.active_tool] = me.turret.station;
+        if (set.driven_spindle > 0) view.out.signal[spindle_slots_[set.driven_spindle - 1].active_tool] = me.turret.station;
         view.out.signal[slot.door_open] = missing(view, set.in_door) || me.out[kDoor];
         view.out.signal[slot.jog_feed] = kJogStep;
         view.out.signal[slot.setup] = in_setup(view, static_cast<std::uint32_t>(c + 1));

@@ -138,7 +138,7 @@ private:
         std::int32_t m_fin, s_fin, t_fin, b_fin, fin, active_tool, group, door_open, no_lube, bar_end, select, turret_open, tail_open, setup, jog_feed, inputs;
     };
     struct SpindleSlots {
-        std::int32_t reached, stands, in_position, rotation, close_loop, creep, range, detach, unclamped, synchronous, follows, follow, phase;
+        std::int32_t reached, stands, in_position, rotation, close_loop, creep, range, detach, unclamped, active_tool, synchronous, follows, follow, phase;
     };
     struct ChannelSettings {
         double turret_time_s, turret_clamp_s, lube_time_s;

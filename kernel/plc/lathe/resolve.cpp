@@ -87,7 +87,7 @@ const char* LathePlc::resolve(const PolyturnPlcHost& host) {
         set.state_high = f.whole("N0690", s);
         for (std::uint32_t n = 0; n < kRanges; ++n) set.range_max[n] = f.in_row(650, n, s);
         spindle_slots_[s - 1] = {f.nc("SN_NS", s), f.nc("SN_N0", s), f.nc("SN_INPOS", s), f.plc("SP_ROT", s), f.plc("SP_OREQ", s), f.plc("SP_PAR", s),
-                                 f.plc("SP_RANGE", s), f.plc("SP_SDETCHR", s), f.plc("SP_UNCLAMPED", s), f.nc("SN_SYNCA", s), f.nc("SN_FOLLOW", s),
+                                 f.plc("SP_RANGE", s), f.plc("SP_SDETCHR", s), f.plc("SP_UNCLAMPED", s), f.plc("SP_ACTT", s), f.nc("SN_SYNCA", s), f.nc("SN_FOLLOW", s),
                                  f.plc("SP_SYNCR", s), f.plc("SP_PHASER", s)};
     }
     for (std::uint32_t a = 1; a <= kAxes; ++a) {
