@@ -39,7 +39,7 @@ Diagnosis no_channel(const StoreRequest& request) { return refused("channel L" +
 Result<Applied> set_offset(const StoreRequest& request, Origin origin, const MachineConfig& machine, StoreValues& values) {
     if (!channel_exists(request, machine)) return no_channel(request);
     const ChannelConfig& channel = machine.channel(request.channel);
-    const Key key{Kind::Offset, static_cast<std::int32_t>(request.channel), request.number, request.field, {}};
+    const Key key{Kind::Offset, offset_owner(values.parameters, machine, request.channel, request.number), request.number, request.field, {}};
     if (!std::isfinite(request.value)) return refused(describe(key) + ": not a number");
     const auto table = static_cast<OffsetTable>(request.field / 256);
     const auto field = static_cast<OffsetField>(request.field % 256);
@@ -163,6 +163,17 @@ Result<Applied> set_plain(const StoreRequest& request, StoreValues& values) {
 }
 
 }  // namespace
+
+std::int32_t offset_owner(const params::Table& table, const MachineConfig& machine, std::int64_t channel, std::int64_t number) {
+    const auto own = static_cast<std::int32_t>(channel);
+    if (channel < 1 || channel > static_cast<std::int64_t>(kMaxChannels) || number < 1) return own;
+    const ChannelKind kind = machine.channel(static_cast<std::size_t>(channel)).kind;
+    const auto common = kind == ChannelKind::Mill ? params::get(table, params::n1401_no_of_common_tool_offsets_m) : params::get(table, params::n1412_no_of_common_tool_offsets_t);
+    if (number > common) return own;
+    for (std::int32_t first = 1; first < own; ++first)
+        if (const ChannelConfig& other = machine.channel(static_cast<std::size_t>(first)); other.exists() && other.kind == kind) return first;
+    return own;
+}
 
 std::optional<Diagnosis> level_refusal(const StoreRequest& request) {
     static constexpr const char* kNames[] = {"none", "operator", "setter", "maker"};

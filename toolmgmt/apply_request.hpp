@@ -24,6 +24,10 @@ struct Applied {
 // the setter's); nothing: it is not.
 [[nodiscard]] std::optional<Diagnosis> level_refusal(const StoreRequest& request);
 
+// The channel in whose table an offset lies: numbers up to N1401 (milling channels) or N1412 (turning channels) mean one cell for all channels of
+// the kind, that of the first of them (nct part 1, 15.1).
+[[nodiscard]] std::int32_t offset_owner(const params::Table& table, const MachineConfig& machine, std::int64_t channel, std::int64_t number);
+
 // Nothing is written when it is refused.
 [[nodiscard]] Result<Applied> apply_request(const StoreRequest& request, Origin origin, const MachineConfig& machine, StoreValues& values);
 

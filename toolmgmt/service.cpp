@@ -158,7 +158,7 @@ bool Service::take_persist() {
         }
         Result<Applied> applied = is_tool_request(request) ? apply_tool_request(request, values_) : apply_request(request, Origin::Program, machine_, values_);
         if (applied && static_cast<StoreRequestKind>(request.kind) == StoreRequestKind::OffsetValue && request.channel >= 1 && request.channel <= kMaxChannels)
-            look_at_wear(values_, request.channel, request.number, applied->changes);
+            look_at_wear(values_, static_cast<unsigned>(offset_owner(values_.parameters, machine_, request.channel, request.number)), request.number, applied->changes);
         if (!applied) {
             std::fprintf(stderr, "polyturn-toolmgmt: %s\n", one_line(applied.diagnosis()).c_str());
             continue;
@@ -251,7 +251,7 @@ Result<Applied> Service::apply_operator(const StoreRequest& request) {
             return applied;
         }
         answer = applied->answer;
-        if (static_cast<StoreRequestKind>(one.kind) == StoreRequestKind::OffsetValue) look_at_wear(values_, one.channel, one.number, applied->changes);
+        if (static_cast<StoreRequestKind>(one.kind) == StoreRequestKind::OffsetValue) look_at_wear(values_, static_cast<unsigned>(offset_owner(values_.parameters, machine_, one.channel, one.number)), one.number, applied->changes);
         for (Change& change : applied->changes) {
             const auto [at, fresh] = all.emplace(change.key, change);
             if (!fresh) at->second.after = change.after, at->second.text_after = change.text_after;

@@ -58,7 +58,9 @@ constexpr ToolField kFields[] = {
     {"home_pot", Type::Whole, AT(home_pot), 0, 0, 99'999'999, 0, "", "where it goes back to"},
     {"magazine", Type::Whole, AT(magazine), 0, 0, 999, 0, "", "where it is; 0 nowhere"},
     {"pot", Type::Whole, AT(pot), 0, 0, 99'999'999, 0, "", "where it is"},
-    custom("custom1", 0), custom("custom2", 1), custom("custom3", 2), custom("custom4", 3), custom("custom5", 4), custom("custom6", 5), custom("custom7", 6),
+    // The first one is always binary (nct part 2 30.1): written as eight digits, bit 7 first, or as a number.
+    {"custom1", Type::Number, element(AT(custom), 0), 0, 0, 255, 0, "bits", "column of the machine builder: eight bits (N2903)"},
+    custom("custom2", 1), custom("custom3", 2), custom("custom4", 3), custom("custom5", 4), custom("custom6", 5), custom("custom7", 6),
     custom("custom8", 7), custom("custom9", 8), custom("custom10", 9), custom("custom11", 10), custom("custom12", 11), custom("custom13", 12), custom("custom14", 13),
     custom("custom15", 14), custom("custom16", 15), custom("custom17", 16), custom("custom18", 17), custom("custom19", 18), custom("custom20", 19),
 };
@@ -68,6 +70,11 @@ template <class T>
 T& part(ToolRow& row, const ToolField& field) noexcept { return *reinterpret_cast<T*>(reinterpret_cast<std::byte*>(&row) + field.offset); }
 template <class T>
 const T& part(const ToolRow& row, const ToolField& field) noexcept { return *reinterpret_cast<const T*>(reinterpret_cast<const std::byte*>(&row) + field.offset); }
+
+// "00000101"
+constexpr std::size_t kBits = 8;
+bool is_bits(const ToolField& field) noexcept { return field.unit == "bits"; }
+bool are_bits(std::string_view text) noexcept { return text.size() == kBits && text.find_first_not_of("01") == std::string_view::npos; }
 
 std::optional<double> number_of(std::string_view text) noexcept {
     if (!text.empty() && text[0] == '+') text.remove_prefix(1);
@@ -135,7 +142,12 @@ std::string tool_text(const ToolRow& row, const ToolField& field) {
             }
             return out;
         }
-        default: return shortest_text(tool_number(row, field));
+        default: {
+            if (!is_bits(field)) return shortest_text(tool_number(row, field));
+            std::string out(kBits, '0');
+            for (std::size_t i = 0; i < kBits; ++i) out[kBits - 1 - i] = static_cast<unsigned>(tool_number(row, field)) >> i & 1u ? '1' : '0';
+            return out;
+        }
     }
 }
 
@@ -206,11 +218,16 @@ Result<ToolFieldValue> read_tool_value(const ToolField& field, std::string_view 
             if (text == kLifeKinds[i]) return out.number = static_cast<double>(i), out;
     if (field.type == Type::Flag && (text == "on" || text == "yes")) return out.number = 1, out;
     if (field.type == Type::Flag && (text == "off" || text == "no")) return out.number = 0, out;
+    if (is_bits(field) && are_bits(text)) {
+        unsigned bits = 0;
+        for (const char c : text) bits = bits << 1 | (c == '1' ? 1u : 0u);
+        return out.number = bits, out;
+    }
     const auto number = number_of(text);
-    if (!number) return wrong(field.type == Type::Life ? "one of none minutes pieces uses metres wear" : "not a number");
+    if (!number) return wrong(is_bits(field) ? "eight digits 0 or 1, or 0 to 255" : field.type == Type::Life ? "one of none minutes pieces uses metres wear" : "not a number");
     if (*number < field.least || *number > field.most)
         return wrong(shortest_text(field.least) + " to " + shortest_text(field.most) + (field.unit.empty() ? "" : " " + std::string(field.unit)));
-    if (field.type != Type::Number && *number != std::trunc(*number)) return wrong("a whole number");
+    if ((field.type != Type::Number || is_bits(field)) && *number != std::trunc(*number)) return wrong("a whole number");
     out.number = *number + 0.0;
     return out;
 }

@@ -38,7 +38,7 @@ struct StoreOptions {
     std::vector<std::string> words;
     std::string instance, format = "csv", store, machine, who, zero, name;
     std::vector<std::string> with;
-    int channel = 0, magazine = -1, type = -1, most = 50;
+    int channel = 0, magazine = -1, type = -1, most = 50, offset = -1, frames = 0;
     bool incremental = false, preview = false, yes = false;
 };
 

@@ -95,6 +95,8 @@ constexpr auto kPhrases = std::to_array<Phrase>({
     {"Nothing would change.\n", "Ничего не изменится.\n", "Nic by se nezměnilo.\n", "Semmi sem változna.\n"},
     {"Nothing was changed yet: say --yes to do it.\n", "Пока ничего не изменено: для выполнения добавьте --yes.\n", "Zatím se nic nezměnilo: proveďte pomocí --yes.\n", "Még semmi sem változott: a --yes kapcsolóval hajtható végre.\n"},
     {"\n  touched at {} mm, the setter stands at {} mm\n", "\n  касание в {} мм, датчик стоит в {} мм\n", "\n  dotyk v {} mm, sonda stojí v {} mm\n", "\n  érintés: {} mm, a bemérő helye: {} mm\n"},
+    {"\n  touched at {} mm; the surface is to be {} mm\n", "\n  касание в {} мм; поверхность должна быть на {} мм\n", "\n  dotyk v {} mm; plocha má být na {} mm\n", "\n  érintés: {} mm; a felület helye: {} mm\n"},
+    {"zero", "ноль", "nulový bod", "nullpont"},
     {"Written.\n", "Записано.\n", "Zapsáno.\n", "Beírva.\n"},
     {"{:.4f} um a pixel, tilted by {:.3f} degrees; kept in {}\n", "{:.4f} мкм на пиксель, наклон {:.3f} градуса; сохранено в {}\n", "{:.4f} µm na pixel, sklon {:.3f} stupně; uloženo v {}\n", "{:.4f} µm képpontonként, {:.3f} fok dőlés; mentve ide: {}\n"},
     {"  T {}; edges at {:.2f} and {:.2f} degrees, {:.2f} between them\n", "  T {}; кромки под {:.2f} и {:.2f} градуса, между ними {:.2f}\n", "  T {}; břity pod {:.2f} a {:.2f} stupně, mezi nimi {:.2f}\n", "  T {}; élek {:.2f} és {:.2f} fokon, köztük {:.2f}\n"},

@@ -37,6 +37,10 @@ int presetter_verb(const StoreOptions& options, const std::string& instance, boo
     const auto& w = options.words;
     const std::string file = options.name.empty() ? "presetter.json" : options.name;
     Json answer;
+    const auto with_frames = [&](std::vector<std::string> arguments) {
+        if (options.frames > 0) arguments.push_back("--frames=" + std::to_string(options.frames));
+        return arguments;
+    };
     if (options.action == "calibrate") {
         std::vector<std::string> arguments = {"calibrate", w[0], "--save", file};
         for (std::size_t i = 1; i < w.size(); ++i) {
@@ -46,13 +50,13 @@ int presetter_verb(const StoreOptions& options, const std::string& instance, boo
             else if ((name == "diameter" || name == "x" || name == "z" || name == "error") && !value.empty()) arguments.push_back("--" + name + "=" + value);
             else return refuse({Alarm::PressArgument, {}, {}, w[i]});
         }
-        if (!run(arguments, answer)) return 2;
+        if (!run(with_frames(arguments), answer)) return 2;
         if (json) fmt::print("{}\n", answer.dump());
         else fmt::print(fmt::runtime(say("{:.4f} um a pixel, tilted by {:.3f} degrees; kept in {}\n")), answer.value("um_per_pixel", 0.0), answer.value("tilt_deg", 0.0), file);
         return 0;
     }
     if (w.size() == 2) return refuse({Alarm::PressArgument, {}, {}, w[1]});
-    if (!run({"measure", w[0], "--calibration", file}, answer)) return 2;
+    if (!run(with_frames({"measure", w[0], "--calibration", file}), answer)) return 2;
     if (!json) {
         const auto line = [&](const char* name, const char* unit) {
             fmt::print("  {} {:>10.4f} +-{:.4f} {}\n", name, answer.value(name, 0.0), answer.value(std::string(name) + "_error", 0.0), unit);

@@ -33,8 +33,12 @@ constexpr Action kActions[] = {
     {"offsets", "relative", "The relative counter becomes the offset", "L NUMBER geometry X", 4, 4},
     {"offsets", "undo", "Takes the last entry back", "[L]", 0, 1},
     {"offsets", "history", "Who entered what", "", 0, 0},
-    {"presetter", "calibrate", "Scale, tilt and place of the camera by a gauge pin; x and z are the offsets that the middle of its end has, x as a radius", "IMAGE diameter=6 x=50 z=30 [mirrored=1]", 4, 5},
-    {"presetter", "measure", "X, Z, nose radius, tip number and angles of the tool in the picture; with L and NUMBER what would be entered, with --yes enters it", "IMAGE [L NUMBER]", 1, 3},
+    {"zeros", "list", "The zero offsets of a channel", "[L]", 0, 1},
+    {"zeros", "set", "Values of one zero offset", "L G54 Z=-150 ...", 3, -1},
+    {"zeros", "measure", "The tip stands at a surface of the workpiece that is to be here", "L G54 Z=0", 3, 3},
+    {"zeros", "touch", "The workpiece setter has answered: shows old, new and difference; with --yes writes", "L [G54] [Z=0]", 1, 3},
+    {"presetter", "calibrate", "Scale, tilt and place of the camera by a gauge pin (IMAGE may be camera:0); x and z are the offsets that the middle of its end has, x as a radius", "IMAGE diameter=6 x=50 z=30 [mirrored=1]", 4, 5},
+    {"presetter", "measure", "X, Z, nose radius, tip number and angles of the tool in the picture (PGM, BMP, camera:0, camera:shot_%02d.pgm); with L and NUMBER what would be entered, with --yes enters it", "IMAGE [L NUMBER]", 1, 3},
     {"parts", "list", "Dimensions, what was measured, what is proposed", "", 0, 0},
     {"parts", "add", "A dimension: nominal= upper= lower= tool= channel= axis= limit= share= average= name=", "[NUMBER] COLUMN=VALUE ...", 1, -1},
     {"parts", "set", "Columns of a dimension", "DIMENSION COLUMN=VALUE ...", 2, -1},
@@ -80,9 +84,11 @@ void add(CLI::App& parent, const Action& action, const std::string& name, Comman
         one->add_option("--magazine", store.magazine, "only what stands there");
         one->add_option("--type", store.type, "only sisters of this type number");
     }
-    if (which == "set" && group == "offsets") one->add_flag("--incremental", store.incremental, "added to what is there");
+    if (group == "zeros" && (which == "measure" || which == "touch")) one->add_option("--offset", store.offset, "offset of the tool or probe that stands there; 0: none");
+    if (which == "set" && (group == "offsets" || group == "zeros")) one->add_flag("--incremental", store.incremental, "added to what is there");
     if (which == "measure" && group == "offsets") one->add_option("--zero", store.zero, "zero offset of the workpiece; default G54");
     if (group == "presetter") one->add_option("--calibration", store.name, "file of the calibration; default presetter.json");
+    if (group == "presetter") one->add_option("--frames", store.frames, "of a camera, put together to one picture; default 8")->check(CLI::Range(1, 256));
     if (group == "presetter" && which == "measure") one->add_flag("--yes", store.yes, "write it");
     if (which == "touch") one->add_flag("--yes", store.yes, "write it");
     if (group == "history" || which == "history") {
@@ -103,7 +109,7 @@ void add(CLI::App& parent, const Action& action, const std::string& name, Comman
 }  // namespace
 
 void add_store_verbs(CLI::App& app, CommandLine& line) {
-    static constexpr const char* kTexts[][2] = {{"tools", "Tools, magazines, life"}, {"offsets", "Tool offsets of a running controller"}, {"presetter", "Tools measured in pictures of their shadow"}, {"parts", "Measured parts and the corrections they propose"},
+    static constexpr const char* kTexts[][2] = {{"tools", "Tools, magazines, life"}, {"offsets", "Tool offsets of a running controller"}, {"zeros", "Zero offsets of a running controller"}, {"presetter", "Tools measured in pictures of their shadow"}, {"parts", "Measured parts and the corrections they propose"},
                                                 {"pallets", "The pallet table"},     {"users", "Logins and levels"}};
     for (const auto& [group, text] : kTexts) {
         CLI::App* parent = app.add_subcommand(group, text);

@@ -122,7 +122,7 @@ std::string life_report(const Json& answer) {
     for (const auto& group : answer["groups"]) {
         for (const auto& one : group["tools"])
             table.add({cell(group, "group"), cell(one, "tool"), cell(one, "name"), one.contains("left") ? life(one) : std::string(), cell(one, "left"), cell(one, "unit"), state(one), {}, {}});
-        if (group.contains("left"))
+        if (group.contains("unit"))
             table.add({cell(group, "group"), std::string(say("all")), {}, {}, cell(group, "left"), cell(group, "unit"), {}, cell(group, "parts_left"),
                        group.contains("minutes_left") ? fmt::format("{:.1f}", group.value("minutes_left", 0.0)) : std::string()});
     }
@@ -137,6 +137,21 @@ std::string offsets(const Json& answer) {
     for (const auto& one : answer["offsets"]) {
         const Json &g = one["geometry"], &w = one["wear"];
         table.add({cell(one, "number"), cell(g, "X"), cell(g, "Y"), cell(g, "Z"), cell(g, "R"), cell(g, "T"), cell(w, "X"), cell(w, "Y"), cell(w, "Z"), cell(w, "R")});
+    }
+    return table.text();
+}
+
+std::string zeros(const Json& answer) {
+    std::vector<const char*> keys = {"zero"};
+    static constexpr const char* kOrder[] = {"X", "Y", "Z", "U", "V", "W", "A", "B", "C"};
+    const Json& rows = answer["zeros"];
+    for (const char* axis : kOrder)
+        if (!rows.empty() && rows[0].contains(axis)) keys.push_back(axis);
+    Table table(keys);
+    for (const auto& one : rows) {
+        std::vector<std::string> row;
+        for (const char* key : keys) row.push_back(cell(one, key));
+        table.add(std::move(row));
     }
     return table.text();
 }
@@ -174,6 +189,7 @@ std::string store_table(const std::string& what, const Json& answer, bool done) 
     if (what == "tools.places") return plain(answer["places"], {"magazine", "pot", "kind", "tool", "tool_name", "half", "locked", "place_type"});
     if (what == "life.report") return life_report(answer);
     if (what == "offsets.list") return offsets(answer);
+    if (what == "zeros.list") return zeros(answer);
     if (what == "parts.list") {
         std::string out;
         for (const auto& one : answer["dimensions"]) out += dimension(one);
@@ -191,7 +207,8 @@ std::string store_table(const std::string& what, const Json& answer, bool done) 
         std::string out = fmt::format("{}: {} -> {}", cell(answer, "what"), cell(answer, "old"), cell(answer, "new"));
         if (answer.contains("difference")) out += fmt::format(" ({:+})", answer.value("difference", 0.0));
         if (answer.contains("contact")) out += fmt::format(fmt::runtime(say("\n  touched at {} mm, the setter stands at {} mm\n")), cell(answer, "machine"), cell(answer, "contact"));
-        if (what == "offsets.touch") return out + std::string(say(done ? "Written.\n" : "Nothing was changed yet: say --yes to do it.\n"));
+        if (answer.contains("surface")) out += fmt::format(fmt::runtime(say("\n  touched at {} mm; the surface is to be {} mm\n")), cell(answer, "machine"), cell(answer, "surface"));
+        if (what == "offsets.touch" || what == "zeros.touch") return out + std::string(say(done ? "Written.\n" : "Nothing was changed yet: say --yes to do it.\n"));
         return out + "\n";
     }
     std::string out;

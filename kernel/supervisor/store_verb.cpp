@@ -132,6 +132,23 @@ Json offsets_operation(const StoreOptions& o, std::string& wrong) {
     return op;
 }
 
+// The words behind the channel: a zero's name and one AXIS=VALUE, either may be missing for touch.
+Json zeros_operation(const StoreOptions& o, std::string& wrong) {
+    const auto& w = o.words;
+    Json op = {{"do", "zeros." + o.action}};
+    if (!w.empty()) op["channel"] = channel_of(w[0]);
+    std::string name, value;
+    for (std::size_t i = 1; i < w.size() && i < 3; ++i) {
+        if (split(w[i], name, value)) op["field"] = name, op["value"] = value;
+        else if (i == 1) op["zero"] = w[i];
+        else wrong = w[i];
+    }
+    if (o.offset >= 0) op["offset"] = o.offset;
+    if (o.action == "set") op["incremental"] = o.incremental;
+    if (o.action == "touch") op["preview"] = !o.yes;
+    return op;
+}
+
 Json parts_operation(const StoreOptions& o, std::string& wrong) {
     const auto& w = o.words;
     Json op = {{"do", "parts." + o.action}};
@@ -227,6 +244,7 @@ int store_verb(const StoreOptions& options, bool json) {
     Json op;
     if (options.group == "tools") op = tools_operation(options, wrong);
     else if (options.group == "offsets") op = offsets_operation(options, wrong);
+    else if (options.group == "zeros") op = zeros_operation(options, wrong);
     else if (options.group == "parts") op = parts_operation(options, wrong);
     else if (options.group == "pallets") op = pallets_operation(options, wrong);
     else if (options.group == "users") op = users_operation(options, wrong);
@@ -243,13 +261,14 @@ int store_verb(const StoreOptions& options, bool json) {
         if (!text) return refuse(text.diagnosis());
         op["text"] = *text;
     }
-    // Several values of one offset are several entries; the first refusal ends it.
+    // Several values of one offset or zero are several entries; the first refusal ends it.
     Json answer;
-    const std::size_t entries = op.value("do", "") == "offsets.set" ? options.words.size() - 3 : 1;
+    const std::size_t first = op.value("do", "") == "offsets.set" ? 3 : op.value("do", "") == "zeros.set" ? 2 : options.words.size();
+    const std::size_t entries = first < options.words.size() ? options.words.size() - first : 1;
     for (std::size_t i = 0; i < entries; ++i) {
         if (entries > 1) {
             std::string name, value;
-            if (!split(options.words[3 + i], name, value)) return wrong_word(options.words[3 + i]);
+            if (!split(options.words[first + i], name, value)) return wrong_word(options.words[first + i]);
             op["field"] = name, op["value"] = value;
         }
         if (!send(instance, op, answer)) return 2;

@@ -7,6 +7,7 @@
 #include "ipc/machine/counters.hpp"
 #include "ipc/machine/tool_fields.hpp"
 #include "polyturn/parameter_handles.hpp"
+#include "toolmgmt/operations/offset_rules.hpp"
 #include "toolmgmt/operations/operation.hpp"
 #include "toolmgmt/operations/tool_json.hpp"
 #include "toolmgmt/tools/search.hpp"
@@ -72,8 +73,12 @@ Json report(Work& work) {
     std::string stops, stops_tool;
     for (const auto& [name, tools] : groups_of(values)) {
         Json one = {{"group", name}}, list = Json::array();
-        double left_parts = 0, left = 0;
-        bool watched = false, known = true;
+        struct Kind {
+            std::vector<std::int32_t> tools;
+            double left = 0;
+        };
+        std::map<std::uint32_t, Kind> kinds;   // sisters may be watched in different units: those are never added
+        bool endless = false;
         std::int32_t last = 0;
         for (const std::int32_t number : tools) {
             const ToolRow& row = *values.tool(number);
@@ -81,25 +86,32 @@ Json report(Work& work) {
             Json tool = {{"tool", number}, {"name", name_of(row)}, {"duplo", row.duplo}, {"usable", usable(row)}, {"worn", (row.state & kToolWorn) != 0}, {"warned", (row.state & kToolWarned) != 0},
                          {"life_kind", tool_text(row, tool_field("life_kind"))}, {"unit", kLifeUnits[std::min<std::size_t>(row.life_kind, 5)]}, {"life", row.life}, {"counter", row.counter}};
             if (std::isfinite(rest)) {
-                watched = true;
                 tool["left"] = rest;
+                kinds[row.life_kind].tools.push_back(number);
                 if (usable(row)) {
-                    left += rest;
+                    kinds[row.life_kind].left += rest;
                     last = number;
                 }
             } else if (usable(row)) {
-                known = false, left = std::numeric_limits<double>::infinity();
+                endless = true;
             }
             list.push_back(std::move(tool));
         }
         one["tools"] = std::move(list);
-        if (watched && std::isfinite(left)) {
-            one["left"] = left;
-            one["unit"] = kLifeUnits[std::min<std::size_t>(values.tool(tools.front())->life_kind, 5)];
-            double rate = per_part(values, tools, parts);
-            if (rate <= 0 && static_cast<LifeKind>(values.tool(tools.front())->life_kind) == LifeKind::Pieces) rate = 1;
-            left_parts = rate > 0 ? std::floor(left / rate + 1e-9) : 0;
-            if (known && rate > 0) {
+        if (!kinds.empty() && !endless) {
+            const bool mixed = kinds.size() > 1;
+            if (!mixed) one["left"] = kinds.begin()->second.left;
+            one["unit"] = mixed ? "mixed" : kLifeUnits[std::min<std::size_t>(kinds.begin()->first, 5)];
+            double left_parts = 0;
+            bool known = true;
+            for (const auto& [kind, of] : kinds) {
+                double rate = per_part(values, of.tools, parts);
+                if (static_cast<LifeKind>(kind) == LifeKind::Pieces && (rate <= 0 || mixed)) rate = 1;   // those that take turns with others say no rate of their own
+                known = known && (rate > 0 || of.left <= 0);
+                if (rate > 0) left_parts += of.left / rate;
+            }
+            left_parts = std::floor(left_parts + 1e-9);
+            if (known) {
                 one["parts_left"] = left_parts;
                 if (minutes > 0) one["minutes_left"] = left_parts * minutes;
                 if (left_parts < first) first = left_parts, stops = name, stops_tool = last ? std::to_string(last) : std::string();
@@ -150,7 +162,7 @@ Json reset(const Json& request, Work& work) {
         std::int64_t channel = 0;
         if (read_whole(request, "channel", channel, work, false) && row->h_cell > 0 && channel >= 1 && channel <= static_cast<std::int64_t>(kMaxChannels))
             for (int field = 0; field < 4; ++field)
-                set_value(work.values, {Kind::Offset, static_cast<std::int32_t>(channel), row->h_cell, 256 + field, {}}, 0, work.changes);
+                set_value(work.values, offset_key(work, channel, row->h_cell, 1, field), 0, work.changes);
     }
     return {{"reset", tools.size()}};
 }

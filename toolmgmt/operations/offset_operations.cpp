@@ -10,6 +10,7 @@
 #include "ipc/machine/work_zeros.hpp"
 #include "ipc/params/registry.hpp"
 #include "polyturn/parameter_handles.hpp"
+#include "toolmgmt/apply_request.hpp"
 #include "toolmgmt/operations/offset_rules.hpp"
 #include "toolmgmt/operations/operation.hpp"
 #include "toolmgmt/tools/tool_requests.hpp"
@@ -19,8 +20,16 @@ namespace polyturn::toolmgmt {
 constexpr const char* kTables[] = {"geometry", "wear", "second"};   // order of OffsetTable
 constexpr std::string_view kFields = "XYZRT";                       // order of OffsetField
 
+Key offset_key(const Work& work, std::int64_t channel, std::int64_t number, int table, int field) {
+    return {Kind::Offset, offset_owner(work.values.parameters, work.machine, channel, number), static_cast<std::int32_t>(number), table * 256 + field, {}};
+}
+
+const OffsetCell& offset_cell(const Work& work, std::int64_t channel, std::int64_t number) {
+    return work.values.channels[static_cast<std::size_t>(offset_owner(work.values.parameters, work.machine, channel, number) - 1)].offsets[static_cast<std::size_t>(number)];
+}
+
 bool enter_offset(Work& work, std::int32_t channel, std::int32_t number, int table, int field, double value) {
-    const Key key{Kind::Offset, channel, number, table * 256 + field, {}};
+    const Key key = offset_key(work, channel, number, table, field);
     const auto refuse = [&](Alarm alarm, const std::string& why) { return work.fault(alarm, describe(key) + "=" + shortest_text(value) + ": " + why), false; };
     const double* now = number_at(work.values, key);
     if (!now || channel < 1 || channel > static_cast<std::int32_t>(kMaxChannels) || !work.machine.channel(static_cast<std::size_t>(channel)).exists()) return refuse(Alarm::StoreRequestBad, "there is no such offset");
@@ -37,7 +46,7 @@ bool enter_offset(Work& work, std::int32_t channel, std::int32_t number, int tab
         if (step > 0 && std::abs(value - *now) > step * (1 + 1e-9)) return refuse(Alarm::StoreRequestBad, "one entry changes wear by " + shortest_text(step) + " mm at the most (PT_WEAR_STEP)");
     }
     set_value(work.values, key, value + 0.0, work.changes);
-    look_at_wear(work.values, static_cast<unsigned>(channel), number, work.changes);
+    look_at_wear(work.values, static_cast<unsigned>(key.scope), number, work.changes);
     return true;
 }
 
@@ -76,11 +85,11 @@ Json set(const Json& request, Work& work) {
     Target target;
     double value = 0;
     if (!read_target(request, work, target) || !read_real(request, "value", value, work)) return {};
-    const Key key{Kind::Offset, static_cast<std::int32_t>(target.channel), static_cast<std::int32_t>(target.number), target.table * 256 + target.field, {}};
+    const Key key = offset_key(work, target.channel, target.number, target.table, target.field);
     const double* now = number_at(work.values, key);
     const double before = now ? *now : 0.0;
     if (request.value("incremental", false)) value += before;
-    enter_offset(work, key.scope, key.number, target.table, target.field, value);
+    enter_offset(work, static_cast<std::int32_t>(target.channel), key.number, target.table, target.field, value);
     return {{"what", describe(key)}, {"old", before}, {"new", value}};
 }
 
@@ -95,13 +104,13 @@ Json measure(const Json& request, Work& work) {
     if (!row) return work.fault(Alarm::StoreRequestBad, "there is no zero offset " + system, 0, "zero"), Json();
     const auto& zeros = work.values.channels[static_cast<std::size_t>(target.channel - 1)].zeros;
     const double zero = zeros[*row * kChannelAxes + axis->slot] + zeros[kZeroExternal * kChannelAxes + axis->slot];
-    const Key key{Kind::Offset, static_cast<std::int32_t>(target.channel), static_cast<std::int32_t>(target.number), target.table * 256 + target.field, {}};
+    const Key key = offset_key(work, target.channel, target.number, target.table, target.field);
     const double* now = number_at(work.values, key);
     const double before = now ? *now : 0.0;
     // Wear stays what it is: what is measured is the sum of both.
-    const double wear = target.table == 0 && now ? work.values.channels[static_cast<std::size_t>(target.channel - 1)].offsets[static_cast<std::size_t>(target.number)].wear[static_cast<std::size_t>(target.field)] : 0.0;
+    const double wear = target.table == 0 && now ? offset_cell(work, target.channel, target.number).wear[static_cast<std::size_t>(target.field)] : 0.0;
     const double fresh = position - zero - value - wear;
-    enter_offset(work, key.scope, key.number, target.table, target.field, std::round(fresh * 1e6) / 1e6);
+    enter_offset(work, static_cast<std::int32_t>(target.channel), key.number, target.table, target.field, std::round(fresh * 1e6) / 1e6);
     return {{"what", describe(key)}, {"machine", position}, {"zero", zero}, {"old", before}, {"new", std::round(fresh * 1e6) / 1e6}, {"difference", std::round((fresh - before) * 1e6) / 1e6}};
 }
 
@@ -127,7 +136,7 @@ Json touched(const Json& request, Work& work) {
     if (!touch) return work.fault(Alarm::StoreRequestBad, "the kernel does not say where the tool has touched"), Json();
     if (params::get(t, params::n3012_sensor_input_of_tool_setter_s1, l) == 0 && params::get(t, params::n3013_sensor_input_of_tool_setter_s2, l) == 0)
         return work.fault(Alarm::SetterUnset, "channel L" + std::to_string(channel)), Json();
-    if (touch->axis == 0 || touch->axis > kMaxAxes) return work.fault(Alarm::SetterNoTouch, "channel L" + std::to_string(channel)), Json();
+    if (touch->axis == 0 || touch->axis > kMaxAxes || touch->workpiece()) return work.fault(Alarm::SetterNoTouch, "channel L" + std::to_string(channel)), Json();
     const AxisConfig& axis = work.machine.axis(touch->axis);
     const auto field = axis.role == PlaneRole::BasicX ? std::size_t{0} : axis.role == PlaneRole::BasicY ? std::size_t{1} : std::size_t{2};
     if (axis.role != PlaneRole::BasicX && axis.role != PlaneRole::BasicY && axis.role != PlaneRole::BasicZ) return work.fault(Alarm::SetterNoTouch, "axis " + std::string(axis.name_text())), Json();
@@ -142,18 +151,18 @@ Json touched(const Json& request, Work& work) {
         return work.fault(Alarm::StoreRequestBad, "number is missing", 0, "number"), Json();
     }
     const int which = table == "wear" ? 1 : 0;
-    const Key key{Kind::Offset, static_cast<std::int32_t>(channel), static_cast<std::int32_t>(number), which * 256 + static_cast<int>(field), {}};
+    const Key key = offset_key(work, channel, number, which, static_cast<int>(field));
     const double* now = number_at(work.values, key);
     const double before = now ? *now : 0.0;
     const double machine = touch->at * (axis.diameter ? 2.0 : 1.0), contact = contact_position(work, l, *touch, static_cast<int>(field));
     double other = 0;   // what the sum of geometry and wear has from the other table
     if (now) {
-        const OffsetCell& cell = work.values.channels[l - 1].offsets[static_cast<std::size_t>(number)];
+        const OffsetCell& cell = offset_cell(work, channel, number);
         other = which ? cell.geometry[field] : cell.wear[field];
     }
     const double fresh = std::round((machine - contact - other) * 1e6) / 1e6;
-    enter_offset(work, key.scope, key.number, which, static_cast<int>(field), fresh);
-    return {{"what", describe(key)}, {"machine", machine}, {"contact", contact}, {"setter", touch->setter}, {"old", before}, {"new", fresh}, {"difference", std::round((fresh - before) * 1e6) / 1e6}};
+    enter_offset(work, static_cast<std::int32_t>(channel), key.number, which, static_cast<int>(field), fresh);
+    return {{"what", describe(key)}, {"machine", machine}, {"contact", contact}, {"setter", touch->spindle()}, {"old", before}, {"new", fresh}, {"difference", std::round((fresh - before) * 1e6) / 1e6}};
 }
 
 // What a presetter has measured (X as a radius): geometry, nose radius and tip number of one offset.
@@ -178,10 +187,10 @@ Json preset(const Json& request, Work& work) {
             if (axis->diameter) value *= 2;
             value = std::round(value * 1e4) / 1e4;
         }
-        const Key key{Kind::Offset, static_cast<std::int32_t>(channel), static_cast<std::int32_t>(number), field, {}};
+        const Key key = offset_key(work, channel, number, 0, field);
         const double* now = number_at(work.values, key);
         const double before = now ? *now : 0.0;
-        if (!enter_offset(work, key.scope, key.number, 0, field, value)) continue;
+        if (!enter_offset(work, static_cast<std::int32_t>(channel), key.number, 0, field, value)) continue;
         rows.push_back({{"what", describe(key)}, {"old", before}, {"new", value}, {"difference", std::round((value - before) * 1e6) / 1e6}});
     }
     return {{"entries", std::move(rows)}};
@@ -221,9 +230,8 @@ Json list(const Json& request, Work& work) {
     if (channel < 1 || channel > static_cast<std::int64_t>(kMaxChannels) || !work.machine.channel(static_cast<std::size_t>(channel)).exists())
         return work.fault(Alarm::StoreRequestBad, "channel L" + std::to_string(channel) + " does not exist"), Json();
     Json out = Json::array();
-    const auto& cells = work.values.channels[static_cast<std::size_t>(channel - 1)].offsets;
     for (int n = 1; n <= work.machine.channel(static_cast<std::size_t>(channel)).offset_count; ++n) {
-        const OffsetCell& cell = cells[static_cast<std::size_t>(n)];
+        const OffsetCell& cell = offset_cell(work, channel, n);
         out.push_back({{"number", n}, {"geometry", {{"X", cell.geometry[0]}, {"Y", cell.geometry[1]}, {"Z", cell.geometry[2]}, {"R", cell.geometry_r}, {"T", cell.tip}}},
                        {"wear", {{"X", cell.wear[0]}, {"Y", cell.wear[1]}, {"Z", cell.wear[2]}, {"R", cell.wear_r}}},
                        {"second", {{"X", cell.second[0]}, {"Y", cell.second[1]}, {"Z", cell.second[2]}}}});

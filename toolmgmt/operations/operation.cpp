@@ -22,6 +22,7 @@ constexpr Row kRows[] = {
     {"tools.", UserLevel::Setter, tool_operation},         {"life.report", UserLevel::None, life_operation},   {"life.reset", UserLevel::Operator, life_operation},
     {"life.", UserLevel::Setter, life_operation},          {"offsets.list", UserLevel::None, offset_operation}, {"offsets.history", UserLevel::None, offset_operation},
     {"offsets.", UserLevel::Operator, offset_operation},   {"history.", UserLevel::None, offset_operation},    {"parts.list", UserLevel::None, part_operation},
+    {"zeros.list", UserLevel::None, zero_operation},        {"zeros.", UserLevel::Setter, zero_operation},
     {"parts.measure", UserLevel::Operator, part_operation}, {"parts.accept", UserLevel::Operator, part_operation}, {"parts.", UserLevel::Setter, part_operation},
     {"users.login", UserLevel::None, user_operation},      {"users.password", UserLevel::None, user_operation}, {"users.", UserLevel::Maker, user_operation},
     {"pallets.list", UserLevel::None, pallet_operation},   {"pallets.", UserLevel::Operator, pallet_operation}, {"backup.", UserLevel::Setter, backup_operation},

@@ -34,11 +34,13 @@ struct Caller {
     std::string name;          // for the history
 };
 
-// Where a tool touched the setter last, as the kernel tells.
+// Where a setter was touched last, as the kernel tells.
 struct Touch {
     unsigned axis = 0;         // machine axis, from 1; 0: it has not
     bool negative = false;     // it travelled in the axis' negative direction
-    unsigned setter = 1;       // of spindle 1 or 2
+    unsigned setter = 1;       // 1, 2: the tool setter of this spindle; 3, 4: the workpiece setter of spindle 1, 2
+    bool workpiece() const { return setter > 2; }
+    unsigned spindle() const { return workpiece() ? setter - 2 : setter; }
     double at = 0;             // machine coordinate, X as a radius
     std::int32_t plc_offset = 0;   // CP_OFFSNO
 };
@@ -73,6 +75,7 @@ Json tool_operation(std::string_view what, const Json& request, Work& work);
 Json life_operation(std::string_view what, const Json& request, Work& work);
 Json table_operation(std::string_view what, const Json& request, Work& work);
 Json offset_operation(std::string_view what, const Json& request, Work& work);
+Json zero_operation(std::string_view what, const Json& request, Work& work);
 Json part_operation(std::string_view what, const Json& request, Work& work);
 Json user_operation(std::string_view what, const Json& request, Work& work);
 Json pallet_operation(std::string_view what, const Json& request, Work& work);

@@ -1,6 +1,7 @@
 // The pallet table (nct part 2, 34): a row for the pallet in the working area, one for the loading station where there is one
 // (N3300 MNT), one for each place of the pool (N3301). Each pallet has its number, its program and free columns (N3302).
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -43,6 +44,7 @@ Json row_json(const StoreValues& values, const Layout& layout, std::int32_t row)
     const Cell* program = values.cell(key_of(row, "program"));
     Json out = {{"row", row}, {"station", station(layout, row)}, {"pallet", number("pallet")}, {"program", program ? program->text : std::string()}};
     for (std::int32_t k = 1; k <= layout.columns; ++k) out["custom" + std::to_string(k)] = number("custom" + std::to_string(k));
+    if (layout.columns > 0) out["custom1"] = std::bitset<8>(static_cast<unsigned long>(number("custom1"))).to_string();
     return out;
 }
 
@@ -59,7 +61,8 @@ void set_row(Work& work, const Layout& layout, std::int32_t row, const Json& fie
         double real = 0;
         const bool custom = name.rfind("custom", 0) == 0 && name.size() == 7 && name[6] >= '1' && name[6] - '0' <= layout.columns;
         if (name != "pallet" && !custom) { work.fault(Alarm::StoreRequestBad, "there is no column " + name, row, name); continue; }
-        if (!read_real(fields, name.c_str(), real, work)) continue;
+        if (name == "custom1" && text.size() == 8 && text.find_first_not_of("01") == std::string::npos) real = static_cast<double>(std::stoul(text, nullptr, 2));   // eight bits, bit 7 first
+        else if (!read_real(fields, name.c_str(), real, work)) continue;
         const bool whole = name == "pallet" || name == "custom1";
         const double most = name == "custom1" ? 255 : name == "pallet" ? 9999 : 1e9;
         if ((whole && (real < 0 || real != std::trunc(real))) || std::fabs(real) > most) work.fault(Alarm::StoreRequestBad, name + "=" + text + ": " + (whole ? "a whole number from 0" : "") + " to " + shortest_text(most), row, name);

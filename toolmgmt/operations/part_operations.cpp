@@ -176,7 +176,7 @@ Json part_operation(std::string_view what, const Json& request, Work& work) {
         const std::int32_t cell = cell_of(values, number);
         if (cell == 0) return work.fault(Alarm::StoreRequestBad, "dimension " + std::to_string(number) + " names neither an offset nor a tool with one"), Json();
         const int axis = axis_of(values, number);
-        const Key key{Kind::Offset, channel, cell, 256 + axis, {}};
+        const Key key = offset_key(work, channel, cell, 1, axis);
         const double* wear = number_at(values, key);
         const double before = wear ? *wear : 0;
         if (!enter_offset(work, channel, cell, 1, axis, rounded(before + correction))) return {};

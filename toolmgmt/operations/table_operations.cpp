@@ -8,6 +8,7 @@
 #include "ipc/machine/tool_fields.hpp"
 #include "ipc/params/registry.hpp"
 #include "polyturn/parameter_handles.hpp"
+#include "toolmgmt/apply_request.hpp"
 #include "toolmgmt/operations/operation.hpp"
 #include "toolmgmt/operations/table_readers.hpp"
 #include "toolmgmt/operations/tool_json.hpp"
@@ -39,7 +40,7 @@ void enter_cell(Work& work, std::int64_t channel, const TableEntry& entry) {
     const double value = std::stod(entry.text);
     const int code = std::stoi(entry.field);
     if (code % 256 == 4 && (value < 0 || value > 9 || value != std::trunc(value))) return work.fault(Alarm::ImportFault, "tip directions are 0 to 9", entry.row, entry.column);
-    set_value(work.values, {Kind::Offset, static_cast<std::int32_t>(channel), static_cast<std::int32_t>(entry.cell), code, {}}, value, work.changes);
+    set_value(work.values, {Kind::Offset, offset_owner(work.values.parameters, work.machine, channel, entry.cell), static_cast<std::int32_t>(entry.cell), code, {}}, value, work.changes);
 }
 
 Json import_table(const Json& request, Work& work) {
@@ -128,7 +129,7 @@ std::string csv(const StoreValues& values) {
     for (const ToolField& field : tool_fields()) {
         bool wanted = field.name.rfind("custom", 0) != 0;
         for (const ToolRow& row : values.tools.rows) wanted = wanted || (row.used && tool_number(row, field) != 0);
-        if (wanted) columns.push_back(&field), out += "," + std::string(field.name);
+        if (wanted && column_exists(values, field)) columns.push_back(&field), out += "," + std::string(field.name);
     }
     for (const auto& [edge, dp] : edge_columns) out += ",D" + std::to_string(edge) + ".DP" + std::to_string(dp);
     out += "\n";

@@ -3,11 +3,13 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "ipc/machine/tool_fields.hpp"
 #include "toolmgmt/operations/operation.hpp"
 
 namespace polyturn::toolmgmt {
 
 std::int64_t table_length(const StoreValues& values);   // N2902
+bool column_exists(const StoreValues& values, const ToolField& field);   // N2903 for the free ones
 Json tool_json(const StoreValues& values, std::int32_t number);
 // `row` of a table for the faults; 0 none. False: a fault was added.
 bool set_fields(Work& work, std::int32_t number, const Json& fields, int row);

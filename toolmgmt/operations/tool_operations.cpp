@@ -17,6 +17,12 @@
 
 namespace polyturn::toolmgmt {
 
+bool column_exists(const StoreValues& values, const ToolField& field) {
+    int number = 0;
+    if (std::sscanf(std::string(field.name).c_str(), "custom%d", &number) != 1) return true;
+    return number <= static_cast<int>(params::get(values.parameters, params::n2903_no_of_custom_columns));
+}
+
 std::int64_t table_length(const StoreValues& values) {
     return std::min<std::int64_t>(static_cast<std::int64_t>(params::get(values.parameters, params::n2902_tool_management_table_length)), static_cast<std::int64_t>(kTools));
 }
@@ -27,7 +33,8 @@ Json tool_json(const StoreValues& values, std::int32_t number) {
     out["tool"] = number;
     for (const ToolField& field : tool_fields()) {
         if (field.name.rfind("custom", 0) == 0 && tool_number(row, field) == 0) continue;
-        if (field.is_text() || field.type == ToolFieldType::Life) out[std::string(field.name)] = tool_text(row, field);
+        if (field.unit == "bits") out[std::string(field.name)] = tool_text(row, field);
+        else if (field.is_text() || field.type == ToolFieldType::Life) out[std::string(field.name)] = tool_text(row, field);
         else if (field.type == ToolFieldType::Flag) out[std::string(field.name)] = tool_number(row, field) != 0;
         else out[std::string(field.name)] = tool_number(row, field);
     }
@@ -79,6 +86,8 @@ bool set_field(Work& work, std::int32_t number, const std::string& name, const s
     if (!field) return work.fault(Alarm::ToolValueBad, "there is no column " + name, row, name), false;
     if (name == "magazine" || name == "pot") return work.fault(Alarm::ToolValueBad, name + ": use tools load, unload or move", row, name), false;
     const ToolField& column = tool_fields()[*field];
+    if (!column_exists(work.values, column))
+        return work.fault(Alarm::ToolValueBad, "there is no column " + name + ": this machine has " + std::to_string(static_cast<int>(params::get(work.values.parameters, params::n2903_no_of_custom_columns))) + " free ones (N2903)", row, name), false;
     const auto value = read_tool_value(column, text);
     if (!value) return work.fault(value.diagnosis(), row, name), false;
     if (column.is_text()) set_tool_text(work.values, number, name, value->text, work.changes);
@@ -255,7 +264,7 @@ Json tool_operation(std::string_view what, const Json& request, Work& work) {
     if (what == "fields") {
         Json out = Json::array();
         for (const ToolField& field : tool_fields())
-            out.push_back({{"name", std::string(field.name)}, {"unit", std::string(field.unit)}, {"least", field.least}, {"most", field.most}, {"meaning", std::string(field.meaning)}});
+            if (column_exists(work.values, field)) out.push_back({{"name", std::string(field.name)}, {"unit", std::string(field.unit)}, {"least", field.least}, {"most", field.most}, {"meaning", std::string(field.meaning)}});
         return {{"fields", std::move(out)}};
     }
     if (what != "show" && what != "set" && what != "delete") return work.fault(Alarm::StoreRequestBad, "tools." + std::string(what)), Json();

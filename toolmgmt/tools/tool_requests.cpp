@@ -105,9 +105,11 @@ void use_up(StoreValues& values, std::int32_t tool, LifeKind kind, double amount
 }
 
 void look_at_wear(StoreValues& values, unsigned channel, std::int32_t cell, std::vector<Change>& changes) {
+    // A common cell is that of tools of all channels.
+    const bool common = cell <= static_cast<std::int32_t>(std::max(params::get(values.parameters, params::n1401_no_of_common_tool_offsets_m), params::get(values.parameters, params::n1412_no_of_common_tool_offsets_t)));
     for (std::size_t i = 0; i < kTools; ++i) {
         const ToolRow& row = values.tools.rows[i];
-        if (!row.used || row.h_cell != cell || static_cast<LifeKind>(row.life_kind) != LifeKind::Wear || !reaches(values.parameters, channel, row)) continue;
+        if (!row.used || row.h_cell != cell || static_cast<LifeKind>(row.life_kind) != LifeKind::Wear || !(common || reaches(values.parameters, channel, row))) continue;
         const auto& wear = values.channels[channel - 1].offsets[static_cast<std::size_t>(cell)].wear;
         double most = 0;
         for (const double one : wear) most = std::max(most, std::fabs(one));

@@ -1,5 +1,7 @@
 // Operations of the store: all of it or nothing, every fault named.
 #include "../tools/tool_rig.hpp"
+#include "ipc/machine/store_requests.hpp"
+#include "toolmgmt/apply_request.hpp"
 
 #include <set>
 
@@ -151,11 +153,51 @@ TEST(Users, AreLockedOutAfterWrongPasswordsAndKeepOneMaker) {
     EXPECT_FALSE(rig.run({{"do", "users.list"}}, UserLevel::Setter));
 }
 
+// nct part 1 15.1: numbers up to N1412 mean one cell in all turning channels, whichever channel it is entered in.
+TEST(Offsets, OfCommonNumbersAreOneCellForAllTurningChannels) {
+    ToolRig rig;
+    rig.set("N1412=3");
+    ASSERT_TRUE(rig.run({{"do", "offsets.set"}, {"channel", 2}, {"number", 3}, {"table", "geometry"}, {"field", "Z"}, {"value", 7}})) << rig.said();
+    ASSERT_TRUE(rig.run({{"do", "offsets.set"}, {"channel", 2}, {"number", 4}, {"table", "geometry"}, {"field", "Z"}, {"value", 8}})) << rig.said();
+    EXPECT_EQ(rig.values->channels[0].offsets[3].geometry[2], 7);
+    EXPECT_EQ(rig.values->channels[1].offsets[3].geometry[2], 0);
+    EXPECT_EQ(rig.values->channels[1].offsets[4].geometry[2], 8);
+    ASSERT_TRUE(rig.run({{"do", "offsets.set"}, {"channel", 2}, {"number", 3}, {"table", "wear"}, {"field", "X"}, {"value", 0.01}}));
+    ASSERT_TRUE(rig.run({{"do", "offsets.set"}, {"channel", 1}, {"number", 3}, {"table", "wear"}, {"field", "X"}, {"value", 0.02}, {"incremental", true}}));
+    EXPECT_DOUBLE_EQ(rig.answer["new"], 0.03);
+    for (const int channel : {1, 2}) {
+        ASSERT_TRUE(rig.run({{"do", "offsets.list"}, {"channel", channel}}));
+        EXPECT_DOUBLE_EQ(rig.answer["offsets"][2]["wear"]["X"], 0.03);
+        EXPECT_EQ(rig.answer["offsets"][2]["geometry"]["Z"], 7);
+    }
+    const auto request = offset_request(2, 2, OffsetTable::Geometry, OffsetField::X, 5.0);   // as a program or a screen writes it
+    const auto applied = toolmgmt::apply_request(request, toolmgmt::Origin::Operator, rig.machine, *rig.values);
+    ASSERT_TRUE(applied);
+    EXPECT_EQ(rig.values->channels[0].offsets[2].geometry[0], 5);
+}
+
+// nct part 2 30.1: N2903 free columns, the first always binary.
+TEST(Tools, HaveAsManyFreeColumnsAsN2903SaysAndTheFirstHoldsBits) {
+    ToolRig rig;
+    const int tool = rig.add({{"custom1", "00000101"}, {"custom5", -2.5}});
+    EXPECT_EQ(rig.values->tool(tool)->custom[0], 5);
+    ASSERT_TRUE(rig.run({{"do", "tools.show"}, {"tool", tool}}));
+    EXPECT_EQ(rig.answer["custom1"], "00000101");
+    ASSERT_TRUE(rig.run({{"do", "tools.set"}, {"tool", tool}, {"fields", {{"custom1", 130}}}}));
+    EXPECT_EQ(rig.answer["custom1"], "10000010");
+    for (const Json& wrong : {Json(300), Json("2.5"), Json("00000102"), Json("-1")}) EXPECT_FALSE(rig.run({{"do", "tools.set"}, {"tool", tool}, {"fields", {{"custom1", wrong}}}})) << wrong;
+    EXPECT_FALSE(rig.run({{"do", "tools.set"}, {"tool", tool}, {"fields", {{"custom6", 1}}}}));
+    EXPECT_NE(rig.said().find("N2903"), std::string::npos) << rig.said();
+    ASSERT_TRUE(rig.run({{"do", "tools.fields"}}));
+    EXPECT_EQ(rig.answer["fields"].back()["name"], "custom5");
+}
+
 TEST(Pallets, StandInOnePlaceAndExchangeWithTheirPrograms) {
     ToolRig rig;
     EXPECT_FALSE(rig.run({{"do", "pallets.list"}}));
     for (const char* line : {"N3300=00000011", "N3301=2", "N3302=2"}) rig.set(line);
     ASSERT_TRUE(rig.run({{"do", "pallets.set"}, {"row", 1}, {"fields", {{"pallet", 7}, {"program", "1234"}, {"custom1", 5}}}})) << rig.said();
+    EXPECT_EQ(rig.answer["custom1"], "00000101");
     EXPECT_FALSE(rig.run({{"do", "pallets.set"}, {"row", 2}, {"fields", {{"pallet", 7}}}}));
     EXPECT_FALSE(rig.run({{"do", "pallets.set"}, {"row", 2}, {"fields", {{"program", "12"}}}}));
     EXPECT_FALSE(rig.run({{"do", "pallets.set"}, {"row", 5}, {"fields", {{"pallet", 8}}}}));
@@ -187,6 +229,21 @@ TEST(Life, ForecastsWhatStopsTheMachineFirst) {
     ASSERT_TRUE(rig.run({{"do", "life.report"}})) << rig.said();
     for (const auto& group : rig.answer["groups"])
         if (group["group"] == "T6") { EXPECT_EQ(group["parts_left"], 20 * 34 / 14) << group.dump(); }   // 14 pieces in the 34 parts since it was entered
+}
+
+// Minutes and pieces are never added: such a group tells the parts that are left, and no amount.
+TEST(Life, OfSistersInDifferentUnitsIsForecastInPartsOnly) {
+    ToolRig rig;
+    const int timed = rig.add({{"type", 5}, {"life_kind", "minutes"}, {"life", 10}}, 1, 3);
+    rig.add({{"type", 5}, {"duplo", 2}, {"life_kind", "pieces"}, {"life", 7}}, 1, 4);
+    ASSERT_TRUE(rig.run({{"do", "life.reset"}, {"tools", {timed}}}));
+    rig.values->counters[0] = 4;
+    rig.values->tool(timed)->counter = 2;   // half a minute a part: 16 parts are left of it, and 7 of the other
+    ASSERT_TRUE(rig.run({{"do", "life.report"}})) << rig.said();
+    const Json& group = rig.answer["groups"][0];
+    EXPECT_FALSE(group.contains("left")) << group;
+    EXPECT_EQ(group["unit"], "mixed");
+    EXPECT_EQ(group["parts_left"], 23);
 }
 
 }  // namespace

@@ -31,6 +31,7 @@ struct ToolRig {
         toolmgmt::clear(*values);
         values->parameters = *load_machine_file({}).table;
         set("N2900=00000001");
+        set("N2903=5");
         machine = derive_machine_config(values->parameters);
     }
     void set(const std::string& line) {

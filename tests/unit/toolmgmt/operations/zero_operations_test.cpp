@@ -1,0 +1,121 @@
+// Zeros by hand: typed in, from a surface the tool stands at, from the workpiece setter (nct part 2, 31: N3014 to N3018).
+#include "tests/unit/toolmgmt/tools/tool_rig.hpp"
+
+namespace polyturn {
+namespace {
+
+using test::ToolRig;
+using toolmgmt::Json;
+using toolmgmt::Touch;
+
+// L1 of the demonstration machine: A1 X (a diameter), A2 Z. Offset 9 is the probe: lengths 40 (diameter) and 30 to the middle of a ball of 2 mm.
+struct Probe : ToolRig {
+    Touch contact{2, true, 3, 12.5, 0};   // A2 moving in -Z, workpiece setter of S1, at Z 12.5
+    Probe() {
+        set("N3014 L1=6");
+        auto& cell = values->channels[0].offsets[9];
+        cell.geometry = {40, 0, 30}, cell.wear = {0, 0, 0.1}, cell.geometry_r = 1, cell.tip = 9;
+        touch = [this](unsigned) { return std::optional(contact); };
+    }
+    bool touched(Json more = Json::object()) {
+        Json request = {{"do", "zeros.touch"}, {"channel", 1}};
+        request.update(more);
+        return run(request);
+    }
+    double zero(const char* name, int place) { return values->channels[0].zeros[*work_zero_row(name) * kChannelAxes + static_cast<std::size_t>(place)]; }
+};
+
+TEST(Zeros, AreTypedInAbsoluteAndIncremental) {
+    ToolRig rig;
+    ASSERT_TRUE(rig.run({{"do", "zeros.set"}, {"channel", 1}, {"zero", "G55"}, {"field", "Z"}, {"value", -150}})) << rig.said();
+    ASSERT_TRUE(rig.run({{"do", "zeros.set"}, {"channel", 1}, {"zero", "G55"}, {"field", "Z"}, {"value", "0.5"}, {"incremental", true}})) << rig.said();
+    EXPECT_EQ(rig.answer["new"], -149.5);
+    ASSERT_TRUE(rig.run({{"do", "zeros.list"}, {"channel", 1}}));
+    EXPECT_EQ(rig.answer["zeros"][2]["zero"], "G55");
+    EXPECT_EQ(rig.answer["zeros"][2]["Z"], -149.5);
+    for (const Json& wrong : {Json{{"zero", "G60"}, {"field", "Z"}, {"value", 1}}, Json{{"zero", "G54"}, {"field", "Q"}, {"value", 1}}, Json{{"zero", "G54"}, {"field", "Z"}, {"value", "far"}}, Json{{"zero", "G54"}, {"field", "Z"}},
+                              Json{{"zero", "G54"}, {"field", "Z"}, {"value", 1e9}}}) {
+        Json request = {{"do", "zeros.set"}, {"channel", 1}};
+        request.update(wrong);
+        EXPECT_FALSE(rig.run(request)) << wrong;
+    }
+    EXPECT_FALSE(rig.run({{"do", "zeros.set"}, {"channel", 1}, {"zero", "G54"}, {"field", "Z"}, {"value", 1}}, UserLevel::Operator));
+    EXPECT_TRUE(rig.run({{"do", "zeros.list"}, {"channel", 1}}, UserLevel::None));
+}
+
+TEST(Zeros, FollowFromASurfaceTheTipStandsAt) {
+    Probe rig;
+    rig.position = [](unsigned axis) { return std::optional(axis == 1 ? 60.0 : 200.0); };
+    // X as diameters: 120 - 40 - 50.
+    ASSERT_TRUE(rig.run({{"do", "zeros.measure"}, {"channel", 1}, {"zero", "G54"}, {"field", "X"}, {"value", 50}, {"offset", 9}})) << rig.said();
+    EXPECT_EQ(rig.answer["new"], 30);
+    rig.values->channels[0].zeros[kZeroExternal * kChannelAxes + 1] = 2;
+    ASSERT_TRUE(rig.run({{"do", "zeros.measure"}, {"channel", 1}, {"zero", "G54"}, {"field", "Z"}, {"value", 0}})) << rig.said();
+    EXPECT_EQ(rig.answer["new"], 198);   // no offset; the external zero counts with it
+    EXPECT_FALSE(rig.run({{"do", "zeros.measure"}, {"channel", 1}, {"field", "Z"}, {"value", 0}, {"offset", 99}}));
+}
+
+TEST(WorkpieceSetter, GivesTheZeroOfTheSurfaceThatWasTouched) {
+    Probe rig;
+    // The ball's middle was at 12.5 - 30.1 from the zero's view and its side is 1 mm further on: the surface, which is to be 0.
+    ASSERT_TRUE(rig.touched({{"zero", "G56"}, {"offset", 9}})) << rig.said();
+    EXPECT_DOUBLE_EQ(rig.answer["new"], 12.5 - 1 - 30.1);
+    EXPECT_DOUBLE_EQ(rig.zero("G56", 1), -18.6);
+    EXPECT_EQ(rig.answer["setter"], 1);
+    ASSERT_TRUE(rig.touched({{"zero", "G56"}, {"offset", 9}, {"field", "Z"}, {"value", 2}}));
+    EXPECT_DOUBLE_EQ(rig.answer["difference"], -2);
+    rig.contact = {1, true, 3, 30, 0};   // X, travelling to the middle: 60 - 2 (two radii) - 40, and the diameter is 16
+    ASSERT_TRUE(rig.touched({{"zero", "G54"}, {"offset", 9}, {"value", 16}})) << rig.said();
+    EXPECT_DOUBLE_EQ(rig.answer["new"], 60 - 2 - 40 - 16);
+    rig.contact = {2, false, 3, 12.5, 0};   // in +Z: the other side of the ball
+    ASSERT_TRUE(rig.touched({{"offset", 9}}));
+    EXPECT_DOUBLE_EQ(rig.answer["new"], 12.5 + 1 - 30.1);
+    rig.values->channels[0].offsets[9].tip = 3;   // lengths of a tip: no ball
+    ASSERT_TRUE(rig.touched({{"offset", 9}}));
+    EXPECT_DOUBLE_EQ(rig.answer["new"], 12.5 - 30.1);
+}
+
+TEST(WorkpieceSetter, LetsParametersAndPlcChooseSystemAndOffset) {
+    Probe rig;
+    rig.set("N3016#1 L1=1");   // WPS
+    rig.set("N3017 L1=57");
+    rig.set("N3018 L1=59");
+    ASSERT_TRUE(rig.touched({{"offset", 0}})) << rig.said();
+    EXPECT_EQ(rig.zero("G57", 1), 12.5);
+    rig.contact.setter = 4;   // at the counter spindle
+    ASSERT_TRUE(rig.touched({{"offset", 0}}));
+    EXPECT_EQ(rig.zero("G59", 1), 12.5);
+    EXPECT_EQ(rig.answer["setter"], 2);
+    EXPECT_FALSE(rig.touched({{"offset", 0}, {"zero", "G54"}}));
+    EXPECT_NE(rig.said().find("WPS"), std::string::npos);
+    rig.set("N3016#0 L1=1");   // ONS
+    rig.contact.plc_offset = 9;
+    ASSERT_TRUE(rig.touched());
+    EXPECT_DOUBLE_EQ(rig.zero("G59", 1), 12.5 - 1 - 30.1);
+    EXPECT_FALSE(rig.touched({{"offset", 3}}));
+    EXPECT_NE(rig.said().find("CP_OFFSNO"), std::string::npos);
+}
+
+TEST(WorkpieceSetter, RefusesWhatWasNotTouchedOrIsNotSaid) {
+    Probe rig;
+    EXPECT_FALSE(rig.touched({{"zero", "G54"}}));   // whose length?
+    EXPECT_FALSE(rig.touched({{"offset", 9}, {"field", "X"}}));   // it was Z
+    rig.contact.setter = 1;   // the tool setter it was
+    EXPECT_FALSE(rig.touched({{"offset", 9}}));
+    EXPECT_EQ(rig.faults.at(0).diagnosis.alarm, Alarm::SetterNoTouch);
+    EXPECT_FALSE(rig.run({{"do", "offsets.touch"}, {"channel", 1}, {"number", 3}}));   // and there is none
+    EXPECT_EQ(rig.faults.at(0).diagnosis.alarm, Alarm::SetterUnset);
+    rig.set("N3012 L1=5");
+    rig.contact.setter = 3;
+    EXPECT_FALSE(rig.run({{"do", "offsets.touch"}, {"channel", 1}, {"number", 3}}));   // the workpiece was touched, no tool
+    EXPECT_EQ(rig.faults.at(0).diagnosis.alarm, Alarm::SetterNoTouch);
+    rig.set("N3014 L1=0");
+    EXPECT_FALSE(rig.touched({{"offset", 9}}));
+    EXPECT_EQ(rig.faults.at(0).diagnosis.alarm, Alarm::SetterUnset);
+    rig.contact.axis = 0;
+    rig.set("N3014 L1=6");
+    EXPECT_FALSE(rig.touched({{"offset", 9}}));
+}
+
+}  // namespace
+}  // namespace polyturn
