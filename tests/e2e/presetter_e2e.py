@@ -111,6 +111,44 @@ class Presetter(Case):
         self.assertAlmostEqual(offset()["Z"], m["Z"], delta=1e-3)
         self.assertEqual(offset()["T"], 3)
 
+    def test_a_camera_gives_one_picture_out_of_several_frames(self):
+        pin, tool = (lambda z, x: x >= 0 and abs(z) <= 1.0), insert(0.8, 0.1, 0.2)
+        for k in range(4):
+            draw(self.folder / f"pin_{k:02}.pgm", pin, seed=10 + k)
+            draw(self.folder / f"tool_{k:02}.pgm", tool, seed=20 + k)
+        done = self.polyturn("presetter", "calibrate", "camera:pin_%02d.pgm", "diameter=2", "x=50", "z=30", "--frames", "4")
+        self.assertEqual(done.status, 0, done.said())
+        sources = ["camera:tool_%02d.pgm"]
+        frames = [(self.folder / f"tool_{k:02}.pgm").read_bytes().split(b"255\n", 1)[1] for k in range(4)]
+        self.write("film.y4m", b"YUV4MPEG2 W%d H%d F25:1 Ip A1:1 Cmono\n" % (SIZE, SIZE) + b"".join(b"FRAME\n" + one for one in frames))
+        film = self.polyturn("presetter", "measure", "camera:film.y4m", "--frames", "4", "--json")
+        if "has no cameras" not in film.err:     # built with OpenCV's videoio
+            sources.append("camera:film.y4m")
+        for source in sources:
+            measured = self.polyturn("presetter", "measure", source, "--frames", "4", "--json")
+            self.assertEqual(measured.status, 0, measured.said())
+            m = json.loads(measured.out)
+            self.assertEqual(m["T"], 3)
+            self.assertAlmostEqual(m["R"], 0.8, delta=0.006)
+            self.assertAlmostEqual(m["X"], 50.6, delta=0.004)
+            self.assertAlmostEqual(m["Z"], 30.7, delta=0.004)
+
+    def test_a_camera_that_is_not_there_or_shows_no_still_picture_is_refused(self):
+        pin = draw(self.folder / "pin.pgm", lambda z, x: x >= 0 and abs(z) <= 1.0)
+        self.assertEqual(self.polyturn("presetter", "calibrate", pin, "diameter=2", "x=50", "z=30").status, 0)
+        for k in range(3):
+            draw(self.folder / f"moves_{k}.pgm", insert(0.8, 0.1 + 0.05 * k, 0.2), seed=k)
+        draw(self.folder / "blurred_1.pgm", insert(0.8, 0.1, 0.2), 5)
+        for source, word in (("camera:97", "no picture"), ("camera:/dev/video97", "no picture"), ("camera:none_%02d.pgm", "no picture"), ("camera:moves_%d.pgm", "move"), ("camera:", "no picture"),
+                             ("camera:pin.pgm%", "no picture")):
+            done = self.polyturn("presetter", "measure", source)
+            self.assertEqual(done.status, 2, done.said())
+            self.assertIn("PT0426", done.err, source)
+            self.assertIn(word, done.err, source)
+        blurred = self.polyturn("presetter", "measure", "camera:blurred_%d.pgm", "--frames", "1")
+        self.assertEqual(blurred.status, 2, blurred.said())
+        self.assertIn("blurred", blurred.err)
+
     def test_what_cannot_be_measured_is_refused_with_its_reason(self):
         pin = draw(self.folder / "pin.pgm", lambda z, x: x >= 0 and abs(z) <= 1.0)
         self.assertEqual(self.polyturn("presetter", "calibrate", pin, "diameter=2", "x=50", "z=30").status, 0)

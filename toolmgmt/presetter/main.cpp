@@ -4,6 +4,7 @@
 //
 //   polyturn-presetter calibrate IMAGE --diameter 6 --x 50 --z 30 --save FILE [--mirrored]
 //   polyturn-presetter measure IMAGE --calibration FILE
+//   polyturn-presetter measure camera:0 --frames 8 --calibration FILE
 //
 // Exit status: 0 measured; 1 refused, the reason as a diagnosis in the JSON; 2 wrong usage.
 #include <CLI/CLI.hpp>
@@ -12,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ipc/diagnosis/tongue.hpp"
+#include "toolmgmt/presetter/camera.hpp"
 #include "toolmgmt/presetter/measure.hpp"
 
 namespace {
@@ -36,9 +38,10 @@ int main(int argc, char** argv) {
     CLI::App app{"Measures the picture of a tool's shadow"};
     app.require_subcommand(1);
     std::string image, file;
+    int frames = presetter::kFrames;
     presetter::GaugePin pin;
     CLI::App* calibrate = app.add_subcommand("calibrate", "Finds scale, tilt and place with a gauge pin");
-    calibrate->add_option("IMAGE", image, "PGM or BMP; - is standard input")->required();
+    calibrate->add_option("IMAGE", image, "PGM or BMP; - is standard input; camera:0 and the like (camera.hpp)")->required();
     calibrate->add_option("--diameter", pin.diameter_mm, "of the pin, mm")->required();
     calibrate->add_option("--error", pin.error_mm, "standard uncertainty of the diameter, mm; default 0.0005");
     calibrate->add_option("--x", pin.x_mm, "X offset that the middle of the pin's end has, mm, as a radius")->required();
@@ -46,14 +49,15 @@ int main(int argc, char** argv) {
     calibrate->add_flag("--mirrored", pin.mirrored, "the right of the picture is -Z");
     calibrate->add_option("--save", file, "where the calibration goes")->required();
     CLI::App* measure = app.add_subcommand("measure", "X, Z, nose radius, tip number and angles");
-    measure->add_option("IMAGE", image, "PGM or BMP; - is standard input")->required();
+    measure->add_option("IMAGE", image, "PGM or BMP; - is standard input; camera:0 and the like (camera.hpp)")->required();
     measure->add_option("--calibration", file, "what calibrate has saved")->required();
+    for (CLI::App* one : {calibrate, measure}) one->add_option("--frames", frames, "of a camera, put together to one picture")->check(CLI::Range(1, presetter::kMostFrames));
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     }
-    const auto picture = presetter::read_image(image);
+    const auto picture = presetter::is_camera(image) ? presetter::take_picture(image, frames) : presetter::read_image(image);
     if (!picture) return refuse(picture.diagnosis());
     if (calibrate->parsed()) {
         pin.x_mm = -pin.x_mm, pin.z_mm = -pin.z_mm;   // where it stands, seen from the seat
