@@ -223,7 +223,7 @@ Result<ToolFieldValue> read_tool_value(const ToolField& field, std::string_view 
         for (const char c : text) bits = bits << 1 | (c == '1' ? 1u : 0u);
         return out.number = bits, out;
     }
-    const auto number = number_of(text);
+    const auto number = is_bits(field) && text.size() == kBits ? std::nullopt : number_of(text);   // eight digits are meant as bits
     if (!number) return wrong(is_bits(field) ? "eight digits 0 or 1, or 0 to 255" : field.type == Type::Life ? "one of none minutes pieces uses metres wear" : "not a number");
     if (*number < field.least || *number > field.most)
         return wrong(shortest_text(field.least) + " to " + shortest_text(field.most) + (field.unit.empty() ? "" : " " + std::string(field.unit)));

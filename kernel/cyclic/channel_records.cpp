@@ -258,7 +258,7 @@ bool ChannelRunner::handshake(const PathRecord& r) noexcept {
         if (unfinished_ && core_.signals.plc(lines.finished(number_)) != core_.signals.nc(lines.strobe(number_))) return false;   // the code before is still to be seen
         unfinished_ = (control_ & kControlNoFinish) != 0 || (r.flags & kBesidePath) != 0;
         phase_ = Phase::Handshake;
-        if (std::exchange(early_, kNoRecord) != cursor_) {
+        if (early_ != cursor_) {
             strobe(r);
             phase_since_ = core_.tick;
             return false;
@@ -267,6 +267,7 @@ bool ChannelRunner::handshake(const PathRecord& r) noexcept {
     // Nobody waits for its end, but the PLC has to see it while the spindle that it means is the selected one.
     if ((r.flags & kBesidePath) && core_.tick <= phase_since_ + core_.config.plc_cycle_ticks) return false;
     if (!unfinished_ && core_.signals.plc(lines.finished(number_)) != strobe_) return false;
+    early_ = kNoRecord;   // until here: the axes may still be coming to rest while the turret turns
     if (managed) {
         if (!core_.tools.in_place(core_, index_)) return false;   // the store's ring is full
         core_.tools.forget(index_);

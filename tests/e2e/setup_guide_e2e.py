@@ -6,8 +6,11 @@ import subprocess
 import tempfile
 import unittest
 
+from presetter_e2e import draw, insert
+
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 POLYTURN = pathlib.Path(os.environ["POLYTURN"]).resolve()
+PRESETTER = (POLYTURN.parent / "polyturn-presetter").exists()
 
 
 class SetupGuide(unittest.TestCase):
@@ -16,9 +19,15 @@ class SetupGuide(unittest.TestCase):
         script = "set -e\ntrap 'kill $(jobs -p) 2> /dev/null' EXIT\n"
         for number, block in enumerate(re.findall(r"^```sh\n(.*?)^```$", text, re.M | re.S), 1):
             script += f"echo '--- block {number}'\n{block}\n"
+        if not PRESETTER:
+            script = re.sub(r"^polyturn presetter .*\n", "", script, flags=re.M)
         # Instances are shared by the whole computer: this run has one of its own.
         script = script.replace("--instance shop", f"--instance shop-{os.getpid()}")
         with tempfile.TemporaryDirectory() as folder:
+            if PRESETTER:
+                draw(pathlib.Path(folder) / "pin.pgm", lambda z, x: x >= 0 and abs(z) <= 1.0)
+                for k, name in enumerate(("tool.pgm", "shot_00.pgm", "shot_01.pgm", "shot_02.pgm", "shot_03.pgm")):
+                    draw(pathlib.Path(folder) / name, insert(0.8, 0.1, 0.2), seed=k)
             environment = dict(os.environ, PATH=f"{POLYTURN.parent}:{os.environ['PATH']}", XDG_RUNTIME_DIR=folder, LC_ALL="C")
             done = subprocess.run(["bash", "-c", script], cwd=folder, env=environment, capture_output=True, text=True, timeout=400)
         out = done.stdout + done.stderr
@@ -30,16 +39,25 @@ class SetupGuide(unittest.TestCase):
         self.assertIn("3 tools, 0 of them new, 0 values changed", block[3])            # what was exported reads in again
         self.assertRegex(block[5], r"wear X.*(?s:.)*0\.02")
         self.assertIn("PT0404", done.stderr)                                           # wear of 1.5 mm
-        self.assertIn("of 45 min", block[6])                                           # the unit is always shown
-        self.assertRegex(block[7], r"2 of 2 pieces.*worn")                              # two parts by the first sister,
-        self.assertRegex(block[7], r"1 of 200 pieces")                                 # the third by the second
-        self.assertIn("-0.0100 mm", block[10])                                          # mean of +0.008 and +0.012
-        self.assertIn("tool 3 exists", block[11])                                      # the preview
-        self.assertRegex(block[11].split("Restored.")[1], r"3 +3 +1 +FINISH_35")
-        self.assertIn("PT0401", block[12])                                             # the damaged file
-        self.assertIn("FINISH_35", block[12])
+        self.assertRegex(block[6], r"L1 offset 3 geometry Z: .* -> ")                     # the tool setter
+        self.assertIn("Nothing was changed yet", block[6])
+        self.assertIn("Written.", block[6])
+        self.assertRegex(block[7], r"G54 +0 +-149\.5")
+        self.assertRegex(block[8], r"L1 G55 Z: .* -> ")                                 # the workpiece setter
+        self.assertIn("Written.", block[8])
+        if PRESETTER:
+            self.assertRegex(block[9], r"L1 offset 7 geometry R: 0 -> 0\.[78]")
+            self.assertIn("Written.", block[9])
+        self.assertIn("of 45 min", block[10])                                           # the unit is always shown
+        self.assertRegex(block[11], r"2 of 2 pieces.*worn")                              # two parts by the first sister,
+        self.assertRegex(block[11], r"1 of 200 pieces")                                 # the third by the second
+        self.assertIn("-0.0100 mm", block[14])                                          # mean of +0.008 and +0.012
+        self.assertIn("tool 3 exists", block[15])                                      # the preview
+        self.assertRegex(block[15].split("Restored.")[1], r"3 +3 +1 +FINISH_35")
+        self.assertIn("PT0401", block[16])                                             # the damaged file
+        self.assertIn("FINISH_35", block[16])
         self.assertIn("PT0432", done.stderr)                                           # the operator and the life
-        self.assertRegex(block[13], r"anna +L1 offset 3 wear Z")
+        self.assertRegex(block[17], r"anna +L1 offset 3 wear Z")
 
 
 if __name__ == "__main__":

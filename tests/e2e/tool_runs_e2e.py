@@ -88,10 +88,28 @@ class ToolRuns(LiveCase):
         self.assertEqual(done.of("move"), [])
 
 
+    def test_the_turret_turns_while_the_rapid_move_brakes(self):
+        """N0421 ROL with the built-in PLC, with and without tool management; protection off."""
+        self.prepare("tools add name=A type=5 h=4", "tools load 1 1 3")
+        program = self.write("part.nc", "G94 G0 X100. Z0.\nG0 X300. Z200.\nT0501\nG0 Z100.\nM30\n")
+        sets, given = list(self.sets), {}
+        for managed in (True, False):
+            for overlaps in (True, False):
+                self.sets = [one for one in sets if managed or not one.startswith("N2900")] + (["N0421#0 L1=1", "N0422 A1=100", "N0422 A2=100"] if overlaps else [])
+                done = self.run_copy(f"store{managed}{overlaps}", f"1={program}")
+                self.assertEqual(done.status, 0, done.said())
+                self.assertEqual(done.alarms, [])
+                retracts = done.of("move", ch=1, line=2)[0]
+                given[managed, overlaps] = retracts["end"] - done.of("aux", ch=1)[0]["t"]
+        for managed in (True, False):
+            self.assertGreater(given[managed, True], 0.02, given)      # seconds before the end of the retraction
+            self.assertLessEqual(given[managed, False], 1e-6, given)
+
+
 class SinumerikRuns(ToolRuns):
     language = "sinumerik"
     sets = ["N2900=00000001", "PT_LIFE_END L1=0", "PT_TURRET_TIME L1=0.05", "PT_TOOL_SEARCH L1=2"]
-    test_two_virtual_runs_are_the_same_byte_for_byte = test_a_restart_whose_tools_are_used_up_says_so_before_anything_moves = None
+    test_two_virtual_runs_are_the_same_byte_for_byte = test_a_restart_whose_tools_are_used_up_says_so_before_anything_moves = test_the_turret_turns_while_the_rapid_move_brakes = None
 
     def test_a_restart_behind_a_managed_t_goes_on_with_the_sisters_offset(self):
         self.prepare("tools add name=CUT duplo=1 worn=1 D1.DP1=500 D1.DP2=3 D1.DP4=10", "tools add name=CUT duplo=2 D1.DP1=500 D1.DP2=3 D1.DP4=30", "tools load 1 1 3", "tools load 2 1 7")
@@ -103,25 +121,12 @@ class SinumerikRuns(ToolRuns):
         for one in (whole, done):
             self.assertEqual([e["machine"]["Z"] for e in one.of("move", ch=1) if e["line"] >= 4][-2:], [30, 80], one.said())
 
-    def test_setpiece_counts_and_the_end_of_the_part_does_not_count_again(self):
-        self.prepare("tools add name=A life_kind=pieces life=100 D1.DP1=500 D1.DP2=3", "tools add name=B life_kind=pieces life=100 D1.DP1=500 D1.DP2=3", "tools load 1 1 3", "tools load 2 1 7")
-        program = self.write("part.mpf", 'G18 T="A" D1\nG94 G0 X80 Z20\nG1 Z10 F600\nSETPIECE(3)\nT="B" D1\nG1 Z5\nM30\n')
-        shutil.rmtree(self.folder / "kept", ignore_errors=True)
-        done = self.run_copy("kept", f"1={program}")
-        self.assertEqual(done.status, 0, done.said())
-        shutil.rmtree(self.folder / "store")
-        shutil.copytree(self.folder / "kept", self.folder / "store")
-        self.start(*self.all_sets())
-        tools = self.tools()
-        self.assertEqual((tools[1]["counter"], tools[2]["counter"]), (3, 1))
-        self.assertEqual(self.stop(), 0)
-
 
 class FagorRuns(ToolRuns):
     """TOFFM06: T chooses, M06 changes; with tool management the family's sister, and her offset from M06 on."""
     language = "fagor"
     sets = ["N2900=00000001", "PT_LIFE_END L1=0", "PT_TURRET_TIME L1=0.05", "FG.TOFFM06 L1=1"]
-    test_two_virtual_runs_are_the_same_byte_for_byte = test_a_restart_whose_tools_are_used_up_says_so_before_anything_moves = None
+    test_two_virtual_runs_are_the_same_byte_for_byte = test_a_restart_whose_tools_are_used_up_says_so_before_anything_moves = test_the_turret_turns_while_the_rapid_move_brakes = None
     test_a_restart_behind_a_managed_t_goes_on_with_the_sisters_offset = None
 
     def test_the_sister_and_her_offset_hold_from_m06_on(self):

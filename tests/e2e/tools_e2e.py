@@ -138,12 +138,54 @@ class Tools(LiveCase):
         self.assertEqual(self.stop(), 0)
 
 
+    def test_the_workpiece_setter_gives_the_zero_after_a_look_at_it(self):
+        self.start("N3014 L1=6", "N0319 L1=600")
+        self.do("press", "machine_on")
+        self.do("press", "mode", "L1=jog")
+        self.do("set", "CP_TMEAS L1=1")
+        self.assertIn("PT0425", self.do("zeros", "touch", "L1", "--offset", "0", status=2).err)
+        self.do("press", "jog", "A2-", "0.4s")
+        time.sleep(0.15)
+        self.do("set", "input 6=1")
+        self.wait_for(lambda: "touched" in self.channel(), 5, "the contact")
+        self.assertEqual((self.channel()["touched"], self.channel()["workpiece_setter"]), ("A2-", 1))
+        self.assertIn("PT0424", self.do("offsets", "touch", "L1", "4", status=2).err)       # no tool setter here
+        self.do("offsets", "set", "L1", "9", "geometry", "Z=20", "R=1")                     # a ball of 2 mm, lengths to its middle
+        shown = self.ask("zeros", "touch", "L1", "G55", "Z=5", "--offset", "9")
+        self.assertAlmostEqual(shown["new"], shown["machine"] - 1 - 20 - 5, places=6)
+        zero = lambda: next(z for z in self.ask("zeros", "list", "L1")["zeros"] if z["zero"] == "G55")["Z"]
+        self.assertEqual(zero(), 0)                                                         # only shown
+        self.assertIn("Written", self.do("zeros", "touch", "L1", "G55", "Z=5", "--offset", "9", "--yes").out)
+        self.assertAlmostEqual(zero(), shown["new"], places=6)
+        self.assertEqual(self.stop(), 0)
+
+    def test_an_offset_that_is_common_is_the_same_in_every_channel(self):
+        self.start("N1412=3")
+        self.do("press", "machine_on")
+        self.do("offsets", "set", "L2", "3", "geometry", "Z=4")
+        self.do("press", "mdi", "L2", "T0003 G0 Z10.")
+        self.wait_for(lambda: abs(next(a for a in self.ask("status")["axes"] if a["axis"] == "A4")["cmd"] - 14) < 1e-6, 10, "the way with the offset")
+        self.assertEqual(self.ask("offsets", "list", "L1")["offsets"][2]["geometry"]["Z"], 4)
+        self.assertEqual(self.stop(), 0)
+
+    def test_the_status_shows_the_tool_that_n2901_tsp_names(self):
+        self.start("N2901 L2=10000000")
+        self.do("press", "machine_on")
+        self.do("press", "mdi", "L1", "T0500")
+        self.wait_for(lambda: self.channel().get("active_tool") == 5, 10, "CP_ACTT")
+        self.do("set", "CP_ACTT L2=7")
+        self.do("set", "SP_ACTT S4=9")
+        self.wait_for(lambda: self.channel(2).get("active_tool") == 9, 5, "SP_ACTT of the driven tools")
+        self.assertEqual(self.stop(), 0)
+
+
 class SinumerikTools(Tools):
     """T by name: the sister that works decides whose edges D means; $TC_MOP is the same life."""
     language = "sinumerik"
     test_the_next_sister_works_when_one_is_used_up = test_the_offset_of_the_managed_tool_is_that_of_the_sister = None
     test_life_is_counted_only_while_the_tool_cuts_and_survives = test_a_place_is_called_with_the_code_of_n2924 = None
     test_the_setter_gives_the_offset_after_a_look_at_it = test_a_longer_drill_makes_a_safe_program_stop = None
+    test_the_workpiece_setter_gives_the_zero_after_a_look_at_it = test_an_offset_that_is_common_is_the_same_in_every_channel = test_the_status_shows_the_tool_that_n2901_tsp_names = None
 
     def test_a_name_calls_the_sister_and_her_edges(self):
         self.start("PT_TOOL_SEARCH L1=2", "PT_LIFE_END L1=0")
@@ -185,6 +227,7 @@ class FagorTools(Tools):
     test_the_next_sister_works_when_one_is_used_up = test_the_offset_of_the_managed_tool_is_that_of_the_sister = None
     test_life_is_counted_only_while_the_tool_cuts_and_survives = test_a_place_is_called_with_the_code_of_n2924 = None
     test_the_setter_gives_the_offset_after_a_look_at_it = test_a_longer_drill_makes_a_safe_program_stop = None
+    test_the_workpiece_setter_gives_the_zero_after_a_look_at_it = test_an_offset_that_is_common_is_the_same_in_every_channel = test_the_status_shows_the_tool_that_n2901_tsp_names = None
 
     def test_the_family_is_the_type_number_and_the_life_is_the_stores(self):
         self.start("PT_LIFE_END L1=0")

@@ -115,16 +115,24 @@ TEST(Guard, WatchesTheToolsOfTheOtherStationsWhereTheTurretHasTurnedThem) {
 
 // N0421 ROL: where L1 stands, on its rapid way from X 100 to 250, when its T reaches the PLC. It brakes from 200 mm/s with 2000 mm/s2 and
 // 40 000 mm/s3, which takes 15 mm. The circle of the tool has the radius 180.07 about an axis 100 mm behind the carrier's point: it
-// reaches 80.07 mm in front of that.
+// reaches 80.07 mm in front of that. Its station looks away from the part, so only a turning turret comes near the other carrier, which
+// stands 30 mm beside the way of the body: the tool is as wide.
 struct EarlyTurret : Turret {
     double given_at = -1;
     bool open_in_rapid = false;
-    explicit EarlyTurret(bool overlaps, double other_at = -200, std::uint32_t protection = 15, double share = 100) : Turret(100) {
+    explicit EarlyTurret(bool overlaps, double other_at = -200, std::uint32_t protection = 15, double share = 100) : Turret(100, 8) {
+        Room room;
+        for (unsigned a = 1; a <= 4; ++a) room.axes[a] = {{}, a % 2 ? RoomVector{1, 0, 0} : RoomVector{0, 0, 1}};
+        room.turrets[1].body = room.turrets[2].body = {{-10, 10, -10, 10}};
+        room.turrets[1].stations = 12, room.turrets[1].reach = 100, room.turrets[1].direction = {-1, 0, 0};
+        room.turrets[1].tools[2] = {{-80, -10, -5, 40}};
+        rig.machine->take_room(room, derive_machine_config(rig.machine->core().table));
         params::put(rig.machine->core().table, params::n0421_acc_contr, overlaps ? 1 : 0, 1);
         for (unsigned a = 1; a <= 2; ++a) params::put(rig.machine->core().table, params::n0422_rapid_reduct_ratio, share, a);
         params::put(rig.machine->core().table, params::n2000_check_config, protection, 1);
         rig.machine->adopt_parameters();
         rig.place(2, 0, 0);
+        rig.push(2, rig.line(2, {0, 30}, 100));
         rig.push(2, rig.line(2, {other_at, 0}, 100));   // the other carrier goes out of the way, or into it
         rig.push(2, rig.stop(2, StopReason::M30));
         rig.start(2);
@@ -162,13 +170,16 @@ TEST(Guard, LetsTheTurretTurnWhileTheRapidMoveBrakes) {
     EXPECT_LT(late.given_at, 250);
 }
 
-// The other carrier's body ends 10 mm above where that stands; PT_GUARD_DISTANCE is 1 mm.
+// The other carrier's body ends 10 mm above where that stands; PT_GUARD_DISTANCE is 1 mm. The circle has half the tool's width in its radius.
 TEST(Guard, ATurretTurnsInRapidOnlyWhileItsCircleIsFree) {
-    EarlyTurret just_free(true, 140), beside(true, 152), in_the_way(true, 175), unguarded(true, 152, 0);
+    EarlyTurret just_free(true, 138), beside(true, 148), in_the_way(true, 165), unguarded(true, 165, 0);
+    const double ahead = std::hypot(180, 22.5) - 100;
     EXPECT_NEAR(just_free.given_at, 235, 2.5);
-    EXPECT_NEAR(beside.given_at, 163 + 80.07, 1.0);       // free a little later
+    EXPECT_NEAR(beside.given_at, 148 + 11 + ahead, 1.0);  // free a little later
     EXPECT_NEAR(in_the_way.given_at, 250, 1e-6);          // it stays within the circle to the end
     EXPECT_NEAR(unguarded.given_at, 235, 2.5);            // nobody protects: ROL alone says it
+    EXPECT_EQ(just_free.rig.position(3), 138);
+    EXPECT_EQ(in_the_way.rig.position(3), 165);
 }
 
 TEST(Guard, GivesATurretThatTurnsItsWholeCircle) {

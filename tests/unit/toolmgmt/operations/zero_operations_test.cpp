@@ -1,4 +1,6 @@
 // Zeros by hand: typed in, from a surface the tool stands at, from the workpiece setter (nct part 2, 31: N3014 to N3018).
+#include "ipc/image/segments.hpp"
+#include "ipc/machine/work_zeros.hpp"
 #include "tests/unit/toolmgmt/tools/tool_rig.hpp"
 
 namespace polyturn {
