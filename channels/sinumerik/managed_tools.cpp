@@ -125,7 +125,21 @@ void Interpreter::tell_tool(const std::string& name, const Value& value) {
 }
 
 // RESETMON(VAR state, t, d, options): the life of the tool begins anew. state: 0 done, -1 no tool management, -2 no such tool.
+// SETPIECE(n, s): n pieces more for each tool that has cut since the last SETPIECE or since the part began; what it has counted the end of
+// the part does not count again. Without tool management nothing is monitored.
 bool Interpreter::p_reset_monitoring(Call& c) {
+    if (block_.procedures.front().first->name == "SETPIECE") {
+        constexpr double kMostPieces = 1e6;
+        const double n = c.number(0), s = c.number(1, 1);
+        if (n != std::floor(n) || n < 0 || n > kMostPieces) return fail(Alarm::FunctionArgument, "SETPIECE", n);
+        if (s != std::floor(s) || !(s >= 1 && s <= static_cast<double>(kMaxSpindles)) || !core_.view().machine.spindle(static_cast<std::size_t>(s)).exists()) return fail(Alarm::SpindleNumberIllegal, {}, s);
+        if (!managed() || n == 0) return true;
+        ToolWrite write;   // of no tool: all that took part
+        write.field = "counter", write.value = n;
+        core_.mark_emitted();
+        core_.sink().tool_write(write, core_.at);
+        return true;
+    }
     const auto number = static_cast<std::int64_t>(c.number(1));
     double state = 0;
     if (!managed()) state = -1;

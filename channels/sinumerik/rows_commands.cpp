@@ -74,6 +74,7 @@ constexpr Command kRows[] = {
     {"TOOLENV", true, 1, 1, "s", &I::f_toolenv},
     {"GETTENV", true, 2, 2, "sv", &I::f_gettenv},
     {"DELTOOLENV", true, 0, 1, "s", &I::f_deltoolenv},
+    {"SETPIECE", false, 1, 2, "r", &I::p_reset_monitoring, true},
     {"RESETMON", false, 2, 4, "vrrr", &I::p_reset_monitoring, true},
     // curve tables
     {"CTABDEF", false, 4, 5, "aarrs", &I::p_ctabdef, true},

@@ -203,7 +203,7 @@ void ToolDesk::spend(Core& core, unsigned index, bool cuts, double seconds, doub
     Desk& desk = desk_[index];
     while (desk.made_count > 0 && core.store.write(StoreRequestKind::ToolLife, index + 1, desk.made[desk.made_count - 1], static_cast<std::int32_t>(LifeKind::Pieces), 1.0, {})) --desk.made_count;
     if (desk.now.tool == 0 || !managed(core)) return;
-    if (cuts) (void)use_in_part(index, desk.now.tool);   // it works on this part
+    if (cuts && desk.told_at != core.tick) (void)use_in_part(index, desk.now.tool);   // it works on this part
     if (cuts && desk.now.kind == LifeKind::Minutes) use(core, index, LifeKind::Minutes, seconds / kSecondsPerMinute);
     if (cuts && desk.now.kind == LifeKind::Metres) use(core, index, LifeKind::Metres, mm / kMmPerMetre);
     desk.since_s += seconds;
@@ -237,6 +237,7 @@ void ToolDesk::part(Core& core, unsigned index) noexcept {
 // Those are counted now: the end of the part counts what cuts from here on.
 bool ToolDesk::pieces(Core& core, unsigned index, double count) noexcept {
     Desk& desk = desk_[index];
+    desk.told_at = core.tick;
     for (; desk.used_count > 0; --desk.used_count) {
         const std::int32_t tool = desk.used[desk.used_count - 1];
         if (!core.store.write(StoreRequestKind::ToolLife, index + 1, tool, static_cast<std::int32_t>(LifeKind::Pieces), count, {})) return false;

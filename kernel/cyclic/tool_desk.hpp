@@ -76,6 +76,7 @@ private:
         End end = End::Nothing;
         std::array<std::int32_t, kPerPart> used{};
         std::size_t used_count = 0;
+        std::int64_t told_at = -1;     // tick of the last SETPIECE: what was cut in it came before
         std::array<std::int32_t, kPerPart> made{};   // pieces that are not yet told
         std::size_t made_count = 0;
     };

@@ -121,6 +121,19 @@ class SinumerikRuns(ToolRuns):
         for one in (whole, done):
             self.assertEqual([e["machine"]["Z"] for e in one.of("move", ch=1) if e["line"] >= 4][-2:], [30, 80], one.said())
 
+    def test_setpiece_counts_and_the_end_of_the_part_does_not_count_again(self):
+        self.prepare("tools add name=A life_kind=pieces life=100 D1.DP1=500 D1.DP2=3", "tools add name=B life_kind=pieces life=100 D1.DP1=500 D1.DP2=3", "tools load 1 1 3", "tools load 2 1 7")
+        program = self.write("part.mpf", 'G18 T="A" D1\nG94 G0 X80 Z20\nG1 Z10 F600\nSETPIECE(3)\nT="B" D1\nG1 Z5\nM30\n')
+        shutil.rmtree(self.folder / "kept", ignore_errors=True)
+        done = self.run_copy("kept", f"1={program}")
+        self.assertEqual(done.status, 0, done.said())
+        shutil.rmtree(self.folder / "store")
+        shutil.copytree(self.folder / "kept", self.folder / "store")
+        self.start(*self.all_sets())
+        tools = self.tools()
+        self.assertEqual((tools[1]["counter"], tools[2]["counter"]), (3, 1))
+        self.assertEqual(self.stop(), 0)
+
 
 class FagorRuns(ToolRuns):
     """TOFFM06: T chooses, M06 changes; with tool management the family's sister, and her offset from M06 on."""
