@@ -127,8 +127,10 @@ std::string life_report(const Json& answer) {
                        group.contains("minutes_left") ? fmt::format("{:.1f}", group.value("minutes_left", 0.0)) : std::string()});
     }
     std::string out = table.text();
-    if (answer.contains("stops_first"))
-        out += fmt::format(fmt::runtime(say("First to stop the machine: {} after {:.0f} more parts.\n")), answer["stops_first"].value("group", ""), answer["stops_first"].value("parts_left", 0.0));
+    if (const auto first = answer.find("stops_first"); first != answer.end()) {
+        const std::string group = first->value("group", ""), tool = first->value("tool", "");   // the tool that is the last of its group to be used up
+        out += fmt::format(fmt::runtime(say("First to stop the machine: {} after {:.0f} more parts.\n")), tool.empty() ? group : fmt::format("{} ({} {})", group, say("tool"), tool), first->value("parts_left", 0.0));
+    }
     return out;
 }
 
