@@ -5,6 +5,7 @@
 //   offsets, zeros, variables, counters, positions   by channel and number
 //   records     tools, edges, places, users, dimensions, pallets: one row a value, by the name of its column
 //   history     when (UTC), who, what, old, new; the newest million
+//   stops       when (UTC) a channel stood, how long, why; the newest hundred thousand
 //   migrations  which versions of this schema the file went through
 //
 // A file of an older version is brought up to date inside one transaction; one of a newer version is refused and left
@@ -24,7 +25,7 @@ namespace polyturn::toolmgmt {
 
 class Database {
 public:
-    static constexpr int kVersion = 2;
+    static constexpr int kVersion = 3;
     static constexpr const char* kFile = "store.sqlite";
 
     // Makes folder and file where they are missing. Refuses a file that another process has open.
@@ -48,6 +49,17 @@ public:
     };
     // Newest first; `about` and `who` are parts of the texts, empty means all.
     Result<std::vector<Entry>> history(std::string_view about, std::string_view who, std::int64_t most);
+
+    // A time in which a channel stood. Its begin and its channel name it: told again, it is replaced.
+    struct Stop {
+        std::string utc;             // of its begin
+        int channel = 0;
+        std::string cause, number, detail, program;
+        int line = 0;
+        double seconds = 0;          // NaN: not over, or nobody saw its end
+    };
+    Result<void> note_stop(const Stop& stop);
+    Result<std::vector<Stop>> stops(std::string_view since, std::int64_t most);   // newest first
 
     // A consistent copy of the whole file with the bytes of other files beside it, on disk when it returns well. Written under
     // another name and renamed, so that a backup that stands there is a whole one.

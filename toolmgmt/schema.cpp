@@ -34,6 +34,11 @@ constexpr std::array kSteps = {
                          PRIMARY KEY(kind, scope, number, field)) WITHOUT ROWID;
     CREATE INDEX history_utc ON history(utc);
     )sql",
+    // When channels stood and why; seconds NULL: not over yet, or nobody saw its end.
+    R"sql(
+    CREATE TABLE stops(utc TEXT NOT NULL, channel INTEGER NOT NULL, cause TEXT NOT NULL, number TEXT, detail TEXT, program TEXT, line INTEGER, seconds REAL,
+                       PRIMARY KEY(utc, channel)) WITHOUT ROWID;
+    )sql",
 };
 
 }  // namespace

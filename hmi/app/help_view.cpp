@@ -43,7 +43,7 @@ HelpView::HelpView(QWidget* parent) : QWidget(parent), head_(new FreeSheet(this)
     hide();
 }
 
-void HelpView::load(const QString& file, const QString& find) {
+void HelpView::load(const QString& file, const QString& find, bool code) {
     page_ = file;
     const QString where = folder();
     QFile source(where + "/" + file);
@@ -62,7 +62,7 @@ void HelpView::load(const QString& file, const QString& find) {
     text_->setSearchPaths({where});
     text_->setMarkdown(markdown);
     text_->moveCursor(QTextCursor::Start);
-    if (!find.isEmpty() && lead == 0 && text_->find(find)) {
+    if (!find.isEmpty() && lead == 0 && text_->find(find, code ? QTextDocument::FindWholeWords | QTextDocument::FindCaseSensitively : QTextDocument::FindFlags())) {
         const QRect at = text_->cursorRect();      // the place on top
         text_->verticalScrollBar()->setValue(text_->verticalScrollBar()->value() + at.top() - px(12));
     }
@@ -71,7 +71,7 @@ void HelpView::load(const QString& file, const QString& find) {
 
 void HelpView::open(const HelpTopic& topic) {
     intro_ = topic.intro;
-    load(topic.page.isEmpty() ? QString("operator.md") : topic.page, topic.find);
+    load(topic.page.isEmpty() ? QString("operator.md") : topic.page, topic.find, topic.code);
     show();
     raise();
 }

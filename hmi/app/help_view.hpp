@@ -20,7 +20,7 @@ protected:
     void resizeEvent(QResizeEvent*) override;
 
 private:
-    void load(const QString& file, const QString& find);
+    void load(const QString& file, const QString& find, bool code = false);
     FreeSheet* head_;
     QTextBrowser* text_;
     QString page_, intro_;

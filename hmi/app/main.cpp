@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "hmi/app/main_window.hpp"
+#include "hmi/app/measure.hpp"
 #include "hmi/app/screenshots.hpp"
 
 int main(int argc, char** argv) {
@@ -19,7 +20,8 @@ int main(int argc, char** argv) {
                        {"theme", "dark or light", "THEME"},
                        {"size", "of the window, for example 1280x800", "WxH", "1280x800"},
                        {"full-screen", "without a frame, on the whole panel"},
-                       {"screenshots", "save a picture of each screen, in each language and theme, in DIR and end", "DIR"}});
+                       {"screenshots", "save a picture of each screen, in each language and theme, in DIR and end", "DIR"},
+                       {"measure", "show each screen for so long, print what it costs, and end", "SECONDS"}});
     parser.process(app);
     polyturn::hmi::Choices choices;
     choices.instance = parser.value("instance").toStdString();
@@ -36,6 +38,11 @@ int main(int argc, char** argv) {
     if (size.size() != 2 || size[0].toInt() < 800 || size[1].toInt() < 600 || size[0].toInt() > 7680 || size[1].toInt() > 4320) return wrong("--size is at least 800x600");
     const QSize wanted(size[0].toInt(), size[1].toInt());
     if (parser.isSet("screenshots")) return polyturn::hmi::saveScreenshots(choices, wanted, parser.value("screenshots"));
+    if (parser.isSet("measure")) {
+        const double seconds = parser.value("measure").toDouble();
+        if (!(seconds >= 0.5 && seconds <= 3600)) return wrong("--measure is 0.5 to 3600 seconds");
+        return polyturn::hmi::measureScreens(choices, wanted, seconds);
+    }
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + "/polyturn";
     QDir().mkpath(folder);
     choices.keptIn = folder + "/hmi-" + QString::fromStdString(choices.instance) + ".ini";

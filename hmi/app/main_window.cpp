@@ -62,6 +62,8 @@ MainWindow::MainWindow(Choices choices)
     top_ = new FreeSheet(this), rail_ = new FreeSheet(this), line_ = new FreeSheet(this), bar_ = new SoftKeyBar(this), stack_ = new QStackedWidget(this);
     help_ = new HelpView(this);
     dialogue_ = new DialogueView(desk_, this);
+    entry_ = new TextEntry(this);
+    desk_.ask = [this](TextQuestion question) { entry_->open(std::move(question)); };
     cover_ = new FreeSheet(this);
     cover_->hide();
     top_->onCompose = [this](Writer& w) { composeTop(w); };
@@ -89,6 +91,8 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::build() {
+    entry_->shut(false);
+    requests_.forgetScreens();
     while (stack_->count()) {
         QWidget* old = stack_->widget(0);
         stack_->removeWidget(old);
@@ -105,8 +109,8 @@ void MainWindow::build() {
 void MainWindow::showScreen(int number) {
     if (number < 0 || number >= static_cast<int>(screens_.size())) return;
     shown_ = number;
-    help_->hide();
-    dialogue_->hide();
+    help_->hide(), dialogue_->hide(), entry_->shut(false);
+    field_ = 0;
     stack_->setCurrentIndex(number);
     screen()->setFocus();
     screen()->refresh();
@@ -157,6 +161,7 @@ void MainWindow::paintBehind() {
 }
 
 void MainWindow::frame() {
+    ++frames_;
     live_.poll();
     alarms_.poll();
     if (live_.generation() != generation_) {
@@ -186,6 +191,7 @@ void MainWindow::layOut() {
     stack_->setGeometry(rail, top, width() - rail, height() - top - foot - line);
     line_->setGeometry(rail, height() - foot - line, width() - rail, line);
     bar_->setGeometry(0, height() - foot, width(), foot);
+    entry_->setGeometry(rail, height() - foot - px(360), width() - rail, px(360));
     help_->setGeometry(rail, top, width() - rail, height() - top - foot);
     dialogue_->setGeometry(rail, top, width() - rail, height() - top - foot - line);
     cover_->setGeometry(rect());
@@ -309,13 +315,28 @@ void MainWindow::showHelp() {
     help_->open(screen()->help());
 }
 
+// By keys alone to what a finger would touch.
+void MainWindow::nextField() {
+    entry_->shut(false);
+    screen()->refresh();
+    std::vector<std::pair<Sheet*, int>> all;
+    for (Sheet* sheet : screen()->sheets())
+        for (const TextField& field : sheet->fields()) all.emplace_back(sheet, field.hit);
+    if (all.empty()) return tell(word("There is no field of text here"), Told::Note);
+    const auto& [sheet, hit] = all[field_++ % all.size()];
+    sheet->touch(hit);
+}
+
 bool MainWindow::keyPressed(QKeyEvent* event) {
     const int key = event->key();
     if (key == Qt::Key_Help || (key == Qt::Key_H && event->modifiers() & Qt::ControlModifier)) return showHelp(), true;
     if (help_->isVisible() && help_->key(event)) return true;
+    if (key == Qt::Key_F && event->modifiers() & Qt::ControlModifier) return nextField(), true;
+    if (entry_->isVisible() && entry_->key(event)) return true;
     const bool plain = !(event->modifiers() & (Qt::AltModifier | Qt::ControlModifier)) && !(key >= Qt::Key_F1 && key <= Qt::Key_F12);
     if (dialogue_->isVisible() && plain && dialogue_->key(event)) return true;
     if (key >= Qt::Key_F1 && key <= Qt::Key_F10) {
+        entry_->shut(false);
         if (!event->isAutoRepeat()) bar_->press(key - Qt::Key_F1);
         return true;
     }

@@ -1,6 +1,6 @@
 // The frame around the screens: what the machine is like (top), the screens (left), their soft keys (foot), a line for the operator.
 //
-//   F1..F10 soft keys     Alt+1..9, 0 screens     Ctrl+1..9 channels     F11 language     F12 theme     Ctrl+L lock for cleaning     Help or Ctrl+H the manual
+//   F1..F10 soft keys     Ctrl+F the next field of text     Alt+1..9, 0 screens     Ctrl+1..9 channels     F11 language     F12 theme     Ctrl+L lock for cleaning     Help or Ctrl+H the manual
 #pragma once
 #include <QSettings>
 #include <QStackedWidget>
@@ -10,6 +10,7 @@
 #include "hmi/app/dialogue_view.hpp"
 #include "hmi/app/help_view.hpp"
 #include "hmi/widgets/soft_keys.hpp"
+#include "hmi/widgets/text_entry.hpp"
 
 namespace polyturn::hmi {
 
@@ -26,6 +27,7 @@ public:
     ~MainWindow() override;
 
     void frame();                          // one look at the machine; the timer calls it
+    std::uint64_t frames() const { return frames_; }
     void showScreen(int number);
     void setTongue(Tongue tongue);
     void setDark(bool dark);
@@ -39,6 +41,7 @@ public:
     HelpView& help() { return *help_; }
     DialogueView& dialogue() { return *dialogue_; }
     void showKeys();                       // of the dialogue, or of the screen
+    TextEntry& entry() { return *entry_; }
     void showHelp();                       // or hides it
 
 protected:
@@ -57,6 +60,7 @@ private:
     void tell(const QString& text, Told how);
     void keep();
     void lock(bool on);
+    void nextField();
     bool keyPressed(QKeyEvent* event);
     bool keyReleased(QKeyEvent* event);
 
@@ -71,11 +75,13 @@ private:
     SoftKeyBar* bar_;
     HelpView* help_;
     DialogueView* dialogue_;
+    TextEntry* entry_;
+    std::size_t field_ = 0;                // that Ctrl+F went to last
     QStackedWidget* stack_;
     std::vector<Screen*> screens_;
     int shown_ = 0;
     bool dark_ = true, locked_ = false, ready_ = false;
-    std::uint64_t generation_ = 0;
+    std::uint64_t generation_ = 0, frames_ = 0;
     QString told_;
     Told how_ = Told::Note;
     qint64 toldUntil_ = 0, lockedUntil_ = 0;

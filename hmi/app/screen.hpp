@@ -11,6 +11,7 @@
 #include "hmi/machine/requests.hpp"
 #include "hmi/text/tongues.hpp"
 #include "hmi/widgets/sheet.hpp"
+#include "hmi/widgets/text_entry.hpp"
 
 namespace polyturn::hmi {
 
@@ -28,6 +29,7 @@ struct SoftKey {
 // What the help key opens: a page of the manual, the words there, and what can be told of the field itself (markdown).
 struct HelpTopic {
     QString page, find, intro;
+    bool code = false;                // find a word of a program: whole, and as it is written
 };
 
 enum class Told : std::uint8_t { Note, Good, Refused };
@@ -41,6 +43,7 @@ struct Desk {
     std::function<void(const QString&, Told)> tell = {};       // a line for the operator
     std::function<void()> keysChanged = {};
     std::function<void(int)> show = {};                        // another screen, by its number
+    std::function<void(TextQuestion)> ask = {};                // a text, by touch or keyboard
     QString folder = {};                                       // of the programs shown last
     void choose(unsigned wanted);                              // the channel, if there is such a one
 };

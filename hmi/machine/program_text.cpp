@@ -7,20 +7,17 @@ namespace polyturn::hmi {
 namespace {
 
 constexpr qint64 kLookMs = 1'000;
-constexpr qint64 kLargest = 4 << 20;   // a larger program is not shown line by line: reading it would hold up the screen
+constexpr qint64 kLargest = 64 << 20;
 constexpr std::size_t kKept = 64;
+constexpr int kFirstPatience_ms = 5;   // of a frame: a program on the own disk is there at once
 
 }  // namespace
 
-ProgramText::File& ProgramText::file(const std::string& path) {
-    if (files_.size() > kKept && !files_.count(path)) files_.clear();
-    File& out = files_[path];
-    const qint64 now = QDateTime::currentMSecsSinceEpoch();
-    if (now - out.lookedMs < kLookMs) return out;
-    out.lookedMs = now;
+ProgramText::Text ProgramText::read(const std::string& path, bool readBefore, const QDateTime& changed) {
     const QFileInfo info(QString::fromStdString(path));
-    if (out.readable && info.exists() && info.lastModified() == out.changed) return out;
-    out = {{}, info.lastModified(), now, false};
+    Text out;
+    out.changed = info.lastModified();
+    if (readBefore && info.exists() && out.changed == changed) return out.same = true, out;
     QFile source(info.filePath());
     if (path.empty() || info.size() > kLargest || !source.open(QIODevice::ReadOnly)) return out;
     out.lines = QString::fromUtf8(source.readAll()).split('\n');
@@ -30,11 +27,24 @@ ProgramText::File& ProgramText::file(const std::string& path) {
     return out;
 }
 
+const ProgramText::Text& ProgramText::text(const std::string& path) {
+    if (files_.size() > kKept && !files_.count(path)) files_.clear();
+    File& file = files_[path];
+    const qint64 now = QDateTime::currentMSecsSinceEpoch();
+    if (!file.reader.busy() && now - file.lookedMs >= kLookMs) {
+        const int patience = file.lookedMs ? 0 : kFirstPatience_ms;
+        file.lookedMs = now;
+        file.reader.start([path, before = file.text.readable, changed = file.text.changed](const std::atomic<bool>&) { return read(path, before, changed); }, patience);
+    }
+    if (auto done = file.reader.take(); done && !done->same) file.text = std::move(*done);
+    return file.text;
+}
+
 QString ProgramText::line(const std::string& path, std::uint32_t number) {
-    const File& from = file(path);
+    const Text& from = text(path);
     return number >= 1 && number <= static_cast<std::uint32_t>(from.lines.size()) ? from.lines[static_cast<int>(number) - 1] : QString();
 }
-int ProgramText::count(const std::string& path) { return static_cast<int>(file(path).lines.size()); }
-bool ProgramText::readable(const std::string& path) { return file(path).readable; }
+int ProgramText::count(const std::string& path) { return static_cast<int>(text(path).lines.size()); }
+bool ProgramText::readable(const std::string& path) { return text(path).readable; }
 
 }  // namespace polyturn::hmi

@@ -78,14 +78,19 @@ void Requests::parameter(const QString& line, Done done) { ask({{"do", "paramete
 void Requests::store(const QJsonObject& operation, Done done, bool quiet) { ask({{"do", "store"}, {"op", operation}}, std::move(done), quiet); }
 
 void Requests::ask(const QJsonObject& request, Done done, bool quiet) {
-    quiet |= request.value("do").toString() == "alarms";
-    waiting_.push_back({std::move(done), QDateTime::currentMSecsSinceEpoch() + kPatienceMs, quiet});
+    const bool kept = request.value("do").toString() == "alarms";
+    waiting_.push_back({std::move(done), QDateTime::currentMSecsSinceEpoch() + kPatienceMs, quiet || kept, kept});
     if (!open()) return close(word("There is no connection to the controller."));
     QJsonObject with = request;
     if (!token_.isEmpty()) with.insert("token", token_);
     out_ += QJsonDocument(with).toJson(QJsonDocument::Compact) + '\n';
     patience_.start();
     flush();
+}
+
+void Requests::forgetScreens() {
+    for (Waiting& one : waiting_)
+        if (!one.kept) one.done = {};
 }
 
 void Requests::flush() {

@@ -35,6 +35,7 @@ public:
     // Called with each answer that refuses, beside its own `done`.
     std::function<void(const Answer&)> onRefused;
     void setToken(const QString& token) { token_ = token; }   // of a login; goes along with every request
+    void forgetScreens();                                  // who asked is gone; the book of alarms is not
     std::size_t waiting() const { return waiting_.size(); }
 
 private:
@@ -47,7 +48,7 @@ private:
     struct Waiting {
         Done done;
         qint64 until_ms = 0;
-        bool quiet = false;
+        bool quiet = false, kept = false;
     };
     std::string instance_;
     int fd_ = -1;

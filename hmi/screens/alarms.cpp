@@ -13,11 +13,11 @@ QColor colourOf(Severity severity) {
 
 }  // namespace
 
-Alarms::Alarms(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), table_(new Table(this)), detail_(new FreeSheet(this)) {
+Alarms::Alarms(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), table_(new Table(this)), detail_(new FreeSheet(this)), stops_(new StopsPage(desk, this)) {
     setFocusPolicy(Qt::StrongFocus);
     head_->onCompose = [this](Writer& w) {
         const Theme& t = theme();
-        static constexpr const char* kTitles[] = {WORD("What stands"), WORD("History")};
+        static constexpr const char* kTitles[] = {WORD("What stands"), WORD("History"), WORD("Log of stops")};
         w.fill(QRectF(0, 0, head_->width(), head_->height()), t.window);
         w.text(QRectF(px(14), 0, head_->width() * 0.6, head_->height()), word(kTitles[static_cast<std::size_t>(page_)]), lettering(20, true), t.text);
     };
@@ -28,11 +28,20 @@ Alarms::Alarms(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), table_(ne
 
 void Alarms::restore(const QString& state) {
     const int page = state.toInt();
-    if (page >= 0 && page <= static_cast<int>(Page::History)) showPage(static_cast<Page>(page));
+    if (page >= 0 && page <= static_cast<int>(Page::Stops)) showPage(static_cast<Page>(page));
+}
+
+std::vector<Sheet*> Alarms::sheets() {
+    if (page_ != Page::Stops) return {head_, table_, detail_};
+    std::vector<Sheet*> out = stops_->sheets();
+    out.push_back(head_);
+    return out;
 }
 
 void Alarms::showPage(Page page) {
     page_ = page;
+    const bool stops = page == Page::Stops;
+    table_->setVisible(!stops), detail_->setVisible(!stops), stops_->setVisible(stops);
     version_ = 0;
     table_->nothing.clear();
     fillAlarms();
@@ -47,6 +56,7 @@ void Alarms::layOut() {
     const int top = px(46), edge = px(8), foot = px(196);
     head_->setGeometry(0, 0, width(), top);
     table_->setGeometry(edge, top, width() - 2 * edge, height() - top - foot - edge);
+    stops_->setGeometry(0, top, width(), height() - top);
     detail_->setGeometry(edge, height() - foot, width() - 2 * edge, foot - edge);
 }
 
@@ -95,6 +105,7 @@ void Alarms::composeDetail(Writer& w) {
 }
 
 void Alarms::refresh() {
+    if (page_ == Page::Stops) return head_->refresh(), stops_->refresh();
     if (version_ != desk_.alarms.version()) fillAlarms();
     head_->refresh(), table_->refresh();
     detail_->refresh();
@@ -102,7 +113,8 @@ void Alarms::refresh() {
 
 std::vector<SoftKey> Alarms::keys() {
     const auto page = [this](Page wanted, const QString& text) { return SoftKey{text, [this, wanted] { showPage(wanted); }, Sign::None, true, page_ == wanted}; };
-    std::vector<SoftKey> keys{page(Page::Standing, word("What stands")), page(Page::History, word("History"))};
+    std::vector<SoftKey> keys{page(Page::Standing, word("What stands")), page(Page::History, word("History")), page(Page::Stops, word("Log of stops"))};
+    if (page_ == Page::Stops) stops_->addKeys(keys);
     keys.resize(9);
     const ChannelStatus& status = desk_.live.channel(desk_.channel);
     const auto state = static_cast<ChannelState>(status.state);
@@ -115,13 +127,14 @@ std::vector<SoftKey> Alarms::keys() {
 
 // Of the chosen alarm: what it says and what to do, then how alarms are read.
 HelpTopic Alarms::help() const {
+    if (page_ == Page::Stops) return {"operator.md", "Log of stops", {}};
     if (rows_.empty() || table_->row() >= static_cast<int>(rows_.size())) return {"operator.md", "Reading an alarm", {}};
     const AlarmEntry& entry = rows_[static_cast<std::size_t>(table_->row())];
     return {"operator.md", "Reading an alarm", QString("# %1\n\n%2\n\n**%3:** %4\n\n%5").arg(entry.number.isEmpty() ? word("Message") : entry.number, entry.text, word("Remedy"), entry.remedy.isEmpty() ? word("None is known.") : entry.remedy, entry.place)};
 }
 
 bool Alarms::key(QKeyEvent* event) {
-    return table_->key(event);
+    return page_ == Page::Stops ? stops_->key(event) : table_->key(event);
 }
 
 }  // namespace polyturn::hmi

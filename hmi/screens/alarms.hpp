@@ -1,6 +1,7 @@
-// Alarms with cause, remedy and place: those that stand, and the history.
+// Alarms with cause, remedy and place: those that stand, and the history; the log of stops.
 #pragma once
 #include "hmi/app/screen.hpp"
+#include "hmi/screens/stops_page.hpp"
 #include "hmi/widgets/table.hpp"
 
 namespace polyturn::hmi {
@@ -16,13 +17,15 @@ public:
     bool key(QKeyEvent* event) override;
     QString state() const override { return QString::number(static_cast<int>(page_)); }
     void restore(const QString& state) override;
-    std::vector<Sheet*> sheets() override { return {head_, table_, detail_}; }
-    int pages() const override { return 2; }
+    std::vector<Sheet*> sheets() override;
+    void rebuilt() override { stops_->rebuilt(); }
+    int pages() const override { return 3; }
     HelpTopic help() const override;
     void turnTo(int page) override { showPage(static_cast<Page>(page)); }
 
-    enum class Page : std::uint8_t { Standing, History };
+    enum class Page : std::uint8_t { Standing, History, Stops };
     void showPage(Page page);
+    StopsPage& stops() { return *stops_; }
 
 protected:
     void resizeEvent(QResizeEvent*) override;
@@ -35,6 +38,7 @@ private:
     FreeSheet* head_;
     Table* table_;
     FreeSheet* detail_;
+    StopsPage* stops_;
     Page page_ = Page::Standing;
     std::vector<AlarmEntry> rows_;   // copies: the book goes on
     std::uint64_t version_ = 0;

@@ -5,11 +5,19 @@
 #include "hmi/screens/channel_keys.hpp"
 
 namespace polyturn::hmi {
+namespace {
+
+constexpr int kSearchHit = 50;   // above the channels
+
+}  // namespace
 
 Diagnosis::Diagnosis(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), table_(new Table(this)), detail_(new FreeSheet(this)), scope_(new ScopePage(desk, this)) {
     setFocusPolicy(Qt::StrongFocus);
     head_->onCompose = [this](Writer& w) { composeHead(w); };
-    head_->onTouched = [this](int channel) { desk_.choose(static_cast<unsigned>(channel)), refresh(); };
+    head_->onTouched = [this](int number) {
+        if (number == kSearchHit) return desk_.ask({word("Search"), search_, [this](const QString& text) { find(text); }, {}});
+        desk_.choose(static_cast<unsigned>(number)), refresh();
+    };
     detail_->onCompose = [this](Writer& w) { composeTicks(w); };
     showPage(Page::Signals);
 }
@@ -80,8 +88,7 @@ void Diagnosis::composeHead(Writer& w) {
     double right = head_->width() - px(8);
     if (page_ == Page::Variables || (page_ == Page::Scope && scope_->circle())) right = composeChannelKeys(w, desk_, head_->size());
     if (page_ == Page::Signals || page_ == Page::Variables)
-        w.data(QRectF(head_->width() * 0.4, 0, right - head_->width() * 0.4 - px(14), head_->height()), search_.isEmpty() ? word("Type a part of the name") : search_ + QString::fromUtf8("▏"), lettering(16),
-               search_.isEmpty() ? t.dim : t.accent, Qt::AlignRight | Qt::AlignVCenter);
+        w.field(QRectF(head_->width() * 0.42, px(6), right - head_->width() * 0.42 - px(14), head_->height() - px(10)), search_, word("Type a part of the name"), !search_.isEmpty(), kSearchHit);
 }
 
 void Diagnosis::refresh() {
@@ -104,6 +111,13 @@ std::vector<SoftKey> Diagnosis::keys() {
             page(Page::Processes, word("Processes")), {word("Scope"), [this] { showPage(Page::Scope); }, Sign::Feed}, {word("Circularity"), [this] { showPage(Page::Scope), scope_->showCircle(true); }, Sign::Spindle}};
 }
 
+void Diagnosis::find(const QString& text) {
+    search_ = text;
+    page_ == Page::Signals ? fillSignals() : fillVariables();
+    table_->choose(0);
+    refresh();
+}
+
 bool Diagnosis::key(QKeyEvent* event) {
     if (page_ == Page::Scope) {
         const bool done = scope_->key(event);
@@ -116,9 +130,7 @@ bool Diagnosis::key(QKeyEvent* event) {
         else if (event->key() == Qt::Key_Escape) search_.clear();
         else if (text.size() == 1 && text[0].isPrint() && !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier))) search_ += text;
         else return table_->key(event);
-        page_ == Page::Signals ? fillSignals() : fillVariables();
-        table_->choose(0);
-        refresh();
+        find(search_);
         return true;
     }
     return table_->key(event);

@@ -35,6 +35,7 @@ protected:
 
 private:
     void layOut();
+    void find(const QString& text);
     void fillSignals();
     void fillAxes();
     void fillCouplings();

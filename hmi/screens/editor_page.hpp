@@ -36,6 +36,7 @@ public:
     bool open(const QString& file, const QString& language);
     bool changed() const { return edit_->document()->isModified(); }
     const QString& file() const { return file_; }
+    const QString& language() const { return language_; }
     void refresh();
     void addKeys(std::vector<SoftKey>& keys);
     bool key(QKeyEvent* event);

@@ -16,7 +16,7 @@ constexpr std::size_t kFewChannels = 4;   // whose legend leaves room for a note
 
 constexpr std::size_t kMostPoints = 20'000;
 constexpr double kLeastWay = 0.02;     // mm
-constexpr qint64 kPaintEveryMs = 40;
+constexpr qint64 kStockEveryMs = 250;   // the part as it is cut; paths and tips move with each frame
 constexpr double kFurthest = 400;      // mm from the zero: beyond it nothing is of interest
 
 QColor colourOf(unsigned channel) {
@@ -114,6 +114,7 @@ void Graphics::follow() {
         const ChannelStatus& status = live.channel(channel);
         if (status.cycle_s < trail.cycle && status.cycle_s < 0.5) {   // another part begins
             trail = {};
+            changed_ = true;
             if (channel == live.channels().front()) program_.clear();
         }
         trail.cycle = status.cycle_s;
@@ -131,22 +132,39 @@ void Graphics::follow() {
         if (trail.open) {
             const Point& last = trail.points.back();
             if (std::hypot(now.z - last.z, now.x - last.x) < kLeastWay) continue;
-            if (!now.rapid) stock_.cut(last.z, last.x, now.z, now.x);
+            if (!now.rapid) stock_.cut(last.z, last.x, now.z, now.x), cut_ = true;
         }
         trail.points.push_back(now);
-        if (trail.points.size() > kMostPoints) trail.points.pop_front();
+        if (trail.points.size() > kMostPoints) trail.points.pop_front(), trail.drawn -= trail.drawn > 0;
         trail.open = true;
-        changed_ = true;
     }
 }
 
 void Graphics::refresh() {
     head_->refresh();
     const qint64 now = QDateTime::currentMSecsSinceEpoch();
-    if (!changed_ || now - painted_ < kPaintEveryMs) return;
-    painted_ = now;
-    changed_ = false;
-    update(0, head_->height(), width(), height() - head_->height());
+    const qreal ratio = devicePixelRatioF();
+    if (changed_ || picture_.size() != (QSizeF(size()) * ratio).toSize() || (cut_ && now - painted_ >= kStockEveryMs)) {
+        painted_ = now;
+        changed_ = cut_ = false;
+        for (auto& [channel, trail] : trails_) trail.drawn = 0;
+        picture_ = QPixmap((QSizeF(size()) * ratio).toSize());
+        picture_.setDevicePixelRatio(ratio);
+        drawRoom();
+        update(0, head_->height(), width(), height() - head_->height());
+        return;
+    }
+    // What has been added since the last frame, and the tips where they were and where they are.
+    QPainter p(&picture_);
+    p.setRenderHint(QPainter::Antialiasing);
+    unsigned index = 0;
+    for (auto& [channel, trail] : trails_) {
+        const unsigned number = index++;
+        if (trail.drawn == trail.points.size()) continue;
+        const QRectF before = tipBox(trail);
+        const QRectF added = drawTrail(p, number, channel, trail);
+        update((before | added | tipBox(trail)).toAlignedRect());
+    }
 }
 
 QPointF Graphics::place(double z, double x) const {
@@ -156,9 +174,60 @@ QPointF Graphics::place(double z, double x) const {
     return {width() / 2.0 + (z - (from + to) / 2) * scale, top + (height() - top) / 2 - x * scale};
 }
 
-void Graphics::paintEvent(QPaintEvent*) {
+QRectF Graphics::tipBox(const Trail& trail) const { return QRectF(trail.tip, QSizeF(0, 0)).adjusted(-px(20), -px(44), px(110), px(44)); }
+
+// From the last point that is in the picture on. Every second channel is drawn below the spindle axis: all cut the same workpiece.
+QRectF Graphics::drawTrail(QPainter& p, unsigned index, unsigned channel, Trail& trail) {
+    const double side = index % 2 ? -1.0 : 1.0;
+    if (trail.points.empty()) return {};
+    const auto at = [&](std::size_t i) { return place(trail.points[i].z, side * trail.points[i].x); };
+    std::size_t i = std::max<std::size_t>(1, trail.drawn);
+    QPainterPath cut, rapid;
+    for (QPointF last = at(i - 1); i < trail.points.size(); ++i) {
+        const Point& point = trail.points[i];
+        const QPointF now = at(i);
+        QPainterPath& path = point.rapid ? rapid : cut;
+        if (!point.begins) path.moveTo(last), path.lineTo(now);
+        last = now;
+    }
+    const QColor colour = colourOf(channel);
+    p.setBrush(Qt::NoBrush);
+    p.setPen(QPen(colour, 1, Qt::DotLine));
+    p.drawPath(rapid);
+    p.setPen(QPen(colour, px(1.6)));
+    p.drawPath(cut);
+    trail.drawn = trail.points.size();
+    trail.tip = at(trail.points.size() - 1);
+    return (cut.boundingRect() | rapid.boundingRect()).adjusted(-px(4), -px(4), px(4), px(4));
+}
+
+// The tips over the picture, where something has changed.
+void Graphics::paintEvent(QPaintEvent* event) {
     const Theme& t = theme();
     QPainter p(this);
+    p.setClipRegion(event->region());
+    p.setRenderHint(QPainter::Antialiasing);
+    if (picture_.isNull()) return p.fillRect(rect(), t.window);
+    p.drawPixmap(0, 0, picture_);
+    unsigned index = 0;
+    for (const auto& [channel, trail] : trails_) {
+        const double side = index++ % 2 ? -1.0 : 1.0;
+        if (trail.points.empty() || !event->region().intersects(tipBox(trail).toAlignedRect())) continue;
+        p.setPen(QPen(t.window, 1));
+        p.setBrush(colourOf(channel));
+        const double size = px(13);
+        const QPointF tip = trail.tip;
+        p.drawPolygon(QPolygonF({tip, tip + QPointF(size * 0.35, -side * size), tip + QPointF(size, -side * size * 0.35)}));
+        p.setPen(t.text);
+        p.setFont(lettering(15, true));
+        const ChannelView& view = desk_.live.view(channel);
+        p.drawText(tip + QPointF(px(16), -side * px(16)), view.known && view.picture.tool > 0 ? QString("L%1 T%2").arg(channel).arg(view.picture.tool) : QString("L%1").arg(channel));
+    }
+}
+
+void Graphics::drawRoom() {
+    const Theme& t = theme();
+    QPainter p(&picture_);
     p.setRenderHint(QPainter::Antialiasing);
     p.fillRect(rect(), t.window);
     const QRectF area(px(8), head_->height(), width() - px(16), height() - head_->height() - px(8));
@@ -192,35 +261,7 @@ void Graphics::paintEvent(QPaintEvent*) {
     p.setPen(QPen(t.faint, 1, Qt::DashDotLine));
     p.drawLine(place(left - 40, 0), place((stock_.any() ? stock_.right() : 40) + 30, 0));
     unsigned index = 0;
-    for (const auto& [channel, trail] : trails_) {
-        // The first channel's turret is drawn above the spindle axis, the second one's below: both cut the same workpiece.
-        const double side = index++ % 2 ? -1.0 : 1.0;
-        const QColor colour = colourOf(channel);
-        QPainterPath cut, rapid;
-        QPointF last;
-        for (const Point& point : trail.points) {
-            const QPointF now = place(point.z, side * point.x);
-            if (!point.begins) {
-                QPainterPath& path = point.rapid ? rapid : cut;
-                path.moveTo(last), path.lineTo(now);
-            }
-            last = now;
-        }
-        p.setBrush(Qt::NoBrush);
-        p.setPen(QPen(colour, 1, Qt::DotLine));
-        p.drawPath(rapid);
-        p.setPen(QPen(colour, px(1.6)));
-        p.drawPath(cut);
-        if (trail.points.empty()) continue;
-        p.setPen(QPen(t.window, 1));
-        p.setBrush(colour);
-        const double size = px(13);
-        p.drawPolygon(QPolygonF({last, last + QPointF(size * 0.35, -side * size), last + QPointF(size, -side * size * 0.35)}));
-        p.setPen(t.text);
-        p.setFont(lettering(15, true));
-        const ChannelView& view = desk_.live.view(channel);
-        p.drawText(last + QPointF(px(16), -side * px(16)), view.known && view.picture.tool > 0 ? QString("L%1 T%2").arg(channel).arg(view.picture.tool) : QString("L%1").arg(channel));
-    }
+    for (auto& [channel, trail] : trails_) drawTrail(p, index++, channel, trail);
     if (desk_.live.channels().size() > kFewChannels) {   // no room for it on top
         p.setPen(t.dim);
         p.setFont(lettering(13.5));

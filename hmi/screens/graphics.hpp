@@ -1,6 +1,7 @@
 // The paths of all channels about one workpiece, as the machine drives them, and the stock that they leave. The tip is a point here: the
 // width of a grooving tool and the radius of a nose are not drawn, and the screen says so.
 #pragma once
+#include <QPixmap>
 #include <deque>
 #include <map>
 
@@ -54,18 +55,24 @@ private:
         std::deque<Point> points;
         bool open = false;
         double cycle = 0;
+        std::size_t drawn = 0;         // points that are in the picture already
+        QPointF tip;                   // where it is drawn
     };
     void forget();
     void findJob();
     QPointF place(double z, double x) const;
+    void drawRoom();                   // the whole picture but for the tips
+    QRectF drawTrail(QPainter& p, unsigned index, unsigned channel, Trail& trail);   // what is new in it; its place
+    QRectF tipBox(const Trail& trail) const;
 
     FreeSheet* head_;
     std::map<unsigned, Trail> trails_;
     TurnedStock stock_;
     std::string program_;              // of the job whose stock it is
-    bool changed_ = true;
+    bool changed_ = true, cut_ = false;   // changed_: the picture must be drawn anew; cut_: the stock is another one since
+    QPixmap picture_;
     double zoom_ = 1;
-    qint64 painted_ = 0;
+    qint64 painted_ = 0;              // the picture as a whole
 };
 
 }  // namespace polyturn::hmi

@@ -233,10 +233,7 @@ void Manual::composeSide(Writer& w) {
     w.fill(QRectF(0, top, wide, px(124)), t.card, px(8));
     w.text(QRectF(px(14), top + px(8), wide - px(28), px(26)), word("A block by hand (MDI)"), lettering(16, true), t.text);
     const QRectF line(px(12), top + px(42), wide - px(24), px(46));
-    w.fill(line, t.window, px(6));
-    w.frame(line, typing_ ? t.accent : t.edge, px(6), typing_ ? px(2) : 1);
-    w.data(line.adjusted(px(10), 0, -px(10), 0), mdi_ + (typing_ ? QString::fromUtf8("▏") : QString()), lettering(17, false, Face::Program), t.text);
-    w.hit(line, kMdiHit);
+    w.field(line, mdi_, QString(), typing_, kMdiHit, Face::Program);
     w.text(QRectF(px(14), top + px(94), wide - px(28), px(22)), word("Touch the line, type, Enter starts it"), lettering(13), t.dim);
     // the way back out of a hold
     const double hold = top + px(136);

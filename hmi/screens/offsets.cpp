@@ -39,14 +39,15 @@ const char* zeroTitle(const std::string& name) {
 
 }  // namespace
 
-Offsets::Offsets(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), side_(new FreeSheet(this)), table_(new Table(this)), pad_(new NumberPad(this)) {
+Offsets::Offsets(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), side_(new FreeSheet(this)), table_(new Table(this)), pad_(new NumberPad(this)), parts_(new PartsPage(desk, this)) {
+    parts_->hide();
     setFocusPolicy(Qt::StrongFocus);
     table_->byCell = true;
     table_->rowUnits = 34;
     head_->onCompose = [this](Writer& w) {
         const Theme& t = theme();
         w.fill(QRectF(0, 0, head_->width(), head_->height()), t.window);
-        w.text(QRectF(px(14), 0, head_->width() * 0.5, head_->height()), zeros_ ? word("Work zeros") : word("Tool offsets"), lettering(20, true), t.text);
+        w.text(QRectF(px(14), 0, head_->width() * 0.5, head_->height()), partsShown_ ? word("Measured parts") : zeros_ ? word("Work zeros") : word("Tool offsets"), lettering(20, true), t.text);
         composeChannelKeys(w, desk_, head_->size());
     };
     head_->onTouched = [this](int channel) { desk_.choose(static_cast<unsigned>(channel)), refresh(); };
@@ -64,6 +65,21 @@ Offsets::Offsets(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), side_(n
     build();
 }
 
+std::vector<Sheet*> Offsets::sheets() {
+    if (!partsShown_) return {head_, table_, side_, pad_};
+    std::vector<Sheet*> out = parts_->sheets();
+    out.push_back(head_);
+    return out;
+}
+
+void Offsets::showParts(bool on) {
+    partsShown_ = on;
+    if (on) parts_->begin();
+    table_->setVisible(!on), side_->setVisible(!on), pad_->setVisible(!on), parts_->setVisible(on);
+    layOut();
+    if (desk_.keysChanged) desk_.keysChanged();
+}
+
 void Offsets::showZeros(bool zeros) {
     if (zeros_ == zeros) return;
     zeros_ = zeros;
@@ -71,11 +87,11 @@ void Offsets::showZeros(bool zeros) {
     table_->choose(0, 1);
 }
 
-QString Offsets::state() const { return QString("%1 %2 %3").arg(zeros_ ? 1 : 0).arg(table_->row()).arg(table_->column()); }
+QString Offsets::state() const { return QString("%1 %2 %3").arg(partsShown_ ? 2 : zeros_ ? 1 : 0).arg(table_->row()).arg(table_->column()); }
 void Offsets::restore(const QString& state) {
     const QStringList parts = state.split(' ');
     if (parts.size() != 3) return;
-    showZeros(parts[0] == "1");
+    showZeros(parts[0] == "1"), showParts(parts[0] == "2");
     table_->choose(parts[1].toInt(), parts[2].toInt());
 }
 
@@ -253,6 +269,7 @@ void Offsets::layOut() {
     table_->setGeometry(edge, top, width() - side - 3 * edge, height() - top - edge);
     side_->setGeometry(width() - side - edge, top, side, height() - top - pad - 2 * edge);
     pad_->setGeometry(width() - side - edge, height() - pad - edge, side, pad);
+    parts_->setGeometry(0, top, width(), height() - top);
     for (Sheet* one : sheets()) one->refresh();
 }
 
@@ -296,6 +313,7 @@ void Offsets::composeSide(Writer& w) {
 
 void Offsets::refresh() {
     if (built_ != desk_.channel) build();
+    if (partsShown_) return head_->refresh(), parts_->refresh();
     for (Sheet* one : sheets()) one->refresh();
 }
 
@@ -304,8 +322,11 @@ std::vector<SoftKey> Offsets::keys() {
     const auto value = chosen();
     bool any = false;
     for (const Change& change : changes_) any |= !change.undone;
-    std::vector<SoftKey> keys{{word("Tool offsets"), [this] { showZeros(false); }, Sign::Tools, true, !zeros_}, {word("Work zeros"), [this] { showZeros(true); }, Sign::Offsets, true, zeros_}};
-    keys.resize(4);
+    std::vector<SoftKey> keys{{word("Tool offsets"), [this] { showParts(false), showZeros(false); }, Sign::Tools, true, !zeros_ && !partsShown_},
+                              {word("Work zeros"), [this] { showParts(false), showZeros(true); }, Sign::Offsets, true, zeros_ && !partsShown_},
+                              {word("Measured parts"), [this] { showParts(true); }, Sign::Parameters, true, partsShown_},
+                              {}};
+    if (partsShown_) return parts_->addKeys(keys), keys;
     keys.push_back({word("Input"), [this] { enter(false); }, Sign::None, ready});
     keys.push_back({word("+ Input"), [this] { enter(true); }, Sign::None, ready});
     if (zeros_)
@@ -323,6 +344,7 @@ std::vector<SoftKey> Offsets::keys() {
 }
 
 bool Offsets::key(QKeyEvent* event) {
+    if (partsShown_) return parts_->key(event);
     if (pad_->key(event)) return true;
     return table_->key(event);
 }

@@ -1,7 +1,8 @@
 // Tool offsets and work zeros of a channel: the table's value beside what the machine works with now, input, +input, measured input,
-// zero here, undo. A value counts when the store has answered: it is on disk then.
+// zero here, undo; measured parts. A value counts when the store has answered: it is on disk then.
 #pragma once
 #include "hmi/app/screen.hpp"
+#include "hmi/screens/parts_page.hpp"
 #include "hmi/widgets/number_pad.hpp"
 #include "hmi/widgets/table.hpp"
 
@@ -20,11 +21,13 @@ public:
     bool typing() const override { return true; }
     QString state() const override;
     void restore(const QString& state) override;
-    std::vector<Sheet*> sheets() override { return {head_, table_, side_, pad_}; }
+    std::vector<Sheet*> sheets() override;
 
-    int pages() const override { return 2; }
-    HelpTopic help() const override { return {"setup.md", zeros_ ? QString("Offsets and zeros") : QString("3. Measure"), {}}; }
-    void turnTo(int page) override { showZeros(page == 1); }
+    int pages() const override { return 3; }
+    HelpTopic help() const override { return {"setup.md", partsShown_ ? QString("6. Correct from a measured part") : zeros_ ? QString("Offsets and zeros") : QString("3. Measure"), {}}; }
+    void turnTo(int page) override { showParts(page == 2), showZeros(page == 1); }
+    void showParts(bool on);
+    PartsPage& parts() { return *parts_; }
     void showZeros(bool zeros);
     Table& table() { return *table_; }
     NumberPad& pad() { return *pad_; }
@@ -63,7 +66,8 @@ private:
     FreeSheet *head_, *side_;
     Table* table_;
     NumberPad* pad_;
-    bool zeros_ = false;
+    PartsPage* parts_;
+    bool zeros_ = false, partsShown_ = false;
     unsigned built_ = 0;
     std::vector<std::size_t> zeroRows_;
     std::vector<char> fields_;                 // letter of each column of offsets: X Z R T, wear in lower case

@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
 constexpr int kBitHits = 1;       // + number of the bit
+constexpr int kTextHit = 100;
 
 const char* effectWord(params::Effect effect) {
     switch (effect) {
@@ -64,22 +65,22 @@ Parameters::Parameters(Desk& desk)
         }
     };
     table_->onChosen = [this] { pad_->clear(), detail_->refresh(); };
+    table_->onActivated = [this] { if (const Line* line = chosen()) askText(*line); };
     head_->onCompose = [this](Writer& w) {
         const Theme& t = theme();
         w.fill(QRectF(0, 0, head_->width(), head_->height()), t.window);
         w.text(QRectF(px(14), 0, px(240), head_->height()), word("Parameters"), lettering(20, true), t.text);
         const QRectF box(head_->width() - px(460), px(6), px(452), head_->height() - px(10));
-        w.fill(box, t.card, px(6));
-        w.frame(box, searching_ ? t.accent : t.edge, px(6), searching_ ? px(2) : 1);
-        w.data(box.adjusted(px(12), 0, -px(12), 0), search_.isEmpty() && !searching_ ? word("Search: number, name or meaning") : search_ + (searching_ ? QString::fromUtf8("▏") : QString()), lettering(15.5),
-               search_.isEmpty() && !searching_ ? t.dim : t.text);
-        w.hit(box, 1);
+        w.field(box, search_, word("Search: number, name or meaning"), searching_, 1);
         w.text(QRectF(head_->width() - px(600), 0, px(130), head_->height()), QString::number(lines_.size()), lettering(15), t.dim, kRight);
     };
-    head_->onTouched = [this](int) { searching_ = !searching_, head_->refresh(); };
+    head_->onTouched = [this](int) {
+        desk_.ask({word("Search"), search_, [this](const QString& text) { find(text); }, {}});
+    };
     detail_->onCompose = [this](Writer& w) { composeDetail(w); };
     detail_->onTouched = [this](int number) {
         const Line* line = chosen();
+        if (line && number == kTextHit) return askText(*line);
         if (!line || line->row->type != params::Type::Bits || number < kBitHits) return;
         put(*line, static_cast<double>(static_cast<unsigned>(value(*line)) ^ 1u << (number - kBitHits)));
     };
@@ -165,14 +166,22 @@ QString Parameters::target(const Line& line) const {
 }
 
 void Parameters::put(const Line& line, double now) {
+    put(line, line.row->type == params::Type::Real ? QString::number(now, 'g', 15) : QString::number(std::llround(now)));
+}
+
+void Parameters::put(const Line& line, const QString& written) {
     const QString where = target(line), old = QString::fromStdString(params::value_text(*line.row, desk_.live.table(), line.instance, line.element));
-    QString written = line.row->type == params::Type::Real ? QString::number(now, 'g', 15) : QString::number(std::llround(now));
     desk_.requests.parameter(where + "=" + written, [this, where, old, written](const Answer& answer) {
         if (!answer.ok) return;
         changes_.push_back({where, old, written});
         desk_.tell(QString::fromUtf8("%1: %2 → %3").arg(where, old, written), Told::Good);
         refresh();
     });
+}
+
+void Parameters::askText(const Line& line) {
+    if (!desk_.live.connected() || line.row->type != params::Type::Text) return;
+    desk_.ask({target(line), QString::fromStdString(params::value_text(*line.row, desk_.live.table(), line.instance, line.element)), {}, [this, line](const QString& text) { put(line, text); }});
 }
 
 void Parameters::undo() {
@@ -249,10 +258,7 @@ void Parameters::composeDetail(Writer& w) {
         Item& why = w.text(QRectF(px(12), y, wide - px(24), px(36)), word("Without effect:") + " " + fromView(row.acts), lettering(13), t.warn, Qt::AlignLeft | Qt::AlignTop);
         why.wraps = true, why.data = true;
     }
-    if (row.type == params::Type::Text && y + px(34) < high) {
-        Item& how = w.text(QRectF(px(12), high - px(42), wide - px(24), px(38)), word("A text: it is changed by polyturn params set"), lettering(13), t.dim, Qt::AlignLeft | Qt::AlignTop);
-        how.wraps = true;
-    }
+    if (row.type == params::Type::Text) w.field(QRectF(px(10), high - px(50), wide - px(20), px(42)), QString::fromStdString(params::value_text(row, desk_.live.table(), line->instance, line->element)), word("Touch, or Enter: a text"), false, kTextHit);
 }
 
 void Parameters::refresh() {

@@ -45,6 +45,8 @@ private:
     bool differs(const Line& line) const;
     QString target(const Line& line) const;
     void put(const Line& line, double now);
+    void put(const Line& line, const QString& written);
+    void askText(const Line& line);
     void undo();
 
     struct Change {

@@ -86,7 +86,9 @@ void PresetterPage::readFolder(const QString& folder) {
     if (!QDir(folder_).isRoot()) entries_.push_back(QFileInfo(QFileInfo(folder_).absolutePath()));
     for (const QFileInfo& one : QDir(folder_).entryInfoList({"*.pgm", "*.bmp", "*.png"}, QDir::Files | QDir::AllDirs | QDir::NoDotAndDotDot, QDir::DirsFirst | QDir::Name)) entries_.push_back(one);
     answer_ = {}, failure_.clear(), pictureOf_.clear(), picture_ = {}, outline_.clear();
-    files_->choose(0);
+    int first = 0;   // the first picture
+    while (first < static_cast<int>(entries_.size()) && entries_[static_cast<std::size_t>(first)].isDir()) ++first;
+    files_->choose(first < static_cast<int>(entries_.size()) ? first : 0);
 }
 
 QString PresetterPage::chosen() const {
@@ -107,10 +109,20 @@ void PresetterPage::look() {
     if (file == pictureOf_) return;
     pictureOf_ = file;
     answer_ = {}, failure_.clear(), written_ = false, calibrated_ = false;
-    picture_ = file.isEmpty() ? QImage() : QImage(file).convertToFormat(QImage::Format_Grayscale8);
-    outline_ = outlineOf(picture_);
+    picture_ = {}, outline_.clear();
+    reader_.forget();
+    if (!file.isEmpty()) reader_.start([file](const std::atomic<bool>&) {
+        Shadow out{file, QImage(file).convertToFormat(QImage::Format_Grayscale8), {}};
+        out.outline = outlineOf(out.picture);
+        return out;
+    });
+    take();
     update(room_), result_->refresh();
     if (desk_.keysChanged) desk_.keysChanged();
+}
+
+void PresetterPage::take() {
+    if (auto shadow = reader_.take(); shadow && shadow->file == pictureOf_) picture_ = std::move(shadow->picture), outline_ = std::move(shadow->outline), update(room_);
 }
 
 // The command line measures and proposes; with --yes it enters. One at a time; nothing here waits for it.
@@ -165,6 +177,7 @@ void PresetterPage::resizeEvent(QResizeEvent*) {
 }
 
 void PresetterPage::refresh() {
+    take();
     for (Sheet* one : sheets()) one->refresh();
 }
 

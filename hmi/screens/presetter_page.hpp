@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "hmi/app/screen.hpp"
+#include "hmi/machine/aside.hpp"
 #include "hmi/widgets/number_pad.hpp"
 #include "hmi/widgets/table.hpp"
 
@@ -37,6 +38,7 @@ private:
     enum Value : std::uint8_t { kOffset, kPinDiameter, kPinX, kPinZ };
     void open();
     void look();                       // reads the chosen picture
+    void take();
     void run(QStringList arguments, bool written);
     void measure(bool write);
     void calibrate();
@@ -50,8 +52,14 @@ private:
     NumberPad* pad_;
     QString folder_, failure_, pictureOf_;
     std::vector<QFileInfo> entries_;
+    struct Shadow {
+        QString file;
+        QImage picture;
+        std::vector<QPoint> outline;   // of the shadow, pixels of the picture
+    };
+    Aside<Shadow> reader_;
     QImage picture_;
-    std::vector<QPoint> outline_;      // of the shadow, pixels of picture_
+    std::vector<QPoint> outline_;
     QRect room_;
     double number_[4] = {1, 6, 50, 30};
     QJsonObject answer_;

@@ -6,10 +6,11 @@
 #include "hmi/app/screen.hpp"
 #include "hmi/machine/dry_run.hpp"
 #include "hmi/machine/program_text.hpp"
+#include "hmi/screens/compare_page.hpp"
 #include "hmi/screens/editor_page.hpp"
+#include "hmi/screens/files_page.hpp"
 #include "hmi/screens/restart_page.hpp"
 #include "hmi/widgets/table.hpp"
-#include "ipc/text/job.hpp"
 
 namespace polyturn::hmi {
 
@@ -23,14 +24,16 @@ public:
     void refresh() override;
     void follow() override { restart_->follow(); }
     bool key(QKeyEvent* event) override;
-    QString state() const override { return QString::number(static_cast<int>(page_)) + "|" + chosenPath(); }
+    QString state() const override { return QString::number(static_cast<int>(page_)) + "|" + (files_->chosenPath().isEmpty() ? desk_.folder + "/." : files_->chosenPath()); }
     void restore(const QString& state) override;
     std::vector<Sheet*> sheets() override;
-    int pages() const override { return job_ || (page_ != Page::Files && page_ != Page::Restart) ? 7 : 1; }
-    HelpTopic help() const override { return page_ == Page::Restart ? HelpTopic{"operator.md", "Beginning in the middle", {}} : page_ == Page::Together ? HelpTopic{"programmer.md", "Waiting", {}} : HelpTopic{"operator.md", "Programs:", {}}; }
+    int pages() const override { return files_->job() || (page_ != Page::Files && page_ != Page::Restart) ? 9 : 1; }
+    HelpTopic help() const override;
     void turnTo(int page) override;
-    bool busy() const override { return dry_.running() || (page_ == Page::Edit && editor_->checking()); }
-    Table& files() { return *files_; }
+    bool busy() const override { return dry_.running() || compare_->busy() || (page_ == Page::Edit && editor_->checking()); }
+    Table& files() { return files_->files(); }
+    FilesPage& filesPage() { return *files_; }
+    ComparePage& comparePage() { return *compare_; }
     EditorPage& editor() { return *editor_; }
     RestartPage& restartPage() { return *restart_; }
     const DryRun& dryRun() const { return dry_; }
@@ -39,16 +42,11 @@ protected:
     void resizeEvent(QResizeEvent*) override;
 
 private:
-    enum class Page : std::uint8_t { Files, Together, Time, Restart, Edit };
+    enum class Page : std::uint8_t { Files, Together, Time, Restart, Edit, Compare };
     void layOut();
-    void readFolder(const QString& folder, const QString& choose = {});
-    QString chosenPath() const;
-    void open();
     void select();
     void edit();
     void print();
-    void preview();
-    void composePreview(Writer& w);
     void composeTogether(Writer& w);
     void composeTime(Writer& w);
     void composeFaults(Writer& w, const QRectF& box);
@@ -56,17 +54,15 @@ private:
     void look(DryRun::How how);
 
     Page page_ = Page::Files;
-    Table* files_;
-    FreeSheet *head_, *preview_, *view_;
+    FreeSheet *head_, *view_;
+    FilesPage* files_;
+    ComparePage* compare_;
     RestartPage* restart_;
     EditorPage* editor_;
-    std::vector<QFileInfo> entries_;
-    std::unique_ptr<text::Job> job_;         // of the chosen file, when it is one
-    QString jobFault_, wanted_;              // wanted_: of a check or dry run
+    QString wanted_;                         // of a check or dry run
     ProgramText texts_;
     DryRun dry_;
     int scroll_ = 0;
-    qint64 lookedMs_ = 0;
 };
 
 }  // namespace polyturn::hmi

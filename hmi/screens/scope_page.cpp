@@ -67,16 +67,17 @@ ScopePage::ScopePage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk)
         const Theme& t = theme();
         w.fill(QRectF(0, 0, note_->width(), note_->height()), t.window);
         const auto mode = record_.mode();
-        const QString state = choosing_ ? (search_.isEmpty() ? word("Choose a signal; type a part of its name") : search_ + QString::fromUtf8("▏"))
-                              : mode == ScopeRecord::Mode::Runs ? word("Records")
+        const QString state = mode == ScopeRecord::Mode::Runs ? word("Records")
                               : mode == ScopeRecord::Mode::Armed ? word("Waits for the trigger")
                               : mode == ScopeRecord::Mode::Triggered ? word("Triggered") : word("Stands");
-        w.sign(QRectF(px(8), px(7), px(22), px(22)), choosing_ ? Sign::None : mode == ScopeRecord::Mode::Stopped ? Sign::Hold : mode == ScopeRecord::Mode::Armed ? Sign::Wait : Sign::Run, mode == ScopeRecord::Mode::Armed ? t.wait : t.good);
-        w.data(QRectF(px(38), 0, note_->width() * 0.4, note_->height()), state, lettering(16, true), choosing_ ? t.accent : t.text);
+        w.sign(QRectF(px(8), px(7), px(22), px(22)), mode == ScopeRecord::Mode::Stopped ? Sign::Hold : mode == ScopeRecord::Mode::Armed ? Sign::Wait : Sign::Run, mode == ScopeRecord::Mode::Armed ? t.wait : t.good);
+        if (choosing_) w.field(QRectF(px(38), px(2), note_->width() * 0.4, note_->height() - px(4)), search_, word("Choose a signal; type a part of its name"), !search_.isEmpty(), 1);
+        else w.data(QRectF(px(38), 0, note_->width() * 0.4, note_->height()), state, lettering(16, true), t.text);
         const double window = kSeconds[static_cast<std::size_t>(base_)];
         w.text(QRectF(note_->width() * 0.44, 0, note_->width() * 0.2, note_->height()), word("%1 s wide").arg(window), lettering(15), t.dim);
         w.data(QRectF(note_->width() * 0.62, 0, note_->width() * 0.38 - px(10), note_->height()), missed_ ? word("Some ticks were missed") : exported_, lettering(14), missed_ ? t.warn : t.dim, kRight);
     };
+    note_->onTouched = [this](int) { desk_.ask({word("Signal"), search_, [this](const QString& text) { search_ = text, fillChoices(); }, {}}); };
     layOut();
 }
 

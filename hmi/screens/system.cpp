@@ -5,6 +5,7 @@
 #include <QJsonObject>
 #include <QKeyEvent>
 #include <QStandardPaths>
+#include <algorithm>
 
 namespace polyturn::hmi {
 namespace {
@@ -15,7 +16,7 @@ enum FormHit { kNameHit = 1, kPasswordHit };
 
 }  // namespace
 
-System::System(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), form_(new FreeSheet(this)), files_(new Table(this)), right_(new Table(this)), pad_(new TextPad(this)) {
+System::System(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), form_(new FreeSheet(this)), files_(new Table(this)), right_(new Table(this)), pad_(new TextPad(this)), settings_(new SettingsPage(desk, this)) {
     setFocusPolicy(Qt::StrongFocus);
     head_->onCompose = [this](Writer& w) { composeHead(w); };
     form_->onCompose = [this](Writer& w) { composeForm(w); };
@@ -31,13 +32,18 @@ void System::restore(const QString& state) {
     const int bar = static_cast<int>(state.indexOf('|'));
     if (bar < 0) return;
     if (QDir(state.mid(bar + 1)).exists()) folder_ = state.mid(bar + 1);
-    showPage(state.left(bar).toInt() == 1 ? Page::Users : Page::Backups);
+    showPage(static_cast<Page>(std::clamp(state.left(bar).toInt(), 0, static_cast<int>(Page::Settings))));
 }
 
 QString System::levelWord(const QString& level) const { return level == "maker" ? word("maker") : level == "setter" ? word("setter") : level == "operator" ? word("operator") : word("nobody"); }
 
 std::vector<Sheet*> System::sheets() {
     if (page_ == Page::Backups) return {head_, files_, right_};
+    if (page_ == Page::Settings) {
+        std::vector<Sheet*> out = settings_->sheets();
+        out.push_back(head_);
+        return out;
+    }
     return {head_, files_, form_, pad_};
 }
 
@@ -45,7 +51,9 @@ void System::showPage(Page page) {
     page_ = page;
     lookAt_ = 0, note_.clear(), name_.clear(), password_.clear();
     right_->setVisible(page == Page::Backups), form_->setVisible(page == Page::Users), pad_->setVisible(page == Page::Users);
-    fill();
+    files_->setVisible(page != Page::Settings), settings_->setVisible(page == Page::Settings);
+    if (page == Page::Settings) settings_->begin();
+    else fill();
     layOut();
     if (desk_.keysChanged) desk_.keysChanged();
 }
@@ -181,6 +189,7 @@ void System::resizeEvent(QResizeEvent*) { layOut(); }
 void System::layOut() {
     const int top = px(46), edge = px(8), half = static_cast<int>(width() * 0.42), pad = px(330);
     head_->setGeometry(0, 0, width(), top);
+    settings_->setGeometry(0, top, width(), height() - top);
     files_->setGeometry(edge, top, half - edge, height() - top - edge);
     right_->setGeometry(half + edge, top, width() - half - 2 * edge, height() - top - edge);
     form_->setGeometry(half + edge, top, width() - half - 2 * edge, height() - top - pad - 2 * edge);
@@ -191,12 +200,12 @@ void System::layOut() {
 void System::composeHead(Writer& w) {
     const Theme& t = theme();
     w.fill(QRectF(0, 0, head_->width(), head_->height()), t.window);
-    w.text(QRectF(px(14), 0, px(210), head_->height()), page_ == Page::Backups ? word("Backups") : word("Users"), lettering(20, true), t.text);
+    w.text(QRectF(px(14), 0, px(210), head_->height()), page_ == Page::Backups ? word("Backups") : page_ == Page::Users ? word("Users") : word("The computer"), lettering(20, true), t.text);
     if (page_ == Page::Backups) {
         w.data(QRectF(px(224), 0, head_->width() * 0.42, head_->height()), folder_, lettering(14), t.dim);
         if (!note_.isEmpty()) w.sign(QRectF(head_->width() * 0.66, px(12), px(22), px(22)), noteGood_ ? Sign::Good : Sign::Alarm, noteGood_ ? t.good : t.bad);
         w.data(QRectF(head_->width() * 0.66 + px(30), 0, head_->width() * 0.34 - px(42), head_->height()), note_, lettering(15, true), noteGood_ ? t.good : t.bad);
-    } else {
+    } else if (page_ == Page::Users) {
         w.data(QRectF(head_->width() * 0.44, 0, head_->width() * 0.56 - px(14), head_->height()), who_.isEmpty() ? word("Nobody is logged in. Without a login: %1").arg(levelWord(whoLevel_)) : word("Logged in: %1, %2").arg(who_, levelWord(whoLevel_)), lettering(15), t.accent, kRight);
     }
 }
@@ -209,10 +218,7 @@ void System::composeForm(Writer& w) {
     const auto field = [&](double y, const QString& title, const QString& text, bool here, int hit) {
         w.text(QRectF(px(16), y, wide * 0.3, px(44)), title, lettering(16), t.dim);
         const QRectF box(wide * 0.32, y, wide * 0.68 - px(16), px(44));
-        w.fill(box, t.window, px(6));
-        w.frame(box, here ? t.accent : t.edge, px(6), here ? px(2) : 1);
-        w.data(box.adjusted(px(12), 0, -px(12), 0), text + (here ? QString::fromUtf8("▏") : QString()), lettering(18, true), t.text);
-        w.hit(box, hit);
+        w.field(box, text, QString(), here, hit);
     };
     field(px(16), word("User"), name_, !inPassword_, kNameHit);
     field(px(70), word("Password"), QString(password_.size(), QChar(0x2022)), inPassword_, kPasswordHit);
@@ -222,12 +228,14 @@ void System::composeForm(Writer& w) {
 
 void System::refresh() {
     if (page_ == Page::Users && desk_.live.connected() && QDateTime::currentMSecsSinceEpoch() > lookAt_) look();
+    if (page_ == Page::Settings) settings_->refresh();
     for (Sheet* one : sheets()) one->refresh();
 }
 
 std::vector<SoftKey> System::keys() {
     const bool there = desk_.live.connected();
-    std::vector<SoftKey> keys{{word("Backups"), [this] { showPage(Page::Backups); }, Sign::None, true, page_ == Page::Backups}, {word("Users"), [this] { showPage(Page::Users); }, Sign::None, true, page_ == Page::Users}, {}};
+    std::vector<SoftKey> keys{{word("Backups"), [this] { showPage(Page::Backups); }, Sign::None, true, page_ == Page::Backups}, {word("Users"), [this] { showPage(Page::Users); }, Sign::None, true, page_ == Page::Users}, {word("The computer"), [this] { showPage(Page::Settings); }, Sign::None, true, page_ == Page::Settings}};
+    if (page_ == Page::Settings) return settings_->addKeys(keys), keys;
     if (page_ == Page::Backups) {
         const bool file = !chosenFile().isEmpty();
         keys.push_back({word("Save now"), [this] { save(); }, Sign::Good, there});
@@ -249,6 +257,7 @@ std::vector<SoftKey> System::keys() {
 }
 
 bool System::key(QKeyEvent* event) {
+    if (page_ == Page::Settings) return settings_->key(event);
     if (page_ == Page::Backups) {
         if (event->key() == Qt::Key_Backspace && !entries_.empty()) return files_->choose(0), open(), true;
         return files_->key(event);

@@ -1,9 +1,10 @@
-// What the shop needs rarely: backups (save, see what a restore would change, restore) and users with their levels.
+// What the shop needs rarely: backups (save, see what a restore would change, restore), users with their levels, the computer's settings.
 #pragma once
 #include <QFileInfo>
 #include <QJsonArray>
 
 #include "hmi/app/screen.hpp"
+#include "hmi/screens/settings_page.hpp"
 #include "hmi/widgets/table.hpp"
 #include "hmi/widgets/text_pad.hpp"
 
@@ -23,17 +24,18 @@ public:
     QString state() const override { return QString("%1|%2").arg(static_cast<int>(page_)).arg(folder_); }
     void restore(const QString& state) override;
     std::vector<Sheet*> sheets() override;
-    int pages() const override { return 2; }
-    HelpTopic help() const override { return {"setup.md", page_ == Page::Users ? QString("8. Users") : QString("7. Backup and restore"), {}}; }
+    int pages() const override { return 3; }
+    HelpTopic help() const override { return {"setup.md", page_ == Page::Settings ? QString("9. The computer") : page_ == Page::Users ? QString("8. Users") : QString("7. Backup and restore"), {}}; }
     void turnTo(int page) override { showPage(static_cast<Page>(page)); }
 
-    enum class Page : std::uint8_t { Backups, Users };
+    enum class Page : std::uint8_t { Backups, Users, Settings };
     void showPage(Page page);
     void readFolder(const QString& folder);
     Table& files() { return *files_; }
     Table& right() { return *right_; }
     FreeSheet& form() { return *form_; }
     TextPad& pad() { return *pad_; }
+    SettingsPage& settings() { return *settings_; }
     const QString& note() const { return note_; }
 
 protected:
@@ -62,6 +64,7 @@ private:
     FreeSheet *head_, *form_;
     Table *files_, *right_;
     TextPad* pad_;
+    SettingsPage* settings_;
     QString folder_, previewOf_, note_;
     bool noteGood_ = false;
     std::vector<QFileInfo> entries_;

@@ -8,7 +8,7 @@ namespace polyturn::hmi {
 namespace {
 
 constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
-constexpr int kFilterHit = 900;
+constexpr int kFilterHit = 900, kSearchHit = 901;
 
 }  // namespace
 
@@ -50,6 +50,7 @@ Tools::Tools(Desk& desk)
     head_->onCompose = [this](Writer& w) { composeHead(w); };
     head_->onTouched = [this](int number) {
         if (number == kFilterHit) return nextFilter();
+        if (number == kSearchHit) return desk_.ask({word("Search"), search_, [this](const QString& text) { search_ = text, fillList(), list_->choose(0), refresh(); }, {}});
         picture_->show(number - 1000);
         if (const ToolPlace* place = picture_->chosen()) picture_->choose(place->pot);
         version_ = 0, refresh();
@@ -57,6 +58,7 @@ Tools::Tools(Desk& desk)
     };
     detail_->onCompose = [this](Writer& w) { composeDetail(w); };
     side_->onCompose = [this](Writer& w) { composeSide(w); };
+    side_->onTouched = [this](int) { if (page_ == Page::Pallets) askProgram(); };
     picture_->onChosen = [this] {
         const ToolPlace* place = picture_->chosen();
         picture_->focused = true;
@@ -109,7 +111,10 @@ Tools::Tools(Desk& desk)
         if (page_ == Page::Life && table_->row() < static_cast<int>(life_.size()) && life_[static_cast<std::size_t>(table_->row())].tool) tool_ = life_[static_cast<std::size_t>(table_->row())].tool;
         if (desk_.keysChanged) desk_.keysChanged();
     };
-    table_->onActivated = [this] { if (page_ == Page::Data) fieldActivated(); };
+    table_->onActivated = [this] {
+        if (page_ == Page::Data) fieldActivated();
+        if (page_ == Page::Pallets) askProgram();
+    };
     showPage(Page::Magazine);
 }
 
@@ -268,7 +273,7 @@ void Tools::composeHead(Writer& w) {
     w.text(box.adjusted(px(12), 0, -px(60), 0), word(kFilters[static_cast<std::size_t>(filter_)]), lettering(15, filter_ != Filter::All), t.text);
     w.text(box.adjusted(px(180), 0, -px(12), 0), QString::number(rows_.size()), lettering(15), t.dim, kRight);
     w.hit(box, kFilterHit);
-    w.data(QRectF(head_->width() - px(350), 0, px(338), high), search_.isEmpty() ? word("Type a part of the name") : search_ + QString::fromUtf8("▏"), lettering(15), search_.isEmpty() ? t.dim : t.accent);
+    w.field(QRectF(head_->width() - px(350), px(6), px(342), high - px(11)), search_, word("Type a part of the name"), !search_.isEmpty(), kSearchHit);
 }
 
 // What the chosen tool is, beneath the list; on the page of lives what stops the machine first.

@@ -71,6 +71,7 @@ private:
     void fillData();
     void fillLife();
     void fillPallets();
+    void askProgram();
     void look();                                   // asks for the report or the pallets again
     void composeHead(Writer& w);
     void composeDetail(Writer& w);

@@ -165,6 +165,18 @@ void Tools::fillPallets() {
     };
 }
 
+// The program that goes with the chosen pallet.
+void Tools::askProgram() {
+    if (table_->row() >= static_cast<int>(pallets_.size())) return;
+    const Pallet pallet = pallets_[static_cast<std::size_t>(table_->row())];
+    desk_.ask({word("Program of the pallet"), pallet.program, {}, [this, row = pallet.row](const QString& text) {
+        desk_.requests.store({{"do", "pallets.set"}, {"row", row}, {"fields", QJsonObject{{"program", text}}}}, [this](const Answer& answer) {
+            if (answer.ok) desk_.tell(word("Written"), Told::Good);
+            lookAt_ = 0;
+        });
+    }});
+}
+
 // How the chosen field is entered.
 void Tools::composeSide(Writer& w) {
     const Theme& t = theme();
@@ -178,6 +190,8 @@ void Tools::composeSide(Writer& w) {
     else words = word("Enter, or a second touch, changes it.");
     Item& item = w.text(QRectF(px(14), px(10), wide - px(28), high - px(20)), words, lettering(15), t.dim, Qt::AlignLeft | Qt::AlignTop);
     item.wraps = true;
+    if (page_ == Page::Pallets && table_->row() < static_cast<int>(pallets_.size()))
+        w.field(QRectF(px(12), high - px(54), wide - px(24), px(44)), pallets_[static_cast<std::size_t>(table_->row())].program, word("Program of the pallet"), false, 1, Face::Program);
 }
 
 }  // namespace polyturn::hmi

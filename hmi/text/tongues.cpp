@@ -4,6 +4,7 @@
 #include <QTranslator>
 #include <memory>
 #include <string>
+#include <unordered_map>
 
 static void takeWords() { Q_INIT_RESOURCE(words); }   // of a static library: nobody else would ask for them; not in a namespace
 
@@ -12,6 +13,7 @@ namespace {
 
 Tongue g_tongue = Tongue::English;
 std::unique_ptr<QTranslator> g_words;
+std::unordered_map<const char*, QString> g_known;
 
 }  // namespace
 
@@ -29,7 +31,7 @@ Tongue spoken() { return g_tongue; }
 
 void speak(Tongue tongue) {
     if (g_words) QCoreApplication::removeTranslator(g_words.get());
-    g_words.reset();
+    g_words.reset(), g_known.clear();
     g_tongue = tongue;
     choose_tongue(codeOf(tongue));
     if (tongue == Tongue::English) return;
@@ -38,7 +40,11 @@ void speak(Tongue tongue) {
     if (g_words->load(QString(":/translations/polyturn_%1.qm").arg(codeOf(tongue)))) QCoreApplication::installTranslator(g_words.get());
 }
 
-QString word(const char* english) { return QCoreApplication::translate("hmi", english); }
-QString word(std::string_view english) { return word(std::string(english).c_str()); }
+// A literal stands where it stands: it is looked up once in each language, then found by its address.
+QString word(const char* english) {
+    const auto at = g_known.find(english);
+    return at != g_known.end() ? at->second : g_known.emplace(english, QCoreApplication::translate("hmi", english)).first->second;
+}
+QString word(std::string_view english) { return QCoreApplication::translate("hmi", std::string(english).c_str()); }
 
 }  // namespace polyturn::hmi

@@ -12,7 +12,7 @@
 
 namespace polyturn::hmi {
 
-QString word(const char* english);
+QString word(const char* english);        // a literal: it must not change; of the screens' own thread
 QString word(std::string_view english);   // of a table of ipc
 // The language of everything from now on; screens are made anew.
 void speak(Tongue tongue);

@@ -19,6 +19,11 @@
         <translation>  z toho čekání</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>%1 files</source>
+        <translation>souborů: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>%1 has a new insert: life and wear begin anew</source>
         <translation>%1 má novou destičku: životnost a opotřebení začínají znovu</translation>
@@ -32,6 +37,26 @@
         <location filename="../screens/system.cpp"/>
         <source>%1 is logged in</source>
         <translation>%1 je přihlášen</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>%1 is not such a value</source>
+        <translation>%1 sem nepatří</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>%1 is protected</source>
+        <translation>%1 je chráněn</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>%1 is protected: a login of a higher level may change it</source>
+        <translation>%1 je chráněn: měnit smí přihlášení s vyšší úrovní</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>%1 is read-only</source>
+        <translation>%1 je jen pro čtení</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -49,9 +74,19 @@
         <translation>%1 je vyjmut</translation>
     </message>
     <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>%1 mm a part</source>
+        <translation>%1 mm na díl</translation>
+    </message>
+    <message>
         <location filename="../screens/tools.cpp"/>
         <source>%1 of %2</source>
         <translation>%1 z %2</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>%1 parts to the limit</source>
+        <translation>do meze %1 dílů</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
@@ -74,9 +109,19 @@
         <translation>Změnilo by se %1 hodnot a souborů</translation>
     </message>
     <message>
+        <location filename="../screens/settings_page.cpp"/>
+        <source>%1 was refused: %2</source>
+        <translation>%1: odmítnuto: %2</translation>
+    </message>
+    <message>
         <location filename="../widgets/magazine.cpp"/>
         <source>%1: choose its place, Enter puts it there, Escape leaves it</source>
         <translation>%1: zvolte místo, Enter ho tam dá, Escape nechá být</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>(limited)</source>
+        <translation>(omezeno)</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -94,6 +139,16 @@
         <translation>1/100 s</translation>
     </message>
     <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>2 to 30 a second</source>
+        <translation>2 až 30 za sekundu</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>250 to 1000 ms</source>
+        <translation>250 až 1000 ms</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>A block by hand (MDI)</source>
         <translation>Blok ručně (MDI)</translation>
@@ -104,11 +159,6 @@
         <translation>Start vyžaduje:</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
-        <source>A text: it is changed by polyturn params set</source>
-        <translation>Text: mění se příkazem polyturn params set</translation>
-    </message>
-    <message>
         <location filename="../screens/cycle_form_page.cpp"/>
         <source>A value is needed here.</source>
         <translation>Zde je nutná hodnota.</translation>
@@ -117,6 +167,11 @@
         <location filename="../machine/channel_words.cpp"/>
         <source>Absent</source>
         <translation>Není</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Accept proposal</source>
+        <translation>Přijmout návrh</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -142,6 +197,16 @@
         <location filename="../screens/contour_page.cpp"/>
         <source>Add an arc G3</source>
         <translation>Přidat oblouk G3</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Addresses by DHCP</source>
+        <translation>Adresy z DHCP</translation>
+    </message>
+    <message>
+        <location filename="../machine/stop_book.cpp"/>
+        <source>Alarm</source>
+        <translation>Porucha</translation>
     </message>
     <message>
         <location filename="../screens/alarms.hpp"/>
@@ -264,7 +329,7 @@
         <translation>Osa</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/files_page.cpp"/>
         <source>Back</source>
         <translation>Zpět</translation>
     </message>
@@ -339,6 +404,11 @@
         <translation>Zlomený</translation>
     </message>
     <message>
+        <location filename="../machine/stop_book.cpp"/>
+        <source>Broken off</source>
+        <translation>Přerušeno</translation>
+    </message>
+    <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>Calibrate</source>
         <translation>Kalibrovat</translation>
@@ -362,6 +432,11 @@
         <location filename="../screens/editor_page.cpp"/>
         <source>Cannot be written: %1</source>
         <translation>Nelze zapsat: %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/stops_page.cpp"/>
+        <source>Cause</source>
+        <translation>Příčina</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -394,12 +469,17 @@
         <translation>Zkosení k dalšímu</translation>
     </message>
     <message>
+        <location filename="../screens/settings_page.cpp"/>
+        <source>Change</source>
+        <translation>Změnit</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Change of the lead a revolution</source>
         <translation>Změna stoupání na otáčku</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/files_page.cpp"/>
         <source>Changed</source>
         <translation>Změněno</translation>
     </message>
@@ -439,7 +519,7 @@
         <translation>Zvolte pole</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/files_page.cpp"/>
         <source>Choose a job or a program</source>
         <translation>Zvolte úlohu nebo program</translation>
     </message>
@@ -489,6 +569,16 @@
         <translation>Zadáno</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Compare</source>
+        <translation>Porovnat</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Comparison</source>
+        <translation>Porovnání</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Compensation</source>
         <translation>Kompenzace</translation>
@@ -502,6 +592,21 @@
         <location filename="../screens/contour_page.cpp"/>
         <source>Contour</source>
         <translation>Kontura</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Copied and compared</source>
+        <translation>Zkopírováno a ověřeno</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Copy to here</source>
+        <translation>Kopírovat sem</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Copy, delete ...</source>
+        <translation>Kopie, mazání ...</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -554,6 +659,11 @@
         <translation>Tmavý</translation>
     </message>
     <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Date and time</source>
+        <translation>Datum a čas</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Datum</source>
         <translation>Údaj</translation>
@@ -569,6 +679,11 @@
         <translation>Výchozí hodnota</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Delete</source>
+        <translation>Smazat</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Delete the element</source>
         <translation>Smazat prvek</translation>
@@ -582,6 +697,11 @@
         <location filename="../screens/system.cpp"/>
         <source>Delete user</source>
         <translation>Smazat uživatele</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Deleted</source>
+        <translation>Smazáno</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -634,6 +754,11 @@
         <translation>Hloubka díry</translation>
     </message>
     <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Deviation</source>
+        <translation>Odchylka</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis.hpp"/>
         <source>Diagnosis</source>
         <translation>Diagnostika</translation>
@@ -657,6 +782,11 @@
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Diameter of this pass at the end</source>
         <translation>Průměr tohoto řezu na konci</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Dimension</source>
+        <translation>Rozměr</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -739,9 +869,14 @@
         <translation>Působení</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/stop_book.cpp"/>
         <source>Emergency stop</source>
         <translation>Nouzový stop</translation>
+    </message>
+    <message>
+        <location filename="../widgets/text_entry.cpp"/>
+        <source>Empty</source>
+        <translation>Vymazat</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -854,6 +989,11 @@
         <translation>Externí</translation>
     </message>
     <message>
+        <location filename="../screens/settings_page.cpp"/>
+        <source>F11, or the key at the top: the next one</source>
+        <translation>F11 nebo tlačítko nahoře: další</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Face Z</source>
         <translation>Čelo Z</translation>
@@ -887,6 +1027,11 @@
         <location filename="../screens/manual.cpp"/>
         <source>Feed</source>
         <translation>Posuv</translation>
+    </message>
+    <message>
+        <location filename="../machine/stop_book.cpp"/>
+        <source>Feed hold</source>
+        <translation>Zastavení posuvu</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -954,9 +1099,19 @@
         <translation>Dokončovacích řezů</translation>
     </message>
     <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>First WINS server</source>
+        <translation>První WINS</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>First block of the contour</source>
         <translation>První blok kontury</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>First name server</source>
+        <translation>První DNS</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -984,6 +1139,16 @@
         <translation>Pro korekci a kalibrační kolík</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Forget place</source>
+        <translation>Zapomenout místo</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Free</source>
+        <translation>Volné</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>From</source>
         <translation>Od</translation>
@@ -997,6 +1162,11 @@
         <location filename="../screens/hand_page.cpp"/>
         <source>Full torque</source>
         <translation>Plný moment</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Gateway</source>
+        <translation>Brána</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -1084,6 +1254,11 @@
         <translation>Jak</translation>
     </message>
     <message>
+        <location filename="../screens/stops_page.cpp"/>
+        <source>How long</source>
+        <translation>Trvání</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>In position</source>
         <translation>V poloze</translation>
@@ -1114,9 +1289,19 @@
         <translation>Působí ihned: znovu</translation>
     </message>
     <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>It cannot be read: %1</source>
+        <translation>Nelze číst: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>It cannot be shown.</source>
         <translation>Nelze zobrazit.</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>It comes by DHCP (N5108)</source>
+        <translation>Přichází z DHCP (N5108)</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -1127,6 +1312,11 @@
         <location filename="../machine/dry_run.cpp"/>
         <source>It gave no result.</source>
         <translation>Nedal výsledek.</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>It is gone for good: press again</source>
+        <translation>Zmizí navždy: znovu</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -1204,9 +1394,24 @@
         <translation>Vytáhnout díl</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Keep as place</source>
+        <translation>Uložit místo</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Kept: %1</source>
+        <translation>Uloženo: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>Keyboard</source>
         <translation>Klávesnice</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Keyboard layout</source>
+        <translation>Rozložení kláves</translation>
     </message>
     <message>
         <location filename="../screens/tools.cpp"/>
@@ -1237,6 +1442,11 @@
         <location filename="../screens/restart_page.cpp"/>
         <source>L%1: restart at block</source>
         <translation>L%1: začít od bloku</translation>
+    </message>
+    <message>
+        <location filename="../screens/settings_page.cpp"/>
+        <source>Language of the screens</source>
+        <translation>Jazyk obrazovek</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -1394,6 +1604,11 @@
         <translation>Přihlásit</translation>
     </message>
     <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Log of stops</source>
+        <translation>Záznam zastavení</translation>
+    </message>
+    <message>
         <location filename="../screens/system.cpp"/>
         <source>Log out</source>
         <translation>Odhlásit</translation>
@@ -1419,6 +1634,11 @@
         <translation>Ověřte, zda řízení běží; zkuste znovu.</translation>
     </message>
     <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Lower</source>
+        <translation>Dolní</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>MDI</source>
         <translation>MDI</translation>
@@ -1432,6 +1652,11 @@
         <location filename="../screens/channel_card.cpp"/>
         <source>Machine lock</source>
         <translation>Blokování os</translation>
+    </message>
+    <message>
+        <location filename="../machine/stop_book.cpp"/>
+        <source>Machine off</source>
+        <translation>Stroj vypnut</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -1479,6 +1704,16 @@
         <translation>Změřeno</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Measured parts</source>
+        <translation>Změřené díly</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Measured: %1</source>
+        <translation>Změřeno: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>Measures ...</source>
         <translation>Měří ...</translation>
@@ -1509,9 +1744,39 @@
         <translation>Název</translation>
     </message>
     <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Name of the dimension</source>
+        <translation>Název rozměru</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Network</source>
+        <translation>Síť</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Network address</source>
+        <translation>Síťová adresa</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>New dimension</source>
+        <translation>Nový rozměr</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>New folder</source>
+        <translation>Nová složka</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>New insert</source>
         <translation>Nová destička</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>New name</source>
+        <translation>Nový název</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -1529,6 +1794,11 @@
         <translation>Další chyba</translation>
     </message>
     <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>Next place</source>
+        <translation>Další místo</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Next solution</source>
         <translation>Další řešení</translation>
@@ -1537,6 +1807,11 @@
         <location filename="../screens/alarms.cpp"/>
         <source>No alarm stands.</source>
         <translation>Žádný alarm netrvá.</translation>
+    </message>
+    <message>
+        <location filename="../screens/stops_page.cpp"/>
+        <source>No channel has stood in this time.</source>
+        <translation>V té době žádný kanál nestál.</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -1564,6 +1839,11 @@
         <translation>Žádná úloha neuvádí polotovar programu</translation>
     </message>
     <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>No network connection is managed here</source>
+        <translation>Žádné síťové připojení tu není spravováno</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>No parameter has this in its number, name or meaning.</source>
         <translation>Žádný parametr to nemá v čísle, názvu ani významu.</translation>
@@ -1577,6 +1857,11 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>No signal has this in its name or meaning.</source>
         <translation>Žádný signál to nemá v názvu ani významu.</translation>
+    </message>
+    <message>
+        <location filename="../machine/stop_book.cpp"/>
+        <source>No start</source>
+        <translation>Bez startu</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -1614,9 +1899,19 @@
         <translation>Nikdo není přihlášen. Bez přihlášení: %1</translation>
     </message>
     <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Nominal</source>
+        <translation>Jmenovitý</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>None is known.</source>
         <translation>Není známa.</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Not done: %1</source>
+        <translation>Neprovedeno: %1</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -1694,6 +1989,11 @@
         <translation>Počet chodů</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Offset</source>
         <translation>Korekce</translation>
@@ -1717,6 +2017,11 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>One ring</source>
         <translation>Jeden kroužek</translation>
+    </message>
+    <message>
+        <location filename="../screens/stops_page.cpp"/>
+        <source>Only L%1</source>
+        <translation>Jen L%1</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>
@@ -1769,6 +2074,11 @@
         <translation>Pořadí mezi sesterskými</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Other files may name it: press again</source>
+        <translation>Jiné soubory ho znají: znovu</translation>
+    </message>
+    <message>
         <location filename="../screens/system.cpp"/>
         <source>Other level</source>
         <translation>Jiná úroveň</translation>
@@ -1789,6 +2099,11 @@
         <translation>Přehled</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Own folder</source>
+        <translation>Vlastní složka</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Own magazine</source>
         <translation>Vlastní zásobník</translation>
@@ -1797,6 +2112,16 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>Own place</source>
         <translation>Vlastní místo</translation>
+    </message>
+    <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>Page down</source>
+        <translation>O stránku níž</translation>
+    </message>
+    <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>Page up</source>
+        <translation>O stránku výš</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -1874,6 +2199,11 @@
         <translation>Přerušované zapichování v Z</translation>
     </message>
     <message>
+        <location filename="../screens/stops_page.cpp"/>
+        <source>Period</source>
+        <translation>Období</translation>
+    </message>
+    <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>Picture</source>
         <translation>Snímek</translation>
@@ -1882,6 +2212,11 @@
         <location filename="../screens/alarms.cpp"/>
         <source>Place</source>
         <translation>Místo</translation>
+    </message>
+    <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>Place before</source>
+        <translation>Předchozí místo</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -1897,6 +2232,11 @@
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Place of the hole Z</source>
         <translation>Poloha díry Z</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Places</source>
+        <translation>Místa</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -1959,9 +2299,19 @@
         <translation>Program</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Program of the pallet</source>
+        <translation>Program palety</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Program with the contour</source>
         <translation>Program s konturou</translation>
+    </message>
+    <message>
+        <location filename="../machine/stop_book.cpp"/>
+        <source>Programmed stop</source>
+        <translation>Programový stop</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -1977,6 +2327,26 @@
         <location filename="../screens/programs.cpp"/>
         <source>Programs and jobs</source>
         <translation>Programy a úlohy</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Proposal</source>
+        <translation>Návrh</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Proposal: %1 mm</source>
+        <translation>Návrh: %1 mm</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Protect</source>
+        <translation>Chránit</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Protected</source>
+        <translation>Chráněno</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -2004,7 +2374,7 @@
         <translation>Rychlop.</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/files_page.cpp"/>
         <source>Read again</source>
         <translation>Načíst znovu</translation>
     </message>
@@ -2064,6 +2434,16 @@
         <translation>Náprava</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Rename</source>
+        <translation>Přejmenovat</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Renamed</source>
+        <translation>Přejmenováno</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Repair: where the thread was measured</source>
         <translation>Oprava: kde byl závit změřen</translation>
@@ -2072,6 +2452,16 @@
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Repeating a contour</source>
         <translation>Opakování kontury</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Repeats in a second</source>
+        <translation>Opakování za sekundu</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Replaces the one that is here: press again</source>
+        <translation>Nahradí zdejší: stiskněte znovu</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -2229,7 +2619,7 @@
         <translation>Osciloskop</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Search</source>
         <translation>Hledat</translation>
     </message>
@@ -2237,6 +2627,16 @@
         <location filename="../screens/parameters.cpp"/>
         <source>Search: number, name or meaning</source>
         <translation>Hledat: číslo, název nebo význam</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Second WINS server</source>
+        <translation>Druhý WINS</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Second name server</source>
+        <translation>Druhý DNS</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -2257,6 +2657,11 @@
         <location filename="../screens/offsets.cpp"/>
         <source>Sets the zero: press again</source>
         <translation>Nastaví nulu: znovu</translation>
+    </message>
+    <message>
+        <location filename="../screens/settings_page.cpp"/>
+        <source>Setting</source>
+        <translation>Nastavení</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -2294,7 +2699,7 @@
         <translation>Od startu obrazovek; břity jako body, bez šířky a rádiusu</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../machine/stop_book.cpp"/>
         <source>Single block</source>
         <translation>Po bloku</translation>
     </message>
@@ -2319,7 +2724,7 @@
         <translation>Sesterský</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/files_page.cpp"/>
         <source>Size</source>
         <translation>Velikost</translation>
     </message>
@@ -2434,6 +2839,11 @@
         <translation>Odebíraný přídavek v Z</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Stop</source>
+        <translation>Stop</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Stop record</source>
         <translation>Zastavit záznam</translation>
@@ -2442,6 +2852,16 @@
         <location filename="../machine/channel_words.cpp"/>
         <source>Stopped</source>
         <translation>Zastaven</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Stopped: %1</source>
+        <translation>Zastaveno: %1</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Subnet mask</source>
+        <translation>Maska podsítě</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -2457,6 +2877,16 @@
         <location filename="../screens/system.hpp"/>
         <source>System</source>
         <translation>Systém</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Take</source>
+        <translation>Vzít</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Taken: %1</source>
+        <translation>Vzato: %1</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -2509,6 +2939,11 @@
         <translation>Osy jsou volné: znovu</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>The computer</source>
+        <translation>Počítač</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>The contour is complete.</source>
         <translation>Kontura je úplná.</translation>
@@ -2524,14 +2959,39 @@
         <translation>Řízení odmítlo.</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>The copy of %1 was not what had been sent; what was there before stands</source>
+        <translation>Kopie %1 nesouhlasila s odeslaným; původní soubor zůstal</translation>
+    </message>
+    <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>The counter spindle is free</source>
         <translation>Protivřeteno je volné</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>The file is being read ...</source>
+        <translation>Soubor se čte ...</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>The folder is being read ...</source>
+        <translation>Složka se čte ...</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>The job is being driven in virtual time</source>
         <translation>Úloha běží ve virtuálním čase</translation>
+    </message>
+    <message>
+        <location filename="../screens/stops_page.cpp"/>
+        <source>The last %1 days</source>
+        <translation>Posledních %1 dní</translation>
+    </message>
+    <message>
+        <location filename="../screens/stops_page.cpp"/>
+        <source>The last %1 h</source>
+        <translation>Posledních %1 h</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -2559,6 +3019,11 @@
         <translation>Korekce je zapsána</translation>
     </message>
     <message>
+        <location filename="../screens/settings_page.cpp"/>
+        <source>The operating system keeps these values and says who may change them; Enter, or a second touch, changes one.</source>
+        <translation>Tyto hodnoty drží operační systém a určuje, kdo je smí měnit; Enter nebo druhý dotyk hodnotu změní.</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>The pallet in a row goes with its program. «Exchange»: choose a row, press, choose the other row, press again.</source>
         <translation>Paleta se mění i s programem. «Vyměnit»: zvolte řádek, stiskněte, zvolte druhý, stiskněte znovu.</translation>
@@ -2584,6 +3049,16 @@
         <translation>Program polyturn není vedle HMI.</translation>
     </message>
     <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>The program was broken off</source>
+        <translation>Program byl přerušen</translation>
+    </message>
+    <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>The programs are being compared ...</source>
+        <translation>Programy se porovnávají ...</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>The programs are being read</source>
         <translation>Programy se čtou</translation>
@@ -2597,6 +3072,11 @@
         <location filename="../screens/system.cpp"/>
         <source>Then</source>
         <translation>Potom</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>There are no dimensions yet: «New dimension».</source>
+        <translation>Rozměry zatím nejsou: «Nový rozměr».</translation>
     </message>
     <message>
         <location filename="../screens/tools.cpp"/>
@@ -2619,12 +3099,47 @@
         <translation>Není spojení s řízením.</translation>
     </message>
     <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>There is no field of text here</source>
+        <translation>Tady není textové pole</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>There is no time zone %1</source>
+        <translation>Časové pásmo %1 neexistuje</translation>
+    </message>
+    <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>They are the same</source>
+        <translation>Jsou stejné</translation>
+    </message>
+    <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>They are very different</source>
+        <translation>Jsou velmi odlišné</translation>
+    </message>
+    <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>They differ in %1 places</source>
+        <translation>Liší se na %1 místech</translation>
+    </message>
+    <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>This channel has no turret.</source>
         <translation>Kanál nemá revolver.</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>This computer has no %1</source>
+        <translation>Tento počítač nemá %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>This folder cannot be read.</source>
+        <translation>Tuto složku nelze číst.</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
         <source>This folder is empty.</source>
         <translation>Složka je prázdná.</translation>
     </message>
@@ -2654,6 +3169,16 @@
         <translation>Tento stroj nemá palety (N3300).</translation>
     </message>
     <message>
+        <location filename="../screens/settings_page.cpp"/>
+        <source>This needs the level of a setter: log in</source>
+        <translation>Je třeba úroveň seřizovače: přihlaste se</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>This system knows no WINS: names come from the name servers</source>
+        <translation>Tento systém nezná WINS: jména dávají servery DNS</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Thread in several passes</source>
         <translation>Závit na více řezů</translation>
@@ -2674,9 +3199,24 @@
         <translation>Čas</translation>
     </message>
     <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Time before a key repeats</source>
+        <translation>Prodleva opakování</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Time from the network</source>
+        <translation>Čas ze sítě</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Time left</source>
         <translation>Zbývá času</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Time zone</source>
+        <translation>Časové pásmo</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -2784,6 +3324,11 @@
         <translation>Dotkněte se řádku, pište, Enter spustí</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Touch, or Enter: a text</source>
+        <translation>Dotyk nebo Enter: text</translation>
+    </message>
+    <message>
         <location filename="../app/main_window.cpp"/>
         <source>Touches and keys do nothing. The machine goes on.</source>
         <translation>Dotyky a klávesy nefungují. Stroj běží dál.</translation>
@@ -2849,6 +3394,16 @@
         <translation>Napište, Enter převezme.</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>USB</source>
+        <translation>USB</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>USB sticks and network places appear when they are there. «Keep as place» adds the folder that is shown; /etc/polyturn/places names those of the shop: NAME=/FOLDER.</source>
+        <translation>USB a síťová místa se objeví, když jsou připojena. «Uložit místo» přidá zobrazenou složku; místa dílny jsou v /etc/polyturn/places: NÁZEV=/SLOŽKA.</translation>
+    </message>
+    <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>Undo</source>
         <translation>Zpět</translation>
@@ -2864,9 +3419,14 @@
         <translation>Vyjmout</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/files_page.cpp"/>
         <source>Up</source>
         <translation>Nahoru</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Upper</source>
+        <translation>Horní</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -2924,6 +3484,11 @@
         <translation>Čeká na %1, všichni jsou tu</translation>
     </message>
     <message>
+        <location filename="../machine/stop_book.cpp"/>
+        <source>Waits for a channel</source>
+        <translation>Čeká na kanál</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Waits for the trigger</source>
         <translation>Čeká na spoušť</translation>
@@ -2957,6 +3522,11 @@
         <location filename="../screens/offsets.cpp"/>
         <source>Wear</source>
         <translation>Opotř.</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Wear %1 mm: press again</source>
+        <translation>Opotřebení %1 mm: znovu</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -3009,6 +3579,11 @@
         <translation>Kolečko, nástroj</translation>
     </message>
     <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Without a display server the keyboard itself decides</source>
+        <translation>Bez zobrazovacího serveru rozhoduje klávesnice</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Without effect:</source>
         <translation>Bez účinku:</translation>
@@ -3017,6 +3592,11 @@
         <location filename="../screens/cycle_form_page.cpp"/>
         <source>Word</source>
         <translation>Slovo</translation>
+    </message>
+    <message>
+        <location filename="../machine/stop_book.cpp"/>
+        <source>Work by hand</source>
+        <translation>Ruční práce</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -3064,9 +3644,14 @@
         <translation>Zapíše korekci: ještě jednou</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/parts_page.cpp"/>
         <source>Written</source>
         <translation>Zapsáno</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Written as %1</source>
+        <translation>Píše se takto: %1</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>
@@ -3154,7 +3739,7 @@
         <translation>osy byly odjety v pozastavení</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/files_page.cpp"/>
         <source>bore</source>
         <translation>otvor</translation>
     </message>
@@ -3274,6 +3859,11 @@
         <translation>sleduje ji synchronně</translation>
     </message>
     <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>good</source>
+        <translation>dobrý</translation>
+    </message>
+    <message>
         <location filename="../machine/tool_words.cpp"/>
         <source>grinding wheel</source>
         <translation>brusný kotouč</translation>
@@ -3369,9 +3959,14 @@
         <translation>nikdy nepřijde: %1</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../machine/computer_settings.cpp"/>
         <source>no</source>
         <translation>ne</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>no offset, no tool</source>
+        <translation>bez korekce</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -3414,6 +4009,11 @@
         <translation>nezadáno</translation>
     </message>
     <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>not measured</source>
+        <translation>neměřeno</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>not referenced</source>
         <translation>bez reference</translation>
@@ -3432,6 +4032,16 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>off</source>
         <translation>vyp</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>only makers</source>
+        <translation>jen výrobce</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>only setters</source>
+        <translation>jen seřizovač</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -3487,6 +4097,11 @@
         <location filename="../machine/tool_words.cpp"/>
         <source>probe</source>
         <translation>sonda</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>read-only</source>
+        <translation>jen pro čtení</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -3624,6 +4239,16 @@
         <translation>břit</translation>
     </message>
     <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>too large</source>
+        <translation>velký</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>too small</source>
+        <translation>malý</translation>
+    </message>
+    <message>
         <location filename="../machine/tool_words.cpp"/>
         <source>tool %1</source>
         <translation>nástroj %1</translation>
@@ -3694,7 +4319,12 @@
         <translation>opotřebení</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>wear of L%1 offset %2</source>
+        <translation>opotř. L%1, kor. %2</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
         <source>yes</source>
         <translation>ano</translation>
     </message>
@@ -3702,6 +4332,11 @@
         <location filename="../screens/presetter_page.cpp"/>
         <source>«Measure» finds the tip and shows what would be entered. The gauge pin calibrates the camera first.</source>
         <translation>«Změřit» najde špičku a ukáže, co by se zapsalo. Kameru nejdřív zkalibruje kolík.</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>«Take» chooses what is copied or compared</source>
+        <translation>«Vzít» zvolí, co kopírovat nebo porovnat</translation>
     </message>
 </context>
 </TS>

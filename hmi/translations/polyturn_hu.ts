@@ -19,6 +19,11 @@
         <translation>  ebből várakozás</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>%1 files</source>
+        <translation>%1 fájl</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>%1 has a new insert: life and wear begin anew</source>
         <translation>%1: új lapka, az élettartam és a kopás újrakezdődik</translation>
@@ -32,6 +37,26 @@
         <location filename="../screens/system.cpp"/>
         <source>%1 is logged in</source>
         <translation>%1 bejelentkezett</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>%1 is not such a value</source>
+        <translation>%1 ide nem illik</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>%1 is protected</source>
+        <translation>%1 védett</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>%1 is protected: a login of a higher level may change it</source>
+        <translation>%1 védett: magasabb szintű belépéssel módosítható</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>%1 is read-only</source>
+        <translation>%1 csak olvasható</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -49,9 +74,19 @@
         <translation>%1 ki van véve</translation>
     </message>
     <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>%1 mm a part</source>
+        <translation>%1 mm/darab</translation>
+    </message>
+    <message>
         <location filename="../screens/tools.cpp"/>
         <source>%1 of %2</source>
         <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>%1 parts to the limit</source>
+        <translation>%1 darab a határig</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
@@ -74,9 +109,19 @@
         <translation>%1 érték és fájl változna</translation>
     </message>
     <message>
+        <location filename="../screens/settings_page.cpp"/>
+        <source>%1 was refused: %2</source>
+        <translation>%1: elutasítva: %2</translation>
+    </message>
+    <message>
         <location filename="../widgets/magazine.cpp"/>
         <source>%1: choose its place, Enter puts it there, Escape leaves it</source>
         <translation>%1: válasszon helyet, Enter leteszi, Escape elhagyja</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>(limited)</source>
+        <translation>(korlátozva)</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -94,6 +139,16 @@
         <translation>1/100 s</translation>
     </message>
     <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>2 to 30 a second</source>
+        <translation>2-től 30-ig másodpercenként</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>250 to 1000 ms</source>
+        <translation>250-től 1000 ms-ig</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>A block by hand (MDI)</source>
         <translation>Mondat kézzel (MDI)</translation>
@@ -104,11 +159,6 @@
         <translation>Az indításhoz kell:</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
-        <source>A text: it is changed by polyturn params set</source>
-        <translation>Szöveg: a polyturn params set módosítja</translation>
-    </message>
-    <message>
         <location filename="../screens/cycle_form_page.cpp"/>
         <source>A value is needed here.</source>
         <translation>Itt érték kell.</translation>
@@ -117,6 +167,11 @@
         <location filename="../machine/channel_words.cpp"/>
         <source>Absent</source>
         <translation>Nincs</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Accept proposal</source>
+        <translation>Elfogadás</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -142,6 +197,16 @@
         <location filename="../screens/contour_page.cpp"/>
         <source>Add an arc G3</source>
         <translation>G3 ív hozzáadása</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Addresses by DHCP</source>
+        <translation>Címek DHCP-vel</translation>
+    </message>
+    <message>
+        <location filename="../machine/stop_book.cpp"/>
+        <source>Alarm</source>
+        <translation>Hiba</translation>
     </message>
     <message>
         <location filename="../screens/alarms.hpp"/>
@@ -264,7 +329,7 @@
         <translation>Tengely</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/files_page.cpp"/>
         <source>Back</source>
         <translation>Vissza</translation>
     </message>
@@ -339,6 +404,11 @@
         <translation>Törött</translation>
     </message>
     <message>
+        <location filename="../machine/stop_book.cpp"/>
+        <source>Broken off</source>
+        <translation>Megszakítva</translation>
+    </message>
+    <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>Calibrate</source>
         <translation>Kalibrálás</translation>
@@ -362,6 +432,11 @@
         <location filename="../screens/editor_page.cpp"/>
         <source>Cannot be written: %1</source>
         <translation>Nem írható: %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/stops_page.cpp"/>
+        <source>Cause</source>
+        <translation>Ok</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -394,12 +469,17 @@
         <translation>Letörés a következőhöz</translation>
     </message>
     <message>
+        <location filename="../screens/settings_page.cpp"/>
+        <source>Change</source>
+        <translation>Módosítás</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Change of the lead a revolution</source>
         <translation>Emelkedés változása fordulatonként</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/files_page.cpp"/>
         <source>Changed</source>
         <translation>Módosítva</translation>
     </message>
@@ -439,7 +519,7 @@
         <translation>Válasszon mezőt</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/files_page.cpp"/>
         <source>Choose a job or a program</source>
         <translation>Válasszon munkát vagy programot</translation>
     </message>
@@ -489,6 +569,16 @@
         <translation>Parancs</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Compare</source>
+        <translation>Hasonlítás</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Comparison</source>
+        <translation>Összehasonlítás</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Compensation</source>
         <translation>Kompenzáció</translation>
@@ -502,6 +592,21 @@
         <location filename="../screens/contour_page.cpp"/>
         <source>Contour</source>
         <translation>Kontúr</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Copied and compared</source>
+        <translation>Másolva és ellenőrizve</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Copy to here</source>
+        <translation>Másolás ide</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Copy, delete ...</source>
+        <translation>Másolás, törlés ...</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -554,6 +659,11 @@
         <translation>Sötét</translation>
     </message>
     <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Date and time</source>
+        <translation>Dátum és idő</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Datum</source>
         <translation>Adat</translation>
@@ -569,6 +679,11 @@
         <translation>Alapérték</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Delete</source>
+        <translation>Törlés</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Delete the element</source>
         <translation>Elem törlése</translation>
@@ -582,6 +697,11 @@
         <location filename="../screens/system.cpp"/>
         <source>Delete user</source>
         <translation>Felhasználó törlése</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Deleted</source>
+        <translation>Törölve</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -634,6 +754,11 @@
         <translation>Furat mélysége</translation>
     </message>
     <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Deviation</source>
+        <translation>Eltérés</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis.hpp"/>
         <source>Diagnosis</source>
         <translation>Diagnosztika</translation>
@@ -657,6 +782,11 @@
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Diameter of this pass at the end</source>
         <translation>E fogás átmérője a végén</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Dimension</source>
+        <translation>Méret</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -739,9 +869,14 @@
         <translation>Hatás</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/stop_book.cpp"/>
         <source>Emergency stop</source>
         <translation>Vészstop</translation>
+    </message>
+    <message>
+        <location filename="../widgets/text_entry.cpp"/>
+        <source>Empty</source>
+        <translation>Ürít</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -854,6 +989,11 @@
         <translation>Külső</translation>
     </message>
     <message>
+        <location filename="../screens/settings_page.cpp"/>
+        <source>F11, or the key at the top: the next one</source>
+        <translation>F11 vagy a felső gomb: a következő</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Face Z</source>
         <translation>Homlok Z</translation>
@@ -887,6 +1027,11 @@
         <location filename="../screens/manual.cpp"/>
         <source>Feed</source>
         <translation>Előtolás</translation>
+    </message>
+    <message>
+        <location filename="../machine/stop_book.cpp"/>
+        <source>Feed hold</source>
+        <translation>Előtolás állj</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -954,9 +1099,19 @@
         <translation>Simító fogások</translation>
     </message>
     <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>First WINS server</source>
+        <translation>Első WINS</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>First block of the contour</source>
         <translation>A kontúr első mondata</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>First name server</source>
+        <translation>Első névkiszolgáló</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -984,6 +1139,16 @@
         <translation>A korrekcióhoz és a mérőcsaphoz</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Forget place</source>
+        <translation>Hely törlése</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Free</source>
+        <translation>Szabad</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>From</source>
         <translation>Forrás</translation>
@@ -997,6 +1162,11 @@
         <location filename="../screens/hand_page.cpp"/>
         <source>Full torque</source>
         <translation>Teljes nyomaték</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Gateway</source>
+        <translation>Átjáró</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -1084,6 +1254,11 @@
         <translation>Hogyan</translation>
     </message>
     <message>
+        <location filename="../screens/stops_page.cpp"/>
+        <source>How long</source>
+        <translation>Időtartam</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>In position</source>
         <translation>Pozícióban</translation>
@@ -1114,9 +1289,19 @@
         <translation>Azonnal hat: újra</translation>
     </message>
     <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>It cannot be read: %1</source>
+        <translation>Nem olvasható: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>It cannot be shown.</source>
         <translation>Nem jeleníthető meg.</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>It comes by DHCP (N5108)</source>
+        <translation>DHCP adja (N5108)</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -1127,6 +1312,11 @@
         <location filename="../machine/dry_run.cpp"/>
         <source>It gave no result.</source>
         <translation>Nem adott eredményt.</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>It is gone for good: press again</source>
+        <translation>Végleg eltűnik: nyomja újra</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -1204,9 +1394,24 @@
         <translation>Kézzel: darab kihúzása</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Keep as place</source>
+        <translation>Hely mentése</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Kept: %1</source>
+        <translation>Mentve: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>Keyboard</source>
         <translation>Billentyűzet</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Keyboard layout</source>
+        <translation>Kiosztás</translation>
     </message>
     <message>
         <location filename="../screens/tools.cpp"/>
@@ -1237,6 +1442,11 @@
         <location filename="../screens/restart_page.cpp"/>
         <source>L%1: restart at block</source>
         <translation>L%1: folytatás a mondattól</translation>
+    </message>
+    <message>
+        <location filename="../screens/settings_page.cpp"/>
+        <source>Language of the screens</source>
+        <translation>A képernyők nyelve</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -1394,6 +1604,11 @@
         <translation>Belépés</translation>
     </message>
     <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Log of stops</source>
+        <translation>Állásnapló</translation>
+    </message>
+    <message>
         <location filename="../screens/system.cpp"/>
         <source>Log out</source>
         <translation>Kilépés</translation>
@@ -1419,6 +1634,11 @@
         <translation>Ellenőrizze, fut-e a vezérlő; próbálja újra.</translation>
     </message>
     <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Lower</source>
+        <translation>Alsó</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>MDI</source>
         <translation>MDI</translation>
@@ -1432,6 +1652,11 @@
         <location filename="../screens/channel_card.cpp"/>
         <source>Machine lock</source>
         <translation>Géplezárás</translation>
+    </message>
+    <message>
+        <location filename="../machine/stop_book.cpp"/>
+        <source>Machine off</source>
+        <translation>Gép kikapcsolva</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -1479,6 +1704,16 @@
         <translation>Mért</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Measured parts</source>
+        <translation>Mért darabok</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Measured: %1</source>
+        <translation>Mért: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>Measures ...</source>
         <translation>Mér ...</translation>
@@ -1509,9 +1744,39 @@
         <translation>Név</translation>
     </message>
     <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Name of the dimension</source>
+        <translation>A méret neve</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Network</source>
+        <translation>Hálózat</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Network address</source>
+        <translation>Hálózati cím</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>New dimension</source>
+        <translation>Új méret</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>New folder</source>
+        <translation>Új mappa</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>New insert</source>
         <translation>Új lapka</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>New name</source>
+        <translation>Új név</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -1529,6 +1794,11 @@
         <translation>Következő hiba</translation>
     </message>
     <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>Next place</source>
+        <translation>Következő hely</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Next solution</source>
         <translation>Másik megoldás</translation>
@@ -1537,6 +1807,11 @@
         <location filename="../screens/alarms.cpp"/>
         <source>No alarm stands.</source>
         <translation>Nincs fennálló riasztás.</translation>
+    </message>
+    <message>
+        <location filename="../screens/stops_page.cpp"/>
+        <source>No channel has stood in this time.</source>
+        <translation>Ez alatt egy csatorna sem állt.</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -1564,6 +1839,11 @@
         <translation>Egyik munka sem adja meg a nyersdarabot</translation>
     </message>
     <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>No network connection is managed here</source>
+        <translation>Itt nincs kezelt hálózati kapcsolat</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>No parameter has this in its number, name or meaning.</source>
         <translation>Nincs paraméter ilyen számmal, névvel vagy jelentéssel.</translation>
@@ -1577,6 +1857,11 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>No signal has this in its name or meaning.</source>
         <translation>Nincs jel ilyen névvel vagy jelentéssel.</translation>
+    </message>
+    <message>
+        <location filename="../machine/stop_book.cpp"/>
+        <source>No start</source>
+        <translation>Nincs start</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -1614,9 +1899,19 @@
         <translation>Senki sincs bejelentkezve. Anélkül: %1</translation>
     </message>
     <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Nominal</source>
+        <translation>Névleges</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>None is known.</source>
         <translation>Nem ismert.</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Not done: %1</source>
+        <translation>Nem sikerült: %1</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -1694,6 +1989,11 @@
         <translation>Bekezdések száma</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Offset</source>
         <translation>Korrekció</translation>
@@ -1717,6 +2017,11 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>One ring</source>
         <translation>Egy gyűrű</translation>
+    </message>
+    <message>
+        <location filename="../screens/stops_page.cpp"/>
+        <source>Only L%1</source>
+        <translation>Csak L%1</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>
@@ -1769,6 +2074,11 @@
         <translation>Sorrend a testvérek közt</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Other files may name it: press again</source>
+        <translation>Más fájlok hivatkozhatják: újra</translation>
+    </message>
+    <message>
         <location filename="../screens/system.cpp"/>
         <source>Other level</source>
         <translation>Másik szint</translation>
@@ -1789,6 +2099,11 @@
         <translation>Áttekintés</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Own folder</source>
+        <translation>Saját mappa</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Own magazine</source>
         <translation>Saját tár</translation>
@@ -1797,6 +2112,16 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>Own place</source>
         <translation>Saját hely</translation>
+    </message>
+    <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>Page down</source>
+        <translation>Lap le</translation>
+    </message>
+    <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>Page up</source>
+        <translation>Lap fel</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -1874,6 +2199,11 @@
         <translation>Lépéses beszúrás Z mentén</translation>
     </message>
     <message>
+        <location filename="../screens/stops_page.cpp"/>
+        <source>Period</source>
+        <translation>Időszak</translation>
+    </message>
+    <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>Picture</source>
         <translation>Kép</translation>
@@ -1882,6 +2212,11 @@
         <location filename="../screens/alarms.cpp"/>
         <source>Place</source>
         <translation>Hely</translation>
+    </message>
+    <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>Place before</source>
+        <translation>Előző hely</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -1897,6 +2232,11 @@
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Place of the hole Z</source>
         <translation>Furat helye Z</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Places</source>
+        <translation>Helyek</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -1959,9 +2299,19 @@
         <translation>Program</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Program of the pallet</source>
+        <translation>A paletta programja</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Program with the contour</source>
         <translation>A kontúr programja</translation>
+    </message>
+    <message>
+        <location filename="../machine/stop_book.cpp"/>
+        <source>Programmed stop</source>
+        <translation>Programozott állj</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -1977,6 +2327,26 @@
         <location filename="../screens/programs.cpp"/>
         <source>Programs and jobs</source>
         <translation>Programok és munkák</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Proposal</source>
+        <translation>Javaslat</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Proposal: %1 mm</source>
+        <translation>Javaslat: %1 mm</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Protect</source>
+        <translation>Védelem</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Protected</source>
+        <translation>Védett</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -2004,7 +2374,7 @@
         <translation>Gyors</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/files_page.cpp"/>
         <source>Read again</source>
         <translation>Újraolvasás</translation>
     </message>
@@ -2064,6 +2434,16 @@
         <translation>Teendő</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Rename</source>
+        <translation>Átnevezés</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Renamed</source>
+        <translation>Átnevezve</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Repair: where the thread was measured</source>
         <translation>Javítás: hol mérték a menetet</translation>
@@ -2072,6 +2452,16 @@
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Repeating a contour</source>
         <translation>Kontúr ismétlése</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Repeats in a second</source>
+        <translation>Ismétlés másodpercenként</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Replaces the one that is here: press again</source>
+        <translation>Az ittenit felülírja: nyomja újra</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -2229,7 +2619,7 @@
         <translation>Oszcilloszkóp</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Search</source>
         <translation>Keresés</translation>
     </message>
@@ -2237,6 +2627,16 @@
         <location filename="../screens/parameters.cpp"/>
         <source>Search: number, name or meaning</source>
         <translation>Keresés: szám, név vagy jelentés</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Second WINS server</source>
+        <translation>Második WINS</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Second name server</source>
+        <translation>Második névkiszolgáló</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -2257,6 +2657,11 @@
         <location filename="../screens/offsets.cpp"/>
         <source>Sets the zero: press again</source>
         <translation>Nullát állít: újra</translation>
+    </message>
+    <message>
+        <location filename="../screens/settings_page.cpp"/>
+        <source>Setting</source>
+        <translation>Beállítás</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -2294,7 +2699,7 @@
         <translation>A képernyők indítása óta; csúcsok pontként, szélesség és sugár nélkül</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../machine/stop_book.cpp"/>
         <source>Single block</source>
         <translation>Mondatonként</translation>
     </message>
@@ -2319,7 +2724,7 @@
         <translation>Testvér</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/files_page.cpp"/>
         <source>Size</source>
         <translation>Méret</translation>
     </message>
@@ -2434,6 +2839,11 @@
         <translation>Ráhagyás Z mentén</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Stop</source>
+        <translation>Állj</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Stop record</source>
         <translation>Rögzítés állj</translation>
@@ -2442,6 +2852,16 @@
         <location filename="../machine/channel_words.cpp"/>
         <source>Stopped</source>
         <translation>Megállt</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Stopped: %1</source>
+        <translation>Leállítva: %1</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Subnet mask</source>
+        <translation>Alhálózati maszk</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -2457,6 +2877,16 @@
         <location filename="../screens/system.hpp"/>
         <source>System</source>
         <translation>Rendszer</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Take</source>
+        <translation>Felvesz</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Taken: %1</source>
+        <translation>Felvéve: %1</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -2509,6 +2939,11 @@
         <translation>A tengelyek szabadok: újra</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>The computer</source>
+        <translation>Számítógép</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>The contour is complete.</source>
         <translation>A kontúr teljes.</translation>
@@ -2524,14 +2959,39 @@
         <translation>A vezérlő elutasította.</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>The copy of %1 was not what had been sent; what was there before stands</source>
+        <translation>A(z) %1 másolata nem egyezett; a korábbi fájl megmaradt</translation>
+    </message>
+    <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>The counter spindle is free</source>
         <translation>Az ellenorsó szabad</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>The file is being read ...</source>
+        <translation>Fájl olvasása ...</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>The folder is being read ...</source>
+        <translation>Mappa olvasása ...</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>The job is being driven in virtual time</source>
         <translation>A munka virtuális időben fut</translation>
+    </message>
+    <message>
+        <location filename="../screens/stops_page.cpp"/>
+        <source>The last %1 days</source>
+        <translation>Utolsó %1 nap</translation>
+    </message>
+    <message>
+        <location filename="../screens/stops_page.cpp"/>
+        <source>The last %1 h</source>
+        <translation>Utolsó %1 óra</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -2559,6 +3019,11 @@
         <translation>A korrekció be van írva</translation>
     </message>
     <message>
+        <location filename="../screens/settings_page.cpp"/>
+        <source>The operating system keeps these values and says who may change them; Enter, or a second touch, changes one.</source>
+        <translation>Ezeket az operációs rendszer tárolja és dönti el, ki módosíthatja; Enter vagy második érintés módosít.</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>The pallet in a row goes with its program. «Exchange»: choose a row, press, choose the other row, press again.</source>
         <translation>A paletta a programjával együtt cserél. «Csere»: válasszon sort, nyomja meg, válassza a másikat, nyomja meg újra.</translation>
@@ -2584,6 +3049,16 @@
         <translation>A polyturn program nincs a HMI mellett.</translation>
     </message>
     <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>The program was broken off</source>
+        <translation>A program megszakadt</translation>
+    </message>
+    <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>The programs are being compared ...</source>
+        <translation>Összehasonlítás ...</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>The programs are being read</source>
         <translation>A programok olvasása folyik</translation>
@@ -2597,6 +3072,11 @@
         <location filename="../screens/system.cpp"/>
         <source>Then</source>
         <translation>Utána</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>There are no dimensions yet: «New dimension».</source>
+        <translation>Még nincs méret: «Új méret».</translation>
     </message>
     <message>
         <location filename="../screens/tools.cpp"/>
@@ -2619,12 +3099,47 @@
         <translation>Nincs kapcsolat a vezérlővel.</translation>
     </message>
     <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>There is no field of text here</source>
+        <translation>Itt nincs szövegmező</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>There is no time zone %1</source>
+        <translation>Nincs %1 időzóna</translation>
+    </message>
+    <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>They are the same</source>
+        <translation>Egyformák</translation>
+    </message>
+    <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>They are very different</source>
+        <translation>Nagyon különböznek</translation>
+    </message>
+    <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>They differ in %1 places</source>
+        <translation>%1 helyen különböznek</translation>
+    </message>
+    <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>This channel has no turret.</source>
         <translation>A csatornának nincs revolvere.</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>This computer has no %1</source>
+        <translation>Ezen a gépen nincs %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>This folder cannot be read.</source>
+        <translation>Ez a mappa nem olvasható.</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
         <source>This folder is empty.</source>
         <translation>A mappa üres.</translation>
     </message>
@@ -2654,6 +3169,16 @@
         <translation>Ennek a gépnek nincs palettája (N3300).</translation>
     </message>
     <message>
+        <location filename="../screens/settings_page.cpp"/>
+        <source>This needs the level of a setter: log in</source>
+        <translation>Beállítói szint kell: lépjen be</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>This system knows no WINS: names come from the name servers</source>
+        <translation>Ez a rendszer nem ismer WINS-t: a neveket a DNS adja</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Thread in several passes</source>
         <translation>Menet több fogással</translation>
@@ -2674,9 +3199,24 @@
         <translation>Idő</translation>
     </message>
     <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Time before a key repeats</source>
+        <translation>Ismétlés késleltetése</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Time from the network</source>
+        <translation>Idő a hálózatról</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Time left</source>
         <translation>Idő hátra</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Time zone</source>
+        <translation>Időzóna</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -2784,6 +3324,11 @@
         <translation>Érintse meg a sort, írjon, az Enter indítja</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Touch, or Enter: a text</source>
+        <translation>Érintés vagy Enter: szöveg</translation>
+    </message>
+    <message>
         <location filename="../app/main_window.cpp"/>
         <source>Touches and keys do nothing. The machine goes on.</source>
         <translation>Az érintés és a billentyűk hatástalanok. A gép megy tovább.</translation>
@@ -2849,6 +3394,16 @@
         <translation>Írja be, az Enter átveszi.</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>USB</source>
+        <translation>USB</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>USB sticks and network places appear when they are there. «Keep as place» adds the folder that is shown; /etc/polyturn/places names those of the shop: NAME=/FOLDER.</source>
+        <translation>Az USB és a hálózati helyek megjelennek, ha elérhetők. A «Hely mentése» a látható mappát veszi fel; az üzem helyei: /etc/polyturn/places, NÉV=/MAPPA.</translation>
+    </message>
+    <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>Undo</source>
         <translation>Visszavonás</translation>
@@ -2864,9 +3419,14 @@
         <translation>Kivétel</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/files_page.cpp"/>
         <source>Up</source>
         <translation>Fel</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Upper</source>
+        <translation>Felső</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -2924,6 +3484,11 @@
         <translation>Vár itt: %1, mindenki itt van</translation>
     </message>
     <message>
+        <location filename="../machine/stop_book.cpp"/>
+        <source>Waits for a channel</source>
+        <translation>Csatornára vár</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Waits for the trigger</source>
         <translation>Indítójelre vár</translation>
@@ -2957,6 +3522,11 @@
         <location filename="../screens/offsets.cpp"/>
         <source>Wear</source>
         <translation>Kopás</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Wear %1 mm: press again</source>
+        <translation>Kopás %1 mm: nyomja újra</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -3009,6 +3579,11 @@
         <translation>Kerék, szerszám</translation>
     </message>
     <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Without a display server the keyboard itself decides</source>
+        <translation>Megjelenítő kiszolgáló nélkül a billentyűzet dönt</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Without effect:</source>
         <translation>Hatás nélkül:</translation>
@@ -3017,6 +3592,11 @@
         <location filename="../screens/cycle_form_page.cpp"/>
         <source>Word</source>
         <translation>Szó</translation>
+    </message>
+    <message>
+        <location filename="../machine/stop_book.cpp"/>
+        <source>Work by hand</source>
+        <translation>Kézi munka</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -3064,9 +3644,14 @@
         <translation>Beírja a korrekciót: még egyszer</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/parts_page.cpp"/>
         <source>Written</source>
         <translation>Beírva</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Written as %1</source>
+        <translation>Így írandó: %1</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>
@@ -3154,7 +3739,7 @@
         <translation>a tengelyeket tartás közben elmozdították</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/files_page.cpp"/>
         <source>bore</source>
         <translation>furat</translation>
     </message>
@@ -3274,6 +3859,11 @@
         <translation>szinkronban követi</translation>
     </message>
     <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>good</source>
+        <translation>jó</translation>
+    </message>
+    <message>
         <location filename="../machine/tool_words.cpp"/>
         <source>grinding wheel</source>
         <translation>köszörűkorong</translation>
@@ -3369,9 +3959,14 @@
         <translation>sosem jön: %1</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../machine/computer_settings.cpp"/>
         <source>no</source>
         <translation>nem</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>no offset, no tool</source>
+        <translation>nincs korrekció</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -3414,6 +4009,11 @@
         <translation>nincs megadva</translation>
     </message>
     <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>not measured</source>
+        <translation>nem mért</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>not referenced</source>
         <translation>nincs referencia</translation>
@@ -3432,6 +4032,16 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>off</source>
         <translation>ki</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>only makers</source>
+        <translation>csak gyártó</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>only setters</source>
+        <translation>csak beállító</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -3487,6 +4097,11 @@
         <location filename="../machine/tool_words.cpp"/>
         <source>probe</source>
         <translation>tapintó</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>read-only</source>
+        <translation>csak olvasható</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -3624,6 +4239,16 @@
         <translation>csúcs</translation>
     </message>
     <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>too large</source>
+        <translation>nagy</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>too small</source>
+        <translation>kicsi</translation>
+    </message>
+    <message>
         <location filename="../machine/tool_words.cpp"/>
         <source>tool %1</source>
         <translation>%1. szerszám</translation>
@@ -3694,7 +4319,12 @@
         <translation>kopást</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>wear of L%1 offset %2</source>
+        <translation>kopás L%1, korr. %2</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
         <source>yes</source>
         <translation>igen</translation>
     </message>
@@ -3702,6 +4332,11 @@
         <location filename="../screens/presetter_page.cpp"/>
         <source>«Measure» finds the tip and shows what would be entered. The gauge pin calibrates the camera first.</source>
         <translation>A «Mérés» megkeresi a csúcsot, és mutatja, mi kerülne be. A kamerát előbb a mérőcsap kalibrálja.</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>«Take» chooses what is copied or compared</source>
+        <translation>A «Felvesz» választja ki a másolandót</translation>
     </message>
 </context>
 </TS>

@@ -19,6 +19,11 @@
         <translation>  из него ожидание</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>%1 files</source>
+        <translation>файлов: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>%1 has a new insert: life and wear begin anew</source>
         <translation>%1: новая пластина, ресурс и износ начинаются заново</translation>
@@ -32,6 +37,26 @@
         <location filename="../screens/system.cpp"/>
         <source>%1 is logged in</source>
         <translation>%1 вошёл</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>%1 is not such a value</source>
+        <translation>%1 сюда не подходит</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>%1 is protected</source>
+        <translation>%1 защищён</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>%1 is protected: a login of a higher level may change it</source>
+        <translation>%1 защищён: менять может вход с более высоким уровнем</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>%1 is read-only</source>
+        <translation>%1 только для чтения</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -49,9 +74,19 @@
         <translation>%1 извлечён</translation>
     </message>
     <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>%1 mm a part</source>
+        <translation>%1 мм на деталь</translation>
+    </message>
+    <message>
         <location filename="../screens/tools.cpp"/>
         <source>%1 of %2</source>
         <translation>%1 из %2</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>%1 parts to the limit</source>
+        <translation>деталей до предела: %1</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
@@ -74,9 +109,19 @@
         <translation>Изменится %1 значений и файлов</translation>
     </message>
     <message>
+        <location filename="../screens/settings_page.cpp"/>
+        <source>%1 was refused: %2</source>
+        <translation>%1: отказ: %2</translation>
+    </message>
+    <message>
         <location filename="../widgets/magazine.cpp"/>
         <source>%1: choose its place, Enter puts it there, Escape leaves it</source>
         <translation>%1: выберите место, Enter поставит, Escape отменит</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>(limited)</source>
+        <translation>(ограничено)</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -94,6 +139,16 @@
         <translation>1/100 с</translation>
     </message>
     <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>2 to 30 a second</source>
+        <translation>от 2 до 30 в секунду</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>250 to 1000 ms</source>
+        <translation>от 250 до 1000 мс</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>A block by hand (MDI)</source>
         <translation>Кадр вручную (РВД)</translation>
@@ -104,11 +159,6 @@
         <translation>Для пуска нужно:</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
-        <source>A text: it is changed by polyturn params set</source>
-        <translation>Текст: меняется командой polyturn params set</translation>
-    </message>
-    <message>
         <location filename="../screens/cycle_form_page.cpp"/>
         <source>A value is needed here.</source>
         <translation>Здесь нужно значение.</translation>
@@ -117,6 +167,11 @@
         <location filename="../machine/channel_words.cpp"/>
         <source>Absent</source>
         <translation>Нет</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Accept proposal</source>
+        <translation>Принять</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -142,6 +197,16 @@
         <location filename="../screens/contour_page.cpp"/>
         <source>Add an arc G3</source>
         <translation>Добавить дугу G3</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Addresses by DHCP</source>
+        <translation>Адреса от DHCP</translation>
+    </message>
+    <message>
+        <location filename="../machine/stop_book.cpp"/>
+        <source>Alarm</source>
+        <translation>Авария</translation>
     </message>
     <message>
         <location filename="../screens/alarms.hpp"/>
@@ -264,7 +329,7 @@
         <translation>Ось</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/files_page.cpp"/>
         <source>Back</source>
         <translation>Назад</translation>
     </message>
@@ -339,6 +404,11 @@
         <translation>Сломан</translation>
     </message>
     <message>
+        <location filename="../machine/stop_book.cpp"/>
+        <source>Broken off</source>
+        <translation>Прервано</translation>
+    </message>
+    <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>Calibrate</source>
         <translation>Калибровать</translation>
@@ -362,6 +432,11 @@
         <location filename="../screens/editor_page.cpp"/>
         <source>Cannot be written: %1</source>
         <translation>Не записать: %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/stops_page.cpp"/>
+        <source>Cause</source>
+        <translation>Причина</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -394,12 +469,17 @@
         <translation>Фаска к следующему</translation>
     </message>
     <message>
+        <location filename="../screens/settings_page.cpp"/>
+        <source>Change</source>
+        <translation>Изменить</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Change of the lead a revolution</source>
         <translation>Изменение шага за оборот</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/files_page.cpp"/>
         <source>Changed</source>
         <translation>Изменён</translation>
     </message>
@@ -439,7 +519,7 @@
         <translation>Выберите поле</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/files_page.cpp"/>
         <source>Choose a job or a program</source>
         <translation>Выберите задание или программу</translation>
     </message>
@@ -489,6 +569,16 @@
         <translation>Задано</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Compare</source>
+        <translation>Сравнить</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Comparison</source>
+        <translation>Сравнение</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Compensation</source>
         <translation>Компенсация</translation>
@@ -502,6 +592,21 @@
         <location filename="../screens/contour_page.cpp"/>
         <source>Contour</source>
         <translation>Контур</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Copied and compared</source>
+        <translation>Скопировано и сверено</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Copy to here</source>
+        <translation>Копировать сюда</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Copy, delete ...</source>
+        <translation>Копия, удаление ...</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -554,6 +659,11 @@
         <translation>Тёмная</translation>
     </message>
     <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Date and time</source>
+        <translation>Дата и время</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Datum</source>
         <translation>Данное</translation>
@@ -569,6 +679,11 @@
         <translation>По умолчанию</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Delete</source>
+        <translation>Удалить</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Delete the element</source>
         <translation>Удалить элемент</translation>
@@ -582,6 +697,11 @@
         <location filename="../screens/system.cpp"/>
         <source>Delete user</source>
         <translation>Удалить</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Deleted</source>
+        <translation>Удалено</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -634,6 +754,11 @@
         <translation>Глубина отверстия</translation>
     </message>
     <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Deviation</source>
+        <translation>Отклон.</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis.hpp"/>
         <source>Diagnosis</source>
         <translation>Диагностика</translation>
@@ -657,6 +782,11 @@
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Diameter of this pass at the end</source>
         <translation>Диаметр этого прохода в конце</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Dimension</source>
+        <translation>Размер</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -739,9 +869,14 @@
         <translation>Действие</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/stop_book.cpp"/>
         <source>Emergency stop</source>
         <translation>Аварийный стоп</translation>
+    </message>
+    <message>
+        <location filename="../widgets/text_entry.cpp"/>
+        <source>Empty</source>
+        <translation>Очистить</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -854,6 +989,11 @@
         <translation>Внешний</translation>
     </message>
     <message>
+        <location filename="../screens/settings_page.cpp"/>
+        <source>F11, or the key at the top: the next one</source>
+        <translation>F11 или кнопка вверху: следующий</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Face Z</source>
         <translation>Торец Z</translation>
@@ -887,6 +1027,11 @@
         <location filename="../screens/manual.cpp"/>
         <source>Feed</source>
         <translation>Подача</translation>
+    </message>
+    <message>
+        <location filename="../machine/stop_book.cpp"/>
+        <source>Feed hold</source>
+        <translation>Стоп подачи</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -954,9 +1099,19 @@
         <translation>Чистовых проходов</translation>
     </message>
     <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>First WINS server</source>
+        <translation>Первый WINS</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>First block of the contour</source>
         <translation>Первый кадр контура</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>First name server</source>
+        <translation>Первый DNS</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -984,6 +1139,16 @@
         <translation>Для корректора и калибра</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Forget place</source>
+        <translation>Забыть место</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Free</source>
+        <translation>Свободно</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>From</source>
         <translation>От</translation>
@@ -997,6 +1162,11 @@
         <location filename="../screens/hand_page.cpp"/>
         <source>Full torque</source>
         <translation>Полный момент</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Gateway</source>
+        <translation>Шлюз</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -1084,6 +1254,11 @@
         <translation>Как</translation>
     </message>
     <message>
+        <location filename="../screens/stops_page.cpp"/>
+        <source>How long</source>
+        <translation>Длит.</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>In position</source>
         <translation>В позиции</translation>
@@ -1114,9 +1289,19 @@
         <translation>Действует сразу: ещё раз</translation>
     </message>
     <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>It cannot be read: %1</source>
+        <translation>Не читается: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>It cannot be shown.</source>
         <translation>Показать нельзя.</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>It comes by DHCP (N5108)</source>
+        <translation>Приходит по DHCP (N5108)</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -1127,6 +1312,11 @@
         <location filename="../machine/dry_run.cpp"/>
         <source>It gave no result.</source>
         <translation>Результата нет.</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>It is gone for good: press again</source>
+        <translation>Удалится навсегда: ещё раз</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -1204,9 +1394,24 @@
         <translation>Вытянуть деталь</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Keep as place</source>
+        <translation>Запомнить место</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Kept: %1</source>
+        <translation>Запомнено: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>Keyboard</source>
         <translation>Клавиатура</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Keyboard layout</source>
+        <translation>Раскладка</translation>
     </message>
     <message>
         <location filename="../screens/tools.cpp"/>
@@ -1237,6 +1442,11 @@
         <location filename="../screens/restart_page.cpp"/>
         <source>L%1: restart at block</source>
         <translation>L%1: начать с кадра</translation>
+    </message>
+    <message>
+        <location filename="../screens/settings_page.cpp"/>
+        <source>Language of the screens</source>
+        <translation>Язык экранов</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -1394,6 +1604,11 @@
         <translation>Войти</translation>
     </message>
     <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Log of stops</source>
+        <translation>Журнал остановов</translation>
+    </message>
+    <message>
         <location filename="../screens/system.cpp"/>
         <source>Log out</source>
         <translation>Выйти</translation>
@@ -1419,6 +1634,11 @@
         <translation>Проверьте, работает ли УЧПУ; повторите.</translation>
     </message>
     <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Lower</source>
+        <translation>Низ</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>MDI</source>
         <translation>РВД</translation>
@@ -1432,6 +1652,11 @@
         <location filename="../screens/channel_card.cpp"/>
         <source>Machine lock</source>
         <translation>Блокировка осей</translation>
+    </message>
+    <message>
+        <location filename="../machine/stop_book.cpp"/>
+        <source>Machine off</source>
+        <translation>Станок выключен</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -1479,6 +1704,16 @@
         <translation>Измерено</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Measured parts</source>
+        <translation>Измеренные детали</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Measured: %1</source>
+        <translation>Измерено: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>Measures ...</source>
         <translation>Измерение ...</translation>
@@ -1509,9 +1744,39 @@
         <translation>Имя</translation>
     </message>
     <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Name of the dimension</source>
+        <translation>Название размера</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Network</source>
+        <translation>Сеть</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Network address</source>
+        <translation>Сетевой адрес</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>New dimension</source>
+        <translation>Новый размер</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>New folder</source>
+        <translation>Новая папка</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>New insert</source>
         <translation>Новая пластина</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>New name</source>
+        <translation>Новое имя</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -1529,6 +1794,11 @@
         <translation>Следующая ошибка</translation>
     </message>
     <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>Next place</source>
+        <translation>Следующее место</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Next solution</source>
         <translation>Другое решение</translation>
@@ -1537,6 +1807,11 @@
         <location filename="../screens/alarms.cpp"/>
         <source>No alarm stands.</source>
         <translation>Активных аварий нет.</translation>
+    </message>
+    <message>
+        <location filename="../screens/stops_page.cpp"/>
+        <source>No channel has stood in this time.</source>
+        <translation>За это время ни один канал не стоял.</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -1564,6 +1839,11 @@
         <translation>Ни одно задание не называет заготовку программы</translation>
     </message>
     <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>No network connection is managed here</source>
+        <translation>Здесь нет управляемого сетевого подключения</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>No parameter has this in its number, name or meaning.</source>
         <translation>Нет параметра с таким номером, именем или смыслом.</translation>
@@ -1577,6 +1857,11 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>No signal has this in its name or meaning.</source>
         <translation>Нет сигнала с таким именем или смыслом.</translation>
+    </message>
+    <message>
+        <location filename="../machine/stop_book.cpp"/>
+        <source>No start</source>
+        <translation>Нет пуска</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -1614,9 +1899,19 @@
         <translation>Никто не вошёл. Без входа: %1</translation>
     </message>
     <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Nominal</source>
+        <translation>Номинал</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>None is known.</source>
         <translation>Неизвестно.</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Not done: %1</source>
+        <translation>Не сделано: %1</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -1694,6 +1989,11 @@
         <translation>Число заходов</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>OK</source>
+        <translation>ОК</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Offset</source>
         <translation>Корректор</translation>
@@ -1717,6 +2017,11 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>One ring</source>
         <translation>Одно кольцо</translation>
+    </message>
+    <message>
+        <location filename="../screens/stops_page.cpp"/>
+        <source>Only L%1</source>
+        <translation>Только L%1</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>
@@ -1769,6 +2074,11 @@
         <translation>Порядок среди дублёров</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Other files may name it: press again</source>
+        <translation>На него могут ссылаться: ещё раз</translation>
+    </message>
+    <message>
         <location filename="../screens/system.cpp"/>
         <source>Other level</source>
         <translation>Другой уровень</translation>
@@ -1789,6 +2099,11 @@
         <translation>Обзор</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Own folder</source>
+        <translation>Своя папка</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Own magazine</source>
         <translation>Свой магазин</translation>
@@ -1797,6 +2112,16 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>Own place</source>
         <translation>Своё место</translation>
+    </message>
+    <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>Page down</source>
+        <translation>Страница вниз</translation>
+    </message>
+    <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>Page up</source>
+        <translation>Страница вверх</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -1874,6 +2199,11 @@
         <translation>Шаговое врезание вдоль Z</translation>
     </message>
     <message>
+        <location filename="../screens/stops_page.cpp"/>
+        <source>Period</source>
+        <translation>Период</translation>
+    </message>
+    <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>Picture</source>
         <translation>Снимок</translation>
@@ -1882,6 +2212,11 @@
         <location filename="../screens/alarms.cpp"/>
         <source>Place</source>
         <translation>Место</translation>
+    </message>
+    <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>Place before</source>
+        <translation>Предыдущее место</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -1897,6 +2232,11 @@
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Place of the hole Z</source>
         <translation>Место отверстия Z</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Places</source>
+        <translation>Места</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -1959,9 +2299,19 @@
         <translation>Программа</translation>
     </message>
     <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>Program of the pallet</source>
+        <translation>Программа палеты</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Program with the contour</source>
         <translation>Программа с контуром</translation>
+    </message>
+    <message>
+        <location filename="../machine/stop_book.cpp"/>
+        <source>Programmed stop</source>
+        <translation>Останов в программе</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -1977,6 +2327,26 @@
         <location filename="../screens/programs.cpp"/>
         <source>Programs and jobs</source>
         <translation>Программы и задания</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Proposal</source>
+        <translation>Коррекция</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Proposal: %1 mm</source>
+        <translation>Коррекция: %1 мм</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Protect</source>
+        <translation>Защитить</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Protected</source>
+        <translation>Защищено</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -2004,7 +2374,7 @@
         <translation>Быстро</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/files_page.cpp"/>
         <source>Read again</source>
         <translation>Перечитать</translation>
     </message>
@@ -2064,6 +2434,16 @@
         <translation>Что делать</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Rename</source>
+        <translation>Имя</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Renamed</source>
+        <translation>Переименовано</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Repair: where the thread was measured</source>
         <translation>Ремонт: где измерена резьба</translation>
@@ -2072,6 +2452,16 @@
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Repeating a contour</source>
         <translation>Повторение контура</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Repeats in a second</source>
+        <translation>Повторов в секунду</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Replaces the one that is here: press again</source>
+        <translation>Заменит здешний: нажмите ещё раз</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -2229,7 +2619,7 @@
         <translation>Осциллограф</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/diagnosis.cpp"/>
         <source>Search</source>
         <translation>Поиск</translation>
     </message>
@@ -2237,6 +2627,16 @@
         <location filename="../screens/parameters.cpp"/>
         <source>Search: number, name or meaning</source>
         <translation>Поиск: номер, имя или смысл</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Second WINS server</source>
+        <translation>Второй WINS</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Second name server</source>
+        <translation>Второй DNS</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -2257,6 +2657,11 @@
         <location filename="../screens/offsets.cpp"/>
         <source>Sets the zero: press again</source>
         <translation>Задаст нуль: ещё раз</translation>
+    </message>
+    <message>
+        <location filename="../screens/settings_page.cpp"/>
+        <source>Setting</source>
+        <translation>Настройка</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -2294,7 +2699,7 @@
         <translation>С запуска экранов; вершины как точки, без ширины и радиуса</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../machine/stop_book.cpp"/>
         <source>Single block</source>
         <translation>Покадрово</translation>
     </message>
@@ -2319,7 +2724,7 @@
         <translation>Дублёр</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/files_page.cpp"/>
         <source>Size</source>
         <translation>Размер</translation>
     </message>
@@ -2434,6 +2839,11 @@
         <translation>Снимаемый припуск по Z</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Stop</source>
+        <translation>Стоп</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Stop record</source>
         <translation>Стоп записи</translation>
@@ -2442,6 +2852,16 @@
         <location filename="../machine/channel_words.cpp"/>
         <source>Stopped</source>
         <translation>Остановлен</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Stopped: %1</source>
+        <translation>Остановлено: %1</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Subnet mask</source>
+        <translation>Маска подсети</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -2457,6 +2877,16 @@
         <location filename="../screens/system.hpp"/>
         <source>System</source>
         <translation>Система</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Take</source>
+        <translation>Взять</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Taken: %1</source>
+        <translation>Взято: %1</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -2509,6 +2939,11 @@
         <translation>Оси свободны: ещё раз</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>The computer</source>
+        <translation>Компьютер</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>The contour is complete.</source>
         <translation>Контур определён полностью.</translation>
@@ -2524,14 +2959,39 @@
         <translation>УЧПУ отказало.</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>The copy of %1 was not what had been sent; what was there before stands</source>
+        <translation>Копия %1 не совпала с отправленным; прежний файл остался</translation>
+    </message>
+    <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>The counter spindle is free</source>
         <translation>Противошпиндель свободен</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>The file is being read ...</source>
+        <translation>Файл читается ...</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>The folder is being read ...</source>
+        <translation>Папка читается ...</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>The job is being driven in virtual time</source>
         <translation>Задание идёт в виртуальном времени</translation>
+    </message>
+    <message>
+        <location filename="../screens/stops_page.cpp"/>
+        <source>The last %1 days</source>
+        <translation>Последние %1 дней</translation>
+    </message>
+    <message>
+        <location filename="../screens/stops_page.cpp"/>
+        <source>The last %1 h</source>
+        <translation>Последние %1 ч</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -2559,6 +3019,11 @@
         <translation>Корректор записан</translation>
     </message>
     <message>
+        <location filename="../screens/settings_page.cpp"/>
+        <source>The operating system keeps these values and says who may change them; Enter, or a second touch, changes one.</source>
+        <translation>Эти значения хранит операционная система, она же решает, кто их меняет; Enter или второе касание меняет значение.</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>The pallet in a row goes with its program. «Exchange»: choose a row, press, choose the other row, press again.</source>
         <translation>Паллета меняется вместе с программой. «Поменять»: выберите строку, нажмите, выберите другую, нажмите ещё раз.</translation>
@@ -2584,6 +3049,16 @@
         <translation>Программы polyturn нет рядом с HMI.</translation>
     </message>
     <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>The program was broken off</source>
+        <translation>Программа прервана</translation>
+    </message>
+    <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>The programs are being compared ...</source>
+        <translation>Программы сравниваются ...</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>The programs are being read</source>
         <translation>Программы читаются</translation>
@@ -2597,6 +3072,11 @@
         <location filename="../screens/system.cpp"/>
         <source>Then</source>
         <translation>Потом</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>There are no dimensions yet: «New dimension».</source>
+        <translation>Размеров ещё нет: «Новый размер».</translation>
     </message>
     <message>
         <location filename="../screens/tools.cpp"/>
@@ -2619,12 +3099,47 @@
         <translation>Нет соединения с УЧПУ.</translation>
     </message>
     <message>
+        <location filename="../app/main_window.cpp"/>
+        <source>There is no field of text here</source>
+        <translation>Здесь нет текстового поля</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>There is no time zone %1</source>
+        <translation>Нет часового пояса %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>They are the same</source>
+        <translation>Они одинаковы</translation>
+    </message>
+    <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>They are very different</source>
+        <translation>Они совсем разные</translation>
+    </message>
+    <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>They differ in %1 places</source>
+        <translation>Различий: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>This channel has no turret.</source>
         <translation>У канала нет револьвера.</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>This computer has no %1</source>
+        <translation>На этом компьютере нет %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>This folder cannot be read.</source>
+        <translation>Эта папка не читается.</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
         <source>This folder is empty.</source>
         <translation>Папка пуста.</translation>
     </message>
@@ -2654,6 +3169,16 @@
         <translation>У этого станка нет паллет (N3300).</translation>
     </message>
     <message>
+        <location filename="../screens/settings_page.cpp"/>
+        <source>This needs the level of a setter: log in</source>
+        <translation>Нужен уровень наладчика: войдите</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>This system knows no WINS: names come from the name servers</source>
+        <translation>Эта система не знает WINS: имена дают серверы DNS</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Thread in several passes</source>
         <translation>Резьба за несколько проходов</translation>
@@ -2674,9 +3199,24 @@
         <translation>Время</translation>
     </message>
     <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Time before a key repeats</source>
+        <translation>Задержка повтора</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Time from the network</source>
+        <translation>Время из сети</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Time left</source>
         <translation>Время ещё</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Time zone</source>
+        <translation>Часовой пояс</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -2784,6 +3324,11 @@
         <translation>Коснитесь строки, введите, Enter запустит</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Touch, or Enter: a text</source>
+        <translation>Касание или Enter: текст</translation>
+    </message>
+    <message>
         <location filename="../app/main_window.cpp"/>
         <source>Touches and keys do nothing. The machine goes on.</source>
         <translation>Касания и клавиши не действуют. Станок работает.</translation>
@@ -2849,6 +3394,16 @@
         <translation>Наберите, Enter примет.</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>USB</source>
+        <translation>USB</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>USB sticks and network places appear when they are there. «Keep as place» adds the folder that is shown; /etc/polyturn/places names those of the shop: NAME=/FOLDER.</source>
+        <translation>USB и сетевые места появляются, когда они подключены. «Запомнить место» добавляет показанную папку; места цеха записаны в /etc/polyturn/places: ИМЯ=/ПАПКА.</translation>
+    </message>
+    <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>Undo</source>
         <translation>Отменить</translation>
@@ -2864,9 +3419,14 @@
         <translation>Извлечь</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/files_page.cpp"/>
         <source>Up</source>
         <translation>Вверх</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Upper</source>
+        <translation>Верх</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -2924,6 +3484,11 @@
         <translation>Ждёт на %1, все на месте</translation>
     </message>
     <message>
+        <location filename="../machine/stop_book.cpp"/>
+        <source>Waits for a channel</source>
+        <translation>Ждёт канал</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Waits for the trigger</source>
         <translation>Ждёт запуска</translation>
@@ -2957,6 +3522,11 @@
         <location filename="../screens/offsets.cpp"/>
         <source>Wear</source>
         <translation>Износ</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>Wear %1 mm: press again</source>
+        <translation>Износ %1 мм: ещё раз</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -3009,6 +3579,11 @@
         <translation>Маховик, инструмент</translation>
     </message>
     <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Without a display server the keyboard itself decides</source>
+        <translation>Без сервера дисплея решает сама клавиатура</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Without effect:</source>
         <translation>Не действует:</translation>
@@ -3017,6 +3592,11 @@
         <location filename="../screens/cycle_form_page.cpp"/>
         <source>Word</source>
         <translation>Слово</translation>
+    </message>
+    <message>
+        <location filename="../machine/stop_book.cpp"/>
+        <source>Work by hand</source>
+        <translation>Работа вручную</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -3064,9 +3644,14 @@
         <translation>Запишет корректор: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/parts_page.cpp"/>
         <source>Written</source>
         <translation>Записано</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>Written as %1</source>
+        <translation>Пишется так: %1</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>
@@ -3154,7 +3739,7 @@
         <translation>оси отведены при удержании</translation>
     </message>
     <message>
-        <location filename="../screens/programs.cpp"/>
+        <location filename="../screens/files_page.cpp"/>
         <source>bore</source>
         <translation>отверстие</translation>
     </message>
@@ -3274,6 +3859,11 @@
         <translation>следует за ней синхронно</translation>
     </message>
     <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>good</source>
+        <translation>годен</translation>
+    </message>
+    <message>
         <location filename="../machine/tool_words.cpp"/>
         <source>grinding wheel</source>
         <translation>шлифовальный круг</translation>
@@ -3369,9 +3959,14 @@
         <translation>не придёт: %1</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../machine/computer_settings.cpp"/>
         <source>no</source>
         <translation>нет</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>no offset, no tool</source>
+        <translation>нет корректора</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -3414,6 +4009,11 @@
         <translation>не введено</translation>
     </message>
     <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>not measured</source>
+        <translation>не измерен</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>not referenced</source>
         <translation>нет выхода в ноль</translation>
@@ -3432,6 +4032,16 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>off</source>
         <translation>выкл</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>only makers</source>
+        <translation>только изготовитель</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>only setters</source>
+        <translation>только наладчик</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -3487,6 +4097,11 @@
         <location filename="../machine/tool_words.cpp"/>
         <source>probe</source>
         <translation>щуп</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>read-only</source>
+        <translation>только чтение</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -3624,6 +4239,16 @@
         <translation>вершина</translation>
     </message>
     <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>too large</source>
+        <translation>велик</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>too small</source>
+        <translation>мал</translation>
+    </message>
+    <message>
         <location filename="../machine/tool_words.cpp"/>
         <source>tool %1</source>
         <translation>инструмент %1</translation>
@@ -3694,7 +4319,12 @@
         <translation>износ</translation>
     </message>
     <message>
-        <location filename="../screens/tools_tables.cpp"/>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>wear of L%1 offset %2</source>
+        <translation>износ L%1, корр. %2</translation>
+    </message>
+    <message>
+        <location filename="../machine/computer_settings.cpp"/>
         <source>yes</source>
         <translation>да</translation>
     </message>
@@ -3702,6 +4332,11 @@
         <location filename="../screens/presetter_page.cpp"/>
         <source>«Measure» finds the tip and shows what would be entered. The gauge pin calibrates the camera first.</source>
         <translation>«Измерить» находит вершину и показывает, что будет введено. Сначала камеру калибрует калибр.</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>«Take» chooses what is copied or compared</source>
+        <translation>«Взять» выбирает, что копировать или сравнить</translation>
     </message>
 </context>
 </TS>

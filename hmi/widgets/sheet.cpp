@@ -1,13 +1,72 @@
 #include "hmi/widgets/sheet.hpp"
 
 #include <QFontMetricsF>
+#include <QGlyphRun>
 #include <QMouseEvent>
 #include <QPaintEvent>
+#include <QRawFont>
+#include <array>
+#include <cmath>
+#include <map>
 
 namespace polyturn::hmi {
 namespace {
 
+// Numbers are most of what changes from frame to frame. They need no shaping: their glyphs are looked up once for each font.
+class NumberGlyphs {
+public:
+    explicit NumberGlyphs(const QFont& font) : raw_(QRawFont::fromFont(font)) {
+        if (!raw_.isValid()) return;
+        const QString all = QStringLiteral("0123456789.+-:/ %");
+        const auto glyphs = raw_.glyphIndexesForString(all);
+        const auto advances = raw_.advancesForGlyphIndexes(glyphs);
+        if (glyphs.size() != all.size() || advances.size() != all.size()) return;
+        for (int i = 0; i < all.size(); ++i) glyph_[all[i].unicode()] = glyphs[i], advance_[all[i].unicode()] = advances[i].x(), has_[all[i].unicode()] = true;
+    }
+    // False: there is more in it than a number, or it does not fit.
+    bool paint(QPainter& p, const Item& item) const {
+        if (item.text.size() > 24) return false;
+        double width = 0;
+        for (const QChar c : item.text) {
+            if (c.unicode() >= has_.size() || !has_[c.unicode()]) return false;
+            width += advance_[c.unicode()];
+        }
+        if (width > item.box.width() + 0.5) return false;
+        QList<quint32> glyphs;
+        QList<QPointF> places;
+        glyphs.reserve(item.text.size()), places.reserve(item.text.size());
+        double x = 0;
+        for (const QChar c : item.text) glyphs << glyph_[c.unicode()], places << QPointF(x, 0), x += advance_[c.unicode()];
+        QGlyphRun run;
+        run.setRawFont(raw_), run.setGlyphIndexes(glyphs), run.setPositions(places);
+        const double left = item.align & Qt::AlignRight ? item.box.right() - width : item.align & Qt::AlignHCenter ? item.box.center().x() - width / 2 : item.box.left();
+        const double high = raw_.ascent() + raw_.descent();
+        const double top = item.align & Qt::AlignTop ? item.box.top() : item.align & Qt::AlignBottom ? item.box.bottom() - high : item.box.center().y() - high / 2;
+        p.drawGlyphRun(QPointF(std::round(left), std::round(top + raw_.ascent())), run);
+        return true;
+    }
+
+private:
+    QRawFont raw_;
+    std::array<quint32, 128> glyph_{};
+    std::array<double, 128> advance_{};
+    std::array<bool, 128> has_{};
+};
+
+bool paintNumber(QPainter& p, const Item& item) {
+    if (item.text.isEmpty()) return true;
+    const QChar first = item.text[0];
+    if (!first.isDigit() && first != '-' && first != '+' && first != '.') return false;
+    static std::map<std::tuple<int, int, QString>, NumberGlyphs> made;
+    const std::tuple<int, int, QString> key{item.font.pixelSize(), item.font.weight(), item.font.family()};
+    auto at = made.find(key);
+    if (at == made.end()) at = made.emplace(key, NumberGlyphs(item.font)).first;
+    return at->second.paint(p, item);
+}
+
 bool fits(const Item& item) {
+    // No letter is wider than its font is high, but for some signs.
+    if (!item.wraps && item.text.size() * item.font.pixelSize() * 1.1 <= item.box.width()) return true;
     const QFontMetricsF metrics(item.font);
     if (item.wraps) return metrics.boundingRect(item.box, item.align | Qt::TextWordWrap, item.text).height() <= item.box.height() + 1.5;
     return metrics.horizontalAdvance(item.text) <= item.box.width() + 0.5;
@@ -19,7 +78,8 @@ void paint(QPainter& p, const Item& item) {
             p.setPen(item.colour);
             p.setFont(item.font);
             if (item.wraps) p.drawText(item.box, item.align | Qt::TextWordWrap, item.text);
-            else if (QFontMetricsF(item.font).horizontalAdvance(item.text) <= item.box.width() + 0.5) p.drawText(item.box, item.align | Qt::TextSingleLine, item.text);
+            else if (paintNumber(p, item)) break;
+            else if (fits(item)) p.drawText(item.box, item.align | Qt::TextSingleLine, item.text);
             else p.drawText(item.box, item.align | Qt::TextSingleLine, QFontMetricsF(item.font).elidedText(item.text, Qt::ElideRight, item.box.width()));
             break;
         case Item::Kind::Fill:
@@ -96,12 +156,22 @@ void Writer::bar(const QRectF& box, double part, const QColor& colour, const QCo
     item.value = part, item.colour = colour, item.second = behind;
 }
 
+void Writer::field(const QRectF& box, const QString& words, const QString& purpose, bool here, int number, Face face) {
+    const Theme& t = theme();
+    fill(box, t.window, px(6));
+    frame(box, here ? t.accent : t.edge, px(6), here ? px(2) : 1);
+    const QRectF inside = box.adjusted(px(10), 0, -px(10), 0);
+    if (words.isEmpty() && !here) text(inside, purpose, lettering(15), t.dim);
+    else data(inside, words + (here ? QString::fromUtf8("▏") : QString()), lettering(16.5, face == Face::Text, face), t.text);
+    if (number) hit(box, number), fields_->push_back({box, number, words});
+}
+
 Sheet::Sheet(QWidget* parent) : QWidget(parent) { setAttribute(Qt::WA_OpaquePaintEvent); }
 
 void Sheet::refresh() {
     next_.clear();
-    hits_.clear();
-    Writer writer(next_, hits_);
+    hits_.clear(), fields_.clear();
+    Writer writer(next_, hits_, fields_);
     compose(writer);
     // A different number of items: what follows has moved on.
     if (next_.size() != items_.size()) {

@@ -28,10 +28,17 @@ struct Item {
 
 class Sheet;
 
+// Where somebody enters a text: each can be touched, and Ctrl+F goes from one to the next (tests/unit/hmi/entry_test.cpp walks them all).
+struct TextField {
+    QRectF box;
+    int hit = 0;               // touch it and letters go there
+    QString text;              // what stands in it
+};
+
 // What a screen writes with.
 class Writer {
 public:
-    Writer(std::vector<Item>& items, std::vector<std::pair<QRectF, int>>& hits) : items_(&items), hits_(&hits) {}
+    Writer(std::vector<Item>& items, std::vector<std::pair<QRectF, int>>& hits, std::vector<TextField>& fields) : items_(&items), hits_(&hits), fields_(&fields) {}
     Item& text(const QRectF& box, const QString& text, const QFont& font, const QColor& colour, int align = Qt::AlignLeft | Qt::AlignVCenter);
     // A name from outside: may be shortened.
     void data(const QRectF& box, const QString& text, const QFont& font, const QColor& colour, int align = Qt::AlignLeft | Qt::AlignVCenter);
@@ -40,6 +47,8 @@ public:
     void line(const QPointF& from, const QPointF& to, const QColor& colour, double width = 1);
     void sign(const QRectF& box, Sign sign, const QColor& colour);
     void bar(const QRectF& box, double part, const QColor& colour, const QColor& behind);
+    // A field of text: what is in it, or else what it is for; `here`: letters go there now. hit 0: it cannot be touched.
+    void field(const QRectF& box, const QString& text, const QString& purpose, bool here, int hit, Face face = Face::Text);
     // A touch in this box is reported with this number; what is written later lies on top.
     void hit(const QRectF& box, int number) { hits_->emplace_back(box, number); }
 
@@ -47,6 +56,7 @@ private:
     Item& add(Item::Kind kind, const QRectF& box);
     std::vector<Item>* items_;
     std::vector<std::pair<QRectF, int>>* hits_;
+    std::vector<TextField>* fields_;
 };
 
 class Sheet : public QWidget {
@@ -56,6 +66,8 @@ public:
     std::vector<QString> shortened() const;   // fixed words that do not fit
     // Where a number of hit() lies, for tests; empty: nowhere.
     QRectF boxOf(int number) const;
+    const std::vector<TextField>& fields() const { return fields_; }
+    void touch(int number) { touched(number); }   // as if by a finger
 
 protected:
     virtual void compose(Writer& w) = 0;
@@ -69,6 +81,7 @@ protected:
 private:
     std::vector<Item> items_, next_;
     std::vector<std::pair<QRectF, int>> hits_;
+    std::vector<TextField> fields_;
     int pressed_ = -1;
 };
 

@@ -2,6 +2,7 @@
 
 #include <QFontDatabase>
 #include <QPainterPath>
+#include <unordered_map>
 
 namespace polyturn::hmi {
 namespace {
@@ -35,12 +36,16 @@ void dress(bool dark) { g_theme = dark ? &kDark : &kLight; }
 void setPanelScale(double scale) { g_scale = scale; }
 double panelScale() { return g_scale; }
 
+// Made once each: a font is asked for hundreds of times a frame, and two copies of one are compared by a look at their address.
 QFont lettering(double units, bool bold, Face face) {
+    static std::unordered_map<int, QFont> made;
+    const int size = std::max(6, px(units)), key = size * 8 + static_cast<int>(face) * 2 + (bold ? 1 : 0);
+    if (const auto at = made.find(key); at != made.end()) return at->second;
     static const QString names[] = {family(Face::Text), family(Face::Condensed), family(Face::Program)};
     QFont out(names[static_cast<std::size_t>(face)]);
-    out.setPixelSize(std::max(6, px(units)));
+    out.setPixelSize(size);
     out.setWeight(bold ? QFont::Bold : QFont::Normal);
-    return out;
+    return made.emplace(key, out).first->second;
 }
 
 // Drawn in a square of 24 units.

@@ -32,11 +32,11 @@ struct ParamsOptions {
     bool unused = false, all = false;
 };
 
-// Verbs that ask the store: tools, offsets, parts, pallets, users, history, login, backup, restore.
+// Verbs that ask the store: tools, offsets, parts, pallets, users, history, stops, login, backup, restore.
 struct StoreOptions {
     std::string group, action;            // "tools", "load"
     std::vector<std::string> words;
-    std::string instance, format = "csv", store, machine, who, zero, name;
+    std::string instance, format = "csv", store, machine, who, since, zero, name;
     std::vector<std::string> with;
     int channel = 0, magazine = -1, type = -1, most = 50, offset = -1, frames = 0;
     bool incremental = false, preview = false, yes = false;

@@ -104,6 +104,7 @@ int StartSession::run() {
         return std::any_of(begin, begin + std::min<std::size_t>(users->count, kUsers), [&](const UserRow& row) { return row.uid == uid; });
     });
     loop();
+    keep_stops(stops_.close(utc_ms()));
     controller_->stop(5'000);
     tell(fmt::format(fmt::runtime(say("polyturn: the controller \"{}\" has ended.\n")), options_.instance));
     return 0;
@@ -115,6 +116,7 @@ void StartSession::loop() {
         controller_->watch([this](std::size_t slot, int status) { process_died(slot, status); });
         drain();
         take_answers();
+        watch_stops();
         revive();
         server_.serve(10, [this](RequestServer::Client client, const std::string& line) { handle(client, line); });
     }
@@ -201,6 +203,8 @@ std::string StartSession::with_when(std::string event_text) const {
 
 void StartSession::note_alarm(std::string event_text, Dialect language, bool tell) {
     if (tell) print_alarm_event(event_text, language);
+    if (const Json event = Json::parse(event_text.back() == '}' ? event_text : event_text + "}", nullptr, false); event.is_object() && event.value("severity", "") == "error")
+        stops_.alarm(event.value("ch", 0u), event["number"].is_string() ? event["number"].get<std::string>() : event["number"].dump(), event.value("text", ""));
     alarms_.push_back(with_when(std::move(event_text)));
     ++alarms_noted_;
     if (alarms_.size() > kKeptAlarms) alarms_.pop_front();
@@ -253,6 +257,7 @@ void StartSession::handle(RequestServer::Client client, const std::string& line)
     if (what == "store") {
         const auto op = request.find("op");
         const std::string name = op != request.end() && op->is_object() && op->contains("do") && (*op)["do"].is_string() ? (*op)["do"].get<std::string>() : std::string();
+        if (name == "stops.note") return server_.answer(client, refusal({Alarm::PressUnknown, {}, {}, name}));   // only from here
         return serve_operation(client, op != request.end() ? op->dump(-1, ' ', false, Json::error_handler_t::replace) : "{}", name == "users.login", who);
     }
     if (what == "logout") return server_.answer(client, access_.close(text_at("token")) ? R"({"ok":true})" : R"({"ok":true,"nobody":true})");

@@ -14,8 +14,11 @@
 #include "kernel/supervisor/event_joiner.hpp"
 #include "kernel/supervisor/options.hpp"
 #include "kernel/supervisor/request_socket.hpp"
+#include "kernel/supervisor/stop_watch.hpp"
 
 namespace polyturn::supervisor {
+
+std::int64_t utc_ms();   // now, since 1970
 
 class StartSession {
 public:
@@ -44,6 +47,9 @@ private:
     std::vector<Diagnosis> faults_of(const std::vector<std::string>& lines, bool import) const;
     void take_answers();
     Dialect dialect(unsigned channel) const;
+    // start_session_stops.cpp: the log of stops.
+    void watch_stops();
+    void keep_stops(std::vector<Stop> stops);
 
     // A client that waits for the store: so many answers are still to come.
     struct Waiting {
@@ -66,6 +72,9 @@ private:
     std::deque<std::string> alarms_;  // event objects, the newest last
     std::uint64_t alarms_noted_ = 0;  // since this supervisor started
     std::deque<Waiting> waiting_;
+    StopWatch stops_;
+    std::deque<Stop> untold_stops_;   // the store does not take them now
+    std::chrono::steady_clock::time_point next_stop_look_{};
     std::map<std::size_t, std::deque<std::chrono::steady_clock::time_point>> deaths_;
     std::vector<std::size_t> to_revive_;
     bool kernel_dead_ = false, ask_to_end_ = false;

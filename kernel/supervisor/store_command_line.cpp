@@ -59,6 +59,7 @@ constexpr Action kVerbs[] = {
     {"logout", "", "Ends the login", "", 0, 0},
     {"who", "", "Who is logged in, and with which level", "", 0, 0},
     {"history", "", "Who changed what, newest first", "[TEXT]", 0, 1},
+    {"stops", "", "When the channels stood, how long and why, newest first", "", 0, 0},
     {"backup", "", "Everything in one file, while the controller works", "FILE", 1, 1},
     {"restore", "", "Shows what a backup would change; with --yes changes it. Without FILE the newest usable one of the store's own", "[FILE]", 0, 1},
 };
@@ -91,6 +92,10 @@ void add(CLI::App& parent, const Action& action, const std::string& name, Comman
     if (group == "presetter") one->add_option("--frames", store.frames, "of a camera, put together to one picture; default 8")->check(CLI::Range(1, 256));
     if (group == "presetter" && which == "measure") one->add_flag("--yes", store.yes, "write it");
     if (which == "touch") one->add_flag("--yes", store.yes, "write it");
+    if (group == "stops") {
+        one->add_option("--most", store.most, "lines")->check(CLI::Range(1, 5'000));
+        one->add_option("--since", store.since, "UTC, as 2026-01-31T06:00");
+    }
     if (group == "history" || which == "history") {
         one->add_option("--most", store.most, "lines")->check(CLI::Range(1, 100'000));
         one->add_option("--who", store.who, "only of this user");

@@ -201,6 +201,7 @@ std::string store_table(const std::string& what, const Json& answer, bool done) 
     if (what == "pallets.list") return plain(answer["pallets"], {"row", "station", "pallet", "program", "custom1", "custom2", "custom3", "custom4"});
     if (what == "users.list") return plain(answer["users"], {"user", "name", "level", "uid", "locked"});
     if (what == "history.list" || what == "offsets.history") return plain(answer["history"], {"utc", "who", "what", "old", "new"});
+    if (what == "stops.list") return plain(answer["stops"], {"utc", "channel", "seconds", "cause", "number", "detail", "program", "line"});
     if (what == "restore.from") return restore(answer, done);
     if (what == "tools.load" || what == "tools.move") return fmt::format(fmt::runtime(say("tool {} stands in {}\n")), cell(answer, "tool"), cell(answer, "place"));
     if (what == "tools.import") return fmt::format(fmt::runtime(say("{} tools, {} of them new, {} values changed\n")), cell(answer, "tools"), cell(answer, "added"), cell(answer, "changes"));

@@ -249,6 +249,7 @@ int store_verb(const StoreOptions& options, bool json) {
     else if (options.group == "pallets") op = pallets_operation(options, wrong);
     else if (options.group == "users") op = users_operation(options, wrong);
     else if (options.group == "history") op = {{"do", "history.list"}, {"about", options.words.empty() ? "" : options.words[0]}, {"who", options.who}, {"most", options.most}};
+    else if (options.group == "stops") op = {{"do", "stops.list"}, {"since", options.since}, {"most", options.most}};
     else if (options.group == "backup") {
         op = {{"do", "backup.to"}, {"file", std::filesystem::absolute(options.words[0]).string()}, {"with", Json::array()}};
         for (const std::string& one : options.with) op["with"].push_back(std::filesystem::absolute(one).string());

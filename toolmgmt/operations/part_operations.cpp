@@ -81,6 +81,7 @@ Json dimension(const StoreValues& values, std::int32_t number) {
     out["measured"] = all.size();
     if (all.empty()) return out;
     const double last = all.back();
+    for (const double one : all) out["deviations"].push_back(rounded(one));   // since the last correction, the newest last
     out["last"] = rounded(last + value_of(values, number, "nominal", 0));
     out["deviation"] = rounded(last);
     out["verdict"] = last > upper ? "too large" : last < lower ? "too small" : "good";

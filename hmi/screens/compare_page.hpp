@@ -1,0 +1,37 @@
+// Two programs side by side: what is not the same is marked, and the next place is one key away.
+#pragma once
+#include "hmi/app/screen.hpp"
+#include "hmi/machine/aside.hpp"
+#include "hmi/machine/text_difference.hpp"
+
+namespace polyturn::hmi {
+
+class ComparePage : public QWidget {
+public:
+    ComparePage(Desk& desk, QWidget* parent);
+    void compare(const QString& left, const QString& right);
+    void refresh();
+    bool key(QKeyEvent* event);
+    void addKeys(std::vector<SoftKey>& keys);
+    std::vector<Sheet*> sheets() { return {view_}; }
+    bool busy() const { return work_.busy(); }
+    const Difference& difference() const { return difference_; }
+    int first() const { return first_; }
+
+protected:
+    void resizeEvent(QResizeEvent*) override { view_->setGeometry(px(8), 0, width() - px(16), height() - px(8)), view_->refresh(); }
+
+private:
+    void compose(Writer& w);
+    void go(int step);                  // to the next or the last place that differs
+    void scroll(int by);
+    int room() const { return std::max(1, (view_->height() - px(76)) / px(22)); }
+    Desk& desk_;
+    FreeSheet* view_;
+    QString left_, right_;
+    Aside<Difference> work_;
+    Difference difference_;
+    int first_ = 0, place_ = -1;
+};
+
+}  // namespace polyturn::hmi

@@ -1,0 +1,413 @@
+#include "hmi/screens/files_page.hpp"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QKeyEvent>
+#include <algorithm>
+
+#include "hmi/machine/setup_sheet.hpp"
+
+namespace polyturn::hmi {
+namespace {
+
+constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
+constexpr qint64 kPreviewBytes = 1 << 16;
+
+QString mounts() {
+    QFile file("/proc/self/mounts");
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+int levelNumber(const QString& level) { return level == "maker" ? 3 : level == "setter" ? 2 : level == "operator" ? 1 : 0; }
+
+}  // namespace
+
+FilesPage::FilesPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), files_(new Table(this)), view_(new FreeSheet(this)), state_(new FreeSheet(this)), pad_(new TextPad(this)) {
+    files_->columns = {{word("Name"), 5}, {word("Changed"), 2.2}, {word("Size"), 1.2, kRight}};
+    files_->rowUnits = 40;
+    files_->textUnits = 16;
+    files_->rows = [this] { return static_cast<int>(placesShown_ ? places_.size() : entries_.size()); };
+    files_->cell = [this](int row, int column) -> Table::Cell {
+        const Theme& t = theme();
+        if (placesShown_) {
+            const Place& place = places_[static_cast<std::size_t>(row)];
+            if (column == 0) return {place.name, t.accent, Sign::Right, true};
+            return column == 1 ? Table::Cell{place.kind == Place::Kind::Network ? word("Network") : place.kind == Place::Kind::Removable ? word("USB") : word("Place"), t.dim} : Table::Cell{};
+        }
+        const FileEntry& one = entries_[static_cast<std::size_t>(row)];
+        if (column == 0) {
+            const bool closed = one.readOnly || one.level > 0;
+            return {one.up ? word("Up") : one.job ? one.name.chopped(9) : one.name, one.folder ? t.accent : one.job ? t.text : t.dim, one.up ? Sign::Up : closed ? Sign::Lock : one.folder ? Sign::Right : one.job ? Sign::Overview : Sign::Programs, one.job};
+        }
+        if (one.up || (one.folder && column == 2)) return {};
+        if (column == 1) return {one.changed.toString("dd.MM.yy HH:mm"), t.dim};
+        return {QString("%1 kB").arg((one.size + 1023) / 1024), t.dim};
+    };
+    files_->onChosen = [this] { look(); };
+    files_->onActivated = [this] { open(); };
+    view_->onCompose = [this](Writer& w) { composePreview(w); };
+    state_->onCompose = [this](Writer& w) { composeState(w); };
+    pad_->onText = [this](const QString& text) { if (name_.size() < 120) name_ += text, state_->refresh(); };
+    pad_->onBackspace = [this] { name_.chop(1), state_->refresh(); };
+    pad_->onEnter = [this] { named(); };
+    pad_->enterText = word("OK");
+    pad_->hide();
+}
+
+const FileEntry* FilesPage::chosen() const {
+    const int row = files_->row();
+    return !placesShown_ && row >= 0 && row < static_cast<int>(entries_.size()) ? &entries_[static_cast<std::size_t>(row)] : nullptr;
+}
+
+QString FilesPage::chosenPath() const { return chosen() ? QDir::cleanPath(desk_.folder + "/" + chosen()->name) : QString(); }
+QString FilesPage::where() const { return placesShown_ ? word("Places") : desk_.folder; }
+
+QString FilesPage::whyNotChanged() const {
+    const FileEntry* one = chosen();
+    if (!one || (!one->readOnly && one->level <= level_)) return {};
+    return one->level > level_ ? word("%1 is protected: a login of a higher level may change it").arg(one->name) : word("%1 is read-only").arg(one->name);
+}
+
+void FilesPage::readFolder(const QString& folder, const QString& choose) {
+    placesShown_ = false;
+    choose_ = choose;
+    const bool other = QDir(folder).absolutePath() != desk_.folder;
+    desk_.folder = QDir(folder).absolutePath();
+    if (other) entries_.clear(), preview_ = {};
+    reader_.start([folder = desk_.folder](const std::atomic<bool>&) { return listFolder(folder); });
+    take();
+}
+
+void FilesPage::take() {
+    if (auto list = reader_.take()) {
+        entries_ = std::move(list->entries), readable_ = list->readable;
+        int row = 0;
+        bool found = false;
+        for (std::size_t i = 0; i < entries_.size(); ++i)
+            if (entries_[i].name == choose_) row = static_cast<int>(i), found = true;
+        if (!found && choose_.isEmpty())   // the first job is what a folder is opened for
+            for (std::size_t i = entries_.size(); i-- > 0;)
+                if (entries_[i].job) row = static_cast<int>(i);
+        preview_ = {};
+        files_->choose(row);
+        look();
+    }
+    if (auto preview = looker_.take(); preview && preview->path == chosenPath()) {
+        preview_ = std::move(*preview);
+        if (desk_.keysChanged) desk_.keysChanged();
+    }
+    if (auto done = worker_.take()) {
+        outcome_ = std::move(*done), told_ = true;
+        const QString what = outcome_.kind == FileOutcome::Kind::Stopped ? word("Stopped: %1").arg(outcome_.what)
+                             : outcome_.kind == FileOutcome::Kind::Differs ? word("The copy of %1 was not what had been sent; what was there before stands").arg(outcome_.what)
+                             : outcome_.ok() ? doing_ + ": " + outcome_.what : word("Not done: %1").arg(outcome_.what);
+        desk_.tell(what, outcome_.ok() ? Told::Good : Told::Refused);
+        readFolder(desk_.folder, outcome_.ok() && !placesShown_ ? outcome_.what : chosen() ? chosen()->name : QString());
+        if (desk_.keysChanged) desk_.keysChanged();
+    }
+}
+
+void FilesPage::showPlaces() {
+    placesShown_ = true;
+    places_ = places(mounts(), placeFiles());
+    places_.insert(places_.begin(), {word("Own folder"), QDir::homePath(), Place::Kind::Configured});
+    preview_ = {};
+    files_->choose(0);
+    refresh();
+}
+
+void FilesPage::open() {
+    const int row = files_->row();
+    if (placesShown_) {
+        if (row < static_cast<int>(places_.size())) readFolder(places_[static_cast<std::size_t>(row)].path);
+        return;
+    }
+    const FileEntry* one = chosen();
+    if (!one || !one->folder) return;
+    const QString left = QDir(desk_.folder).dirName();
+    one->up ? readFolder(QDir::cleanPath(desk_.folder + "/.."), left) : readFolder(chosenPath());
+}
+
+FilesPage::Preview FilesPage::readPreview(const QString& path, bool job, Tongue tongue) {
+    Preview out;
+    out.path = path;
+    if (job) {
+        const auto read = text::load_job(path.toStdString());
+        if (!read) return out.fault = QString::fromStdString(text_in(read.diagnosis(), tongue)), out;
+        out.job = std::make_shared<text::Job>(*read);
+        for (const auto& [channel, program] : out.job->programs) out.there.push_back(QFileInfo::exists(QString::fromStdString(program.file)));
+        return out;
+    }
+    QFile file(path);
+    out.readable = file.open(QIODevice::ReadOnly);
+    const QByteArray bytes = file.read(kPreviewBytes);
+    out.readable &= !bytes.contains('\0');
+    if (out.readable) out.lines = QString::fromUtf8(bytes).split('\n');
+    return out;
+}
+
+void FilesPage::look() {
+    const FileEntry* one = chosen();
+    const QString path = chosenPath();
+    if (preview_.path == path && !path.isEmpty()) return;
+    preview_ = {};
+    if (!one || one->folder) return looker_.forget();
+    looker_.start([path, job = one->job, tongue = spoken()](const std::atomic<bool>&) { return readPreview(path, job, tongue); });
+    take();
+}
+
+void FilesPage::resizeEvent(QResizeEvent*) { layOut(); }
+
+void FilesPage::layOut() {
+    const int edge = px(8), half = static_cast<int>(width() * 0.5), foot = px(52), letters = px(300);
+    files_->setGeometry(edge, 0, half - 2 * edge, height() - edge);
+    const bool naming = naming_ != Naming::None, state = menu_;
+    pad_->setVisible(naming), state_->setVisible(state);
+    const int below = (state ? foot + edge : 0) + (naming ? letters + edge : 0);
+    view_->setGeometry(half, 0, width() - half - edge, height() - edge - below);
+    state_->setGeometry(half, height() - edge - below + edge, width() - half - edge, foot);
+    pad_->setGeometry(half, height() - edge - letters, width() - half - edge, letters);
+    for (Sheet* one : sheets()) one->refresh();
+}
+
+std::vector<Sheet*> FilesPage::sheets() {
+    std::vector<Sheet*> out{files_, view_};
+    if (menu_) out.push_back(state_);
+    if (naming_ != Naming::None) out.push_back(pad_);
+    return out;
+}
+
+void FilesPage::refresh() {
+    take();
+    const qint64 now = QDateTime::currentMSecsSinceEpoch();
+    if (desk_.live.connected() && now > lookAt_) {
+        lookAt_ = now + 3'000;
+        desk_.requests.ask({{"do", "who"}}, [this](const Answer& answer) { if (answer.ok) level_ = levelNumber(answer.object.value("level").toString()); }, true);
+    }
+    files_->nothing = placesShown_ ? QString() : reader_.busy() ? word("The folder is being read ...") : readable_ ? word("This folder is empty.") : word("This folder cannot be read.");
+    for (Sheet* one : sheets()) one->refresh();
+}
+
+void FilesPage::composePreview(Writer& w) {
+    const Theme& t = theme();
+    const double wide = view_->width(), high = view_->height();
+    w.fill(QRectF(0, 0, wide, high), t.window);
+    w.fill(QRectF(0, 0, wide, high), t.card, px(8));
+    const FileEntry* one = chosen();
+    if (placesShown_) {
+        const int row = files_->row();
+        w.data(QRectF(px(20), px(20), wide - px(40), px(30)), row < static_cast<int>(places_.size()) ? places_[static_cast<std::size_t>(row)].path : QString(), lettering(16), t.text);
+        Item& item = w.text(QRectF(px(20), px(60), wide - px(40), px(130)), word("USB sticks and network places appear when they are there. «Keep as place» adds the folder that is shown; /etc/polyturn/places names those of the shop: NAME=/FOLDER."), lettering(15), t.dim, Qt::AlignLeft | Qt::AlignTop);
+        item.wraps = true;
+        return;
+    }
+    if (!one || one->folder) {
+        w.text(QRectF(px(20), px(20), wide - px(40), px(30)), word("Choose a job or a program"), lettering(16), t.dim, Qt::AlignCenter);
+        return;
+    }
+    double y = px(12);
+    if (looker_.busy()) {
+        w.text(QRectF(px(16), y, wide - px(32), px(26)), word("The file is being read ..."), lettering(15), t.dim);
+        return;
+    }
+    if (!preview_.fault.isEmpty()) {
+        w.sign(QRectF(px(16), y + px(4), px(22), px(22)), Sign::Alarm, t.bad);
+        Item& item = w.text(QRectF(px(48), y, wide - px(60), px(90)), preview_.fault, lettering(16), t.text, Qt::AlignLeft | Qt::AlignTop);
+        item.wraps = true, item.data = true;
+        return;
+    }
+    if (one->readOnly || one->level > 0) {
+        w.sign(QRectF(wide - px(38), y + px(4), px(22), px(22)), Sign::Lock, t.warn);
+        w.text(QRectF(wide * 0.5, y, wide * 0.5 - px(46), px(28)), one->level == 3 ? word("only makers") : one->level == 2 ? word("only setters") : word("read-only"), lettering(14), t.warn, kRight);
+    }
+    if (preview_.job) return composeJob(w, y);
+    w.data(QRectF(px(16), y, wide * 0.5 - px(20), px(28)), one->name, lettering(18, true), t.text);
+    y += px(34);
+    if (!preview_.readable) {
+        w.text(QRectF(px(16), y, wide - px(32), px(26)), word("It cannot be shown."), lettering(15), t.dim);
+        return;
+    }
+    for (int line = 0; line < preview_.lines.size() && y + px(20) < high; ++line, y += px(20)) {
+        w.text(QRectF(px(8), y, px(40), px(20)), QString::number(line + 1), lettering(12), t.faint, kRight);
+        w.data(QRectF(px(58), y, wide - px(70), px(20)), preview_.lines[line], lettering(13.5, false, Face::Program), t.text);
+    }
+}
+
+// What a job is made of, and wanted against mounted tools.
+void FilesPage::composeJob(Writer& w, double y) {
+    const Theme& t = theme();
+    const double wide = view_->width(), high = view_->height();
+    const text::Job& job = *preview_.job;
+    w.data(QRectF(px(16), y, wide * 0.5 - px(20), px(34)), QString::fromStdString(job.name), lettering(24, true), t.text);
+    y += px(42);
+    const auto headline = [&](const QString& text) {
+        w.text(QRectF(px(16), y, wide - px(32), px(22)), text, lettering(13, false, Face::Condensed), t.dim);
+        y += px(24);
+    };
+    headline(word("Programs"));
+    std::size_t number = 0;
+    for (const auto& [channel, program] : job.programs) {
+        const QString file = QString::fromStdString(program.file).section('/', -1);
+        w.text(QRectF(px(16), y, px(50), px(26)), QString("L%1").arg(channel), lettering(17, true), t.accent);
+        w.data(QRectF(px(66), y, wide * 0.5, px(26)), file, lettering(17), t.text);
+        w.data(QRectF(wide * 0.62, y, wide * 0.38 - px(16), px(26)), QString::fromStdString(program.language), lettering(14), t.dim, kRight);
+        if (number < preview_.there.size() && !preview_.there[number]) w.sign(QRectF(wide * 0.55, y + px(3), px(20), px(20)), Sign::Alarm, t.bad);
+        ++number;
+        y += px(30);
+    }
+    if (job.stock) {
+        y += px(8);
+        headline(word("Stock"));
+        const text::JobStock& stock = *job.stock;
+        w.text(QRectF(px(16), y, wide - px(32), px(26)), QString::fromUtf8("⌀ %1 × %2 mm").arg(stock.diameter).arg(stock.length) + (stock.bore > 0 ? QString::fromUtf8("   %1 ⌀ %2 mm").arg(word("bore")).arg(stock.bore) : QString()) +
+                                                                             "   " + QString::fromStdString(stock.spindle), lettering(17), t.text);
+        y += px(30);
+    }
+    if (job.parts_wanted) {
+        y += px(8);
+        headline(word("Parts"));
+        w.text(QRectF(px(16), y, wide - px(32), px(26)), QString::number(job.parts_wanted), lettering(17), t.text);
+        y += px(30);
+    }
+    if (job.tools.empty()) return;
+    y += px(8);
+    headline(word("Tools that it needs"));
+    for (const SheetTool& tool : compareTools(desk_.live, job)) {   // wanted against mounted
+        if (y + px(26) > high) break;
+        const bool same = tool.match == SheetTool::Match::Same, unknown = tool.match == SheetTool::Match::Unknown;
+        const bool usable = same && tool.state.sign != Sign::Alarm && tool.state.sign != Sign::Lock && tool.state.sign != Sign::Stop;
+        w.text(QRectF(px(16), y, px(120), px(24)), QString("L%1   T%2").arg(tool.channel).arg(tool.station), lettering(15, true), t.text);
+        w.data(QRectF(px(140), y, wide * 0.34, px(24)), tool.wanted, lettering(15), t.text);
+        w.sign(QRectF(wide * 0.34 + px(150), y + px(3), px(18), px(18)), unknown ? Sign::None : usable ? Sign::Good : same ? tool.state.sign : Sign::Warning, usable ? t.good : same ? t.bad : t.warn);
+        w.data(QRectF(wide * 0.34 + px(176), y, wide * 0.66 - px(190), px(24)), same && !usable ? tool.state.text : matchText(tool), lettering(14.5), usable || unknown ? t.dim : t.text);
+        y += px(26);
+    }
+}
+
+// What is being done, what has been taken, or the name that is entered.
+void FilesPage::composeState(Writer& w) {
+    const Theme& t = theme();
+    const double wide = state_->width(), high = state_->height();
+    w.fill(QRectF(0, 0, wide, high), t.window);
+    w.fill(QRectF(0, 0, wide, high), t.card, px(8));
+    if (naming_ != Naming::None) {
+        w.text(QRectF(px(14), 0, wide * 0.3, high), naming_ == Naming::Rename ? word("New name") : word("New folder"), lettering(14), t.dim);
+        const QRectF box(wide * 0.3, px(6), wide * 0.7 - px(8), high - px(12));
+        w.field(box, name_, QString(), true, 1);
+        return;
+    }
+    const QString taken = taken_.section('/', -1);
+    if (worker_.busy() && progress_) {
+        const double all = static_cast<double>(progress_->all), done = static_cast<double>(progress_->done);
+        w.data(QRectF(px(14), 0, wide - px(120), high - px(12)), doing_ + ": " + taken, lettering(15, true), t.text);
+        w.text(QRectF(wide - px(104), 0, px(90), high - px(12)), all > 0 ? QString("%1 %").arg(100 * done / all, 0, 'f', 0) : QString(), lettering(15, true), t.text, kRight);
+        w.bar(QRectF(px(14), high - px(14), wide - px(28), px(8)), all > 0 ? done / all : 0, t.accent, t.window);
+        return;
+    }
+    const bool good = outcome_.ok();
+    if (told_) w.sign(QRectF(px(14), high / 2 - px(10), px(20), px(20)), good ? Sign::Good : Sign::Alarm, good ? t.good : t.bad);
+    w.data(QRectF(px(44), 0, wide - px(58), high), told_ ? (good ? doing_ + ": " : QString()) + outcome_.what + (good && outcome_.files > 1 ? "  " + word("%1 files").arg(outcome_.files) : QString()) : taken_.isEmpty() ? word("«Take» chooses what is copied or compared") : word("Taken: %1").arg(taken), lettering(15), told_ && !good ? t.bad : t.text);
+}
+
+void FilesPage::start(const QString& what, std::function<FileOutcome(const std::atomic<bool>&)> work) {
+    if (worker_.busy()) return;
+    doing_ = what, told_ = false;
+    worker_.start(std::move(work), 0);
+    if (desk_.keysChanged) desk_.keysChanged();
+}
+
+// In the folder that is shown; beside itself under another name.
+QString FilesPage::target() const {
+    const QString name = taken_.section('/', -1);
+    if (taken_.section('/', 0, -2) != desk_.folder) return desk_.folder + "/" + name;
+    const int dot = static_cast<int>(name.indexOf('.'));
+    const QString stem = dot > 0 ? name.left(dot) : name, rest = dot > 0 ? name.mid(dot) : QString();
+    for (int number = 2;; ++number) {
+        const QString other = QString("%1-%2%3").arg(stem).arg(number).arg(rest);
+        if (std::none_of(entries_.begin(), entries_.end(), [&](const FileEntry& one) { return one.name == other; })) return desk_.folder + "/" + other;
+    }
+}
+
+void FilesPage::put() {
+    const QString to = target(), name = to.section('/', -1);
+    for (const FileEntry& one : entries_)
+        if (one.name == name && (one.readOnly || one.level > level_)) return desk_.tell(word("%1 is protected").arg(name), Told::Refused);
+    progress_ = std::make_shared<FileProgress>();
+    start(word("Copied and compared"), [from = taken_, to, progress = progress_](const std::atomic<bool>& stop) { return transfer(from, to, *progress, stop); });
+}
+
+// Free, read-only, for setters, for makers: as far as the own level reaches.
+void FilesPage::protectNext() {
+    const FileEntry* one = chosen();
+    if (!one || one->up || one->folder) return;
+    if (one->level > level_) return desk_.tell(whyNotChanged(), Told::Refused);
+    int step = one->level == 3 ? 3 : one->level == 2 ? 2 : one->readOnly ? 1 : 0;
+    step = (step + 1) % 4;
+    if (step > 1 && step > level_) step = 0;
+    start(step == 0 ? word("Free") : word("Protected"), [path = chosenPath(), step](const std::atomic<bool>&) { return protect(path, step > 0, step > 1 ? step : 0); });
+}
+
+void FilesPage::name(Naming what) {
+    naming_ = what;
+    name_ = what == Naming::Rename && chosen() ? chosen()->name : QString();
+    layOut();
+    if (desk_.keysChanged) desk_.keysChanged();
+}
+
+void FilesPage::named() {
+    const Naming what = naming_;
+    const QString name = name_.trimmed();
+    this->name(Naming::None);
+    if (name.isEmpty()) return;
+    if (what == Naming::Folder) return start(word("New folder"), [path = desk_.folder + "/" + name](const std::atomic<bool>&) { return makeFolder(path); });
+    start(word("Renamed"), [path = chosenPath(), name](const std::atomic<bool>&) { return rename(path, name); });
+}
+
+void FilesPage::showMenu(bool on) {
+    menu_ = on, naming_ = Naming::None, told_ = false;
+    layOut();
+    if (desk_.keysChanged) desk_.keysChanged();
+}
+
+void FilesPage::addMenuKeys(std::vector<SoftKey>& keys) {
+    const FileEntry* one = chosen();
+    const bool real = one && !one->up, free = !worker_.busy() && naming_ == Naming::None;
+    keys.push_back({word("Back"), [this] { naming_ != Naming::None ? name(Naming::None) : showMenu(false); }, Sign::Left});
+    keys.push_back({word("Take"), [this] { taken_ = chosenPath(), told_ = false, refresh(); }, Sign::None, real && free, !taken_.isEmpty() && taken_ == chosenPath()});
+    const QString to = taken_.isEmpty() || placesShown_ ? QString() : target(), name = to.section('/', -1);
+    const bool exists = std::any_of(entries_.begin(), entries_.end(), [&](const FileEntry& entry) { return entry.name == name; });
+    keys.push_back({word("Copy to here"), [this] { put(); }, Sign::Good, free && !to.isEmpty(), false, exists, exists ? word("Replaces the one that is here: press again") : QString()});
+    keys.push_back({word("Compare"), [this] { if (onCompare) onCompare(taken_, chosenPath()); }, Sign::None, free && isFile() && !taken_.isEmpty() && taken_ != chosenPath()});
+    keys.push_back({word("Protect"), [this] { protectNext(); }, Sign::Lock, free && isFile(), one && (one->readOnly || one->level > 0)});
+    const bool open = real && !one->readOnly && one->level <= level_;
+    keys.push_back({word("Rename"), [this] { this->name(Naming::Rename); }, Sign::None, free && open, naming_ == Naming::Rename, false, word("Other files may name it: press again")});
+    keys.push_back({word("New folder"), [this] { this->name(Naming::Folder); }, Sign::None, free && !placesShown_, naming_ == Naming::Folder});
+    keys.push_back({word("Delete"), [this] { start(word("Deleted"), [path = chosenPath(), level = level_](const std::atomic<bool>& stop) { return removeAll(path, level, stop); }); }, Sign::Off, free && open, false, true,
+                    word("It is gone for good: press again")});
+    if (placesShown_) {
+        const int row = files_->row();
+        const bool own = row > 0 && row < static_cast<int>(places_.size()) && places_[static_cast<std::size_t>(row)].kind == Place::Kind::Configured;
+        keys.push_back({word("Forget place"), [this, row] { keepPlace(placeFiles().back(), places_[static_cast<std::size_t>(row)].name, {}), showPlaces(); }, Sign::None, own});
+    } else {
+        keys.push_back({word("Keep as place"), [this] { if (keepPlace(placeFiles().back(), QDir(desk_.folder).dirName(), desk_.folder)) desk_.tell(word("Kept: %1").arg(desk_.folder), Told::Good); }});
+    }
+    if (worker_.busy()) keys.push_back({word("Stop"), [this] { worker_.stop(); }, Sign::Stop, true, false, true});
+    else keys.push_back({word("Read again"), [this] { placesShown_ ? showPlaces() : readAgain(); }, Sign::None, free});
+}
+
+bool FilesPage::key(QKeyEvent* event) {
+    if (naming_ != Naming::None) {
+        const QString text = event->text();
+        if (event->key() == Qt::Key_Escape) name(Naming::None);
+        else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) named();
+        else if (event->key() == Qt::Key_Backspace) name_.chop(1), state_->refresh();
+        else if (text.size() == 1 && text[0].isPrint() && !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier))) name_ += text, state_->refresh();
+        return true;
+    }
+    if (event->key() == Qt::Key_Escape && menu_) return showMenu(false), true;
+    if (event->key() == Qt::Key_Backspace && !placesShown_ && !entries_.empty() && entries_.front().up) return files_->choose(0), open(), true;
+    return files_->key(event);
+}
+
+}  // namespace polyturn::hmi

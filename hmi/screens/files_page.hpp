@@ -1,0 +1,90 @@
+// Folders, USB and network places: what stands there, what is in a job or a program, and what is done with files: copied with a checksum,
+// compared, protected, renamed, deleted. Reading and writing is done by workers; the screen only shows how far they are.
+#pragma once
+#include "hmi/app/screen.hpp"
+#include "hmi/machine/aside.hpp"
+#include "hmi/machine/file_work.hpp"
+#include "hmi/widgets/table.hpp"
+#include "hmi/widgets/text_pad.hpp"
+#include "ipc/text/job.hpp"
+
+namespace polyturn::hmi {
+
+class FilesPage : public QWidget {
+public:
+    FilesPage(Desk& desk, QWidget* parent);
+    void refresh();
+    bool key(QKeyEvent* event);
+    void addMenuKeys(std::vector<SoftKey>& keys);
+    std::vector<Sheet*> sheets();
+    Table& files() { return *files_; }
+    TextPad& pad() { return *pad_; }
+
+    void readFolder(const QString& folder, const QString& choose = {});
+    void readAgain() { readFolder(desk_.folder, chosen() ? chosen()->name : QString()); }
+    void showPlaces();
+    void open();                              // the chosen folder or place
+    const FileEntry* chosen() const;          // nullptr: nothing, or places are shown
+    QString chosenPath() const;
+    bool isFile() const { return chosen() && !chosen()->folder; }
+    bool isFolder() const { return placesShown_ || (chosen() && chosen()->folder); }
+    bool isJob() const { return chosen() && chosen()->job; }
+    const std::vector<FileEntry>& entries() const { return entries_; }
+    const text::Job* job() const { return preview_.job.get(); }
+    QString whyNotChanged() const;            // the chosen file is protected; empty: it may be edited
+    QString where() const;                    // for the head
+
+    bool menu() const { return menu_; }
+    void showMenu(bool on);
+    bool working() const { return worker_.busy(); }
+    const FileOutcome& outcome() const { return outcome_; }
+    bool naming() const { return naming_ != Naming::None; }
+    std::function<void(const QString& left, const QString& right)> onCompare;
+
+protected:
+    void resizeEvent(QResizeEvent*) override;
+
+private:
+    enum class Naming : std::uint8_t { None, Rename, Folder };
+    struct Preview {
+        QString path, fault;
+        std::shared_ptr<text::Job> job;
+        std::vector<bool> there;              // of its programs
+        QStringList lines;
+        bool readable = true;
+    };
+    static Preview readPreview(const QString& path, bool job, Tongue tongue);
+    void layOut();
+    void take();                              // what workers have brought
+    void look();                              // at the chosen file
+    void composePreview(Writer& w);
+    void composeJob(Writer& w, double y);
+    void composeState(Writer& w);
+    void start(const QString& what, std::function<FileOutcome(const std::atomic<bool>&)> work);
+    void put();
+    QString target() const;                   // where the taken file goes
+    void protectNext();
+    void name(Naming what);
+    void named();
+
+    Desk& desk_;
+    Table* files_;
+    FreeSheet *view_, *state_;
+    TextPad* pad_;
+    std::vector<FileEntry> entries_;
+    std::vector<Place> places_;
+    bool placesShown_ = false, menu_ = false, readable_ = true;
+    QString choose_, taken_, doing_, name_;
+    Naming naming_ = Naming::None;
+    Preview preview_;
+    Aside<FolderList> reader_;
+    Aside<Preview> looker_;
+    Aside<FileOutcome> worker_;
+    std::shared_ptr<FileProgress> progress_;
+    FileOutcome outcome_;
+    bool told_ = false;
+    int level_ = 3;                           // of who works here
+    qint64 lookAt_ = 0;
+};
+
+}  // namespace polyturn::hmi

@@ -1,0 +1,111 @@
+#include "hmi/screens/stops_page.hpp"
+
+#include <algorithm>
+
+#include "hmi/machine/channel_words.hpp"
+
+namespace polyturn::hmi {
+namespace {
+
+constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
+constexpr int kPeriods[] = {1, 8, 24, 168};   // hours
+constexpr std::size_t kMostChannels = 6;      // in the picture over the period
+
+}  // namespace
+
+StopsPage::StopsPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), book_(desk.live, desk.requests), table_(new Table(this)), picture_(new FreeSheet(this)) {
+    table_->columns = {{word("Since"), 1.7}, {word("How long"), 1.1, kRight}, {"", 0.55}, {word("Cause"), 2.3}, {"", 4}};
+    table_->rowUnits = 34;
+    table_->textUnits = 14;
+    table_->rows = [this] { return static_cast<int>(book_.all().size()); };
+    table_->cell = [this](int row, int column) -> Table::Cell {
+        const StopEntry& stop = book_.all()[static_cast<std::size_t>(row)];
+        const Theme& t = theme();
+        const StopWords why = stopWords(stop.cause);
+        switch (column) {
+            case 0: return {stop.begin.toString("dd.MM. HH:mm:ss"), t.dim};
+            case 1: return {stop.seconds < 0 ? QString::fromUtf8("–") : timeText(stop.seconds), t.text, stop.stands ? Sign::Hold : Sign::None, stop.stands};
+            case 2: return {QString("L%1").arg(stop.channel), t.text, Sign::None, true};
+            case 3: return {why.text, why.colour, why.sign};
+            default: {
+                QString place = stop.program;
+                if (stop.line && !place.isEmpty()) place += QString(":%1").arg(stop.line);
+                const QString detail = stopDetail(stop);
+                return {detail.isEmpty() ? place : place.isEmpty() ? detail : detail + "   " + place, t.dim};
+            }
+        }
+    };
+    picture_->onCompose = [this](Writer& w) { composePicture(w); };
+}
+
+QString StopsPage::title() const { return word("Log of stops"); }
+
+void StopsPage::resizeEvent(QResizeEvent*) {
+    const int edge = px(8), right = px(440);
+    table_->setGeometry(edge, 0, width() - right - 3 * edge, height() - edge);
+    picture_->setGeometry(width() - right - edge, 0, right, height() - edge);
+}
+
+void StopsPage::refresh() {
+    book_.poll();
+    table_->nothing = !desk_.live.connected() ? QString() : !book_.whyNot().isEmpty() ? book_.whyNot() : word("No channel has stood in this time.");
+    table_->refresh(), picture_->refresh();
+}
+
+// Above: a bar for each cause, the longest first. Below: a line for each channel over the period, its stops in the colours of their causes.
+void StopsPage::composePicture(Writer& w) {
+    const Theme& t = theme();
+    const double wide = picture_->width(), high = picture_->height();
+    w.fill(QRectF(0, 0, wide, high), t.window);
+    w.fill(QRectF(0, 0, wide, high), t.card, px(8));
+    const auto sums = book_.sums();
+    double all = 0;
+    int count = 0;
+    for (const StopSum& one : sums) all += one.seconds, count += one.count;
+    w.text(QRectF(px(14), px(8), wide * 0.6, px(28)), book_.hours() < 48 ? word("The last %1 h").arg(book_.hours()) : word("The last %1 days").arg(book_.hours() / 24), lettering(16, true), t.text);
+    w.text(QRectF(wide * 0.5, px(8), wide * 0.5 - px(14), px(28)), QString::fromUtf8("%1 × %2").arg(count).arg(timeText(all)), lettering(15, true), t.dim, kRight);
+    const auto& channels = desk_.live.channels();
+    const std::size_t lines = book_.channel() ? 1 : std::min(channels.size(), kMostChannels);
+    const double foot = px(40) + static_cast<double>(lines) * px(22);
+    double y = px(44);
+    for (const StopSum& one : sums) {
+        if (y + px(42) > high - foot) break;
+        const StopWords why = stopWords(one.cause);
+        w.sign(QRectF(px(14), y + px(2), px(18), px(18)), why.sign, why.colour);
+        w.text(QRectF(px(40), y, wide * 0.52, px(22)), why.text, lettering(14.5), t.text);
+        w.text(QRectF(wide * 0.6, y, wide * 0.4 - px(14), px(22)), QString::fromUtf8("%1 × %2").arg(one.count).arg(timeText(one.seconds)), lettering(14.5, true), t.text, kRight);
+        w.bar(QRectF(px(40), y + px(25), wide - px(54), px(9)), sums.front().seconds > 0 ? one.seconds / sums.front().seconds : 0, why.colour, t.window);
+        y += px(43);
+    }
+    if (lines == 0) return;
+    const double left = px(46), right = wide - px(14), period = 3600.0 * book_.hours();
+    y = high - foot;
+    const QDateTime now = QDateTime::currentDateTime();
+    const auto x = [&](const QDateTime& when) { return left + (right - left) * std::clamp(1.0 - static_cast<double>(when.secsTo(now)) / period, 0.0, 1.0); };
+    for (std::size_t i = 0; i < lines; ++i, y += px(22)) {
+        const unsigned channel = book_.channel() ? book_.channel() : channels[i];
+        w.text(QRectF(px(14), y, px(30), px(18)), QString("L%1").arg(channel), lettering(13, true), t.dim);
+        w.fill(QRectF(left, y + px(2), right - left, px(14)), t.window, px(2));
+        int drawn = 0;
+        for (const StopEntry& stop : book_.all()) {
+            if (stop.channel != channel || stop.seconds <= 0) continue;
+            const double from = x(stop.begin), to = std::max(from + 1.5, x(stop.begin.addMSecs(static_cast<qint64>(stop.seconds * 1e3))));
+            w.fill(QRectF(from, y + px(2), to - from, px(14)), stopWords(stop.cause).colour);
+            if (++drawn == 300) break;
+        }
+    }
+    w.text(QRectF(left, y + px(2), px(140), px(20)), now.addSecs(-static_cast<qint64>(period)).toString(book_.hours() < 48 ? "HH:mm" : "dd.MM."), lettering(12.5), t.dim);
+    w.text(QRectF(right - px(140), y + px(2), px(140), px(20)), now.toString("HH:mm"), lettering(12.5), t.dim, kRight);
+}
+
+void StopsPage::addKeys(std::vector<SoftKey>& keys) {
+    keys.push_back({word("Period"), [this] {
+        std::size_t at = 0;
+        while (at < std::size(kPeriods) && kPeriods[at] != book_.hours()) ++at;
+        book_.setHours(kPeriods[(at + 1) % std::size(kPeriods)]);
+        refresh();
+    }});
+    keys.push_back({word("Only L%1").arg(desk_.channel), [this] { book_.setChannel(book_.channel() ? 0 : desk_.channel), table_->choose(0), refresh(); }, Sign::None, true, book_.channel() != 0});
+}
+
+}  // namespace polyturn::hmi

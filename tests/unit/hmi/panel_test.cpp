@@ -1,0 +1,189 @@
+// What the panel's pages do against a real controller: the log of stops, measured parts, the computer's settings, help for a code.
+#include <QFile>
+#include <QJsonArray>
+
+#include "hmi/machine/code_help.hpp"
+#include "hmi/screens/alarms.hpp"
+#include "hmi/screens/offsets.hpp"
+#include "hmi/screens/system.hpp"
+#include "tests/unit/hmi/tasks.hpp"
+
+namespace polyturn::hmi {
+namespace {
+
+class PanelTasks : public Tasks {};
+
+TEST_F(PanelTasks, TheLogOfStopsTellsWhenHowLongAndWhy) {
+    startJob();
+    ASSERT_TRUE(g_controller->press("feed_hold L1"));
+    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Held; }, 10));
+    QTest::qWait(3'000);
+    ASSERT_TRUE(g_controller->press("cycle_start L1"));
+    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Running || state(1) == ChannelState::Waiting; }, 10));
+    Operator hand(*window);
+    hand.screen("alarms");
+    hand.soft("Log of stops");
+    StopBook& book = screenOf<Alarms>().stops().book();
+    const auto held = [&]() -> const StopEntry* {
+        for (const StopEntry& one : book.all())
+            if (one.cause == "hold" && one.channel == 1 && one.seconds > 0 && !one.stands) return &one;
+        return nullptr;
+    };
+    ASSERT_TRUE(waitFor([&] { return held() != nullptr; }, 15)) << book.whyNot().toStdString();
+    EXPECT_NEAR(held()->seconds, 3, 1.5);
+    EXPECT_LT(held()->begin.secsTo(QDateTime::currentDateTime()), 30);
+    EXPECT_TRUE(held()->program.endsWith(".nc")) << held()->program.toStdString();
+    EXPECT_GT(held()->line, 0u);
+    const auto sums = book.sums();
+    EXPECT_TRUE(std::any_of(sums.begin(), sums.end(), [](const StopSum& one) { return one.cause == "hold" && one.count >= 1 && one.seconds > 1; }));
+    // One that still stands goes on counting; the reset of a running program is a stop too.
+    ASSERT_TRUE(g_controller->press("reset"));
+    ASSERT_TRUE(waitFor([&] { return !book.all().empty() && book.all().front().stands && book.all().front().cause == "reset"; }, 15));
+    EXPECT_FALSE(g_controller->run({"stops", "--instance", g_controller->name, "--most", "0"})) << "bounded";
+    EXPECT_TRUE(g_controller->run({"stops", "--instance", g_controller->name, "--json"}));
+    noWordIsShortened(*window);
+}
+
+TEST_F(PanelTasks, TheLogOfStopsOutlivesTheController) {
+    StopBook& book = screenOf<Alarms>().stops().book();
+    Operator hand(*window);
+    hand.screen("alarms");
+    hand.soft("Log of stops");
+    ASSERT_TRUE(waitFor([&] { return !book.all().empty(); }, 15)) << "of the test before";
+    const std::size_t before = book.all().size();
+    g_controller->stop();
+    ASSERT_TRUE(waitFor([&] { return !live().connected(); }, 10));
+    g_controller->start();
+    ASSERT_TRUE(waitFor([&] { return live().connected() && book.all().size() >= before; }, 30));
+    for (const StopEntry& one : book.all()) EXPECT_GE(one.seconds, 0) << one.cause.toStdString() << ": a controlled end closes what stands";
+}
+
+TEST_F(PanelTasks, AMeasuredPartCorrectsTheWear) {
+    Operator hand(*window);
+    hand.screen("offsets");
+    hand.soft("Measured parts");
+    PartsPage& parts = screenOf<Offsets>().parts();
+    hand.soft("New dimension");
+    ASSERT_TRUE(waitFor([&] { return parts.dimensions().size() == 1; }, 10));
+    const auto enter = [&](int column, const QString& text) {
+        hand.touchCell(parts.table(), 0, column);
+        hand.type(text), hand.key(Qt::Key_Return);
+    };
+    enter(PartsPage::kNominal, "40");
+    ASSERT_TRUE(waitFor([&] { return parts.dimensions()[0].value("nominal").toDouble() == 40; }, 10));
+    enter(PartsPage::kTool, "1");
+    ASSERT_TRUE(g_controller->run({"tools", "add", "1", "name=PART_TOOL", "type=1", "h=17", "--instance", g_controller->name}));
+    for (const char* value : {"40.01", "40.012", "40.014"}) {
+        const int before = parts.dimensions()[0].value("measured").toInt();
+        enter(PartsPage::kMeasured, value);
+        ASSERT_TRUE(waitFor([&] { return parts.dimensions()[0].value("measured").toInt() == before + 1; }, 10)) << value;
+    }
+    EXPECT_EQ(parts.dimensions()[0].value("deviations").toArray().size(), 3);
+    EXPECT_NEAR(parts.dimensions()[0].value("trend").toDouble(), 0.002, 1e-9);
+    const auto wear = [&] { return live().store(1).offsets[17].wear[0]; };
+    const double before = wear();
+    hand.soft("Accept proposal");
+    QTest::qWait(300);
+    EXPECT_EQ(wear(), before) << "one press writes nothing";
+    hand.soft("Accept proposal");
+    EXPECT_TRUE(waitFor([&] { return std::abs(wear() - before + 0.014) < 1e-9; }, 10)) << wear();
+    EXPECT_TRUE(waitFor([&] { return parts.dimensions()[0].value("measured").toInt() == 0; }, 10)) << "what was measured before says nothing about the next part";
+    noWordIsShortened(*window);
+    g_controller->run({"tools", "delete", "1", "--instance", g_controller->name});
+}
+
+// What a screen has asked is answered when the screen is another one: the language was changed meanwhile.
+TEST_F(PanelTasks, AnAnswerForAScreenThatIsGoneHurtsNobody) {
+    Operator hand(*window);
+    for (int round = 0; round < 12; ++round) {
+        for (const char* name : {"offsets", "tools", "system", "alarms"}) {
+            hand.screen(name);
+            window->screen()->turnTo(window->screen()->pages() - 1);
+            window->frame();
+            hand.key(Qt::Key_F11);
+            QTest::qWait(5);
+        }
+    }
+    window->setTongue(Tongue::English);
+    QTest::qWait(300);
+    EXPECT_TRUE(live().connected());
+    EXPECT_LT(window->desk().requests.waiting(), 3u);
+}
+
+// The operating system's programs, played: they note what they were asked, one of them refuses.
+TEST_F(PanelTasks, TheComputersSettingsAreChangedByItsProgramsOrRefusedInTheirWords) {
+    QTemporaryDir folder;
+    const auto program = [&](const char* name, const QString& text) {
+        QFile file(folder.filePath(name));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(QString("#!/bin/sh\necho %1 \"$@\" >> %2/asked\n%3\n").arg(name, folder.path(), text).toUtf8());
+        file.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    };
+    program("timedatectl", "case \"$1\" in show) echo Timezone=Europe/Prague; echo NTP=yes;; set-time) echo 'Failed to set time: Automatic time synchronization is enabled' >&2; exit 1;; esac");
+    program("nmcli", "echo 'Error: NetworkManager is not running.' >&2; exit 8");
+    const QByteArray path = qgetenv("PATH");
+    qputenv("PATH", folder.path().toUtf8() + ":/bin:/usr/bin");
+    Operator hand(*window);
+    hand.screen("system");
+    hand.soft("The computer");
+    SettingsPage& page = screenOf<System>().settings();
+    using What = ComputerSetting::What;
+    ASSERT_TRUE(waitFor([&] { return !page.computer().busy(); }, 20));
+    EXPECT_EQ(page.computer().value(What::Zone), "Europe/Prague");
+    EXPECT_EQ(page.computer().whyNot(What::Address), "Error: NetworkManager is not running.") << "said, in the system's words";
+    EXPECT_FALSE(page.computer().whyNot(What::Wins1).isEmpty());
+    QTest::qWait(300);                           // the level has come
+    hand.touchCell(page.table(), 1, 2), hand.key(Qt::Key_Return);
+    ASSERT_TRUE(window->entry().isVisible());
+    for (int i = 0; i < 20; ++i) QTest::keyClick(window.get(), Qt::Key_Backspace);
+    hand.type("Europe/Budapest"), hand.key(Qt::Key_Return);
+    QFile asked(folder.filePath("asked"));
+    ASSERT_TRUE(waitFor([&] { return asked.open(QIODevice::ReadOnly) && asked.readAll().contains("timedatectl set-timezone Europe/Budapest") ? true : (asked.close(), false); }, 10)) << page.told().toStdString();
+    ASSERT_TRUE(waitFor([&] { return !page.computer().busy(); }, 20));
+    hand.touchCell(page.table(), 0, 2), hand.key(Qt::Key_Return);
+    for (int i = 0; i < 30; ++i) QTest::keyClick(window.get(), Qt::Key_Backspace);
+    hand.type("2026-01-31 06:00:00"), hand.key(Qt::Key_Return);
+    EXPECT_TRUE(waitFor([&] { return page.told().contains("Automatic time synchronization is enabled"); }, 10)) << page.told().toStdString();
+    hand.key(Qt::Key_Return);
+    for (int i = 0; i < 30; ++i) QTest::keyClick(window.get(), Qt::Key_Backspace);
+    hand.type("tomorrow"), hand.key(Qt::Key_Return);
+    EXPECT_TRUE(page.told().contains("2026-01-31 06:00:00")) << "wrong text is refused before anybody is asked: " << page.told().toStdString();
+    qputenv("PATH", path);
+    noWordIsShortened(*window);
+}
+
+TEST(ComputerSettings, MasksAndAddresses) {
+    EXPECT_EQ(prefixOf("255.255.255.0"), 24);
+    EXPECT_EQ(prefixOf("0.0.0.0"), 0);
+    EXPECT_EQ(prefixOf("255.255.255.255"), 32);
+    EXPECT_EQ(prefixOf("255.0.255.0"), -1);
+    EXPECT_EQ(prefixOf("none"), -1);
+    for (int prefix = 0; prefix <= 32; ++prefix) EXPECT_EQ(prefixOf(maskOf(prefix)), prefix);
+    EXPECT_TRUE(ipv4("192.168.1.10"));
+    EXPECT_FALSE(ipv4("192.168.1"));
+    EXPECT_FALSE(ipv4("192.168.1.256"));
+}
+
+TEST(CodeHelp, FindsThePlaceOfAWord) {
+    struct Row { const char *line; int column; const char *language, *page, *find; };
+    constexpr Row kRows[] = {
+        {"N10 G1 X40.", 5, "fanuc", "reference_fanuc.md", "G1"},
+        {"N10 G01X40.", 6, "nct", "reference_fanuc.md", "G1"},
+        {"G71 U2. R0.5", 0, "fanuc", "reference_fanuc.md", "G71"},
+        {"G7.1 C20.", 4, "mefi", "reference_fanuc.md", "G7.1"},
+        {"G1 X10", 1, "fagor", "reference_fagor.md", "G01"},
+        {"CYCLE95(\"CONT\")", 3, "sinumerik", "reference_sinumerik.md", "CYCLE95"},
+        {"M30", 1, "fanuc", "setup.md", "M30"},
+        {"M503 P12", 2, "fanuc", "programmer.md", "Waiting"},
+        {"N10 G1 X40.", 8, "fanuc", "", ""},
+    };
+    for (const Row& row : kRows) {
+        SCOPED_TRACE(row.line);
+        const CodePlace place = placeOfCode(wordAt(row.line, row.column), row.language);
+        EXPECT_EQ(place.page, row.page);
+        EXPECT_EQ(place.find, row.find);
+    }
+}
+
+}  // namespace
+}  // namespace polyturn::hmi

@@ -1,0 +1,127 @@
+#!/usr/bin/env python3
+"""Pictures of every screen with something on it: starts a controller with a chain and a matrix magazine beside its turrets, enters tools,
+measured parts, pallets, users, makes pictures for the presetter, lets the two-channel job run and stand, then saves the screens.
+
+  python3 tools/take_screens.py --bin build/dev/bin --out pictures [--lang en] [--theme dark] [--size 1280x800]
+"""
+import argparse
+import math
+import os
+import pathlib
+import random
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+TOP = pathlib.Path(__file__).resolve().parent.parent
+MACHINE = ["N2912=24", "N2905=00001000", "N2920=4", "N2921=6", "N3300=3", "N3301=4", "PT_PLC_CYCLE=100", "PT_LATE_MAX=1000"]
+
+
+def shadow(path, covers, size=640, um=5.0):
+    """A tool's shadow, dark on bright, eight bits, as a presetter's camera sees it: a pixel on an edge is the share that is covered."""
+    mm, noise = um / 1000, random.Random(7)
+    rows = bytearray()
+    for py in range(size):
+        w = (size / 2 - py) * mm
+        for px in range(size):
+            u = (px - size / 2) * mm
+            corners = [covers(u + dx * mm, w + dy * mm) for dx, dy in ((-0.5, -0.5), (0.5, -0.5), (-0.5, 0.5), (0.5, 0.5))]
+            if all(corners) or not any(corners):
+                share = 1.0 if corners[0] else 0.0
+            else:
+                share = sum(covers(u + (i / 8 - 0.4375) * mm, w + (j / 8 - 0.4375) * mm) for i in range(8) for j in range(8)) / 64
+            rows.append(max(0, min(255, round(220 - 190 * share + noise.gauss(0, 2)))))
+    path.write_bytes(b"P5\n%d %d\n255\n" % (size, size) + bytes(rows))
+
+
+def wedge(z, x):
+    """An insert of 55 degrees with a nose radius of 0.4 mm that points down and to the left."""
+    r, e1, e2 = 0.4, math.radians(38), math.radians(93)
+    axis, half = (e1 + e2) / 2, (e2 - e1) / 2
+    dz, dx = z + 0.5, x + 0.6
+    along, across = dz * math.cos(axis) + dx * math.sin(axis), -dz * math.sin(axis) + dx * math.cos(axis)
+    if along <= 0 or abs(across) > along * math.tan(half):
+        return False
+    if along >= r / math.tan(half) * math.cos(half):
+        return True
+    to = r / math.sin(half)
+    return math.hypot(dz - to * math.cos(axis), dx - to * math.sin(axis)) <= r
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--bin", default=str(TOP / "build/dev/bin"))
+    parser.add_argument("--out", required=True)
+    parser.add_argument("--lang", default="")
+    parser.add_argument("--theme", default="")
+    parser.add_argument("--size", default="1280x800")
+    options = parser.parse_args()
+    name, binary = f"screens-{os.getpid()}", pathlib.Path(options.bin).resolve()
+
+    def run(*words, stdin=None):
+        done = subprocess.run([binary / "polyturn", *words, "--instance", name], capture_output=True, text=True, input=stdin)
+        if done.returncode:
+            print(" ".join(words), done.stdout, done.stderr, file=sys.stderr)
+        return done.stdout
+
+    with tempfile.TemporaryDirectory() as folder:
+        job = pathlib.Path(folder, "shaft")
+        shutil.copytree(TOP / "examples/jobs/shaft", job)
+        shadow(job / "finish-35.pgm", wedge)
+        shadow(job / "gauge-pin.pgm", lambda z, x: x >= 0 and abs(z) <= 1.5)
+        programs = sorted(job.glob("*.nc"))
+        (job / (programs[0].stem + "-old.nc")).write_text(programs[0].read_text(encoding="utf-8").replace("F0.2", "F0.25").replace("M30", "M99", 1), encoding="utf-8")
+        sets = [word for line in MACHINE for word in ("--set", line)]
+        with open(os.path.join(folder, "log"), "w") as log:
+            controller = subprocess.Popen([binary / "polyturn", "start", "--instance", name, "--store", os.path.join(folder, "store"), "--no-hmi", *sets], stdout=log, stderr=subprocess.STDOUT)
+        try:
+            for _ in range(120):
+                if subprocess.run([binary / "polyturn", "status", "--instance", name], capture_output=True).returncode == 0:
+                    break
+                time.sleep(0.5)
+            tools = [("ROUGH_80", 1, 500, 1, 1, 60, 52), ("ROUGH_80", 1, 500, 1, 2, 60, 12), ("FINISH_35", 3, 510, 1, 3, 45, 44.2), ("GROOVE_3", 5, 520, 1, 5, 30, 4), ("THREAD_60", 7, 540, 1, 7, 0, 0),
+                     ("DRILL_8", 9, 200, 2, 2, 90, 10), ("BORE_12", 11, 550, 2, 4, 90, 89), ("MILL_10", 13, 120, 3, 3, 60, 20), ("MILL_16", 15, 120, 3, 9, 60, 59), ("TAP_M8", 17, 240, 3, 14, 0, 0), ("PROBE", 19, 580, 4, 8, 0, 0),
+                     ("DRILL_3", 21, 200, 4, 15, 40, 39), ("REAMER_10", 23, 250, 4, 22, 80, 1), ("SPARE_80", 1, 500, 0, 0, 60, 0)]
+            for number, (tool, kind, code, magazine, pot, life, counter) in enumerate(tools, 1):
+                run("tools", "add", str(number), f"name={tool}", f"type={kind}", f"h={number}", f"kind={code}", *([f"life_kind=minutes", f"life={life}", f"counter={counter}", "warning=5"] if life else []))
+                if magazine:
+                    run("tools", "load", str(number), str(magazine), str(pot))
+            for number, (dimension, nominal, upper, lower, tool, axis) in enumerate([("Bearing seat D 30 h6", 30, 0, -0.013, 3, "X"), ("Shoulder L 42", 42, 0.05, -0.05, 3, "Z"), ("Groove D 26", 26, 0.1, -0.1, 4, "X")], 1):
+                run("parts", "add", str(number), f"name={dimension}", f"nominal={nominal}", f"upper={upper}", f"lower={lower}", f"tool={tool}", f"axis={axis}", "average=3")
+                for part in range(9 if number == 1 else 4 if number == 2 else 0):
+                    run("parts", "measure", str(number), f"{nominal - 0.009 + 0.0011 * part + 0.0008 * (part % 3):.4f}")
+            run("pallets", "set", "2", "pallet=12", f"program={programs[0].name}")
+            run("press", "machine_on")
+            time.sleep(3)
+            run("press", "reference", "all")
+            time.sleep(6)
+            for channel, wear in (("L1", "-0.02"), ("L2", "0.015")):
+                run("set", f"offset {channel} 3 geometry X=42.5"), run("set", f"offset {channel} 3 wear X={wear}")
+            run("press", f"select {job}/shaft.job.toml")
+            run("press", "cycle_start")
+            time.sleep(4)
+            run("press", "feed_hold L1")
+            time.sleep(8)                       # a stop and a wait for the log
+            run("press", "cycle_start L1")
+            time.sleep(2)
+            run("press", "single_block L2=on")
+            time.sleep(4)
+            run("press", "single_block L2=off"), run("press", "cycle_start L2")
+            run("users", "add", "anna", "maker", f"uid={os.getuid()}", stdin="secret-1\nsecret-1\n")
+            run("users", "add", "boris", "operator", stdin="secret-2\nsecret-2\n")
+            words = [word for option, value in (("--lang", options.lang), ("--theme", options.theme)) if value for word in (option, value)]
+            return subprocess.run([binary / "polyturn-hmi", "--instance", name, "--size", options.size, *words, "--screenshots", os.path.abspath(options.out)], cwd=job,
+                                  env=dict(os.environ, QT_QPA_PLATFORM="offscreen", XDG_RUNTIME_DIR=folder)).returncode
+        finally:
+            controller.terminate()
+            try:
+                controller.wait(20)
+            except subprocess.TimeoutExpired:
+                controller.kill()
+            subprocess.run([binary / "polyturn", "clean"], capture_output=True)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
