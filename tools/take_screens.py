@@ -92,7 +92,7 @@ def main():
                 run("parts", "add", str(number), f"name={dimension}", f"nominal={nominal}", f"upper={upper}", f"lower={lower}", f"tool={tool}", f"axis={axis}", "average=3")
                 for part in range(9 if number == 1 else 4 if number == 2 else 0):
                     run("parts", "measure", str(number), f"{nominal - 0.009 + 0.0011 * part + 0.0008 * (part % 3):.4f}")
-            run("pallets", "set", "2", "pallet=12", f"program={programs[0].name}")
+            run("pallets", "set", "2", "pallet=12", f"program=1001")
             run("press", "machine_on")
             time.sleep(3)
             run("press", "reference", "all")

@@ -53,7 +53,7 @@ bool StopWatch::step(std::int64_t now_ms, const MachineStatus& status, bool alar
     bool runs = false;
     const std::string_view cause = cause_of(status, is, alarm, runs);
     // A program that has ended keeps that cause when it is reset afterwards: nobody broke anything off.
-    const bool same = now.stop.cause == cause || (now.stop.cause == "ended" && cause == "reset");
+    const bool same = (now.stop.cause == cause && (cause != "wait" || now.code == is.wait_code)) || (now.stop.cause == "ended" && cause == "reset");
     now.ran |= runs;
     if (!now.ran) return false;
     bool begins = false;
@@ -61,7 +61,7 @@ bool StopWatch::step(std::int64_t now_ms, const MachineStatus& status, bool alar
         end(now, now_ms, out);
         if (!cause.empty()) {
             now.stop = {now_ms, channel, std::string(cause), {}, {}, {}, is.line, -1};
-            now.told = false;
+            now.told = false, now.code = is.wait_code;
             begins = true;
         }
     }

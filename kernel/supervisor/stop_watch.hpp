@@ -47,6 +47,7 @@ private:
     struct Now {
         Stop stop;                      // cause empty: it runs, or has not yet
         bool ran = false, told = false;
+        std::int32_t code = 0;          // of the wait: the next one is another stop, though nobody saw it run between them
     };
     bool step(std::int64_t now_ms, const MachineStatus& status, bool alarm, unsigned channel, std::vector<Stop>& out);   // true: a stop begins
     void end(Now& now, std::int64_t now_ms, std::vector<Stop>& out);

@@ -63,6 +63,19 @@ TEST(StopWatch, LeavesOutWhatBelongsToEveryProgram) {
     EXPECT_DOUBLE_EQ(shift.told[1].seconds, 60);
 }
 
+TEST(StopWatch, TellsTheNextWaitAsAnotherStop) {
+    Shift shift;
+    shift.pass(2, ChannelState::Running);
+    shift.is->channels[1].wait_code = 500, shift.is->channels[1].wait_missing = 1;
+    shift.pass(7, ChannelState::Waiting);
+    shift.is->channels[1].wait_code = 501;       // what was between them was shorter than a look
+    shift.pass(9, ChannelState::Waiting);
+    ASSERT_EQ(shift.told.size(), 3u);
+    EXPECT_EQ(shift.told[1].detail, "M500 L1");
+    EXPECT_DOUBLE_EQ(shift.told[1].seconds, 7);
+    EXPECT_EQ(shift.told[2].detail, "M501 L1");
+}
+
 TEST(StopWatch, NamesTheAlarmOfTheChannelOrOfTheMachine) {
     Shift shift;
     shift.pass(2, ChannelState::Running);
