@@ -36,7 +36,7 @@ constexpr std::array kSteps = {
     )sql",
     // When channels stood and why; seconds NULL: not over yet, or nobody saw its end.
     R"sql(
-    CREATE TABLE stops(utc TEXT NOT NULL, channel INTEGER NOT NULL, cause TEXT NOT NULL, number TEXT, detail TEXT, program TEXT, line INTEGER, seconds REAL,
+    CREATE TABLE IF NOT EXISTS stops(utc TEXT NOT NULL, channel INTEGER NOT NULL, cause TEXT NOT NULL, number TEXT, detail TEXT, program TEXT, line INTEGER, seconds REAL,
                        PRIMARY KEY(utc, channel)) WITHOUT ROWID;
     )sql",
 };
