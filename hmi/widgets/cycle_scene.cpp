@@ -293,9 +293,9 @@ Scene section(bool facing, bool round) {
     }
     s.blank = {{8, kCentre}, {kFace, kCentre}, {kFace, 42}, {8, 42}}, s.tool = {84, 48};
     if (facing) {
-        for (const double z : {66.0, 58.0}) feed(s, {{z, 48}, {z, z > 60 ? 41 : 37}}), rapid(s, {{z, z > 60 ? 41 : 37}, {z + 3, z > 60 ? 44 : 40}, {z + 3, 48}});
+        for (const double z : {66.0, 58.0}) feed(s, {{z, 48}, {z, z > 60 ? 41.0 : 37.0}}), rapid(s, {{z, z > 60 ? 41.0 : 37.0}, {z + 3, z > 60 ? 44.0 : 40.0}, {z + 3, 48}});
     } else {
-        for (const double x : {38.0, 32.0}) feed(s, {{84, x}, {x > 35 ? 38 : 44, x}}), rapid(s, {{x > 35 ? 38.0 : 44.0, x}, {x > 35 ? 41.0 : 47.0, x + 3}, {84, x + 3}});
+        for (const double x : {38.0, 32.0}) feed(s, {{84, x}, {x > 35 ? 38.0 : 44.0, x}}), rapid(s, {{x > 35 ? 38.0 : 44.0, x}, {x > 35 ? 41.0 : 47.0, x + 3}, {84, x + 3}});
     }
     feed(s, moved(line, 2.5, 2));
     length(s, Mark::StartX, {90, kCentre}, {90, start.y()});
