@@ -203,6 +203,72 @@ TEST(ToolDesk, APieceCountsForEachToolThatHasWorkedOnIt) {
     EXPECT_EQ(d.used(8, LifeKind::Pieces), 2);
 }
 
+// SETPIECE (sinumerik_part3 7.5): what it has counted, the end of the part counts no more.
+TEST(ToolDesk, CountsThePiecesThatAProgramTellsOnce) {
+    Desk d;
+    d.tools = {Desk::tool(7, 4, LifeKind::Pieces, 10), Desk::tool(8, 5, LifeKind::Pieces, 10)};
+    PathRecord told = d.rig.blank(1, RecordKind::ToolData);
+    told.mask = 0, told.value = 3;
+    d.rig.push(1, d.rig.aux(1, 'T', 7));
+    d.rig.push(1, d.rig.line(1, {0, -20}, 50));
+    d.rig.push(1, told);                       // in the tick in which the cut has ended
+    d.rig.push(1, d.rig.aux(1, 'T', 8));
+    d.rig.push(1, d.rig.line(1, {0, 20}, 50));
+    d.rig.push(1, d.rig.blank(1, RecordKind::Part));
+    d.rig.push(1, d.rig.stop(1, StopReason::M30));
+    d.rig.start(1);
+    d.run(4000);
+    EXPECT_EQ(d.rig.state(1), ChannelState::Ended);
+    EXPECT_EQ(d.used(7, LifeKind::Pieces), 3);
+    EXPECT_EQ(d.used(8, LifeKind::Pieces), 1);
+}
+
+// A restart passes a T: the store is asked, the PLC hears nothing; the tool that it names is the one whose offset counts until the real T.
+TEST(ToolDesk, ATThatARestartPassesIsOnlyLookedUp) {
+    Desk d;
+    d.tools = {Desk::tool(7, 4, LifeKind::None, kEver), Desk::tool(8, 5, LifeKind::None, kEver)};
+    const auto passed = [&](char letter, double value) {
+        PathRecord r = d.rig.aux(1, letter, value);
+        r.plane[2] = 1;
+        return r;
+    };
+    d.rig.push(1, passed('T', 8));
+    d.rig.push(1, passed('T', 7));
+    d.rig.push(1, d.rig.dwell(1, 0.5));
+    d.rig.push(1, d.rig.aux(1, 'T', 7));
+    d.rig.push(1, d.rig.stop(1, StopReason::M30));
+    d.rig.start(1);
+    d.run(150);
+    EXPECT_EQ(d.nc(signals::cn_tstr), 0);
+    MachineStatus status;
+    ASSERT_TRUE(d.rig.kernel->status.read(status));
+    EXPECT_EQ(status.channels[0].tool, 7);
+    EXPECT_EQ(status.channels[0].tool_offset, 17);
+    d.run(1500);
+    EXPECT_EQ(d.nc(signals::cn_tstr), 1);
+    EXPECT_EQ(d.rig.state(1), ChannelState::Ended);
+}
+
+TEST(ToolDesk, AnotherSisterThanTheRestartHasSeenIsAnAlarm) {
+    Desk d;
+    d.tools = {Desk::tool(7, 4, LifeKind::None, kEver), Desk::tool(8, 5, LifeKind::None, kEver)};
+    PathRecord passed = d.rig.aux(1, 'T', 7);
+    passed.plane[2] = 1;
+    d.rig.push(1, passed);
+    d.rig.push(1, d.rig.aux(1, 'T', 8));
+    d.rig.start(1);
+    d.run(300);
+    EXPECT_TRUE(d.rig.alarmed(Alarm::ToolNotFound, 1));
+    EXPECT_EQ(d.nc(signals::cn_tstr), 0);
+    d.rig.command(CommandKind::Reset, 1);       // forgotten with it
+    d.run(100);
+    d.rig.push(1, d.rig.aux(1, 'T', 8));
+    d.rig.push(1, d.rig.stop(1, StopReason::M30));
+    d.rig.start(1);
+    d.run(300);
+    EXPECT_EQ(d.nc(signals::cn_tstr), 1);
+}
+
 TEST(ToolDesk, WarnsStrictlyBelowTheWarningOfToolOrGroup) {
     Desk d;
     d.tools = {Desk::tool(7, 4, LifeKind::Pieces, 3, 2)};
