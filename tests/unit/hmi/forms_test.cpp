@@ -45,7 +45,12 @@ protected:
     }
     void TearDown() override { waitFor([this] { return !editor().checking(); }, 20); }
     QString path() const { return folder.filePath("O0007.nc"); }
-    EditorPage& editor() const { return programs->editor(); }
+    // Screens are made anew with each language: asked for each time.
+    EditorPage& editor() const {
+        for (Screen* one : window->screens())
+            if (auto* found = dynamic_cast<Programs*>(one)) return found->editor();
+        throw std::runtime_error("no such screen");
+    }
     QString text() const { return editor().edit().toPlainText(); }
     void cursor(int line) const { editor().edit().setTextCursor(QTextCursor(editor().edit().document()->findBlockByNumber(line))); }
 
@@ -67,11 +72,11 @@ TEST_F(Forms, ACycleIsReadChangedAndWrittenBack) {
     EXPECT_DOUBLE_EQ(form.cycle()->values[4].number, 0.6);
     EXPECT_EQ(form.table().row(), 5) << "the next field is chosen";
     hand->key(Qt::Key_Delete);                        // no allowance along Z
-    noWordIsShortened(*window);
     hand->soft("Write into the program");
     EXPECT_EQ(text(), QString(kProgram).replace("U0.4 W0.1 F0.25 M8", "U0.6 F0.25 M8"));
     hand->soft("Undo");
     EXPECT_EQ(text(), kProgram) << "one step back";
+    noWordIsShortened(*window);
 }
 
 TEST_F(Forms, AFaultStandsAtItsFieldAndIsNotWritten) {
@@ -132,7 +137,6 @@ TEST_F(Forms, AContourIsEnteredChosenWrittenAndReadBack) {
     ASSERT_TRUE(place);
     QTest::mouseClick(&page.picture(), Qt::LeftButton, {}, place->toPoint());
     EXPECT_GT(std::abs(page.solved().pieces.back().centre.z - before.z), 1.0) << "the other solution";
-    noWordIsShortened(*window);
     hand->soft("Write into the program");
     const QString written = text();
     EXPECT_TRUE(written.startsWith(QString(kProgram).left(QString(kProgram).indexOf("M30"))));
@@ -152,6 +156,7 @@ TEST_F(Forms, AContourIsEnteredChosenWrittenAndReadBack) {
     hand->soft("Write into the program");
     EXPECT_TRUE(text().contains("G2 X32. Z-30. R8.\nG1 Z-35.\n(CONTOUR END)\nM30\n")) << text().toStdString();
     EXPECT_EQ(text().count("CONTOUR END"), 1);
+    noWordIsShortened(*window);
 }
 
 TEST(CyclePictures, HaveAPlaceForEveryField) {
