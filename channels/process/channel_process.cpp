@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 namespace polyturn::channels {
 namespace {
@@ -93,7 +94,7 @@ void ChannelProcess::act(const ChannelEvent& event) {
             parts_left_ = event.value > 1 ? event.value : 1;
             running_ = choice_;
             running_.mdi = std::string(text_of(event));
-            if (!running_.mdi.empty()) running_.path.clear();
+            if (!running_.mdi.empty()) running_.beside = std::exchange(running_.path, {});
             begin_program();
             break;
         case ChannelEventKind::BarrierReached:

@@ -37,6 +37,7 @@ namespace polyturn::channels {
 struct ProgramChoice {
     std::string path;   // selected file
     std::string mdi;    // a text instead of a file
+    std::string beside = {};   // of mdi: the selected file; what stands beside it can be called
 };
 
 // Interprets one program, seen from here. Made anew for each cycle start.

@@ -98,7 +98,7 @@ void ChannelProcess::held_mdi(const ChannelEvent& event) {
     left_at_ = axes_now();
     view_->start = left_at_;
     if (!held_run_) held_run_ = std::move(run_);
-    run_ = services_.make_run(*view_, *sink_, port_, {{}, std::string(text_of(event))});
+    run_ = services_.make_run(*view_, *sink_, port_, {{}, std::string(text_of(event)), choice_.path});
     names_published_ = 0;
     if (const auto started = run_->start(); !started) return fail(started.diagnosis());
     state_ = State::Reading;

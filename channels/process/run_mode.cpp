@@ -21,8 +21,9 @@ public:
     LanguageRun(MachineView& view, Sink& sink, Port& port, const ProgramChoice& choice, const text::Setup& setup, const std::string& language, EventSink*& events)
         : view_(&view), port_(&port), choice_(choice), setup_(&setup), events_(&events), name_(language) {
         for (const std::string& path : setup.channel(view.channel).subprograms) files_.add_library(path);
-        const std::string folder = std::filesystem::path(choice.path).parent_path().string();
-        if (!choice.path.empty()) files_.add_folder(folder);
+        const std::string& place = choice.mdi.empty() ? choice.path : choice.beside;
+        const std::string folder = std::filesystem::path(place).parent_path().string();
+        if (!place.empty()) files_.add_folder(folder);
         const std::string_view memory = params::get_text(view.table(), params::pt_program_folders, view.channel);
         files_.add_folders(memory, folder);
         if (const std::string_view first = memory.substr(0, memory.find(':')); !first.empty()) files_.keep_in((std::filesystem::path(folder) / first).string());

@@ -15,7 +15,7 @@ constexpr unsigned kDecimals = 4;
 
 }  // namespace
 
-DialogueView::DialogueView(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), head_(new FreeSheet(this)), table_(new Table(this)), pad_(new NumberPad(this)) {
+DialogueView::DialogueView(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), head_(new FreeSheet(this)), place_(new FreeSheet(this)), table_(new Table(this)), pad_(new NumberPad(this)) {
     setAutoFillBackground(true);
     hide();
     table_->rowUnits = 46, table_->textUnits = 18;
@@ -48,6 +48,23 @@ DialogueView::DialogueView(Desk& desk, QWidget* parent) : QWidget(parent), desk_
         desk_.requests.press(QString("answer L%1 %2=%3").arg(channel_).arg(QString::fromUtf8(page_.fields[row].variable.data())).arg(value, 0, 'g', 12));
         if (row + 1 < page_.field_count) table_->choose(static_cast<int>(row) + 1);
         refresh();
+    };
+    place_->onCompose = [this](Writer& w) {
+        const Theme& t = theme();
+        w.fill(QRectF(0, 0, place_->width(), place_->height()), t.window);
+        w.fill(QRectF(0, 0, place_->width(), place_->height()), t.card, px(8));
+        if (!channel_) return;
+        double y = px(8);
+        const MachineConfig& config = desk_.live.config();
+        for (std::size_t i = 0; i < config.last_axis && y + px(28) <= place_->height(); ++i) {
+            const AxisConfig& axis = config.axes[i];
+            double workpiece = 0;
+            if (!axis.exists() || axis.channel != channel_ || axis.slot == kNoSlot) continue;
+            const bool known = desk_.live.workpiece(channel_, axis.slot, desk_.live.status().axes[i].act, workpiece);
+            w.text(QRectF(px(14), y, px(60), px(28)), fromView(axis.name_text()), lettering(17, true), t.dim);
+            w.text(QRectF(px(74), y, place_->width() - px(90), px(28)), known ? lengthText(shown(axis, workpiece), decimalsOf(config, axis)) : QString::fromUtf8("–"), lettering(17, true), t.text, Qt::AlignRight | Qt::AlignVCenter);
+            y += px(29);
+        }
     };
     head_->onCompose = [this](Writer& w) {
         const Theme& t = theme();
@@ -130,7 +147,9 @@ void DialogueView::resizeEvent(QResizeEvent*) {
     const int top = page_.note_count ? px(48) + px(22) * static_cast<int>(page_.note_count) + edge : px(52);
     head_->setGeometry(0, 0, width(), std::min(head, top));
     table_->setGeometry(edge, top, width() - pad - 3 * edge, height() - top - edge);
-    pad_->setGeometry(width() - pad - edge, top, pad, std::min(px(400), height() - top - edge));
+    const int high = std::min(px(400), height() - top - px(120));
+    pad_->setGeometry(width() - pad - edge, top, pad, high);
+    place_->setGeometry(width() - pad - edge, top + high + edge, pad, height() - top - high - 2 * edge);
 }
 
 }  // namespace polyturn::hmi

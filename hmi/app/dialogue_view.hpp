@@ -18,7 +18,7 @@ public:
     void refresh();
     std::vector<SoftKey> keys();
     bool key(QKeyEvent* event);
-    std::vector<Sheet*> sheets() { return {head_, table_, pad_}; }
+    std::vector<Sheet*> sheets() { return {head_, table_, pad_, place_}; }
     Table& table() { return *table_; }
     NumberPad& pad() { return *pad_; }
 
@@ -35,7 +35,7 @@ private:
     void answer(int key);
 
     Desk& desk_;
-    FreeSheet* head_;
+    FreeSheet *head_, *place_;      // place_: where the axes of its channel stand
     Table* table_;
     NumberPad* pad_;
     Dialogue page_{};

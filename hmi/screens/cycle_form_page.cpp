@@ -1,6 +1,7 @@
 #include "hmi/screens/cycle_form_page.hpp"
 
 #include <QKeyEvent>
+#include <QRegularExpression>
 #include <cmath>
 
 #include "hmi/machine/channel_words.hpp"
@@ -134,6 +135,19 @@ QString CycleFormPage::faultText(int i) const {
     return {};
 }
 
+QString CycleFormPage::hintText(int i) const {
+    if (!now_ || i < 0) return {};
+    const forms::Field& f = now_->form->fields[static_cast<std::size_t>(i)];
+    const forms::Value& v = now_->values[static_cast<std::size_t>(i)];
+    const bool other_program = dialect_.speaks == forms::kFagor && f.address == 'Q';
+    if (f.unit != Unit::Label || other_program || !v.set || !v.expression.empty()) return {};
+    if (dialect_.speaks == forms::kFagor && now_->values.back().set) return {};   // the contour stands in the program Q
+    const QRegularExpression block(QString("^\\s*(?:/\\d?\\s*)?N0*%1(?!\\d)").arg(static_cast<long>(v.number)), QRegularExpression::CaseInsensitiveOption);
+    for (const std::string& line : lines_)
+        if (QString::fromStdString(line).contains(block)) return {};
+    return word("There is no block N%1 in this program yet.").arg(static_cast<long>(v.number));
+}
+
 Table::Cell CycleFormPage::cell(int row, int column) const {
     const Theme& t = theme();
     const auto i = static_cast<std::size_t>(row);
@@ -152,6 +166,8 @@ Table::Cell CycleFormPage::cell(int row, int column) const {
         case kMeaning: return {word(f.meaning), f.needed || v.set ? t.text : t.dim};
         case kValue: {
             const bool good = i >= faults_.size() || faults_[i].kind == forms::FieldFault::None;
+            const bool missing = good && !hintText(row).isEmpty();
+            if (missing) return {valueText(row), t.warn, Sign::Note, true, Face::Text};
             return {v.set ? valueText(row) : QString::fromUtf8("–"), good ? (changed ? t.accent : v.set ? t.text : t.faint) : t.bad, good ? Sign::None : Sign::Warning, changed || !good, Face::Text};
         }
         default: return {unitText(f.unit), t.dim, Sign::None, false, Face::Text, {}, 13.5};
@@ -206,6 +222,11 @@ void CycleFormPage::composeNote(Writer& w) {
     if (!fault.isEmpty()) {
         w.sign(QRectF(px(14), y + px(3), px(20), px(20)), Sign::Warning, t.bad);
         w.text(QRectF(px(42), y, note_->width() - px(56), px(26)), fault, lettering(15.5), t.bad);
+        return;
+    }
+    if (const QString hint = hintText(field()); !hint.isEmpty()) {
+        w.sign(QRectF(px(14), y + px(3), px(20), px(20)), Sign::Note, t.warn);
+        w.text(QRectF(px(42), y, note_->width() - px(56), px(26)), hint, lettering(15.5), t.warn);
         return;
     }
     // As it will stand in the program.

@@ -26,6 +26,7 @@ public:
     bool choosing() const { return !now_; }
     void choose(int row);                                             // a cycle of the list: its form
     QString faultText(int field) const;                               // empty: the value is good
+    QString hintText(int field) const;                                // what is good but will not do yet: a block that is not there
 
 protected:
     void resizeEvent(QResizeEvent*) override;

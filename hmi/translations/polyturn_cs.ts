@@ -3094,6 +3094,11 @@
         <translation>V této složce není záloha.</translation>
     </message>
     <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>There is no block N%1 in this program yet.</source>
+        <translation>Blok N%1 v tomto programu ještě není.</translation>
+    </message>
+    <message>
         <location filename="../machine/requests.cpp"/>
         <source>There is no connection to the controller.</source>
         <translation>Není spojení s řízením.</translation>

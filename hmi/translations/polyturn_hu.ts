@@ -3094,6 +3094,11 @@
         <translation>Ebben a mappában nincs mentés.</translation>
     </message>
     <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>There is no block N%1 in this program yet.</source>
+        <translation>N%1 mondat még nincs ebben a programban.</translation>
+    </message>
+    <message>
         <location filename="../machine/requests.cpp"/>
         <source>There is no connection to the controller.</source>
         <translation>Nincs kapcsolat a vezérlővel.</translation>

@@ -3094,6 +3094,11 @@
         <translation>В этой папке нет копий.</translation>
     </message>
     <message>
+        <location filename="../screens/cycle_form_page.cpp"/>
+        <source>There is no block N%1 in this program yet.</source>
+        <translation>Кадра N%1 в этой программе ещё нет.</translation>
+    </message>
+    <message>
         <location filename="../machine/requests.cpp"/>
         <source>There is no connection to the controller.</source>
         <translation>Нет соединения с УЧПУ.</translation>

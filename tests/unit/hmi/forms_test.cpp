@@ -66,7 +66,13 @@ TEST_F(Forms, ACycleIsReadChangedAndWrittenBack) {
     CycleFormPage& form = editor().form();
     ASSERT_TRUE(form.cycle());
     EXPECT_EQ(form.cycle()->form->code, "G71");
-    hand->touchCell(form.table(), 4, 2);              // U of the second block
+    EXPECT_TRUE(form.hintText(2).isEmpty()) << form.hintText(2).toStdString();
+    hand->touchCell(form.table(), 3, 2);
+    hand->type("300"), hand->key(Qt::Key_Return);
+    EXPECT_TRUE(form.hintText(3).contains("N300")) << "no such block";
+    hand->touchCell(form.table(), 3, 2);
+    hand->type("200"), hand->key(Qt::Key_Return);
+    if (form.table().row() != 4) hand->touchCell(form.table(), 4, 2);   // U of the second block
     hand->type("0.6");
     hand->key(Qt::Key_Return);
     EXPECT_DOUBLE_EQ(form.cycle()->values[4].number, 0.6);
