@@ -42,7 +42,7 @@ bool out_of_thread(Core& core, const Drilling& hole, double level, double factor
 bool tap_in_pecks(Core& core, const Drilling& hole) {
     const double step = std::copysign(hole.peck, hole.bottom - hole.r_level), up = std::copysign(hole.clearance, hole.r_level - hole.bottom);
     double depth = hole.r_level;
-    for (int count = 0; count < 100'000; ++count) {
+    for (;;) {   // drill() has counted them
         const bool last = std::fabs(hole.bottom - depth) <= hole.peck * (1 + 1e-9);
         depth = last ? hole.bottom : depth + step;
         if (!to(core, hole, depth, false)) return false;
@@ -55,7 +55,6 @@ bool tap_in_pecks(Core& core, const Drilling& hole) {
         core.path.feed = feed;
         if (!good) return false;
     }
-    return core.fail(Alarm::OffsetValueIllegal, 'Q', {}, hole.peck);
 }
 
 // Down in pecks; the last one ends exactly on the bottom.
@@ -63,7 +62,7 @@ bool peck(Core& core, const Drilling& hole) {
     const double step = std::copysign(hole.peck, hole.bottom - hole.r_level);
     const double up = std::copysign(hole.clearance, hole.r_level - hole.bottom);
     double depth = hole.r_level;
-    for (int count = 0; count < 100'000; ++count) {
+    for (;;) {   // drill() has counted them
         const bool last = std::fabs(hole.bottom - depth) <= hole.peck * (1 + 1e-9);
         depth = last ? hole.bottom : depth + step;
         if (!to(core, hole, depth, false)) return false;
@@ -74,7 +73,6 @@ bool peck(Core& core, const Drilling& hole) {
             if (!to(core, hole, hole.r_level, true) || !to(core, hole, depth + up, true)) return false;
         }
     }
-    return core.fail(Alarm::OffsetValueIllegal, 'Q', {}, hole.peck);
 }
 
 }  // namespace
@@ -182,6 +180,8 @@ bool drill_hole(Core& core, const Drilling& hole) {
 }  // namespace
 
 bool drill(Core& core, const Drilling& hole) {
+    constexpr double kMostPecks = 100'000;
+    if (hole.peck > 0 && std::fabs(hole.bottom - hole.r_level) / hole.peck > kMostPecks) return core.fail(Alarm::CycleValueIllegal, 'Q', "Q", hole.peck);
     if (!hole.rigid) return drill_hole(core, hole);
     PathState& path = core.path;
     const bool locked = path.override_locked;

@@ -16,6 +16,7 @@ public:
     Roughing(CycleMoves& moves, const Contour& contour, const StockRemoval& cycle, const Profile& profile)
         : moves_(&moves), contour_(&contour), cycle_(&cycle), profile_(&profile), start_(profile.level(contour.start)), here_(start_) {}
 
+    template <class Visit> bool each_pass(Visit&& visit) const;
     bool run();
 
 private:
@@ -106,11 +107,13 @@ bool Roughing::finish() {
     return to({here_.s, clear}, true) && to({start_.s, clear}, true) && to(start_, true);
 }
 
-bool Roughing::run() {
+// Each pass in the order in which it is cut: a pocket to its floor before the next. The visitor's false ends it.
+template <class Visit>
+bool Roughing::each_pass(Visit&& visit) const {
     const double lowest = profile_->lowest();
     const double total = start_.h - lowest;
     const int levels = total > kSame ? static_cast<int>(std::ceil((total - kSame) / cycle_->depth)) - 1 : 0;
-    std::vector<Pass> open;   // depth first: a pocket is cut to its floor before the next
+    std::vector<Pass> open;   // depth first
     const auto push = [&](int level, const Opening& within) {
         if (level > levels) return;
         std::vector<Opening> found = profile_->openings(height(level), within);
@@ -122,16 +125,20 @@ bool Roughing::run() {
         }
     };
     push(1, profile_->whole());
-    int passes = 0;
     while (!open.empty()) {
         const Pass pass = open.back();
         open.pop_back();
-        if (++passes > kMostPasses) return moves_->core().fail(Alarm::CycleValueIllegal, cycle_->depth_letter, std::string(1, cycle_->depth_letter), cycle_->depth);
-        if (!pass.follows_parent && here_.h < start_.h && !to({here_.s, start_.h}, true)) return false;
-        if (!cut(pass)) return false;
+        if (!visit(pass)) return false;
         push(pass.level + 1, pass.opening);
     }
-    return finish();
+    return true;
+}
+
+bool Roughing::run() {
+    int passes = 0;   // with pockets they are counted before the first move
+    if (cycle_->pockets && !each_pass([&](const Pass&) { return ++passes <= kMostPasses; }))
+        return moves_->core().fail(Alarm::CycleValueIllegal, cycle_->depth_letter, std::string(1, cycle_->depth_letter), cycle_->depth);
+    return each_pass([this](const Pass& pass) { return (pass.follows_parent || here_.h >= start_.h || to({here_.s, start_.h}, true)) && cut(pass); }) && finish();
 }
 
 bool fail_at(Core& core, Alarm alarm, const BlockContext& at, std::string detail) {

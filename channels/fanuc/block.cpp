@@ -1,6 +1,9 @@
 // One block of words: what it codes, whether every word has a taker, and the order in which it acts.
+#include <fmt/format.h>
+
 #include <cmath>
 
+#include "channels/fanuc/feed_words.hpp"
 #include "channels/fanuc/interpreter.hpp"
 
 namespace polyturn::channels::fanuc {
@@ -8,6 +11,13 @@ namespace {
 
 constexpr std::uint32_t kAlways = letter_set("NOFSTMG");
 constexpr std::uint32_t bit_of(GGroup group) { return 1u << static_cast<unsigned>(group); }
+
+// Series 15 only (fanuc_lathe 8.1). A value of 0 is told by who needs a feed.
+bool feed_in_range(Core& core, const Word& word, FeedKind kind, double value, bool inch) {
+    const bool fine_axes = core.view().axis_count > 0 && core.view().axes[0].increment < 0.0005;   // IS-C
+    const FeedRange range = series15_range(kind, word.has_point, inch, fine_axes);
+    return range.holds(value) || core.fail(Alarm::ValueOutOfRange, word.address, fmt::format("{}: {} to {}", word.address, range.low, range.high));
+}
 
 std::string g_name(double value) {
     std::string text = "G" + std::to_string(static_cast<long>(value));
@@ -255,6 +265,11 @@ bool Interpreter::act() {
         drilling_ = nullptr;
     }
     if (block_.has('F') && !set_feed(block_.word('F'))) return false;
+    if (settings_.series15 && block_.has('E') && block_.value('E') != 0) {
+        const Word& word = block_.word('E');
+        const bool plain = word.has_point || word.from_expression || settings_.point_means_nothing;
+        if (!feed_in_range(core_, word, FeedKind::Lead, fine_feed(word, plain, true, inch_), inch_)) return false;
+    }
     for (unsigned k = 0; k < comma_count_; ++k)
         if (!corner_word(block_.words[comma_words_[k]])) return false;
     if (coded_groups_ & bit_of(GGroup::Surface)) {
@@ -360,9 +375,12 @@ bool Interpreter::set_feed(const Word& word) {
     const bool plain = word.has_point || word.from_expression || settings_.point_means_nothing;
     const bool threading = one_shot ? one_shot->act == &Interpreter::g_thread_passes : (motion_->act == &Interpreter::g_thread || motion_->act == &Interpreter::g_thread_variable || motion_->act == &Interpreter::g_thread_arc ||
                                          motion_->act == &Interpreter::g_cycle_thread);
-    // Without a point a feed per revolution and a lead count small steps; a feed per minute is whole millimetres.
-    const double small = settings_.series15 ? 0.01 : 0.0001;
-    const double fine = (plain ? word.value : word.value * (inch_ ? small * 0.01 : small)) * unit_;
+    const double programmed = fine_feed(word, plain, settings_.series15, inch_), fine = programmed * unit_;
+    if (settings_.series15 && word.value != 0) {
+        const bool per_turn = threading || core_.path.feed_mode == FeedMode::PerRevolution;
+        const FeedKind kind = threading ? FeedKind::Lead : per_turn ? FeedKind::PerRevolution : FeedKind::PerMinute;
+        if (!feed_in_range(core_, word, kind, per_turn ? programmed : word.value, inch_)) return false;
+    }
     if (threading) lead_ = fine;
     if (core_.path.feed_mode == FeedMode::PerRevolution) core_.path.feed = fine;
     else if (!threading) core_.path.feed = word.value * unit_;

@@ -1,6 +1,7 @@
 // Handlers of moves: G0 to G3, threads, G53, reference.
 #include <cmath>
 
+#include "channels/fanuc/feed_words.hpp"
 #include "channels/fanuc/interpreter.hpp"
 
 namespace polyturn::channels::fanuc {
@@ -72,7 +73,7 @@ bool Interpreter::g_thread(const GCode&) {
 void Interpreter::thread_words(ThreadCall& call) {
     if (block_.has('E')) {
         const Word& word = block_.word('E');
-        lead_ = (word.has_point ? word.value : word.value * (settings_.series15 ? 0.01 : 0.0001)) * unit_;
+        lead_ = fine_feed(word, word.has_point || word.from_expression || settings_.point_means_nothing, settings_.series15, inch_) * unit_;
     }
     call.lead = lead_ > 0 ? lead_ : core_.path.feed_mode == FeedMode::PerRevolution ? core_.path.feed : 0.0;
     if (!block_.has('Q')) return;

@@ -127,7 +127,10 @@ void Core::tell_nose() {
     else tell_comp([radius, from_centre, has_offset](compensation::Compensator& comp) { comp.nose(radius, from_centre, has_offset); });
 }
 
+// Of the plane; an axis beside it that stays where it is moves nothing in it, as when it moves (fanuc_lathe 3.12).
 void Core::tell_zero_distance() {
+    int p = -1, q = -1;
+    if (fixture_named_ != 0 && (fixture_named_ & plane_axes(p, q)) == 0) return;
     tell_comp([](compensation::Compensator& comp) { comp.zero_distance(); });
 }
 

@@ -29,6 +29,15 @@ TEST(NoseCompensation, IsLeftByG53) {
     expect_points(after_begin(blocks, {}, {"F5003=00000101"}), {{42, 20}, {42, 0}, {100, 50}, {42, 49}, {42, 20}, {60, 20}});
 }
 
+// A word of C that moves nothing is a block without movement like any other: one of them changes nothing (3.12). U0 is the
+// zero-distance kind: N20 ends at its normal.
+TEST(NoseCompensation, TakesAWordOfAnotherAxisThatStaysForABlockWithoutMovement) {
+    expect_points(after_begin("N30 C0\nN40 X60"), {{42, 20}, {42, 1}, {60, 1}});
+    expect_points(after_begin("N30 H0\nN40 X60"), {{42, 20}, {42, 1}, {60, 1}});
+    expect_points(after_begin("N30 U0\nN40 X60"), {{42, 20}, {42, 0}, {60, 1}});
+    expect_points(after_begin("N30 C0 U0\nN40 X60"), {{42, 20}, {42, 0}, {60, 1}});
+}
+
 // To where the tool is programmed already: only the vector goes. N40 begins anew and ends the program at its normal (1, 30).
 TEST(NoseCompensation, IsLeftByG53WithoutWay) {
     expect_points(after_begin("N30 G53 X40 Z0\nN40 G1 X60"), {{42, 20}, {42, 0}, {40, 0}, {60, 1}});

@@ -48,6 +48,27 @@ TEST(ParameterInput, TakesBitsAsBinaryDigits) {   // fanuc_lathe 7
     for (const char* right : {"R10", "R00010010", "R0", "R11111111"}) EXPECT_EQ(play("G10 L50\nN5002 " + std::string(right) + "\nG11\nM30\n").errors, 0u) << right;
 }
 
+TEST(Series15, FeedsAndLeadsHaveTheirRanges) {   // fanuc_lathe 8.1
+    Play how;
+    how.sets = {"F0001#1=1"};
+    struct Row { const char* blocks; bool good; };
+    for (const Row& row : {Row{"G32 Z-20. F0.0001", true}, {"G32 Z-20. F0.00009", false}, {"G32 Z-20. E0.0001", true}, {"G32 Z-20. E500.1", false}, {"G32 Z-20. F50001", false}, {"G32 Z-20. E1", true},
+                           {"G99 G1 Z-1. F0.01", true}, {"G99 G1 Z-1. F0.009", false}, {"G99 G1 Z-1. F500.5", false}, {"G98 G1 Z-1. F1", true}, {"G98 G1 Z-1. F0.5", false}, {"G98 G1 Z-1. F240001", false},
+                           {"G20 G98 G1 Z-1. F0.02", true}, {"G20 G98 G1 Z-1. F0.005", false}, {"G20 G32 Z-1. F9.9999", true}, {"G20 G32 Z-1. F10.", false}, {"G20 G32 Z-1. E0.0000005", false}}) {
+        const Played played = play("G97 S10 M3\n" + std::string(row.blocks) + "\nM30\n", how);
+        EXPECT_EQ(played.has({R"("number":"PT1508")"}), !row.good) << row.blocks << "\n" << played.events;
+    }
+    EXPECT_FALSE(play("G98 G1 Z-1. F0.5\nM30\n").has({R"("number":"PT1508")"}));   // the native format has no such ranges here
+}
+
+TEST(Series15, EIsAnotherNameOfF) {   // 8.1; without a point it counts 0.01 mm, in inches 0.0001
+    Play how;
+    how.sets = {"F0001#1=1"};
+    EXPECT_TRUE(play("G97 S100 M3\nG32 Z-20. E150\nM30\n", how).has({R"("lead":1.5)"}));
+    EXPECT_TRUE(play("G97 S100 M3\nG20\nG32 Z-1. E500\nM30\n", how).has({R"("lead":1.27)"}));
+    EXPECT_TRUE(play("G97 S100 M3\n#1=2\nG32 Z-20. E#1\nM30\n", how).has({R"("lead":2)"}));
+}
+
 TEST(RollOver, IsFanucsOwn) {   // fanuc_lathe 10.2: without F1008#0 positions run on, whatever the nct control's N0107 says
     Play how;
     how.sets = {"N0107 A5=1", "F1008 A5=0"};
