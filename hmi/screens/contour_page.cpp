@@ -302,7 +302,7 @@ void ContourPage::composeNote(Writer& w) {
     else if (solved_.complete()) text = word("The contour is complete."), sign = Sign::Good, colour = t.good;
     else text = word("Some elements are still open."), sign = Sign::Wait, colour = t.warn;
     w.sign(QRectF(px(12), note_->height() / 2.0 - px(7), px(20), px(20)), sign, colour);
-    w.text(line, text, lettering(15), t.text);
+    w.text(line, text, lettering(15), t.text).wraps = true;
 }
 
 void ContourPage::resizeEvent(QResizeEvent*) {

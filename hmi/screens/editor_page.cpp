@@ -283,7 +283,7 @@ void EditorPage::openContour() {
 }
 
 void EditorPage::showSample(int number) {
-    const char* const kPlaces[] = {"G71", "G0", "CONTOUR"};
+    const char* const kPlaces[] = {"G71", "G0", "(CONTOUR DIA"};
     const QTextCursor found = edit_->document()->find(kPlaces[std::clamp(number, 0, 2)]);
     edit_->setTextCursor(found.isNull() ? QTextCursor(edit_->document()) : found);
     if (number == 2) return openContour();
