@@ -84,11 +84,12 @@ void Diagnosis::composeHead(Writer& w) {
     const Theme& t = theme();
     static constexpr const char* kTitles[] = {WORD("Signals of NC and PLC"), WORD("Axes and drives"), WORD("Couplings and exchanges"), WORD("Variables"), WORD("Timers and counters"), WORD("Processes and ticks"), WORD("Scope")};
     w.fill(QRectF(0, 0, head_->width(), head_->height()), t.window);
-    w.text(QRectF(px(14), 0, head_->width() * 0.4, head_->height()), page_ == Page::Scope && scope_->circle() ? word("Circularity") : word(kTitles[static_cast<std::size_t>(page_)]), lettering(20, true), t.text);
+    const double title = head_->width() * (page_ == Page::Variables ? 0.18 : 0.4);   // there the keys of sixteen channels want the room
+    w.text(QRectF(px(14), 0, title, head_->height()), page_ == Page::Scope && scope_->circle() ? word("Circularity") : word(kTitles[static_cast<std::size_t>(page_)]), lettering(20, true), t.text);
     double right = head_->width() - px(8);
     if (page_ == Page::Variables || (page_ == Page::Scope && scope_->circle())) right = composeChannelKeys(w, desk_, head_->size());
     if (page_ == Page::Signals || page_ == Page::Variables)
-        w.field(QRectF(head_->width() * 0.42, px(6), right - head_->width() * 0.42 - px(14), head_->height() - px(10)), search_, word("Type a part of the name"), !search_.isEmpty(), kSearchHit);
+        w.field(QRectF(title + px(24), px(6), right - title - px(38), head_->height() - px(10)), search_, word("Type a part of the name"), !search_.isEmpty(), kSearchHit);
 }
 
 void Diagnosis::refresh() {

@@ -155,6 +155,12 @@ struct Found {
     bool alive = false;
 };
 
+bool is_young(const std::filesystem::path& path) {
+    std::error_code gone;
+    const auto written = std::filesystem::last_write_time(path, gone);
+    return !gone && std::filesystem::file_time_type::clock::now() - written < std::chrono::seconds(10);
+}
+
 std::map<std::string, Found> instances_in_memory() {
     std::map<std::string, Found> found;
     std::error_code none;
@@ -166,9 +172,9 @@ std::map<std::string, Found> instances_in_memory() {
         Found& instance = found[name.substr(kPrefix.size(), dot - kPrefix.size())];
         instance.names.push_back(name);
         const auto raw = RawSegment::attach(name, sizeof(SegmentHeader));
-        if (!raw) continue;
-        const auto& header = *static_cast<const SegmentHeader*>(raw->address());
-        if (header.magic == kMagic && process_lives(header.writer_pid)) instance.alive = true;
+        const auto* header = raw ? static_cast<const SegmentHeader*>(raw->address()) : nullptr;
+        // Between the creation of a segment and its header nothing says whose it is: one that is so young is being made.
+        if (header && header->magic == kMagic ? process_lives(header->writer_pid) : is_young(entry.path())) instance.alive = true;
     }
     return found;
 }

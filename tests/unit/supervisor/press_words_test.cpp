@@ -57,6 +57,8 @@ constexpr Row kPress[] = {
     {"reference A3", CommandKind::Reference, 0, 3, 0, 0, ""},
     {"reference all", CommandKind::Reference, 0, 0, 0, 0, ""},
     {"home A1", CommandKind::Reference, 0, 1, 0, 0, ""},
+    {"answer L2 #500=-12.5", CommandKind::DialogueValue, 2, 0, -12.5, 0, "#500"},
+    {"answer L1 key=3", CommandKind::DialogueKey, 1, 0, 3, 0, ""},
     {"feed_override L1=50", CommandKind::FeedOverride, 1, 0, 0.5, 0, ""},
     {"feed_override all=120%", CommandKind::FeedOverride, 0, 0, 1.2, 0, ""},
     {"rapid_override L1=25", CommandKind::RapidOverride, 1, 0, 0.25, 0, ""},
@@ -109,6 +111,16 @@ TEST(Press, EverySentenceOfTheManualIsUnderstood) {
     }
     seen.insert("override"), seen.insert("scope");   // the one is told by its object, the other has a test of its own below
     for (const std::string_view name : press_names()) EXPECT_TRUE(seen.count(name)) << name << " has no row here";
+}
+
+TEST(Press, AnAnswerTellsItsValuesBeforeItsKey) {
+    const auto commands = parse_press("answer L1 #500=12.5 #501=3 key=1", machine());
+    ASSERT_TRUE(commands);
+    ASSERT_EQ(commands->size(), 3u);
+    EXPECT_EQ((*commands)[0].kind, static_cast<std::uint32_t>(CommandKind::DialogueValue));
+    EXPECT_EQ((*commands)[2].kind, static_cast<std::uint32_t>(CommandKind::DialogueKey));
+    for (const char* words : {"answer", "answer L1", "answer L9 key=1", "answer L1 key=1 #500=2", "answer L1 key=0", "answer L1 key=1.5", "answer L1 #500", "answer L1 =3", "answer L1 #500=x"})
+        EXPECT_FALSE(parse_press(words, machine())) << words;
 }
 
 TEST(Press, SeveralChannelsInOneSentence) {

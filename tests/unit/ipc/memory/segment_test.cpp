@@ -7,6 +7,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
+#include <filesystem>
 
 namespace polyturn {
 namespace {
@@ -57,7 +59,14 @@ TEST(Segment, OfADeadWriterIsCleanedAndThatOfALivingOneIsNot) {
     auto own = OwnSegment<PlcSegment>::create(living, 1);
     ASSERT_TRUE(own.ok());
     own->publish();
+    // Somebody makes a segment just now: it has no header yet.
+    const std::string young = segment_name(fresh_instance() + "-young", SegmentKind::Plc), old = segment_name(fresh_instance() + "-old", SegmentKind::Plc);
+    ASSERT_TRUE(RawSegment::create(young, sizeof(PlcSegment)).ok() && RawSegment::create(old, sizeof(PlcSegment)).ok());
+    std::filesystem::last_write_time("/dev/shm/" + old, std::filesystem::file_time_type::clock::now() - std::chrono::minutes(1));
     const auto removed = remove_dead_instances();
+    EXPECT_EQ(std::find(removed.begin(), removed.end(), young), removed.end());
+    EXPECT_NE(std::find(removed.begin(), removed.end(), old), removed.end());
+    std::filesystem::remove("/dev/shm/" + young);
     EXPECT_NE(std::find(removed.begin(), removed.end(), segment_name(dead, SegmentKind::Plc)), removed.end());
     EXPECT_EQ(std::find(removed.begin(), removed.end(), segment_name(living, SegmentKind::Plc)), removed.end());
     EXPECT_TRUE(PeerSegment<PlcSegment>::attach(living).ok());
