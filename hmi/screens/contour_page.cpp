@@ -139,6 +139,7 @@ void ContourPage::open(const QStringList& lines, int cursor, contour::Writing wr
         }
     }
     before_ = now_;
+    solved_ = contour::solve(now_.contour);   // choosing an element shows its state at once
     elements_->choose(now_.contour.elements.empty() ? 0 : 1);
     data_->choose(0);
     pad_->clear();
@@ -147,6 +148,7 @@ void ContourPage::open(const QStringList& lines, int cursor, contour::Writing wr
 
 void ContourPage::load(const contour::Description& description) {
     now_ = description;
+    solved_ = contour::solve(now_.contour);
     elements_->choose(static_cast<int>(now_.contour.elements.size()));
     changed();
 }
@@ -229,6 +231,7 @@ void ContourPage::add(Kind kind) {
 void ContourPage::remove() {
     if (elements_->row() == 0) return;
     now_.contour.elements.erase(now_.contour.elements.begin() + (elements_->row() - 1));
+    solved_ = contour::solve(now_.contour);
     elements_->choose(std::min(elements_->row(), static_cast<int>(now_.contour.elements.size())));
     data_->choose(0);
     changed();

@@ -116,6 +116,17 @@ TEST_F(Forms, ANewCycleComesFromTheList) {
     EXPECT_TRUE(editor().faults().empty()) << (editor().faults().empty() ? "" : editor().faults()[0].text.toStdString());
 }
 
+TEST_F(Forms, ADescribedContourOpensInAFreshPage) {
+    ASSERT_TRUE(editor().open(QString(POLYTURN_SOURCE_DIR) + "/examples/programs/O0050.nc", "fanuc"));
+    const int at = static_cast<int>(text().left(text().indexOf("(CONTOUR DIA")).count('\n'));
+    cursor(at + 1);
+    hand->soft("Contour");
+    const ContourPage& page = editor().contour();
+    EXPECT_GT(page.description().contour.elements.size(), 2u);
+    EXPECT_EQ(page.solved().states.size(), page.description().contour.elements.size());
+    EXPECT_TRUE(page.solved().complete());
+}
+
 TEST_F(Forms, AContourIsEnteredChosenWrittenAndReadBack) {
     cursor(8);
     hand->soft("Contour");
