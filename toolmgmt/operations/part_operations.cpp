@@ -2,7 +2,8 @@
 // of that tool's wear; it is written only when somebody accepts it.
 //
 //   deviation   measured - nominal, of each part since the last correction
-//   proposal    -(mean of the newest `average` deviations) * share, at most `limit` up or down; added to the wear of the axis
+//   proposal    (middle of the tolerance - mean of the newest `average` deviations) * share, at most `limit` up or down; added to
+//               the wear of the axis. The nominal itself may be a limit (30 h6): brought there, every second part is scrap.
 //   trend       straight line through the deviations since the last correction: mm a part, and after how many more parts the
 //               dimension leaves its tolerance at that rate
 #include <algorithm>
@@ -89,7 +90,7 @@ Json dimension(const StoreValues& values, std::int32_t number) {
     double mean = 0;
     for (std::size_t i = all.size() - window; i < all.size(); ++i) mean += all[i] / static_cast<double>(window);
     const double limit = value_of(values, number, "limit", 0.05);
-    const double wanted = -mean * value_of(values, number, "share", 100) / 100.0 * value_of(values, number, "factor", 1);
+    const double wanted = ((upper + lower) / 2 - mean) * value_of(values, number, "share", 100) / 100.0 * value_of(values, number, "factor", 1);
     out["mean"] = rounded(mean);
     out["proposal"] = rounded(std::clamp(wanted, -limit, limit));
     out["limited"] = std::fabs(wanted) > limit;

@@ -135,6 +135,16 @@ TEST(MeasuredParts, ProposeALimitedCorrectionWithTrendAndWriteItOnlyWhenAccepted
     EXPECT_FALSE(rig.run({{"do", "parts.measure"}, {"dimension", 1}, {"value", 400}}));
 }
 
+TEST(MeasuredParts, AreBroughtToTheMiddleOfTheirTolerance) {   // 30 h6: 0 to -0.013
+    ToolRig rig;
+    const int tool = rig.add({{"name", "FINISH"}, {"h", 3}}, 1, 3);
+    ASSERT_TRUE(rig.run({{"do", "parts.add"}, {"fields", {{"name", "seat"}, {"nominal", 30}, {"upper", 0}, {"lower", -0.013}, {"tool", tool}, {"axis", "X"}}}})) << rig.said();
+    for (const auto& [value, proposal] : {std::pair{30.001, -0.0075}, {30.0, -0.0065}, {29.9935, 0.0}, {29.985, 0.0085}}) {
+        ASSERT_TRUE(rig.run({{"do", "parts.measure"}, {"dimension", 1}, {"value", value}})) << rig.said();
+        EXPECT_NEAR(rig.answer["proposal"].get<double>(), proposal, 1e-9) << value;
+    }
+}
+
 TEST(Users, AreLockedOutAfterWrongPasswordsAndKeepOneMaker) {
     ToolRig rig;
     EXPECT_FALSE(rig.run({{"do", "users.add"}, {"name", "anna"}, {"level", "setter"}, {"password", "secret1"}}));   // the first must be a maker
