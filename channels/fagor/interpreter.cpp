@@ -272,6 +272,11 @@ Step Interpreter::iso_block() {
         core_.sink().barrier(core_.at);
         return Step::AtBarrier;
     }
+    if (has('T') && core_.reads_ahead() && !fresh_ && managed_serial_ != core_.at.serial && !scanning_ && managed()) {   // what is held for its corner ends first
+        reread_ = true;
+        live_value_barrier();
+        return Step::AtBarrier;
+    }
     if (asks_for_tool()) {
         reread_ = true;
         return Step::AtBarrier;

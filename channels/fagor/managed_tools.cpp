@@ -23,7 +23,7 @@ void Interpreter::preset_stored(const ToolTable& tools, const ToolEdgeTable&, in
 // With TOFFM06 T only chooses: the tool, and so its offset, is known behind M06. One that has no subroutine and acts before the moves
 // of its block is executed first, like T; behind the others the change is taken over when they have been executed (take_over_change).
 bool Interpreter::asks_for_tool() {
-    if (managed_serial_ == core_.at.serial || core_.reads_ahead() || scanning_ || !managed()) return false;
+    if (managed_serial_ == core_.at.serial || scanning_ || !managed()) return false;
     if (change_pending_ && !take_over_change()) return false;
     const MEntry* const entry = m_entry(6);
     bool changes = false;

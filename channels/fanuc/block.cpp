@@ -162,7 +162,13 @@ Step Interpreter::nc_block() {
             return Step::AtBarrier;
         }
     }
-    if (!calls && !core_.reads_ahead() && block_.has('T') && !life_.mode && managed_serial_ != core_.at.serial && waits_for_tool()) {
+    if (!calls && block_.has('T') && !life_.mode && managed_serial_ != core_.at.serial && waits_for_tool()) {
+        if (core_.reads_ahead() && !fresh_) {   // what is held for its corner ends first
+            reread_ = true;
+            line_left_ = false;
+            live_value_barrier();
+            return Step::AtBarrier;
+        }
         if (!classify() || !call_managed_tool()) return fault(core_.fault());
         managed_serial_ = core_.at.serial;
         reread_ = true;

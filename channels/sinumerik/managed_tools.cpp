@@ -53,10 +53,11 @@ void Interpreter::preset_stored(const polyturn::ToolTable& tools, const polyturn
 }
 
 bool Interpreter::managed_tool() {
-    if (managed_serial_ == core_.at.serial || core_.reads_ahead() || !managed()) return true;
+    if (managed_serial_ == core_.at.serial || !managed()) return true;
     const Word* tool = word("T");
     const bool changes = changes_tool();
     if (!tool && !changes) return true;
+    if (core_.reads_ahead() && !need_fresh()) return false;   // what is held for its corner ends first
     if (tool) {
         const bool named = tool->value.type == Type::String;
         if (!named && tool->number() != std::floor(tool->number())) return fail_word(Alarm::PointForbidden, *tool, "T");

@@ -73,6 +73,19 @@ class Tools(LiveCase):
         self.assertAlmostEqual(axes["A2"]["cmd"], 50, places=6)
         self.assertEqual(self.stop(), 0)
 
+    def test_the_sister_is_asked_for_also_while_the_radius_is_compensated(self):
+        self.start("N2923 L1=31")
+        self.do("press", "machine_on")
+        for number, (kind, cell, pot) in enumerate(((5, 4, 3), (6, 8, 7)), 1):
+            self.do("tools", "add", f"name=T{kind}", f"type={kind}", f"h={cell}")
+            self.do("tools", "load", number, "1", pot)
+            self.do("offsets", "set", "L1", cell, "geometry", f"Z={30 * number}", "R=0.4")
+        here = self.cycle("T0531\nG94 G0 X100. Z20.\nG42 G1 X90. Z0. F4000.\nZ-5.\nT0631\nZ-10.\nX95.\nG40 X100. Z-10.\nM30\n")
+        self.assertEqual((here["tool"], here["tool_offset"]), (2, 8))
+        z = next(a for a in self.ask("status")["axes"] if a["axis"] == "A2")["cmd"]
+        self.assertAlmostEqual(z, -10 + 60, places=6)
+        self.assertEqual(self.stop(), 0)
+
     def test_life_is_counted_only_while_the_tool_cuts_and_survives(self):
         self.start("PT_LIFE_END L1=0")
         self.do("press", "machine_on")
@@ -182,7 +195,7 @@ class Tools(LiveCase):
 class SinumerikTools(Tools):
     """T by name: the sister that works decides whose edges D means; $TC_MOP is the same life."""
     language = "sinumerik"
-    test_the_next_sister_works_when_one_is_used_up = test_the_offset_of_the_managed_tool_is_that_of_the_sister = None
+    test_the_next_sister_works_when_one_is_used_up = test_the_offset_of_the_managed_tool_is_that_of_the_sister = test_the_sister_is_asked_for_also_while_the_radius_is_compensated = None
     test_life_is_counted_only_while_the_tool_cuts_and_survives = test_a_place_is_called_with_the_code_of_n2924 = None
     test_the_setter_gives_the_offset_after_a_look_at_it = test_a_longer_drill_makes_a_safe_program_stop = None
     test_the_workpiece_setter_gives_the_zero_after_a_look_at_it = test_an_offset_that_is_common_is_the_same_in_every_channel = test_the_status_shows_the_tool_that_n2901_tsp_names = None
@@ -209,6 +222,18 @@ class SinumerikTools(Tools):
         self.cycle("IF CHKDM(1)\nSETAL(65001)\nENDIF\nSETDNO(2,1,7)\nIF NOT CHKDM(1)\nSETAL(65002)\nENDIF\nM30\n")    # both have a D1 in magazine 1
         self.assertEqual(self.stop(), 0)
 
+    def test_another_tool_while_the_radius_is_compensated(self):
+        self.start("PT_LIFE_END L1=0")
+        self.do("press", "machine_on")
+        for number, (name, pot) in enumerate((("A", 3), ("B", 7)), 1):
+            self.do("tools", "add", f"name={name}", "D1.DP1=500", "D1.DP2=9", "D1.DP6=0.4", f"D1.DP4={30 * number}")
+            self.do("tools", "load", number, 1, pot)
+        program = 'G18 G90 DIAMOF T="A" D1\nG0 X100 Z20\nG1 G42 X90 Z0 F4000\nZ-5\nT="B" D1\nZ-10\nX95\nG40 X100 Z-10\nM30\n'
+        self.assertEqual(self.cycle(program)["tool"], 2)
+        z = next(a for a in self.ask("status")["axes"] if a["axis"] == "A2")["cmd"]
+        self.assertAlmostEqual(z, -10 + 60, places=6)
+        self.assertEqual(self.stop(), 0)
+
     def test_monitoring_reads_and_writes_the_same_life(self):
         self.start("PT_LIFE_END L1=0")
         self.do("press", "machine_on")
@@ -224,7 +249,7 @@ class SinumerikTools(Tools):
 class FagorTools(Tools):
     """An expended tool gives way to another of its family."""
     language = "fagor"
-    test_the_next_sister_works_when_one_is_used_up = test_the_offset_of_the_managed_tool_is_that_of_the_sister = None
+    test_the_next_sister_works_when_one_is_used_up = test_the_offset_of_the_managed_tool_is_that_of_the_sister = test_the_sister_is_asked_for_also_while_the_radius_is_compensated = None
     test_life_is_counted_only_while_the_tool_cuts_and_survives = test_a_place_is_called_with_the_code_of_n2924 = None
     test_the_setter_gives_the_offset_after_a_look_at_it = test_a_longer_drill_makes_a_safe_program_stop = None
     test_the_workpiece_setter_gives_the_zero_after_a_look_at_it = test_an_offset_that_is_common_is_the_same_in_every_channel = test_the_status_shows_the_tool_that_n2901_tsp_names = None
