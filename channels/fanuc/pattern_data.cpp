@@ -96,7 +96,7 @@ bool Interpreter::pattern_dialogue(bool& done) {
     const std::size_t key = static_cast<std::size_t>(std::max(0, answers.key));
     if (!dialogue_.menu)
         for (const auto& [name, value] : answers.values) {
-            const auto field = std::find_if(dialogue_.page.fields.begin(), dialogue_.page.fields.end(), [&](const auto& one) { return one.variable == name; });
+            const auto field = std::find_if(dialogue_.page.fields.begin(), dialogue_.page.fields.end(), [&, wanted = name](const auto& one) { return one.variable == wanted; });
             if (field == dialogue_.page.fields.end()) continue;
             field->value = value;
             if (!written(std::strtoll(name.c_str() + 1, nullptr, 10), value, {})) return false;

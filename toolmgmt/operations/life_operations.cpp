@@ -86,7 +86,7 @@ Json report(Work& work) {
             Json tool = {{"tool", number}, {"name", name_of(row)}, {"duplo", row.duplo}, {"usable", usable(row)}, {"worn", (row.state & kToolWorn) != 0}, {"warned", (row.state & kToolWarned) != 0},
                          {"life_kind", tool_text(row, tool_field("life_kind"))}, {"unit", kLifeUnits[std::min<std::size_t>(row.life_kind, 5)]}, {"life", row.life}, {"counter", row.counter}};
             if (std::isfinite(rest)) {
-                tool["left"] = rest;
+                tool["left"] = rounded(rest);
                 kinds[row.life_kind].tools.push_back(number);
                 if (usable(row)) {
                     kinds[row.life_kind].left += rest;
@@ -100,7 +100,7 @@ Json report(Work& work) {
         one["tools"] = std::move(list);
         if (!kinds.empty() && !endless) {
             const bool mixed = kinds.size() > 1;
-            if (!mixed) one["left"] = kinds.begin()->second.left;
+            if (!mixed) one["left"] = rounded(kinds.begin()->second.left);
             one["unit"] = mixed ? "mixed" : kLifeUnits[std::min<std::size_t>(kinds.begin()->first, 5)];
             double left_parts = 0;
             bool known = true;

@@ -7,6 +7,7 @@
 // find, and everything is taken back: all of it or nothing. What it changed is on disk before the answer says ok.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -86,5 +87,8 @@ Json backup_operation(std::string_view what, const Json& request, Work& work);
 bool read_whole(const Json& request, const char* key, std::int64_t& out, Work& work, bool needed = true);
 bool read_real(const Json& request, const char* key, double& out, Work& work, bool needed = true);
 std::string read_text(const Json& request, const char* key);
+
+// What has been computed, for people: to a millionth of its unit.
+inline double rounded(double value) { return std::round(value * 1e6) / 1e6; }
 
 }  // namespace polyturn::toolmgmt

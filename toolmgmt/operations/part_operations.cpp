@@ -72,8 +72,6 @@ double slope(const std::vector<double>& y) {
     return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-double rounded(double value) { return std::round(value * 1e6) / 1e6; }
-
 Json dimension(const StoreValues& values, std::int32_t number) {
     Json out = {{"dimension", number}, {"name", text_of(values, number, "name")}, {"axis", std::string(1, "XYZ"[axis_of(values, number)])}, {"cell", cell_of(values, number)}};
     for (const Column& column : kColumns) out[column.name] = value_of(values, number, column.name, column.fallback);

@@ -39,7 +39,7 @@ Json tool_json(const StoreValues& values, std::int32_t number) {
         else out[std::string(field.name)] = tool_number(row, field);
     }
     out["life_unit"] = kLifeUnits[std::min<std::size_t>(row.life_kind, std::size(kLifeUnits) - 1)];
-    if (const double left = life_left(row); std::isfinite(left)) out["left"] = left;
+    if (const double left = life_left(row); std::isfinite(left)) out["left"] = rounded(left);
     out["place"] = row.magazine ? place_name(row.magazine, row.pot) : std::string();
     out["usable"] = usable(row);
     Json edges = Json::array();

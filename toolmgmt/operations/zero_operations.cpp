@@ -18,8 +18,6 @@ namespace {
 
 constexpr std::string_view kAxes = "XYZ";
 
-double rounded(double mm) { return std::round(mm * 1e6) / 1e6; }
-
 bool read_channel(const Json& request, Work& work, unsigned& out) {
     std::int64_t channel = 1;
     read_whole(request, "channel", channel, work, false);
