@@ -74,6 +74,7 @@ Plight plight(const Live& live, const AlarmBook& alarms, unsigned channel) {
             case StopReason::SingleBlock: return {Plight::Kind::Stands, word("Single block: start does the next one")};
             case StopReason::Restart: return {Plight::Kind::Stands, word("Restart: start makes the approach")};
             case StopReason::FirstPart: return {Plight::Kind::Stands, word("First part: start goes on with this tool")};
+            case StopReason::Dialogue: return {Plight::Kind::Stands, word("The program asks: answer on its page")};
             case StopReason::Retrace: return {Plight::Kind::Stands, word("Retrace has come to its end")};
             default: return {Plight::Kind::Stands, word("Feed hold: start goes on")};
         }

@@ -3029,6 +3029,11 @@
         <translation>Paleta se mění i s programem. «Vyměnit»: zvolte řádek, stiskněte, zvolte druhý, stiskněte znovu.</translation>
     </message>
     <message>
+        <location filename="../machine/channel_words.cpp"/>
+        <source>The program asks: answer on its page</source>
+        <translation>Program se ptá: odpovězte na jeho stránce</translation>
+    </message>
+    <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>The program cannot be checked here.</source>
         <translation>Program zde nelze zkontrolovat.</translation>

@@ -3029,6 +3029,11 @@
         <translation>A paletta a programjával együtt cserél. «Csere»: válasszon sort, nyomja meg, válassza a másikat, nyomja meg újra.</translation>
     </message>
     <message>
+        <location filename="../machine/channel_words.cpp"/>
+        <source>The program asks: answer on its page</source>
+        <translation>A program kérdez: válaszoljon az oldalán</translation>
+    </message>
+    <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>The program cannot be checked here.</source>
         <translation>A program itt nem ellenőrizhető.</translation>

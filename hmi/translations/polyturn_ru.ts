@@ -3029,6 +3029,11 @@
         <translation>Паллета меняется вместе с программой. «Поменять»: выберите строку, нажмите, выберите другую, нажмите ещё раз.</translation>
     </message>
     <message>
+        <location filename="../machine/channel_words.cpp"/>
+        <source>The program asks: answer on its page</source>
+        <translation>Программа спрашивает: ответьте на её странице</translation>
+    </message>
+    <message>
         <location filename="../screens/editor_page.cpp"/>
         <source>The program cannot be checked here.</source>
         <translation>Программу здесь не проверить.</translation>

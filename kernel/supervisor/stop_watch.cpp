@@ -36,7 +36,7 @@ std::string_view StopWatch::cause_of(const MachineStatus& status, const ChannelS
         case ChannelState::Held:
         case ChannelState::ProgramStop:
             switch (static_cast<StopReason>(channel.stop_reason)) {
-                case StopReason::M00: case StopReason::M01: case StopReason::FirstPart: return "program";
+                case StopReason::M00: case StopReason::M01: case StopReason::FirstPart: case StopReason::Dialogue: return "program";
                 case StopReason::SingleBlock: return "single";
                 case StopReason::Restart: case StopReason::Retrace: return "operator";
                 case StopReason::Waiting: return "wait";
@@ -73,7 +73,7 @@ bool StopWatch::step(std::int64_t now_ms, const MachineStatus& status, bool alar
         now.stop.detail = wait_text(is);
     } else if (now.stop.cause == "program") {
         const auto reason = static_cast<StopReason>(is.stop_reason);
-        now.stop.detail = reason == StopReason::M00 ? "M0" : reason == StopReason::M01 ? "M1" : "";
+        now.stop.detail = reason == StopReason::M00 ? "M0" : reason == StopReason::M01 ? "M1" : reason == StopReason::Dialogue ? "?" : "";
     }
     if (!now.told && now_ms - now.stop.begin_ms >= (now.stop.cause == "wait" ? kLeastWait_ms : kLeast_ms)) {
         now.told = true;

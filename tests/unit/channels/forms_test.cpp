@@ -71,9 +71,11 @@ TEST(Forms, OfFagorTakeWhatTheCodesTake) {
     }
 }
 
-// The proposals, as one would write them: a start beside the part, a contour where the cycle wants one.
-void play_proposals(const forms::Dialect& dialect, const std::string& language, const std::vector<std::string>& sets) {
+// The proposals, as one would write them: a start beside the part, a contour where the cycle wants one. How many forms were played.
+int play_proposals(const forms::Dialect& dialect, const std::string& language, const std::vector<std::string>& sets) {
+    int played_forms = 0;
     forms::each_form(dialect, [&](const Form& form) {
+        ++played_forms;
         const bool fagor = language == "fagor";
         using forms::Picture;
         const bool side = form.picture == Picture::Groove || form.picture == Picture::DrillSide || form.picture == Picture::TapSide || form.picture == Picture::BoreSide;
@@ -103,15 +105,16 @@ void play_proposals(const forms::Dialect& dialect, const std::string& language, 
         EXPECT_EQ(played.errors, 0u) << language << ' ' << form.code << "\n" << text << played.find({"\"alarm\""});
         EXPECT_TRUE(played.has({"\"move\"", "\"cycle\""})) << language << ' ' << form.code << "\n" << text;
     });
+    return played_forms;
 }
 
 TEST(Forms, WhatFanucProposesRuns) {
-    play_proposals({forms::kFanucA, true, 0.001}, "fanuc", {});
-    play_proposals({forms::kFanucBC, true, 0.001}, "fanuc", {"F3401#6=1"});
-    play_proposals({forms::kSeries15A, true, 0.001}, "fanuc", {"F0001#1=1"});
+    EXPECT_GT(play_proposals({forms::kFanucA, true, 0.001}, "fanuc", {}), 10);
+    EXPECT_GT(play_proposals({forms::kFanucBC, true, 0.001}, "fanuc", {"F3401#6=1"}), 10);
+    EXPECT_GT(play_proposals({forms::kSeries15A, true, 0.001}, "fanuc", {"F0001#1=1"}), 10);
 }
-TEST(Forms, WhatNctProposesRuns) { play_proposals({forms::kNct, true, 0.001}, "nct", {}); }
-TEST(Forms, WhatFagorProposesRuns) { play_proposals({forms::kFagor, false, 0.001}, "fagor", {}); }
+TEST(Forms, WhatNctProposesRuns) { EXPECT_GT(play_proposals({forms::kNct, true, 0.001}, "nct", {}), 10); }
+TEST(Forms, WhatFagorProposesRuns) { EXPECT_GT(play_proposals({forms::kFagor, false, 0.001}, "fagor", {}), 10); }
 
 }  // namespace
 }  // namespace polyturn::channels

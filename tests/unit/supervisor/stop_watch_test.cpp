@@ -105,6 +105,7 @@ TEST(StopWatch, EachStateHasItsCauseAndEachCauseItsName) {
         {ChannelState::ProgramStop, StopReason::M01, MachineStep::Ready, "program"},
         {ChannelState::Held, StopReason::Restart, MachineStep::Ready, "operator"},
         {ChannelState::Held, StopReason::Retrace, MachineStep::Ready, "operator"},
+        {ChannelState::ProgramStop, StopReason::Dialogue, MachineStep::Ready, "program"},
         {ChannelState::Waiting, StopReason::Waiting, MachineStep::Ready, "wait"},
         {ChannelState::Interrupted, StopReason::Alarm, MachineStep::Ready, "alarm"},
         {ChannelState::Dead, StopReason::Death, MachineStep::Ready, "dead"},
