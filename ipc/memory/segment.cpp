@@ -7,10 +7,12 @@
 #include <boost/interprocess/shared_memory_object.hpp>
 #include <cctype>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <sstream>
 #include <thread>
 
 #include "ipc/params/registry.hpp"
@@ -19,7 +21,8 @@ namespace polyturn {
 namespace bip = boost::interprocess;
 
 namespace {
-constexpr std::string_view kPrefix = "polyturn.";
+constexpr std::string_view kPrefix = "polyturn.", kMaker = ".of-";
+const std::filesystem::path kFolder = "/dev/shm";  // where shm_open() of Linux keeps its names: one is renamed and all are listed here
 
 // The table of fields and the parameters' slots: whoever was built with others means something else by the same bytes.
 std::uint64_t compute_layout_hash() {
@@ -56,6 +59,7 @@ std::string segment_name(std::string_view instance, SegmentKind kind, std::size_
 struct RawSegment::Parts {
     bip::shared_memory_object object;
     bip::mapped_region region;
+    std::string own_name, hidden_name;  // of a segment that was made here
 };
 
 RawSegment::RawSegment() = default;
@@ -70,14 +74,24 @@ Result<RawSegment> RawSegment::create(const std::string& name, std::size_t size)
     try {
         RawSegment out;
         out.parts_ = std::make_unique<Parts>();
+        out.parts_->own_name = name;
+        out.parts_->hidden_name = name + std::string(kMaker) + std::to_string(getpid());
+        bip::shared_memory_object::remove(out.parts_->hidden_name.c_str());
         bip::permissions rights(0660);
-        out.parts_->object = bip::shared_memory_object(bip::create_only, name.c_str(), bip::read_write, rights);
+        out.parts_->object = bip::shared_memory_object(bip::create_only, out.parts_->hidden_name.c_str(), bip::read_write, rights);
         out.parts_->object.truncate(static_cast<bip::offset_t>(size));
         out.parts_->region = bip::mapped_region(out.parts_->object, bip::read_write, 0, size);
         return out;
     } catch (const bip::interprocess_exception& error) {
         return fault(Alarm::SegmentCreate, name + ": " + error.what());
     }
+}
+
+Result<void> RawSegment::reveal() {
+    std::error_code failed;
+    std::filesystem::rename(kFolder / parts_->hidden_name, kFolder / parts_->own_name, failed);
+    if (failed) return fault(Alarm::SegmentCreate, parts_->own_name + ": " + failed.message());
+    return {};
 }
 
 namespace {
@@ -138,7 +152,8 @@ Result<void> check_header(const SegmentHeader& header, std::string_view instance
 
 void sleep_ms(int milliseconds) { std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds)); }
 
-// A process that has ended and waits to be reaped holds nothing any more.
+// A process that has ended and waits to be reaped holds nothing any more; nor does one that is being taken apart (that of a
+// killed kernel may last a while: its memory is given back first).
 bool process_lives(int pid) {
     if (pid <= 0) return false;
     if (kill(pid, 0) != 0 && errno != EPERM) return false;
@@ -146,7 +161,14 @@ bool process_lives(int pid) {
     std::string stat;
     std::getline(file, stat);
     const std::size_t name_end = stat.rfind(") ");  // the name may hold anything
-    return name_end == std::string::npos || stat.size() < name_end + 3 || (stat[name_end + 2] != 'Z' && stat[name_end + 2] != 'X');
+    if (name_end == std::string::npos) return true;
+    std::istringstream rest(stat.substr(name_end + 2));
+    char state = 0;
+    int parent, group, session, terminal, foreground;
+    unsigned flags = 0;
+    rest >> state >> parent >> group >> session >> terminal >> foreground >> flags;
+    constexpr unsigned kExiting = 4;  // PF_EXITING of Linux
+    return state != 'Z' && state != 'X' && !(flags & kExiting);
 }
 
 namespace {
@@ -155,26 +177,25 @@ struct Found {
     bool alive = false;
 };
 
-bool is_young(const std::filesystem::path& path) {
-    std::error_code gone;
-    const auto written = std::filesystem::last_write_time(path, gone);
-    return !gone && std::filesystem::file_time_type::clock::now() - written < std::chrono::seconds(10);
+// Whose it is says its header, or its name as long as it has none.
+int maker_of(const std::string& name) {
+    if (const std::size_t at = name.rfind(kMaker); at != std::string::npos) return std::atoi(name.c_str() + at + kMaker.size());
+    const auto raw = RawSegment::attach(name, sizeof(SegmentHeader));
+    const auto* header = raw ? static_cast<const SegmentHeader*>(raw->address()) : nullptr;
+    return header && header->magic == kMagic ? header->writer_pid : 0;
 }
 
 std::map<std::string, Found> instances_in_memory() {
     std::map<std::string, Found> found;
     std::error_code none;
-    for (const auto& entry : std::filesystem::directory_iterator("/dev/shm", none)) {
+    for (const auto& entry : std::filesystem::directory_iterator(kFolder, none)) {
         const std::string name = entry.path().filename().string();
         if (name.rfind(kPrefix, 0) != 0) continue;
         const std::size_t dot = name.find('.', kPrefix.size());
         if (dot == std::string::npos) continue;
         Found& instance = found[name.substr(kPrefix.size(), dot - kPrefix.size())];
         instance.names.push_back(name);
-        const auto raw = RawSegment::attach(name, sizeof(SegmentHeader));
-        const auto* header = raw ? static_cast<const SegmentHeader*>(raw->address()) : nullptr;
-        // Between the creation of a segment and its header nothing says whose it is: one that is so young is being made.
-        if (header && header->magic == kMagic ? process_lives(header->writer_pid) : is_young(entry.path())) instance.alive = true;
+        if (process_lives(maker_of(name))) instance.alive = true;
     }
     return found;
 }

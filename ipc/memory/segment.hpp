@@ -24,7 +24,10 @@ public:
     RawSegment(RawSegment&&) noexcept;
     RawSegment& operator=(RawSegment&&) noexcept;
     ~RawSegment();
-    static Result<RawSegment> create(const std::string& name, std::size_t size);  // removes an old one of that name
+    // Removes an old one of that name and makes a new one under a name that says who makes it ("<name>.of-<pid>"): whoever
+    // cleans up knows at any moment whether its maker lives. reveal() gives it its own name, once it says so itself.
+    static Result<RawSegment> create(const std::string& name, std::size_t size);
+    Result<void> reveal();
     static Result<RawSegment> attach(const std::string& name, std::size_t size);  // read-only
     static Result<RawSegment> adopt(const std::string& name, std::size_t size);   // an existing one, writable
     void* address() const;
@@ -49,6 +52,7 @@ public:
         own.raw_ = std::move(*raw);
         new (own.raw_.address()) Layout;  // default-initialises: fresh memory is zero, only members with values are written
         fill_header(own->header, instance, generation);
+        if (auto shown = own.raw_.reveal(); !shown) return shown.diagnosis();
         return own;
     }
     // A writer that was killed is followed by another in the same segment, so that nobody has to attach again: rings and

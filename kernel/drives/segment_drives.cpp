@@ -36,6 +36,7 @@ Result<std::unique_ptr<SegmentDrives>> SegmentDrives::create(std::string instanc
     c.size = sizeof c;
     c.writer_pid = getpid();
     c.is_virtual = is_virtual ? 1 : 0;
+    if (auto shown = out->own_.reveal(); !shown) return shown.diagnosis();
     for (std::uint32_t i = 0; i < POLYTURN_DRIVE_SLOTS; ++i) out->slots_[i] = {out.get(), i, 0};
     opening = out.get();
     return out;

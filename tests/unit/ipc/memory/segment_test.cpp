@@ -59,14 +59,20 @@ TEST(Segment, OfADeadWriterIsCleanedAndThatOfALivingOneIsNot) {
     auto own = OwnSegment<PlcSegment>::create(living, 1);
     ASSERT_TRUE(own.ok());
     own->publish();
-    // Somebody makes a segment just now: it has no header yet.
-    const std::string young = segment_name(fresh_instance() + "-young", SegmentKind::Plc), old = segment_name(fresh_instance() + "-old", SegmentKind::Plc);
-    ASSERT_TRUE(RawSegment::create(young, sizeof(PlcSegment)).ok() && RawSegment::create(old, sizeof(PlcSegment)).ok());
-    std::filesystem::last_write_time("/dev/shm/" + old, std::filesystem::file_time_type::clock::now() - std::chrono::minutes(1));
+    // One is being made just now and has no header yet; the maker of another was killed in that moment.
+    const std::string young = segment_name(fresh_instance() + "-young", SegmentKind::Plc), orphan = segment_name(fresh_instance() + "-orphan", SegmentKind::Plc);
+    const auto being_made = RawSegment::create(young, sizeof(PlcSegment));
+    ASSERT_TRUE(being_made.ok());
+    const pid_t maker = fork();
+    if (maker == 0) _exit(RawSegment::create(orphan, sizeof(PlcSegment)).ok() ? 0 : 1);
+    int made = 1;
+    ASSERT_EQ(waitpid(maker, &made, 0), maker);
+    ASSERT_EQ(made, 0);
     const auto removed = remove_dead_instances();
-    EXPECT_EQ(std::find(removed.begin(), removed.end(), young), removed.end());
-    EXPECT_NE(std::find(removed.begin(), removed.end(), old), removed.end());
-    std::filesystem::remove("/dev/shm/" + young);
+    const auto was_removed = [&](const std::string& name, pid_t by) { return std::find(removed.begin(), removed.end(), name + ".of-" + std::to_string(by)) != removed.end(); };
+    EXPECT_FALSE(was_removed(young, getpid()));
+    EXPECT_TRUE(was_removed(orphan, maker));
+    std::filesystem::remove("/dev/shm/" + young + ".of-" + std::to_string(getpid()));
     EXPECT_NE(std::find(removed.begin(), removed.end(), segment_name(dead, SegmentKind::Plc)), removed.end());
     EXPECT_EQ(std::find(removed.begin(), removed.end(), segment_name(living, SegmentKind::Plc)), removed.end());
     EXPECT_TRUE(PeerSegment<PlcSegment>::attach(living).ok());
