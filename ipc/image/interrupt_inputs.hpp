@@ -10,6 +10,12 @@ inline constexpr unsigned kInterruptInputs = 4;
 inline constexpr unsigned kInterruptInput = 8;
 inline constexpr std::uint32_t kInterruptInputMask = ((1u << kInterruptInputs) - 1u) << kInterruptInput;
 
+// In the record of an Interrupt event: the signal has come while a block runs that is driven to its end first; value: the first
+// block behind it. The channel runs the macro statements of its interrupt program until there, answers as to a question, and
+// is told again where the path stands. What they bring about carries kAtOnce and is executed as soon as it is seen.
+inline constexpr std::uint64_t kInterruptAhead = 1u << 16;
+inline constexpr std::uint32_t kAtOnce = 1u << 23;   // flag of a record
+
 // code of a Flag record: what in the channel takes its value.
 inline constexpr std::int32_t kFlagTapping = 1;      // signal TAPPING
 inline constexpr std::int32_t kFlagControl = 2;      // #3003, #3004: bits of ProgramControl
