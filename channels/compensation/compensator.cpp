@@ -18,10 +18,14 @@ bool leaves_held_block(Alarm alarm) {
 
 void Compensator::open(Sink& out, unsigned p, unsigned q, const Options& options) {
     *this = Compensator();
-    out_ = &out;
-    p_ = p;
-    q_ = q;
+    look_back_.open(out);
+    out_ = &look_back_;
+    configure(p, q, options);
+}
+
+void Compensator::set_options(const Options& options) {
     options_ = options;
+    look_back_.configure(p_, q_, options.check == Check::Off ? 0 : options.look_back_blocks);
 }
 
 bool Compensator::closed() const { return state_ == State::Off && !holds() && !halted_ && !displaced() && !suspended_; }
@@ -322,6 +326,7 @@ void Compensator::block_done(bool counts) {
             state_ = State::Off;
         }
         cancel_ = wish_set_ = repeated_ = false;
+        if (!failed_) look_back_.let_out();   // the contour is over
     } else if (!moved_ && selected_ && state_ == State::Armed && options_.in_place) {
         in_place_ = true;
     } else if (!moved_ && held_) {
@@ -339,6 +344,7 @@ bool Compensator::fail(Alarm alarm, bool this_block, const BlockContext& at) {
     held_ = false;
     before_.reset();
     trailing_.clear();
+    look_back_.let_out();
     return false;
 }
 

@@ -19,6 +19,7 @@
 
 #include "channels/compensation/corner.hpp"
 #include "channels/compensation/held_calls.hpp"
+#include "channels/compensation/look_back.hpp"
 #include "channels/compensation/options.hpp"
 
 namespace polyturn::channels::compensation {
@@ -34,8 +35,8 @@ public:
     // p, q: places of the plane's axes.
     void open(Sink& out, unsigned p, unsigned q, const Options& options);
     bool closed() const;
-    void configure(unsigned p, unsigned q, const Options& options) { p_ = p, q_ = q, options_ = options; }   // while off
-    void set_options(const Options& options) { options_ = options; }
+    void configure(unsigned p, unsigned q, const Options& options) { p_ = p, q_ = q, set_options(options); }   // while off
+    void set_options(const Options& options);
     bool off() const { return state_ == State::Off && !held_; }
 
     // --- what the block says, before its move
@@ -60,7 +61,7 @@ public:
     bool halted() const { return halted_; }
     void resume();
     bool holds_block() const { return held_; }
-    bool holds() const { return held_ || !ready_.empty(); }
+    bool holds() const { return held_ || !ready_.empty() || look_back_.holds(); }
     void ensure_halt(const BlockContext& at);
     Vec displacement() const { return displacement_; }   // of the axes from what is programmed; nothing is held
     bool displaced() const { return displacement_.p != 0 || displacement_.q != 0; }
@@ -147,6 +148,7 @@ private:
     void deliver(const Move& m, const BlockContext& at);
 
     Sink* out_ = nullptr;
+    LookBack look_back_;        // between this and the machine: out_ is its sink, or it
     unsigned p_ = 0, q_ = 1;
     Options options_;
     State state_ = State::Off;

@@ -39,9 +39,13 @@ bool Compensator::finish(Vectors end) {
     if (b.role == Role::Contour) verdict = check_element(b.element, start_, end, options_.check);
     if (verdict == Verdict::Interferes) return fail(Alarm::CompInterference, false, b.at);
     here_ = b.element.start + displacement_;
+    const bool looks_back = b.role == Role::Contour && ready_.empty() && !halted_;   // behind a barrier moves leave later, unlooked at
+    if (looks_back) look_back_.begin_block(b.element);
     if (b.role == Role::Contour) go_corner(b, start_, 1, start_.count, b.element.start, b.tip);
     go_element(b, b.element.end + end.at[0] + b.tip, verdict == Verdict::Corrected || b.role != Role::Contour);
     go_corner(b, end, 1, end.of_first, b.element.end, b.tip);
+    if (looks_back)
+        if (const auto fault = look_back_.end_block()) return fail(Alarm::CompInterference, false, *fault);
     Vectors rest;
     for (unsigned i = end.of_first - 1; i < end.count; ++i) rest.add(end.at[i], end.by_arc[i]);
     start_ = rest;

@@ -73,6 +73,7 @@ struct Options {
     bool in_place = false;                  // begins and ends also where the tool stands, in a block without movement in the plane
     bool sides_meet_on_paths = false;       // a change of side: at the intersection only where both paths pass it, else straight across
     bool rapid_suspends = false;            // rapid moves are not compensated; the cut before one ends the radius before its end
+    unsigned look_back_blocks = 0;          // how many blocks beyond its neighbours the nose's path is looked for crossings
     bool straight_after_halt = false;       // behind a barrier the next element is begun at its own normal
     unsigned idle_blocks = 2;               // so many blocks without movement end the held one at its normal
     bool idle_is_fault = false;             // or are an alarm

@@ -38,6 +38,7 @@ fanuc::Settings nct_settings(const Table& t, unsigned l) {
     s.shifts_when_away = bit(t, n1337_execution_config, l, 5);
     s.skip_sign_drains = !bit(t, n1337_execution_config, l, 4);
     const double unit = bit(t, n0104_unit_of_measure, l, 0) ? 25.4 : 1.0;
+    s.compensation.look_back_blocks = static_cast<unsigned>(get(t, n1404_bk_no_interf, l));
     s.compensation.check = !bit(t, n1403_interference, l, 0) ? compensation::Check::Off
                            : bit(t, n1403_interference, l, 1) ? compensation::Check::Alarm : compensation::Check::Correct;
     s.compensation.small_vector = get(t, n1405_deltv, l) * unit;
