@@ -6,6 +6,7 @@
 #include "ipc/machine/counters.hpp"
 #include "ipc/params/export.hpp"
 #include "ipc/params/unit.hpp"
+#include "ipc/params/variable_text.hpp"
 
 namespace polyturn::hmi {
 
@@ -122,25 +123,26 @@ void Diagnosis::fillVariables() {
     table_->columns = {{word("Variable"), 2}, {word("Value"), 2, Qt::AlignRight | Qt::AlignVCenter}, {"", 5}};
     table_->rowUnits = 32;
     table_->nothing = search_.isEmpty() ? word("No variable of this channel has a value.") : word("No variable has this in its name.");
-    auto lines = std::make_shared<std::vector<std::pair<QString, double>>>();
+    auto lines = std::make_shared<std::vector<std::pair<QString, QString>>>();
+    const auto add = [&](const QString& name, double value) { lines->emplace_back(name, QString::fromStdString(params::variable_text(value, desk_.live.table(), desk_.channel))); };
     const VariableList& list = desk_.live.variables(desk_.channel);
     for (std::size_t i = 0; i < std::min<std::size_t>(list.count, list.rows.size()); ++i) {
         const NamedValue& row = list.rows[i];
         const QString name = QString::fromUtf8(row.name.data(), static_cast<int>(::strnlen(row.name.data(), row.name.size())));
-        if (search_.isEmpty() || name.contains(search_, Qt::CaseInsensitive)) lines->emplace_back(name, row.value);
+        if (search_.isEmpty() || name.contains(search_, Qt::CaseInsensitive)) add(name, row.value);
     }
     if (list.count == 0)   // nothing has run yet: what is kept over power-off
         for (std::size_t n = 0; desk_.live.connected() && n < 500; ++n)
             if (const double value = desk_.live.store(desk_.channel).variables[n]; !std::isnan(value)) {
                 const QString name = QString("#%1").arg(500 + n);
-                if (search_.isEmpty() || name.contains(search_, Qt::CaseInsensitive)) lines->emplace_back(name, value);
+                if (search_.isEmpty() || name.contains(search_, Qt::CaseInsensitive)) add(name, value);
             }
     const std::uint32_t more = list.more;
     table_->rows = [lines, more] { return static_cast<int>(lines->size()) + (more ? 1 : 0); };
     table_->cell = [lines, more](int row, int column) -> Table::Cell {
         if (row == static_cast<int>(lines->size())) return column == 0 ? Table::Cell{word("and %1 more").arg(more), theme().dim} : Table::Cell{};
         const auto& [name, value] = (*lines)[static_cast<std::size_t>(row)];
-        return column == 0 ? Table::Cell{name, theme().text, Sign::None, true, Face::Program} : column == 1 ? Table::Cell{QString::number(value, 'g', 12), theme().text} : Table::Cell{};
+        return column == 0 ? Table::Cell{name, theme().text, Sign::None, true, Face::Program} : column == 1 ? Table::Cell{value, theme().text} : Table::Cell{};
     };
 }
 
