@@ -67,7 +67,8 @@ bool Expression::fail(Alarm alarm, std::string detail, double value) {
 }
 
 bool Expression::in_range(double value) {
-    return std::isfinite(value) && std::fabs(value) <= 1e47 ? true : fail(Alarm::ResultOutOfRange, "the value is not between -1E47 and 1E47");
+    if (value == 0 || (std::fabs(value) >= 1e-29 && std::fabs(value) <= 1e47)) return true;   // fanuc_lathe 6.1; nothing of NaN holds
+    return fail(Alarm::ResultOutOfRange, "the value is not 0 nor between 1E-29 and 1E47");
 }
 
 std::string_view Expression::word() {
@@ -94,7 +95,7 @@ Expression::Status Expression::operand(const char*& at, const char* end, double&
 
 Expression::Status Expression::variable_number(const char*& at, const char* end, std::int64_t& number) {
     p_ = at, end_ = end, depth_ = 0, needs_barrier_ = false;
-    return finish(number_of_variable(number), at);
+    return finish(at_name() ? named(number) : number_of_variable(number), at);
 }
 
 bool Expression::comparison(double& value) {
@@ -209,6 +210,11 @@ bool Expression::factor(double& value) {
 bool Expression::bracket(double& value) {
     blanks();
     if (p_ == end_ || *p_ != '[') return fail(Alarm::BracketMissing);
+    if (at_name()) {
+        const char* const begin = p_;
+        std::int64_t number = 0;
+        return named(number) && read(number, begin, value);
+    }
     if (++depth_ > kDepth) return fail(Alarm::BracketsTooDeep, {}, kDepth);
     ++p_;
     if (!comparison(value)) return false;
@@ -260,10 +266,36 @@ bool Expression::number_of_variable(std::int64_t& number) {
     return true;
 }
 
+bool Expression::at_name() const {
+    const char* p = p_;
+    const auto skip = [&] { while (p != end_ && *p == ' ') ++p; };
+    if (!names_ || p == end_ || *p++ != '[') return false;
+    skip();
+    if (p == end_ || *p++ != '#') return false;
+    skip();
+    return p != end_ && VariableNames::begins(*p);
+}
+
+bool Expression::named(std::int64_t& number) {
+    while (!VariableNames::begins(*p_)) ++p_;
+    const char* const begin = p_;
+    while (p_ != end_ && VariableNames::goes_on(*p_)) ++p_;
+    const std::string_view name(begin, static_cast<std::size_t>(p_ - begin));
+    blanks();
+    if (p_ == end_ || *p_ != ']') return fail(Alarm::BracketMissing);
+    ++p_;
+    if (const auto found = names_->find(name)) return number = *found, true;
+    p_ = begin;
+    return fail(Alarm::VariableUnknown, "#" + std::string(name));
+}
+
 bool Expression::variable(double& value) {
     const char* const begin = p_;
     std::int64_t number = 0;
-    if (!number_of_variable(number)) return false;
+    return number_of_variable(number) && read(number, begin, value);
+}
+
+bool Expression::read(std::int64_t number, const char* begin, double& value) {
     switch (variables_->read(number, value)) {
         case VariableStatus::Ok: return true;
         case VariableStatus::NeedsBarrier: needs_barrier_ = true; return false;
@@ -330,7 +362,7 @@ bool Expression::function(double& value) {
             break;
         case Exp:
             value = std::exp(x);
-            if (value > 3.65e47) return out_of_range();
+            if (value > 3.65e47 || value < 1e-29) return out_of_range();
             break;
         case Round: value = round_step_ == 1.0 ? std::round(x) : std::round(x / round_step_) * round_step_; break;
         case Fix: value = std::trunc(x); break;

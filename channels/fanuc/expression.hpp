@@ -3,7 +3,7 @@
 //   comparison  EQ NE GT GE LT LE          lowest; gives 1 or 0
 //   sum         + - OR XOR
 //   product     * / AND MOD
-//   factor      number  #n  #[..]  [..]  FUNCTION[..]  ATAN[y]/[x]
+//   factor      number  #n  #[..]  [#NAME]  [..]  FUNCTION[..]  ATAN[y]/[x]
 //
 // Empty (NaN) survives only where it stands alone and in EQ and NE; everywhere else it counts as 0 (fanuc_lathe 6.2).
 #pragma once
@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#include "channels/fanuc/variable_names.hpp"
 #include "channels/fanuc/variables.hpp"
 #include "ipc/diagnosis/diagnosis.hpp"
 
@@ -35,14 +36,17 @@ public:
     Status evaluate(const char*& at, const char* end, double& value);
     // Only #.. or [..], as behind an address.
     Status operand(const char*& at, const char* end, double& value);
-    // The number of a variable behind '#', for an assignment.
+    // The number of a variable behind '#', or of [#NAME], for an assignment.
     Status variable_number(const char*& at, const char* end, std::int64_t& number);
+    void names_from(const VariableNames& names) { names_ = &names; }   // none: there are no names
     const ExpressionFault& fault() const { return fault_; }
     void round_to(double step) { round_step_ = step; }   // of ROUND; 1 outside addresses
 
 private:
     bool comparison(double& value), sum(double& value), product(double& value), factor(double& value), bracket(double& value);
-    bool variable(double& value), number_of_variable(std::int64_t& number), function(double& value);
+    bool variable(double& value), number_of_variable(std::int64_t& number), function(double& value), read(std::int64_t number, const char* begin, double& value);
+    bool at_name() const;         // [#N..
+    bool named(std::int64_t& number);
     bool fail(Alarm alarm, std::string detail = {}, double value = 0.0);
     bool in_range(double value);
     void blanks() { while (p_ != end_ && (*p_ == ' ' || *p_ == '\t')) ++p_; }
@@ -50,6 +54,7 @@ private:
     Status finish(bool ok, const char*& at);
 
     VariableSet* variables_;
+    const VariableNames* names_ = nullptr;
     bool angle_positive_;
     bool short_constants_;        // eight digits, 0.0000001 to 99999999 (fanuc_lathe 6.4)
     const char* p_ = nullptr;

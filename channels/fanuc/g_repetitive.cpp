@@ -91,6 +91,7 @@ bool Interpreter::read_contour(cycles::Contour& contour, ContourText& text) {
         reader.frames_ = frames_;
         reader.loops_ = loops_;
         reader.variables_.take_values(variables_);
+        reader.names_ = names_;
         reader.variables_.undo().enable(true);
         reader.variables_.begin_block(1);
         reader.reads_contour_ = true;

@@ -141,7 +141,7 @@ Step Interpreter::macro_statement(std::size_t from) {
 Interpreter::Flow Interpreter::run_statement(const char*& at, const char* end) {
     blanks(at, end);
     if (at == end) return Flow::Done;
-    if (*at == '#') return assignment(at, end);
+    if (*at == '#' || *at == '[') return assignment(at, end);
     const char* const begin = at;
     if (take(at, end, "IF")) {
         bool holds = false;
@@ -200,8 +200,8 @@ Interpreter::Flow Interpreter::run_statement(const char*& at, const char* end) {
     std::string letters;
     for (const char* p = at; p != end && is_letter(*p); ++p) letters += capital(*p);
     const std::string_view name = statement_name(letters);
-    if (name == "SETVN") return flow_fault(Alarm::NotBuilt, at, letters);
-    if (name.empty()) return flow_fault(Alarm::WordUnknown, at, letters);
+    if (name.empty() || (name == "SETVN" && (settings_.nct || settings_.mefi))) return flow_fault(Alarm::WordUnknown, at, letters);
+    if (name == "SETVN") return name_variables(at += letters.size(), end);
     return print_statement(name, at, end);
 }
 
@@ -355,6 +355,34 @@ Interpreter::Flow Interpreter::assignment(const char*& at, const char* end) {
     fault_length_ = static_cast<std::uint32_t>(at - begin);
     if (!written(number, value, comment)) return Flow::Fault;
     fault_column_ = fault_length_ = 0;
+    return Flow::Done;
+}
+
+// SETVN 510[TOOL_NO,COUNT]
+Interpreter::Flow Interpreter::name_variables(const char*& at, const char* end) {
+    blanks(at, end);
+    const char* const begin = at;
+    double value = 0.0;
+    if (const Flow flow = evaluate(at, end, value); flow != Flow::Done) return flow;
+    blanks(at, end);
+    if (at == end || *at != '[') return flow_fault(Alarm::BracketMissing, at);
+    auto number = static_cast<std::int64_t>(is_null(value) ? 0 : std::nearbyint(value));
+    VariableNames given = names_;
+    do {
+        ++at;
+        blanks(at, end);
+        const char* const from = at;
+        while (at != end && VariableNames::goes_on(*at)) ++at;
+        const std::string_view name(from, static_cast<std::size_t>(at - from));
+        if (name.empty() || name.size() > VariableNames::kLongest || !VariableNames::begins(name[0])) return flow_fault(Alarm::MacroFormat, from, "a name has 1 to 8 letters, digits and _, a letter first");
+        if (!variables_.is_common(number)) return flow_fault(Alarm::VariableUnknown, begin, variable_name(number));
+        given.name(number++, name);
+        blanks(at, end);
+    } while (at != end && *at == ',');
+    if (at == end || *at != ']') return flow_fault(Alarm::BracketMissing, at);
+    ++at;
+    names_ = std::move(given);
+    if (!reads_contour_ && !core_.port().keep(kNamesKept, names_.text())) return flow_fault(Alarm::OutputFile, begin, "SETVN");
     return Flow::Done;
 }
 

@@ -46,6 +46,10 @@ public:
     // How many from #100 and from #500 on belong to all channels.
     void share(std::int64_t from_100, std::int64_t from_500) { shared_100_ = from_100, shared_500_ = from_500; }
     bool is_shared(std::int64_t number) const { return (number >= 100 && number < 100 + shared_100_) || (number >= 500 && number < 500 + shared_500_); }
+    bool is_common(std::int64_t number) const {
+        const auto first = static_cast<std::int64_t>(common_first_);
+        return (number >= first && number < first + static_cast<std::int64_t>(common_.size())) || (number >= 500 && number <= 999);
+    }
     const std::vector<double>& common() const { return common_; }
     std::size_t common_first() const { return common_first_; }
     void take_common(const std::vector<double>& values) { if (values.size() == common_.size()) common_ = values; }

@@ -89,6 +89,10 @@ ScanStop WordScanner::scan(std::string_view text, std::size_t from, Block& block
                 stopped_at_ = static_cast<std::size_t>(p - line);
                 return ScanStop::Macro;
             case Kind::Digit:
+                if (*begin == '[' && only_number && hook_->names_in_brackets) {
+                    stopped_at_ = static_cast<std::size_t>(p - line);
+                    return ScanStop::Macro;
+                }
                 return fail(Alarm::AddressMissing, line, begin, 1);
             case Kind::Comma:
                 ++p;

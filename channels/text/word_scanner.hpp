@@ -69,6 +69,7 @@ public:
     // Longest axis name of several characters that begins at `at`; its length, and the place in `axis`. 0: none.
     virtual std::size_t axis_name(const char* at, const char* end, int& axis) = 0;
     bool has_long_names = false;
+    bool names_in_brackets = false;     // [#NAME] begins a macro statement, as # does
     bool takes_program_names = false;   // <NAME> stands for a program
 };
 

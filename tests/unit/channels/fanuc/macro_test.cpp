@@ -42,6 +42,12 @@ TEST(MacroStatement, IsDiagnosedAtItsPlace) {
     const FaultRow rows[] = {
         {"#1=5/0", "112", 1, 7},
         {"#1=SQRT[-1]", "111", 1, 4},
+        {"#1=.0000001*.0000001*.0000001*.0000001*.0000001", "111", 1, 0},   // 1E-35
+        {"#1=EXP[-100]", "111", 1, 4},
+        {"SETVN 1[A]", "115", 1, 7},
+        {"SETVN 500[A", "", 1, 12},
+        {"SETVN 500[1A]", "114", 1, 11},
+        {"[#NONAME]=1", "115", 1, 3},
         {"#1=[1+2", "", 1, 8},
         {"#1=[[[[[[1]]]]]]", "118", 1, 9},
         {"#0=1", "116", 1, 1},
@@ -77,6 +83,22 @@ TEST(MacroFlow, LoopsJumpsAndConditions) {
     EXPECT_TRUE(played.has({R"("name":"#102","value":4)"})) << played.events;
     EXPECT_FALSE(played.has({"#103"})) << played.events;
     EXPECT_EQ(played.errors, 0u);
+}
+
+TEST(MacroValue, MayBeAsSmallAsTheControlCounts) {   // fanuc_lathe 6.1: 0 and 1E-29 to 1E47
+    const Played played = play("#1=.0000001*.0000001*.0000001*.0000001\n#100=#1*10\n#101=#1-#1\nM30\n");
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_TRUE(played.has({R"("name":"#101","value":0)"})) << played.events;
+}
+
+TEST(MacroNames, StandForTheirVariables) {   // the field's standard for SETVN
+    const Played played = play("SETVN 510[TOOL_NO,COUNT]\n[#COUNT]=3\n[#TOOL_NO]=[#COUNT]*[#COUNT]+1\n#100=#[510]\nG0 X[#COUNT] Z[[#COUNT]+1]\nIF[[#COUNT]EQ 3]THEN [#COUNT]=4\nM30\n");
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_TRUE(played.has({R"("name":"#511","value":3)"})) << played.events;
+    EXPECT_TRUE(played.has({R"("name":"#510","value":10)"})) << played.events;
+    EXPECT_TRUE(played.has({R"("name":"#100","value":10)"})) << played.events;
+    EXPECT_TRUE(played.has({R"("pos":{"X":3,"Z":4,)"})) << played.events;
+    EXPECT_TRUE(played.has({R"("name":"#511","value":4)"})) << played.events;
 }
 
 TEST(MacroWord, OfAnEmptyVariableDoesNotExist) {
