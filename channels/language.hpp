@@ -67,6 +67,11 @@ public:
     // False: this language, or this block, cannot be interrupted.
     // `input`: the number of the interrupt input that came, where there are several.
     virtual bool interrupt(std::uint64_t /*serial*/, bool /*within*/, unsigned /*input*/) { return false; }
+    // The signal has come, and the path is still on its way to the block `serial`, in front of which the interrupt program comes.
+    // What of it acts at once is interpreted now. True: interpretation stands in it, and interrupt_arrived() goes on when the
+    // path is there. False: nothing has changed.
+    virtual bool interrupt_ahead(std::uint64_t /*serial*/) { return false; }
+    virtual void interrupt_arrived() {}
 };
 
 // Whose alarm numbers a language speaks, by the name that --language takes.

@@ -9,7 +9,7 @@ int main(int argc, char** argv) {
     CLI::App app{"Polyturn: the process of one machining channel. Started by polyturn, not by hand."};
     bool check = false;
     channels::CheckOptions options;
-    std::string instance;
+    std::string instance, retained;
     app.add_flag("--check", check, "interpret a program without a machine and print its events");
     app.add_option("--instance", instance, "the controller to attach to");
     app.add_option("--channel", options.channel, "number of the channel, from 1")->check(CLI::Range(1u, static_cast<unsigned>(kMaxChannels)));
@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
     app.add_option("--param-file", options.machine.param_files, "a file of parameter lines; repeatable")->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     app.add_option("--setup", options.setup, "what an operator would have entered before");
     app.add_flag("--variables", options.variables, "also report every variable that the program writes");
+    app.add_option("--retained", retained, "folder of what must survive power-off");
     app.add_option("--shared", options.shared, "file of the variables that all programs of the check share");
     app.add_flag("--alone", options.alone, "no other channel's program takes part in the check");
     app.add_option("program", options.program, "program file");
@@ -38,7 +39,7 @@ int main(int argc, char** argv) {
         std::fputs("polyturn-channel: --instance or --check is needed; see --help\n", stderr);
         return 2;
     }
-    const auto ended = channels::run_mode({instance, options.channel, options.language, options.setup, options.variables});
+    const auto ended = channels::run_mode({instance, options.channel, options.language, options.setup, retained, options.variables});
     if (!ended) {
         std::fputs(render(ended.diagnosis(), Dialect::Polyturn, {}).c_str(), stderr);
         return 1;

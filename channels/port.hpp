@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "channels/dialogue.hpp"
@@ -29,6 +30,9 @@ public:
     virtual ~Port() = default;
     // Machine coordinate (mm, X as a radius; degrees) of a machine axis (from 0); nothing: it stands where it was commanded.
     virtual std::optional<double> axis_command(unsigned machine_axis) = 0;
+    // From where the program goes on behind a barrier: its command too, but nothing for an axis that the program has sent
+    // somewhere beside its path and that is not there yet.
+    virtual std::optional<double> axis_taken_over(unsigned machine_axis) { return axis_command(machine_axis); }
     virtual std::optional<double> axis_measured(unsigned machine_axis) = 0;
     // Where it is: measured while something moves it, and where it was brought while it stands (what the loop still lags
     // behind is no position).
@@ -52,6 +56,9 @@ public:
     // What a program sends to an external device (DPRNT, BPRNT): bytes; `control`: signs around a transmission.
     // False: they cannot be kept.
     virtual bool print(const MachineView&, std::string_view /*bytes*/, bool /*control*/) { return true; }
+    // A text of this channel that survives power-off (check mode and runs without a store keep none). False: the disk refuses it.
+    virtual bool keep(std::string_view /*name*/, std::string_view /*text*/) { return true; }
+    virtual std::string kept(std::string_view /*name*/) { return {}; }
     // Where check mode keeps the variables that all channels share (MachineView::shared); nullptr: in the view.
     virtual double* shared_variables() { return nullptr; }
     // CP_SGOEN and CP_SGOX, Y, Z: the second geometry offset acts on this axis (0 X, 1 Y, 2 Z).

@@ -54,6 +54,7 @@ struct BlockContext {
     AxisSet display_swapped = 0;   // axes that the program counts the other way than the machine shows them: radius, not diameter
     std::string_view cycle;        // name of the cycle that makes it; empty none
     bool by_code = false;          // within a program that a code has called (N1338 DSM)
+    std::int8_t own_axis = -1;     // place of the axis that runs this by itself, beside the path (B programs); -1: the path does it
 };
 
 inline constexpr double kTorqueOfPlc = -1.0;
@@ -117,6 +118,7 @@ struct Dwell {
     double value = 0.0;             // seconds or revolutions
     std::uint16_t spindle = 0;
     std::string_view until;         // name of an input that ends it early; lives as long as the program
+    bool rest = false;              // it was interrupted, and only what is left of it is waited for
 };
 
 struct Aux {

@@ -115,13 +115,8 @@ void Interpreter::barrier_done() {
 
 void Interpreter::take_machine() {
     const MachineView& view = core_.view();
-    AxisValues machine{};
-    for (unsigned i = 0; i < view.axis_count; ++i) {
-        const auto now = core_.port().axis_command(view.axes[i].machine_axis);
-        if (!now) return;   // nobody drives: they stand where they were commanded
-        machine[i] = *now;
-    }
-    for (unsigned i = 0; i < view.axis_count; ++i) core_.take_machine(i, machine[i]);
+    for (unsigned i = 0; i < view.axis_count; ++i)
+        if (const auto now = core_.port().axis_taken_over(view.axes[i].machine_axis)) core_.take_machine(i, *now);
 }
 
 Step Interpreter::fault_at(Alarm alarm, std::uint32_t column, std::uint32_t length, std::string detail, double v0, double v1) {

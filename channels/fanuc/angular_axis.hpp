@@ -8,6 +8,7 @@
 // Interpreter, cycles and compensation work at right angles; this sink and this port stand between them and the machine.
 // The path stays at right angles too; the kernel finds the axes at every tick (ipc/kinematics), so arcs stay round.
 #pragma once
+#include "channels/forwarding_port.hpp"
 #include "channels/forwarding_sink.hpp"
 #include "channels/machine_view.hpp"
 #include "channels/port.hpp"
@@ -50,25 +51,14 @@ private:
 };
 
 // Positions of the machine as the program means them.
-class AngularPort final : public Port {
+class AngularPort final : public ForwardingPort {
 public:
-    AngularPort(Port& next, const MachineView& view, const AngularAxes& axes) : next_(&next), view_(&view), axes_(axes) {}
+    AngularPort(Port& next, const MachineView& view, const AngularAxes& axes) : ForwardingPort(next), view_(&view), axes_(axes) {}
     std::optional<double> axis_command(unsigned a) override { return turned(a, [this](unsigned k) { return next_->axis_command(k); }); }
+    std::optional<double> axis_taken_over(unsigned a) override { return turned(a, [this](unsigned k) { return next_->axis_taken_over(k); }); }
     std::optional<double> axis_measured(unsigned a) override { return turned(a, [this](unsigned k) { return next_->axis_measured(k); }); }
+    std::optional<double> axis_position(unsigned a) override { return turned(a, [this](unsigned k) { return next_->axis_position(k); }); }
     std::optional<double> axis_at_skip(unsigned a) override { return turned(a, [this](unsigned k) { return next_->axis_at_skip(k); }); }
-    bool block_skip(unsigned number) override { return next_->block_skip(number); }
-    bool optional_stop() override { return next_->optional_stop(); }
-    bool single_block() override { return next_->single_block(); }
-    double interface_value(std::int32_t variable) override { return next_->interface_value(variable); }
-    DialogueAnswers dialogue_answers() override { return next_->dialogue_answers(); }
-    std::optional<double> given_variable(std::string_view name) override { return next_->given_variable(name); }
-    CalendarTime clock() override { return next_->clock(); }
-    double running_ms() override { return next_->running_ms(); }
-    bool print(const MachineView& view, std::string_view bytes, bool control) override { return next_->print(view, bytes, control); }
-    double* shared_variables() override { return next_->shared_variables(); }
-    bool second_geometry(unsigned axis) override { return next_->second_geometry(axis); }
-    StrokeFlags stroke_flags(unsigned machine_axis) override { return next_->stroke_flags(machine_axis); }
-    Turning started_by_others(unsigned spindle) override { return next_->started_by_others(spindle); }
 
 private:
     template <class Read> std::optional<double> turned(unsigned machine_axis, Read&& read) {
@@ -79,7 +69,6 @@ private:
         const auto other = read(x);
         return other ? std::optional<double>(axes_.z_of(*other, *own)) : std::nullopt;
     }
-    Port* next_;
     const MachineView* view_;
     AngularAxes axes_;
 };

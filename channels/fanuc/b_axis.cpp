@@ -4,11 +4,16 @@
 //   G01 B40. F200
 //   G100          the program is there; the M code of F8251 starts it
 //
-// The third tool post runs its program where it is started, and the channel goes on behind it. Codes of it, feed and mode are
-// its own: what the main program has set does not hold in it, and the other way round.
+//   M81           handed over step by step (BlockContext::own_axis); the kernel drives them beside the path
+//   G1 X.. Z..    goes on meanwhile; a move of B by the path waits for the end of its own program
+//
+// Codes of it, feed and mode are its own: what the main program has set does not hold in it, and the other way round. What it
+// says to the PLC goes over the axis' own signals (AN_PAXFSTR).
 #include <cmath>
 
 #include "channels/cycles/drilling.hpp"
+#include "channels/fanuc/b_memory.hpp"
+#include "channels/fanuc/feed_words.hpp"
 #include "channels/fanuc/interpreter.hpp"
 
 namespace polyturn::channels::fanuc {
@@ -24,13 +29,25 @@ bool Interpreter::g_b_register(const GCode& row) {
         b_.programs[b_.registering - 1u] = std::move(b_.draft);
         b_.registering = 0;
         b_.draft.clear();
-        return true;
+        return b_keep();
     }
-    if (core_.view().axis_by_name("B") < 0) return core_.fail(Alarm::PlaneAxisMissing, 'G');
+    if (!b_axis_here()) return false;
     b_.registering = static_cast<unsigned>(row.tenths - 1000) / 10u;
     b_.programs[b_.registering - 1u].clear();   // an error leaves it empty
     b_.draft.clear();
-    return true;
+    return b_keep();
+}
+
+// They survive power-off. What only looks at a contour registers nothing.
+bool Interpreter::b_keep() {
+    if (reads_contour_ || core_.port().keep(kBProgramsKept, b_text(b_.programs))) return true;
+    return core_.fail(Alarm::BMemoryFull, 'G');
+}
+
+// F8250 3, one B axis that two channels command: an axis obeys one.
+bool Interpreter::b_axis_here() {
+    if (params::get(core_.view().table(), params::f8250, core_.view().channel) == 3) return core_.fail(Alarm::BesideRefused, 'G', "B: F8250 = 3, one B axis of two channels");
+    return core_.view().axis_by_name("B") >= 0 || core_.fail(Alarm::PlaneAxisMissing, 'G');
 }
 
 // A block of words as a step of the B program.
@@ -60,7 +77,11 @@ bool Interpreter::b_step(BStep& step, bool single) {
                 break;
             }
             case 'B': step.has_b = true, step.b = length(word, core_.view().axis_by_name("B")); break;
-            case 'F': step.feed = word.value; break;
+            case 'F':
+                if (word.value < 0) return core_.fail(Alarm::NegativeSign, 'F', "F");
+                step.feed = word.value * unit_;
+                step.feed_turn = fine_feed(word, word.has_point || word.from_expression || settings_.point_means_nothing, settings_.series15, inch_) * unit_;
+                break;
             case 'R': step.has_r = true, step.r = length(word, core_.view().axis_by_name("B")); break;
             case 'Q': step.q = std::fabs(length(word, core_.view().axis_by_name("B"))); break;
             case 'P':
@@ -95,20 +116,39 @@ bool Interpreter::b_record() {
 }
 
 bool Interpreter::g_b_single(const GCode&) {
-    if (core_.view().axis_by_name("B") < 0) return core_.fail(Alarm::PlaneAxisMissing, 'G');
+    if (!b_axis_here()) return false;
     if (core_.compensating() && b_.single_before) return core_.fail(Alarm::BSingleTwice, 'G');
     b_.single_now = true;
     BStep step;
     return b_step(step, true) && b_run({step});
 }
 
+// The steps are handed over; the axis runs them beside the path.
 bool Interpreter::b_run(const std::vector<BStep>& program) {
+    const auto b = core_.view().axis_by_name("B");
+    core_.at.own_axis = static_cast<std::int8_t>(b);
+    const FeedMode mode = core_.path.feed_mode;
+    const double feed = core_.path.feed;
+    const bool locked = core_.path.override_locked, exact = core_.path.exact_stop_mode;
+    const std::uint64_t moves = core_.moves();
+    core_.path.exact_stop_mode = core_.path.override_locked = false;
+    core_.signal("OWN_BEGIN", b);
+    const bool good = b_steps(program, static_cast<unsigned>(b));
+    core_.signal("OWN_END", b);
+    core_.at.own_axis = -1;
+    core_.path.feed_mode = mode;
+    core_.path.feed = feed;
+    core_.path.override_locked = locked;
+    core_.path.exact_stop_mode = exact;
+    b_.moves += core_.moves() - moves;
+    return good;
+}
+
+bool Interpreter::b_steps(const std::vector<BStep>& program, unsigned b) {
     const params::Table& t = core_.view().table();
     const unsigned l = core_.view().channel;
-    const auto b = static_cast<unsigned>(core_.view().axis_by_name("B"));
-    const PathState main = core_.path;
     bool line = params::bit(t, params::f8241, l, 1), per_revolution = params::bit(t, params::f8241, l, 2);
-    double feed = 0.0;
+    double feed = 0.0, feed_turn = 0.0;
     BStep cycle;
     bool good = true;
     core_.path.feed_mode = per_revolution ? FeedMode::PerRevolution : FeedMode::PerMinute;
@@ -116,8 +156,8 @@ bool Interpreter::b_run(const std::vector<BStep>& program) {
     for (std::size_t n = 0; good && n < program.size(); ++n) {
         const BStep& step = program[n];
         if (step.feed_mode) core_.path.feed_mode = step.feed_mode == 2 ? FeedMode::PerRevolution : FeedMode::PerMinute;
-        if (step.feed > 0) feed = step.feed;
-        core_.path.feed = feed;
+        if (step.feed > 0) feed = step.feed, feed_turn = step.feed_turn;
+        core_.path.feed = core_.path.feed_mode == FeedMode::PerRevolution ? feed_turn : feed;
         if (step.motion) line = step.motion == 2, cycle = {};
         if (step.drilling == 800) cycle = {};
         else if (step.drilling) cycle = step;
@@ -150,8 +190,6 @@ bool Interpreter::b_run(const std::vector<BStep>& program) {
             good = line ? core_.linear(target) : core_.rapid(target);
         }
     }
-    core_.path.feed_mode = main.feed_mode;
-    core_.path.feed = main.feed;
     return good;
 }
 
@@ -171,7 +209,6 @@ bool Interpreter::b_function(const BStep& step, bool line) {
         return line ? core_.linear(here) : core_.rapid(here);
     }
     const std::string text = std::string(1, step.letter) + std::to_string(static_cast<long>(step.code));
-    if (step.letter == 'S') return core_.spindle_speed(step.code) && core_.commit_spindle();
     core_.aux(step.letter, step.code, text, false);
     return true;
 }

@@ -139,7 +139,8 @@ Step Interpreter::nc_block() {
         if (!life_.mode && !code_calls(calls)) return fault(core_.fault());
     }
     b_.single_now = false;
-    if (block_.has('G') && !calls && !settings_.nct && !settings_.mefi)   // all words of such a block are the B axis'
+    b_.moves = 0;
+    if (block_.has('G') && !calls && !b_.registering && !settings_.nct && !settings_.mefi)   // all words of such a block are the B axis'
         for (std::size_t k = 0; k < block_.count; ++k)
             if (block_.words[k].axis < 0 && block_.words[k].address == 'G' && block_.words[k].value == 110) {
                 if (!classify() || !g_b_single(*table_.find(1100))) return fault(core_.fault());
@@ -210,7 +211,7 @@ Step Interpreter::nc_block() {
     }
     if (!ended_ && !called_ && !modal_calls_.empty()) {
         const ModalCall& modal = modal_calls_.back();
-        if ((modal.every_block && modal.armed) || core_.moves() != moves_before) {
+        if ((modal.every_block && modal.armed) || core_.moves() - b_.moves != moves_before) {
             const LocalSet arguments = modal.arguments;
             if (!call_program(modal.program, modal.repeats, &arguments, false, true, 'P')) return fault(core_.fault());
         }

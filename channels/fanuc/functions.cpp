@@ -235,11 +235,14 @@ bool Interpreter::function_code(const Word& word, bool late) {
     const bool drains = is_draining(code) || (code == 5 && core_.frees_axis());
     char text[24];
     const auto end = fmt::format_to_n(text, sizeof text, "M{}", static_cast<std::int64_t>(code));
+    const bool b_axis = !settings_.nct && !settings_.mefi;
+    const bool at_once = b_axis && params::bit(core_.view().table(), params::f8240, core_.view().channel, 7);   // with the code, not behind it
+    if (at_once && !b_start(code)) return false;
     core_.aux('M', code, {text, end.size}, drains);
     last_m_ = static_cast<std::int64_t>(code);
     if (drains) wants_barrier_ = true;
     if (settings_.part_code != 0 && code == settings_.part_code) core_.sink().part(++parts_, core_.at);
-    return settings_.nct || settings_.mefi || b_start(code);
+    return !b_axis || at_once || b_start(code);
 }
 
 bool Interpreter::m_after() {

@@ -64,7 +64,7 @@ bool Interpreter::g_comp_on(const GCode& row) {
     if (reads_contour_) return true;
     if (!core_.compensating()) comp_moves_ = core_.moves();
     // The block right behind the one that begins must go on on its side (fanuc_lathe 3.9).
-    else if (!settings_.nct && core_.holds_block() && core_.moves() == comp_moves_ + 1 && row.tenths != comp_code_) return core_.fail(Alarm::AddressIllegal, 'G', std::string(row.name));
+    else if (!settings_.nct && core_.holds_block() && core_.moves() == comp_moves_ + 1 && row.tenths != comp_code_) return core_.fail(Alarm::CompSideAtBegin, 'G');
     comp_code_ = row.tenths;
     return core_.compensation(row.tenths == 410 ? CompSide::Left : CompSide::Right);
 }

@@ -2,6 +2,7 @@
 // reset), the tool offset where F5003#6 or N1414#5 keep it, and with N1301 CLR the G groups that N1302 to N1306 keep (nct part 1 14.2).
 //
 // A program's end counts as a reset here: without CLR all groups begin as the machine was switched on.
+#include "channels/fanuc/b_memory.hpp"
 #include "channels/fanuc/resume_state.hpp"
 
 namespace polyturn::channels::fanuc {
@@ -22,12 +23,26 @@ struct Interpreter::Inherited {
     PathState path;
     CompSide side = CompSide::Off;
     double pattern = 0;   // #5900: until another one is chosen
+    std::array<std::vector<BStep>, 3> b_programs;   // registered ones stay
+    VariableNames names;
     double parts = 0, parts_table = 0;   // #3901, and N2307 of the table: it follows a moment later, unless somebody has set it
 };
 
 std::any Interpreter::carry() const {
     auto& self = const_cast<Interpreter&>(*this);   // modal() ties references; they are only read here
-    return std::make_shared<Inherited>(Inherited{variables_.common(), variables_.levels().front(), values_of(self.modal()), modal_calls_, core_.path, core_.at.comp, pattern_, parts_, settings_.parts_made});
+    return std::make_shared<Inherited>(Inherited{variables_.common(), variables_.levels().front(), values_of(self.modal()), modal_calls_, core_.path, core_.at.comp, pattern_, b_.programs, names_, parts_, settings_.parts_made});
+}
+
+// What was kept over power-off; a text that cannot be read leaves nothing, and is told.
+void Interpreter::recall_kept() {
+    const auto ignored = [this](std::string_view what) {
+        core_.sink().alarm({Alarm::StoreRowIgnored, {files_->path(frames_.back().file), 0, 0, 0}, {}, std::string(what)}, core_.at);
+    };
+    if (const std::string text = core_.port().kept(kBProgramsKept); !text.empty()) {
+        if (auto programs = b_programs(text)) b_.programs = std::move(*programs);
+        else ignored("G101 G102 G103");
+    }
+    if (!names_.take(core_.port().kept(kNamesKept))) ignored("SETVN");
 }
 
 void Interpreter::take_carry(const std::any& before, bool after_reset) {
@@ -36,6 +51,8 @@ void Interpreter::take_carry(const std::any& before, bool after_reset) {
     const Inherited& last = **held;
     pattern_ = last.pattern;
     if (!after_reset && last.parts_table == settings_.parts_made) parts_ = last.parts;   // what was read ahead when it was reset has made no part
+    b_.programs = last.b_programs;   // as new as what is kept over power-off, and there without a disk too
+    names_ = last.names;
     if (!after_reset || settings_.keeps_common) variables_.take_common(last.common);
     if (!after_reset || settings_.keeps_locals) variables_.locals() = last.locals;
     if (settings_.keeps_offset) {

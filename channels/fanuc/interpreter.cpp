@@ -16,6 +16,7 @@ Interpreter::Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles
     : core_(view, sink, port), files_(&files), make_settings_(make_settings), settings_(make_settings(view.table(), view.channel)), table_(settings_.system), scanner_(*this),
       variables_(*this, *view.store, settings_.common_first, settings_.common_last),
       expression_(variables_, settings_.angle_positive, !settings_.nct && !settings_.mefi) {
+    if (!settings_.nct && !settings_.mefi) expression_.names_from(names_), names_in_brackets = true;
     parts_ = settings_.parts_made;
     parts_wanted_ = settings_.parts_wanted;
     takes_program_names = !settings_.mefi;
@@ -117,6 +118,7 @@ Result<void> Interpreter::start(FileId main) {
     core_.refresh_limits();
     if (settings_.mefi) core_.path.zero_row = settings_.priority_zero_row;
     core_.load_zeros();
+    if (!settings_.nct && !settings_.mefi && !reads_contour_) recall_kept();
     return {};
 }
 
@@ -125,7 +127,7 @@ void Interpreter::barrier_done() {
     fresh_ = true;
     core_.refresh_limits();
     for (unsigned i = 0; i < core_.view().axis_count; ++i)
-        if (const auto now = core_.port().axis_command(core_.view().axes[i].machine_axis)) core_.take_machine(i, *now);
+        if (const auto now = core_.port().axis_taken_over(core_.view().axes[i].machine_axis)) core_.take_machine(i, *now);
     look_at_synchronous_axes();
 }
 
@@ -236,6 +238,7 @@ Step Interpreter::read_block() {
     fault_line_ = fault_column_ = fault_length_ = 0;
     has_pending_fault_ = false;
     core_.begin_block();
+    core_.rest_of_dwell = std::exchange(interruption_.goes_on, false);
     const CallLevel& frame = frames_.back();
     BlockContext& at = core_.at;
     at.file = frame.file;
@@ -285,6 +288,12 @@ Step Interpreter::read_block() {
     if (block_.count == 0 && !block_.name_length) {
         column_ = next_column;
         return Step::Continue;
+    }
+    if (only_macros_ && (block_.letters & ~letter_set("NO"))) {   // it waits for the path, and is read again
+        only_macros_ = false;
+        reread_ = true;
+        line_left_ = false;
+        return Step::AtBarrier;
     }
     if (block_.has('N')) at.block = last_n_ = static_cast<std::int64_t>(block_.value('N'));
     if (keep_states_ && !is_plain_move()) state_changed_ = true;

@@ -48,6 +48,8 @@ public:
     bool starts_away() const override { return settings_.nct; }
     void start_away(const AxisValues& by) override;
     bool interrupt(std::uint64_t serial, bool within, unsigned input) override;
+    bool interrupt_ahead(std::uint64_t serial) override;
+    void interrupt_arrived() override;
     std::any carry() const override;
     void take_carry(const std::any& before, bool after_reset) override;
     const Settings& settings() const { return settings_; }
@@ -185,6 +187,7 @@ private:
     bool interrupt_has_nc_statements(std::int64_t program);
     bool return_from_interrupt(bool has_target, std::int64_t target);
     void arm_interrupts(bool on);
+    void stand_where_interrupted();
     // S, T, M (functions.cpp)
     bool spindle_word();
     bool named_spindles();
@@ -218,7 +221,11 @@ private:
     // B axis (b_axis.cpp)
     bool b_step(BStep& step, bool single);
     bool b_record();
+    bool b_axis_here();
+    bool b_keep();
+    void recall_kept();
     bool b_run(const std::vector<BStep>& program);
+    bool b_steps(const std::vector<BStep>& program, unsigned b);
     bool b_function(const BStep& step, bool line);
     bool b_start(double code);
     bool arc_words(ArcCall& call, bool& goes);
@@ -254,6 +261,7 @@ private:
     enum class Flow : std::uint8_t { Done, NeedsBarrier, Fault };
     Flow run_statement(const char*& at, const char* end);
     Flow assignment(const char*& at, const char* end);
+    Flow name_variables(const char*& at, const char* end);
     Flow condition(const char*& at, const char* end, bool& holds);
     Flow evaluate(const char*& at, const char* end, double& value);
     Flow flow_fault(Alarm alarm, const char* at, std::string detail = {}, double value = 0.0);
@@ -313,6 +321,7 @@ private:
     GTable table_;
     WordScanner scanner_;
     VariableSet variables_;
+    VariableNames names_;
     Expression expression_;
     Block block_;
 
@@ -342,6 +351,7 @@ private:
     DrillWords drill_;
     Finishing finishing_;   // G70 drives the blocks P to Q
     CycleData cycle_data_;   // what first blocks have said (fanuc: it stays; nct: for the next block)
+    bool only_macros_ = false;        // of an interrupt program, while the path is on its way to it
     bool reads_contour_ = false;      // this interpreter only looks at a contour
     bool absolute_ = true, inch_ = false;
     std::optional<AxisValues> away_;  // moved in the hold (N1337 REL): the next block with axis words decides

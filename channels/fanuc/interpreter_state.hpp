@@ -92,7 +92,8 @@ struct BStep {
     int feed_mode = 0;             // 0 none, 1 G98, 2 G99
     int one_shot = 0, drilling = 0;   // G number times ten
     bool absolute = false, has_b = false, has_r = false, has_p = false;
-    double b = 0, r = 0, q = 0, p = 0, feed = 0, code = 0;
+    double b = 0, r = 0, q = 0, p = 0, code = 0;
+    double feed = 0, feed_turn = 0;   // F read as a feed per minute, and as one per revolution; mm
     char letter = 0;               // M S T
 };
 
@@ -155,12 +156,14 @@ struct BPrograms {
     std::vector<BStep> draft;
     unsigned registering = 0;              // 1 to 3
     bool single_before = false, single_now = false;
+    std::uint64_t moves = 0;               // handed over in this block: G66 does not follow them
 };
 
 struct Interruption {             // an interrupt program runs
     bool running = false;
     bool shows_end = false;       // #5001 still gives the end of the interrupted block
     bool again = false;           // the rest of the interrupted block is still to be driven
+    bool goes_on = false;         // it is the next to be read
     AxisValues end{}, begin{};    // of the interrupted block, workpiece system
     PathState path;
     CompSide side = CompSide::Off;   // compensation that goes on behind it

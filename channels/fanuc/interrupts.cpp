@@ -53,10 +53,10 @@ bool Interpreter::interrupt_has_nc_statements(std::int64_t program) {
             blanks();
             while (i < line.size() && line[i] >= '0' && line[i] <= '9') ++i;
         }
-        if (i >= line.size() || line[i] == '(' || line[i] == ';' || line[i] == '%' || line[i] == '#') continue;
+        if (i >= line.size() || line[i] == '(' || line[i] == ';' || line[i] == '%' || line[i] == '#' || line[i] == '[') continue;
         const std::string_view rest = line.substr(i);
         if (rest.starts_with("M99") || rest.starts_with("m99")) break;
-        static constexpr std::string_view kMacro[] = {"IF", "WHILE", "GOTO", "DO", "END", "POPEN", "PCLOS", "DPRNT", "BPRNT"};
+        static constexpr std::string_view kMacro[] = {"IF", "WHILE", "GOTO", "DO", "END", "POPEN", "PCLOS", "DPRNT", "BPRNT", "SETVN"};
         found = std::none_of(std::begin(kMacro), std::end(kMacro), [&](std::string_view word) { return rest.starts_with(word); });
     }
     source.seek(back);
@@ -85,14 +85,13 @@ bool Interpreter::interrupt(std::uint64_t serial, bool within, unsigned) {
     interrupting_ = watch;
     if (!within) interruption_.end = core_.path.programmed;
     interruption_.begin = core_.path.programmed;
-    for (unsigned i = 0; i < core_.view().axis_count; ++i)
-        if (const auto now = core_.port().axis_command(core_.view().axes[i].machine_axis)) core_.take_machine(i, *now);
+    if (!only_macros_) stand_where_interrupted();
     for (std::size_t k = 0; k < interruption_.modal_variables.size(); ++k) {
         double value = 0.0;
         interruption_.modal_variables[k] = modal_variable(4001 + static_cast<std::int64_t>(k), value) ? value : kNull;
     }
     interrupted_ = std::make_shared<ResumeState>();
-    interrupted_->path = core_.path;
+    interrupted_->path = core_.path;   // its feed, plane and zero hold again behind it
     interrupted_->modal = values_of(modal());
     interrupted_->modal_calls = modal_calls_;
     interruption_.running = interruption_.shows_end = true;
@@ -119,6 +118,32 @@ bool Interpreter::interrupt(std::uint64_t serial, bool within, unsigned) {
     fresh_ = state_changed_ = true;
     measuring_ = {};
     return true;
+}
+
+void Interpreter::stand_where_interrupted() {
+    for (unsigned i = 0; i < core_.view().axis_count; ++i)
+        if (const auto now = core_.port().axis_taken_over(core_.view().axes[i].machine_axis)) core_.take_machine(i, *now);
+}
+
+// Type II: the macro statements at the beginning of the interrupt program act while the block is still driven, what follows the
+// first other one behind it. What they read is of the tick at which the signal was seen.
+bool Interpreter::interrupt_ahead(std::uint64_t serial) {
+    constexpr int kMostStatements = 10'000;   // a loop that waits for something waits at the end of the block
+    if (settings_.nct || core_.reads_ahead() || !may_resume_at(serial)) return false;
+    only_macros_ = true;
+    if (!interrupt(serial, false, 0)) return only_macros_ = false;
+    for (int n = 0; n < kMostStatements && only_macros_; ++n) {
+        fresh_ = true;
+        if (read_block() == Step::Failed) only_macros_ = false;
+    }
+    only_macros_ = false;
+    return true;
+}
+
+void Interpreter::interrupt_arrived() {
+    stand_where_interrupted();
+    core_.refresh_limits();
+    fresh_ = true;
 }
 
 // M99 restores what held before; M99 P leaves what the interrupt program has set.
@@ -148,6 +173,7 @@ bool Interpreter::return_from_interrupt(bool has_target, std::int64_t target) {
         path.exact_stop_mode = before.path.exact_stop_mode;
         path.override_locked = before.path.override_locked;
         if (path.zero_row != before.path.zero_row) core_.select_zero(before.path.zero_row);
+        interruption_.goes_on = interruption_.again;
         if (interruption_.again) path.programmed = interruption_.begin;   // the block is read again: increments count from its start
         // From where the tool is now straight to the vector at the end of the next block.
         if (interruption_.side != CompSide::Off && core_.compensation(interruption_.side)) core_.compensation_resumes();

@@ -54,6 +54,7 @@ ChannelProcess::ChannelProcess(PeerSegment<SupervisorSegment> supervisor, PeerSe
     transformed_ = std::make_unique<TransformedOut>(*ring_, limits_);
     maker_ = std::make_unique<PathMaker>(*transformed_, limits_);
     inbox_.on_question = [this](const ChannelEvent& event) { ask_resume(event); };
+    port_.keep_in(services_.kept_folder);
     own_->bell.ring();
 }
 
@@ -104,7 +105,7 @@ void ChannelProcess::act(const ChannelEvent& event) {
         case ChannelEventKind::StoreChanged: store_changed_ = true; break;
         case ChannelEventKind::SelectProgram: choice_.path = std::string(text_of(event)), publish_choice(); break;
         case ChannelEventKind::Quit: quit_ = true; break;
-        case ChannelEventKind::Interrupt: interrupt(event); break;
+        case ChannelEventKind::Interrupt: event.record & kInterruptAhead ? interrupt_ahead(event) : interrupt(event); break;
         case ChannelEventKind::Restart: restart(event); break;
         case ChannelEventKind::AskResume: break;   // answered when it came
         case ChannelEventKind::Resume: resume(event); break;
@@ -290,7 +291,7 @@ void ChannelProcess::reset(const ChannelEvent& event) {
     run_.reset();
     after_reset_ = true;
     state_ = State::Idle;
-    next_part_ = false;
+    next_part_ = ahead_ = false;
     own_->epoch.store(event.epoch, std::memory_order_release);
     port_.answers() = {};
     dialogue_.clear();
@@ -304,11 +305,27 @@ void ChannelProcess::interrupt(const ChannelEvent& event) {
     if (!run_) return;
     port_.look();
     sink_->forget();
-    if (!run_->interrupt(static_cast<std::uint64_t>(event.value), (event.record & 1) != 0, static_cast<unsigned>(event.record >> 1))) {
+    if (std::exchange(ahead_, false)) {
+        run_->interrupt_arrived();
+        sink_->push_kept();
+    } else if (!run_->interrupt(static_cast<std::uint64_t>(event.value), (event.record & 1) != 0, static_cast<unsigned>(event.record >> 1))) {
         fail({Alarm::InterruptPlace, {}, {}, {}});
         return;
     }
     state_ = State::Reading;
+}
+
+// The path is still on its way to where the interrupt program begins: what of it acts at once is done now.
+void ChannelProcess::interrupt_ahead(const ChannelEvent& event) {
+    if (run_ && !held_run_ && !next_part_ && !restart_sink_->searching()) {
+        port_.look();
+        sink_->at_once(true);
+        ahead_ = run_->interrupt_ahead(static_cast<std::uint64_t>(event.value));
+        sink_->at_once(false);
+        if (ahead_) state_ = State::Standing;   // no barrier is on its way: the path stops before the next block
+    }
+    own_->answered.store(event.seq, std::memory_order_release);
+    own_->bell.ring();
 }
 
 // States from before the record that the path is at are needed no more.

@@ -48,6 +48,8 @@ public:
     virtual Step step() = 0;
     virtual void barrier_done() = 0;
     virtual bool interrupt(std::uint64_t /*serial*/, bool /*within*/, unsigned /*input*/) { return false; }   // see Language
+    virtual bool interrupt_ahead(std::uint64_t /*serial*/) { return false; }
+    virtual void interrupt_arrived() {}
     virtual void executed(std::uint64_t /*serial*/) {}
     virtual void keep_resume_states(bool) {}
     virtual bool may_resume_at(std::uint64_t /*serial*/) const { return false; }
@@ -71,6 +73,7 @@ struct ProcessServices {
     // A sink that appends event objects to `text`, for the notes; may be empty.
     std::function<std::unique_ptr<Sink>(const MachineView&, std::string& text)> make_describer;
     const text::Setup* setup = nullptr;
+    std::string kept_folder;   // of texts that survive power-off; empty: none do
 };
 
 class ChannelProcess {
@@ -95,6 +98,7 @@ private:
     void end_program(StopReason reason);
     void reset(const ChannelEvent& event);
     void interrupt(const ChannelEvent& event);
+    void interrupt_ahead(const ChannelEvent& event);
     // held_program.cpp: what happens to a program while its path is held
     void restart(const ChannelEvent& event);
     void ask_resume(const ChannelEvent& event);
@@ -151,6 +155,7 @@ private:
     std::uint64_t seen_event_ = 0;
     std::uint64_t last_note_ = 0;
     double parts_left_ = 1;
+    bool ahead_ = false;           // in an interrupt program, while the path is still on its way there
     bool next_part_ = false;       // standing between two parts
     bool store_changed_ = false;
     std::unique_ptr<ChannelStore> first_store_;

@@ -4,6 +4,7 @@
 #include <deque>
 #include <functional>
 
+#include "ipc/image/interrupt_inputs.hpp"
 #include "ipc/image/segments.hpp"
 
 namespace polyturn::channels {
@@ -14,10 +15,9 @@ public:
 
     void poll() {
         while (const ChannelEvent* event = ring_.front()) {
-            const auto kind = static_cast<ChannelEventKind>(event->kind);
-            if (cuts(kind)) ++interrupts_;
+            if (cuts(*event)) ++interrupts_;
             events_.push_back(*event);
-            if (kind == ChannelEventKind::AskResume && on_question) on_question(*event);
+            if (static_cast<ChannelEventKind>(event->kind) == ChannelEventKind::AskResume && on_question) on_question(*event);
             ring_.pop();
         }
     }
@@ -29,13 +29,14 @@ public:
     ChannelEvent take() {
         const ChannelEvent event = events_.front();
         events_.pop_front();
-        const auto kind = static_cast<ChannelEventKind>(event.kind);
-        if (cuts(kind)) --interrupts_;
+        if (cuts(event)) --interrupts_;
         return event;
     }
 
 private:
-    static bool cuts(ChannelEventKind kind) {
+    static bool cuts(const ChannelEvent& event) {
+        const auto kind = static_cast<ChannelEventKind>(event.kind);
+        if (kind == ChannelEventKind::Interrupt && (event.record & kInterruptAhead)) return false;   // the running block may still be read
         return kind == ChannelEventKind::Reset || kind == ChannelEventKind::Quit || kind == ChannelEventKind::Interrupt ||
                kind == ChannelEventKind::Resume || kind == ChannelEventKind::HeldMdi;
     }

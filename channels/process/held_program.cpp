@@ -50,7 +50,7 @@ void ChannelProcess::take_changes() {
 
 void ChannelProcess::ask_resume(const ChannelEvent& event) {
     auto answer = ResumeAnswer::Nothing;
-    if (run_ && !held_run_) {
+    if (run_ && !held_run_ && !ahead_) {
         look_for_changes();
         const bool away = (event.record & kResumeAway) != 0, wanted = operator_changed_ || away || (event.record & kResumeByHand) != 0;
         const auto serial = static_cast<std::uint64_t>(event.value);

@@ -4,15 +4,19 @@
 #include <charconv>
 
 #include "channels/process/record_place.hpp"
+#include "ipc/image/beside_step.hpp"
 
 namespace polyturn::channels {
 
 void RecordSink::beside(const Move& move, const BlockContext& at) {
-    await_axes_of(move, at);   // the same axis again: one after the other
+    const bool own = at.own_axis >= 0;   // a step of its own program: they wait for each other in the kernel
+    if (!own) await_axes_of(move, at);   // the same axis again: one after the other
+    if (own) own_room(at);
     for (unsigned i = 0; i < view_->axis_count; ++i) {
         if (!(move.moved >> i & 1u)) continue;
         PathRecord r = event(RecordKind::Beside, at, note_move(move, at));
         const ChannelAxis& axis = view_->axes[i];
+        r.code = static_cast<std::int32_t>(own ? BesideStep::Move : BesideStep::Plain);
         r.axis_count = 1;
         r.axis[0] = axis.machine_axis;
         r.start[0] = move.machine_start[i];
@@ -26,6 +30,46 @@ void RecordSink::beside(const Move& move, const BlockContext& at) {
         push(r, (last_moved_ >> i & 1u) != 0, false);   // behind a move of its own it begins from rest
     }
     last_ = at;
+}
+
+// Counts the step that follows.
+void RecordSink::own_room(const BlockContext& at) {
+    if (++own_steps_ < kStepsAtOnce) return;
+    own_step(BesideStep::Room, at);
+    own_steps_ = 0;
+}
+
+// OWN_BEGIN and OWN_END around the steps, and those that are not moves.
+void RecordSink::own_step(BesideStep step, const BlockContext& at) {
+    PathRecord r = event(RecordKind::Beside, at, 0);
+    if (step == BesideStep::Begin) own_steps_ = 0;
+    r.code = static_cast<std::int32_t>(step);
+    r.axis_count = 1;
+    r.axis[0] = view_->axes[static_cast<std::size_t>(at.own_axis)].machine_axis;
+    under_way_.axis[r.axis[0]] = true;
+    push(r, step != BesideStep::End, false);
+    last_ = at;
+}
+
+void RecordSink::own_dwell(const Dwell& dwell, const BlockContext& at) {
+    own_room(at);
+    PathRecord r = event(RecordKind::Beside, at, note_step(&dwell, nullptr, at));
+    r.code = static_cast<std::int32_t>(BesideStep::Dwell);
+    r.axis_count = 1;
+    r.axis[0] = view_->axes[static_cast<std::size_t>(at.own_axis)].machine_axis;
+    r.feed = dwell.value;
+    push(r, false, false);
+}
+
+void RecordSink::own_function(const Aux& aux, const BlockContext& at) {
+    own_room(at);
+    PathRecord r = event(RecordKind::Beside, at, aux.silent ? 0 : note_step(nullptr, &aux, at));
+    r.code = static_cast<std::int32_t>(BesideStep::Function);
+    r.axis_count = 1;
+    r.axis[0] = view_->axes[static_cast<std::size_t>(at.own_axis)].machine_axis;
+    r.mask = static_cast<std::uint32_t>(aux.letter);
+    r.value = aux.value;
+    push(r, false, false);
 }
 
 void RecordSink::await(const Outstanding& whom, const BlockContext& at) {
@@ -64,7 +108,7 @@ void RecordSink::await_spindles(const BlockContext& at) {
     await(whom, at);
 }
 
-// HOME with a set of places; WINDOW<place> and TORQUE<place>.
+// OWN_BEGIN, OWN_END; HOME with a set of places; WINDOW<place> and TORQUE<place>.
 bool RecordSink::demand(std::string_view name, double value, const BlockContext& at) {
     const auto place_in = [&](std::string_view word, unsigned& place_of) {
         if (name.substr(0, word.size()) != word) return false;
@@ -72,6 +116,7 @@ bool RecordSink::demand(std::string_view name, double value, const BlockContext&
         return std::from_chars(name.data() + word.size(), end, place_of).ptr == end && place_of < view_->axis_count;
     };
     unsigned i = 0;
+    if ((name == "OWN_BEGIN" || name == "OWN_END") && at.own_axis >= 0) return own_step(name == "OWN_BEGIN" ? BesideStep::Begin : BesideStep::End, at), true;
     if (name == "HOME") {
         PathRecord r = event(RecordKind::Home, at, 0);
         for (unsigned k = 0; k < view_->axis_count && r.axis_count < r.axis.size(); ++k)

@@ -12,7 +12,7 @@
 namespace polyturn::channels {
 
 void RecordSink::move(const Move& move, const BlockContext& at) {
-    if (move.beside) return beside(move, at);
+    if (move.beside || at.own_axis >= 0) return beside(move, at);
     await_axes_of(move, at);
     last_moved_ = move.moved;
     if (move.kind == MoveKind::Thread && move.sweep != 0) thread_arc(move, at);

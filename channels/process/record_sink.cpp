@@ -36,6 +36,10 @@ std::uint64_t RecordSink::note(Call&& call) {
     return note_;
 }
 
+std::uint64_t RecordSink::note_step(const Dwell* dwell, const Aux* aux, const BlockContext& at) {
+    return note([&](Sink& sink) { dwell ? sink.dwell(*dwell, at) : sink.aux(*aux, at); });
+}
+
 std::uint64_t RecordSink::note_move(const Move& move, const BlockContext& at) {
     return note([&](Sink& sink) { sink.move(move, at); });
 }
@@ -50,6 +54,8 @@ PathRecord RecordSink::event(RecordKind kind, const BlockContext& at, std::uint6
 }
 
 void RecordSink::push(PathRecord& r, bool stands, bool drains) {
+    if (ahead_ == Ahead::Kept || (ahead_ == Ahead::AtOnce && r.kind == code_of(RecordKind::Stop))) return kept_.push_back(r);
+    if (ahead_ == Ahead::AtOnce) r.flags |= kAtOnce;
     if (drains) r.flags |= kDrains;
     maker_->add_event(r, stands || drains);
     drained_ = drains;
@@ -57,9 +63,11 @@ void RecordSink::push(PathRecord& r, bool stands, bool drains) {
 }
 
 void RecordSink::dwell(const Dwell& dwell, const BlockContext& at) {
+    if (at.own_axis >= 0) return own_dwell(dwell, at);
     PathRecord r = event(RecordKind::Dwell, at, note([&](Sink& sink) { sink.dwell(dwell, at); }));
     r.feed_mode = static_cast<std::uint8_t>(dwell.revolutions ? FeedMode::Revolutions : FeedMode::Seconds);
     r.feed = dwell.value;
+    r.value = dwell.rest;
     r.spindle = dwell.spindle;
     if (const auto input = dwell.until.empty() ? std::nullopt : input_by_name(dwell.until, view_->channel)) {
         r.flags |= kSkipMove;
@@ -75,6 +83,7 @@ void RecordSink::look_up_tool(const Aux& code, const BlockContext& at) {
 }
 
 void RecordSink::aux(const Aux& aux, const BlockContext& at) {
+    if (at.own_axis >= 0) return own_function(aux, at);
     PathRecord r = event(RecordKind::Aux, at, aux.silent ? 0 : note([&](Sink& sink) { sink.aux(aux, at); }));
     push_code(r, aux);
 }
@@ -90,6 +99,7 @@ void RecordSink::push_code(PathRecord& r, const Aux& aux) {
 }
 
 void RecordSink::spindle(const Spindle& spindle, const BlockContext& at) {
+    if (at.own_axis >= 0) return;   // its code goes to the PLC
     std::uint64_t number = spindle.silent ? 0 : note([&](Sink& sink) { sink.spindle(spindle, at); });
     PathRecord r = event(RecordKind::SpindleMode, at, number);
     r.spindle = spindle.spindle;
@@ -289,6 +299,7 @@ void RecordSink::alarm(const Diagnosis& diagnosis, const BlockContext& at) {
 }
 
 void RecordSink::barrier(const BlockContext& at) {
+    if (ahead_ != Ahead::No) return;   // the picture was taken just now
     await_spindles(at);   // a preprocessing stop waits for them
     PathRecord r = event(RecordKind::Barrier, at, 0);
     push(r, true, true);
@@ -315,6 +326,20 @@ void RecordSink::skip_ended(Port& port) {
     if (!text_->empty() && text_->back() == '\n') text_->pop_back();
     if (!text_->empty()) put_note_(skip_.number, *text_);
     skip_.number = 0;
+}
+
+void RecordSink::at_once(bool on) {
+    if (on) kept_.clear();
+    ahead_ = !on ? Ahead::No : ring_->has_room() ? Ahead::AtOnce : Ahead::Kept;
+    if (ahead_ == Ahead::AtOnce) maker_->flush();
+}
+
+void RecordSink::push_kept() {
+    for (PathRecord& r : kept_) {
+        if (r.kind == code_of(RecordKind::Stop)) stopped_ = failed_ = true;
+        push(r, r.kind == code_of(RecordKind::Stop), false);
+    }
+    kept_.clear();
 }
 
 void RecordSink::reach_barrier() {

@@ -9,6 +9,7 @@
 #pragma once
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "channels/machine_view.hpp"
 #include "channels/path/transformed_out.hpp"
@@ -16,6 +17,7 @@
 #include "channels/process/operator_changes.hpp"
 #include "channels/process/ring_out.hpp"
 #include "channels/sink.hpp"
+#include "ipc/image/beside_step.hpp"
 
 namespace polyturn::channels {
 
@@ -68,6 +70,10 @@ public:
     void tell_writes(OperatorChanges* changes) { changes_ = changes; }
     void on_dialogue(std::function<void(const DialoguePage&)> show) { show_dialogue_ = std::move(show); }   // before its stop is pushed
     void more_parts(bool more) { more_parts_ = more; }
+    // Between: what comes acts as soon as the machine sees it, though the path is not there yet (kAtOnce); without room in the
+    // ring it is kept for push_kept(), behind the next forget().
+    void at_once(bool on);
+    void push_kept();
 
     std::uint64_t drain_index() const { return drain_index_; }
     bool failed() const { return failed_; }
@@ -86,6 +92,11 @@ private:
         std::array<bool, kMaxSpindles> spindle{};
     };
     void beside(const Move&, const BlockContext&);
+    std::uint64_t note_step(const Dwell*, const Aux*, const BlockContext&);
+    void own_step(BesideStep step, const BlockContext&);
+    void own_room(const BlockContext&);
+    void own_dwell(const Dwell&, const BlockContext&);
+    void own_function(const Aux&, const BlockContext&);
     void await(const Outstanding& whom, const BlockContext& at);
     void await_axes_of(const Move&, const BlockContext&);
     void await_spindles(const BlockContext&);
@@ -133,6 +144,9 @@ private:
     bool stopped_ = false;      // the program has ended itself
     bool failed_ = false;       // an error was delivered
     bool more_parts_ = false;
+    std::uint32_t own_steps_ = 0;   // of the program of an axis, since it was last asked for room
+    enum class Ahead : std::uint8_t { No, AtOnce, Kept } ahead_ = Ahead::No;
+    std::vector<PathRecord> kept_;
     OperatorChanges* changes_ = nullptr;
     BlockContext last_{};       // place of the newest record, without texts
 };

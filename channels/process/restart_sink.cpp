@@ -71,6 +71,7 @@ int RestartSink::group_of(const Aux& a) const {
 
 void RestartSink::aux(const Aux& a, const BlockContext& at) {
     if (here(at)) return next_->aux(a, at);
+    if (at.own_axis >= 0) return;             // of a program that an axis ran beside the path
     if (look_up_tool && (a.letter == 'T' || (a.letter == 'M' && a.value == 6))) look_up_tool(a, at);
     if (at.by_code && !macros_too_) return;   // N1338 DSM
     const int group = group_of(a);
@@ -124,6 +125,7 @@ void RestartSink::interrupts(const Interrupts& i, const BlockContext& at) {
 
 void RestartSink::signal(std::string_view name, double value, const BlockContext& at) {
     if (here(at)) return next_->signal(name, value, at);
+    if (at.own_axis >= 0) return;
     std::erase_if(signals_, [&](const auto& kept) { return kept.first == name; });
     signals_.emplace_back(name, value);
 }

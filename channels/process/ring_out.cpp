@@ -30,6 +30,11 @@ bool RingOut::wait_for_kernel() {
     return true;
 }
 
+bool RingOut::has_room() const {
+    constexpr std::uint64_t kEnough = 512;
+    return producer_.head() - kernel_->path_tail[index_].tail.load(std::memory_order_acquire) + kEnough <= kPathRing;
+}
+
 PathRecord& RingOut::claim() {
     while (!aborted_) {
         if (PathRecord* slot = producer_.claim()) return *(claimed_ = slot);

@@ -21,6 +21,7 @@ public:
     // Entry (from 1) of the segment's transformations that holds it. The ring is drained when a new one comes: a barrier.
     std::uint16_t enter(const Kinematics& kinematics);
     std::uint64_t last_index() const { return producer_.head() - 1; }   // of the newest record
+    bool has_room() const;   // for a few hundred records, without waiting
     std::uint64_t pushed() const { return producer_.head(); }
     // Before a wait for somebody else: rings, shows life; false when an interrupt has come, then nothing goes out any more.
     bool may_wait();

@@ -44,6 +44,8 @@ public:
     Step step() override { return language_->step(); }
     void barrier_done() override { language_->barrier_done(); }
     bool interrupt(std::uint64_t serial, bool within, unsigned input) override { return language_->interrupt(serial, within, input); }
+    bool interrupt_ahead(std::uint64_t serial) override { return language_->interrupt_ahead(serial); }
+    void interrupt_arrived() override { language_->interrupt_arrived(); }
     std::any carry() const override { return language_ ? language_->carry() : std::any{}; }
     void take_carry(const std::any& before, bool after_reset) override { if (language_) language_->take_carry(before, after_reset); }
     void executed(std::uint64_t serial) override { language_->executed(serial); }
@@ -83,6 +85,7 @@ Result<void> run_mode(const RunModeOptions& options) {
     }
     ProcessServices services;
     services.setup = &setup;
+    services.kept_folder = options.kept;
     EventSink* events = nullptr;   // the describing sink of the running program
     services.make_run = [&](MachineView& view, Sink& sink, Port& port, const ProgramChoice& choice) -> std::unique_ptr<ProgramRun> {
         auto run = std::make_unique<LanguageRun>(view, sink, port, choice, setup, language_of(options, view), events);

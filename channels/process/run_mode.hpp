@@ -11,6 +11,7 @@ struct RunModeOptions {
     unsigned channel = 1;
     std::string language;   // empty: PT_LANGUAGE of the channel
     std::string setup;      // file; empty: none
+    std::string kept;       // folder of what survives power-off; empty: nothing does
     bool variables = false; // also describe every variable that the program writes
 };
 

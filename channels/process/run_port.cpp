@@ -2,6 +2,7 @@
 
 #include <ctime>
 
+#include "ipc/image/beside_step.hpp"
 #include "ipc/machine/named_inputs.hpp"
 #include "ipc/memory/segment.hpp"
 
@@ -18,6 +19,9 @@ void RunPort::look() {
 }
 
 std::optional<double> RunPort::axis_command(unsigned machine_axis) { return pretended_ ? pretended_(machine_axis) : status_->axes[machine_axis].own; }
+std::optional<double> RunPort::axis_taken_over(unsigned machine_axis) {
+    return !pretended_ && status_->axes[machine_axis].flags & kBesideOfProgram ? std::nullopt : axis_command(machine_axis);
+}
 std::optional<double> RunPort::axis_measured(unsigned machine_axis) {
     if (pretended_) return pretended_(machine_axis);
     return status_->axes[machine_axis].act - axis_added(machine_axis);

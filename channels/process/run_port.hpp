@@ -6,6 +6,7 @@
 #include <string>
 
 #include "channels/port.hpp"
+#include "channels/process/kept_text.hpp"
 #include "channels/text/byte_stream.hpp"
 #include "ipc/image/segments.hpp"
 #include "ipc/machine/machine_config.hpp"
@@ -22,6 +23,7 @@ public:
     void pretend(std::function<double(unsigned machine_axis)> position) { pretended_ = std::move(position); }
 
     std::optional<double> axis_command(unsigned machine_axis) override;
+    std::optional<double> axis_taken_over(unsigned machine_axis) override;
     std::optional<double> axis_measured(unsigned machine_axis) override;
     std::optional<double> axis_position(unsigned machine_axis) override;
     double axis_added(unsigned machine_axis) override;
@@ -52,6 +54,9 @@ public:
     // program (MDI) nowhere.
     void print_beside(const std::string& program, std::string_view device);
     bool print(const MachineView& view, std::string_view bytes, bool control) override;
+    void keep_in(std::string folder) { kept_ = KeptText(std::move(folder), channel_); }
+    bool keep(std::string_view name, std::string_view text) override { return pretended_ || kept_.put(name, text); }   // a search only reads
+    std::string kept(std::string_view name) override { return kept_.get(name); }
     DialogueAnswers dialogue_answers() override { return std::exchange(answers_, {}); }
     DialogueAnswers& answers() { return answers_; }   // filled by the events that come while the program stands
     Turning started_by_others(unsigned spindle) override;
@@ -70,6 +75,7 @@ private:
     const text::Setup* setup_ = nullptr;
     std::unique_ptr<MachineStatus> status_;
     std::unique_ptr<PlcOutputs> plc_;
+    KeptText kept_{{}, 0};
     std::string print_path_;
     std::optional<double> clock_began_;   // what the computer's clock said when the machine's time began, seconds
     ByteStream print_;

@@ -85,7 +85,7 @@ void Interpreter::barrier_done() {
     fresh_ = true;
     core_.refresh_limits();
     for (unsigned i = 0; i < core_.view().axis_count; ++i)
-        if (const auto now = core_.port().axis_command(core_.view().axes[i].machine_axis)) core_.take_machine(i, *now);
+        if (const auto now = core_.port().axis_taken_over(core_.view().axes[i].machine_axis)) core_.take_machine(i, *now);
 }
 
 bool Interpreter::syntax(const char* at, std::string detail) { return fail_at(Alarm::SyntaxWrong, at, 1, std::move(detail)); }

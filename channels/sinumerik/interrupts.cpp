@@ -94,7 +94,7 @@ bool Interpreter::interrupt(std::uint64_t serial, bool, unsigned input) {
     ended_ = false;
     const AxisValues begin = core_.path.programmed;   // increments of the interrupted block count from here
     for (unsigned i = 0; i < core_.view().axis_count; ++i)
-        if (const auto now = core_.port().axis_command(core_.view().axes[i].machine_axis)) core_.take_machine(i, *now);
+        if (const auto now = core_.port().axis_taken_over(core_.view().axes[i].machine_axis)) core_.take_machine(i, *now);
     here_ = source_->next_position();
     if (!call_program(program, {}, 1, false)) return false;
     levels_.back().interrupt = true;

@@ -220,7 +220,8 @@ AxisSet Core::plane_axes(int& p, int& q) const {
 bool Core::dwell(double value, bool revolutions, std::string_view until) {
     emitted_ = true;
     path.after_thread = false;
-    sink_->dwell({revolutions, value, path.spindle.spindle, until}, at);
+    sink_->dwell({revolutions, value, path.spindle.spindle, until, rest_of_dwell}, at);
+    rest_of_dwell = false;
     return true;
 }
 

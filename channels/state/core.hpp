@@ -302,6 +302,7 @@ public:
     template <class Make> void insert_reserved(Make&& make) { stage_->insert(std::forward<Make>(make)); }
 
     // --- everything else
+    bool rest_of_dwell = false;                           // the next dwell is one that an interrupt macro has broken off
     bool dwell(double value, bool revolutions, std::string_view until = {});   // until: a signal that ends it early
     void signal(std::string_view name, double value) { emitted_ = true, sink_->signal(name, value, at); }
     void aux(char letter, double value, std::string_view text, bool drained, bool silent = false, ToolCallBy by = ToolCallBy::Type, std::string_view name = {});

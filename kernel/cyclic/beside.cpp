@@ -4,6 +4,8 @@
 //   AP_PAXR     ____/-----------\____     rising: to AP_PAXPOS with AP_PAXFEED; falling: it brakes
 //   AN_PAXA     _____/-----\__________     while it moves
 //
+// An axis may also run a program of its own, step by step (beside_program.hpp); AN_PAXA stays until that is over.
+//
 // A positioning axis of a program obeys its channel: it stands in a hold and at override 0, goes on with the program, and ends
 // where it is with a reset or an alarm. Machine lock lets it be where it is to be without moving.
 #include <cmath>
@@ -79,6 +81,7 @@ bool Machine::end_beside(std::uint32_t a) noexcept {
 }
 
 void Machine::run_beside() noexcept {
+    for (auto& runner : channels_) runner->run_steps();
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) {
         AxisUnit& axis = core_.axes[a];
         if (!axis.exists()) continue;
@@ -108,7 +111,8 @@ void Machine::run_beside() noexcept {
             start_beside(a, plc);
         }
         pax_request_[a] = asked;
-        core_.signals.set_nc(signals::an_paxa(a + 1), axis.beside);
+        const bool own = core_.config.axes[a].channel >= 1 && channels_[core_.config.axes[a].channel - 1]->runs_beside(a);
+        core_.signals.set_nc(signals::an_paxa(a + 1), axis.beside || own);
     }
     watch_contours();
 }

@@ -8,8 +8,13 @@
 
 namespace polyturn::kernel {
 
-void ChannelRunner::begin_beside(const PathRecord& r) noexcept {
-    if (r.axis_count == 0 || r.axis[0] >= kMaxAxes) return;
+// False: the program of the axis is so long that it must get on first.
+bool ChannelRunner::begin_beside(const PathRecord& r) noexcept {
+    if (r.axis_count == 0 || r.axis[0] >= kMaxAxes) return true;
+    const auto step = static_cast<BesideStep>(r.code);
+    if ((step == BesideStep::Begin || step == BesideStep::Room) && !beside_program_.has_room()) return false;
+    if (step == BesideStep::Room) return true;
+    if (step != BesideStep::Plain) return take_step(r), true;
     core_.axes[r.axis[0]].beside = true;
     Core::BesideWish wish;
     wish.asked = true;
@@ -22,6 +27,99 @@ void ChannelRunner::begin_beside(const PathRecord& r) noexcept {
     wish.line = r.line;
     wish.since = core_.tick;
     core_.beside[r.axis[0]] = wish;
+    return true;
+}
+
+// A step of the program that the axis runs by itself; it waits behind those before it (beside_program.hpp).
+void ChannelRunner::take_step(const PathRecord& r) noexcept {
+    BesideTask task;
+    task.what = static_cast<BesideStep>(r.code);
+    task.axis = r.axis[0];
+    task.letter = static_cast<char>(r.mask);
+    task.per_turn = static_cast<FeedMode>(r.feed_mode) == FeedMode::PerRevolution;
+    task.value = task.what == BesideStep::Move ? r.end[0] : task.what == BesideStep::Dwell ? r.feed : r.value;
+    task.speed = task.per_turn ? r.feed : r.v_max;
+    task.spindle = r.spindle;
+    task.line = r.line;
+    task.note = r.note;
+    if (task.note) report_step(KernelEventKind::RecordBegin, task, kStepHandedOver);
+    if (task.what == BesideStep::Begin && beside_program_.started() >= BesideProgram::kMostStarted) raise(Alarm::BStartsTooMany, {}, BesideProgram::kMostStarted);
+    else if (!beside_program_.put(task)) raise(Alarm::BMemoryFull);
+}
+
+bool ChannelRunner::runs_beside(std::uint32_t axis) const noexcept { return core_.axes[axis].beside || beside_program_.moves(axis); }
+
+// One step at a time; several that take no time in one tick.
+void ChannelRunner::run_steps() noexcept {
+    if (!beside_program_.now()) return;
+    if (!program_runs() || breaks_off_beside()) return beside_program_.clear();
+    constexpr int kMostInATick = 8;
+    for (int k = 0; k < kMostInATick; ++k) {
+        const BesideTask* const task = beside_program_.now();
+        if (!task || !step_done(*task)) return;
+        if (task->note && task->what != BesideStep::Move) report_step(KernelEventKind::RecordEnd, *task);   // a move's is told by the axis
+        beside_program_.next();
+    }
+}
+
+bool ChannelRunner::step_done(const BesideTask& task) noexcept {
+    BesideProgram& program = beside_program_;
+    const bool begins = !program.begun;
+    switch (task.what) {
+        case BesideStep::Move: {
+            if (!begins) return !core_.beside[task.axis].asked && !core_.axes[task.axis].beside;
+            if (core_.axes[task.axis].beside) return false;
+            if (task.note) report_step(KernelEventKind::RecordBegin, task);
+            core_.axes[task.axis].beside = program.begun = true;
+            Core::BesideWish wish;
+            wish.asked = true;
+            wish.target = task.value;
+            wish.per_turn = task.per_turn;
+            wish.speed = task.speed;
+            wish.channel = number_;
+            wish.spindle = task.spindle;
+            wish.note = task.note;
+            wish.line = task.line;
+            wish.since = core_.tick;
+            core_.beside[task.axis] = wish;
+            return false;
+        }
+        case BesideStep::Dwell:
+            if (begins) {
+                if (task.note) report_step(KernelEventKind::RecordBegin, task);
+                program.begun = true;
+                program.left_s = task.value;
+                return task.value <= 0;
+            }
+            if (holds_beside()) return false;
+            program.left_s -= core_.config.tick_s;
+            return program.left_s < 1e-9;
+        case BesideStep::Function: return give_function(task);
+        default: return true;
+    }
+}
+
+// M, S and T of the axis have signals of their own (fanuc_lathe 10.4.2): the path may give a code at the same time.
+bool ChannelRunner::give_function(const BesideTask& task) noexcept {
+    const std::uint32_t a = task.axis + 1u;
+    const bool answered = core_.signals.plc(signals::ap_paxffin(a)) == core_.signals.nc(signals::an_paxfstr(a));
+    if (beside_program_.begun) return answered;
+    if (!answered) return false;   // a code that a reset has left to the PLC
+    if (task.note) report_step(KernelEventKind::RecordBegin, task);
+    beside_program_.begun = true;
+    core_.signals.set_nc(signals::an_paxflet(a), task.letter);
+    core_.signals.set_nc(signals::an_paxfcode(a), static_cast<std::int32_t>(std::lround(task.value)));
+    core_.signals.set_nc(signals::an_paxfstr(a), core_.signals.nc(signals::an_paxfstr(a)) + 1);
+    return false;
+}
+
+void ChannelRunner::report_step(KernelEventKind kind, const BesideTask& task, std::int32_t code) noexcept {
+    KernelEvent* const event = core_.log.claim(kind, number_, core_.tick, 0);
+    if (!event) return;
+    event->note = task.note;
+    event->line = task.line;
+    event->code = code;
+    core_.log.put();
 }
 
 bool ChannelRunner::holds_beside() const noexcept {
@@ -33,7 +131,7 @@ bool ChannelRunner::holds_beside() const noexcept {
 bool ChannelRunner::await(const PathRecord& r) const noexcept {
     for (std::uint32_t i = 0; i < r.axis_count; ++i) {
         if (r.axis[i] < kMaxAxes) {
-            if (core_.axes[r.axis[i]].beside) return false;
+            if (runs_beside(r.axis[i])) return false;
             continue;
         }
         const std::uint32_t s = r.axis[i] - static_cast<std::uint32_t>(kMaxAxes);

@@ -183,7 +183,8 @@ void ChannelRunner::finish_reset() noexcept {
     core_.stroke2_off &= ~(ChannelSet{1} << index_);
     asked_for_ = BackFor::Change;
     change_due_ = start_wanted_ = held_mdi_ = program_left_ = false;
-    question_ = 0;
+    question_ = ahead_asked_ = 0;
+    ahead_ = kNoRecord;
     restart_ = RestartState::None;
     trail_.clear();
     retrace_ = 0;

@@ -1,5 +1,7 @@
 // The interrupt macro's signal: it is watched between M96 and M97, in path order, and stops the path at once or at the end of
 // the running block. What was pushed beyond is void; the channel goes on from there with the interrupt program.
+#include <utility>
+
 #include "ipc/image/interrupt_inputs.hpp"
 #include "kernel/cyclic/channel_runner.hpp"
 
@@ -20,6 +22,7 @@ std::uint32_t ChannelRunner::interrupt_signals() noexcept {
 }
 
 void ChannelRunner::watch_interrupt() noexcept {
+    (void)obey_ahead();
     if (!interrupts_on_) return;
     const std::uint32_t signals_now = interrupt_signals();
     const bool now = signals_now != 0;
@@ -27,12 +30,44 @@ void ChannelRunner::watch_interrupt() noexcept {
     interrupt_signal_ = now;
     if (!came || state_ != ChannelState::Running) return;
     if (!interrupt_due_) interrupt_input_ = interrupt_bits_ & kInterruptInputMask ? static_cast<unsigned>(__builtin_ctz(signals_now)) + 1u : 0u;
-    interrupt_due_ = true;
+    const bool first = !std::exchange(interrupt_due_, true);
+    if (first && (interrupt_bits_ & kInterruptAtBlockEnd) && !(interrupt_bits_ & (kInterruptByMint | kInterruptInputMask))) announce_interrupt();
+}
+
+// Macro statements of the interrupt program act at once though the block is driven to its end (fanuc_lathe 6.14): the channel
+// is told as soon as it is known what comes behind the block.
+void ChannelRunner::announce_interrupt() noexcept {
+    if (cursor_ >= visible_end_ || outbox_count_ == outbox_.size()) return;
+    const std::uint64_t running = record(cursor_).serial;
+    if (!begun_ && !(!step_.over && step_.s > 0 && step_.record == cursor_) && running != last_serial_) return;   // nothing runs
+    std::uint64_t behind = cursor_;
+    while (behind < visible_end_ && record(behind).serial == running) ++behind;
+    if (behind == visible_end_ || record(behind).epoch != epoch_) return;
+    ahead_ = segment_->path.head.load(std::memory_order_acquire);
+    tell(ChannelEventKind::Interrupt, kInterruptAhead, static_cast<double>(record(behind).serial));
+    ahead_asked_ = events_sent_ + outbox_count_;
+}
+
+// What the channel has done ahead acts now. True: nothing of it is left, and nothing more comes.
+bool ChannelRunner::obey_ahead() noexcept {
+    if (ahead_ == kNoRecord) return true;
+    if (ahead_asked_ && segment_->answered.load(std::memory_order_acquire) < ahead_asked_) return dead_;
+    ahead_asked_ = 0;
+    const std::uint64_t head = segment_->path.head.load(std::memory_order_acquire);
+    for (; ahead_ < head; ++ahead_) {
+        const PathRecord& r = record(ahead_);
+        if (!(r.flags & kAtOnce) || r.epoch != epoch_) continue;
+        if (writes_store(r) && (writes_ahead_ == StoreLink::kWritesAhead || !core_.store.has_room())) return false;
+        report(KernelEventKind::RecordBegin, r, 0);
+        execute_instant(r, 0);
+        report(KernelEventKind::RecordEnd, r, 0);
+    }
+    return true;
 }
 
 // The path rests: is this a place where the program may break off?
 bool ChannelRunner::stands_for_interrupt() noexcept {
-    if (state_ != ChannelState::Running || hold_ || interrupted_ || dead_ || stopped_) return false;
+    if (state_ != ChannelState::Running || hold_ || interrupted_ || dead_ || stopped_ || !obey_ahead()) return false;
     const bool dwells = phase_ == Phase::Dwell;
     if (phase_ != Phase::None && !dwells) return false;   // a function or a wait is finished first
     if (!(interrupt_bits_ & kInterruptAtBlockEnd)) return true;
@@ -54,7 +89,9 @@ void ChannelRunner::break_off() noexcept {
         within = begun_ || (!step_.over && step_.s > 0 && step_.record == cursor_) || serial == last_serial_;
         if (begun_ || (!step_.over && step_.s > 0 && is_motion(r))) report(KernelEventKind::RecordEnd, r, 0);
     }
+    if (phase_ == Phase::Dwell) dwell_broken_ = dwell_left_;
     discard();
+    ahead_ = kNoRecord;
     interrupts_on_ = interrupt_due_ = false;   // none is accepted until the interrupt program is over
     tell(ChannelEventKind::Interrupt, (within ? 1u : 0u) | interrupt_input_ << 1, static_cast<double>(serial));
 }

@@ -70,6 +70,7 @@ bool ChannelRunner::execute(const PathRecord& r, double& left) noexcept {
         case RecordKind::Aux: return handshake(r);
         case RecordKind::Wait: return arrive(r);
         case RecordKind::Barrier: return true;
+        case RecordKind::Beside: return begin_beside(r);
         case RecordKind::Parameter: return core_.store.ask_parameter(text_of(r), core_.tick, core_.config.answer_ticks);
         case RecordKind::Await: return await(r);
         case RecordKind::Torque: return limit_torque(r);
@@ -126,7 +127,7 @@ bool ChannelRunner::execute_instant(const PathRecord& r, double offset_s) noexce
         case RecordKind::Interrupts:
             interrupt_bits_ = r.mask;
             interrupts_on_ = r.code != 0;
-            interrupt_due_ = false;
+            interrupt_due_ = interrupt_due_ && ahead_ != kNoRecord;   // the channel is in the interrupt program already
             // An edge counts from here on; a level that is there already counts at once.
             interrupt_signal_ = interrupt_signals() != 0;
             return true;
@@ -177,7 +178,7 @@ bool ChannelRunner::stops_for_tool(const PathRecord& r) noexcept {
 bool ChannelRunner::dwell(const PathRecord& r, double& left) noexcept {
     if (phase_ != Phase::Dwell) {
         phase_ = Phase::Dwell;
-        dwell_left_ = r.feed;
+        dwell_left_ = r.value != 0 ? std::min(dwell_broken_, r.feed) : r.feed;
         dwell_since_ = core_.tick;
     }
     if (hold_ || interrupted_ || core_.all_stop || state_ != ChannelState::Running) return false;

@@ -27,7 +27,8 @@ void ChannelRunner::attach(const ChannelSegment& segment) {
     planner_->configure(core_.config.tick_s, std::min<std::uint32_t>(core_.config.horizon, kPlannerWindow - 2));
     trail_.configure(core_.config.tick_s, std::min<std::uint32_t>(core_.config.horizon, kPlannerWindow - 2));
     retrace_ = 0;
-    question_ = 0;
+    question_ = ahead_asked_ = 0;
+    ahead_ = kNoRecord;
     epoch_ = segment.epoch.load(std::memory_order_acquire);
     cursor_ = 0;
     core_.image.path_tail[index_].tail.store(0, std::memory_order_release);
@@ -65,8 +66,11 @@ bool ChannelRunner::stops_path(const PathRecord& r) noexcept {
         case RecordKind::Message:
         case RecordKind::Part:
         case RecordKind::Interrupts:
-        case RecordKind::Marker:
-        case RecordKind::Beside: return false;
+        case RecordKind::Marker: return false;
+        case RecordKind::Beside: {   // it may be one too many, or have to wait for room
+            const auto step = static_cast<BesideStep>(r.code);
+            return step == BesideStep::Begin || step == BesideStep::Room;
+        }
         default: return true;
     }
 }
@@ -101,7 +105,7 @@ void ChannelRunner::drop_old_epochs() noexcept {
 bool ChannelRunner::supplied() noexcept {
     if (!listens()) return true;
     // Quiet first: what it pushed before it became quiet is then visible in the head that supply() reads (P1).
-    if (question_ && segment_->answered.load(std::memory_order_acquire) < question_) return false;
+    if (const std::uint64_t asked = std::max(question_, ahead_asked_); asked && segment_->answered.load(std::memory_order_acquire) < asked) return false;
     const bool quiet = segment_->quiet.load(std::memory_order_acquire) >= events_sent_;
     drop_old_epochs();
     return quiet || segment_->path.head.load(std::memory_order_acquire) - cursor_ >= core_.config.horizon;
@@ -367,7 +371,8 @@ void ChannelRunner::begin_record(const PathRecord& r, double offset_s) noexcept 
     refuse_bound(r);
     serial_ = r.serial;
     if (r.flags & kSkipMove) skipped_ = false;
-    if (!is_motion(r) || (r.flags & kBlockBegin)) report(KernelEventKind::RecordBegin, r, offset_s);
+    const bool later = static_cast<RecordKind>(r.kind) == RecordKind::Beside && r.code != 0;   // a step that waits for those before it
+    if (!later && (!is_motion(r) || (r.flags & kBlockBegin))) report(KernelEventKind::RecordBegin, r, offset_s);
 }
 
 void ChannelRunner::finished(const PathRecord& r, std::uint64_t index, double offset_s) noexcept {
@@ -474,6 +479,7 @@ bool ChannelRunner::can_go_on() const noexcept {
     if (state_ == ChannelState::Waiting) return core_.config.channels[index_].wait_timeout_s > 0 && !interrupted_;
     if (state_ != ChannelState::Running) return phase_ == Phase::Handshake;
     if (phase_ == Phase::Home) return static_cast<double>(core_.tick - phase_since_) * core_.config.tick_s < 600.0;   // a drive may never find it
+    if (beside_program_.now()) return true;
     if (phase_ != Phase::None) return true;
     if (step_.stands == Stands::NoFeed) return feed_override > 0;  // a spindle may come up to speed
     // The ring itself, not what the last tick saw of it: a wait that has just opened is followed by records pushed since.

@@ -16,6 +16,7 @@
 #include <string_view>
 
 #include "ipc/kinematics/kinematics.hpp"
+#include "kernel/cyclic/beside_program.hpp"
 #include "kernel/cyclic/core.hpp"
 #include "kernel/cyclic/start_conditions.hpp"
 #include "kernel/motion/path_planner.hpp"
@@ -97,6 +98,9 @@ public:
     // --- axes beside the path (beside.cpp), superposed handwheel (superpose.cpp) ---
     static constexpr double kOverlayShare = 0.2;   // of an axis' limits, that a path leaves to a superposed handwheel
     bool holds_beside() const noexcept;
+    bool runs_beside(std::uint32_t axis) const noexcept;   // it moves beside the path, or its own program is not over
+    bool has_steps(std::uint32_t axis) const noexcept { return beside_program_.moves(axis); }
+    void run_steps() noexcept;
     bool breaks_off_beside() const noexcept { return resetting_ || interrupted_ || dead_ || emergency_; }
     double wheel_share() const noexcept { return wheel_ ? wheel_rate_ : 1.0; }
     void superpose(bool on) noexcept;
@@ -195,6 +199,8 @@ private:
     void watch_interrupt() noexcept;
     std::uint32_t interrupt_signals() noexcept;
     bool stands_for_interrupt() noexcept;
+    void announce_interrupt() noexcept;
+    bool obey_ahead() noexcept;
     void break_off() noexcept;
     // channel_hold.cpp: changes that act in a hold, blocks entered in one
     struct Place {                         // in the program, of a path that rests
@@ -248,7 +254,12 @@ private:
     void refuse_bound(const PathRecord& r) noexcept;
     bool couple_spindle(const PathRecord& r) noexcept;
     // channel_beside.cpp
-    void begin_beside(const PathRecord& r) noexcept;
+    bool begin_beside(const PathRecord& r) noexcept;
+    void take_step(const PathRecord& r) noexcept;
+    bool step_done(const BesideTask& task) noexcept;
+    bool give_function(const BesideTask& task) noexcept;
+    void report_step(KernelEventKind kind, const BesideTask& task, std::int32_t code = static_cast<std::int32_t>(RecordKind::Beside)) noexcept;
+    BesideProgram beside_program_;
     bool await(const PathRecord& r) const noexcept;
     bool limit_torque(const PathRecord& r) noexcept;
     bool find_reference(const PathRecord& r) noexcept;
@@ -302,6 +313,8 @@ private:
     // M96: the signal is watched; it has come and the path is to stop; as it was at the last tick.
     bool interrupts_on_ = false, interrupt_due_ = false, interrupt_signal_ = false;
     std::uint32_t interrupt_bits_ = 0;
+    // The channel was told ahead: the question it answers (0 none), and the first record that may act at once.
+    std::uint64_t ahead_asked_ = 0, ahead_ = kNoRecord;
     std::uint32_t control_ = 0;            // ProgramControl
     bool hold_later_ = false, unfinished_ = false;   // feed hold that did not count yet; the code before goes on beside the program
     std::uint32_t interrupt_input_ = 0;   // number of the input that came; 0: there is but one
@@ -326,7 +339,7 @@ private:
     std::int64_t stopped_since_ = 0, phase_since_ = 0, wait_since_ = 0, stands_since_ = 0, watched_ = 0;
     std::array<std::uint8_t, kMaxPathAxes> last_axes_{};  // of the last move: who must be in position
     std::uint32_t last_axis_count_ = 0;
-    double dwell_left_ = 0;
+    double dwell_left_ = 0, dwell_broken_ = 0;   // dwell_broken_: of the one that the interrupt signal broke off
     std::int64_t dwell_since_ = 0;   // tick at which it began
     std::uint64_t cursor_record_ = 0, tapped_ = kNoRecord;   // record that is placed; and the last tapping one of them
     double tap_from_ = 0;                  // revolutions at which that began

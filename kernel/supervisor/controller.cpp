@@ -120,16 +120,18 @@ Result<void> Controller::launch() {
 
 Result<void> Controller::spawn(std::size_t slot) {
     std::vector<std::string> arguments = {"--instance", plan_.instance};
+    const auto store = std::find(plan_.store_arguments.begin(), plan_.store_arguments.end(), "--store");
+    const std::string retained = store != plan_.store_arguments.end() && store + 1 != plan_.store_arguments.end() ? *(store + 1) : std::string();
     if (slot == kProcessStore) {
         arguments.insert(arguments.end(), plan_.store_arguments.begin(), plan_.store_arguments.end());
         arguments.insert(arguments.end(), plan_.machine_arguments.begin(), plan_.machine_arguments.end());
     } else if (slot == kProcessPlc) {
         if (!plan_.plc_library.empty()) arguments.insert(arguments.end(), {"--library", plan_.plc_library});
-        const auto store = std::find(plan_.store_arguments.begin(), plan_.store_arguments.end(), "--store");
-        if (store != plan_.store_arguments.end() && store + 1 != plan_.store_arguments.end()) arguments.insert(arguments.end(), {"--retained", *(store + 1) + "/plc.retained"});
+        if (!retained.empty()) arguments.insert(arguments.end(), {"--retained", retained + "/plc.retained"});
     } else if (slot >= kProcessChannel) {
         arguments.insert(arguments.end(), {"--channel", std::to_string(slot - kProcessChannel + 1)});
         arguments.insert(arguments.end(), plan_.channel_arguments.begin(), plan_.channel_arguments.end());
+        if (!retained.empty()) arguments.insert(arguments.end(), {"--retained", retained});
     }
     const bool own_drives = slot == kProcessDrives && !plan_.drives_program.empty();
     auto child = Child::start(own_drives ? plan_.drives_program : program_of(slot), arguments);

@@ -52,14 +52,26 @@ std::string_view EventJoiner::insert(unsigned channel, double t_s, std::string t
     return entries_.emplace(key, std::move(entry)).first->second.text;
 }
 
-std::string_view EventJoiner::begin(unsigned channel, std::uint64_t number, double t_s) {
+void EventJoiner::hold(unsigned channel, std::uint64_t number) {
     Channel& own = channels_[channel];
     const auto found = own.waiting.find(number);
-    if (found == own.waiting.end()) return {};
-    std::string text = std::move(found->second);
-    own.waiting.erase(own.waiting.begin(), std::next(found));  // older ones were discarded with their records
-    settle_skip(own);
-    own.last = text;
+    if (found != own.waiting.end()) own.held.insert(own.waiting.extract(found));
+}
+
+std::string_view EventJoiner::begin(unsigned channel, std::uint64_t number, double t_s) {
+    Channel& own = channels_[channel];
+    std::string text;
+    if (const auto step = own.held.find(number); step != own.held.end()) {
+        text = std::move(step->second);
+        own.held.erase(step);
+    } else {
+        const auto found = own.waiting.find(number);
+        if (found == own.waiting.end()) return {};
+        text = std::move(found->second);
+        own.waiting.erase(own.waiting.begin(), std::next(found));  // older ones were discarded with their records
+        settle_skip(own);
+        own.last = text;
+    }
     const bool skip = text.find("\"kind\":\"skip\"") != std::string::npos;
     const std::string_view kind = event_kind(text);
     Entry entry;
@@ -90,6 +102,7 @@ void EventJoiner::close_channel(unsigned channel, double t_s) {
     while (!own.open.empty()) end(channel, own.open.begin()->first, t_s);
     settle_skip(own);
     own.waiting.clear();
+    own.held.clear();
 }
 
 std::string_view EventJoiner::plain(unsigned channel, double t_s, std::string text) {

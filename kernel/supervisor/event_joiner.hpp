@@ -34,6 +34,8 @@ public:
     // The channel's description of a block, a JSON object without t and end. Numbers grow within a channel; only a skip move is
     // described again when it has ended, with the point where that was, and is held back until then.
     void note(unsigned channel, std::uint64_t number, std::string_view text);
+    // It will begin later than what stands behind it: a step of a program that an axis runs beside the path.
+    void hold(unsigned channel, std::uint64_t number);
     // The block began. Returns its text with t, for stimuli that wait for it; empty when there is no such note.
     std::string_view begin(unsigned channel, std::uint64_t number, double t_s);
     void end(unsigned channel, std::uint64_t number, double t_s);
@@ -71,6 +73,7 @@ private:
     };
     struct Channel {
         std::map<std::uint64_t, std::string> waiting;  // notes whose block has not begun
+        std::map<std::uint64_t, std::string> held;     // steps that begin beside the path
         std::unordered_map<std::uint64_t, Key> open;   // begun, not ended
         std::string last;
         std::optional<Key> skip;                       // a skip move that is not described again yet

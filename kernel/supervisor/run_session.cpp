@@ -1,3 +1,4 @@
+#include "ipc/image/beside_step.hpp"
 #include "kernel/supervisor/run_session.hpp"
 
 #include <fmt/format.h>
@@ -167,7 +168,8 @@ void RunSession::take(const KernelEvent& event) {
     const auto track = tracks_.find(event.channel);
     switch (static_cast<KernelEventKind>(event.kind)) {
         case KernelEventKind::RecordBegin:
-            take_begin(event, t_s);
+            if (event.code == kStepHandedOver) joiner_.hold(event.channel, event.note);
+            else take_begin(event, t_s);
             break;
         case KernelEventKind::RecordEnd:
             joiner_.end(event.channel, event.note, t_s);

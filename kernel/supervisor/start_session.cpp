@@ -1,3 +1,4 @@
+#include "ipc/image/beside_step.hpp"
 #include "kernel/supervisor/start_session.hpp"
 
 #include <fmt/format.h>
@@ -151,6 +152,10 @@ void StartSession::take(const KernelEvent& event) {
     const double t_s = static_cast<double>(event.tick) * static_cast<double>(controller_->kernel().tick_ns.load(std::memory_order_relaxed)) * 1e-9;
     switch (static_cast<KernelEventKind>(event.kind)) {
         case KernelEventKind::RecordBegin: {
+            if (event.code == kStepHandedOver) {
+                joiner_.hold(event.channel, event.note);
+                break;
+            }
             const std::string words(joiner_.begin(event.channel, event.note, t_s));
             const std::string_view kind = event_kind(words);
             if (kind == "alarm" || kind == "message") note_alarm(words, dialect(event.channel), true);

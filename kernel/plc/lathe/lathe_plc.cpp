@@ -37,6 +37,8 @@ void LathePlc::cycle(const PolyturnPlcInputs& in, PolyturnPlcOutputs& out) {
             out.signal[slot.s_fin] = me.s_seen = in.signal[slot.s_strobe];
             out.signal[slot.t_fin] = me.t_seen = in.signal[slot.t_strobe];
             out.signal[slot.b_fin] = me.b_seen = in.signal[slot.b_strobe];
+            for (std::size_t a = 0; a < kAxes; ++a)
+                if (axis_channel_[a] == c) out.signal[axis_codes_[a].fin] = in.signal[axis_codes_[a].strobe];
         }
         if (!live) continue;
         take_codes(view, c);
@@ -46,6 +48,7 @@ void LathePlc::cycle(const PolyturnPlcInputs& in, PolyturnPlcOutputs& out) {
     }
     kept_.used = 1;
     for (std::size_t c = 0; c < kChannels; ++c) kept_.station[c] = channels_[c].turret.station;
+    if (live) take_axis_codes(view);
     end_follow(view);
     write_outputs(view);
 }
@@ -84,6 +87,32 @@ void LathePlc::start_m(View view, std::uint32_t channel, std::int32_t code) {
     if (code == 8 || code == 9) me.coolant = code == 8;
     if (code == 2 || code == 30) end_of_channel(channel);
     finish_m(view, channel);
+}
+
+// A program that an axis runs beside the path turns the spindle of its channel (tapping and boring on it); a refusal stands
+// until the channel's reset, as one of its own codes would.
+void LathePlc::take_axis_codes(View view) {
+    for (std::size_t a = 0; a < kAxes; ++a) {
+        const AxisCodes& slot = axis_codes_[a];
+        const std::int32_t count = view.in.signal[slot.strobe];
+        if (count == view.out.signal[slot.fin]) continue;
+        const std::uint32_t channel = axis_channel_[a];
+        const std::int32_t code = view.in.signal[slot.code];
+        const bool turns = view.in.signal[slot.letter] == 'M' && code >= kRight && code <= kStop && channel >= 1 && channel <= kChannels;
+        const std::int32_t named = turns ? view.in.signal[slots(channel).selected] : 0;
+        if (named >= 1 && named <= static_cast<std::int32_t>(kSpindles)) {
+            const auto spindle = static_cast<std::uint32_t>(named);
+            const Message why = code == kStop ? kNoMessage : why_not_turn(view, channel, spindle);
+            if (why != kNoMessage) {
+                at(channel).message = why;
+                continue;
+            }
+            spindles_[spindle - 1].rotation = code;
+            spindles_[spindle - 1].closes = false;
+            spindles_[spindle - 1].started_by = code == kStop ? 0 : channel;
+        }
+        view.out.signal[slot.fin] = count;
+    }
 }
 
 void LathePlc::refuse(std::uint32_t channel, Message message) {

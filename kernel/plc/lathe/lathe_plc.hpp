@@ -28,6 +28,8 @@
 //                   the phase N0685; n+2: it is free                              refused after kSpindleTimeS
 //   PT_M_TORQUE     the drive of the axis gives only PT_STOP_TORQUE; n+1: all     when the NC has let it go (AN_FIXED)
 //   S, B, other M   nothing                                                     at once
+//   of an axis      M3 M4 M5 as above; nothing else (AN_PAXFSTR: the codes of    at once
+//                   a program that the axis runs by itself)
 //
 // Whose spindle: who gave the last M3, M4 or M19 to it. So the end of one turret's program leaves a spindle alone that
 // the other turret has started. Emergency stop and machine off stop everything; the turret halts between stations.
@@ -167,6 +169,7 @@ private:
     void start_m(View view, std::uint32_t channel, std::int32_t code);
     void refuse(std::uint32_t channel, Message message);
     void finish_m(View view, std::uint32_t channel);
+    void take_axis_codes(View view);
     void watch_pending(View view, std::uint32_t channel);
     void end_of_channel(std::uint32_t channel);
     void stop_everything();
@@ -226,6 +229,10 @@ private:
     };
     std::array<AxisTorque, kAxes> torque_{};
     std::array<std::int32_t, kAxes> lube_slot_{};
+    struct AxisCodes {                   // of an axis that runs a program of its own
+        std::int32_t strobe, letter, code, fin;
+    };
+    std::array<AxisCodes, kAxes> axis_codes_{};
     std::array<std::uint32_t, kAxes> axis_channel_{};
     std::int32_t machine_on_slot_ = 0, emergency_slot_ = 0, message_slot_ = 0, stop_slot_ = 0, in_stop_ = 0, power_slot_ = 0, in_power_ = 0, key_slot_ = 0, in_key_ = 0, group_stride_ = 0;
     double tick_s_ = 0.001, couple_time_s_ = 0;

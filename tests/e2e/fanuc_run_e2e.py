@@ -1,0 +1,176 @@
+#!/usr/bin/env python3
+"""What of the fanuc language shows only while the machine runs: programs of the B axis, interrupt macros, a thread that is
+picked up again. Real processes, virtual time."""
+import unittest
+
+from polyturn_runner import Case, LiveCase, read_trace
+
+B_AXIS = ["N0002 A7=1", "N0100 A7=66", "F8251=81", "F8252=82", "F8257=20", "F8240#6=1"]
+SETUP = '[channel.1]\npos = { X = 50.0, Z = 0.0 }\nsubprograms = ["O8300.nc"]\n'
+MAIN = "O1115\nG98\n#120=0\nM96 P8300\nN10 G01 Z-40. F600\nN20 Z-60.\nM97\nN30 Z-100.\nM30\n"   # N10 runs for 4 s
+
+
+class Run(Case):
+    def run_it(self, program, sets=(), scenario="", watch=(), trace=False):
+        arguments = ["run", "--virtual", "--language", "fanuc", "--variables", "--setup", self.write("setup.toml", SETUP)]
+        arguments += [word for one in sets for word in ("--set", one)] + [word for one in watch for word in ("--watch", one)]
+        if scenario:
+            arguments += ["--scenario", self.write("scenario.toml", scenario)]
+        if trace:
+            arguments += ["--trace", self.folder / "trace.csv"]
+        done = self.polyturn(*arguments, self.write("O0001.nc", program))
+        return done
+
+
+class BAxis(Run):
+    def setUp(self):
+        super().setUp()
+        self.write("O8300.nc", "O8300\nM99\n")
+
+    def test_its_program_runs_while_the_path_cuts(self):
+        done = self.run_it("O1\nG98\nG101\nG01 B20. F600\nG04 X1.\nG00 B5.\nG100\nM81\nG01 Z-40. F600\nM30\n", B_AXIS, trace=True)
+        self.assertEqual(done.status, 0, done.said())
+        trace = read_trace(self.folder / "trace.csv")
+        both = [1 for b0, b1, z0, z1 in zip(trace["A7.cmd"], trace["A7.cmd"][1:], trace["A2.cmd"], trace["A2.cmd"][1:]) if b0 != b1 and z0 != z1]
+        self.assertGreater(len(both), 500, "both move in the same ticks")
+        self.assertAlmostEqual(max(trace["A7.cmd"]), 20.0, places=6)
+        self.assertAlmostEqual(trace["A7.cmd"][-1], 5.0, places=6)
+        [cut] = done.of("move", line=9)
+        first, last = [m for m in done.of("move", line=8)]
+        self.assertLess(first["t"], cut["t"] + 0.1)
+        self.assertAlmostEqual(last["t"] - first["end"], 1.0, delta=0.05, msg="the dwell of the axis")
+        self.assertAlmostEqual(cut["end"] - cut["t"], 4.0, delta=0.1)
+
+    def test_the_programs_run_in_the_order_of_their_codes_and_the_end_waits(self):
+        done = self.run_it("O1\nG98\nG101\nG01 B10. F600\nG100\nG102\nG01 B0. F600\nG100\nM81\nM82\nM81\nM30\n", B_AXIS)
+        self.assertEqual(done.status, 0, done.said())
+        moves = [m for m in done.of("move")]
+        self.assertEqual([m["pos"]["B"] for m in moves], [10, 0, 10])
+        for before, behind in zip(moves, moves[1:]):
+            self.assertGreaterEqual(behind["t"], before["end"])
+        self.assertGreaterEqual(done.of("stop")[0]["t"], moves[-1]["end"] - 1e-6)
+
+    def test_a_move_of_the_path_waits_for_it(self):
+        done = self.run_it("O1\nG98\nG101\nG01 B10. F600\nG04 X2.\nG100\nM81\nG00 B3.\nM30\n", B_AXIS)
+        self.assertEqual(done.status, 0, done.said())
+        [own], [path] = done.of("move", line=7), done.of("move", line=8)
+        self.assertGreaterEqual(path["t"], own["end"] + 2.0 - 1e-6)
+
+    def test_a_feed_hold_stops_it_too(self):
+        scenario = '[[at]]\nt = 1.0\npress = "feed_hold L1"\n[[at]]\nt = 2.0\npress = "cycle_start L1"\n'
+        done = self.run_it("O1\nG98\nG101\nG01 B20. F600\nG100\nM81\nG01 Z-40. F600\nM30\n", B_AXIS, scenario)
+        self.assertEqual(done.status, 0, done.said())
+        [own] = done.of("move", line=6)
+        self.assertAlmostEqual(own["end"] - own["t"], 3.0, delta=0.1)
+
+
+def pulse(*moments):
+    return "".join(f'[[at]]\nt = {t}\nset = "UINT L1={value}"\n' for t, value in moments)
+
+
+class Interrupt(Run):
+    def test_type_two_its_macro_statements_act_at_once_and_the_others_behind_the_block(self):
+        self.write("O8300.nc", "O8300\n#120=#120+1\n#121=#5042\n#122=#5002\n#1100=1\nG00 U2.\n#123=#5042\n#1100=0\nM99\n")
+        done = self.run_it(MAIN, ["F6003#2=1"], pulse((2.0, 1), (2.3, 0)), ["CN_UOUT L1"])
+        self.assertEqual(done.status, 0, done.said())
+        value = {e["name"]: e for e in done.of("variable")}
+        self.assertEqual(value["#120"]["value"], 1)
+        self.assertAlmostEqual(value["#121"]["value"], -20.0, delta=0.5, msg="read where the signal came")
+        self.assertAlmostEqual(value["#122"]["value"], -40.0, places=3, msg="the end of the interrupted block")
+        self.assertAlmostEqual(value["#121"]["t"], 2.0, delta=0.1)
+        self.assertAlmostEqual(value["#123"]["value"], -40.0, delta=0.01)
+        output = done.of("flag", name="CN_UOUT L1")
+        self.assertEqual([e["value"] for e in output], [1, 0], done.said())
+        self.assertAlmostEqual(output[0]["t"], 2.0, delta=0.1, msg="the output is on while the block is still cut")
+        [cut] = done.of("move", n=10)
+        self.assertAlmostEqual(cut["end"] - cut["t"], 4.0, delta=0.1)
+        [off] = [m for m in done.of("move", kind="rapid")]
+        self.assertGreaterEqual(off["t"], cut["end"])
+        self.assertAlmostEqual(off["pos"]["Z"], -40.0, places=3)
+        [back] = done.of("move", n=20)
+        self.assertEqual((back["kind"], back["pos"]["X"]), ("linear", 52))
+
+    def test_type_two_with_macro_statements_only(self):
+        self.write("O8300.nc", "O8300\n#120=#120+1\n#121=#5042\nM99\n")
+        done = self.run_it(MAIN, ["F6003#2=1"], pulse((2.0, 1), (2.3, 0)))
+        self.assertEqual(done.status, 0, done.said())
+        value = {e["name"]: e for e in done.of("variable")}
+        self.assertAlmostEqual(value["#121"]["value"], -20.0, delta=0.5)
+        self.assertEqual(value["#120"]["value"], 1)
+        self.assertEqual([m["n"] for m in done.of("move")], [10, 20, 30])
+
+    def test_type_two_a_loop_that_waits_goes_on_behind_the_block(self):
+        self.write("O8300.nc", "O8300\nWHILE[#5042GT-39.]DO1\nEND1\n#121=#5042\nM99\n")
+        done = self.run_it(MAIN, ["F6003#2=1"], pulse((2.0, 1), (2.3, 0)))
+        self.assertEqual(done.status, 0, done.said())
+        self.assertAlmostEqual([e for e in done.of("variable", name="#121")][-1]["value"], -40.0, delta=0.01)
+
+    def test_type_one_breaks_the_block_off_and_loses_its_rest(self):
+        self.write("O8300.nc", "O8300\n#121=#5042\nG00 U2.\nM99\n")
+        done = self.run_it(MAIN, ["F6003#2=0"], pulse((2.0, 1), (2.3, 0)))
+        self.assertEqual(done.status, 0, done.said())
+        [cut] = done.of("move", n=10)
+        self.assertAlmostEqual(cut["end"], 2.0, delta=0.1)
+        [back] = done.of("move", n=20)
+        self.assertEqual((back["pos"]["X"], back["pos"]["Z"]), (52, -60))
+
+    def test_type_one_without_nc_statements_resumes_the_rest_of_a_move_and_of_a_dwell(self):
+        self.write("O8300.nc", "O8300\n#120=#120+1\nM99\n")
+        done = self.run_it(MAIN, ["F6003#2=0"], pulse((2.0, 1), (2.3, 0)))
+        first, rest = done.of("move", n=10)
+        self.assertAlmostEqual(first["end"] - first["t"] + rest["end"] - rest["t"], 4.0, delta=0.1)
+        done = self.run_it("O1\nG98\nM96 P8300\nN10 G4 X5.\nN20 G4 X1.\nM97\nM30\n", ["F6003#2=0"], pulse((2.0, 1), (2.3, 0)))
+        self.assertEqual(done.status, 0, done.said())
+        first, rest, other = done.of("dwell")
+        self.assertAlmostEqual(first["end"] - first["t"], 2.0, delta=0.05)
+        self.assertAlmostEqual(rest["end"] - rest["t"], 3.0, delta=0.05)
+        self.assertAlmostEqual(other["end"] - other["t"], 1.0, delta=0.01)
+
+
+class PickedUpThread(LiveCase):
+    """A part is clamped again: spindle and tool are put into its groove by hand, and the thread goes on in it."""
+
+    def press(self, words):
+        done = self.polyturn("press", "--instance", self.name, *words.split())
+        self.assertEqual(done.status, 0, words + "\n" + done.said())
+
+    def axis(self, name):
+        status = self.polyturn("status", "--json", "--instance", self.name)
+        return status.out
+
+    def parameter(self, name):
+        done = self.polyturn("params", "get", name, "--instance", self.name)
+        self.assertEqual(done.status, 0, done.said())
+        return float(done.out.split()[-1])
+
+    def test_a_thread_begins_where_it_meets_the_groove_that_was_taught(self):
+        self.start("PT_LANGUAGE L1=fanuc")
+        self.press("machine_on")
+        self.press("reference all")
+        self.wait_for(lambda: '"Reset"' in self.axis("") or True, 1, "nothing")
+        self.press("mode L1=mdi")
+        self.press("mdi L1 G98 G97 S60 M3")
+        self.press("cycle_start L1")
+        self.press("mdi L1 G0 Z-7.3")
+        self.press("cycle_start L1")
+        self.press("mdi L1 M5")
+        self.press("cycle_start L1")
+        self.press("teach_thread L1")
+        angle, at = self.parameter("PT_THREAD_ANGLE L1"), self.parameter("PT_THREAD_AT L1")
+        self.assertEqual(self.parameter("PT_THREAD_PICKUP L1"), 1)
+        program = self.write("O0001.nc", "O1\nG97 S300 M3\nG0 X50. Z5.\nG32 Z-30. F2.\nG0 X60.\nM30\n")
+        done = self.polyturn("run", "--virtual", "--language", "fanuc", "--like", self.name, "--instance", self.name + "x", "--trace", self.folder / "trace.csv", program)
+        self.assertEqual(done.status, 0, done.said())
+        [thread] = done.of("move", kind="thread")
+        trace = read_trace(self.folder / "trace.csv")
+        met = [(z0, z1, a0, a1) for t, z0, z1, a0, a1 in zip(trace["t"], trace["A2.cmd"], trace["A2.cmd"][1:], trace["S1.angle"], trace["S1.angle"][1:])
+               if thread["t"] <= t <= thread["end"] and z0 > at >= z1]
+        self.assertEqual(len(met), 1, f"{at}: {done.said()}")
+        z0, z1, a0, a1 = met[0]
+        there = a0 + ((a1 - a0) % 360) * (z0 - at) / (z0 - z1)
+        off = (there - angle + 180) % 360 - 180
+        self.assertLess(abs(off), 3.0, f"taught {angle} at {at}, met at {there}")
+
+
+if __name__ == "__main__":
+    unittest.main()
