@@ -37,14 +37,20 @@ class Part:
         far = cz + max(0.0, width - 2 * nose)
         first = max(0, math.ceil((cz - nose - self.z0) / STEP))
         last = min(len(self.outside) - 1, math.floor((far + nose - self.z0) / STEP))
+        # The radius is kept with the sign that makes every cut a lowering; what lies below the whole nose needs no root.
+        sign, cells = (-1, self.bore) if inside else (1, self.outside)
+        edge, squared, root, z0 = sign * cx, nose * nose, math.sqrt, self.z0
+        lowest = edge - nose
         for cell in range(first, last + 1):
-            at = self.z(cell)
-            over = at - min(max(at, cz), far)
-            reach = math.sqrt(max(0.0, nose * nose - over * over))
-            if inside:
-                self.bore[cell] = max(self.bore[cell], cx + reach)
-            else:
-                self.outside[cell] = min(self.outside[cell], max(0.0, cx - reach))
+            have = sign * cells[cell]
+            if have <= lowest:
+                continue
+            at = z0 + cell * STEP
+            over = cz - at if at < cz else at - far if at > far else 0.0
+            left = squared - over * over
+            level = edge - root(left) if left > 0 else edge
+            if level < have:
+                cells[cell] = -level if inside else max(0.0, level)
 
     def drill(self, z, diameter, point):
         """A drill whose tip stands at z; point: its angle in degrees."""
