@@ -391,11 +391,12 @@ bool Guard::circle_is_free(std::uint32_t channel, const std::array<double, kMaxA
             if (other == own) continue;
             if (!other->known) return false;
             const bool flat = !own->in_z || !other->in_z;
-            for (std::size_t k = other->shown; k < other->shown + other->shown_count; ++k) {
-                const Box& q = shown_[k];
-                const double gap = gap_of(swept.x_low - q.x_high, q.x_low - swept.x_high, flat ? -kFarAway : swept.z_low - q.z_high, flat ? -kFarAway : q.z_low - swept.z_high, 0, 0);
-                if (gap <= distance_ + other->way_left) return false;
-            }
+            const auto free_of = [&](const Box& q) {
+                return gap_of(swept.x_low - q.x_high, q.x_low - swept.x_high, flat ? -kFarAway : swept.z_low - q.z_high, flat ? -kFarAway : q.z_low - swept.z_high, 0, 0) > distance_ + other->way_left;
+            };
+            if (free_of(other->outline)) continue;
+            const Box* const q = shown_.data() + other->shown;
+            if (!std::all_of(q, q + other->shown_count, free_of)) return false;
         }
     }
     return true;
