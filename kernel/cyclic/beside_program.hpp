@@ -39,8 +39,17 @@ public:
     bool put(const BesideTask& task) noexcept {
         if (count_ == kSteps) return false;
         if (task.what == BesideStep::Begin) ++started_;
+        open_ = task.what != BesideStep::End;
         tasks_[(first_ + count_++) % kSteps] = task;
         return true;
+    }
+    // What was handed over is all that comes: the rest of the program was discarded with its path (an interrupt macro, a skip).
+    void close() noexcept {
+        if (!open_ || count_ == 0) return;
+        BesideTask end = tasks_[(first_ + count_ - 1) % kSteps];
+        end.what = BesideStep::End;
+        end.note = 0;
+        put(end);
     }
     const BesideTask* now() const noexcept { return count_ ? &tasks_[first_] : nullptr; }
     void next() noexcept {
@@ -49,7 +58,7 @@ public:
         --count_;
         begun = false;
     }
-    void clear() noexcept { count_ = 0, started_ = 0, begun = false; }
+    void clear() noexcept { count_ = 0, started_ = 0, begun = open_ = false; }
     std::uint32_t started() const noexcept { return started_; }   // begun or waiting, not ended
     bool moves(std::uint32_t axis) const noexcept { return count_ != 0 && tasks_[first_].axis == axis; }
 
@@ -60,6 +69,7 @@ private:
     std::vector<BesideTask> tasks_;      // sized once, before the cyclic thread runs
     std::size_t first_ = 0, count_ = 0;
     std::uint32_t started_ = 0;
+    bool open_ = false;                  // a Begin without its End
 };
 
 }  // namespace polyturn::kernel

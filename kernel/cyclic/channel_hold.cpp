@@ -86,6 +86,7 @@ void ChannelRunner::discard() noexcept {
     step_ = {};
     step_.record = cursor_;
     flying_ = early_ = kNoRecord;
+    beside_program_.close();
     core_.tools.forget(index_);   // a T that was asked about in front of its place may be another one now
     phase_ = Phase::None;
     at_boundary_ = true;

@@ -131,6 +131,25 @@ TEST(BesideProgram, ThePathWaitsForRoomForALongOne) {
     EXPECT_EQ(rig.machine->core().signals.nc(signals::an_paxa(1)), 0);
 }
 
+// The path is broken off while steps are handed over: what is there is done, and the program counts as ended.
+TEST(BesideProgram, AProgramWithoutItsEndIsEndedWithItsPath) {
+    BesideProgram program;
+    for (int n = 0; n < 20; ++n) {
+        BesideTask task;
+        task.what = BesideStep::Begin;
+        ASSERT_TRUE(program.put(task));
+        task.what = BesideStep::Dwell;
+        ASSERT_TRUE(program.put(task));
+        EXPECT_EQ(program.started(), 1u);
+        program.close();
+        program.close();
+        int steps = 0;
+        for (; program.now(); program.next()) ++steps;
+        EXPECT_EQ(steps, 3);
+        EXPECT_EQ(program.started(), 0u);
+    }
+}
+
 TEST(BesideProgram, AResetEndsIt) {
     TickRig rig;
     push_program(rig, {move(rig, 50, 10), move(rig, 0, 10)});
