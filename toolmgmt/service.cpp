@@ -9,6 +9,7 @@
 
 #include "ipc/machine/config_check.hpp"
 #include "ipc/params/registry.hpp"
+#include "toolmgmt/cell_requests.hpp"
 #include "toolmgmt/tools/places.hpp"
 #include "toolmgmt/tools/tool_requests.hpp"
 #include "toolmgmt/wait_any.hpp"
@@ -146,6 +147,7 @@ bool Service::take_persist() {
     if (index >= head) return false;
     const auto end = std::min(head, index + kMostPerStep);
     std::vector<Change> changes, passing;   // for the disk; until power-off
+    std::vector<CellEntry> cells;
     for (; index < end; ++index) {
         const StoreRequest request = kernel_->persist.slot(index);
         if (static_cast<StoreRequestKind>(request.kind) == StoreRequestKind::ToolCall) {
@@ -154,6 +156,10 @@ bool Service::take_persist() {
         }
         if (const auto low = request.level ? level_refusal(request) : std::nullopt) {   // an operator's, through the kernel
             std::fprintf(stderr, "polyturn-toolmgmt: %s\n", one_line(*low).c_str());
+            continue;
+        }
+        if (const auto cell = cell_of(request)) {
+            cells.push_back(*cell);
             continue;
         }
         Result<Applied> applied = is_tool_request(request) ? apply_tool_request(request, values_) : apply_request(request, Origin::Program, machine_, values_);
@@ -170,6 +176,7 @@ bool Service::take_persist() {
             tell_kernel(applied->changes, request.id);
         std::move(applied->changes.begin(), applied->changes.end(), std::back_inserter(applied->until_power_off ? passing : changes));
     }
+    if (const Result<void> kept = keep_cells(supervisor_->options, values_.parameters, cells); !kept) std::fprintf(stderr, "polyturn-toolmgmt: %s\n", one_line(kept.diagnosis()).c_str());
     keep_pending(changes);
     changes.insert(changes.end(), passing.begin(), passing.end());
     image_.publish(values_, changes);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "channels/fanuc/interpreter.hpp"
+#include "ipc/machine/compensation_tables.hpp"
 #include "ipc/machine/work_zeros.hpp"
 #include "ipc/params/param_file.hpp"
 
@@ -11,6 +12,16 @@ namespace polyturn::channels::fanuc {
 namespace {
 
 constexpr const char* kFieldNames[] = {"X", "Y", "Z", "R", "T"};
+
+constexpr std::int64_t kLastFanucCell = 11'023;   // fanuc_lathe 7
+
+// N10000 and on: a point of the compensation tables, which the program itself does not need. Whole numbers of a fanuc program
+// count increments of the channel's first axis.
+bool compensation_cell(Core& core, std::int64_t cell, double value) {
+    core.mark_emitted();
+    core.sink().parameter(fmt::format("{}={}", cell, static_cast<float>(value)), core.at);
+    return true;
+}
 
 double& cell_of(OffsetCell& cell, OffsetTable table, OffsetField field) {
     const auto k = static_cast<std::size_t>(field);
@@ -175,6 +186,7 @@ bool Interpreter::g10_parameter_block() {
     if (const Word& r = block_.word('R'); r.has_point && !r.from_expression && !settings_.nct) return core_.fail(Alarm::PointForbidden, 'R', "R");
     const auto number = static_cast<std::int64_t>(block_.value('N'));
     core_.at.block = -1;
+    if (number >= kFirstCell && number <= (settings_.nct ? kLastCell : kLastFanucCell)) return compensation_cell(core_, number, settings_.nct ? block_.value('R') : block_.value('R') * core_.view().axes[0].increment);
     const std::string name = fmt::format("{}{:04}", settings_.nct ? 'N' : 'F', number);
     const params::Row* row = params::find(name);
     if (!row || row->type == params::Type::Text) return core_.fail(Alarm::ParameterInputIllegal, 'N', name);

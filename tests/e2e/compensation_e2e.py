@@ -105,6 +105,36 @@ class MeasuredErrors(Case):
                 self.assertEqual(done.status, status, done.said())
                 self.assertIn(named, done.out + done.err)
 
+    def test_a_program_gives_points_their_value(self):
+        name = f"cells-{os.getpid()}"
+        machine = self.machine(FLAT)
+        log = open(self.folder / "start.log", "ab")
+        self.addCleanup(log.close)
+        running = subprocess.Popen([POLYTURN, "start", machine, "--instance", name, "--store", self.folder / "store", "--no-hmi"], stdin=subprocess.DEVNULL, stdout=log, stderr=log)
+        self.addCleanup(lambda: self.polyturn("clean"))
+        self.addCleanup(lambda: running.poll() is None and (running.send_signal(signal.SIGKILL), running.wait()))
+
+        def until(condition, what):
+            deadline = time.monotonic() + 20
+            while not condition():
+                self.assertLess(time.monotonic(), deadline, what + "\n" + (self.folder / "start.log").read_text() + self.polyturn("alarms", "--instance", name).said())
+                time.sleep(0.1)
+
+        def compensation():
+            done = self.polyturn("status", "--json", "--instance", name)
+            return next((a["compensation"] for a in json.loads(done.out)["axes"] if a["axis"] == "A2"), None) if done.status == 0 else None
+        until(lambda: compensation() is not None, "start")
+        for words in ("machine_on", "reference all"):
+            self.polyturn("press", "--instance", name, *words.split())
+        until(lambda: abs(compensation() - 0.05) < 1e-6, "the table acts")
+        program = self.write("cells.nc", "O1\nG10 L50\n" + "".join(f"N{10000 + i} R-20\n" for i in range(21)) + "G11\nM30\n")
+        self.polyturn("press", "--instance", name, "mode", "L1=auto")
+        self.polyturn("press", "--instance", name, "select", f"L1={program}")
+        done = self.polyturn("press", "--instance", name, "cycle_start", "L1")
+        self.assertEqual(done.status, 0, done.said())
+        until(lambda: abs(compensation() + 0.02) < 1e-6, "what the program gave acts")
+        self.assertIn("10007=-0.02\n", (machine / "machine.compensation").read_text())
+
     def test_a_running_controller_reports_it_per_axis(self):
         name = f"compensation-{os.getpid()}"
         machine = self.machine(FLAT)

@@ -48,6 +48,16 @@ TEST(ParameterInput, TakesBitsAsBinaryDigits) {   // fanuc_lathe 7
     for (const char* right : {"R10", "R00010010", "R0", "R11111111"}) EXPECT_EQ(play("G10 L50\nN5002 " + std::string(right) + "\nG11\nM30\n").errors, 0u) << right;
 }
 
+TEST(ParameterInput, GivesCellsOfTheCompensationTablesTheirValue) {   // fanuc_lathe 7: 1024 points, N10000 and on
+    Play how;
+    EXPECT_EQ(play("G10 L50\nN10005 R-12\nN11023 R3\nG11\nM30\n").errors, 0u) << play("G10 L50\nN10005 R-12\nN11023 R3\nG11\nM30\n").events;
+    EXPECT_TRUE(play("G10 L50\nN11024 R3\nG11\nM30\n").has({R"("number":"PT1064")"}));
+    EXPECT_TRUE(play("G10 L50\nN10005 R1.5\nG11\nM30\n").has({R"("number":7,)"}));
+    how.language = "nct";
+    EXPECT_EQ(play("G10 L50\nN29999 R0.0125\nG11\nM30\n", how).errors, 0u);
+    EXPECT_TRUE(play("G10 L50\nN30000 R0.0125\nG11\nM30\n", how).has({R"("number":"PT1064")"}));
+}
+
 TEST(Series15, FeedsAndLeadsHaveTheirRanges) {   // fanuc_lathe 8.1
     Play how;
     how.sets = {"F0001#1=1"};

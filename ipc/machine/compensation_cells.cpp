@@ -1,0 +1,86 @@
+#include "ipc/machine/compensation_cells.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "ipc/machine/compensation_tables.hpp"
+
+namespace polyturn {
+namespace {
+
+using namespace params;
+
+std::string line_of(std::int64_t cell, float value) {
+    char digits[32];
+    const auto done = std::to_chars(digits, digits + sizeof digits, value);
+    return std::to_string(cell) + "=" + std::string(digits, done.ptr) + "\n";
+}
+
+// The cell that a line of the file is about; 0: none.
+std::int64_t cell_of(std::string_view line) {
+    while (!line.empty() && (line.front() == ' ' || line.front() == '\t')) line.remove_prefix(1);
+    std::int64_t cell = 0;
+    const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), cell);
+    line.remove_prefix(static_cast<std::size_t>(end - line.data()));
+    while (!line.empty() && line.front() == ' ') line.remove_prefix(1);
+    return error == std::errc{} && line.starts_with("=") ? cell : 0;
+}
+
+void use(std::map<std::int64_t, float>& values, std::int64_t first, std::int64_t last) {
+    for (std::int64_t n = std::max(first, kFirstCell); n <= std::min(last, kLastCell); ++n) values.emplace(n, 0.0F);
+}
+
+// What the tables use (check_compensation_tables judges the same ranges).
+void use_tables(std::map<std::int64_t, float>& values, const Table& t) {
+    for (unsigned a = 1; a <= kMaxAxes; ++a) {
+        const auto first = get(t, n2503_primary_smallest_cell_no, a), last = get(t, n2504_primary_largest_cell_no, a), second = get(t, n2505_primary_smallest_cell_no_both_dir, a);
+        if (bit(t, n2500_pitch_comp_contr, a, 0)) use(values, first, last);
+        if (bit(t, n2500_pitch_comp_contr, a, 0) && bit(t, n2500_pitch_comp_contr, a, 1)) use(values, second, second + last - first);
+        if (bit(t, n2500_pitch_comp_contr, a, 3)) use(values, get(t, n2508_secondary_smallest_cell_no, a), get(t, n2509_secondary_largest_cell_no, a));
+    }
+    for (unsigned l = 1; l <= kMaxChannels; ++l)
+        for (unsigned g = 1; g <= 6 && !bit(t, n2600_straightness_comp_contr, l, 0); ++g) {
+            const auto moving = get(t, nth(n2601_no_of_moving_axis_1, g), l);
+            if (moving < 1 || moving > static_cast<std::int64_t>(kMaxAxes)) continue;
+            const auto first = get(t, nth(n2613_smallest_cell_no_of_moving_axis_1, g), l);
+            use(values, first, first + get(t, n2504_primary_largest_cell_no, static_cast<unsigned>(moving)) - get(t, n2503_primary_smallest_cell_no, static_cast<unsigned>(moving)));
+        }
+}
+
+}  // namespace
+
+std::optional<CellEntry> cell_entry(std::string_view line) {
+    const std::size_t sign = line.find('=');
+    if (sign == std::string_view::npos) return std::nullopt;
+    CellEntry entry;
+    const auto number = std::from_chars(line.data(), line.data() + sign, entry.cell);
+    const auto value = std::from_chars(line.data() + sign + 1, line.data() + line.size(), entry.value);
+    const bool whole = number.ec == std::errc{} && number.ptr == line.data() + sign && value.ec == std::errc{} && value.ptr == line.data() + line.size();
+    if (!whole || entry.cell < kFirstCell || entry.cell > kLastCell || !std::isfinite(entry.value)) return std::nullopt;
+    return entry;
+}
+
+std::string with_cells(std::string_view content, const Table& parameters, std::span<const CellEntry> entries) {
+    std::map<std::int64_t, float> values;
+    for (const CellEntry& entry : entries) values.insert_or_assign(entry.cell, entry.value);
+    if (content.empty()) use_tables(values, parameters);
+    std::string out;
+    while (!content.empty()) {
+        const std::size_t end = std::min(content.find('\n'), content.size());
+        const std::string_view line = content.substr(0, end);
+        content.remove_prefix(std::min(content.size(), end + 1));
+        if (const auto found = values.find(cell_of(line)); found != values.end()) {
+            out += line_of(found->first, found->second);
+            values.erase(found);
+        } else {
+            out.append(line) += '\n';
+        }
+    }
+    for (const auto& [cell, value] : values) out += line_of(cell, value);
+    return out;
+}
+
+}  // namespace polyturn
