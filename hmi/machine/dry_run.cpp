@@ -87,7 +87,26 @@ void DryRun::take(const QByteArray& line) {
     } else if ((what == "move" || what == "dwell") && t >= 0) {
         const RunSpan::Kind kind = what == "dwell" ? RunSpan::Kind::Dwell : event.value("kind").toString() == "rapid" ? RunSpan::Kind::Rapid : RunSpan::Kind::Cutting;
         if (own.spans.size() < kMostBlocks) own.spans.push_back({kind, t, end, at.line});
+        if (what == "move") takeMove(own, event, t, end);
     }
+}
+
+void DryRun::takeMove(RunChannel& own, const QJsonObject& event, double t, double end) {
+    if (own.moves.size() >= kMostBlocks) return;
+    const QJsonObject pos = event.value("pos").toObject(), machine = event.value("machine").toObject(), centre = event.value("centre").toObject();
+    RunMove move = own.moves.empty() ? RunMove{} : own.moves.back();   // what an event does not name stays where it is
+    const QString kind = event.value("kind").toString();
+    move.t = t, move.end = end;
+    move.rapid = kind == "rapid" || kind == "reference", move.arc = (kind == "cw" || kind == "ccw") && !centre.isEmpty(), move.clockwise = kind == "cw";
+    move.x = pos.value("X").toDouble(move.x), move.z = pos.value("Z").toDouble(move.z);
+    move.centreX = centre.value("X").toDouble(), move.centreZ = centre.value("Z").toDouble();
+    for (auto one = machine.begin(); one != machine.end(); ++one) {
+        auto place = own.axes.indexOf(one.key());
+        if (place < 0) place = own.axes.size(), own.axes << one.key();
+        if (place < static_cast<qsizetype>(move.machine.size())) move.machine[static_cast<std::size_t>(place)] = one.value().toDouble();
+    }
+    move.tool = event.value("tool").toObject().value("number").toInt(move.tool);
+    own.moves.push_back(move);
 }
 
 void DryRun::finish() {

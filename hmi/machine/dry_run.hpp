@@ -2,7 +2,9 @@
 // the programs of a job will do. The process works; here its events are only collected, a piece at a time.
 #pragma once
 #include <QProcess>
+#include <QJsonObject>
 #include <QStringList>
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
@@ -26,7 +28,16 @@ struct RunSpan {
     double from = 0, to = 0;
     std::uint32_t line = 0;
 };
+struct RunMove {
+    double t = 0, end = 0;
+    bool rapid = false, arc = false, clockwise = false;
+    double x = 0, z = 0, centreX = 0, centreZ = 0;   // in the workpiece system: x as the program has it, the centre as a radius
+    std::array<double, 6> machine{};  // of RunChannel::axes, true millimetres
+    int tool = 0;
+};
 struct RunChannel {
+    QStringList axes;               // names of those that RunMove::machine tells
+    std::vector<RunMove> moves;     // of a drive: those with X and Z
     std::vector<RunLine> blocks;    // in the order in which they are executed; a block after itself counts once
     std::vector<RunWait> waits;
     std::vector<RunSpan> spans;
@@ -58,6 +69,7 @@ public:
 private:
     void read();
     void take(const QByteArray& line);
+    void takeMove(RunChannel& own, const QJsonObject& event, double t, double end);
     void finish();
 
     std::unique_ptr<QProcess> process_;

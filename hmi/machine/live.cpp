@@ -66,6 +66,8 @@ void Live::attach() {
     namesVersion_ = {};
 }
 
+std::string Live::machineFolder() const { return connected_ ? std::string(supervisor_->options.machine_folder.data()) : std::string(); }
+
 // What a killed controller left behind says nothing about now.
 bool Live::peersLive() const {
     return process_lives(supervisor_->header.writer_pid) && process_lives(kernel_->header.writer_pid) && supervisor_->header.generation == kernel_->header.generation;

@@ -37,6 +37,7 @@ public:
     bool connected() const { return connected_; }
     std::string whyNot() const;            // there is no controller, in the language of the screens; empty: there is one
     const std::string& instance() const { return instance_; }
+    std::string machineFolder() const;     // where its tables and its room lie, without the ending; empty: there are none
 
     const MachineStatus& status() const { return *status_; }
     const MachineConfig& config() const { return *config_; }
@@ -60,6 +61,7 @@ public:
     const StoreTotals& totals() const { return *totals_; }
     const VariableList& variables(unsigned channel) const;   // read anew at each call
     bool dialogue(unsigned channel, Dialogue& out) const;     // what its program asks now; false: nothing
+    bool guard(GuardStatus& out) const { return connected_ && kernel_->guard.read(out); }   // bodies as protection sees them; none while it is off
     // The scope: what it records, and the samples from `next` on (moved behind them); false: some were missed.
     bool scopeChoice(ScopeChoice& out) const { return connected_ && kernel_->scope_choice.read(out); }
     bool scopeSamples(std::uint64_t& next, std::vector<ScopeSample>& out) const;

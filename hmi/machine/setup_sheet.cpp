@@ -1,9 +1,9 @@
 #include "hmi/machine/setup_sheet.hpp"
 
+#include <QBuffer>
 #include <QDateTime>
 #include <QFileInfo>
 #include <QPdfWriter>
-#include <QSaveFile>
 #include <QTextDocument>
 
 #include "polyturn/parameter_handles.hpp"
@@ -40,7 +40,7 @@ QString matchText(const SheetTool& tool) {
     return word("not entered");
 }
 
-bool printSheet(const Live& live, const text::Job& job, const QString& file) {
+QString sheetText(const Live& live, const text::Job& job) {
     QString html = QString("<h1>%1</h1><p>%2 &nbsp; %3</p>").arg(QString::fromStdString(job.name).toHtmlEscaped(), QString::fromStdString(live.instance()), QDateTime::currentDateTime().toString("dd.MM.yyyy HH:mm"));
     const auto cells = [](const QStringList& texts, const char* tag) {
         QString out = "<tr>";
@@ -52,23 +52,27 @@ bool printSheet(const Live& live, const text::Job& job, const QString& file) {
     QString rows;
     for (const auto& [channel, program] : job.programs) rows += cells({QString("L%1").arg(channel), QFileInfo(QString::fromStdString(program.file)).fileName(), QString::fromStdString(program.language)}, "td");
     html += table(rows);
-    if (job.stock) html += "<h2>" + word("Stock") + "</h2><p>" + QString::fromUtf8("⌀ %1 × %2 mm   %3").arg(job.stock->diameter).arg(job.stock->length).arg(QString::fromStdString(job.stock->spindle)) + "</p>";
+    if (job.stock) html += "<h2>" + word("Stock") + "</h2><p>" + QString::fromUtf8("⌀ %1 × %2 %3   %4").arg(job.stock->diameter).arg(job.stock->length).arg(unitWord("mm"), QString::fromStdString(job.stock->spindle)) + "</p>";
     html += "<h2>" + word("Tools that it needs") + "</h2>";
     rows = cells({word("Channel"), word("Station"), word("Wanted"), word("Mounted"), word("State")}, "th");
     for (const SheetTool& one : compareTools(live, job)) rows += cells({QString("L%1").arg(one.channel), QString::number(one.station), one.wanted, matchText(one), one.state.text}, "td");
     html += table(rows);
     if (job.parts_wanted) html += "<h2>" + word("Parts") + QString("</h2><p>%1</p>").arg(job.parts_wanted);
-    QSaveFile out(file);
-    if (!out.open(QIODevice::WriteOnly)) return false;
+    return html;
+}
+
+FileOutcome writeSheet(const QString& html, const QString& title, const QString& file, FileProgress& progress, const std::atomic<bool>& stop) {
+    QBuffer page;
+    page.open(QIODevice::WriteOnly);
     {
-        QPdfWriter writer(&out);
+        QPdfWriter writer(&page);
         writer.setPageSize(QPageSize(QPageSize::A4));
-        writer.setTitle(QString::fromStdString(job.name));
+        writer.setTitle(title);
         QTextDocument document;
         document.setHtml(html);
         document.print(&writer);
     }
-    return out.commit();
+    return writeWhole(file, page.data(), progress, stop);
 }
 
 }  // namespace polyturn::hmi

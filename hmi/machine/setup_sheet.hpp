@@ -1,5 +1,6 @@
 // The setup sheet of a job: what it needs beside what is mounted, on the screen and on paper (PDF).
 #pragma once
+#include "hmi/machine/file_text.hpp"
 #include "hmi/machine/tool_words.hpp"
 #include "ipc/text/job.hpp"
 
@@ -14,7 +15,8 @@ struct SheetTool {
 };
 std::vector<SheetTool> compareTools(const Live& live, const text::Job& job);
 QString matchText(const SheetTool& tool);
-// Writes it; false: the file cannot be written.
-bool printSheet(const Live& live, const text::Job& job, const QString& file);
+// What stands on it, as HTML; then on paper, which may take as long as a network takes: by a worker.
+QString sheetText(const Live& live, const text::Job& job);
+FileOutcome writeSheet(const QString& html, const QString& title, const QString& file, FileProgress& progress, const std::atomic<bool>& stop);
 
 }  // namespace polyturn::hmi

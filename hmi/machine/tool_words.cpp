@@ -33,7 +33,7 @@ QString lifeUnit(unsigned kind) {
         case LifeKind::Pieces: return word("pcs");
         case LifeKind::Uses: return word("uses");
         case LifeKind::Metres: return QString("m");
-        case LifeKind::Wear: return QString("mm");
+        case LifeKind::Wear: return unitWord("mm");
         case LifeKind::None: break;
     }
     return {};

@@ -172,14 +172,14 @@ private:
     // Two tiles: feed and spindle, with what is commanded and the overrides.
     void speeds() {
         const double h = px(dense_ ? 44 : 74), half = (wide_ - px(8)) / 2;
-        tile(QRectF(left_, y_, half, h), Sign::Feed, QString::number(status_.path_speed * 60, 'f', 0), "mm/min", feedWords(), status_.feed_override,
+        tile(QRectF(left_, y_, half, h), Sign::Feed, QString::number(status_.path_speed * 60, 'f', 0), unitWord("mm/min"), feedWords(), status_.feed_override,
              QString("%1 %2 %").arg(word("Rapid")).arg(std::lround(status_.rapid_override * 100)));
         const unsigned spindle = view_.known && view_.picture.spindle ? view_.picture.spindle : config_.default_spindle;
         const QRectF right(left_ + half + px(8), y_, half, h);
         if (spindle >= 1 && spindle <= kMaxSpindles) {
             const SpindleStatus& now = live_.status().spindles[spindle - 1];
             const QString turn = now.flags & 2u ? QString() : now.speed < 0 ? QString::fromUtf8("↺ ") : QString::fromUtf8("↻ ");
-            tile(right, Sign::Spindle, turn + QString::number(std::abs(now.speed), 'f', 0), "1/min", speedWords(spindle), now.override,
+            tile(right, Sign::Spindle, turn + QString::number(std::abs(now.speed), 'f', 0), unitWord("1/min"), speedWords(spindle), now.override,
                  fromView(live_.config().spindle(spindle).name_text()) + (now.owner && now.owner != channel_ ? QString("  L%1").arg(now.owner) : QString()));
         } else {
             w_.fill(right, t_.raised, px(7));
@@ -208,9 +208,9 @@ private:
         if (!view_.known) return {};
         const BlockPicture& p = view_.picture;
         switch (static_cast<FeedMode>(p.feed_mode)) {
-            case FeedMode::PerRevolution: return QString("F %1 mm/rev").arg(p.feed, 0, 'g', 5);
-            case FeedMode::PerMinute: return QString("F %1 mm/min").arg(p.feed, 0, 'g', 6);
-            case FeedMode::InverseTime: return QString("F %1 1/min").arg(p.feed, 0, 'g', 5);
+            case FeedMode::PerRevolution: return QString("F %1 %2").arg(p.feed, 0, 'g', 5).arg(unitWord("mm/rev"));
+            case FeedMode::PerMinute: return QString("F %1 %2").arg(p.feed, 0, 'g', 6).arg(unitWord("mm/min"));
+            case FeedMode::InverseTime: return QString("F %1 1/%2").arg(p.feed, 0, 'g', 5).arg(unitWord("min"));
             default: return {};
         }
     }
@@ -220,7 +220,7 @@ private:
         if (!view_.known || view_.picture.spindle != spindle) return command;
         const BlockPicture& p = view_.picture;
         const QString limit = p.speed_limit > 0 ? QString(QChar(0x2264)) + QString::number(p.speed_limit, 'f', 0) : QString();
-        if (static_cast<SpindleModeCode>(p.spindle_mode) == SpindleModeCode::SurfaceSpeed) return QString("S %1 m/min %2").arg(p.speed, 0, 'g', 5).arg(limit);
+        if (static_cast<SpindleModeCode>(p.spindle_mode) == SpindleModeCode::SurfaceSpeed) return QString("S %1 %2 %3").arg(p.speed, 0, 'g', 5).arg(unitWord("m/min"), limit);
         if (static_cast<SpindleModeCode>(p.spindle_mode) == SpindleModeCode::Position) return QString("%1%2").arg(p.speed, 0, 'f', 2).arg(QChar(0xB0));
         return command;
     }

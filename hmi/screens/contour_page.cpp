@@ -96,13 +96,13 @@ ContourPage::ContourPage(Desk& desk, QWidget* parent)
         const auto held = value(one);
         if (column == 0) return {one.name, t.accent, Sign::None, true};
         if (column == 1) return {word(one.meaning) + (one.x && writing_.diameter ? QString::fromUtf8(" ⌀") : QString()), held ? t.text : t.dim, Sign::None, false, Face::Text, {}, 14};
-        return {held ? QString("%1 %2").arg(*held, 0, 'g', 9).arg(QString::fromUtf8(one.unit)) : QString::fromUtf8("–"), held ? t.text : t.faint, Sign::None, held.has_value()};
+        return {held ? QString("%1 %2").arg(*held, 0, 'g', 9).arg(unitWord(one.unit)) : QString::fromUtf8("–"), held ? t.text : t.faint, Sign::None, held.has_value()};
     };
     data_->onChosen = [this] { pad_->clear(); };
     pad_->field = [this]() -> std::optional<NumberPad::Field> {
         const Datum* one = datum();
         if (!one) return std::nullopt;
-        return NumberPad::Field{QString(one->name) + "  " + word(one->meaning), QString::fromUtf8(one->unit), value(*one).value_or(0.0), 3};
+        return NumberPad::Field{QString(one->name) + "  " + word(one->meaning), unitWord(one->unit), value(*one).value_or(0.0), 3};
     };
     pad_->onInput = [this](double number) { input(number); };
     picture_->onChosen = [this](std::size_t choice, std::size_t solution) { choose(choice, solution); };

@@ -13,13 +13,13 @@ using forms::Unit;
 
 QString unitText(Unit unit) {
     switch (unit) {
-        case Unit::Length: case Unit::Fine: return "mm";
+        case Unit::Length: case Unit::Fine: return unitWord("mm");
         case Unit::Diameter: return word("mm, diameter");
         case Unit::Degrees: case Unit::Rotary: case Unit::Thousandth: return QString::fromUtf8("°");
-        case Unit::Milliseconds: return "ms";
+        case Unit::Milliseconds: return unitWord("ms");
         case Unit::Hundredths: return word("1/100 s");
         case Unit::FeedRate: return word("feed");
-        case Unit::Lead: return word("mm/rev");
+        case Unit::Lead: return unitWord("mm/rev");
         case Unit::Tenths: return word("1/10 lead");
         case Unit::Label: return "N";
         default: return {};

@@ -7,7 +7,6 @@
 #include <QKeyEvent>
 #include <QProcess>
 #include <QRegularExpression>
-#include <QSaveFile>
 #include <QScroller>
 #include <QTextBlock>
 
@@ -84,6 +83,14 @@ EditorPage::EditorPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(des
         const Theme& t = theme();
         w.fill(QRectF(0, 0, line_->width(), line_->height()), t.window);
         w.fill(QRectF(0, px(4), line_->width(), line_->height() - px(4)), t.card, px(6));
+        if (opening() || saving()) {
+            const qint64 all = progress_->all, done = progress_->done;
+            w.sign(QRectF(px(10), px(11), px(22), px(22)), Sign::Wait, t.wait);
+            const QString name = QFileInfo(opening() ? wanted_ : file_).fileName();
+            w.data(QRectF(px(42), px(4), line_->width() - px(300), line_->height() - px(4)), opening() ? word("%1 is being read: the place answers slowly").arg(name) : word("%1 is being written: the place answers slowly").arg(name), lettering(15), t.text);
+            w.bar(QRectF(line_->width() - px(240), px(20), px(220), px(8)), all > 0 ? static_cast<double>(done) / static_cast<double>(all) : 0, t.wait, t.raised);
+            return;
+        }
         const int here = edit_->textCursor().blockNumber() + 1;
         const Fault* shown = nullptr;              // that of this line, else the first one
         for (const Fault& one : faults_)
@@ -100,8 +107,9 @@ EditorPage::EditorPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(des
 EditorPage::~EditorPage() {
     edit_->disconnect(this);                       // taking the colours off counts as a change of the text
     colours_.reset();
-    if (process_) process_->disconnect(), process_->kill(), process_->waitForFinished(500);
-    if (!temporary_.isEmpty()) QFile::remove(temporary_);
+    if (process_) process_->disconnect(), process_->kill(), process_.release()->deleteLater();
+    // Whoever comes late removes it, even when this page is gone.
+    if (!temporary_.isEmpty()) dropping_.start([copy = temporary_](const std::atomic<bool>&) { return QFile::remove(copy); });
 }
 
 std::vector<Sheet*> EditorPage::sheets() {
@@ -110,47 +118,108 @@ std::vector<Sheet*> EditorPage::sheets() {
 }
 
 bool EditorPage::open(const QString& file, const QString& language) {
-    QFile source(file);
-    if (!source.open(QIODevice::ReadOnly) || source.size() > kMostBytes) return desk_.tell(word("It cannot be shown."), Told::Refused), false;
-    const QByteArray bytes = source.readAll();
-    const QString text = QString::fromUtf8(bytes);
-    if (text.toUtf8() != bytes) return desk_.tell(word("It is no text in UTF-8: it cannot be edited without a loss."), Told::Refused), false;
-    file_.clear();
+    if (writing_.busy()) return desk_.tell(word("The last program is still being written."), Told::Refused), false;
+    wanted_ = file;
+    file_.clear(), canonical_.clear();
     language_ = language;
-    colours_ = std::make_unique<ProgramColours>(edit_->document(), language);
-    edit_->setPlainText(text);
-    edit_->document()->setModified(false);
-    file_ = file;
     faults_.clear(), failure_.clear();
+    edit_->clear();
+    edit_->document()->setModified(false);
+    edit_->setReadOnly(true);
     show(nullptr);
-    refresh();
-    edit_->setFocus();
-    check();
+    progress_ = std::make_shared<FileProgress>();
+    reading_.start([file, progress = progress_](const std::atomic<bool>& stop) { return readText(file, kMostBytes, *progress, stop); });
+    if (const auto read = reading_.take()) return opened(*read);
+    line_->refresh();
+    if (desk_.keysChanged) desk_.keysChanged();
     return true;
 }
 
-bool EditorPage::save() {
-    QSaveFile out(file_);
-    const QByteArray bytes = edit_->toPlainText().toUtf8();
-    if (!out.open(QIODevice::WriteOnly) || out.write(bytes) != bytes.size() || !out.commit()) return desk_.tell(word("Cannot be written: %1").arg(file_), Told::Refused), false;
+bool EditorPage::opened(const FileText& read) {
+    edit_->setReadOnly(false);
+    if (read.kind != FileText::Kind::Read) {
+        if (read.kind == FileText::Kind::NoText) desk_.tell(word("It is no text in UTF-8: it cannot be edited without a loss."), Told::Refused);
+        else if (read.kind != FileText::Kind::Stopped) desk_.tell(word("It cannot be shown."), Told::Refused);
+        return false;
+    }
+    colours_ = std::make_unique<ProgramColours>(edit_->document(), language_);
+    edit_->setPlainText(read.text);
     edit_->document()->setModified(false);
-    desk_.tell(word("Saved: %1").arg(QFileInfo(file_).fileName()), Told::Good);
+    file_ = wanted_, canonical_ = read.path;
+    refresh();
+    edit_->setFocus();
+    check();
     if (desk_.keysChanged) desk_.keysChanged();
     return true;
+}
+
+void EditorPage::stop() {
+    if (reading_.busy()) {
+        reading_.forget();                         // whatever it waits for, it waits alone
+        edit_->setReadOnly(false);
+        if (onNotOpened) onNotOpened();
+    } else if (writing_.busy()) {
+        writing_.forget();                         // the file that was there stays, unless its last piece has been written
+        desk_.tell(word("Not saved: stopped. The file is as it was."), Told::Refused);
+    }
+    if (desk_.keysChanged) desk_.keysChanged();
+}
+
+void EditorPage::save() {
+    if (writing_.busy() || file_.isEmpty()) return;
+    savedRevision_ = edit_->document()->revision();
+    progress_ = std::make_shared<FileProgress>();
+    writing_.start([file = file_, bytes = edit_->toPlainText().toUtf8(), progress = progress_](const std::atomic<bool>& stop) { return writeWhole(file, bytes, *progress, stop); });
+    take();
+    if (desk_.keysChanged) desk_.keysChanged();
+}
+
+// What has been typed since the saving began is not saved.
+void EditorPage::saved(const FileOutcome& outcome) {
+    if (!outcome.ok()) return desk_.tell(word("Cannot be written: %1").arg(outcome.what), Told::Refused);
+    if (edit_->document()->revision() == savedRevision_) edit_->document()->setModified(false);
+    desk_.tell(word("Saved: %1").arg(QFileInfo(file_).fileName()), Told::Good);
+}
+
+void EditorPage::take() {
+    bool any = false;
+    if (const auto read = reading_.take()) {
+        any = true;
+        if (!opened(*read) && onNotOpened) onNotOpened();
+    }
+    if (const auto done = writing_.take()) any = true, saved(*done);
+    if (const auto copy = copying_.take()) any = true, startCheck(*copy);
+    (void)dropping_.take();
+    if (any && desk_.keysChanged) desk_.keysChanged();
 }
 
 // A copy beside the program, so that its subprograms are found; elsewhere when nothing may be written there.
 void EditorPage::check() {
     if (file_.isEmpty()) return;
-    if (process_) return wait_.start(kPauseMs);    // the one that runs ends first
-    const QFileInfo info(file_);
-    for (const QString& folder : {info.absolutePath(), QDir::tempPath()}) {
-        temporary_ = QString("%1/.check-%2-%3").arg(folder).arg(QCoreApplication::applicationPid()).arg(info.fileName());
-        QFile copy(temporary_);
-        const QByteArray bytes = edit_->toPlainText().toUtf8();
-        if (copy.open(QIODevice::WriteOnly) && copy.write(bytes) == bytes.size()) break;
-        temporary_.clear();
-    }
+    if (process_ || copying_.busy()) return wait_.start(kPauseMs);    // the one that runs ends first
+    const QFileInfo info(file_);                   // the path alone: nothing asks the disk
+    const QString name = QString("/.check-%1-%2").arg(QCoreApplication::applicationPid()).arg(info.fileName());
+    const QStringList places{info.absolutePath() + name, QDir::tempPath() + name};
+    copying_.start([places, bytes = edit_->toPlainText().toUtf8()](const std::atomic<bool>& stop) {
+        for (const QString& place : places) {
+            QFile copy(place);
+            const bool written = copy.open(QIODevice::WriteOnly) && copy.write(bytes) == bytes.size();
+            copy.close();
+            if (written && !stop) return place;
+            QFile::remove(place);
+        }
+        return QString();
+    });
+    if (const auto copy = copying_.take()) startCheck(*copy);
+    line_->refresh();
+}
+
+void EditorPage::drop(const QString& copy) {
+    if (!copy.isEmpty()) dropping_.start([copy](const std::atomic<bool>&) { return QFile::remove(copy); }, 0);
+}
+
+void EditorPage::startCheck(const QString& copy) {
+    temporary_ = copy;
     if (temporary_.isEmpty()) return void(failure_ = word("The program cannot be checked here."));
     out_.clear();
     process_ = std::make_unique<QProcess>();
@@ -170,7 +239,7 @@ void EditorPage::check() {
 void EditorPage::finish() {
     if (!process_) return;
     process_.release()->deleteLater();
-    QFile::remove(temporary_);
+    drop(temporary_);
     const QString name = QFileInfo(temporary_).fileName();
     temporary_.clear();
     faults_.clear();
@@ -227,6 +296,7 @@ void EditorPage::goToFault(int step) {
 
 void EditorPage::refresh() {
     const Theme& t = theme();
+    take();
     QPalette colours = edit_->palette();
     if (colours.color(QPalette::Base) != t.card) {
         colours.setColor(QPalette::Base, t.card), colours.setColor(QPalette::Text, t.text), colours.setColor(QPalette::Highlight, t.accent), colours.setColor(QPalette::HighlightedText, t.onAccent);
@@ -294,6 +364,7 @@ void EditorPage::showSample(int number) {
 bool EditorPage::key(QKeyEvent* event) {
     if (over_) return over_->key(event), true;     // nothing reaches the text below
     if (event->modifiers() & Qt::ControlModifier && event->key() == Qt::Key_S) return save(), true;
+    if (opening() && event->key() == Qt::Key_Escape) return stop(), true;
     if (!edit_->hasFocus()) {
         edit_->setFocus();
         QCoreApplication::sendEvent(edit_, event);
@@ -319,10 +390,11 @@ void EditorPage::addKeys(std::vector<SoftKey>& keys) {
     for (const unsigned channel : desk_.live.channels()) {
         const auto state = static_cast<ChannelState>(desk_.live.channel(channel).state);
         if (state != ChannelState::Running && state != ChannelState::Held && state != ChannelState::Waiting) continue;
-        for (const std::string& one : desk_.live.view(channel).programs) runs |= QFileInfo(QString::fromStdString(one)) == QFileInfo(file_);
+        for (const std::string& one : desk_.live.view(channel).programs) runs |= QString::fromStdString(one) == file_ || QString::fromStdString(one) == canonical_;
     }
     bool faults = false;
     for (const Fault& one : faults_) faults |= one.line > 0;
+    if (opening() || saving()) return keys.push_back({word("Stop"), [this] { stop(); }, Sign::Stop});
     keys.push_back({word("Save"), [this] { save(); }, Sign::Good, changed(), false, false, runs ? word("It runs now: press again") : QString()});
     keys.push_back({word("Undo"), [this] { edit_->undo(); }, Sign::Left, edit_->document()->isUndoAvailable()});
     keys.push_back({word("Redo"), [this] { edit_->redo(); }, Sign::Right, edit_->document()->isRedoAvailable()});

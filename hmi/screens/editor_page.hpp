@@ -7,6 +7,8 @@
 #include <memory>
 
 #include "hmi/app/screen.hpp"
+#include "hmi/machine/aside.hpp"
+#include "hmi/machine/file_text.hpp"
 #include "hmi/widgets/text_pad.hpp"
 
 class QProcess;
@@ -33,7 +35,13 @@ class EditorPage : public QWidget {
 public:
     EditorPage(Desk& desk, QWidget* parent);
     ~EditorPage() override;
+    // Read aside: what takes longer than a frame shows how far it is and can be stopped. False: it cannot be opened, as has been told.
     bool open(const QString& file, const QString& language);
+    bool opening() const { return reading_.busy(); }
+    bool saving() const { return writing_.busy(); }
+    void stop();                                   // the reading or writing
+    void follow() { take(); }                      // each frame, shown or not
+    std::function<void()> onNotOpened;             // what was being read is no text, or was stopped
     bool changed() const { return edit_->document()->isModified(); }
     const QString& file() const { return file_; }
     const QString& language() const { return language_; }
@@ -48,8 +56,8 @@ public:
         QString number, text;
     };
     const std::vector<Fault>& faults() const { return faults_; }
-    bool checking() const { return process_ != nullptr || wait_.isActive(); }
-    bool save();
+    bool checking() const { return process_ != nullptr || copying_.busy() || wait_.isActive(); }
+    void save();
     // The cycle at the cursor as a form, or the list of cycles; it lies over the text.
     void openForm();
     // The contour whose description stands at the cursor, or a new one.
@@ -65,6 +73,11 @@ protected:
 private:
     void layOut();
     void check();
+    void take();                                   // what workers have done
+    bool opened(const FileText& read);
+    void saved(const FileOutcome& outcome);
+    void startCheck(const QString& copy);
+    void drop(const QString& copy);                // removes it, aside
     void finish();
     void mark();
     void goToFault(int step);
@@ -86,6 +99,13 @@ private:
     QByteArray out_;
     std::vector<Fault> faults_;
     QString failure_;
+    QString wanted_, canonical_;                   // what is being read; the open file without links
+    Aside<FileText> reading_;
+    Aside<FileOutcome> writing_;
+    Aside<QString> copying_;                       // for the check
+    Aside<bool> dropping_;
+    std::shared_ptr<FileProgress> progress_ = std::make_shared<FileProgress>();
+    int savedRevision_ = 0;
 };
 
 }  // namespace polyturn::hmi

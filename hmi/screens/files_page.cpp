@@ -42,7 +42,7 @@ FilesPage::FilesPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk)
         }
         if (one.up || (one.folder && column == 2)) return {};
         if (column == 1) return {one.changed.toString("dd.MM.yy HH:mm"), t.dim};
-        return {QString("%1 kB").arg((one.size + 1023) / 1024), t.dim};
+        return {QString("%1 %2").arg((one.size + 1023) / 1024).arg(unitWord("kB")), t.dim};
     };
     files_->onChosen = [this] { look(); };
     files_->onActivated = [this] { open(); };
@@ -260,7 +260,7 @@ void FilesPage::composeJob(Writer& w, double y) {
         y += px(8);
         headline(word("Stock"));
         const text::JobStock& stock = *job.stock;
-        w.text(QRectF(px(16), y, wide - px(32), px(26)), QString::fromUtf8("⌀ %1 × %2 mm").arg(stock.diameter).arg(stock.length) + (stock.bore > 0 ? QString::fromUtf8("   %1 ⌀ %2 mm").arg(word("bore")).arg(stock.bore) : QString()) +
+        w.text(QRectF(px(16), y, wide - px(32), px(26)), QString::fromUtf8("⌀ %1 × %2 %3").arg(stock.diameter).arg(stock.length).arg(unitWord("mm")) + (stock.bore > 0 ? QString::fromUtf8("   %1 ⌀ %2 %3").arg(word("bore")).arg(stock.bore).arg(unitWord("mm")) : QString()) +
                                                                              "   " + QString::fromStdString(stock.spindle), lettering(17), t.text);
         y += px(30);
     }

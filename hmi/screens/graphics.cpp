@@ -2,58 +2,22 @@
 
 #include <QDateTime>
 #include <QDir>
-#include <QLinearGradient>
-#include <QPainterPath>
+#include <QMouseEvent>
 #include <algorithm>
 #include <cmath>
 
 #include "hmi/machine/channel_words.hpp"
+#include "hmi/screens/graphics_look.hpp"
 
 namespace polyturn::hmi {
 namespace {
 
-constexpr std::size_t kFewChannels = 4;   // whose legend leaves room for a note
-
-constexpr std::size_t kMostPoints = 20'000;
-constexpr double kLeastWay = 0.02;     // mm
 constexpr qint64 kStockEveryMs = 250;   // the part as it is cut; paths and tips move with each frame
-constexpr double kFurthest = 400;      // mm from the zero: beyond it nothing is of interest
-
-QColor colourOf(unsigned channel) {
-    static const QColor kDark[] = {"#4ea6ff", "#ff9d5c", "#42c883", "#e57bd8"}, kLight[] = {"#0a63bd", "#b84e00", "#127c3e", "#9a2d8d"};
-    return (theme().dark ? kDark : kLight)[(channel - 1) % 4];
-}
+constexpr double kFurthest = 400;       // mm from the workpiece zero: beyond it no path is of interest
+constexpr int kArcParts = 24;
+constexpr double kSlowest = 1, kFastest = 64;
 
 }  // namespace
-
-void TurnedStock::begin(double diameter, double bore, double length, double face) {
-    outer_ = diameter / 2, bore_ = bore / 2;
-    left_ = -length;
-    const auto count = static_cast<std::size_t>(std::clamp((length + face) / kStep, 0.0, 50'000.0));
-    radius_.assign(count, outer_);
-}
-
-void TurnedStock::cut(double z0, double x0, double z1, double x1) {
-    if (radius_.empty()) return;
-    if (z0 > z1) std::swap(z0, z1), std::swap(x0, x1);
-    const double first = (z0 - left_) / kStep, last = (z1 - left_) / kStep;
-    const auto from = static_cast<long>(std::floor(std::max(first, 0.0)));
-    const auto to = std::min(static_cast<long>(std::floor(last)), static_cast<long>(radius_.size()) - 1);
-    for (long i = from; i <= to; ++i) {
-        const double part = z1 - z0 < 1e-9 ? 0.0 : std::clamp((left_ + static_cast<double>(i) * kStep - z0) / (z1 - z0), 0.0, 1.0);
-        const double x = z1 - z0 < 1e-9 ? std::min(std::abs(x0), std::abs(x1)) : std::abs(x0 + (x1 - x0) * part);
-        auto& radius = radius_[static_cast<std::size_t>(i)];
-        radius = std::max(std::min(radius, x), bore_);
-    }
-    // A facing cut takes what stands in front of it.
-    if (z1 - z0 < 1e-9 && std::min(std::abs(x0), std::abs(x1)) < 1.0)
-        for (long i = std::max(0L, from); i < static_cast<long>(radius_.size()); ++i) radius_[static_cast<std::size_t>(i)] = bore_;
-}
-
-double TurnedStock::radiusAt(double z) const {
-    const double at = (z - left_) / kStep;
-    return at < 0 || at >= static_cast<double>(radius_.size()) ? 0.0 : radius_[static_cast<std::size_t>(at)];
-}
 
 Graphics::Graphics(Desk& desk) : Screen(desk), head_(new FreeSheet(this)) {
     setFocusPolicy(Qt::StrongFocus);
@@ -63,93 +27,287 @@ Graphics::Graphics(Desk& desk) : Screen(desk), head_(new FreeSheet(this)) {
         w.text(QRectF(px(14), 0, px(200), head_->height()), word("Graphics"), lettering(20, true), t.text);
         double x = px(230);
         const std::size_t count = desk_.live.channels().size();
-        const double step = std::min<double>(px(84), (head_->width() - px(240)) / static_cast<double>(std::max<std::size_t>(1, count)));
+        const double room = dry_ ? px(540) : px(240);
+        const double step = std::min<double>(px(84), (head_->width() - room) / static_cast<double>(std::max<std::size_t>(1, count)));
         for (const unsigned channel : desk_.live.channels()) {
             const double stroke = step < px(80) ? px(12) : px(26);
             w.fill(QRectF(x, head_->height() / 2.0 - px(3), stroke, px(6)), colourOf(channel), px(3));
             w.text(QRectF(x + stroke + px(5), 0, step - stroke - px(8), head_->height()), QString("L%1").arg(channel), lettering(15, true), t.text);
             x += step;
         }
-        if (count <= kFewChannels) w.text(QRectF(x + px(8), 0, head_->width() - x - px(20), head_->height()), word("Since the start of these screens; tips as points, without width and radius"), lettering(13.5), t.dim, Qt::AlignRight | Qt::AlignVCenter);
+        const QRectF rest(x + px(8), 0, head_->width() - x - px(20), head_->height());
+        if (dry_) {
+            const QRectF box(rest.right() - px(290), px(6), px(290), head_->height() - px(12));
+            w.fill(box, t.mark, px(6));
+            w.sign(QRectF(box.left() + px(10), box.center().y() - px(10), px(20), px(20)), dryRun_.running() ? Sign::Wait : playing_ ? Sign::Run : Sign::Hold, t.accent);
+            w.text(box.adjusted(px(38), 0, -px(10), 0), word("Simulation: %1 of %2").arg(timeText(dryTime_), timeText(dryRun_.end())), lettering(15, true), t.text);
+        } else if (count <= kFewChannels) {
+            w.text(rest, word("Since the start of these screens; tips as points, without width and radius"), lettering(13.5), t.dim, Qt::AlignRight | Qt::AlignVCenter);
+        }
     };
 }
 
-void Graphics::resizeEvent(QResizeEvent*) { head_->setGeometry(0, 0, width(), px(46)), changed_ = true; }
+void Graphics::resizeEvent(QResizeEvent*) { head_->setGeometry(0, 0, width(), px(46)), redraw_ = true; }
 
 void Graphics::forget() {
-    trails_.clear();
-    stock_ = {};
-    program_.clear();
-    changed_ = true;
+    live_.clear(), drySide_.clear();
+    job_ = {};
+    dry_ = playing_ = wanted_ = false;
+    dryRun_.stop();
+    redraw_ = true;
 }
 
-// The job beside the running program that names it: its stock.
+void Graphics::rebuilt() {
+    forget();
+    zeroZ_.clear(), cycle_.clear();
+}
+
+// The job beside the running program that names it: its stock. Looked for aside: the folder may lie on a network.
 void Graphics::findJob() {
+    if (const auto found = finding_.take()) {
+        job_ = *found;
+        beginStock(live_);
+        if (wanted_) startDry();
+    }
+    if (finding_.busy()) return;
     for (const unsigned channel : desk_.live.channels()) {
         const auto& programs = desk_.live.view(channel).programs;
         if (programs.empty()) continue;
-        if (programs[0] == program_) return;
-        program_ = programs[0];
-        stock_ = {};
-        const QDir folder(QFileInfo(QString::fromStdString(program_)).absolutePath());
-        for (const QFileInfo& file : folder.entryInfoList({"*.job.toml"}, QDir::Files)) {
-            const auto job = text::load_job(file.filePath().toStdString());
-            if (!job || !job->stock) continue;
-            for (const auto& [number, one] : job->programs)
-                if (QFileInfo(QString::fromStdString(one.file)).canonicalFilePath() == QFileInfo(QString::fromStdString(program_)).canonicalFilePath()) {
-                    stock_.begin(job->stock->diameter, job->stock->bore, job->stock->length, job->stock->face);
-                    return;
-                }
-        }
+        if (programs[0] == job_.program) return;
+        live_.clear();
+        finding_.start([program = programs[0]](const std::atomic<bool>& stop) {
+            FoundJob out{program, {}, {}, {}};
+            const QString wanted = QFileInfo(QString::fromStdString(program)).canonicalFilePath();
+            const QDir folder(QFileInfo(QString::fromStdString(program)).absolutePath());
+            for (const QFileInfo& file : folder.entryInfoList({"*.job.toml"}, QDir::Files)) {
+                if (stop) break;
+                const auto job = text::load_job(file.filePath().toStdString());
+                if (!job) continue;
+                for (const auto& [number, one] : job->programs)
+                    if (QFileInfo(QString::fromStdString(one.file)).canonicalFilePath() == wanted) out.file = file.filePath().toStdString();
+                if (out.file.empty()) continue;
+                out.stock = job->stock;
+                for (const auto& [of, systems] : job->zeros)
+                    if (const auto g54 = systems.find("G54"); g54 != systems.end())
+                        if (const auto z = g54->second.find("Z"); z != g54->second.end()) out.zeros[of] = z->second;
+                break;
+            }
+            return out;
+        });
         return;
     }
 }
 
-void Graphics::follow() {
+// Where the workpiece zero of a channel is in the room: as its running block has it, else by the job's G54, else the blank touches its chuck.
+CuttingScene::Zero Graphics::zeroOf(unsigned channel, bool dryRun) const {
+    CuttingScene::Zero zero;
+    const Room* room = room_.room();
+    if (!room) return zero;
+    const AxisConfig* z = find_axis(desk_.live.config(), channel, PlaneRole::BasicZ);
+    const auto axis = z ? room->axes.find(z->number) : room->axes.end();
+    if (axis != room->axes.end() && std::abs(axis->second.direction.z) > 0.5) zero.sense = axis->second.direction.z < 0 ? -1 : 1;
+    const unsigned spindle = job_.stock ? static_cast<unsigned>(std::strtoul(job_.stock->spindle.c_str() + 1, nullptr, 10)) : 1;
+    const auto chuck = room->chucks.find(spindle);
+    if (chuck != room->chucks.end()) zero.x = chuck->second.origin.x;
+    const auto known = zeroZ_.find(channel);
+    const auto job = job_.zeros.find(channel);
+    const bool told = job != job_.zeros.end() && axis != room->axes.end();
+    if (known != zeroZ_.end() && !(dryRun && told)) zero.z = known->second;
+    else if (told) zero.z = axis->second.origin.z + zero.sense * job->second;   // with which a dry run of the job begins
+    else if (chuck != room->chucks.end()) zero.z = chuck->second.origin.z + zero.sense * (job_.stock ? job_.stock->length : 100);
+    return zero;
+}
+
+void Graphics::beginStock(CuttingScene& scene) {
+    if (!desk_.live.channels().empty() && job_.stock) scene.begin(*job_.stock, zeroOf(desk_.live.channels().front(), &scene == &drySide_));
+    redraw_ = true;
+}
+
+void Graphics::followZero(unsigned channel, double tipZ) {
+    const AxisConfig* z = find_axis(desk_.live.config(), channel, PlaneRole::BasicZ);
+    double at = 0;
+    if (!z || z->slot == kNoSlot || !desk_.live.workpiece(channel, z->slot, now_.axes[z->number - 1u], at)) return;
+    const double zero = tipZ - zeroOf(channel).sense * at;
+    const auto known = zeroZ_.find(channel);
+    if (known != zeroZ_.end() && std::abs(known->second - zero) < 0.5) return;   // a shift of the program is no other chucking
+    const bool first = known == zeroZ_.end();
+    zeroZ_[channel] = zero;
+    if (first && channel == desk_.live.channels().front()) live_.place(zeroOf(channel)), redraw_ = true;
+}
+
+void Graphics::followLive() {
     const Live& live = desk_.live;
-    if (!live.connected()) return;
-    findJob();
     for (const unsigned channel : live.channels()) {
-        Trail& trail = trails_[channel];
         const ChannelStatus& status = live.channel(channel);
-        if (status.cycle_s < trail.cycle && status.cycle_s < 0.5) {   // another part begins
-            trail = {};
-            changed_ = true;
-            if (channel == live.channels().front()) program_.clear();
+        if (status.cycle_s < cycle_[channel] && status.cycle_s < 0.5) {   // another part begins
+            live_.trails.erase(channel);
+            live_.changed = true;
+            if (channel == live.channels().front()) beginStock(live_);
         }
-        trail.cycle = status.cycle_s;
-        const AxisConfig* x = find_axis(live.config(), channel, PlaneRole::BasicX);
-        const AxisConfig* z = find_axis(live.config(), channel, PlaneRole::BasicZ);
-        if (!x || !z || x->slot == kNoSlot || z->slot == kNoSlot) continue;
-        double at_x = 0, at_z = 0;
-        const bool known = live.workpiece(channel, x->slot, live.status().axes[x->number - 1u].act, at_x) && live.workpiece(channel, z->slot, live.status().axes[z->number - 1u].act, at_z);
+        cycle_[channel] = status.cycle_s;
+        const RoomBodies::Turret& tool = now_.turrets[channel - 1];
+        RoomBodies::Vector at;
         const auto state = static_cast<ChannelState>(status.state);
-        if (!known || (state != ChannelState::Running && state != ChannelState::Held) || std::abs(at_x) > kFurthest || std::abs(at_z) > kFurthest) {
-            trail.open = false;
+        if (!room_.carrier(channel, now_, at) || !live.view(channel).known || (state != ChannelState::Running && state != ChannelState::Held)) {
+            live_.lift(channel);
             continue;
         }
-        const Point now{at_z, at_x, live.view(channel).rapid, !trail.open};
-        if (trail.open) {
-            const Point& last = trail.points.back();
-            if (std::hypot(now.z - last.z, now.x - last.x) < kLeastWay) continue;
-            if (!now.rapid) stock_.cut(last.z, last.x, now.z, now.x), cut_ = true;
+        if (tool.tip_known) at.x += tool.tip.x, at.z += tool.tip.z;
+        followZero(channel, at.z);
+        const CuttingScene::Zero zero = zeroOf(channel);
+        if (std::abs(at.z - zero.z) > kFurthest || std::abs(at.x - zero.x) > kFurthest) live_.lift(channel);
+        else live_.add(channel, at.z, at.x, live.view(channel).rapid);
+    }
+}
+
+void Graphics::follow() {
+    if (!desk_.live.connected()) return;
+    if (room_.follow(desk_.live)) {
+        if (live_.trails.empty()) beginStock(live_);
+        redraw_ = true;
+    }
+    findJob();
+    now_ = room_.now(desk_.live);
+    followLive();
+    if (dry_) followDry();
+}
+
+// The job of the running program, else that program alone; on a copy of this machine's offsets and zeros.
+void Graphics::startDry() {
+    wanted_ = false;
+    const QString file = QString::fromStdString(job_.file.empty() ? job_.program : job_.file);
+    if (file.isEmpty()) return desk_.tell(word("No program is selected."), Told::Refused);
+    dryRun_.start(DryRun::How::Drive, file, QString::fromStdString(desk_.live.instance()));
+    dry_ = playing_ = true;
+    dryTime_ = 0;
+    playTo(-1);
+    clock_.start();
+    if (desk_.keysChanged) desk_.keysChanged();
+}
+
+void Graphics::followDry() {
+    const double passed = static_cast<double>(clock_.restart()) / 1000;
+    if (dryRun_.running()) return;
+    if (!dryRun_.failure().isEmpty() && playing_) playing_ = false, desk_.tell(dryRun_.failure(), Told::Refused);
+    playTo(playing_ ? std::min(dryTime_ + passed * drySpeed_, dryRun_.end()) : dryTime_);
+    if (playing_ && dryTime_ >= dryRun_.end()) {
+        playing_ = false;
+        if (desk_.keysChanged) desk_.keysChanged();
+    }
+}
+
+// What the channels have done until then; backwards it begins anew. Carriers stand where the run's axes stand.
+void Graphics::playTo(double seconds) {
+    if (seconds < dryTime_ || dryAt_.empty()) {
+        dryAt_.clear(), drySide_.clear();
+        beginStock(drySide_);
+    }
+    dryTime_ = std::max(0.0, seconds);
+    const MachineConfig& config = desk_.live.config();
+    for (const auto& [channel, run] : dryRun_.channels()) {
+        const CuttingScene::Zero zero = zeroOf(channel, true);
+        const AxisConfig* xAxis = find_axis(config, channel, PlaneRole::BasicX);
+        const Room* room = room_.room();
+        const auto xPlace = xAxis && room ? room->axes.find(xAxis->number) : std::map<unsigned, RoomPlace>::const_iterator{};
+        const bool down = xAxis && room && xPlace != room->axes.end() && xPlace->second.direction.x < 0;
+        const double share = xAxis && xAxis->diameter ? 0.5 : 1.0, side = down ? -1.0 : 1.0;
+        const auto put = [&](double x, double z, bool rapid) { drySide_.add(channel, zero.z + zero.sense * z, zero.x + side * x, rapid); };
+        Played& at = dryAt_[channel];
+        const auto partOf = [&](const RunMove& move) { return move.end > move.t ? std::clamp((dryTime_ - move.t) / (move.end - move.t), 0.0, 1.0) : 1.0; };
+        for (; at.move < run.moves.size() && run.moves[at.move].t <= dryTime_; ++at.move, at.part = 0) {
+            const RunMove& move = run.moves[at.move];
+            const RunMove& from = run.moves[at.move ? at.move - 1 : 0];
+            const double part = partOf(move), x0 = from.x * share, x1 = move.x * share;
+            if (part > at.part && move.arc) {
+                const double radius = std::hypot(x0 - move.centreX, from.z - move.centreZ), begins = std::atan2(x0 - move.centreX, from.z - move.centreZ);
+                const double turn = std::remainder(std::atan2(x1 - move.centreX, move.z - move.centreZ) - begins, 2 * M_PI);   // the shorter way: turned contours have no longer ones
+                const int first = static_cast<int>(at.part * kArcParts) + 1, last = static_cast<int>(part * kArcParts);
+                for (int i = first; i <= last; ++i) {
+                    const double angle = begins + turn * i / kArcParts;
+                    put(move.centreX + radius * std::sin(angle), move.centreZ + radius * std::cos(angle), false);
+                }
+            } else if (part > at.part) {
+                put(x0 + (x1 - x0) * part, from.z + (move.z - from.z) * part, move.rapid);
+            }
+            at.part = part;
+            if (part < 1) break;
         }
-        trail.points.push_back(now);
-        if (trail.points.size() > kMostPoints) trail.points.pop_front(), trail.drawn -= trail.drawn > 0;
-        trail.open = true;
+        if (run.moves.empty()) continue;
+        // Where its axes stand then.
+        const std::size_t here = std::min(at.move, run.moves.size() - 1);
+        const RunMove& move = run.moves[here];
+        const RunMove& from = run.moves[here ? here - 1 : 0];
+        const double part = partOf(move);
+        now_.turrets[channel - 1].station = now_.turrets[channel - 1].stands_at = static_cast<std::uint32_t>(std::max(move.tool, 0));
+        for (std::size_t i = 0; i < std::min<std::size_t>(static_cast<std::size_t>(run.axes.size()), move.machine.size()); ++i)
+            for (const std::uint16_t number : config.channel(channel).axis_numbers())
+                if (QLatin1String(config.axis(number).name) == run.axes[static_cast<qsizetype>(i)]) now_.axes[number - 1u] = from.machine[i] + (move.machine[i] - from.machine[i]) * part;
+        // The tip is where the path is; from there to the carrier's point it is the tool.
+        RoomBodies::Vector carrier;
+        const auto trail = drySide_.trails.find(channel);
+        if (trail == drySide_.trails.end() || trail->second.points.empty() || !room_.carrier(channel, now_, carrier)) continue;
+        now_.turrets[channel - 1].tip_known = true;
+        now_.turrets[channel - 1].tip = {trail->second.points.back().x - carrier.x, trail->second.points.back().z - carrier.z};
+    }
+}
+
+bool Graphics::key(QKeyEvent* event) {
+    switch (event->key()) {
+        case Qt::Key_Left: moved_.rx() += 0.1; break;
+        case Qt::Key_Right: moved_.rx() -= 0.1; break;
+        case Qt::Key_Up: moved_.ry() += 0.1; break;
+        case Qt::Key_Down: moved_.ry() -= 0.1; break;
+        default: return false;
+    }
+    return redraw_ = true;
+}
+
+void Graphics::mouseMoveEvent(QMouseEvent* event) {
+    if (!(event->buttons() & Qt::LeftButton)) return;
+    const QPointF way = event->position() - drag_;
+    drag_ = event->position();
+    moved_ += QPointF(way.x() / width(), way.y() / height());
+    redraw_ = true;
+}
+
+void Graphics::look(bool machine) { machine_ = machine, zoom_ = 1, moved_ = {}, redraw_ = true; }
+
+void Graphics::turnTo(int page) {
+    look(page == 1);
+    if (page == 2) {
+        if (job_.program.empty()) return;
+        startDry();
+        drySpeed_ = kFastest;
+    } else if (dry_) {
+        dry_ = playing_ = false, dryRun_.stop(), redraw_ = true;
     }
 }
 
 void Graphics::refresh() {
+    if (dry_) {
+        // Carriers of the run, not of the machine: its axes were set when it was played; those it does not move stand where they are.
+        std::vector<ShownBody> before = std::move(bodies_);
+        bodies_ = room_.bodies(now_);
+        for (const ShownBody& one : before) update(bodyBox(one).toAlignedRect());
+    } else {
+        const std::vector<ShownBody> before = std::move(bodies_);
+        bodies_ = room_.bodies(now_);
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+            const bool same = i < before.size() && before[i].at.x == bodies_[i].at.x && before[i].at.z == bodies_[i].at.z && before[i].inWork == bodies_[i].inWork && before[i].held == bodies_[i].held;
+            if (!same) update(bodyBox(bodies_[i]).toAlignedRect() | (i < before.size() ? bodyBox(before[i]).toAlignedRect() : QRect()));
+        }
+    }
     head_->refresh();
+    CuttingScene& scene = shown();
     const qint64 now = QDateTime::currentMSecsSinceEpoch();
     const qreal ratio = devicePixelRatioF();
-    if (changed_ || picture_.size() != (QSizeF(size()) * ratio).toSize() || (cut_ && now - painted_ >= kStockEveryMs)) {
+    if (redraw_ || scene.changed || picture_.size() != (QSizeF(size()) * ratio).toSize() || (scene.cut && now - painted_ >= kStockEveryMs)) {
         painted_ = now;
-        changed_ = cut_ = false;
-        for (auto& [channel, trail] : trails_) trail.drawn = 0;
+        redraw_ = scene.changed = scene.cut = false;
+        for (auto& [channel, trail] : scene.trails) trail.drawn = 0;
         picture_ = QPixmap((QSizeF(size()) * ratio).toSize());
         picture_.setDevicePixelRatio(ratio);
+        measure();
         drawRoom();
         update(0, head_->height(), width(), height() - head_->height());
         return;
@@ -157,126 +315,35 @@ void Graphics::refresh() {
     // What has been added since the last frame, and the tips where they were and where they are.
     QPainter p(&picture_);
     p.setRenderHint(QPainter::Antialiasing);
-    unsigned index = 0;
-    for (auto& [channel, trail] : trails_) {
-        const unsigned number = index++;
+    p.setClipRect(QRectF(px(8), head_->height(), width() - px(16), height() - head_->height() - px(8)));
+    for (auto& [channel, trail] : scene.trails) {
         if (trail.drawn == trail.points.size()) continue;
-        const QRectF before = tipBox(trail);
-        const QRectF added = drawTrail(p, number, channel, trail);
-        update((before | added | tipBox(trail)).toAlignedRect());
-    }
-}
-
-QPointF Graphics::place(double z, double x) const {
-    const double from = stock_.any() ? stock_.left() - 30 : -120, to = stock_.any() ? stock_.right() + 20 : 40, top = head_->height();
-    const double half = stock_.any() ? (stock_.outer() + 30) : 60;
-    const double scale = std::min((width() - px(60)) / (to - from), (height() - top - px(60)) / (2 * half)) * zoom_;
-    return {width() / 2.0 + (z - (from + to) / 2) * scale, top + (height() - top) / 2 - x * scale};
-}
-
-QRectF Graphics::tipBox(const Trail& trail) const { return QRectF(trail.tip, QSizeF(0, 0)).adjusted(-px(20), -px(44), px(110), px(44)); }
-
-// From the last point that is in the picture on. Every second channel is drawn below the spindle axis: all cut the same workpiece.
-QRectF Graphics::drawTrail(QPainter& p, unsigned index, unsigned channel, Trail& trail) {
-    const double side = index % 2 ? -1.0 : 1.0;
-    if (trail.points.empty()) return {};
-    const auto at = [&](std::size_t i) { return place(trail.points[i].z, side * trail.points[i].x); };
-    std::size_t i = std::max<std::size_t>(1, trail.drawn);
-    QPainterPath cut, rapid;
-    for (QPointF last = at(i - 1); i < trail.points.size(); ++i) {
-        const Point& point = trail.points[i];
-        const QPointF now = at(i);
-        QPainterPath& path = point.rapid ? rapid : cut;
-        if (!point.begins) path.moveTo(last), path.lineTo(now);
-        last = now;
-    }
-    const QColor colour = colourOf(channel);
-    p.setBrush(Qt::NoBrush);
-    p.setPen(QPen(colour, 1, Qt::DotLine));
-    p.drawPath(rapid);
-    p.setPen(QPen(colour, px(1.6)));
-    p.drawPath(cut);
-    trail.drawn = trail.points.size();
-    trail.tip = at(trail.points.size() - 1);
-    return (cut.boundingRect() | rapid.boundingRect()).adjusted(-px(4), -px(4), px(4), px(4));
-}
-
-// The tips over the picture, where something has changed.
-void Graphics::paintEvent(QPaintEvent* event) {
-    const Theme& t = theme();
-    QPainter p(this);
-    p.setClipRegion(event->region());
-    p.setRenderHint(QPainter::Antialiasing);
-    if (picture_.isNull()) return p.fillRect(rect(), t.window);
-    p.drawPixmap(0, 0, picture_);
-    unsigned index = 0;
-    for (const auto& [channel, trail] : trails_) {
-        const double side = index++ % 2 ? -1.0 : 1.0;
-        if (trail.points.empty() || !event->region().intersects(tipBox(trail).toAlignedRect())) continue;
-        p.setPen(QPen(t.window, 1));
-        p.setBrush(colourOf(channel));
-        const double size = px(13);
-        const QPointF tip = trail.tip;
-        p.drawPolygon(QPolygonF({tip, tip + QPointF(size * 0.35, -side * size), tip + QPointF(size, -side * size * 0.35)}));
-        p.setPen(t.text);
-        p.setFont(lettering(15, true));
-        const ChannelView& view = desk_.live.view(channel);
-        p.drawText(tip + QPointF(px(16), -side * px(16)), view.known && view.picture.tool > 0 ? QString("L%1 T%2").arg(channel).arg(view.picture.tool) : QString("L%1").arg(channel));
-    }
-}
-
-void Graphics::drawRoom() {
-    const Theme& t = theme();
-    QPainter p(&picture_);
-    p.setRenderHint(QPainter::Antialiasing);
-    p.fillRect(rect(), t.window);
-    const QRectF area(px(8), head_->height(), width() - px(16), height() - head_->height() - px(8));
-    p.setPen(Qt::NoPen);
-    p.setBrush(t.card);
-    p.drawRoundedRect(area, px(8), px(8));
-    p.setClipRect(area);
-    const double left = stock_.any() ? stock_.left() : -120;
-    if (stock_.any()) {
-        // the blank as it was, the part as it is
-        const double outer = stock_.outer();
-        p.setBrush(t.raised);
-        p.drawRect(QRectF(place(left, outer), place(stock_.right(), -outer)));
-        QPainterPath part(place(left, 0));
-        for (double z = left; z < stock_.right(); z += 2 * TurnedStock::kStep) part.lineTo(place(z, stock_.radiusAt(z)));
-        part.lineTo(place(stock_.right(), 0));
-        for (double z = stock_.right() - TurnedStock::kStep; z > left; z -= 2 * TurnedStock::kStep) part.lineTo(place(z, -stock_.radiusAt(z)));
-        part.closeSubpath();
-        QLinearGradient steel(place(0, outer), place(0, -outer));
-        const QColor bright = t.dark ? QColor("#8fa3b5") : QColor("#dfe6ec"), dull = t.dark ? QColor("#3c4a57") : QColor("#8d9aa6");
-        steel.setColorAt(0, dull), steel.setColorAt(0.35, bright), steel.setColorAt(0.55, bright), steel.setColorAt(1, dull);
-        p.setBrush(steel);
-        p.setPen(QPen(t.edge, 1));
-        p.drawPath(part);
-        // jaws
-        p.setBrush(t.edge);
-        p.setPen(Qt::NoPen);
-        for (const double side : {1.0, -1.0}) p.drawRect(QRectF(place(left - 22, side * (outer + 16)), place(left + 14, side * outer)).normalized());
-        p.drawRect(QRectF(place(left - 34, outer + 26), place(left - 20, -outer - 26)).normalized());
-    }
-    p.setPen(QPen(t.faint, 1, Qt::DashDotLine));
-    p.drawLine(place(left - 40, 0), place((stock_.any() ? stock_.right() : 40) + 30, 0));
-    unsigned index = 0;
-    for (auto& [channel, trail] : trails_) drawTrail(p, index++, channel, trail);
-    if (desk_.live.channels().size() > kFewChannels) {   // no room for it on top
-        p.setPen(t.dim);
-        p.setFont(lettering(13.5));
-        p.drawText(area.adjusted(px(16), 0, 0, -px(10)), Qt::AlignLeft | Qt::AlignBottom, word("Since the start of these screens; tips as points, without width and radius"));
-    }
-    if (trails_.empty() || !stock_.any()) {
-        p.setPen(t.dim);
-        p.setFont(lettering(15));
-        p.drawText(area.adjusted(0, 0, -px(16), -px(10)), Qt::AlignRight | Qt::AlignBottom, stock_.any() ? QString() : word("No job names the stock of the running program"));
+        update((drawTrail(p, channel, trail) | tipBox(trail)).adjusted(-px(40), -px(40), px(40), px(40)).toAlignedRect());
     }
 }
 
 std::vector<SoftKey> Graphics::keys() {
-    return {{word("Larger"), [this] { zoom_ = std::min(zoom_ * 1.25, 8.0), changed_ = true; }}, {word("Smaller"), [this] { zoom_ = std::max(zoom_ / 1.25, 0.3), changed_ = true; }},
-            {word("All"), [this] { zoom_ = 1, changed_ = true; }}, {word("Clear"), [this] { forget(); }}};
+    const auto zoom = [this](double factor) { zoom_ = std::clamp(zoom_ * factor, 0.2, 12.0), redraw_ = true; };
+    std::vector<SoftKey> keys{{word("Larger"), [zoom] { zoom(1.25); }}, {word("Smaller"), [zoom] { zoom(0.8); }}};
+    keys.push_back({word("Whole machine"), [this] { look(!machine_), desk_.keysChanged ? desk_.keysChanged() : void(); }, Sign::None, true, machine_});
+    keys.push_back({word("Simulation"), [this] {
+        if (dry_) dry_ = playing_ = false, dryRun_.stop(), redraw_ = true;
+        else if (job_.program.empty()) desk_.tell(word("No program is selected."), Told::Refused);
+        else startDry();
+        if (desk_.keysChanged) desk_.keysChanged();
+    }, Sign::Run, true, dry_});
+    if (!dry_) {
+        keys.push_back({word("Clear"), [this] { forget(); }});
+        return keys;
+    }
+    keys.push_back({playing_ ? word("Pause") : word("Play"), [this] {
+        if (!playing_ && dryTime_ >= dryRun_.end()) playTo(-1);
+        playing_ = !playing_, clock_.restart();
+        if (desk_.keysChanged) desk_.keysChanged();
+    }, playing_ ? Sign::Hold : Sign::Run});
+    keys.push_back({word("Slower"), [this] { drySpeed_ = std::max(drySpeed_ / 2, kSlowest); }});
+    keys.push_back({word("Faster"), [this] { drySpeed_ = std::min(drySpeed_ * 2, kFastest); }});
+    return keys;
 }
 
 }  // namespace polyturn::hmi

@@ -1,33 +1,18 @@
-// The paths of all channels about one workpiece, as the machine drives them, and the stock that they leave. The tip is a point here: the
-// width of a grooving tool and the radius of a nose are not drawn, and the screen says so.
+// The paths of all channels in the machine's room, the stock that they leave, and what stands around it: chucks, tailstocks, turrets, protection
+// zones, from the geometry that protection guards (machine/room_view.hpp). Of the running machine, or of a dry run of its job, played
+// back. The tip is a point here: the width of a grooving tool and the radius of a nose are not drawn, and the screen says so.
 #pragma once
+#include <QElapsedTimer>
 #include <QPixmap>
-#include <deque>
-#include <map>
+#include <QPointF>
+#include <memory>
 
 #include "hmi/app/screen.hpp"
-#include "ipc/text/job.hpp"
+#include "hmi/machine/dry_run.hpp"
+#include "hmi/machine/room_view.hpp"
+#include "hmi/screens/cutting_scene.hpp"
 
 namespace polyturn::hmi {
-
-// What is left of a turned blank: its radius along Z. Pure.
-class TurnedStock {
-public:
-    void begin(double diameter, double bore, double length, double face);
-    bool any() const { return !radius_.empty(); }
-    // The tip has cut from one point to the other; Z from the workpiece zero, X as a radius.
-    void cut(double z0, double x0, double z1, double x1);
-    double radiusAt(double z) const;
-    double left() const { return left_; }
-    double right() const { return left_ + static_cast<double>(radius_.size()) * kStep; }
-    double outer() const { return outer_; }
-    double bore() const { return bore_; }
-    static constexpr double kStep = 0.1;   // mm
-
-private:
-    std::vector<double> radius_;
-    double left_ = 0, outer_ = 0, bore_ = 0;
-};
 
 class Graphics : public Screen {
 public:
@@ -37,42 +22,81 @@ public:
     const char* name() const override { return "graphics"; }
     std::vector<SoftKey> keys() override;
     void refresh() override;
-    void rebuilt() override { forget(); }
+    void rebuilt() override;
+    bool key(QKeyEvent* event) override;
+    int pages() const override { return 3; }   // the part, the whole machine, a dry run
+    void turnTo(int page) override;
+    bool busy() const override { return dry_ && dryRun_.running(); }
     std::vector<Sheet*> sheets() override { return {head_}; }
     // Each frame, whether the screen is shown or not: the paths go on.
     void follow() override;
+    // For tests: what is drawn of the machine, and of which run.
+    const std::vector<ShownBody>& bodies() const { return bodies_; }
+    const CuttingScene& scene() const { return dry_ ? drySide_ : live_; }
+    double dryTime() const { return dryTime_; }
 
 protected:
     void resizeEvent(QResizeEvent*) override;
     void paintEvent(QPaintEvent*) override;
+    void mousePressEvent(QMouseEvent* event) override { drag_ = event->position(); }
+    void mouseMoveEvent(QMouseEvent* event) override;
 
 private:
-    struct Point {
-        double z, x;
-        bool rapid, begins;
+    struct FoundJob {
+        std::string program, file;         // asked for, and of the job that names it; empty: none does
+        std::optional<text::JobStock> stock;
+        std::map<unsigned, double> zeros;  // G54 Z of the job, by channel
     };
-    struct Trail {
-        std::deque<Point> points;
-        bool open = false;
-        double cycle = 0;
-        std::size_t drawn = 0;         // points that are in the picture already
-        QPointF tip;                   // where it is drawn
-    };
+    CuttingScene& shown() { return dry_ ? drySide_ : live_; }
     void forget();
     void findJob();
+    void beginStock(CuttingScene& scene);
+    CuttingScene::Zero zeroOf(unsigned channel, bool dryRun = false) const;
+    void followZero(unsigned channel, double tipZ);
+    void followLive();
+    void startDry();
+    void followDry();
+    void playTo(double seconds);
+    void look(bool machine);
+    void turnPage(double z, double x);     // the picture moves by parts of its size
+    // graphics_picture.cpp
     QPointF place(double z, double x) const;
-    void drawRoom();                   // the whole picture but for the tips
-    QRectF drawTrail(QPainter& p, unsigned index, unsigned channel, Trail& trail);   // what is new in it; its place
+    QRectF boxOf(const RoomBodies::Box& box) const;
+    void measure();                        // what place() works with
+    void drawRoom();                       // the whole picture but for what moves
+    void drawPart(QPainter& p);
+    void drawBody(QPainter& p, const ShownBody& body);
+    QRectF bodyBox(const ShownBody& body) const;
+    QRectF drawTrail(QPainter& p, unsigned channel, Trail& trail);   // what is new in it; its place
     QRectF tipBox(const Trail& trail) const;
+    double aside(unsigned channel) const;  // to which side of the spindle axis its tip is drawn: 1 up, -1 down
+    QString nameOf(const ShownBody& body) const;
 
     FreeSheet* head_;
-    std::map<unsigned, Trail> trails_;
-    TurnedStock stock_;
-    std::string program_;              // of the job whose stock it is
-    bool changed_ = true, cut_ = false;   // changed_: the picture must be drawn anew; cut_: the stock is another one since
+    CuttingScene live_, drySide_;
+    RoomView room_;
+    RoomNow now_;
+    std::vector<ShownBody> bodies_;
+    std::map<unsigned, double> cycle_;     // of the parts, by channel
+    std::map<unsigned, double> zeroZ_;     // of the workpiece in the room, as the running block has it
+    Aside<FoundJob> finding_;
+    FoundJob job_;
+    bool machine_ = false;                 // the whole machine, not the part
+    bool dry_ = false, playing_ = false, wanted_ = false;   // wanted_: a dry run has been asked for
+    DryRun dryRun_;
+    double dryTime_ = 0, drySpeed_ = 4;
+    struct Played {
+        std::size_t move = 0;
+        double part = 0;                   // of it
+    };
+    std::map<unsigned, Played> dryAt_;
+    QElapsedTimer clock_;
     QPixmap picture_;
+    bool redraw_ = true;
     double zoom_ = 1;
-    qint64 painted_ = 0;              // the picture as a whole
+    QPointF moved_, drag_, centre_, origin_;   // moved_: parts of the picture
+    double scale_ = 1;
+    qint64 painted_ = 0;                   // the picture as a whole
 };
 
 }  // namespace polyturn::hmi

@@ -174,7 +174,7 @@ void HandPage::composeState(Writer& w) {
         w.sign(QRectF(px(12), y + px(4), px(20), px(20)), open ? Sign::Warning : Sign::Lock, open ? t.warn : t.good);
         w.text(QRectF(px(42), y, px(40), px(28)), QString("S%1").arg(s), lettering(16, true), t.text);
         w.text(QRectF(px(86), y, px(130), px(28)), open ? word("chuck open") : word("chuck holds"), lettering(15), open ? t.warn : t.good);
-        w.text(QRectF(px(216), y, state_->width() - px(228), px(28)), now.master ? word("follows S%1").arg(now.master) : QString("%1 1/min").arg(now.speed, 0, 'f', 0), lettering(15), now.master ? t.accent : t.dim, kRight);
+        w.text(QRectF(px(216), y, state_->width() - px(228), px(28)), now.master ? word("follows S%1").arg(now.master) : QString("%1 %2").arg(now.speed, 0, 'f', 0).arg(unitWord("1/min")), lettering(15), now.master ? t.accent : t.dim, kRight);
         y += px(30);
     }
 }

@@ -106,12 +106,15 @@ void Programs::composeTogether(Writer& w) {
             for (const unsigned number : one.here) from = std::min(from, left[number]), to = std::max(to, left[number] + each);
             w.fill(QRectF(from + px(8), y + px(2), to - from - px(16), row - px(4)), t.mark, px(9));
             w.frame(QRectF(from + px(8), y + px(2), to - from - px(16), row - px(4)), colour, px(9), px(1.5));
-            for (const unsigned number : one.here) w.sign(QRectF(left[number] + px(16), y + px(5), px(14), px(14)), all ? Sign::Wait : Sign::Alarm, colour);
             QStringList missing;
             for (const unsigned number : one.wait->channels)
                 if (std::find(one.here.begin(), one.here.end(), number) == one.here.end()) missing << QString("L%1").arg(number);
-            w.text(QRectF(from + px(40), y, to - from - px(80), row), QString("M%1").arg(one.wait->code) + (all ? QString() : "   " + word("never comes: %1").arg(missing.join(' '))), lettering(14.5, true),
-                   colour, Qt::AlignCenter);
+            // In each channel's own column, so that no sign lies between columns where a word stands.
+            for (const unsigned number : one.here) {
+                w.sign(QRectF(left[number] + px(56), y + px(5), px(14), px(14)), all ? Sign::Wait : Sign::Alarm, colour);
+                const QString absent = all || number != one.here.front() ? QString() : "   " + word("never comes: %1").arg(missing.join(' '));
+                w.text(QRectF(left[number] + px(78), y, each - px(90), row), QString("M%1").arg(one.wait->code) + absent, lettering(14.5, true), colour);
+            }
             continue;
         }
         for (const auto& [number, line] : one.lines) {

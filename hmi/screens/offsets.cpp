@@ -57,7 +57,7 @@ Offsets::Offsets(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), side_(n
     pad_->field = [this]() -> std::optional<NumberPad::Field> {
         const auto value = chosen();
         if (!value) return std::nullopt;
-        return NumberPad::Field{value->title, value->angle ? QString::fromUtf8("°") : value->decimals ? QString("mm") : QString(), value->present, value->decimals};
+        return NumberPad::Field{value->title, value->angle ? QString::fromUtf8("°") : value->decimals ? unitWord("mm") : QString(), value->present, value->decimals};
     };
     pad_->onInput = [this](double now) {
         if (const auto value = chosen()) put(*value, now);

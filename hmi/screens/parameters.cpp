@@ -61,7 +61,7 @@ Parameters::Parameters(Desk& desk)
             case 0: return {target(line), t.text, Sign::None, true, Face::Condensed};
             case 1: return {fromView(line.row->name), line.row->acts == "yes" ? t.text : t.faint};
             case 2: return {QString::fromStdString(params::value_text(*line.row, desk_.live.table(), line.instance, line.element)), differ ? t.accent : t.text, Sign::None, differ};
-            default: return {fromView(params::unit_of(*line.row, desk_.live.table(), line.instance)), t.dim, Sign::None, false, Face::Condensed};
+            default: return {unitWord(params::unit_of(*line.row, desk_.live.table(), line.instance)), t.dim, Sign::None, false, Face::Condensed};
         }
     };
     table_->onChosen = [this] { pad_->clear(), detail_->refresh(); };
@@ -87,7 +87,7 @@ Parameters::Parameters(Desk& desk)
     pad_->field = [this]() -> std::optional<NumberPad::Field> {
         const Line* line = chosen();
         if (!line || line->row->type == params::Type::Text || !desk_.live.connected()) return std::nullopt;
-        return NumberPad::Field{target(*line), fromView(params::unit_of(*line->row, desk_.live.table(), line->instance)), value(*line), line->row->type == params::Type::Real ? 4u : 0u};
+        return NumberPad::Field{target(*line), unitWord(params::unit_of(*line->row, desk_.live.table(), line->instance)), value(*line), line->row->type == params::Type::Real ? 4u : 0u};
     };
     pad_->onInput = [this](double now) {
         if (const Line* line = chosen()) put(*line, now);
@@ -135,7 +135,7 @@ HelpTopic Parameters::help() const {
     const Line* line = chosen();
     if (!line) return {"builder.md", "The machine is its parameters", {}};
     const params::Row& row = *line->row;
-    const QString unit = fromView(params::unit_of(row, desk_.live.table(), line->instance));
+    const QString unit = unitWord(params::unit_of(row, desk_.live.table(), line->instance));
     return {"builder.md", "The machine is its parameters",
             QString("# %1 %2\n\n%3\n\n| | |\n| --- | --- |\n| %4 | %5 %6 |\n| %7 | %8 |\n| %9 | %10 |")
                 .arg(fromView(row.number), fromView(row.name), fromView(row.meaning), word("Value"), QString::fromStdString(params::value_text(row, desk_.live.table(), line->instance, line->element)), unit)

@@ -65,7 +65,7 @@ PartsPage::PartsPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk)
         const int column = table_->column();
         if (!one || column == kName || column == kAxis) return std::nullopt;
         static constexpr const char* kFields[] = {"", "", "", "tool", "nominal", "upper", "lower", "last", "", "proposal"};
-        return NumberPad::Field{QString("%1  %2").arg(one->value("dimension").toInt()).arg(columnTitle(column)), column == kTool ? QString() : QString("mm"), one->value(kFields[column]).toDouble(), column == kTool ? 0u : 3u};
+        return NumberPad::Field{QString("%1  %2").arg(one->value("dimension").toInt()).arg(columnTitle(column)), column == kTool ? QString() : unitWord("mm"), one->value(kFields[column]).toDouble(), column == kTool ? 0u : 3u};
     };
     pad_->onInput = [this](double value) { entered(value); };
     table_->choose(0, kMeasured);

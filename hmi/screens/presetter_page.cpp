@@ -57,7 +57,7 @@ PresetterPage::PresetterPage(Desk& desk, QWidget* parent) : QWidget(parent), des
     values_->onChosen = [this] { onValues_ = true, pad_->clear(); };
     pad_->field = [this]() -> std::optional<NumberPad::Field> {
         const int row = values_->row();
-        return NumberPad::Field{values_->cell(row, 0).text, row == 0 ? QString() : QString("mm"), number_[row], row == 0 ? 0u : 3u};
+        return NumberPad::Field{values_->cell(row, 0).text, row == 0 ? QString() : unitWord("mm"), number_[row], row == 0 ? 0u : 3u};
     };
     pad_->onInput = [this](double value) {
         const int row = values_->row();

@@ -30,6 +30,9 @@ Programs::Programs(Desk& desk)
         w.text(QRectF(px(14), 0, head_->width() * 0.4, head_->height()), title, lettering(20, true), t.text);
         w.data(QRectF(head_->width() * 0.42, 0, head_->width() * 0.58 - px(12), head_->height()), page_ == Page::Files ? files_->where() : page_ == Page::Restart || page_ == Page::Compare ? QString() : page_ == Page::Edit ? editor_->file() + (editor_->changed() ? " *" : "") : QFileInfo(dry_.job()).fileName(), lettering(15), t.dim, kRight);
     };
+    editor_->onNotOpened = [this] {
+        if (page_ == Page::Edit) show(Page::Files);
+    };
     view_->onCompose = [this](Writer& w) { page_ == Page::Time ? composeTime(w) : composeTogether(w); };
     if (desk_.folder.isEmpty()) desk_.folder = QDir::currentPath();
     files_->readFolder(desk_.folder);
@@ -53,11 +56,24 @@ void Programs::select() {
 
 // As a file beside the job, and to the printer where the computer has one.
 void Programs::print() {
-    if (!files_->job()) return;
-    const QString file = files_->chosenPath().chopped(9) + "-setup.pdf";
-    if (!printSheet(desk_.live, *files_->job(), file)) return desk_.tell(word("Cannot be written: %1").arg(file), Told::Refused);
-    const bool printer = QProcess::startDetached("lp", {file});
-    desk_.tell(printer ? word("Printed: %1").arg(QFileInfo(file).fileName()) : word("Saved: %1").arg(QFileInfo(file).fileName()), Told::Good);
+    if (!files_->job() || printing_.busy()) return;
+    printed_ = files_->chosenPath().chopped(9) + "-setup.pdf";
+    printing_.start([html = sheetText(desk_.live, *files_->job()), title = QString::fromStdString(files_->job()->name), file = printed_](const std::atomic<bool>& stop) {
+        FileProgress progress;
+        return writeSheet(html, title, file, progress, stop);
+    });
+    if (printing_.busy()) desk_.tell(word("%1 is being written: the place answers slowly").arg(QFileInfo(printed_).fileName()), Told::Note);
+    takePrint();
+    if (desk_.keysChanged) desk_.keysChanged();
+}
+
+void Programs::takePrint() {
+    const auto done = printing_.take();
+    if (!done) return;
+    if (desk_.keysChanged) desk_.keysChanged();
+    if (!done->ok()) return desk_.tell(word("Cannot be written: %1").arg(done->what), Told::Refused);
+    const bool printer = QProcess::startDetached("lp", {printed_});
+    desk_.tell(printer ? word("Printed: %1").arg(QFileInfo(printed_).fileName()) : word("Saved: %1").arg(QFileInfo(printed_).fileName()), Told::Good);
 }
 
 // In the language of the channel that runs it, or of the job beside it that names it; else of the channel that keys speak to.
@@ -187,11 +203,17 @@ std::vector<SoftKey> Programs::keys() {
         {word("Start all"), [this] { desk_.requests.press("cycle_start"), desk_.show(0); }, Sign::Run, there},
     };
     if (page_ == Page::Restart) restart_->addKeys(keys);
-    if (page_ == Page::Files && files_->job()) keys.push_back({word("Print setup sheet"), [this] { print(); }, Sign::Programs, true});
+    if (page_ == Page::Files && printing_.busy()) keys.push_back({word("Stop"), [this] {
+        printing_.forget();                  // the worker sees it before its next piece, and takes away what it has written
+        desk_.tell(word("The setup sheet is not written: stopped."), Told::Note);
+        if (desk_.keysChanged) desk_.keysChanged();
+    }, Sign::Stop});
+    else if (page_ == Page::Files && files_->job()) keys.push_back({word("Print setup sheet"), [this] { print(); }, Sign::Programs, true});
     else if (page_ == Page::Files) keys.push_back({word("Edit"), [this] { edit(); }, Sign::Programs, file && !job});
     if (page_ == Page::Files) keys.push_back({word("Copy, delete ..."), [this] { files_->showMenu(true); }, Sign::Right});
     if (page_ == Page::Edit) {
-        keys.resize(3);
+        if (editor_->opening()) keys.clear();
+        else keys.resize(3);
         editor_->addKeys(keys);
     }
     return keys;

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 
 #include "hmi/app/screen.hpp"
+#include "hmi/machine/file_work.hpp"
 #include "hmi/machine/dry_run.hpp"
 #include "hmi/machine/program_text.hpp"
 #include "hmi/screens/compare_page.hpp"
@@ -22,7 +23,7 @@ public:
     const char* name() const override { return "programs"; }
     std::vector<SoftKey> keys() override;
     void refresh() override;
-    void follow() override { restart_->follow(); }
+    void follow() override { restart_->follow(), editor_->follow(), takePrint(); }
     bool key(QKeyEvent* event) override;
     QString state() const override { return QString::number(static_cast<int>(page_)) + "|" + (files_->chosenPath().isEmpty() ? desk_.folder + "/." : files_->chosenPath()); }
     void restore(const QString& state) override;
@@ -30,7 +31,7 @@ public:
     int pages() const override { return files_->job() || (page_ != Page::Files && page_ != Page::Restart) ? 9 : 1; }
     HelpTopic help() const override;
     void turnTo(int page) override;
-    bool busy() const override { return dry_.running() || compare_->busy() || (page_ == Page::Edit && editor_->checking()); }
+    bool busy() const override { return dry_.running() || compare_->busy() || (page_ == Page::Edit && (editor_->opening() || editor_->checking())); }
     Table& files() { return files_->files(); }
     FilesPage& filesPage() { return *files_; }
     ComparePage& comparePage() { return *compare_; }
@@ -47,6 +48,7 @@ private:
     void select();
     void edit();
     void print();
+    void takePrint();
     void composeTogether(Writer& w);
     void composeTime(Writer& w);
     void composeFaults(Writer& w, const QRectF& box);
@@ -61,6 +63,8 @@ private:
     EditorPage* editor_;
     QString wanted_;                         // of a check or dry run
     ProgramText texts_;
+    Aside<FileOutcome> printing_;            // the setup sheet
+    QString printed_;
     DryRun dry_;
     int scroll_ = 0;
 };

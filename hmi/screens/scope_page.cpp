@@ -41,7 +41,7 @@ ScopePage::ScopePage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk)
         if (column == 0) return {QString::number(row + 1), on ? colour : theme().faint, Sign::None, true};
         if (column == 1) return {on ? title : word("off"), on ? colour : theme().faint, triggers ? (record_.trigger.rising ? Sign::Up : Sign::Down) : Sign::None, on};
         if (!on) return {};
-        if (column == 5) return {unit, theme().dim};
+        if (column == 5) return {unitWord(unit.toStdString()), theme().dim};
         if (record_.samples().empty()) return {};
         if (column == 2) return {numberText(record_.samples().back().value[trace]), theme().text};
         double low = 1e300, high = -1e300;
@@ -55,12 +55,12 @@ ScopePage::ScopePage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk)
     chooser_->rowUnits = 34;
     chooser_->nothing = word("No signal has this in its name or meaning.");
     chooser_->rows = [this] { return static_cast<int>(found_.size()); };
-    chooser_->cell = [this](int row, int column) -> Table::Cell { return column == 0 ? Table::Cell{found_[static_cast<std::size_t>(row)].title} : Table::Cell{found_[static_cast<std::size_t>(row)].unit, theme().dim}; };
+    chooser_->cell = [this](int row, int column) -> Table::Cell { return column == 0 ? Table::Cell{found_[static_cast<std::size_t>(row)].title} : Table::Cell{unitWord(found_[static_cast<std::size_t>(row)].unit.toStdString()), theme().dim}; };
     chooser_->onActivated = [this] { if (chooser_->row() < static_cast<int>(found_.size())) choose(found_[static_cast<std::size_t>(chooser_->row())].words); };
     pad_->field = [this]() -> std::optional<NumberPad::Field> {
         QString unit;
         const QString title = titleOf(record_.trigger.trace, &unit);
-        return NumberPad::Field{word("Trigger level") + "  " + title, unit, record_.trigger.level, 3};
+        return NumberPad::Field{word("Trigger level") + "  " + title, unitWord(unit.toStdString()), record_.trigger.level, 3};
     };
     pad_->onInput = [this](double value) { record_.trigger.level = value, level_ = false, record_.arm(), layOut(); };
     note_->onCompose = [this](Writer& w) {
@@ -204,11 +204,22 @@ void ScopePage::save() {
     const QString name = QDir(folder).filePath("scope-" + QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss") + ".csv");
     std::array<std::string, kScopeTraces> names;
     for (std::size_t i = 0; i < kScopeTraces; ++i) names[i] = choice_.kind[i] ? titleOf(i).replace(',', ' ').toStdString() : std::string();
-    QFile file(name);
-    const std::string text = record_.csv(names, desk_.live.seconds(1));
-    if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), static_cast<qint64>(text.size())) != static_cast<qint64>(text.size()) || !file.flush()) return desk_.tell(word("Cannot be written: %1").arg(name), Told::Refused);
-    exported_ = name;
-    desk_.tell(word("Saved: %1").arg(name), Told::Good);
+    // The place may be slow: a worker writes.
+    exporting_ = name;
+    writing_.start([name, text = QByteArray::fromStdString(record_.csv(names, desk_.live.seconds(1)))](const std::atomic<bool>& stop) {
+        FileProgress progress;
+        return writeWhole(name, text, progress, stop);
+    });
+    if (writing_.busy()) desk_.tell(word("%1 is being written: the place answers slowly").arg(QFileInfo(name).fileName()), Told::Note);
+    takeExport();
+}
+
+void ScopePage::takeExport() {
+    const auto done = writing_.take();
+    if (!done) return;
+    if (!done->ok()) return desk_.tell(word("Cannot be written: %1").arg(done->what), Told::Refused);
+    exported_ = exporting_;
+    desk_.tell(word("Saved: %1").arg(exporting_), Told::Good);
 }
 
 void ScopePage::resizeEvent(QResizeEvent*) { layOut(); }
@@ -234,6 +245,7 @@ std::vector<Sheet*> ScopePage::sheets() {
 }
 
 void ScopePage::refresh() {
+    takeExport();
     for (Sheet* one : sheets()) one->refresh();
 }
 

@@ -2,6 +2,8 @@
 // of the circle that was driven last, from the first four traces.
 #pragma once
 #include "hmi/app/screen.hpp"
+#include "hmi/machine/file_text.hpp"
+#include "hmi/machine/aside.hpp"
 #include "hmi/machine/scope_record.hpp"
 #include "hmi/widgets/number_pad.hpp"
 #include "hmi/widgets/table.hpp"
@@ -42,6 +44,7 @@ private:
     void paintCircle(QPainter& p);
     void setCircle();                  // traces 1 to 4 become those of the channel's two axes
     void save();
+    void takeExport();
     QString titleOf(std::size_t trace, QString* unit = nullptr) const;
     double windowTicks() const;
 
@@ -53,7 +56,8 @@ private:
     ScopeChoice choice_{};
     std::uint64_t next_ = 0;
     bool choosing_ = false, circle_ = false, missed_ = false, level_ = false;
-    QString search_, exported_;
+    QString search_, exported_, exporting_;
+    Aside<FileOutcome> writing_;
     std::vector<Choice> all_, found_;
     int base_ = 3;                     // of the time bases
     qint64 paintedMs_ = 0, roundMs_ = 0;

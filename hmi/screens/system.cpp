@@ -80,7 +80,7 @@ void System::fill() {
     files_->rows = [this] { return static_cast<int>(entries_.size()); };
     files_->cell = [this](int row, int column) -> Table::Cell {
         const QFileInfo& one = entries_[static_cast<std::size_t>(row)];
-        if (column == 1) return {one.isDir() ? QString() : QString("%1 kB").arg((one.size() + 1023) / 1024), theme().dim};
+        if (column == 1) return {one.isDir() ? QString() : QString("%1 %2").arg((one.size() + 1023) / 1024).arg(unitWord("kB")), theme().dim};
         const bool up = row == 0 && one.absoluteFilePath() == QFileInfo(folder_).absolutePath();
         return {up ? QString("..") : one.isDir() ? one.fileName() + "/" : one.fileName(), one.isDir() ? theme().dim : theme().text, one.isDir() ? Sign::None : Sign::Programs};
     };

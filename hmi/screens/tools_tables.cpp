@@ -70,7 +70,7 @@ void Tools::fillData() {
         const Shown& one = kShown[row];
         const ToolField& field = tool_field(one.field);
         if (column == 0) return {word(one.title), t.text};
-        if (column == 2) return {std::string_view(one.unit) == "life" ? lifeUnit(tool->life_kind) : QString(one.unit), t.dim};
+        if (column == 2) return {std::string_view(one.unit) == "life" ? lifeUnit(tool->life_kind) : unitWord(one.unit), t.dim};
         const bool here = row == table_->row() && textField() && !typed_.isEmpty();
         if (here) return {typed_ + QString::fromUtf8("▏"), t.accent, Sign::None, true};
         if (field.type == ToolFieldType::Flag) {
@@ -88,7 +88,7 @@ void Tools::fillData() {
         const Shown& one = kShown[table_->row()];
         const ToolField& field = tool_field(one.field);
         if (field.type != ToolFieldType::Number && field.type != ToolFieldType::Whole) return std::nullopt;
-        return NumberPad::Field{word(one.title), std::string_view(one.unit) == "life" ? lifeUnit(tool->life_kind) : QString(one.unit), tool_number(*tool, field), field.type == ToolFieldType::Whole ? 0u : 3u};
+        return NumberPad::Field{word(one.title), std::string_view(one.unit) == "life" ? lifeUnit(tool->life_kind) : unitWord(one.unit), tool_number(*tool, field), field.type == ToolFieldType::Whole ? 0u : 3u};
     };
     pad_->onInput = [this](double now) {
         if (page_ == Page::Data) setField(kShown[table_->row()].field, numberText(now));

@@ -45,6 +45,13 @@ QString word(const char* english) {
     const auto at = g_known.find(english);
     return at != g_known.end() ? at->second : g_known.emplace(english, QCoreApplication::translate("hmi", english)).first->second;
 }
+QString unitWord(std::string_view unit) {
+    static constexpr const char* kUnits[] = {WORD("mm"), WORD("mm/min"), WORD("mm/rev"), WORD("m/min"), WORD("1/min"), WORD("mm/s"), WORD("ms"), WORD("s"), WORD("min"), WORD("kB"), WORD("us"), WORD("character code"), WORD("mm/s2"), WORD("mm/s3")};
+    for (const char* one : kUnits)
+        if (unit == one) return word(one);
+    return fromView(unit);
+}
+
 QString word(std::string_view english) { return QCoreApplication::translate("hmi", std::string(english).c_str()); }
 
 }  // namespace polyturn::hmi

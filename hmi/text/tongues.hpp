@@ -14,6 +14,7 @@ namespace polyturn::hmi {
 
 QString word(const char* english);        // a literal: it must not change; of the screens' own thread
 QString word(std::string_view english);   // of a table of ipc
+QString unitWord(std::string_view unit);  // mm/min as people write it in this language; a unit that has no other way to be written stays
 // The language of everything from now on; screens are made anew.
 void speak(Tongue tongue);
 Tongue spoken();

@@ -34,6 +34,16 @@
         <translation>celkem %1</translation>
     </message>
     <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>%1 is being read: the place answers slowly</source>
+        <translation>%1 se čte: místo odpovídá pomalu</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>%1 is being written: the place answers slowly</source>
+        <translation>%1 se zapisuje: místo odpovídá pomalu</translation>
+    </message>
+    <message>
         <location filename="../screens/system.cpp"/>
         <source>%1 is logged in</source>
         <translation>%1 je přihlášen</translation>
@@ -139,6 +149,11 @@
         <translation>1/100 s</translation>
     </message>
     <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>1/min</source>
+        <translation>ot/min</translation>
+    </message>
+    <message>
         <location filename="../machine/computer_settings.cpp"/>
         <source>2 to 30 a second</source>
         <translation>2 až 30 za sekundu</translation>
@@ -212,11 +227,6 @@
         <location filename="../screens/alarms.hpp"/>
         <source>Alarms</source>
         <translation>Alarmy</translation>
-    </message>
-    <message>
-        <location filename="../screens/graphics.cpp"/>
-        <source>All</source>
-        <translation>Vše</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -537,6 +547,16 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>Choose signal</source>
         <translation>Zvolit signál</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>Chuck S%1</source>
+        <translation>Sklíčidlo S%1</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>Chuck zone of L%1</source>
+        <translation>Zóna sklíčidla L%1</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis.cpp"/>
@@ -1022,6 +1042,11 @@
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Factor of the pecks; tapping: kind 0, 1, 2</source>
         <translation>Činitel kroků; závitování: druh 0, 1, 2</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Faster</source>
+        <translation>Rychleji</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -1834,7 +1859,7 @@
         <translation>Výhled ještě není: začne, až budou díly vyrobeny nástroji se sledovanou životností.</translation>
     </message>
     <message>
-        <location filename="../screens/graphics.cpp"/>
+        <location filename="../screens/graphics_picture.cpp"/>
         <source>No job names the stock of the running program</source>
         <translation>Žádná úloha neuvádí polotovar programu</translation>
     </message>
@@ -1852,6 +1877,11 @@
         <location filename="../screens/presetter_page.cpp"/>
         <source>No pictures (PGM, BMP, PNG) in this folder.</source>
         <translation>V této složce nejsou snímky (PGM, BMP, PNG).</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>No program is selected.</source>
+        <translation>Není zvolen žádný program.</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -1932,6 +1962,11 @@
         <location filename="../screens/tools.cpp"/>
         <source>Not loaded</source>
         <translation>Nezaložené</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Not saved: stopped. The file is as it was.</source>
+        <translation>Neuloženo: zastaveno. Soubor zůstal, jak byl.</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>
@@ -2194,6 +2229,11 @@
         <translation>Menu vzorů</translation>
     </message>
     <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Pause</source>
+        <translation>Pauza</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Pecking and grooving along Z</source>
         <translation>Přerušované zapichování v Z</translation>
@@ -2247,6 +2287,11 @@
         <location filename="../screens/hand_page.cpp"/>
         <source>Plain S means the main spindle</source>
         <translation>Prosté S je hlavní vřeteno</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Play</source>
+        <translation>Přehrát</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -2689,6 +2734,16 @@
         <translation>Signály NC a PLC</translation>
     </message>
     <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Simulation</source>
+        <translation>Simulace</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Simulation: %1 of %2</source>
+        <translation>Simulace: %1 z %2</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Since</source>
         <translation>Od</translation>
@@ -2727,6 +2782,11 @@
         <location filename="../screens/files_page.cpp"/>
         <source>Size</source>
         <translation>Velikost</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Slower</source>
+        <translation>Pomaleji</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -2839,7 +2899,7 @@
         <translation>Odebíraný přídavek v Z</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/editor_page.cpp"/>
         <source>Stop</source>
         <translation>Stop</translation>
     </message>
@@ -2877,6 +2937,16 @@
         <location filename="../screens/system.hpp"/>
         <source>System</source>
         <translation>Systém</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>Tailstock %1</source>
+        <translation>Koník %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>Tailstock zone of L%1</source>
+        <translation>Zóna koníku L%1</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -2994,6 +3064,11 @@
         <translation>Posledních %1 h</translation>
     </message>
     <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>The last program is still being written.</source>
+        <translation>Předchozí program se ještě zapisuje.</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>The machine works with it</source>
         <translation>Stroj s tím pracuje</translation>
@@ -3067,6 +3142,11 @@
         <location filename="../screens/programs.cpp"/>
         <source>The programs are being read</source>
         <translation>Programy se čtou</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>The setup sheet is not written: stopped.</source>
+        <translation>Seřizovací list není zapsán: zastaveno.</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -3384,6 +3464,11 @@
         <translation>Soustružení, jeden řez</translation>
     </message>
     <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>Turret L%1</source>
+        <translation>Revolver L%1</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Type a number, or touch it; Input takes it over.</source>
         <translation>Napište číslo nebo se ho dotkněte; «Vložit» ho převezme.</translation>
@@ -3589,6 +3674,16 @@
         <translation>Kolečko, nástroj</translation>
     </message>
     <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Whole machine</source>
+        <translation>Celý stroj</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>Whole outline: guarded; broken outline: only drawn</source>
+        <translation>Plný obrys: hlídáno; čárkovaný: jen nakresleno</translation>
+    </message>
+    <message>
         <location filename="../machine/computer_settings.cpp"/>
         <source>Without a display server the keyboard itself decides</source>
         <translation>Bez zobrazovacího serveru rozhoduje klávesnice</translation>
@@ -3769,6 +3864,11 @@
         <translation>kotoučový nůž</translation>
     </message>
     <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>character code</source>
+        <translation>kód znaku</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>choose auto or mdi</source>
         <translation>zvolte automatiku nebo MDI</translation>
@@ -3884,6 +3984,11 @@
         <translation>zapichovací nůž</translation>
     </message>
     <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>held by protection</source>
+        <translation>drží ochrana</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>input %1</source>
         <translation>vstup %1</translation>
@@ -3892,6 +3997,11 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>its way is added to the own one</source>
         <translation>její dráha se přičítá</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>kB</source>
+        <translation>kB</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -3912,6 +4022,11 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>longest %1 of a tick of %2 µs</source>
         <translation>nejdelší %1 z taktu %2 µs</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>m/min</source>
+        <translation>m/min</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -3944,14 +4059,39 @@
         <translation>minuty řezu</translation>
     </message>
     <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
         <location filename="../screens/cycle_form_page.cpp"/>
         <source>mm, diameter</source>
         <translation>mm, průměr</translation>
     </message>
     <message>
-        <location filename="../screens/cycle_form_page.cpp"/>
+        <location filename="../text/tongues.cpp"/>
+        <source>mm/min</source>
+        <translation>mm/min</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
         <source>mm/rev</source>
         <translation>mm/ot</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>mm/s</source>
+        <translation>mm/s</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>mm/s2</source>
+        <translation>mm/s²</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>mm/s3</source>
+        <translation>mm/s³</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
@@ -3962,6 +4102,11 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>moves its drive: the axes are exchanged</source>
         <translation>pohybuje jejím pohonem: osy zaměněny</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>ms</source>
+        <translation>ms</translation>
     </message>
     <message>
         <location filename="../screens/job_views.cpp"/>
@@ -4139,6 +4284,11 @@
         <translation>hrubovací nůž</translation>
     </message>
     <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>setter</source>
         <translation>seřizovač</translation>
@@ -4287,6 +4437,11 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>turns with it, deviation %1°</source>
         <translation>otáčí se s ním, odchylka %1°</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>us</source>
+        <translation>µs</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>

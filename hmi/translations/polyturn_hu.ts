@@ -34,6 +34,16 @@
         <translation>összesen %1</translation>
     </message>
     <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>%1 is being read: the place answers slowly</source>
+        <translation>%1 olvasása folyik: a hely lassan válaszol</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>%1 is being written: the place answers slowly</source>
+        <translation>%1 írása folyik: a hely lassan válaszol</translation>
+    </message>
+    <message>
         <location filename="../screens/system.cpp"/>
         <source>%1 is logged in</source>
         <translation>%1 bejelentkezett</translation>
@@ -139,6 +149,11 @@
         <translation>1/100 s</translation>
     </message>
     <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>1/min</source>
+        <translation>ford/perc</translation>
+    </message>
+    <message>
         <location filename="../machine/computer_settings.cpp"/>
         <source>2 to 30 a second</source>
         <translation>2-től 30-ig másodpercenként</translation>
@@ -212,11 +227,6 @@
         <location filename="../screens/alarms.hpp"/>
         <source>Alarms</source>
         <translation>Riasztások</translation>
-    </message>
-    <message>
-        <location filename="../screens/graphics.cpp"/>
-        <source>All</source>
-        <translation>Mind</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -537,6 +547,16 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>Choose signal</source>
         <translation>Jel választása</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>Chuck S%1</source>
+        <translation>Tokmány S%1</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>Chuck zone of L%1</source>
+        <translation>Tokmányzóna L%1</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis.cpp"/>
@@ -1022,6 +1042,11 @@
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Factor of the pecks; tapping: kind 0, 1, 2</source>
         <translation>Lépések szorzója; menetfúrás: 0, 1, 2</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Faster</source>
+        <translation>Gyorsabban</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -1834,7 +1859,7 @@
         <translation>Még nincs előrejelzés: akkor kezdődik, ha figyelt élettartamú szerszámmal készült darab.</translation>
     </message>
     <message>
-        <location filename="../screens/graphics.cpp"/>
+        <location filename="../screens/graphics_picture.cpp"/>
         <source>No job names the stock of the running program</source>
         <translation>Egyik munka sem adja meg a nyersdarabot</translation>
     </message>
@@ -1852,6 +1877,11 @@
         <location filename="../screens/presetter_page.cpp"/>
         <source>No pictures (PGM, BMP, PNG) in this folder.</source>
         <translation>Ebben a mappában nincs kép (PGM, BMP, PNG).</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>No program is selected.</source>
+        <translation>Nincs kiválasztott program.</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -1932,6 +1962,11 @@
         <location filename="../screens/tools.cpp"/>
         <source>Not loaded</source>
         <translation>Nincs betöltve</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Not saved: stopped. The file is as it was.</source>
+        <translation>Nincs mentve: leállítva. A fájl változatlan.</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>
@@ -2194,6 +2229,11 @@
         <translation>Mintamenü</translation>
     </message>
     <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Pause</source>
+        <translation>Szünet</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Pecking and grooving along Z</source>
         <translation>Lépéses beszúrás Z mentén</translation>
@@ -2247,6 +2287,11 @@
         <location filename="../screens/hand_page.cpp"/>
         <source>Plain S means the main spindle</source>
         <translation>A sima S a főorsó</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Play</source>
+        <translation>Lejátszás</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -2689,6 +2734,16 @@
         <translation>NC és PLC jelei</translation>
     </message>
     <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Simulation</source>
+        <translation>Szimuláció</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Simulation: %1 of %2</source>
+        <translation>Szimuláció: %1 / %2</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Since</source>
         <translation>Mióta</translation>
@@ -2727,6 +2782,11 @@
         <location filename="../screens/files_page.cpp"/>
         <source>Size</source>
         <translation>Méret</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Slower</source>
+        <translation>Lassabban</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -2839,7 +2899,7 @@
         <translation>Ráhagyás Z mentén</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/editor_page.cpp"/>
         <source>Stop</source>
         <translation>Állj</translation>
     </message>
@@ -2877,6 +2937,16 @@
         <location filename="../screens/system.hpp"/>
         <source>System</source>
         <translation>Rendszer</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>Tailstock %1</source>
+        <translation>Szegnyereg %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>Tailstock zone of L%1</source>
+        <translation>Szegnyeregzóna L%1</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -2994,6 +3064,11 @@
         <translation>Utolsó %1 óra</translation>
     </message>
     <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>The last program is still being written.</source>
+        <translation>Az előző program írása még folyik.</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>The machine works with it</source>
         <translation>A gép ezzel dolgozik</translation>
@@ -3067,6 +3142,11 @@
         <location filename="../screens/programs.cpp"/>
         <source>The programs are being read</source>
         <translation>A programok olvasása folyik</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>The setup sheet is not written: stopped.</source>
+        <translation>A beállítási lap nincs megírva: leállítva.</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -3384,6 +3464,11 @@
         <translation>Esztergálás, egy fogás</translation>
     </message>
     <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>Turret L%1</source>
+        <translation>Revolverfej L%1</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Type a number, or touch it; Input takes it over.</source>
         <translation>Írja be vagy érintse a számot; a «Bevitel» átveszi.</translation>
@@ -3589,6 +3674,16 @@
         <translation>Kerék, szerszám</translation>
     </message>
     <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Whole machine</source>
+        <translation>Egész gép</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>Whole outline: guarded; broken outline: only drawn</source>
+        <translation>Folytonos körvonal: védett; szaggatott: csak rajz</translation>
+    </message>
+    <message>
         <location filename="../machine/computer_settings.cpp"/>
         <source>Without a display server the keyboard itself decides</source>
         <translation>Megjelenítő kiszolgáló nélkül a billentyűzet dönt</translation>
@@ -3769,6 +3864,11 @@
         <translation>gombkés</translation>
     </message>
     <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>character code</source>
+        <translation>karakterkód</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>choose auto or mdi</source>
         <translation>válasszon automatát vagy MDI-t</translation>
@@ -3884,6 +3984,11 @@
         <translation>beszúró kés</translation>
     </message>
     <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>held by protection</source>
+        <translation>a védelem tartja</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>input %1</source>
         <translation>%1. bemenet</translation>
@@ -3892,6 +3997,11 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>its way is added to the own one</source>
         <translation>az útja hozzáadódik</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>kB</source>
+        <translation>kB</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -3912,6 +4022,11 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>longest %1 of a tick of %2 µs</source>
         <translation>leghosszabb %1, ütem %2 µs</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>m/min</source>
+        <translation>m/perc</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -3944,14 +4059,39 @@
         <translation>forgácsolási percet</translation>
     </message>
     <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
         <location filename="../screens/cycle_form_page.cpp"/>
         <source>mm, diameter</source>
         <translation>mm, átmérő</translation>
     </message>
     <message>
-        <location filename="../screens/cycle_form_page.cpp"/>
+        <location filename="../text/tongues.cpp"/>
+        <source>mm/min</source>
+        <translation>mm/perc</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
         <source>mm/rev</source>
         <translation>mm/ford</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>mm/s</source>
+        <translation>mm/s</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>mm/s2</source>
+        <translation>mm/s²</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>mm/s3</source>
+        <translation>mm/s³</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
@@ -3962,6 +4102,11 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>moves its drive: the axes are exchanged</source>
         <translation>annak hajtását mozgatja: cserélt tengelyek</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>ms</source>
+        <translation>ms</translation>
     </message>
     <message>
         <location filename="../screens/job_views.cpp"/>
@@ -4139,6 +4284,11 @@
         <translation>nagyoló kés</translation>
     </message>
     <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>setter</source>
         <translation>beállító</translation>
@@ -4287,6 +4437,11 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>turns with it, deviation %1°</source>
         <translation>vele forog, eltérés %1°</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>us</source>
+        <translation>µs</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>

@@ -34,6 +34,16 @@
         <translation>всего %1</translation>
     </message>
     <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>%1 is being read: the place answers slowly</source>
+        <translation>%1 читается: место отвечает медленно</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>%1 is being written: the place answers slowly</source>
+        <translation>%1 записывается: место отвечает медленно</translation>
+    </message>
+    <message>
         <location filename="../screens/system.cpp"/>
         <source>%1 is logged in</source>
         <translation>%1 вошёл</translation>
@@ -139,6 +149,11 @@
         <translation>1/100 с</translation>
     </message>
     <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>1/min</source>
+        <translation>об/мин</translation>
+    </message>
+    <message>
         <location filename="../machine/computer_settings.cpp"/>
         <source>2 to 30 a second</source>
         <translation>от 2 до 30 в секунду</translation>
@@ -212,11 +227,6 @@
         <location filename="../screens/alarms.hpp"/>
         <source>Alarms</source>
         <translation>Аварии</translation>
-    </message>
-    <message>
-        <location filename="../screens/graphics.cpp"/>
-        <source>All</source>
-        <translation>Всё</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -539,6 +549,16 @@
         <translation>Выбрать сигнал</translation>
     </message>
     <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>Chuck S%1</source>
+        <translation>Патрон S%1</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>Chuck zone of L%1</source>
+        <translation>Зона патрона L%1</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis.cpp"/>
         <source>Circularity</source>
         <translation>Круглость</translation>
@@ -606,7 +626,7 @@
     <message>
         <location filename="../screens/programs.cpp"/>
         <source>Copy, delete ...</source>
-        <translation>Копия, удаление ...</translation>
+        <translation>Копия, удаление ...</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -1022,6 +1042,11 @@
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Factor of the pecks; tapping: kind 0, 1, 2</source>
         <translation>Множитель шагов; метчик: вид 0, 1, 2</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Faster</source>
+        <translation>Быстрее</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -1691,7 +1716,7 @@
     <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Meaning</source>
-        <translation>Значение (смысл)</translation>
+        <translation>Смысл</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>
@@ -1834,7 +1859,7 @@
         <translation>Прогноза ещё нет: он начнётся, когда детали будут сделаны инструментом с учётом ресурса.</translation>
     </message>
     <message>
-        <location filename="../screens/graphics.cpp"/>
+        <location filename="../screens/graphics_picture.cpp"/>
         <source>No job names the stock of the running program</source>
         <translation>Ни одно задание не называет заготовку программы</translation>
     </message>
@@ -1852,6 +1877,11 @@
         <location filename="../screens/presetter_page.cpp"/>
         <source>No pictures (PGM, BMP, PNG) in this folder.</source>
         <translation>В этой папке нет снимков (PGM, BMP, PNG).</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>No program is selected.</source>
+        <translation>Программа не выбрана.</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -1932,6 +1962,11 @@
         <location filename="../screens/tools.cpp"/>
         <source>Not loaded</source>
         <translation>Не загружены</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Not saved: stopped. The file is as it was.</source>
+        <translation>Не сохранено: остановлено. Файл остался прежним.</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>
@@ -2194,6 +2229,11 @@
         <translation>Меню шаблонов</translation>
     </message>
     <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Pause</source>
+        <translation>Пауза</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Pecking and grooving along Z</source>
         <translation>Шаговое врезание вдоль Z</translation>
@@ -2249,6 +2289,11 @@
         <translation>Простое S — главный шпиндель</translation>
     </message>
     <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Play</source>
+        <translation>Показать</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Pool %1</source>
         <translation>Накопитель %1</translation>
@@ -2301,7 +2346,7 @@
     <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Program of the pallet</source>
-        <translation>Программа палеты</translation>
+        <translation>Программа паллеты</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -2689,6 +2734,16 @@
         <translation>Сигналы ЧПУ и ПЛК</translation>
     </message>
     <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Simulation</source>
+        <translation>Моделирование</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Simulation: %1 of %2</source>
+        <translation>Моделирование: %1 из %2</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Since</source>
         <translation>С</translation>
@@ -2727,6 +2782,11 @@
         <location filename="../screens/files_page.cpp"/>
         <source>Size</source>
         <translation>Размер</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Slower</source>
+        <translation>Медленнее</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -2839,7 +2899,7 @@
         <translation>Снимаемый припуск по Z</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../screens/editor_page.cpp"/>
         <source>Stop</source>
         <translation>Стоп</translation>
     </message>
@@ -2877,6 +2937,16 @@
         <location filename="../screens/system.hpp"/>
         <source>System</source>
         <translation>Система</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>Tailstock %1</source>
+        <translation>Задняя бабка %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>Tailstock zone of L%1</source>
+        <translation>Зона задней бабки L%1</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -2994,6 +3064,11 @@
         <translation>Последние %1 ч</translation>
     </message>
     <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>The last program is still being written.</source>
+        <translation>Предыдущая программа ещё записывается.</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>The machine works with it</source>
         <translation>Станок работает с ним</translation>
@@ -3067,6 +3142,11 @@
         <location filename="../screens/programs.cpp"/>
         <source>The programs are being read</source>
         <translation>Программы читаются</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>The setup sheet is not written: stopped.</source>
+        <translation>Карта наладки не записана: остановлено.</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -3384,6 +3464,11 @@
         <translation>Точение, один проход</translation>
     </message>
     <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>Turret L%1</source>
+        <translation>Револьвер L%1</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Type a number, or touch it; Input takes it over.</source>
         <translation>Наберите или коснитесь числа; «Ввод» примет.</translation>
@@ -3589,6 +3674,16 @@
         <translation>Маховик, инструмент</translation>
     </message>
     <message>
+        <location filename="../screens/graphics.cpp"/>
+        <source>Whole machine</source>
+        <translation>Весь станок</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>Whole outline: guarded; broken outline: only drawn</source>
+        <translation>Сплошной контур: под защитой; штриховой: только показано</translation>
+    </message>
+    <message>
         <location filename="../machine/computer_settings.cpp"/>
         <source>Without a display server the keyboard itself decides</source>
         <translation>Без сервера дисплея решает сама клавиатура</translation>
@@ -3769,6 +3864,11 @@
         <translation>круглый резец</translation>
     </message>
     <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>character code</source>
+        <translation>код символа</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>choose auto or mdi</source>
         <translation>выберите автомат или РВД</translation>
@@ -3884,6 +3984,11 @@
         <translation>канавочный резец</translation>
     </message>
     <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>held by protection</source>
+        <translation>удержано защитой</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>input %1</source>
         <translation>вход %1</translation>
@@ -3892,6 +3997,11 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>its way is added to the own one</source>
         <translation>её путь добавляется к своему</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>kB</source>
+        <translation>кБ</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -3912,6 +4022,11 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>longest %1 of a tick of %2 µs</source>
         <translation>наибольшее %1 в такте %2 µs</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>m/min</source>
+        <translation>м/мин</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -3944,14 +4059,39 @@
         <translation>минуты резания</translation>
     </message>
     <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>mm</source>
+        <translation>мм</translation>
+    </message>
+    <message>
         <location filename="../screens/cycle_form_page.cpp"/>
         <source>mm, diameter</source>
         <translation>мм, диаметр</translation>
     </message>
     <message>
-        <location filename="../screens/cycle_form_page.cpp"/>
+        <location filename="../text/tongues.cpp"/>
+        <source>mm/min</source>
+        <translation>мм/мин</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
         <source>mm/rev</source>
         <translation>мм/об</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>mm/s</source>
+        <translation>мм/с</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>mm/s2</source>
+        <translation>мм/с²</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>mm/s3</source>
+        <translation>мм/с³</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
@@ -3962,6 +4102,11 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>moves its drive: the axes are exchanged</source>
         <translation>движет её приводом: оси обменены</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>ms</source>
+        <translation>мс</translation>
     </message>
     <message>
         <location filename="../screens/job_views.cpp"/>
@@ -4139,6 +4284,11 @@
         <translation>черновой резец</translation>
     </message>
     <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>s</source>
+        <translation>с</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>setter</source>
         <translation>наладчик</translation>
@@ -4287,6 +4437,11 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>turns with it, deviation %1°</source>
         <translation>вращается с ним, отклонение %1°</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>us</source>
+        <translation>мкс</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>

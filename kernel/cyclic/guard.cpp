@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace polyturn::kernel {
 namespace p = params;
@@ -10,9 +9,7 @@ namespace {
 constexpr std::size_t kSamples = 8;      // of a braking way
 constexpr double kReserve = 1.1;         // of it: the planner brakes a little later than a parabola
 constexpr double kTowards = 1e-7;        // mm: nearer than that in one tick is no approach
-constexpr double kBehindFace = 1000;     // mm of spindle head behind a chuck's face
 constexpr double kFarAway = 1e9;
-constexpr double kMmPerInch = 25.4;
 
 // Of two rectangles, the second moved by (dx, dz): negative when they overlap.
 double gap_of(double x_first_above, double x_second_above, double z_first_above, double z_second_above, double dx, double dz) noexcept {
@@ -27,165 +24,25 @@ void Guard::take_room(const Room& room, const MachineConfig& machine) {
     has_room_ = true;
 }
 
-Guard::Body& Guard::add_body(std::string_view name, Kind kind) {
-    const bool room = body_count_ < kBodies;
-    if (!room) ++left_out_;
-    Body& body = room ? bodies_[body_count_] : spare_;
-    body = {};
-    std::copy_n(name.begin(), std::min(name.size(), body.name.size() - 1), body.name.begin());
-    body.kind = kind;
-    body.first = box_count_;
-    if (room) ++body_count_;
-    return body;
-}
-
-Guard::Box* Guard::add_box(Body& body, const Box& box) {
-    if (box_count_ == kBoxes) return ++left_out_, nullptr;
-    ++body.count;
-    return &(boxes_[box_count_++] = box);
-}
-
-void Guard::add_carrier(Body& body, unsigned number) {
-    const auto found = room_.axes.find(number);
-    if (found == room_.axes.end() || body.carriers == kCarriers || machine_.axis(number).rotary) return;
-    const RoomPlace& place = found->second;
-    body.axis[body.carriers] = number - 1;
-    body.way[body.carriers++] = {place.direction.x, place.direction.z};
-    body.origin.x += place.origin.x;
-    body.origin.z += place.origin.z;
-}
-
 void Guard::configure(const p::Table& t, const KernelConfig& config) {
-    body_count_ = box_count_ = left_out_ = 0;
-    watched_ = false;
+    body_count_ = 0;
     distance_ = p::get(t, p::pt_guard_distance);
+    set_.body_count = set_.box_count = set_.left_out = 0;
+    set_.watched = false;
     if (!has_room_) return;
-    for (unsigned l = 1; l <= kMaxChannels; ++l) {
-        if (!config.channels[l - 1].exists) continue;
-        const double unit = config.channels[l - 1].inch ? kMmPerInch : 1.0;
-        const auto length = [&](auto handle) { return p::get(t, handle, l) * unit; };
-        char name[32];
-        if (p::bit(t, p::n2000_check_config, l, 0)) {
-            const auto turret = room_.turrets.find(l);
-            std::snprintf(name, sizeof name, "tool carrier of L%u", l);
-            Body& body = add_body(name, Kind::Carrier);
-            body.channel = l;
-            body.in_z = p::bit(t, p::n2000_check_config, l, 1);
-            body.without_tool = p::bit(t, p::n2000_check_config, l, 2);
-            body.by_hand = p::bit(t, p::n2000_check_config, l, 3);
-            for (unsigned a = 1; a <= kMaxAxes; ++a)
-                if (config.axes[a - 1].exists && config.axes[a - 1].channel == l && !config.axes[a - 1].rotary) add_carrier(body, a);
-            // N2002, N2003 move the shape: in the room, or along the carrier's own axes.
-            double dx = length(p::n2002_tool_holder_position_x), dz = length(p::n2003_tool_holder_position_z);
-            if (p::get(t, p::n2001_coord_type, l) == 1)
-                for (std::size_t i = 0; i < body.carriers; ++i) {
-                    if (std::fabs(body.way[i].x) > 0.5) dx = std::copysign(1.0, body.way[i].x) * length(p::n2002_tool_holder_position_x);
-                    if (std::fabs(body.way[i].z) > 0.5) dz = std::copysign(1.0, body.way[i].z) * length(p::n2003_tool_holder_position_z);
-                }
-            const auto add = [&](const RoomBox& b, std::uint32_t station) { return add_box(body, {b.x_low + dx, b.x_high + dx, b.z_low + dz, b.z_high + dz, station}); };
-            if (turret != room_.turrets.end()) {
-                const RoomTurret& r = turret->second;
-                body.looks_along_x = std::fabs(r.direction.x) > 0.5;
-                if (r.reach > 0 && r.stations > 1 && (body.looks_along_x || std::fabs(r.direction.z) > 0.5)) {
-                    body.stations = r.stations;
-                    body.outwards = (body.looks_along_x ? r.direction.x : r.direction.z) < 0 ? -1.0 : 1.0;
-                    body.axis_at = (body.looks_along_x ? dx : dz) - body.outwards * r.reach;
-                }
-                for (const RoomBox& b : turret->second.body) (void)add(b, 0);
-                for (const auto& [station, boxes] : turret->second.tools)
-                    for (const RoomBox& b : boxes) {
-                        if (shapes_.has(l, station)) continue;
-                        Box* drawn = add(b, station);
-                        if (const auto tip = turret->second.tips.find(station); drawn && tip != turret->second.tips.end())
-                            drawn->goes = true, drawn->tip = {tip->second.x, tip->second.z};
-                    }
-            }
-            for (std::size_t i = 0; i < shapes_.count; ++i)
-                if (const ToolShape& s = shapes_.shapes[i]; s.channel == l) (void)add({s.x_low, s.x_high, s.z_low, s.z_high}, s.station);
-            if (body.count == 0) (void)add({-1e-6, 1e-6, -1e-6, 1e-6}, 0);   // the tool carrier's point itself
-            watched_ = true;
-        }
-        // Barriers of the channel, in machine coordinates of its X and Z: into the room by where these axes point.
-        double x_origin = 0, z_origin = 0, x_way = 1, z_way = 1;
-        for (unsigned a = 1; a <= kMaxAxes; ++a) {
-            const auto at = room_.axes.find(a);
-            if (at == room_.axes.end() || !config.axes[a - 1].exists || config.axes[a - 1].channel != l) continue;
-            const RoomPlace& axis = at->second;
-            if (std::fabs(axis.direction.x) > 0.5) x_origin = axis.origin.x, x_way = axis.direction.x;
-            if (std::fabs(axis.direction.z) > 0.5) z_origin = axis.origin.z, z_way = axis.direction.z;
-        }
-        const auto barrier = [&](Body& body, double z_from, double z_to, double half, double centre) {
-            if (!(half > 0) || z_from == z_to) return;
-            const double x0 = x_origin + x_way * (centre - half), x1 = x_origin + x_way * (centre + half);
-            const double z0 = z_origin + z_way * z_from, z1 = z_origin + z_way * z_to;
-            (void)add_box(body, {std::min(x0, x1), std::max(x0, x1), std::min(z0, z1), std::max(z0, z1), 0});
-        };
-        const double jaws = length(p::n1901_l1_length_of_jaws), width = length(p::n1902_w1_width_of_jaws);
-        if (jaws > 0 && width > 0) {
-            std::snprintf(name, sizeof name, "chuck of L%u", l);
-            Body& body = add_body(name, Kind::Chuck);
-            const double face = length(p::n1906_chuck_position_z), centre = length(p::n1905_chuck_position_x);
-            // Jaws that hold a part by its outside are around it: seen from the side, their grip is as wide as they are.
-            const bool outside = p::bit(t, p::n1900_chuck_config, l, 0);
-            const double grip = length(p::n1903_l2_holding_length_of_jaws), held = outside ? std::max(width, length(p::n1904_w2_holding_width_of_jaws)) : length(p::n1904_w2_holding_width_of_jaws);
-            barrier(body, face - kBehindFace, face, width, centre);
-            barrier(body, face, face + jaws, width, centre);
-            if (grip > 0) barrier(body, face + jaws, face + jaws + grip, held, centre);
-            body.watched = true;
-        }
-        const double l1 = length(p::n1907_l1_length_of_tailstock), d1 = length(p::n1908_d1_diameter_of_tailstock);
-        if (l1 > 0 && d1 > 0) {
-            std::snprintf(name, sizeof name, "tailstock of L%u", l);
-            Body& body = add_body(name, Kind::Tailstock);
-            const double tip = length(p::n1914_tailstock_position_z), l2 = length(p::n1909_l2_length_of_tailstock), l3 = length(p::n1911_l3_length_of_tailstock);
-            const double centre = length(p::n1905_chuck_position_x);
-            barrier(body, tip, tip + l3, length(p::n1912_d3_diameter_of_tailstock) / 2, centre);
-            barrier(body, tip + l3, tip + l3 + l2, length(p::n1910_d2_diameter_of_tailstock) / 2, centre);
-            barrier(body, tip + l3 + l2, tip + l3 + l2 + l1, std::max(d1, length(p::n1913_d4_diameter_of_tailstock)) / 2, centre);
-        }
-    }
-    if (!watched_) {
-        left_out_ = 0;
-        return;
-    }
-    left_out_ += shapes_.left_out;
-    for (const auto& [s, chuck] : room_.chucks) {
-        if (!(chuck.diameter > 0)) continue;
-        char name[32];
-        std::snprintf(name, sizeof name, "chuck of S%u", s);
-        Body& body = add_body(name, Kind::Chuck);
-        const double sense = chuck.direction.z < 0 ? -1.0 : 1.0;
-        const double back = chuck.origin.z - sense * chuck.length, front = chuck.origin.z + sense * chuck.jaws;
-        (void)add_box(body, {chuck.origin.x - chuck.diameter / 2, chuck.origin.x + chuck.diameter / 2, std::min(back, front), std::max(back, front), 0});
-        if (chuck.carried_by) {
-            const Vector stood = body.origin;
-            add_carrier(body, chuck.carried_by);
-            body.origin = stood;   // its place is told for machine coordinate 0 of that axis
-        }
-    }
-    for (const auto& [n, tail] : room_.tailstocks) {
-        if (!(tail.diameter > 0)) continue;
-        char name[32];
-        std::snprintf(name, sizeof name, "tailstock %u", n);
-        Body& body = add_body(name, Kind::Tailstock);
-        const double sense = tail.direction.z < 0 ? -1.0 : 1.0, back = tail.origin.z - sense * tail.length;
-        (void)add_box(body, {tail.origin.x - tail.diameter / 2, tail.origin.x + tail.diameter / 2, std::min(back, tail.origin.z), std::max(back, tail.origin.z), 0});
-    }
+    BodyFacts facts;
+    for (std::size_t l = 0; l < kMaxChannels; ++l) facts.channel[l] = config.channels[l].exists, facts.inch[l] = config.channels[l].inch;
+    for (std::size_t a = 0; a < kMaxAxes; ++a) facts.axis_channel[a] = config.axes[a].exists ? config.axes[a].channel : 0, facts.rotary[a] = machine_.axis(a + 1).rotary || config.axes[a].rotary;
+    set_.configure(room_, t, facts, shapes_, false);
+    body_count_ = set_.body_count;
+    for (std::size_t n = 0; n < body_count_; ++n) bodies_[n] = {}, static_cast<RoomBodies::Body&>(bodies_[n]) = set_.bodies[n];
 }
 
 void Guard::take_tool(std::uint32_t channel, const std::array<double, kChannelAxes>& shift) noexcept {
     Tool& tool = tools_[channel - 1];
     if (!has_room_ || std::all_of(shift.begin(), shift.end(), [](double one) { return one == 0; })) return;
-    Vector tip;
-    const auto& own = machine_.channel(channel);
-    for (std::size_t i = 0; i < own.axis_count; ++i) {
-        const auto place = room_.axes.find(own.axes[i]);
-        if (place == room_.axes.end() || machine_.axis(own.axes[i]).rotary) continue;
-        tip.x -= place->second.direction.x * shift[i];
-        tip.z -= place->second.direction.z * shift[i];
-    }
     tool.known = true;
-    tool.tip = tip;
+    tool.tip = tip_of(room_, machine_, channel, shift);
 }
 
 bool Guard::carries(std::uint32_t body, std::uint32_t axis) const noexcept {
@@ -242,22 +99,6 @@ void Guard::place(const Core& core, Body& body) noexcept {
     body.watched = watched;
 }
 
-// Of a station that is `steps` away from the one in work; anywhere: on its whole circle.
-Guard::Box Guard::turned(const Body& body, const Box& own, double steps, bool anywhere) noexcept {
-    constexpr double kTurn = 2 * 3.14159265358979323846;
-    const double low = body.looks_along_x ? own.x_low : own.z_low, high = body.looks_along_x ? own.x_high : own.z_high;
-    const double across = (body.looks_along_x ? own.z_high - own.z_low : own.x_high - own.x_low) / 2;
-    const double u1 = body.outwards * (low - body.axis_at), u2 = body.outwards * (high - body.axis_at);
-    const double angle = kTurn * steps / body.stations, c = std::cos(angle), wide = across * std::fabs(std::sin(angle));
-    const double most = std::hypot(std::max(std::fabs(u1), std::fabs(u2)), across);
-    const double from = anywhere ? -most : std::min(u1 * c, u2 * c) - wide, to = anywhere ? most : std::max(u1 * c, u2 * c) + wide;
-    const double a = body.axis_at + body.outwards * from, b = body.axis_at + body.outwards * to;
-    Box box = own;
-    if (body.looks_along_x) box.x_low = std::min(a, b), box.x_high = std::max(a, b);
-    else box.z_low = std::min(a, b), box.z_high = std::max(a, b);
-    return box;
-}
-
 // Where the turret stands: as its PLC says; before that, as the program has told it. Worked out anew only when that changes.
 void Guard::turn_tools(const Core& core, Body& body) noexcept {
     std::int64_t index = core.signals.plc(signals::cp_actt(body.channel));
@@ -266,7 +107,7 @@ void Guard::turn_tools(const Core& core, Body& body) noexcept {
     if (body.turned_for == (turns ? 0 : index)) return;
     body.turned_for = turns ? 0 : index;
     for (std::size_t i = body.first; i < body.first + body.count; ++i)
-        if (boxes_[i].station) turned_[i] = turned(body, boxes_[i], static_cast<double>(boxes_[i].station) - static_cast<double>(index), turns);
+        if (set_.boxes[i].station) turned_[i] = RoomBodies::turned(body, set_.boxes[i], static_cast<double>(set_.boxes[i].station) - static_cast<double>(index), turns);
 }
 
 // The boxes that count now, where they are now, and what is around all of them.
@@ -276,7 +117,7 @@ void Guard::show(const Core& core, Body& body) noexcept {
     body.shown_count = 0;
     body.outline = {kFarAway, -kFarAway, kFarAway, -kFarAway, 0};
     for (std::size_t i = body.first; i < body.first + body.count; ++i) {
-        const Box& own = boxes_[i];
+        const Box& own = set_.boxes[i];
         Vector at = body.at;
         // The called tool too is anywhere on its circle until the turret stands.
         const bool turns = body.stations != 0 && body.turned_for == 0;
@@ -383,8 +224,8 @@ bool Guard::circle_is_free(std::uint32_t channel, const std::array<double, kMaxA
     Vector way;
     for (std::size_t i = 0; i < own->carriers; ++i) way.x += own->way[i].x * left[own->axis[i]], way.z += own->way[i].z * left[own->axis[i]];
     for (std::size_t i = own->first; i < own->first + own->count; ++i) {
-        if (boxes_[i].station == 0) continue;   // the turret's body stays as it is
-        const Box t = turned(*own, boxes_[i], 0, true);
+        if (set_.boxes[i].station == 0) continue;   // the turret's body stays as it is
+        const Box t = RoomBodies::turned(*own, set_.boxes[i], 0, true);
         const double x = own->at.x, z = own->at.z;
         const Box swept{t.x_low + x + std::min(way.x, 0.0), t.x_high + x + std::max(way.x, 0.0), t.z_low + z + std::min(way.z, 0.0), t.z_high + z + std::max(way.z, 0.0), 0};
         for (const Body* other = bodies_.data(); other != end; ++other) {

@@ -1,30 +1,10 @@
-// Outlines of the tools that stand in the turrets, as protection guards them: read from the store's table by a thread that may
+// Outlines of the tools that stand in the turrets, as protection guards them (ipc/machine/tool_shapes.hpp): read by a thread that may
 // take its time, then handed to the cyclic thread as plain numbers.
 #pragma once
-#include <array>
-#include <cstdint>
-
-#include "ipc/image/segments.hpp"
+#include "ipc/machine/tool_shapes.hpp"
 
 namespace polyturn::kernel {
-
-struct ToolShape {
-    std::uint32_t channel = 0, station = 0;   // from 1
-    double x_low = 0, x_high = 0, z_low = 0, z_high = 0;   // about the tool carrier's point, X as a radius, in the room
-};
-struct ToolShapes {
-    std::array<ToolShape, 1024> shapes{};   // three of each tool in eight turrets of 40 stations
-    std::size_t count = 0;
-    std::size_t left_out = 0;               // that there was no room for
-    bool has(std::uint32_t channel, std::uint32_t station) const noexcept {
-        for (std::size_t i = 0; i < count; ++i)
-            if (shapes[i].channel == channel && shapes[i].station == station) return true;
-        return false;
-    }
-};
-
-// False: the store is just being replaced. Which magazine is whose turret (PT_TURRET_MAGAZINE) the store's own table says: the
-// one of the cyclic thread changes while this reads.
-bool read_tool_shapes(const StoreSegment& store, ToolShapes& out);
-
+using polyturn::read_tool_shapes;
+using polyturn::ToolShape;
+using polyturn::ToolShapes;
 }  // namespace polyturn::kernel

@@ -89,6 +89,7 @@ TEST_F(DiagnosisTasks, TheScopeRecordsTheRunningMachineAtItsTicks) {
     EXPECT_TRUE(waitFor([&] { return samples.back().value[0] != samples.front().value[0]; }, 20)) << "the axis moves in this job";
     window->desk().folder = g_controller->folder.path();
     hand.soft("Export");
+    ASSERT_TRUE(waitFor([&] { return !scope.exported().isEmpty(); }, 10));
     QFile file(scope.exported());
     ASSERT_TRUE(file.open(QIODevice::ReadOnly)) << scope.exported().toStdString();
     EXPECT_EQ(file.readLine(), "t,A2 Z commanded\n");

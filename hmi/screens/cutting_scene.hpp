@@ -1,0 +1,64 @@
+// What the channels have cut so far: their paths and what is left of the blank, in the room of the machine. Fed by the running machine
+// or by a dry run; knows nothing of pictures. X as a radius, Z along the room.
+#pragma once
+#include <cstddef>
+#include <deque>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "ipc/text/job.hpp"
+
+namespace polyturn::hmi {
+
+// What is left of a turned blank: its radius along Z, from the workpiece zero. Pure.
+class TurnedStock {
+public:
+    void begin(double diameter, double bore, double length, double face);
+    bool any() const { return !radius_.empty(); }
+    // The tip has cut from one point to the other; Z from the workpiece zero, X as a radius.
+    void cut(double z0, double x0, double z1, double x1);
+    double radiusAt(double z) const;
+    double left() const { return left_; }
+    double right() const { return left_ + static_cast<double>(radius_.size()) * kStep; }
+    double outer() const { return outer_; }
+    double bore() const { return bore_; }
+    static constexpr double kStep = 0.1;   // mm
+
+private:
+    std::vector<double> radius_;
+    double left_ = 0, outer_ = 0, bore_ = 0;
+};
+
+struct TrailPoint {
+    double z, x;                       // in the room
+    bool rapid, begins;
+};
+struct Trail {
+    std::deque<TrailPoint> points;
+    bool open = false;
+    std::size_t drawn = 0;             // points that are in the picture already
+};
+
+class CuttingScene {
+public:
+    // Where the zero of the workpiece is in the room, and which way its Z points; where its axis is.
+    struct Zero {
+        double z = 0, x = 0, sense = 1;
+    };
+    void clear();
+    void begin(const text::JobStock& stock, const Zero& zero);
+    void place(const Zero& zero) { zero_ = zero, changed = true; }
+    const Zero& zero() const { return zero_; }
+    void add(unsigned channel, double z, double x, bool rapid);
+    void lift(unsigned channel) { trails[channel].open = false; }   // the next point is not joined with the last
+
+    std::map<unsigned, Trail> trails;
+    TurnedStock stock;
+    bool changed = true, cut = false;  // changed: the picture must be drawn anew; cut: the stock is another one since
+
+private:
+    Zero zero_;
+};
+
+}  // namespace polyturn::hmi

@@ -1,0 +1,229 @@
+// What the screen of graphics paints (see graphics.hpp): the part and the paths in a picture that is kept, what moves over it.
+#include <QLinearGradient>
+#include <QPaintEvent>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+#include "hmi/screens/graphics.hpp"
+#include "hmi/screens/graphics_look.hpp"
+
+namespace polyturn::hmi {
+namespace {
+constexpr double kSketchWide = 0.45;     // of the reach: a turret of which only that is known
+constexpr double kLargest = 2500;        // mm: what stands farther out (the head behind a chuck) does not make the picture smaller
+}  // namespace
+
+// The part of the room that is shown: the blank with what is around it, or all bodies. In pixels: z to the right, x up.
+void Graphics::measure() {
+    const CuttingScene& scene = shown();
+    const CuttingScene::Zero zero = scene.stock.any() || desk_.live.channels().empty() ? scene.zero() : zeroOf(desk_.live.channels().front(), dry_);
+    double from = zero.z - 120, to = zero.z + 40, low = zero.x - 60, high = zero.x + 60;
+    if (scene.stock.any()) {
+        const double a = zero.z + zero.sense * (scene.stock.left() - 30), b = zero.z + zero.sense * (scene.stock.right() + 20);
+        from = std::min(a, b), to = std::max(a, b);
+        low = zero.x - scene.stock.outer() - 30, high = zero.x + scene.stock.outer() + 30;
+    }
+    if (machine_)
+        for (const ShownBody& body : room_.bodies(now_)) {
+            const auto take = [&](double z, double x) {
+                if (std::abs(z) < kLargest && std::abs(x) < kLargest) from = std::min(from, z), to = std::max(to, z), low = std::min(low, x), high = std::max(high, x);
+            };
+            take(body.at.z, body.at.x);
+            if (!body.barrier)
+                for (const auto& box : body.boxes) take(box.z_low, box.x_low), take(box.z_high, box.x_high);
+            if (body.boxes.empty() && body.reach > 0) body.alongX ? take(body.at.z, body.at.x + body.axisAt - body.outwards * body.reach) : take(body.at.z + body.axisAt - body.outwards * body.reach, body.at.x);
+        }
+    const double top = head_->height();
+    scale_ = std::min((width() - px(60)) / std::max(1.0, to - from), (height() - top - px(60)) / std::max(1.0, high - low)) * zoom_;
+    centre_ = QPointF((from + to) / 2, (low + high) / 2);
+    origin_ = QPointF(width() * (0.5 + moved_.x()), top + (height() - top) / 2.0 + height() * moved_.y());
+}
+
+QPointF Graphics::place(double z, double x) const { return {origin_.x() + (z - centre_.x()) * scale_, origin_.y() - (x - centre_.y()) * scale_}; }
+QRectF Graphics::boxOf(const RoomBodies::Box& box) const { return QRectF(place(box.z_low, box.x_high), place(box.z_high, box.x_low)); }
+
+double Graphics::aside(unsigned channel) const {
+    const AxisConfig* x = find_axis(desk_.live.config(), channel, PlaneRole::BasicX);
+    const Room* room = room_.room();
+    const auto axis = x && room ? room->axes.find(x->number) : std::map<unsigned, RoomPlace>::const_iterator{};
+    return x && room && axis != room->axes.end() && axis->second.direction.x < 0 ? -1 : 1;
+}
+
+QString Graphics::nameOf(const ShownBody& body) const {
+    switch (body.kind) {
+        case RoomBodies::Kind::Chuck: return body.barrier ? word("Chuck zone of L%1").arg(body.number) : word("Chuck S%1").arg(body.number);
+        case RoomBodies::Kind::Tailstock: return body.barrier ? word("Tailstock zone of L%1").arg(body.number) : word("Tailstock %1").arg(body.number);
+        case RoomBodies::Kind::Carrier: break;
+    }
+    return word("Turret L%1").arg(body.number);
+}
+
+QRectF Graphics::tipBox(const Trail& trail) const {
+    if (trail.points.empty()) return {};
+    return QRectF(place(trail.points.back().z, trail.points.back().x), QSizeF(0, 0)).adjusted(-px(20), -px(44), px(110), px(44));
+}
+
+// Everything that drawBody() may touch.
+QRectF Graphics::bodyBox(const ShownBody& body) const {
+    QRectF box(place(body.at.z, body.at.x), QSizeF(1, 1));
+    for (const auto& one : body.boxes) box |= boxOf(one).normalized();
+    if (body.tipKnown) box |= QRectF(place(body.tip.z, body.tip.x), QSizeF(1, 1));
+    if (body.reach > 0) box |= QRectF(place(body.at.z - body.reach * 2, body.at.x + body.reach * 2.5), place(body.at.z + body.reach * 2, body.at.x - body.reach * 2.5));
+    return box.adjusted(-px(130), -px(30), px(220), px(30));
+}
+
+// From the last point that is in the picture on.
+QRectF Graphics::drawTrail(QPainter& p, unsigned channel, Trail& trail) {
+    if (trail.points.empty()) return {};
+    const auto at = [&](std::size_t i) { return place(trail.points[i].z, trail.points[i].x); };
+    std::size_t i = std::max<std::size_t>(1, trail.drawn);
+    QPainterPath cut, rapid;
+    for (QPointF last = at(i - 1); i < trail.points.size(); ++i) {
+        const TrailPoint& point = trail.points[i];
+        const QPointF now = at(i);
+        QPainterPath& path = point.rapid ? rapid : cut;
+        if (!point.begins) path.moveTo(last), path.lineTo(now);
+        last = now;
+    }
+    const QColor colour = colourOf(channel);
+    p.setBrush(Qt::NoBrush);
+    p.setPen(QPen(colour, 1, Qt::DotLine));
+    p.drawPath(rapid);
+    p.setPen(QPen(colour, px(1.6)));
+    p.drawPath(cut);
+    trail.drawn = trail.points.size();
+    return (cut.boundingRect() | rapid.boundingRect()).adjusted(-px(4), -px(4), px(4), px(4));
+}
+
+// What is guarded has a whole outline, what is only drawn a broken one; a zone of N1900 to N1914 is hatched; what protection holds is red and says so.
+void Graphics::drawBody(QPainter& p, const ShownBody& body) {
+    const Theme& t = theme();
+    const bool carrier = body.kind == RoomBodies::Kind::Carrier;
+    const QColor colour = body.held ? t.bad : carrier ? colourOf(body.number) : t.dim;
+    QColor filled = colour;
+    filled.setAlpha(body.barrier ? 70 : 48);
+    const QPen pen(colour, body.held ? px(3) : px(1.6), body.guarded || body.barrier ? Qt::SolidLine : Qt::DashLine);
+    QRectF all;
+    p.setPen(pen);
+    const auto draw = [&](const QRectF& box, const QBrush& brush) { p.setBrush(brush), p.drawRoundedRect(box, px(2), px(2)), all |= box; };
+    for (const auto& one : body.boxes) {
+        const bool works = carrier && one.station != 0 && one.station == body.inWork;
+        QColor own = filled;
+        if (works) own.setAlpha(130);
+        draw(boxOf(one).normalized(), QBrush(own, body.barrier ? Qt::BDiagPattern : Qt::SolidPattern));
+    }
+    if (carrier && body.boxes.empty() && body.reach > 0) {
+        // Only its axis and its seats are known: a disc, seen from the side, behind the seat in work.
+        const double axis = body.axisAt, wide = body.reach * kSketchWide;
+        const double a = axis + body.outwards * body.reach, b = axis - body.outwards * body.reach;
+        const QRectF disc = body.alongX ? QRectF(place(body.at.z, body.at.x + std::max(a, b)), place(body.at.z + wide, body.at.x + std::min(a, b)))
+                                        : QRectF(place(body.at.z + std::min(a, b), body.at.x + wide), place(body.at.z + std::max(a, b), body.at.x));
+        draw(disc.normalized(), filled);
+    }
+    if (carrier) {
+        const QPointF seat = place(body.at.z, body.at.x);
+        p.setPen(QPen(colour, px(1.6)));
+        p.setBrush(Qt::NoBrush);
+        p.drawEllipse(seat, px(5), px(5));
+        all |= QRectF(seat, QSizeF(0, 0)).adjusted(-px(5), -px(5), px(5), px(5));
+        bool drawn = false;
+        for (const auto& one : body.boxes) drawn |= one.station != 0 && one.station == body.inWork;
+        if (body.tipKnown && !drawn) p.setPen(QPen(colour, px(4), Qt::SolidLine, Qt::RoundCap)), p.drawLine(seat, place(body.tip.z, body.tip.x));
+    }
+    if (all.isEmpty()) return;
+    const QRectF area(px(8), head_->height(), width() - px(16), height() - head_->height() - px(8)), seen = all.intersected(area);
+    if (seen.isEmpty()) return;
+    QString text = nameOf(body);
+    if (body.held) text += "  " + word("held by protection");
+    p.setFont(lettering(13.5, true));
+    const QFontMetricsF metrics(p.font());
+    const double wide = metrics.horizontalAdvance(text) + px(12), high = metrics.height() + px(2);
+    QRectF label(std::clamp(seen.center().x() - wide / 2, area.left() + px(4), area.right() - wide - px(4)), 0, wide, high);
+    label.moveTop(carrier && aside(body.number) < 0 ? seen.bottom() - high - px(4) : seen.top() + px(4));
+    QColor paper = t.card;
+    paper.setAlpha(225);
+    p.setPen(Qt::NoPen), p.setBrush(paper);
+    p.drawRoundedRect(label, px(4), px(4));
+    p.setPen(body.held ? t.bad : carrier ? colour : t.text);
+    p.drawText(label, Qt::AlignCenter, text);
+}
+
+// What moves, over the picture, where something has changed.
+void Graphics::paintEvent(QPaintEvent* event) {
+    const Theme& t = theme();
+    QPainter p(this);
+    p.setClipRegion(event->region());
+    p.setRenderHint(QPainter::Antialiasing);
+    if (picture_.isNull()) return p.fillRect(rect(), t.window);
+    p.drawPixmap(0, 0, picture_);
+    p.setClipRegion(event->region().intersected(QRect(px(8), head_->height(), width() - px(16), height() - head_->height() - px(8))));
+    for (const bool carriers : {false, true})
+        for (const ShownBody& body : bodies_)
+            if ((body.kind == RoomBodies::Kind::Carrier) == carriers && event->region().intersects(bodyBox(body).toAlignedRect())) drawBody(p, body);
+    for (const auto& [channel, trail] : shown().trails) {
+        if (trail.points.empty() || !event->region().intersects(tipBox(trail).toAlignedRect())) continue;
+        const double side = aside(channel), size = px(13);
+        const QPointF tip = place(trail.points.back().z, trail.points.back().x);
+        p.setPen(QPen(t.window, 1));
+        p.setBrush(colourOf(channel));
+        p.drawPolygon(QPolygonF({tip, tip + QPointF(size * 0.35, -side * size), tip + QPointF(size, -side * size * 0.35)}));
+        p.setPen(t.text);
+        p.setFont(lettering(15, true));
+        const unsigned station = now_.turrets[channel - 1].station;
+        const ChannelView& view = desk_.live.view(channel);
+        const std::int64_t tool = dry_ ? static_cast<std::int64_t>(station) : view.known ? view.picture.tool : 0;
+        p.drawText(tip + QPointF(px(16), -side * px(16)), tool > 0 ? QString("L%1 T%2").arg(channel).arg(tool) : QString("L%1").arg(channel));
+    }
+}
+
+// The blank as it was, the part as it is.
+void Graphics::drawPart(QPainter& p) {
+    const Theme& t = theme();
+    const CuttingScene& scene = shown();
+    const TurnedStock& stock = scene.stock;
+    const CuttingScene::Zero& zero = scene.zero();
+    const auto at = [&](double z, double x) { return place(zero.z + zero.sense * z, zero.x + x); };
+    const double outer = stock.outer(), left = stock.left();
+    p.setPen(Qt::NoPen);
+    p.setBrush(t.raised);
+    p.drawRect(QRectF(at(left, outer), at(stock.right(), -outer)).normalized());
+    QPainterPath part(at(left, 0));
+    for (double z = left; z < stock.right(); z += 2 * TurnedStock::kStep) part.lineTo(at(z, stock.radiusAt(z)));
+    part.lineTo(at(stock.right(), 0));
+    for (double z = stock.right() - TurnedStock::kStep; z > left; z -= 2 * TurnedStock::kStep) part.lineTo(at(z, -stock.radiusAt(z)));
+    part.closeSubpath();
+    QLinearGradient steel(at(0, outer), at(0, -outer));
+    const QColor bright = t.dark ? QColor("#8fa3b5") : QColor("#dfe6ec"), dull = t.dark ? QColor("#3c4a57") : QColor("#8d9aa6");
+    steel.setColorAt(0, dull), steel.setColorAt(0.35, bright), steel.setColorAt(0.55, bright), steel.setColorAt(1, dull);
+    p.setBrush(steel);
+    p.setPen(QPen(t.edge, 1));
+    p.drawPath(part);
+}
+
+void Graphics::drawRoom() {
+    const Theme& t = theme();
+    QPainter p(&picture_);
+    p.setRenderHint(QPainter::Antialiasing);
+    p.fillRect(rect(), t.window);
+    const QRectF area(px(8), head_->height(), width() - px(16), height() - head_->height() - px(8));
+    p.setPen(Qt::NoPen);
+    p.setBrush(t.card);
+    p.drawRoundedRect(area, px(8), px(8));
+    p.setClipRect(area);
+    CuttingScene& scene = shown();
+    if (scene.stock.any()) drawPart(p);
+    p.setPen(QPen(t.faint, 1, Qt::DashDotLine));
+    const double axis = place(0, scene.zero().x).y();
+    p.drawLine(QPointF(area.left(), axis), QPointF(area.right(), axis));
+    for (auto& [channel, trail] : scene.trails) drawTrail(p, channel, trail);
+    p.setPen(t.dim);
+    p.setFont(lettering(13.5));
+    const QRectF foot = area.adjusted(px(16), 0, -px(16), -px(10));
+    QString left = word("Whole outline: guarded; broken outline: only drawn");
+    if (desk_.live.channels().size() > kFewChannels && !dry_) left = word("Since the start of these screens; tips as points, without width and radius");   // no room for it on top
+    p.drawText(foot, Qt::AlignLeft | Qt::AlignBottom, left);
+    if (!scene.stock.any()) p.drawText(foot, Qt::AlignRight | Qt::AlignBottom, word("No job names the stock of the running program"));
+}
+
+}  // namespace polyturn::hmi

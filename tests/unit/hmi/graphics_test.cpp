@@ -1,0 +1,103 @@
+// The picture of the machine: the stock as it is cut, bodies where protection has them, live and in a dry run.
+#include <cmath>
+
+#include "hmi/screens/graphics.hpp"
+#include "tests/unit/hmi/tasks.hpp"
+
+namespace polyturn::hmi {
+namespace {
+
+text::JobStock bar(double diameter, double length) {
+    text::JobStock stock;
+    stock.diameter = diameter, stock.length = length;
+    return stock;
+}
+
+TEST(CuttingScene, TakesAwayWhatTheTipHasPassed) {
+    CuttingScene scene;
+    scene.begin(bar(60, 100), {-150, 0, 1});
+    scene.add(1, -150, 40, true), scene.add(1, -150, 20, true), scene.add(1, -190, 20, false);
+    EXPECT_DOUBLE_EQ(scene.stock.radiusAt(-10), 20);
+    EXPECT_DOUBLE_EQ(scene.stock.radiusAt(-60), 30);
+    // From below it is the same part.
+    scene.lift(2), scene.add(2, -150, -15, true), scene.add(2, -170, -15, false);
+    EXPECT_DOUBLE_EQ(scene.stock.radiusAt(-10), 15);
+    EXPECT_DOUBLE_EQ(scene.stock.radiusAt(-30), 20);
+}
+
+TEST(CuttingScene, KnowsAWorkpieceThatLooksTheOtherWay) {
+    CuttingScene scene;
+    scene.begin(bar(60, 100), {300, 0, -1});
+    scene.add(1, 300, 20, true), scene.add(1, 340, 20, false);   // room Z grows, the workpiece's falls
+    EXPECT_DOUBLE_EQ(scene.stock.radiusAt(-20), 20);
+    scene.add(1, 250, 0, true), scene.add(1, 250, -1, false);     // in front of it, nothing is cut
+    EXPECT_DOUBLE_EQ(scene.stock.radiusAt(-60), 30);
+    // A cut across the axis behind the chuck takes nothing of the part away either.
+    scene.lift(1), scene.add(1, 600, 5, true), scene.add(1, 600, 0, false);
+    EXPECT_DOUBLE_EQ(scene.stock.radiusAt(-60), 30);
+}
+
+class GraphicsTasks : public Tasks {};
+
+// Every box that protection publishes is in the picture, at the same place: both come from the same geometry.
+TEST_F(GraphicsTasks, BodiesStandWhereProtectionHasThem) {
+    Graphics& screen = screenOf<Graphics>();
+    window->showScreen(6);
+    ASSERT_TRUE(waitFor([&] { return screen.bodies().size() >= 4; }, 10)) << "two turrets and two chucks, guarded or not";
+    for (const ShownBody& body : screen.bodies()) EXPECT_FALSE(body.guarded);
+    ASSERT_TRUE(g_controller->run({"params", "set", "N1901 L1=20", "--instance", g_controller->name}));
+    ASSERT_TRUE(g_controller->run({"params", "set", "N1902 L1=70", "--instance", g_controller->name}));
+    ASSERT_TRUE(g_controller->run({"params", "set", "N1906 L1=-290", "--instance", g_controller->name}));
+    ASSERT_TRUE(g_controller->run({"params", "set", "N2000 L1=15", "--instance", g_controller->name}));
+    const auto status = std::make_unique<GuardStatus>();
+    const bool published = waitFor([&] { return live().guard(*status) && status->count >= 3; }, 20);
+    ASSERT_TRUE(published) << "protection is on";
+    QTest::qWait(200);
+    ASSERT_TRUE(live().guard(*status));
+    const auto shown = [&](const GuardBox& box) {
+        for (const ShownBody& body : screen.bodies()) {
+            if (std::abs(body.at.x - box.x_low) < 0.01 && std::abs(body.at.z - box.z_low) < 0.01) return true;   // a carrier that is a point
+            for (const auto& one : body.boxes)
+                if (std::abs(one.x_low - box.x_low) < 0.01 && std::abs(one.x_high - box.x_high) < 0.01 && std::abs(one.z_low - box.z_low) < 0.01 && std::abs(one.z_high - box.z_high) < 0.01) return true;
+        }
+        return false;
+    };
+    for (std::uint32_t i = 0; i < status->count; ++i)
+        EXPECT_TRUE(shown(status->boxes[i])) << &status->names[status->boxes[i].body * 32] << " X " << status->boxes[i].x_low << " Z " << status->boxes[i].z_low;
+    bool barrier = false, guarded = false;
+    for (const ShownBody& body : screen.bodies()) barrier |= body.barrier, guarded |= body.guarded && body.channel == 1;
+    EXPECT_TRUE(barrier);
+    EXPECT_TRUE(guarded);
+    for (const char* line : {"N2000 L1=0", "N1901 L1=0", "N1902 L1=0"}) ASSERT_TRUE(g_controller->run({"params", "set", line, "--instance", g_controller->name}));
+}
+
+TEST_F(GraphicsTasks, ADryRunIsPlayedBesideTheMachine) {
+    startJob();
+    Graphics& screen = screenOf<Graphics>();
+    Operator hand(*window);
+    window->showScreen(6);
+    ASSERT_TRUE(waitFor([&] { return screen.scene().stock.any() && !screen.scene().trails.empty(); }, 20)) << "the job names the blank";
+    const double blank = screen.scene().stock.outer();
+    hand.soft("Simulation");
+    ASSERT_TRUE(waitFor([&] { return !screen.busy() && screen.dryTime() > 1; }, 60));
+    for (int i = 0; i < 4; ++i) hand.soft("Faster");
+    ASSERT_TRUE(waitFor([&] { return screen.scene().trails.size() == 2 && screen.scene().trails.at(1).points.size() > 30; }, 60));
+    ASSERT_TRUE(waitFor([&] {
+        for (double z = screen.scene().stock.left(); z < screen.scene().stock.right(); z += 1)
+            if (screen.scene().stock.radiusAt(z) < blank - 0.5) return true;
+        return false;
+    }, 60)) << "the part is cut";
+    // The turrets stand where their paths end.
+    for (const ShownBody& body : screen.bodies())
+        if (body.channel) {
+            const auto& trail = screen.scene().trails.at(body.channel);
+            EXPECT_TRUE(body.tipKnown);
+            EXPECT_NEAR(body.tip.z, trail.points.back().z, 20.0);
+        }
+    noWordIsShortened(*window);
+    hand.soft("Simulation");
+    EXPECT_GT(screen.scene().trails.size(), 0u) << "the machine's own paths are still there";
+}
+
+}  // namespace
+}  // namespace polyturn::hmi
