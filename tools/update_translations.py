@@ -9,6 +9,7 @@ unfinished, texts that are no longer used go. Without options the files are rewr
   --missing      prints what is not translated yet, as such a table
 """
 import argparse
+import csv
 import pathlib
 import re
 import sys
@@ -40,6 +41,9 @@ def collect():
             for column in columns:
                 if column < len(texts) and texts[column]:
                     found.setdefault(plain(texts[column]), "../" + header)
+    # Groups of the parameters.
+    for row in csv.DictReader((TOP / "ipc/params/parameters.csv").read_text(encoding="utf-8").splitlines()):
+        found.setdefault(row["group"], "../ipc/params/parameters.csv")
     # Titles and meanings of the cycles' forms: every literal there that is words.
     for path in sorted((TOP / "ipc/forms").glob("*_forms.cpp")):
         content = re.sub(r"^\s*(?://|#include).*$", "", path.read_text(encoding="utf-8"), flags=re.M)

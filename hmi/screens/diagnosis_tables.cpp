@@ -72,6 +72,10 @@ void Diagnosis::fillAxes() {
         const AxisStatus& now = desk_.live.status().axes[number - 1];
         const unsigned decimals = decimalsOf(desk_.live.config(), axis);
         const Theme& t = theme();
+        // Its drive belongs to the spindle just now: the axis is nowhere.
+        const bool turns = axis.on_spindle && desk_.live.nc(signals::sn_axis(axis.on_spindle)) == 0;
+        if (turns && column >= 2 && column <= 5) return {QString::fromUtf8("–"), t.faint};
+        if (turns && column > 6 && !(now.flags & kDriveFault)) return {word("turns as spindle S%1").arg(axis.on_spindle), t.dim};
         switch (column) {
             case 0: return {QString("A%1  %2").arg(number).arg(fromView(axis.name_text())), t.text, Sign::None, true};
             case 1: return {axis.channel ? QString("L%1").arg(axis.channel) : QString(), t.dim};
@@ -225,10 +229,10 @@ void Diagnosis::composeTicks(Writer& w) {
         w.fill(QRectF(x + 1, bottom - (bottom - top) * part, std::max(1.0, each - 2), (bottom - top) * part), t.accent, px(2));
     }
     w.line({left, bottom}, {right, bottom}, t.edge, 1);
-    const auto microseconds = [](std::size_t i) { return QString::fromUtf8("%1 µs").arg(std::exp2(static_cast<double>(i) / 4), 0, 'f', 0); };
+    const auto microseconds = [](std::size_t i) { return QString("%1 %2").arg(std::exp2(static_cast<double>(i) / 4), 0, 'f', 0).arg(unitWord("us")); };
     w.text(QRectF(left, bottom + px(4), px(120), px(20)), microseconds(first), lettering(13), t.dim);
     w.text(QRectF(right - px(140), bottom + px(4), px(140), px(20)), microseconds(last), lettering(13), t.dim, Qt::AlignRight | Qt::AlignVCenter);
-    w.text(QRectF(left, bottom + px(28), right - left, px(22)), word("longest %1 of a tick of %2 µs").arg(microseconds(last)).arg(desk_.live.config().tick_us), lettering(14), t.text);
+    w.text(QRectF(left, bottom + px(28), right - left, px(22)), word("longest %1 of a tick of %2").arg(microseconds(last), QString("%1 %2").arg(desk_.live.config().tick_us).arg(unitWord("us"))), lettering(14), t.text);
 }
 
 }  // namespace polyturn::hmi

@@ -34,16 +34,16 @@ const char* levelWord(params::Protection level) {
 Parameters::Parameters(Desk& desk)
     : Screen(desk), head_(new FreeSheet(this)), detail_(new FreeSheet(this)), groups_(new Table(this)), table_(new Table(this)), pad_(new NumberPad(this)) {
     setFocusPolicy(Qt::StrongFocus);
-    names_ = {QString()};
+    names_ = {QString()}, titles_ = {word("All groups")};
     for (const params::Row& row : params::rows()) {
         const QString group = fromView(row.group);
-        if (std::find(names_.begin(), names_.end(), group) == names_.end()) names_.push_back(group);
+        if (std::find(names_.begin(), names_.end(), group) == names_.end()) names_.push_back(group), titles_.push_back(word(row.group));
     }
     groups_->columns = {{"", 1}};
     groups_->rowUnits = 34;
     groups_->textUnits = 14;
     groups_->rows = [this] { return static_cast<int>(names_.size()); };
-    groups_->cell = [this](int row, int) -> Table::Cell { return {row == 0 ? word("All groups") : names_[static_cast<std::size_t>(row)], row == group_ ? theme().text : theme().dim, Sign::None, row == group_}; };
+    groups_->cell = [this](int row, int) -> Table::Cell { return {titles_[static_cast<std::size_t>(row)], row == group_ ? theme().text : theme().dim, Sign::None, row == group_}; };
     groups_->onChosen = [this] {
         if (group_ == groups_->row()) return;
         group_ = groups_->row();

@@ -57,7 +57,7 @@ private:
     FreeSheet *head_, *detail_;
     Table *groups_, *table_;
     NumberPad* pad_;
-    std::vector<QString> names_;      // of groups; [0] all
+    std::vector<QString> names_, titles_;   // of groups as the table has them, and in the language; [0] all
     int group_ = 0;
     QString search_;
     bool changedOnly_ = false, searching_ = false;

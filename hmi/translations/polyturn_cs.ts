@@ -164,6 +164,11 @@
         <translation>250 až 1000 ms</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>5 Axis Machining</source>
+        <translation>5osé obrábění</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>A block by hand (MDI)</source>
         <translation>Blok ručně (MDI)</translation>
@@ -182,6 +187,11 @@
         <location filename="../machine/channel_words.cpp"/>
         <source>Absent</source>
         <translation>Není</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Acceleration</source>
+        <translation>Zrychlení</translation>
     </message>
     <message>
         <location filename="../screens/parts_page.cpp"/>
@@ -337,6 +347,26 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Axis</source>
         <translation>Osa</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Axis Config</source>
+        <translation>Osy</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Axis Limits</source>
+        <translation>Meze os</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Axis Recomposition</source>
+        <translation>Výměna os</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Axis Servo</source>
+        <translation>Pohony os</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -559,6 +589,11 @@
         <translation>Zóna sklíčidla L%1</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Chuck/Tailstock Barrier</source>
+        <translation>Zóny sklíčidla a koníku</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis.cpp"/>
         <source>Circularity</source>
         <translation>Kruhovitost</translation>
@@ -604,6 +639,11 @@
         <translation>Kompenzace</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Computer</source>
+        <translation>Počítač</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Computing time of ticks</source>
         <translation>Doba výpočtu taktů</translation>
@@ -612,6 +652,11 @@
         <location filename="../screens/contour_page.cpp"/>
         <source>Contour</source>
         <translation>Kontura</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Coordinates</source>
+        <translation>Souřadnice</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -819,6 +864,11 @@
         <translation>Vrtání</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Drilling Cycles</source>
+        <translation>Vrtací cykly</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Drilling and tapping</source>
         <translation>Vrtání a závitování</translation>
@@ -887,6 +937,11 @@
         <location filename="../screens/parameters.cpp"/>
         <source>Effect</source>
         <translation>Působení</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Electronic Gear Box</source>
+        <translation>Elektronická převodovka</translation>
     </message>
     <message>
         <location filename="../machine/stop_book.cpp"/>
@@ -1044,6 +1099,56 @@
         <translation>Činitel kroků; závitování: druh 0, 1, 2</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fagor axes</source>
+        <translation>Fagor: osy</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fagor general</source>
+        <translation>Fagor: obecné</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fagor spindle</source>
+        <translation>Fagor: vřeteno</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fanuc B axis</source>
+        <translation>Fanuc: osa B</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fanuc axes</source>
+        <translation>Fanuc: osy</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fanuc cycles</source>
+        <translation>Fanuc: cykly</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fanuc interfaces</source>
+        <translation>Fanuc: rozhraní</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fanuc macros</source>
+        <translation>Fanuc: makra</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fanuc offsets</source>
+        <translation>Fanuc: korekce</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fanuc programs</source>
+        <translation>Fanuc: programy</translation>
+    </message>
+    <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Faster</source>
         <translation>Rychleji</translation>
@@ -1087,6 +1192,11 @@
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Feed of the last roughing pass</source>
         <translation>Posuv posledního hrubovacího řezu</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Feedrate</source>
+        <translation>Posuv</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -1212,6 +1322,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>Goes back to its own place</source>
         <translation>Vrací se na vlastní místo</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Gradient Compensation</source>
+        <translation>Korekce sklonu</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -1669,6 +1784,11 @@
         <translation>MDI</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>MEFI constants</source>
+        <translation>Konstanty MEFI</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Machine</source>
         <translation>Stroj</translation>
@@ -1689,6 +1809,11 @@
         <translation>Stroj zap.</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Macro</source>
+        <translation>Makra</translation>
+    </message>
+    <message>
         <location filename="../screens/tools.cpp"/>
         <source>Magazines</source>
         <translation>Zásobníky</translation>
@@ -1702,6 +1827,11 @@
         <location filename="../screens/manual.hpp"/>
         <source>Manual</source>
         <translation>Ručně</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Manual Handle</source>
+        <translation>Ruční kolečko</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -1762,6 +1892,11 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Moves</source>
         <translation>Jede</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Multichannel Control</source>
+        <translation>Vícekanálové řízení</translation>
     </message>
     <message>
         <location filename="../app/dialogue_view.cpp"/>
@@ -2149,6 +2284,11 @@
         <translation>Vlastní místo</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>PLC Constants</source>
+        <translation>Konstanty PLC</translation>
+    </message>
+    <message>
         <location filename="../screens/compare_page.cpp"/>
         <source>Page down</source>
         <translation>O stránku níž</translation>
@@ -2162,6 +2302,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>Pallet</source>
         <translation>Paleta</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Pallet Management</source>
+        <translation>Palety</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -2249,6 +2394,11 @@
         <translation>Snímek</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Pitch Error Compensation</source>
+        <translation>Chyby stoupání</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Place</source>
         <translation>Místo</translation>
@@ -2294,9 +2444,19 @@
         <translation>Přehrát</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Polyturn</source>
+        <translation>Polyturn</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Pool %1</source>
         <translation>Zásoba %1</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Position Switches</source>
+        <translation>Polohové spínače</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -2447,6 +2607,11 @@
         <location filename="../machine/channel_words.cpp"/>
         <source>Reference</source>
         <translation>Reference</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Reference Point</source>
+        <translation>Referenční bod</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -2774,6 +2939,11 @@
         <translation>Po bloku: start provede další</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Sinumerik</source>
+        <translation>Sinumerik</translation>
+    </message>
+    <message>
         <location filename="../screens/tools.cpp"/>
         <source>Sister</source>
         <translation>Sesterský</translation>
@@ -2784,6 +2954,11 @@
         <translation>Velikost</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Skip Function</source>
+        <translation>Funkce skip</translation>
+    </message>
+    <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Slower</source>
         <translation>Pomaleji</translation>
@@ -2792,6 +2967,11 @@
         <location filename="../screens/graphics.cpp"/>
         <source>Smaller</source>
         <translation>Menší</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Smoothing</source>
+        <translation>Vyhlazování</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -2812,6 +2992,16 @@
         <location filename="../screens/manual.cpp"/>
         <source>Spindle</source>
         <translation>Vřeteno</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Spindle Control</source>
+        <translation>Vřetena</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Spindle Servo</source>
+        <translation>Pohony vřeten</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -2919,6 +3109,11 @@
         <translation>Zastaveno: %1</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Straightness Compensation</source>
+        <translation>Přímost</translation>
+    </message>
+    <message>
         <location filename="../machine/computer_settings.cpp"/>
         <source>Subnet mask</source>
         <translation>Maska podsítě</translation>
@@ -2936,6 +3131,11 @@
     <message>
         <location filename="../screens/system.hpp"/>
         <source>System</source>
+        <translation>Systém</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>System Config</source>
         <translation>Systém</translation>
     </message>
     <message>
@@ -3284,6 +3484,11 @@
         <translation>Závit, jeden řez</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Three Dimensional Compensation</source>
+        <translation>Prostorová korekce</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Time</source>
         <translation>Čas</translation>
@@ -3322,6 +3527,11 @@
         <location filename="../screens/diagnosis.cpp"/>
         <source>Timers, counters</source>
         <translation>Čítače</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Timers/Counters</source>
+        <translation>Časovače a čítače</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -3372,6 +3582,21 @@
         <location filename="../screens/tools_requests.cpp"/>
         <source>Tool %1 is new: enter what it is</source>
         <translation>Nástroj %1 je nový: zadejte data</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Tool Compensation</source>
+        <translation>Korekce nástrojů</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Tool Holder Interference</source>
+        <translation>Ochrana suportů</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Tool Management</source>
+        <translation>Správa nástrojů</translation>
     </message>
     <message>
         <location filename="../screens/tools.cpp"/>
@@ -3447,6 +3672,11 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>Triggered</source>
         <translation>Spuštěno</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Turning Cycles</source>
+        <translation>Soustružnické cykly</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -4020,8 +4250,8 @@
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
-        <source>longest %1 of a tick of %2 µs</source>
-        <translation>nejdelší %1 z taktu %2 µs</translation>
+        <source>longest %1 of a tick of %2</source>
+        <translation>nejdelší %1 z taktu %2</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>

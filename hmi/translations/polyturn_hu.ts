@@ -164,6 +164,11 @@
         <translation>250-től 1000 ms-ig</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>5 Axis Machining</source>
+        <translation>5 tengelyes megm.</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>A block by hand (MDI)</source>
         <translation>Mondat kézzel (MDI)</translation>
@@ -182,6 +187,11 @@
         <location filename="../machine/channel_words.cpp"/>
         <source>Absent</source>
         <translation>Nincs</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Acceleration</source>
+        <translation>Gyorsulás</translation>
     </message>
     <message>
         <location filename="../screens/parts_page.cpp"/>
@@ -337,6 +347,26 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Axis</source>
         <translation>Tengely</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Axis Config</source>
+        <translation>Tengelyek</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Axis Limits</source>
+        <translation>Tengelyhatárok</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Axis Recomposition</source>
+        <translation>Tengelycsere</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Axis Servo</source>
+        <translation>Tengelyhajtások</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -559,6 +589,11 @@
         <translation>Tokmányzóna L%1</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Chuck/Tailstock Barrier</source>
+        <translation>Tokmány- és nyeregzóna</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis.cpp"/>
         <source>Circularity</source>
         <translation>Köralak</translation>
@@ -604,6 +639,11 @@
         <translation>Kompenzáció</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Computer</source>
+        <translation>Számítógép</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Computing time of ticks</source>
         <translation>Ütemek számítási ideje</translation>
@@ -612,6 +652,11 @@
         <location filename="../screens/contour_page.cpp"/>
         <source>Contour</source>
         <translation>Kontúr</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Coordinates</source>
+        <translation>Koordináták</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -819,6 +864,11 @@
         <translation>Fúrás</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Drilling Cycles</source>
+        <translation>Fúróciklusok</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Drilling and tapping</source>
         <translation>Fúrás és menetfúrás</translation>
@@ -887,6 +937,11 @@
         <location filename="../screens/parameters.cpp"/>
         <source>Effect</source>
         <translation>Hatás</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Electronic Gear Box</source>
+        <translation>Elektronikus hajtómű</translation>
     </message>
     <message>
         <location filename="../machine/stop_book.cpp"/>
@@ -1044,6 +1099,56 @@
         <translation>Lépések szorzója; menetfúrás: 0, 1, 2</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fagor axes</source>
+        <translation>Fagor: tengelyek</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fagor general</source>
+        <translation>Fagor: általános</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fagor spindle</source>
+        <translation>Fagor: orsó</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fanuc B axis</source>
+        <translation>Fanuc: B tengely</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fanuc axes</source>
+        <translation>Fanuc: tengelyek</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fanuc cycles</source>
+        <translation>Fanuc: ciklusok</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fanuc interfaces</source>
+        <translation>Fanuc: interfészek</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fanuc macros</source>
+        <translation>Fanuc: makrók</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fanuc offsets</source>
+        <translation>Fanuc: korrekciók</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fanuc programs</source>
+        <translation>Fanuc: programok</translation>
+    </message>
+    <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Faster</source>
         <translation>Gyorsabban</translation>
@@ -1087,6 +1192,11 @@
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Feed of the last roughing pass</source>
         <translation>Utolsó nagyoló fogás előtolása</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Feedrate</source>
+        <translation>Előtolás</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -1212,6 +1322,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>Goes back to its own place</source>
         <translation>Visszatér a saját helyére</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Gradient Compensation</source>
+        <translation>Lejtéskorrekció</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -1669,6 +1784,11 @@
         <translation>MDI</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>MEFI constants</source>
+        <translation>MEFI-állandók</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Machine</source>
         <translation>Gép</translation>
@@ -1689,6 +1809,11 @@
         <translation>Gép be</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Macro</source>
+        <translation>Makrók</translation>
+    </message>
+    <message>
         <location filename="../screens/tools.cpp"/>
         <source>Magazines</source>
         <translation>Tárak</translation>
@@ -1702,6 +1827,11 @@
         <location filename="../screens/manual.hpp"/>
         <source>Manual</source>
         <translation>Kézi</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Manual Handle</source>
+        <translation>Kézikerék</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -1762,6 +1892,11 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Moves</source>
         <translation>Mozog</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Multichannel Control</source>
+        <translation>Többcsatornás vezérlés</translation>
     </message>
     <message>
         <location filename="../app/dialogue_view.cpp"/>
@@ -2149,6 +2284,11 @@
         <translation>Saját hely</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>PLC Constants</source>
+        <translation>PLC-állandók</translation>
+    </message>
+    <message>
         <location filename="../screens/compare_page.cpp"/>
         <source>Page down</source>
         <translation>Lap le</translation>
@@ -2162,6 +2302,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>Pallet</source>
         <translation>Paletta</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Pallet Management</source>
+        <translation>Paletták</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -2249,6 +2394,11 @@
         <translation>Kép</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Pitch Error Compensation</source>
+        <translation>Emelkedéshiba</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Place</source>
         <translation>Hely</translation>
@@ -2294,9 +2444,19 @@
         <translation>Lejátszás</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Polyturn</source>
+        <translation>Polyturn</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Pool %1</source>
         <translation>Tároló %1</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Position Switches</source>
+        <translation>Pozíciókapcsolók</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -2447,6 +2607,11 @@
         <location filename="../machine/channel_words.cpp"/>
         <source>Reference</source>
         <translation>Referencia</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Reference Point</source>
+        <translation>Referenciapont</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -2774,6 +2939,11 @@
         <translation>Mondatonként: a start a következőt hajtja végre</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Sinumerik</source>
+        <translation>Sinumerik</translation>
+    </message>
+    <message>
         <location filename="../screens/tools.cpp"/>
         <source>Sister</source>
         <translation>Testvér</translation>
@@ -2784,6 +2954,11 @@
         <translation>Méret</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Skip Function</source>
+        <translation>Skip funkció</translation>
+    </message>
+    <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Slower</source>
         <translation>Lassabban</translation>
@@ -2792,6 +2967,11 @@
         <location filename="../screens/graphics.cpp"/>
         <source>Smaller</source>
         <translation>Kisebb</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Smoothing</source>
+        <translation>Simítás</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -2812,6 +2992,16 @@
         <location filename="../screens/manual.cpp"/>
         <source>Spindle</source>
         <translation>Orsó</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Spindle Control</source>
+        <translation>Orsók</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Spindle Servo</source>
+        <translation>Orsóhajtások</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -2919,6 +3109,11 @@
         <translation>Leállítva: %1</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Straightness Compensation</source>
+        <translation>Egyenesség</translation>
+    </message>
+    <message>
         <location filename="../machine/computer_settings.cpp"/>
         <source>Subnet mask</source>
         <translation>Alhálózati maszk</translation>
@@ -2936,6 +3131,11 @@
     <message>
         <location filename="../screens/system.hpp"/>
         <source>System</source>
+        <translation>Rendszer</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>System Config</source>
         <translation>Rendszer</translation>
     </message>
     <message>
@@ -3284,6 +3484,11 @@
         <translation>Menet, egy fogás</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Three Dimensional Compensation</source>
+        <translation>Térbeli korrekció</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Time</source>
         <translation>Idő</translation>
@@ -3322,6 +3527,11 @@
         <location filename="../screens/diagnosis.cpp"/>
         <source>Timers, counters</source>
         <translation>Számlálók</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Timers/Counters</source>
+        <translation>Időzítők, számlálók</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -3372,6 +3582,21 @@
         <location filename="../screens/tools_requests.cpp"/>
         <source>Tool %1 is new: enter what it is</source>
         <translation>A(z) %1. szerszám új: adja meg az adatait</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Tool Compensation</source>
+        <translation>Szerszámkorrekció</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Tool Holder Interference</source>
+        <translation>Szántartók védelme</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Tool Management</source>
+        <translation>Szerszámkezelés</translation>
     </message>
     <message>
         <location filename="../screens/tools.cpp"/>
@@ -3447,6 +3672,11 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>Triggered</source>
         <translation>Indítva</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Turning Cycles</source>
+        <translation>Esztergaciklusok</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -4020,8 +4250,8 @@
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
-        <source>longest %1 of a tick of %2 µs</source>
-        <translation>leghosszabb %1, ütem %2 µs</translation>
+        <source>longest %1 of a tick of %2</source>
+        <translation>leghosszabb %1, ütem %2</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>

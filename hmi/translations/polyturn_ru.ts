@@ -164,6 +164,11 @@
         <translation>от 250 до 1000 мс</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>5 Axis Machining</source>
+        <translation>5-осевая обработка</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>A block by hand (MDI)</source>
         <translation>Кадр вручную (РВД)</translation>
@@ -182,6 +187,11 @@
         <location filename="../machine/channel_words.cpp"/>
         <source>Absent</source>
         <translation>Нет</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Acceleration</source>
+        <translation>Ускорение</translation>
     </message>
     <message>
         <location filename="../screens/parts_page.cpp"/>
@@ -337,6 +347,26 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Axis</source>
         <translation>Ось</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Axis Config</source>
+        <translation>Оси</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Axis Limits</source>
+        <translation>Пределы осей</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Axis Recomposition</source>
+        <translation>Обмен осей</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Axis Servo</source>
+        <translation>Приводы осей</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -559,6 +589,11 @@
         <translation>Зона патрона L%1</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Chuck/Tailstock Barrier</source>
+        <translation>Зоны патрона и бабки</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis.cpp"/>
         <source>Circularity</source>
         <translation>Круглость</translation>
@@ -604,6 +639,11 @@
         <translation>Компенсация</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Computer</source>
+        <translation>Компьютер</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Computing time of ticks</source>
         <translation>Время счёта тактов</translation>
@@ -612,6 +652,11 @@
         <location filename="../screens/contour_page.cpp"/>
         <source>Contour</source>
         <translation>Контур</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Coordinates</source>
+        <translation>Координаты</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -819,6 +864,11 @@
         <translation>Сверление</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Drilling Cycles</source>
+        <translation>Циклы сверления</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Drilling and tapping</source>
         <translation>Сверление и нарезание резьбы</translation>
@@ -887,6 +937,11 @@
         <location filename="../screens/parameters.cpp"/>
         <source>Effect</source>
         <translation>Действие</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Electronic Gear Box</source>
+        <translation>Электронный редуктор</translation>
     </message>
     <message>
         <location filename="../machine/stop_book.cpp"/>
@@ -1044,6 +1099,56 @@
         <translation>Множитель шагов; метчик: вид 0, 1, 2</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fagor axes</source>
+        <translation>Fagor: оси</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fagor general</source>
+        <translation>Fagor: общее</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fagor spindle</source>
+        <translation>Fagor: шпиндель</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fanuc B axis</source>
+        <translation>Fanuc: ось B</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fanuc axes</source>
+        <translation>Fanuc: оси</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fanuc cycles</source>
+        <translation>Fanuc: циклы</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fanuc interfaces</source>
+        <translation>Fanuc: интерфейсы</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fanuc macros</source>
+        <translation>Fanuc: макро</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fanuc offsets</source>
+        <translation>Fanuc: коррекции</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Fanuc programs</source>
+        <translation>Fanuc: программы</translation>
+    </message>
+    <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Faster</source>
         <translation>Быстрее</translation>
@@ -1087,6 +1192,11 @@
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Feed of the last roughing pass</source>
         <translation>Подача последнего чернового прохода</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Feedrate</source>
+        <translation>Подача</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -1212,6 +1322,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>Goes back to its own place</source>
         <translation>Возвращается на своё место</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Gradient Compensation</source>
+        <translation>Коррекция наклона</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -1669,6 +1784,11 @@
         <translation>РВД</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>MEFI constants</source>
+        <translation>Константы MEFI</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Machine</source>
         <translation>Станок</translation>
@@ -1689,6 +1809,11 @@
         <translation>Станок вкл.</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Macro</source>
+        <translation>Макропрограммы</translation>
+    </message>
+    <message>
         <location filename="../screens/tools.cpp"/>
         <source>Magazines</source>
         <translation>Магазины</translation>
@@ -1702,6 +1827,11 @@
         <location filename="../screens/manual.hpp"/>
         <source>Manual</source>
         <translation>Вручную</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Manual Handle</source>
+        <translation>Маховичок</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -1762,6 +1892,11 @@
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Moves</source>
         <translation>Движется</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Multichannel Control</source>
+        <translation>Многоканальность</translation>
     </message>
     <message>
         <location filename="../app/dialogue_view.cpp"/>
@@ -2149,6 +2284,11 @@
         <translation>Своё место</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>PLC Constants</source>
+        <translation>Константы ПЛК</translation>
+    </message>
+    <message>
         <location filename="../screens/compare_page.cpp"/>
         <source>Page down</source>
         <translation>Страница вниз</translation>
@@ -2162,6 +2302,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>Pallet</source>
         <translation>Паллета</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Pallet Management</source>
+        <translation>Паллеты</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -2249,6 +2394,11 @@
         <translation>Снимок</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Pitch Error Compensation</source>
+        <translation>Погрешности шага</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Place</source>
         <translation>Место</translation>
@@ -2294,9 +2444,19 @@
         <translation>Показать</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Polyturn</source>
+        <translation>Polyturn</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Pool %1</source>
         <translation>Накопитель %1</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Position Switches</source>
+        <translation>Путевые выключатели</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -2447,6 +2607,11 @@
         <location filename="../machine/channel_words.cpp"/>
         <source>Reference</source>
         <translation>Выход в 0</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Reference Point</source>
+        <translation>Нулевая точка</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -2774,6 +2939,11 @@
         <translation>Покадрово: пуск выполнит следующий кадр</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Sinumerik</source>
+        <translation>Sinumerik</translation>
+    </message>
+    <message>
         <location filename="../screens/tools.cpp"/>
         <source>Sister</source>
         <translation>Дублёр</translation>
@@ -2784,6 +2954,11 @@
         <translation>Размер</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Skip Function</source>
+        <translation>Функция пропуска</translation>
+    </message>
+    <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Slower</source>
         <translation>Медленнее</translation>
@@ -2792,6 +2967,11 @@
         <location filename="../screens/graphics.cpp"/>
         <source>Smaller</source>
         <translation>Мельче</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Smoothing</source>
+        <translation>Сглаживание</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -2812,6 +2992,16 @@
         <location filename="../screens/manual.cpp"/>
         <source>Spindle</source>
         <translation>Шпиндель</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Spindle Control</source>
+        <translation>Шпиндели</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Spindle Servo</source>
+        <translation>Приводы шпинделей</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -2919,6 +3109,11 @@
         <translation>Остановлено: %1</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Straightness Compensation</source>
+        <translation>Прямолинейность</translation>
+    </message>
+    <message>
         <location filename="../machine/computer_settings.cpp"/>
         <source>Subnet mask</source>
         <translation>Маска подсети</translation>
@@ -2936,6 +3131,11 @@
     <message>
         <location filename="../screens/system.hpp"/>
         <source>System</source>
+        <translation>Система</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>System Config</source>
         <translation>Система</translation>
     </message>
     <message>
@@ -3284,6 +3484,11 @@
         <translation>Резьба, один проход</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Three Dimensional Compensation</source>
+        <translation>Объёмная коррекция</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Time</source>
         <translation>Время</translation>
@@ -3322,6 +3527,11 @@
         <location filename="../screens/diagnosis.cpp"/>
         <source>Timers, counters</source>
         <translation>Таймеры</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Timers/Counters</source>
+        <translation>Таймеры и счётчики</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -3372,6 +3582,21 @@
         <location filename="../screens/tools_requests.cpp"/>
         <source>Tool %1 is new: enter what it is</source>
         <translation>Инструмент %1 новый: введите данные</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Tool Compensation</source>
+        <translation>Коррекция инструмента</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Tool Holder Interference</source>
+        <translation>Защита суппортов</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Tool Management</source>
+        <translation>Учёт инструмента</translation>
     </message>
     <message>
         <location filename="../screens/tools.cpp"/>
@@ -3447,6 +3672,11 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>Triggered</source>
         <translation>Сработал</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Turning Cycles</source>
+        <translation>Токарные циклы</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -4020,8 +4250,8 @@
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
-        <source>longest %1 of a tick of %2 µs</source>
-        <translation>наибольшее %1 в такте %2 µs</translation>
+        <source>longest %1 of a tick of %2</source>
+        <translation>наибольшее %1 в такте %2</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>
