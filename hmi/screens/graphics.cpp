@@ -331,7 +331,7 @@ std::vector<SoftKey> Graphics::keys() {
         else if (job_.program.empty()) desk_.tell(word("No program is selected."), Told::Refused);
         else startDry();
         if (desk_.keysChanged) desk_.keysChanged();
-    }, Sign::Run, true, dry_});
+    }, Sign::Graphics, desk_.live.connected() || dry_, dry_});
     if (!dry_) {
         keys.push_back({word("Clear"), [this] { forget(); }});
         return keys;
@@ -340,7 +340,7 @@ std::vector<SoftKey> Graphics::keys() {
         if (!playing_ && dryTime_ >= dryRun_.end()) playTo(-1);
         playing_ = !playing_, clock_.restart();
         if (desk_.keysChanged) desk_.keysChanged();
-    }, playing_ ? Sign::Hold : Sign::Run});
+    }, playing_ ? Sign::Hold : Sign::Right});
     keys.push_back({word("Slower"), [this] { drySpeed_ = std::max(drySpeed_ / 2, kSlowest); }});
     keys.push_back({word("Faster"), [this] { drySpeed_ = std::min(drySpeed_ * 2, kFastest); }});
     return keys;

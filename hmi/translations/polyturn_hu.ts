@@ -151,7 +151,7 @@
     <message>
         <location filename="../text/tongues.cpp"/>
         <source>1/min</source>
-        <translation>ford/perc</translation>
+        <translation>1/min</translation>
     </message>
     <message>
         <location filename="../machine/computer_settings.cpp"/>
@@ -4256,7 +4256,7 @@
     <message>
         <location filename="../text/tongues.cpp"/>
         <source>m/min</source>
-        <translation>m/perc</translation>
+        <translation>m/min</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -4301,7 +4301,7 @@
     <message>
         <location filename="../text/tongues.cpp"/>
         <source>mm/min</source>
-        <translation>mm/perc</translation>
+        <translation>mm/min</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>

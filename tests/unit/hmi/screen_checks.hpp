@@ -19,7 +19,8 @@ inline std::vector<std::string> shortenedWords(MainWindow& window, int& looked) 
             window.showScreen(static_cast<int>(i));
             const bool starts = QString(window.screen()->name()) == "programs";   // its pages start processes
             const QString before = window.screen()->state();
-            for (int page = 0; page < (starts ? 1 : window.screen()->pages()); ++page) {
+            const int pages = starts ? 1 : QString(window.screen()->name()) == "graphics" ? 2 : window.screen()->pages();   // its third one too
+            for (int page = 0; page < pages; ++page) {
                 if (!starts) window.screen()->turnTo(page), window.screen()->refresh();
                 window.softKeys().show(window.screen()->keys());
                 std::vector<Sheet*> sheets = window.ownSheets();
