@@ -44,6 +44,12 @@ void Compensator::resume() {
     pump();
 }
 
+bool Compensator::holds_moves_back() {
+    bool any = false;
+    ready_.change_moves([&any](Move&) { any = true; });
+    return any;
+}
+
 void Compensator::ensure_halt(const BlockContext& at) {
     if (!halted_ && !ready_.will_halt() && !trailing_.will_halt()) queue().barrier(at);
     pump();

@@ -62,6 +62,7 @@ public:
     void resume();
     bool holds_block() const { return held_; }
     bool holds() const { return held_ || !ready_.empty() || look_back_.holds(); }
+    bool holds_moves_back();   // of the path, behind the call that the machine must come to
     void ensure_halt(const BlockContext& at);
     Vec displacement() const { return displacement_; }   // of the axes from what is programmed; nothing is held
     bool displaced() const { return displacement_.p != 0 || displacement_.q != 0; }

@@ -124,6 +124,8 @@ bool Compensator::leave_short_last(const Move& m, const BlockContext& at) {
         const auto point = meets_on(a, circle_about(block_.element.end, block_.element.nose), false, false);
         if (!point) return fail(Alarm::CompNoOffsetMeeting, false, block_.at);
         before_->end = Vectors::one(*point - a.end);
+    } else if (!on_nose_path(a, a.end + before_->end.at[before_->end.count - 1])) {
+        return fail(Alarm::CompNoOffsetMeeting, false, block_.at);
     }
     if (!release_before()) return false;
     drop_held();

@@ -7,6 +7,10 @@
 
 namespace polyturn::channels::compensation {
 
+// mm: programs give three or four decimals, so that a tangential corner is one only nearly; what lies between its two normals
+// then is less than a programmed point can be off.
+inline constexpr double kTangentialMm = 5e-4;
+
 // How compensation begins and ends at an outer corner. At an inner one it is always Direct.
 enum class Entry : std::uint8_t {
     Direct,   // straight to (from) the normal at the contour's end: fanuc type A, sinumerik NORM, fagor direct

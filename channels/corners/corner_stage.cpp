@@ -173,8 +173,14 @@ void CornerStage::pass_waiting() {
 void CornerStage::flush() {
     if (!holding_ || failed_) return;
     holding_ = false;
-    if (!reserved_) down_->move(held_.move, held_.at);
-    reserved_ = false;
+    if (!reserved_ || kept_) down_->move(held_.move, held_.at);
+    if (kept_) {
+        compensation::HeldCalls rest;
+        rest.append(earlier_);
+        rest.append(waiting_);
+        waiting_.append(rest);
+    }
+    reserved_ = kept_ = false;
     pass_waiting();
 }
 
@@ -210,6 +216,7 @@ void CornerStage::alarm(const Diagnosis& diagnosis, const BlockContext& at) {
         failed_ = true;
         holding_ = false;
         waiting_.clear();
+        earlier_.clear();
     }
     down_->alarm(diagnosis, at);
 }
@@ -219,6 +226,7 @@ void CornerStage::fail(Alarm alarm) {
     failed_ = true;
     holding_ = false;
     waiting_.clear();
+    earlier_.clear();
 }
 
 }  // namespace polyturn::channels::corners

@@ -45,12 +45,18 @@ public:
     void block_done();                                // the block has been interpreted
 
     // A move whose end only the next block tells: what comes meanwhile waits, until insert() makes the move in front of it.
-    void reserve() { holding_ = reserved_ = true, idle_ = 0, moved_ = true; }
+    // A move that is held already stays so: the inserted one is the next of its contour.
+    void reserve() {
+        if (holding_ && !reserved_) kept_ = true, earlier_.append(waiting_);
+        holding_ = reserved_ = true, idle_ = 0, moved_ = true;
+    }
     bool reserved() const { return reserved_; }
     template <class Make> void insert(Make&& make) {
         compensation::HeldCalls calls;
         calls.append(waiting_);
-        holding_ = reserved_ = false;
+        reserved_ = false;
+        holding_ = kept_, kept_ = false;
+        waiting_.append(earlier_);
         make();
         while (!calls.empty()) calls.pass_on(*this);
     }
@@ -102,8 +108,10 @@ private:
     unsigned idle_ = 0;
     double next_feed_ = 0.0;
     Call want_;
-    Held held_;                    // when holding_ and not reserved_
+    Held held_;                    // when holding_ and not reserved_, and when kept_
     compensation::HeldCalls waiting_;
+    bool kept_ = false;            // a held move stands in front of the reserved one,
+    compensation::HeldCalls earlier_;   // and what came between them
     Alarm alarm_{};
 };
 

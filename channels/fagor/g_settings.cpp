@@ -279,7 +279,11 @@ void Interpreter::refresh_zero() {
 
 bool Interpreter::g_zero(const GCode& row) {
     const auto number = row.number;
-    if (number >= 58) {   // added to the absolute one
+    if (number >= 58) {   // added to the absolute one of the table; a preset is the other of two ways and ends (4.4)
+        if (modal_.zero == 92) {
+            core_.clear_preset();
+            modal_.zero = 0;
+        }
         modal_.zero_added = number;
         const auto& zeros = core_.view().store->zeros;
         for (unsigned i = 0; i < core_.view().axis_count; ++i) core_.local_zero(i, zeros[static_cast<std::size_t>(number - 53) * kChannelAxes + i]);

@@ -76,6 +76,7 @@ Result<void> Interpreter::start(FileId main) {
     options.tips = &compensation::kTipsAround;
     options.corner = settings_.comp_mode == 1 ? compensation::Corner::Arc : settings_.comp_mode == 2 ? compensation::Corner::Intersection : compensation::Corner::Extended;
     options.intersection_from_deg = options.arc_below_deg = 60.0;   // 300 degrees on the tool's side
+    options.small_vector = compensation::kTangentialMm;
     options.leaves_direct = true;   // 8.2.6: from the perpendicular point straight to the end of the G40 block
     options.in_place = options.sides_meet_on_paths = options.rapid_suspends = options.straight_after_halt = options.idle_is_fault = true;
     options.idle_blocks = 48;

@@ -16,7 +16,9 @@ constexpr double kDefaultRadius = 360.0 / (2.0 * std::numbers::pi);   // FGREF: 
 void Interpreter::tell_feed_path() {
     FeedPath& by = core_.path.feed_path;
     const MachineView& view = core_.view();
+    const double degree_unit = by.degree_unit;
     by = {};
+    by.degree_unit = degree_unit;
     by.scale = modal_.path_override / 100.0;
     by.rapid_scale = std::fmin(1.0, modal_.rapid_override / 100.0);   // never beyond the machine's own
     by.limit_mm_min = modal_.feed_limit;
@@ -25,6 +27,7 @@ void Interpreter::tell_feed_path() {
         const bool geometry = view.axes[i].role == PlaneRole::BasicX || view.axes[i].role == PlaneRole::BasicY || view.axes[i].role == PlaneRole::BasicZ;
         const bool counted = modal_.feed_group_set ? (modal_.feed_group >> i & 1u) != 0 : geometry;
         if (counted) by.counted |= 1u << i;
+        if (view.axes[i].rotary && std::fabs((modal_.feed_radius[i] > 0 ? modal_.feed_radius[i] : kDefaultRadius) - kDefaultRadius) < 5e-4) by.degrees |= 1u << i;
         by.weight[i] = view.axes[i].rotary ? (modal_.feed_radius[i] > 0 ? modal_.feed_radius[i] : kDefaultRadius) * std::numbers::pi / 180.0 : 1.0;
         by.active = by.active || by.limit_mm_min[i] > 0 || (view.axes[i].rotary && modal_.feed_radius[i] > 0);
     }

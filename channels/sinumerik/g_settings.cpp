@@ -92,7 +92,8 @@ bool Interpreter::feed_word(const Word& word) {
     if (word.index >= 0)   // F2 to F7 hold while an input is on; there is none
         return word.index >= 2 && word.index <= 7 ? a_without_effect(word) : fail_word(Alarm::ArrayIndexIllegal, word, "F", word.index);
     if (word.number() <= 0) return fail_word(Alarm::FeedMissing, word);
-    modal_.feed = word.number() * feed_unit();
+    modal_.feed_word_unit = feed_kind(active(15)) == FeedKind::Inverse ? 1.0 : feed_unit();
+    modal_.feed = word.number() * modal_.feed_word_unit;
     modal_.feed_per_tooth = 0.0;
     return true;
 }
@@ -100,7 +101,7 @@ bool Interpreter::feed_word(const Word& word) {
 bool Interpreter::a_feed(const Word& word) {   // FB
     if (word.number() <= 0) return fail_word(Alarm::ValueOutOfRange, word, "FB");
     if (has("F") || has("FD")) return fail_word(Alarm::CodesContradict, word, "FB, F");
-    block_feed_ = word.number() * feed_unit();
+    block_feed_ = word.number() * (feed_kind(active(15)) == FeedKind::Inverse ? 1.0 : feed_unit());
     return true;
 }
 
@@ -117,6 +118,10 @@ bool Interpreter::update_feed() {
     double feed = block_feed_ > 0 ? block_feed_ : modal_.feed_per_tooth > 0 ? modal_.feed_per_tooth : modal_.feed;
     if (modal_.feed_revolution && modal_.feed_per_tooth > 0) feed *= modal_.teeth;
     path.feed = feed;
+    if (const double said_in = block_feed_ > 0 ? feed_unit() : modal_.feed_word_unit; path.feed_path.degree_unit != said_in) {
+        path.feed_path.degree_unit = said_in;
+        tell_feed_path();
+    }
     return true;
 }
 

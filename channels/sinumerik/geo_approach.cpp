@@ -106,7 +106,7 @@ bool Interpreter::approach_curve(const SoftApproach& soft, const AxisValues& to,
     arc.clockwise = side < 0;   // tangential to the contour on both ways
     arc.centre_p = centre[0], arc.centre_q = centre[1];
     arc.tolerance = 1e-3;
-    const bool done = within_areas(to) && core_.arc(to, arc);
+    const bool done = arc_within_areas(to, arc) && core_.arc(to, arc);
     path.feed = kept, path.feed_mode = kept_mode;
     return done;
 }

@@ -15,6 +15,7 @@ bool Interpreter::update_compensation() {
     options.short_last = active(48) == 2 ? ShortLast::Circle : active(48) == 3 ? ShortLast::Line : ShortLast::None;
     options.looks_back = true;
     options.arc_feed = active(16) == 1 ? ArcFeed::Contour : active(16) == 3 ? ArcFeed::Inner : ArcFeed::Centre;
+    options.small_vector = kTangentialMm;
     options.constant = active(40) == 2;
     options.idle_blocks = static_cast<unsigned>(settings_.comp_idle_blocks);
     options.idle_is_fault = true;

@@ -288,6 +288,7 @@ bool Interpreter::second_line(const AxisValues& target, const Word& angle) {
         const double feed = core_.path.feed;
         core_.at = line.at;
         core_.path.feed = line.feed;
+        if (core_.reads_ahead()) core_.corner_feed(line.corner_feed);
         corners::Call call;
         call.shape = static_cast<corners::Shape>(line.corner_shape);
         call.size = line.corner_size;

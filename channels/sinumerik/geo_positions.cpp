@@ -1,5 +1,6 @@
 // Positions of the machine and limits of the working area: G4, G74, G75, G25, G26, WALCS (sinumerik_part2 15).
 #include <cmath>
+#include <numbers>
 
 #include "channels/sinumerik/interpreter.hpp"
 #include "ipc/params/registry.hpp"
@@ -129,6 +130,35 @@ bool Interpreter::within_areas(const AxisValues& target) {
         const double value = area.workpiece ? target[i] : settable[i];
         if (area.plus >> i & 1u && value > area.high[i] + kOnLimit) return outside(i, value, area.high[i]);
         if (area.minus >> i & 1u && value < area.low[i] - kOnLimit) return outside(i, value, area.low[i]);
+    }
+    return true;
+}
+
+// Between its ends an arc comes farthest where it is parallel to an axis; a turned frame has those places elsewhere: then it
+// is looked at all along.
+bool Interpreter::arc_within_areas(const AxisValues& target, const ArcCall& call) {
+    if (!within_areas(target)) return false;
+    if (active(28) != 1 && active(60) <= 1) return true;
+    const auto [p, q] = plane_places();
+    constexpr double kTurn = 2.0 * std::numbers::pi;
+    const AxisValues& from = core_.path.programmed;
+    const double radius = std::hypot(from[p] - call.centre_p, from[q] - call.centre_q);
+    const double begin = std::atan2(from[q] - call.centre_q, from[p] - call.centre_p);
+    const double sense = call.clockwise ? -1.0 : 1.0;
+    const auto behind_begin = [&](double angle) {
+        const double way = std::fmod((angle - begin) * sense, kTurn);
+        return way < 0 ? way + kTurn : way;
+    };
+    double sweep = behind_begin(std::atan2(target[q] - call.centre_q, target[p] - call.centre_p));
+    if (sweep < 1e-9 || call.turns > 0) sweep = kTurn;
+    const int steps = core_.path.framed ? 72 : 4;
+    for (int k = 0; k < steps; ++k) {
+        const double angle = kTurn * k / steps;
+        if (behind_begin(angle) >= sweep) continue;
+        AxisValues point = target;
+        point[p] = call.centre_p + radius * std::cos(angle);
+        point[q] = call.centre_q + radius * std::sin(angle);
+        if (!within_areas(point)) return false;
     }
     return true;
 }

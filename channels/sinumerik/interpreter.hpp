@@ -262,6 +262,7 @@ private:
     bool way_out(ThreadCall& call, const AxisValues& target);  // of a held thread: LFON
     bool barrel_arc(AxisValues& target, ArcCall& arc);
     bool within_areas(const AxisValues& target);
+    bool arc_within_areas(const AxisValues& target, const ArcCall& call);
     bool limit_speed(const Word& word, bool high);
     Frame frame_of(const FrameValue& value) const;
     FrameValue components_of(const Frame& frame, const FrameValue& like) const;

@@ -40,6 +40,7 @@ struct Modal {
     std::array<std::uint8_t, kGroups> active{};   // number of the active G command of each group
     std::uint8_t motion_before = 0;
     double feed = 0.0;                // F as it holds, mm/min, mm/rev or 1/min
+    double feed_word_unit = 1.0;      // mm that a unit of that F is: G700
     double feed_per_tooth = 0.0;      // FZ; 0: F is in use
     double teeth = 0.0;               // $TC_DPNT of the active edge
     bool feed_revolution = false;     // what group 15 makes of F

@@ -85,6 +85,8 @@ struct FeedPath {
     AxisValues limit_mm_min{};              // speed of the axis that the path must keep; 0 none
     double scale = 1.0;                     // programmed override of the feed
     double rapid_scale = 1.0;               // and of rapid, 1 at the most
+    AxisSet degrees = 0;                    // rotary axes whose feed is one of degrees where no counted linear axis moves,
+    double degree_unit = 1.0;               // though the feed was said in units of so many millimetres
 };
 
 // All of it, plain: a resume state is a copy.
@@ -345,6 +347,7 @@ private:
     bool shape_arc(ArcCall call, unsigned p, unsigned q, bool& moves);
     bool feed_ready();
     double rapid_speed() const;
+    bool only_degrees() const;
     void tell_feed_path();
     bool spindle_ready(Alarm otherwise);
     void choose_withdrawal(const ThreadCall& call, unsigned along);

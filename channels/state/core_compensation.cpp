@@ -146,7 +146,8 @@ bool Core::end_compensated_block(bool counts, bool wants_barrier, bool program_e
     tell_comp([counts](compensation::Compensator& comp) { comp.block_done(counts); });
     if (wants_barrier) tell_comp([here = at](compensation::Compensator& comp) { comp.ensure_halt(here); });
     if (!compensation_failed()) return false;
-    if (staged_ && !stage_->holding()) {
+    // Where something in between must be executed first (M0, a wait), what stands behind it is still there: reading stops.
+    if (staged_ && !stage_->holding() && (compensating_ || comp_->closed())) {
         staged_ = false;
         sink_ = comp_.get();
     }
@@ -178,8 +179,9 @@ bool Core::halted() const { return comp_->halted(); }
 
 bool Core::barrier_passed() {
     if (reads_ahead()) {
+        const bool moves_follow = comp_->holds_moves_back();   // read on already: they begin where the machine stands now
         comp_->resume();
-        if ((staged_ && stage_->holding()) || comp_->holds() || comp_->halted()) return false;
+        if (moves_follow || (staged_ && stage_->holding()) || comp_->holds() || comp_->halted()) return false;
     }
     // The PLC may have given the channel another spindle: what was said to the old one does not hold for it.
     if (const auto chosen = static_cast<std::uint16_t>(port_->selected_spindle()); chosen != 0 && chosen != path.spindle.spindle) {

@@ -165,9 +165,19 @@ bool Core::feed_ready() {
     move_.feed_mode = path.feed_mode;
     move_.feed = path.feed;
     move_.spindle = geared ? static_cast<std::uint16_t>(gear_feed.spindle) : path.spindle.spindle;
+    if (path.feed_path.degree_unit != 1.0 && path.feed_mode != FeedMode::InverseTime && only_degrees()) move_.feed /= path.feed_path.degree_unit;
     tell_feed_path();
     if (geared) move_.feed_scale *= gear_feed.factor;
     return true;
+}
+
+bool Core::only_degrees() const {
+    const FeedPath& by = path.feed_path;
+    for (AxisSet left = move_.moved & ~by.degrees; left; left &= left - 1) {
+        const auto i = static_cast<unsigned>(__builtin_ctz(left));
+        if (view_->axes[i].rotary || (by.counted >> i & 1u)) return false;
+    }
+    return (move_.moved & by.degrees) != 0;
 }
 
 // The feed counts other axes than the path does: how much of the path one unit of it is, and which axis holds it back.

@@ -92,6 +92,7 @@ std::vector<Diagnosis> check_machine_config(const params::Table& table) {
     config::check_pitch_tables(report);
     config::check_compensation(report);
     config::check_codes(report);
+    config::check_values(report);
     config::check_switches(report);
     config::check_kinds(report);
     config::check_together(report);

@@ -48,6 +48,7 @@ void check_spindles(Report& report);
 void check_pitch_tables(Report& report);
 void check_compensation(Report& report);
 void check_codes(Report& report);
+void check_values(Report& report);
 void check_switches(Report& report);
 void check_kinds(Report& report);
 void check_together(Report& report);

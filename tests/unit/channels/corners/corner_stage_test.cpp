@@ -150,6 +150,66 @@ TEST(CornerStage, AReservedMoveStandsBeforeWhatCameMeanwhile) {
     EXPECT_FALSE(rig.core->reads_ahead());
 }
 
+// Without compensation too: what comes behind a program stop waits for it, and reading goes on behind it.
+TEST(CornerStage, AStopBehindAHeldMoveHaltsTheReading) {
+    CornerRig rig;
+    ASSERT_TRUE(rig.corner(Shape::ChamferLeg, 1) && rig.line(0, -20) && rig.end());
+    rig.core->sink().stop({StopReason::M00}, rig.core->at);
+    ++rig.core->at.serial;
+    ASSERT_TRUE(rig.core->end_compensated_block(true, true, false));
+    EXPECT_FALSE(rig.core->halted());
+    ASSERT_TRUE(rig.line(20, -20) && rig.end());
+    EXPECT_TRUE(rig.core->reads_ahead() && rig.core->halted());
+    rig.expect_moves({{0, -19}, {1, -20}});
+    EXPECT_FALSE(rig.core->barrier_passed());   // the program has been read on: Core stands behind what follows the stop
+    rig.expect_moves({{0, -19}, {1, -20}, {20, -20}});
+    ASSERT_TRUE(rig.line(30, -20) && rig.end());
+    EXPECT_FALSE(rig.core->reads_ahead());
+    EXPECT_EQ(rig.sink.moves().size(), 4u);
+}
+
+// The way out of compensation is read before the stop in front of it is reached: Core stands behind it then, not at the stop.
+TEST(CornerStage, AStopBeforeTheWayOutLeavesCoreBehindTheWayOut) {
+    CornerRig rig;
+    rig.core->path.tool.nose_radius = 1.0;
+    rig.core->path.tool.geometry = 1;
+    ASSERT_TRUE(rig.core->compensation(CompSide::Left) && rig.line(0, -10) && rig.end());
+    ASSERT_TRUE(rig.line(0, -30) && rig.end());
+    rig.core->sink().stop({StopReason::M00}, rig.core->at);
+    ++rig.core->at.serial;
+    ASSERT_TRUE(rig.core->end_compensated_block(true, true, false));
+    ASSERT_TRUE(rig.core->compensation_off(0, 0) && rig.line(30, -30) && rig.end());
+    EXPECT_TRUE(rig.core->halted());
+    EXPECT_FALSE(rig.core->barrier_passed());
+    EXPECT_EQ(rig.sink.moves().back().move.machine[rig.x], 30);
+}
+
+// A move that waits for its element when another one is reserved goes on in front of it, joined to it.
+TEST(CornerStage, AReservedMoveIsTheNextOneOfAHeldMove) {
+    CornerRig rig;
+    ASSERT_TRUE(rig.corner(Shape::ChamferLeg, 1) && rig.line(0, -20) && rig.end());
+    rig.core->aux('M', 7, "M7", false);
+    ASSERT_TRUE(rig.core->reserve_move());
+    rig.core->aux('M', 8, "M8", false);
+    ASSERT_TRUE(rig.end());
+    bool made = false;
+    rig.core->insert_reserved([&] { made = rig.line(20, -20); });
+    ASSERT_TRUE(made && rig.end());
+    rig.expect_moves({{0, -19}, {1, -20}, {20, -20}});
+    std::string order;
+    for (const Kept& call : rig.sink.calls) order += call.what;
+    EXPECT_EQ(order, "mmama");
+    EXPECT_FALSE(rig.core->reads_ahead());
+}
+
+TEST(CornerStage, ABarrierLetsAHeldMoveBeforeAReservedOneGo) {
+    CornerRig rig;
+    ASSERT_TRUE(rig.corner(Shape::ChamferLeg, 1) && rig.line(0, -20) && rig.end());
+    ASSERT_TRUE(rig.core->reserve_move());
+    rig.core->sink().barrier(rig.core->at);
+    rig.expect_moves({{0, -20}});
+}
+
 TEST(CornerStage, ABarrierLetsTheHeldMoveGo) {
     CornerRig rig;
     ASSERT_TRUE(rig.corner(Shape::Rounding, 2) && rig.line(0, -20) && rig.end());

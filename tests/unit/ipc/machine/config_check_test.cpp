@@ -48,6 +48,12 @@ const Row kRows[] = {
     {{"N0103 A5=3"}, Alarm::ConfigPlaneRole, "N0103 A5=3"},
     {{"N0103 A5=4"}, Alarm::ConfigPlaneRole, "N0103 A5=4"},
     {{"N0005=50"}, Alarm::ConfigTick, "N0005=50"},
+    {{"N3106 L2=0.01", "N3107 L2=0.03"}, Alarm::ParamRange, "N3107 L2=0.03"},
+    {{"N3205 L1=1", "N3206 L1=20"}, Alarm::ParamRange, "N3206 L1=20"},
+    {{"N3209 L1=3", "N3210 L1=-20"}, Alarm::ParamRange, "N3210 L1=-20"},
+    {{"N1413 L1=2", "N2923 L1=5"}, Alarm::ParamRange, "N2923 L1=5"},
+    {{"N1413 L1=2", "N1414#1 L1=1", "N2923 L1=55"}, Alarm::ParamRange, "N2923 L1=55"},
+    {{"N0682 S1=9.5"}, Alarm::ParamRange, "N0682 S1=9.5"},
     {{"N0304 A1=0"}, Alarm::ConfigMotionLimit, "N0304 A1=0"},
     {{"N0305 A1=0"}, Alarm::ConfigMotionLimit, "N0305 A1=0"},
     {{"N0400 A4=0"}, Alarm::ConfigMotionLimit, "N0400 A4=0"},
@@ -181,6 +187,7 @@ TEST(MachineCheck, LetsPassWhatTheSpecificationAllows) {
         {"N0106 A6=10000010", "N0400 A6=0", "N0503 A6=1"},     // hypothetical: no drive of its own
         {"N1000 A2=0", "N1002 A2=-900"},                       // a range that is not watched
         {"N0604 L2=0", "N0687 L2=0"},                          // none
+        {"N3106 L1=1", "N3107 L1=2", "N3205 L1=4", "N3206 L1=20", "N1413 L1=3", "N2923 L1=555", "N0682 S1=10"},   // at what they may be
         {"N2500 A5=5", "N2501 A5=10", "N2502 A5=10000", "N2503 A5=10000", "N2504 A5=10036", "N2506 A5=360"},
     };
     for (const auto& lines : kGood) {
