@@ -175,6 +175,19 @@ FolderList listFolder(const QString& folder) {
     return out;
 }
 
+std::vector<QFileInfo> folderInfos(const QString& folder, const QStringList& patterns, QDir::SortFlags sort) {
+    std::vector<QFileInfo> out;
+    const QDir dir(folder);
+    if (!dir.isRoot()) {
+        QFileInfo above(QFileInfo(folder).absolutePath());
+        while (!above.isDir() && above.absoluteFilePath() != "/") above = QFileInfo(above.absolutePath());
+        out.push_back(above);
+    }
+    for (const QFileInfo& one : dir.entryInfoList(patterns, QDir::Files | QDir::AllDirs | QDir::NoDotAndDotDot, sort)) out.push_back(one);
+    for (const QFileInfo& one : out) (void)one.isDir(), (void)one.isFile(), (void)one.size();   // kept in it from now on
+    return out;
+}
+
 QStringList placeFiles() { return {"/etc/polyturn/places", QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + "/polyturn/places"}; }
 
 std::vector<Place> places(const QString& mounts, const QStringList& configured) {

@@ -2,6 +2,8 @@
 // checksum, protection. All of it may take as long as a network takes: it is called from workers (machine/aside.hpp) only.
 #pragma once
 #include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
 #include <QString>
 #include <QStringList>
 #include <atomic>
@@ -25,6 +27,10 @@ struct FolderList {
     bool readable = true;
 };
 FolderList listFolder(const QString& folder);
+
+// The folder above (the nearest that exists) first, then folders and the files with these endings; nothing is asked of the disk later on.
+std::vector<QFileInfo> folderInfos(const QString& folder, const QStringList& patterns, QDir::SortFlags sort);
+inline bool isAbove(const QFileInfo& entry, const QString& folder) { return (folder + "/").startsWith(entry.absoluteFilePath() == "/" ? QString("/") : entry.absoluteFilePath() + "/"); }
 
 struct Place {
     QString name, path;

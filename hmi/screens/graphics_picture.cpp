@@ -168,12 +168,20 @@ void Graphics::paintEvent(QPaintEvent* event) {
         p.setPen(QPen(t.window, 1));
         p.setBrush(colourOf(channel));
         p.drawPolygon(QPolygonF({tip, tip + QPointF(size * 0.35, -side * size), tip + QPointF(size, -side * size * 0.35)}));
-        p.setPen(t.text);
         p.setFont(lettering(15, true));
         const unsigned station = now_.turrets[channel - 1].station;
         const ChannelView& view = desk_.live.view(channel);
         const std::int64_t tool = dry_ ? static_cast<std::int64_t>(station) : view.known ? view.picture.tool : 0;
-        p.drawText(tip + QPointF(px(16), -side * px(16)), tool > 0 ? QString("L%1 T%2").arg(channel).arg(tool) : QString("L%1").arg(channel));
+        const QString text = tool > 0 ? QString("L%1 T%2").arg(channel).arg(tool) : QString("L%1").arg(channel);
+        const QFontMetricsF metrics(p.font());
+        QRectF label(0, 0, metrics.horizontalAdvance(text) + px(10), metrics.height());
+        label.moveCenter(tip + QPointF(px(20) + label.width() / 2, side * px(16)));   // on the side where no tool is
+        QColor paper = t.card;
+        paper.setAlpha(215);
+        p.setPen(Qt::NoPen), p.setBrush(paper);
+        p.drawRoundedRect(label, px(3), px(3));
+        p.setPen(t.text);
+        p.drawText(label, Qt::AlignCenter, text);
     }
 }
 

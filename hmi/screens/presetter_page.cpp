@@ -42,7 +42,8 @@ PresetterPage::PresetterPage(Desk& desk, QWidget* parent) : QWidget(parent), des
     files_->cell = [this](int row, int) -> Table::Cell {
         const QFileInfo& one = entries_[static_cast<std::size_t>(row)];
         const QString name = one.fileName();
-        return {row == 0 && one.absoluteFilePath() == QFileInfo(folder_).absolutePath() ? QString("..") : one.isDir() ? name + "/" : name, one.isDir() ? theme().dim : theme().text, one.isDir() ? Sign::None : Sign::Graphics};
+        if (row == 0 && isAbove(one, folder_)) return {word("Up"), theme().accent, Sign::Up};
+        return {one.isDir() ? name + "/" : name, one.isDir() ? theme().dim : theme().text, one.isDir() ? Sign::None : Sign::Graphics};
     };
     files_->onChosen = [this] { onValues_ = false, look(); };
     files_->onActivated = [this] { open(); };
@@ -80,12 +81,18 @@ QString PresetterPage::calibrationFile() const {
     return folder + "/presetter-" + QString::fromStdString(desk_.live.instance()) + ".json";
 }
 
+// Aside: the folder may lie on a network.
 void PresetterPage::readFolder(const QString& folder) {
     folder_ = QDir(folder).absolutePath();
-    entries_.clear();
-    if (!QDir(folder_).isRoot()) entries_.push_back(QFileInfo(QFileInfo(folder_).absolutePath()));
-    for (const QFileInfo& one : QDir(folder_).entryInfoList({"*.pgm", "*.bmp", "*.png"}, QDir::Files | QDir::AllDirs | QDir::NoDotAndDotDot, QDir::DirsFirst | QDir::Name)) entries_.push_back(one);
     answer_ = {}, failure_.clear(), pictureOf_.clear(), picture_ = {}, outline_.clear();
+    reading_.start([folder = folder_](const std::atomic<bool>&) { return folderInfos(folder, {"*.pgm", "*.bmp", "*.png"}, QDir::DirsFirst | QDir::Name); });
+    takeFolder();
+}
+
+void PresetterPage::takeFolder() {
+    auto made = reading_.take();
+    if (!made) return;
+    entries_ = std::move(*made);
     int first = 0;   // the first picture
     while (first < static_cast<int>(entries_.size()) && entries_[static_cast<std::size_t>(first)].isDir()) ++first;
     files_->choose(first < static_cast<int>(entries_.size()) ? first : 0);
@@ -177,6 +184,7 @@ void PresetterPage::resizeEvent(QResizeEvent*) {
 }
 
 void PresetterPage::refresh() {
+    takeFolder();
     take();
     for (Sheet* one : sheets()) one->refresh();
 }

@@ -8,6 +8,7 @@
 
 #include "hmi/app/screen.hpp"
 #include "hmi/machine/aside.hpp"
+#include "hmi/machine/file_work.hpp"
 #include "hmi/widgets/number_pad.hpp"
 #include "hmi/widgets/table.hpp"
 
@@ -51,7 +52,9 @@ private:
     FreeSheet* result_;
     NumberPad* pad_;
     QString folder_, failure_, pictureOf_;
+    void takeFolder();
     std::vector<QFileInfo> entries_;
+    Aside<std::vector<QFileInfo>> reading_;
     struct Shadow {
         QString file;
         QImage picture;

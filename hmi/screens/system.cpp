@@ -31,7 +31,7 @@ System::System(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), form_(new
 void System::restore(const QString& state) {
     const int bar = static_cast<int>(state.indexOf('|'));
     if (bar < 0) return;
-    if (QDir(state.mid(bar + 1)).exists()) folder_ = state.mid(bar + 1);
+    if (state.mid(bar + 1).startsWith('/')) folder_ = state.mid(bar + 1);
     showPage(static_cast<Page>(std::clamp(state.left(bar).toInt(), 0, static_cast<int>(Page::Settings))));
 }
 
@@ -81,8 +81,8 @@ void System::fill() {
     files_->cell = [this](int row, int column) -> Table::Cell {
         const QFileInfo& one = entries_[static_cast<std::size_t>(row)];
         if (column == 1) return {one.isDir() ? QString() : QString("%1 %2").arg((one.size() + 1023) / 1024).arg(unitWord("kB")), theme().dim};
-        const bool up = row == 0 && one.absoluteFilePath() == QFileInfo(folder_).absolutePath();
-        return {up ? QString("..") : one.isDir() ? one.fileName() + "/" : one.fileName(), one.isDir() ? theme().dim : theme().text, one.isDir() ? Sign::None : Sign::Programs};
+        if (row == 0 && isAbove(one, folder_)) return {word("Up"), theme().accent, Sign::Up};
+        return {one.isDir() ? one.fileName() + "/" : one.fileName(), one.isDir() ? theme().dim : theme().text, one.isDir() ? Sign::None : Sign::Programs};
     };
     files_->onChosen = [this] { if (previewOf_ != chosenFile()) preview_ = {}, previewOf_.clear(), note_.clear(); };
     files_->onActivated = [this] { open(); };
@@ -97,14 +97,21 @@ void System::fill() {
     readFolder(folder_);
 }
 
+// Aside: the folder may lie on a network.
 void System::readFolder(const QString& folder) {
+    if (wanted_.isEmpty()) wanted_ = chosenFile();
     folder_ = QDir(folder).absolutePath();
-    const QString before = chosenFile();
-    entries_.clear();
-    if (!QDir(folder_).isRoot()) entries_.push_back(QFileInfo(QFileInfo(folder_).absolutePath()));
-    for (const QFileInfo& one : QDir(folder_).entryInfoList({"*.ptb"}, QDir::Files | QDir::AllDirs | QDir::NoDotAndDotDot, QDir::DirsFirst | QDir::Time)) entries_.push_back(one);
+    reading_.start([folder = folder_](const std::atomic<bool>&) { return folderInfos(folder, {"*.ptb"}, QDir::DirsFirst | QDir::Time); });
+    takeFolder();
+}
+
+void System::takeFolder() {
+    auto made = reading_.take();
+    if (!made) return;
+    entries_ = std::move(*made);
+    const QString wanted = std::exchange(wanted_, QString());
     for (std::size_t i = 0; i < entries_.size(); ++i)
-        if (entries_[i].absoluteFilePath() == before) return files_->choose(static_cast<int>(i));
+        if (entries_[i].absoluteFilePath() == wanted) return files_->choose(static_cast<int>(i));
     files_->choose(0);
 }
 
@@ -127,9 +134,8 @@ void System::save() {
     desk_.requests.store({{"do", "backup.to"}, {"file", file}, {"with", QJsonArray{}}}, [this, file](const Answer& answer) {
         if (!answer.ok) return;
         desk_.tell(word("Saved: %1").arg(QFileInfo(file).fileName()), Told::Good);
+        wanted_ = file;
         readFolder(folder_);
-        for (std::size_t i = 0; i < entries_.size(); ++i)
-            if (entries_[i].absoluteFilePath() == file) files_->choose(static_cast<int>(i));
     });
 }
 
@@ -228,6 +234,7 @@ void System::composeForm(Writer& w) {
 
 void System::refresh() {
     if (page_ == Page::Users && desk_.live.connected() && QDateTime::currentMSecsSinceEpoch() > lookAt_) look();
+    if (page_ == Page::Backups) takeFolder();
     if (page_ == Page::Settings) settings_->refresh();
     for (Sheet* one : sheets()) one->refresh();
 }

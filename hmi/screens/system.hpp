@@ -4,6 +4,8 @@
 #include <QJsonArray>
 
 #include "hmi/app/screen.hpp"
+#include "hmi/machine/aside.hpp"
+#include "hmi/machine/file_work.hpp"
 #include "hmi/screens/settings_page.hpp"
 #include "hmi/widgets/table.hpp"
 #include "hmi/widgets/text_pad.hpp"
@@ -67,7 +69,10 @@ private:
     SettingsPage* settings_;
     QString folder_, previewOf_, note_;
     bool noteGood_ = false;
+    void takeFolder();
     std::vector<QFileInfo> entries_;
+    Aside<std::vector<QFileInfo>> reading_;
+    QString wanted_;                  // to be chosen when the folder has been read
     QJsonArray preview_;
     std::vector<User> users_;
     QString who_, whoLevel_, name_, password_;
