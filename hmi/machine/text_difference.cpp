@@ -2,12 +2,15 @@
 
 #include <QFile>
 #include <QFileInfo>
+#include <QHash>
 #include <algorithm>
+#include <cstdint>
+#include <dtl/dtl.hpp>
 
 namespace polyturn::hmi {
 namespace {
 
-constexpr int kMostEdits = 3000;            // the memory of the way grows with their square
+constexpr std::int64_t kMostComparisons = 20'000'000;   // of lines, a second or less; their number grows with lines times differences
 constexpr qint64 kMostBytes = 64 << 20;
 
 bool readLines(const QString& name, QStringList& out) {
@@ -20,48 +23,38 @@ bool readLines(const QString& name, QStringList& out) {
     return true;
 }
 
-// Myers: v[k] is how far the left text is used on diagonal k = left - right with d edits; each d's v is kept for the way back.
-//
-//   given   a, b lines; n, m their numbers           wanted  which lines of a and b are paired, the most of them
-//   forward for d = 0, 1, ...: from diagonal k-1 one line of a is left out, from k+1 one of b; then all equal lines are run through
-//   back    from (n, m), for d down to 0: the run of equal lines, then the step that led to its begin
+// Whether two lines are the same one; counts, so that the search can be ended: from then on all are, which leads it to the end
+// of both texts at once, and its result is thrown away.
+struct Alike {
+    const std::atomic<bool>* stop = nullptr;
+    std::int64_t* left = nullptr;   // comparisons
+    bool impl(int a, int b) const { return over() || (--*left, a == b); }
+    bool over() const { return *left <= 0 || *stop; }
+};
+
+// Lines as numbers, the same one for equal lines.
+std::vector<int> numbered(const QStringList& lines, QHash<QString, int>& numbers) {
+    std::vector<int> out;
+    for (const QString& line : lines) {
+        const auto known = numbers.constFind(line);
+        out.push_back(known != numbers.constEnd() ? *known : *numbers.insert(line, static_cast<int>(numbers.size())));
+    }
+    return out;
+}
+
+// The shortest way from a to b; nothing if the search was ended.
 bool shortest(const QStringList& a, const QStringList& b, const std::atomic<bool>& stop, std::vector<PairedLine>& out) {
-    const int n = static_cast<int>(a.size()), m = static_cast<int>(b.size());
-    const int most = std::min(n + m, kMostEdits);
-    std::vector<std::vector<int>> ways;
-    std::vector<int> v(static_cast<std::size_t>(2 * most + 3), 0);
-    const auto at = [most](int k) { return static_cast<std::size_t>(k + most + 1); };
-    int found = -1;
-    for (int d = 0; d <= most && found < 0; ++d) {
-        if (stop) return false;
-        ways.emplace_back(v.begin() + (most + 1 - d), v.begin() + (most + 2 + d));   // diagonals -d .. d as they were before step d
-        for (int k = -d; k <= d; k += 2) {
-            int x = k == -d || (k != d && v[at(k - 1)] < v[at(k + 1)]) ? v[at(k + 1)] : v[at(k - 1)] + 1;
-            int y = x - k;
-            while (x < n && y < m && a[x] == b[y]) ++x, ++y;
-            v[at(k)] = x;
-            if (x >= n && y >= m) { found = d; break; }
-        }
+    QHash<QString, int> numbers;
+    std::int64_t left = kMostComparisons;
+    const Alike alike{&stop, &left};
+    dtl::Diff<int, std::vector<int>, Alike> search(numbered(a, numbers), numbered(b, numbers), alike);
+    search.compose();
+    if (alike.over()) return false;
+    int x = 0, y = 0;
+    for (const auto& [number, step] : search.getSes().getSequence()) {
+        const bool from_left = step.type != dtl::SES_ADD, from_right = step.type != dtl::SES_DELETE;
+        out.push_back({from_left ? x++ : -1, from_right ? y++ : -1, from_left && from_right});
     }
-    if (found < 0) return false;
-    std::vector<PairedLine> back;
-    int x = n, y = m;
-    for (int d = found; d >= 0; --d) {
-        const auto& before = ways[static_cast<std::size_t>(d)];
-        const auto was = [&](int k) { return before[static_cast<std::size_t>(k + d)]; };
-        const int k = x - y;
-        int from_x = 0, from_y = 0;
-        if (d > 0) {
-            const bool down = k == -d || (k != d && was(k - 1) < was(k + 1));
-            const int from_k = down ? k + 1 : k - 1;
-            from_x = was(from_k), from_y = from_x - from_k;
-        }
-        while (x > from_x && y > from_y) --x, --y, back.push_back({x, y, true});
-        if (d == 0) break;
-        if (x == from_x) --y, back.push_back({-1, y, false});
-        else --x, back.push_back({x, -1, false});
-    }
-    out.assign(back.rbegin(), back.rend());
     return true;
 }
 

@@ -37,6 +37,8 @@ void check_managed_offset(Report& report, unsigned l) {
 }  // namespace
 
 void check_values(Report& report) {
+    // A simulation is begun as one; a controller never takes itself for one (part 2, 35).
+    if (params::get_text(report.table, n5000_nc_mode) != "Real Run") report.add(Alarm::ParamRange, report.line(n5000_nc_mode) + ": Real Run");
     for (const ChannelConfig& c : report.machine.channels) {
         if (!c.exists()) continue;
         check_smoothing(report, c.number);

@@ -54,6 +54,7 @@ const Row kRows[] = {
     {{"N1413 L1=2", "N2923 L1=5"}, Alarm::ParamRange, "N2923 L1=5"},
     {{"N1413 L1=2", "N1414#1 L1=1", "N2923 L1=55"}, Alarm::ParamRange, "N2923 L1=55"},
     {{"N0682 S1=9.5"}, Alarm::ParamRange, "N0682 S1=9.5"},
+    {{"N5000=Simulation"}, Alarm::ParamRange, "N5000=Simulation"},
     {{"N0304 A1=0"}, Alarm::ConfigMotionLimit, "N0304 A1=0"},
     {{"N0305 A1=0"}, Alarm::ConfigMotionLimit, "N0305 A1=0"},
     {{"N0400 A4=0"}, Alarm::ConfigMotionLimit, "N0400 A4=0"},
