@@ -54,6 +54,7 @@ PathRecord RecordSink::event(RecordKind kind, const BlockContext& at, std::uint6
 }
 
 void RecordSink::push(PathRecord& r, bool stands, bool drains) {
+    if (ahead_ == Ahead::AtOnce && !ring_->has_room()) ahead_ = Ahead::Kept;   // what is in the ring moves on only behind the interrupt
     if (ahead_ == Ahead::Kept || (ahead_ == Ahead::AtOnce && r.kind == code_of(RecordKind::Stop))) return kept_.push_back(r);
     if (ahead_ == Ahead::AtOnce) r.flags |= kAtOnce;
     if (drains) r.flags |= kDrains;

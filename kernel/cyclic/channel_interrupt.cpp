@@ -1,5 +1,6 @@
 // The interrupt macro's signal: it is watched between M96 and M97, in path order, and stops the path at once or at the end of
 // the running block. What was pushed beyond is void; the channel goes on from there with the interrupt program.
+#include <algorithm>
 #include <utility>
 
 #include "ipc/image/interrupt_inputs.hpp"
@@ -53,8 +54,10 @@ bool ChannelRunner::obey_ahead() noexcept {
     if (ahead_ == kNoRecord) return true;
     if (ahead_asked_ && segment_->answered.load(std::memory_order_acquire) < ahead_asked_) return dead_;
     ahead_asked_ = 0;
-    const std::uint64_t head = segment_->path.head.load(std::memory_order_acquire);
-    for (; ahead_ < head; ++ahead_) {
+    const std::uint64_t head = std::min(segment_->path.head.load(std::memory_order_acquire), cursor_ + kPathRing);
+    constexpr int kMostInATick = 32;
+    for (int k = 0; ahead_ < head; ++ahead_, ++k) {
+        if (k == kMostInATick) return false;
         const PathRecord& r = record(ahead_);
         if (!(r.flags & kAtOnce) || r.epoch != epoch_) continue;
         if (writes_store(r) && (writes_ahead_ == StoreLink::kWritesAhead || !core_.store.has_room())) return false;
