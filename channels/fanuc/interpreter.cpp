@@ -86,6 +86,7 @@ Result<void> Interpreter::start(FileId main) {
     core_.compensation_reset();
     core_.fixture_off();
     core_.compensation_options(settings_.compensation);
+    core_.shows = {settings_.shows_tool_vector, settings_.shows_nose};
     clear_modal();
     frames_.clear();
     loops_.clear();
@@ -469,6 +470,7 @@ void Interpreter::reload_settings() {
     settings_ = make_settings_(core_.view().table(), core_.view().channel);
     settings_.system = system;
     core_.compensation_options(settings_.compensation);
+    core_.shows = {settings_.shows_tool_vector, settings_.shows_nose};
 }
 
 bool Interpreter::barrier_fresh() { return fresh_; }

@@ -96,6 +96,8 @@ Settings fanuc_settings(const Table& t, unsigned l) {
     s.keeps_common = bit(t, f6001, l, 6);
     s.keeps_locals = bit(t, f6001, l, 7);
     s.keeps_offset = bit(t, f5003, l, 6);
+    s.shows_tool_vector = !bit(t, f3104, l, 6);
+    s.shows_nose = !bit(t, f3104, l, 7);
     s.shared_100 = get(t, f6036, l);
     s.shared_500 = get(t, f6037, l);
     s.print_compact = bit(t, f6001, l, 1);

@@ -87,6 +87,7 @@ struct Settings {
     bool print_compact = false;          // F6001#1 PRT, N1757#0: DPRNT without plus signs and leading blanks
     bool print_parity = false;           // nct: even parity in bit 7 of what is printed
     std::string print_line_end = "\n";
+    bool shows_tool_vector = false, shows_nose = true;   // F3104#6 DAL, #7 DAC: what absolute positions contain (Core::shows)
     std::vector<std::pair<double, double>> draining_m;   // ranges of M codes behind which nothing is read ahead
     bool drill_axis_by_plane = false;    // F5101#0
     bool peck_full = false;              // F5101#2 RTR: G83 leaves the hole between pecks

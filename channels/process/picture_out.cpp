@@ -37,6 +37,7 @@ void describe(const Core& core, BlockPicture& picture) {
     picture.zero_row = path.zero_row;
     picture.flags = core.at.comp == CompSide::Left ? kPictureCompLeft : core.at.comp == CompSide::Right ? kPictureCompRight : 0u;
     if (path.transformation.active() || (path.framed && !only_moves(path.frame))) picture.flags |= kPictureNoShift;
+    if (!core.shows.nose) picture.flags |= kPictureNoNose;
     picture.feed_mode = static_cast<std::uint32_t>(path.feed_mode);
     picture.feed = path.feed;
     picture.spindle = path.spindle.spindle;
@@ -50,6 +51,7 @@ void describe(const Core& core, BlockPicture& picture) {
     for (std::size_t i = 0; i < kChannelAxes; ++i) {
         picture.shift[i] = path.machine[i] - path.programmed[i];
         picture.tool_shift[i] = path.shift[i] + path.vector[i];
+        picture.tool_shown[i] = core.shows.tool_vector ? path.vector[i] : 0.0;
     }
     put(picture.tool_name, path.tool.ref.name);
 }

@@ -162,6 +162,11 @@ public:
 
     PathState path;
     BlockContext at;                        // filled by the language for each block
+    // What absolute positions on screens contain beside what is programmed. A tool offset that shifts coordinates is no part of them.
+    struct Shows {
+        bool tool_vector = false;           // the tool offset that is travelled
+        bool nose = true;                   // what nose-radius compensation adds
+    } shows;
     MachineView& view() { return *view_; }
     const MachineView& view() const { return *view_; }
     Sink& sink() { return *sink_; }

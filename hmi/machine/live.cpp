@@ -161,6 +161,7 @@ void Live::readChannel(unsigned number) {
     const auto& segment = channelSegments_[number - 1];
     view.known = false;
     view.moves.fill(false);
+    view.nose.fill(0);
     if (!segment.attached()) return;
     if (const std::uint64_t version = segment->programs.version(); version != namesVersion_[number - 1] && segment->programs.read(*names_)) {
         namesVersion_[number - 1] = version;
@@ -176,6 +177,7 @@ void Live::readChannel(unsigned number) {
     const PathRecord first = segment->path.slot(running ? status.record : head - 1);
     view.rapid = (first.flags & kRapid) != 0;
     view.known = find_picture(*segment, first.serial, view.picture);
+    if (view.known && (view.picture.flags & kPictureNoNose)) readNose(number, running ? status.record : head - 1);
     if (!running || status.state == static_cast<std::uint32_t>(ChannelState::Reset)) return;
     // Its block may go on in the records behind it: the last one says where the axes end.
     const ChannelConfig& config = config_->channel(number);
@@ -189,14 +191,38 @@ void Live::readChannel(unsigned number) {
     }
 }
 
-bool Live::workpiece(unsigned channel, unsigned place, double machine, double& out) const {
-    const ChannelView& one = view(channel);
-    if (one.known) {
-        if (one.picture.flags & kPictureNoShift) return false;
-        out = machine - one.picture.shift[place];
-        return true;
+// Of each axis, what the newest record that moves it has. A reset ends compensation: what was driven before it tells nothing.
+void Live::readNose(unsigned number, std::uint64_t newest) {
+    constexpr std::uint64_t kFar = kPathRing / 2;   // the channel writes at the other end of the ring
+    ChannelView& view = views_[number - 1];
+    if (channel(number).state == static_cast<std::uint32_t>(ChannelState::Reset)) return;
+    const ChannelConfig& config = config_->channel(number);
+    const bool goesOn = (view.picture.flags & (kPictureCompLeft | kPictureCompRight)) != 0;   // from a hold, with another epoch
+    const auto& ring = channelSegments_[number - 1]->path;
+    const std::uint32_t epoch = ring.slot(newest).epoch;
+    std::array<bool, kChannelAxes> found{};
+    std::size_t left = config.axis_count;
+    for (std::uint64_t back = 0; back <= newest && back < kFar && left > 0; ++back) {
+        const PathRecord& record = ring.slot(newest - back);
+        if (record.epoch != epoch && !goesOn) return;
+        if (record.kind == 0 || record.kind > static_cast<std::uint8_t>(RecordKind::Curve)) continue;
+        for (std::size_t i = 0; i < record.axis_count && i < kMaxPathAxes; ++i)
+            for (std::size_t place = 0; place < config.axis_count; ++place)
+                if (!found[place] && config.axes[place] == record.axis[i] + 1) found[place] = true, view.nose[place] = record.nose[i], --left;
     }
-    return false;
+}
+
+bool Live::fromZero(unsigned channel, unsigned place, double machine, double& out) const {
+    const ChannelView& one = view(channel);
+    if (!one.known || (one.picture.flags & kPictureNoShift)) return false;
+    out = machine - one.picture.shift[place];
+    return true;
+}
+
+bool Live::workpiece(unsigned channel, unsigned place, double machine, double& out) const {
+    if (!fromZero(channel, place, machine, out)) return false;
+    out += view(channel).picture.tool_shown[place] - view(channel).nose[place];   // BlockPicture::tool_shown, kPictureNoNose
+    return true;
 }
 
 std::vector<Live::Process> Live::processes() const {

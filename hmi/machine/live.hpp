@@ -23,6 +23,7 @@ struct ChannelView {
     BlockPicture picture{};
     std::array<bool, kChannelAxes> moves{}; // by place: the running block moves the axis
     std::array<double, kChannelAxes> end{}; // and where to, machine coordinate
+    std::array<double, kChannelAxes> nose{};   // by place: what compensation has added to the programmed point
 };
 
 class Live {
@@ -75,6 +76,8 @@ public:
 
     // Of an axis of the channel by its place: what the workpiece system shows for a machine coordinate; false: it cannot be said.
     bool workpiece(unsigned channel, unsigned place, double machine, double& out) const;
+    // Likewise, in the system that the program counts in, whatever absolute positions are to contain.
+    bool fromZero(unsigned channel, unsigned place, double machine, double& out) const;
 
 private:
     void attach();
@@ -83,6 +86,7 @@ private:
     bool peersLive() const;
     void attachChannels();
     void readChannel(unsigned number);
+    void readNose(unsigned number, std::uint64_t newest);
     void readStore();
 
     std::string instance_;

@@ -126,7 +126,7 @@ void Graphics::beginStock(CuttingScene& scene) {
 void Graphics::followZero(unsigned channel, double tipZ) {
     const AxisConfig* z = find_axis(desk_.live.config(), channel, PlaneRole::BasicZ);
     double at = 0;
-    if (!z || z->slot == kNoSlot || !desk_.live.workpiece(channel, z->slot, now_.axes[z->number - 1u], at)) return;
+    if (!z || z->slot == kNoSlot || !desk_.live.fromZero(channel, z->slot, now_.axes[z->number - 1u], at)) return;
     const double zero = tipZ - zeroOf(channel).sense * at;
     const auto known = zeroZ_.find(channel);
     if (known != zeroZ_.end() && std::abs(known->second - zero) < 0.5) return;   // a shift of the program is no other chucking

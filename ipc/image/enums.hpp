@@ -161,7 +161,8 @@ enum class ScopeKind : std::uint32_t {
 };
 
 // kPictureNoShift: a frame that turns, mirrors or scales, or a transformation, lies between programmed and machine coordinates.
-enum PictureFlag : std::uint32_t { kPictureNoShift = 1u << 0, kPictureCompLeft = 1u << 1, kPictureCompRight = 1u << 2 };
+// kPictureNoNose: absolute positions do not contain what nose-radius compensation adds (PathRecord::nose).
+enum PictureFlag : std::uint32_t { kPictureNoShift = 1u << 0, kPictureCompLeft = 1u << 1, kPictureCompRight = 1u << 2, kPictureNoNose = 1u << 3 };
 
 // From power-on to ready (docs/design/power-on-to-ready.md); the same way back after a fault.
 enum class MachineStep : std::uint32_t { EmergencyStop = 0, Off, NotReferenced, Referencing, Ready, Stopped };
