@@ -15,6 +15,7 @@
 #include <cstring>
 
 #include "ipc/text/job.hpp"
+#include "ipc/text/replace_file.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -37,15 +38,12 @@ std::vector<std::pair<QString, int>> levelsIn(const QString& folder) {
 bool keepLevel(const QString& path, int level) {
     const QFileInfo info(path);
     const QString list = QDir(info.absolutePath()).filePath(kLevels);
-    QByteArray text;
+    QByteArray lines;
     for (const auto& [name, has] : levelsIn(info.absolutePath()))
-        if (name != info.fileName()) text += QByteArray::number(has) + ' ' + name.toUtf8() + '\n';
-    if (level > 0) text += QByteArray::number(level) + ' ' + info.fileName().toUtf8() + '\n';
-    if (text.isEmpty()) return !QFile::exists(list) || QFile::remove(list);
-    QFile file(list + ".part");
-    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.flush()) return file.remove(), false;
-    file.close();
-    return std::rename(path8(list + ".part").constData(), path8(list).constData()) == 0;
+        if (name != info.fileName()) lines += QByteArray::number(has) + ' ' + name.toUtf8() + '\n';
+    if (level > 0) lines += QByteArray::number(level) + ' ' + info.fileName().toUtf8() + '\n';
+    if (lines.isEmpty()) return !QFile::exists(list) || QFile::remove(list);
+    return text::replace_file(path8(list).toStdString(), lines.toStdString()).ok();
 }
 
 struct Handle {
@@ -221,7 +219,7 @@ bool keepPlace(const QString& name_of_file, const QString& name, const QString& 
     lines.erase(std::remove_if(lines.begin(), lines.end(), [&](const QString& line) { return line.section('=', 0, 0).trimmed() == name; }), lines.end());
     if (!path.isEmpty()) lines << name + "=" + path;
     QDir().mkpath(QFileInfo(name_of_file).absolutePath());
-    return file.open(QIODevice::WriteOnly | QIODevice::Truncate) && file.write(lines.join('\n').toUtf8() + '\n') > 0;
+    return text::replace_file(path8(name_of_file).toStdString(), (lines.join('\n') + '\n').toStdString()).ok();
 }
 
 FileOutcome transfer(const QString& from, const QString& to, FileProgress& progress, const std::atomic<bool>& stop, const std::function<void(const QString&)>& written) {

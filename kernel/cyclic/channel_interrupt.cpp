@@ -60,7 +60,7 @@ bool ChannelRunner::obey_ahead() noexcept {
         if (k == kMostInATick) return false;
         const PathRecord& r = record(ahead_);
         if (!(r.flags & kAtOnce) || r.epoch != epoch_) continue;
-        if (writes_store(r) && (writes_ahead_ == StoreLink::kWritesAhead || !core_.store.has_room())) return false;
+        if (writes_store(r) && !core_.store.has_room()) return false;
         report(KernelEventKind::RecordBegin, r, 0);
         execute_instant(r, 0);
         report(KernelEventKind::RecordEnd, r, 0);

@@ -140,6 +140,7 @@ void ChannelRunner::supply() noexcept {
     while (planner_->wants_record() && planner_->next_record() < visible_end_) {
         const PathRecord& r = record(planner_->next_record());
         if (r.epoch != epoch_) break;  // pushed after a reset of which the path has not come to rest yet
+        if (r.flags & kAtOnce) break;  // obey_ahead() does it; the path breaks off before
         // A flying record cannot wait when its turn comes. So it is not planned before the store's ring has room for it: the
         // path comes to rest in front of it until the store has caught up.
         if (writes_store(r)) {

@@ -105,6 +105,22 @@ class Interrupt(Run):
         self.assertEqual(done.status, 0, done.said())
         self.assertAlmostEqual([e for e in done.of("variable", name="#121")][-1]["value"], -40.0, delta=0.01)
 
+    def test_type_two_more_statements_than_the_ring_has_room_for(self):
+        self.write("O8300.nc", "O8300\n#121=0\nWHILE[#121LT1500]DO1\n#121=#121+1\n#1100=1-#1100\n#1132=#121\nEND1\nM99\n")
+        done = self.run_it(MAIN, ["F6003#2=1"], pulse((2.0, 1), (2.3, 0)))
+        self.assertEqual(done.status, 0, done.said())
+        self.assertEqual(done.of("variable", name="#121")[-1]["value"], 1500)
+        self.assertEqual([m["n"] for m in done.of("move")], [10, 20, 30])
+
+    def test_type_two_behind_a_block_with_many_writes(self):
+        self.write("O8300.nc", "O8300\n#121=#5042\nM99\n")
+        many = "#130=0\nWHILE[#130LT400]DO1\n#130=#130+1\nEND1\n"
+        done = self.run_it(MAIN.replace("N20", many + "N20"), ["F6003#2=1"], pulse((2.0, 1), (2.3, 0)))
+        self.assertEqual(done.status, 0, done.said())
+        self.assertAlmostEqual(done.of("variable", name="#121")[-1]["value"], -20.0, delta=0.5)
+        self.assertEqual(done.of("variable", name="#130")[-1]["value"], 400)
+        self.assertEqual([m["n"] for m in done.of("move")], [10, 20, 30])
+
     def test_type_one_breaks_the_block_off_and_loses_its_rest(self):
         self.write("O8300.nc", "O8300\n#121=#5042\nG00 U2.\nM99\n")
         done = self.run_it(MAIN, ["F6003#2=0"], pulse((2.0, 1), (2.3, 0)))
@@ -134,10 +150,6 @@ class PickedUpThread(LiveCase):
         done = self.polyturn("press", "--instance", self.name, *words.split())
         self.assertEqual(done.status, 0, words + "\n" + done.said())
 
-    def axis(self, name):
-        status = self.polyturn("status", "--json", "--instance", self.name)
-        return status.out
-
     def parameter(self, name):
         done = self.polyturn("params", "get", name, "--instance", self.name)
         self.assertEqual(done.status, 0, done.said())
@@ -147,7 +159,6 @@ class PickedUpThread(LiveCase):
         self.start("PT_LANGUAGE L1=fanuc")
         self.press("machine_on")
         self.press("reference all")
-        self.wait_for(lambda: '"Reset"' in self.axis("") or True, 1, "nothing")
         self.press("mode L1=mdi")
         self.press("mdi L1 G98 G97 S60 M3")
         self.press("cycle_start L1")
