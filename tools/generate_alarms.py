@@ -2,6 +2,8 @@
 """Alarms: one row in ipc/diagnosis/alarms.csv gives the identifier, its numbers per control, text and remedy."""
 import csv, pathlib, re, sys
 
+import tongues
+
 source, out = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 dialects = ["polyturn", "fanuc", "nct", "fagor", "sinumerik", "mefi"]
 rows = list(csv.DictReader(source.open(encoding="utf-8")))
@@ -45,30 +47,19 @@ write(out / "alarm_rows.cpp", '// Generated from ipc/diagnosis/alarms.csv.\n#inc
       + "};\nconst AlarmRow& alarm_row(Alarm id) { return kRows[static_cast<std::size_t>(id)]; }\n}\n")
 
 
-# Translations: alarms.ru.csv and so on. A row that is missing, or quotes other values than the English one, stays English.
+# Translations. One that quotes other values than the English row stays English.
 def placeholders(value):
     return sorted(re.findall(r"\{[01d]\}", value))
 
 
-def tongue(code):
-    path = source.with_name(f"alarms.{code}.csv")
-    known, found = {row["key"]: row for row in rows}, {}
-    for number, row in enumerate(csv.DictReader(path.open(encoding="utf-8")), 2):
-        where = f"{path}:{number}"
-        if None in row or None in row.values() or row["key"] in found:
-            sys.exit(f"{where}: wrong number of columns, or {row['key']} stands twice")
-        if row["key"] not in known:
-            continue   # the alarm was renamed or taken away: English serves until somebody has translated it anew
-        english = known[row["key"]]
-        if not row["text"] or bool(row["remedy"]) != bool(english["remedy"]) or placeholders(row["text"]) != placeholders(english["text"]):
-            # Whoever changed the English row need not speak the language: English serves, and a note says so.
-            print(f"{where}: {row['key']} must quote {placeholders(english['text'])}, and have a remedy if the English one has; shown in English")
-            continue
-        found[row["key"]] = row
-    return found
+def misfit(english, row):
+    if not row["text"] or bool(row["remedy"]) != bool(english["remedy"]) or placeholders(row["text"]) != placeholders(english["text"]):
+        return f"must quote {placeholders(english['text'])}, and have a remedy if the English one has"
+    return None
 
 
-tables = [tongue(code) for code in ("ru", "cs", "hu")]
+known = {row["key"]: row for row in rows}
+tables = [tongues.read(source, code, "key", ["key", "text", "remedy"], known, misfit) for code in tongues.CODES]
 write(folder / "alarm_tongues.hpp", '// Generated from ipc/diagnosis/alarms.ru.csv, alarms.cs.csv and alarms.hu.csv.\n#pragma once\n#include <array>\n'
       '#include "ipc/diagnosis/tongue.hpp"\nnamespace polyturn {\ninline constexpr std::array<std::array<TongueRow, kAlarmCount>, 3> kAlarmTongues{{\n'
       + "".join("  {{\n" + "".join(f"    {{{text(table[r['key']]['text'])}, {text(table[r['key']]['remedy'])}}},\n" if r["key"] in table else "    {},\n" for r in rows)

@@ -2,6 +2,8 @@
 """The shared image: ipc/image/fields.csv gives the structures, the table of fields and the layout hash."""
 import csv, hashlib, pathlib, re, sys
 
+import tongues
+
 fields_csv, signals_csv, enums_hpp, capacities_hpp, out = map(pathlib.Path, sys.argv[1:6])
 BASE = {"f64": "double", "i64": "std::int64_t", "u64": "std::uint64_t", "i32": "std::int32_t", "u32": "std::uint32_t", "u16": "std::uint16_t",
         "u8": "std::uint8_t", "char": "char", "a64": "std::atomic<std::uint64_t>", "a32": "std::atomic<std::uint32_t>"}
@@ -58,13 +60,14 @@ def spelled_out(name):
 
 
 signals, next_slot, spellings = [], {"N": 0, "P": 0}, set()
-for pattern in rows(signals_csv):
+patterns = rows(signals_csv)
+for pattern in patterns:
     index = re.fullmatch(r"(\d+)\.\.(\d+)", pattern.get("index") or "0..0")
     if pattern["scope"] not in SCOPES or pattern["writer"] not in next_slot or pattern["kind"] not in KINDS or not index \
             or (pattern.get("index") and pattern["scope"] != "global"):
         sys.exit(f"{signals_csv}: {pattern}")
     for name in spelled_out(pattern["name"]):
-        row = pattern | {"name": name, "first": int(index[1]), "count": int(index[2]) - int(index[1]) + 1, "alias": pattern.get("alias", "")}
+        row = pattern | {"pattern": pattern["name"], "name": name, "first": int(index[1]), "count": int(index[2]) - int(index[1]) + 1, "alias": pattern.get("alias", "")}
         for spelling in [name, *row["alias"].split()]:
             if spelling in spellings:
                 sys.exit(f"{signals_csv}: {spelling} stands twice")
@@ -121,3 +124,13 @@ c += ["};", "std::span<const FieldRow> image_fields() { return kFields; }", "}  
 (out / "polyturn").mkdir(parents=True, exist_ok=True)
 write(out / "polyturn" / "image_structs.hpp", "\n".join(h))
 write(out / "image_tables.cpp", "\n".join(c))
+
+# What people read of a signal in other languages, one text for each row of signal_rows().
+found = [tongues.read(signals_csv, code, "name", ["name", "meaning"], {pattern["name"]: pattern for pattern in patterns},
+                      lambda _, row: None if row["meaning"] else "has no meaning")
+         for code in tongues.CODES]
+write(out / "polyturn" / "signal_tongues.hpp",
+      "// Generated from ipc/image/signals.ru.csv, signals.cs.csv and signals.hu.csv.\n#pragma once\n#include <array>\n#include <string_view>\nnamespace polyturn {\n"
+      f"inline constexpr std::array<std::array<std::string_view, {len(signals)}>, 3> kSignalTongues{{{{\n"
+      + "".join("  {{\n" + "".join(f"    {text(tongue[s['pattern']]['meaning']) if s['pattern'] in tongue else '{}'},\n" for s in signals) + "  }},\n" for tongue in found)
+      + "}};\n}\n")

@@ -1,15 +1,18 @@
 #!/usr/bin/env python3
-"""Turns ipc/params/parameters.csv into C++: the typed handles and the table of rows.
+"""Turns ipc/params/parameters.csv into C++: the typed handles, the table of rows, and what people read of them in other languages.
 
-    generate_parameters.py TABLE.csv HANDLES.hpp ROWS.cpp
+    generate_parameters.py TABLE.csv HANDLES.hpp ROWS.cpp [TONGUES.hpp]
 
 Run by CMake. Whatever is wrong with the table is reported as TABLE.csv:LINE: message, all faults at once, and fails the
 build: a parameter that is read wrongly moves a machine wrongly. The columns are described in ipc/params/README.md.
 """
 import csv
 import math
+import pathlib
 import re
 import sys
+
+import tongues
 
 COLUMNS = ["number", "name", "group", "scope", "type", "unit", "min", "max", "default", "effect", "protection", "acts",
            "bits", "meaning"]
@@ -252,10 +255,49 @@ def write_rows(rows, path):
     write(path, out)
 
 
+def misfit(row, cells):
+    """A translation names the same bits, in the same order, and says something wherever the English row does."""
+    if not cells["name"] or not cells["meaning"] or bool(cells["acts"]) != (row.acts != "yes"):
+        return "needs a name, a meaning, and acts where the row has no effect"
+    if row.type == "text":
+        return None if cells["bits"] == row.bits else f"must leave the choices as they are: {row.bits}"
+    parts = [BIT.fullmatch(part.strip()) for part in filter(None, cells["bits"].split("; "))]
+    wanted = [f"#{number} {name}" for number, name, _ in row.bit_list]
+    if not all(parts) or [f"#{part[1]} {part[2]}" for part in parts] != wanted:
+        return f"must name the bits {', '.join(wanted) or 'none'}"
+    cells["bit texts"] = [part[3].strip() for part in parts]
+    return None
+
+
+def write_tongues(table, rows, path):
+    english = {row.number: row for row in rows}
+    columns = ["number", "name", "bits", "meaning", "acts"]
+    found = [tongues.read(table, code, "number", columns, english, misfit) for code in tongues.CODES]
+    out = ["// Generated from ipc/params/parameters.ru.csv, parameters.cs.csv and parameters.hu.csv by tools/generate_parameters.py.",
+           "#pragma once", "#include <array>", '#include "ipc/params/tongue.hpp"', '#include "polyturn/parameter_handles.hpp"', "",
+           "namespace polyturn::params::detail {", "using namespace std::string_view_literals;", ""]
+    for code, tongue in zip(tongues.CODES, found):
+        for index, row in enumerate(rows):
+            texts = tongue.get(row.number, {}).get("bit texts")
+            if texts:
+                out.append(f"inline constexpr std::string_view kBits_{code}{index}[] = {{{', '.join(quoted(text) + 'sv' for text in texts)}}};")
+    out += ["", "inline constexpr std::array<std::array<TranslatedRow, kRowCount>, 3> kTongues{{"]
+    for code, tongue in zip(tongues.CODES, found):
+        out.append("  {{")
+        for index, row in enumerate(rows):
+            cells = tongue.get(row.number)
+            out.append("    {}," if cells is None else
+                       f"    {{{quoted(cells['name'])}sv, {quoted(cells['meaning'])}sv, {quoted(cells['acts'])}sv, "
+                       + (f"kBits_{code}{index}" if cells.get("bit texts") else "{}") + f"}},   // {row.number}")
+        out.append("  }},")
+    out += ["}};", "", "}  // namespace polyturn::params::detail", ""]
+    write(path, out)
+
+
 def main(arguments):
-    if len(arguments) != 3:
+    if len(arguments) not in (3, 4):
         sys.exit(__doc__)
-    table, handles, source = arguments
+    table, handles, source = arguments[:3]
     rows, faults = read(table)
     for line, message in faults:
         print(f"{table}:{line}: {message}", file=sys.stderr)
@@ -264,6 +306,8 @@ def main(arguments):
     layout = lay_out(rows)
     write_handles(rows, handles, layout)
     write_rows(rows, source)
+    if len(arguments) == 4:
+        write_tongues(pathlib.Path(table), rows, arguments[3])
 
 
 if __name__ == "__main__":

@@ -17,12 +17,16 @@ struct Outcome {
     std::string output;
 };
 
-Outcome generate(const std::string& table) {
+// `translated`: the rows of every other language; without them none is made.
+Outcome generate(const std::string& table, const char* translated = nullptr) {
     const auto folder = std::filesystem::temp_directory_path() / ("polyturn_generator_" + std::to_string(::getpid()));
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "table.csv") << table;
     const std::string command = "python3 " POLYTURN_SOURCE_DIR "/tools/generate_parameters.py " + (folder / "table.csv").string() + " " +
-                                (folder / "handles.hpp").string() + " " + (folder / "rows.cpp").string() + " 2>&1";
+                                (folder / "handles.hpp").string() + " " + (folder / "rows.cpp").string() +
+                                (translated ? " " + (folder / "tongues.hpp").string() : "") + " 2>&1";
+    for (const char* code : {"ru", "cs", "hu"})
+        if (translated) std::ofstream(folder / (std::string("table.") + code + ".csv")) << "number,name,bits,meaning,acts\n" << translated;
     Outcome run{-1, ""};
     if (std::FILE* pipe = ::popen(command.c_str(), "r")) {
         char buffer[512];
@@ -72,6 +76,35 @@ TEST(ParameterGenerator, RefusesAWrongRowWithItsLine) {
         EXPECT_NE(run.status, 0);
         EXPECT_NE(run.output.find(fault.message), std::string::npos) << run.output;
         EXPECT_NE(run.output.find("table.csv:3:"), std::string::npos) << run.output;
+    }
+}
+
+// Who changes an English row need not speak the others: what no longer fits is told, and shown in English.
+struct Translation {
+    const char* row;
+    const char* told;     // nullptr: it fits
+};
+constexpr Translation kTranslations[] = {
+    {"N0106,Druh,#0 DIA: 1 průměry; #1 ROT: 1 rotační,Druh osy.,\n", nullptr},
+    {"N0106,Druh,#0 DIA: 1 průměry,Druh osy.,\n", "must name the bits #0 DIA, #1 ROT"},
+    {"N0106,Druh,#0 DIA: 1 průměry; #1 OSA: 1 rotační,Druh osy.,\n", "must name the bits #0 DIA, #1 ROT"},
+    {"N0106,Druh,#1 ROT: 1 rotační; #0 DIA: 1 průměry,Druh osy.,\n", "must name the bits #0 DIA, #1 ROT"},
+    {"N0106,,#0 DIA: 1 průměry; #1 ROT: 1 rotační,Druh osy.,\n", "needs a name, a meaning, and acts where the row has no effect"},
+    {"N0106,Druh,#0 DIA: 1 průměry; #1 ROT: 1 rotační,Druh osy.,nikdy\n", "needs a name, a meaning, and acts where the row has no effect"},
+    {"", "1 rows are shown in English: N0106"},
+};
+
+TEST(ParameterGenerator, TellsWhichTranslationsDoNotFit) {
+    const std::string table = std::string(kHeader) + "N0106,Kind,Axis,A,bit,,0,255,0,tick,maker,yes,#0 DIA: 1 diameters; #1 ROT: 1 rotary,Kind of axis.\n";
+    for (const Translation& one : kTranslations) {
+        SCOPED_TRACE(one.row);
+        const Outcome run = generate(table, one.row);
+        EXPECT_EQ(run.status, 0) << run.output;
+        if (one.told) {
+            EXPECT_NE(run.output.find(one.told), std::string::npos) << run.output;
+        } else {
+            EXPECT_EQ(run.output, "");
+        }
     }
 }
 

@@ -1,0 +1,59 @@
+// What people read of parameters: every row stands in every language, and says there what it says in English of the same bits.
+#include "ipc/params/tongue.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+#include <vector>
+
+#include "tests/unit/ipc/left_english.hpp"
+
+namespace polyturn::params {
+namespace {
+
+constexpr Tongue kOthers[] = {Tongue::Russian, Tongue::Czech, Tongue::Hungarian};
+
+TEST(ParameterTongues, EveryRowIsTranslatedWithItsBits) {
+    for (const Tongue tongue : kOthers)
+        for (const Row& row : rows()) {
+            SCOPED_TRACE(testing::Message() << static_cast<int>(tongue) << ' ' << row.number);
+            const RowWords words = words_of(row, tongue);
+            EXPECT_FALSE(left_english(row.name, words.name, tongue)) << words.name;
+            EXPECT_FALSE(left_english(row.meaning, words.meaning, tongue)) << words.meaning;
+            EXPECT_FALSE(row.acts != "yes" && left_english(row.acts, words.acts, tongue)) << words.acts;
+            for (const Bit& bit : row.bits) EXPECT_FALSE(left_english(bit.meaning, words.bits[bit.number], tongue)) << bit.name << ": " << words.bits[bit.number];
+        }
+}
+
+// A number that a text names (N0108, 99, #4) is a fact: no language may have another.
+TEST(ParameterTongues, ATranslationNamesTheSameParametersAsTheEnglishRow) {
+    const auto named = [](std::string_view text) {
+        std::vector<std::string> out;
+        for (std::size_t i = 0; i + 4 < text.size(); ++i) {
+            if ((text[i] != 'N' && text[i] != 'F') || (i && std::isalnum(static_cast<unsigned char>(text[i - 1])))) continue;
+            if (!std::all_of(text.begin() + i + 1, text.begin() + i + 5, [](char c) { return c >= '0' && c <= '9'; })) continue;
+            if (i + 5 < text.size() && std::isdigit(static_cast<unsigned char>(text[i + 5]))) continue;
+            out.emplace_back(text.substr(i, 5));
+        }
+        std::sort(out.begin(), out.end());
+        out.erase(std::unique(out.begin(), out.end()), out.end());
+        return out;
+    };
+    for (const Tongue tongue : kOthers)
+        for (const Row& row : rows()) EXPECT_EQ(named(words_of(row, tongue).meaning), named(row.meaning)) << static_cast<int>(tongue) << ' ' << row.number;
+}
+
+TEST(ParameterTongues, EnglishIsTheTableItself) {
+    const Row& row = *find("N0106");
+    const RowWords words = words_of(row, Tongue::English);
+    EXPECT_EQ(words.name, row.name);
+    EXPECT_EQ(words.meaning, row.meaning);
+    EXPECT_EQ(words.acts, row.acts);
+    EXPECT_EQ(words.bits[3], row.bits[3].meaning);
+    EXPECT_TRUE(words_of(*find("N0104"), Tongue::Czech).bits[1].empty()) << "N0104 has no bit #1";
+}
+
+}  // namespace
+}  // namespace polyturn::params
