@@ -60,7 +60,7 @@ bool plunge_groove(Core& core, const PlungedGroove& groove) {
     if (steps > kMostPecks) return core.fail(Alarm::CycleValueIllegal, 'C', "C", groove.step);
     const double clear = deep(groove.start) + away * groove.safety;
     for (int k = 0; k <= steps; ++k) {
-        const double at = side(groove.start) + (steps ? towards * width * k / steps : 0.0);
+        const double at = side(groove.start) + towards * ((steps ? width * k / steps : 0.0) + (groove.far_corner ? groove.cutter : 0.0));
         if (!moves.rapid(point(at, clear))) return false;
         if (!moves.linear(point(at, deep(groove.end)))) return false;
         if (groove.dwell > 0 && !core.dwell(groove.dwell, false)) return false;

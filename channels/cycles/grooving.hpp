@@ -32,8 +32,12 @@ bool cut_grooves(Core& core, const Grooving& cycle);
 //   start ---.      .--- call point          steps of equal size, not above `step`; the last plunge ends on the far side
 //            |  |  |
 //            '--+--+-- end
+//
+// The first plunge is at the start with the cutter's corner that is there; where the tool's point is its other corner, every
+// plunge lies the cutter's width further on.
 struct PlungedGroove {
     bool along_x = true;            // plunges along X (G88), else along Z (G89)
+    bool far_corner = false;        // the tool's point is the corner on the side of the end
     Point start, end;
     double cutter = 0.0, step = 0.0, safety = 0.0;   // mm
     double dwell = 0.0;             // seconds behind each plunge; 0 none

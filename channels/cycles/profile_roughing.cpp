@@ -142,7 +142,10 @@ private:
     // From the end of a pass away from the contour, by the rule that D has chosen.
     bool leave(const Opening& opening, std::size_t k, double end, bool at_contour) {
         const double h = levels_[k];
-        if (cycle_->retract == Retract::Oblique) return to({end - cycle_->safety, h + cycle_->safety}, true);
+        if (cycle_->retract == Retract::Oblique) {
+            const double away = opening.from_start ? cycle_->safety : std::fmin(cycle_->safety, end - opening.s1);   // the flank where it came in
+            return away < kSame || to({end - away, h + away}, true);
+        }
         if (cycle_->retract == Retract::Same) return to({std::fmax(opening.from_start ? call_.s : opening.s1, call_.s), h}, true);
         const double above = levels_[k - 1];
         if (!at_contour || opening.to_end) return to({end, above}, true);

@@ -10,6 +10,7 @@ namespace {
 constexpr std::size_t at(GGroup group) { return static_cast<std::size_t>(group); }
 constexpr std::uint32_t kAlways = letter_set("FSTDM");
 constexpr double kLargestNumber = 99'999.9999;   // of ±5.4
+constexpr double kLargestProgram = 999'999;      // Q of a profile cycle has six digits
 
 }  // namespace
 
@@ -61,7 +62,8 @@ bool Interpreter::classify() {
             repeats_ = number;
             continue;
         }
-        if (std::fabs(word.value) > kLargestNumber + 1e-4) return fail_word(word, Alarm::DigitsTooMany, std::string(1, word.letter));
+        const bool program = word.letter == 'Q' && cycle && coded_[at(GGroup::Cycle)]->number < 81;
+        if (std::fabs(word.value) > (program ? kLargestProgram : kLargestNumber) + 5e-5) return fail_word(word, Alarm::DigitsTooMany, std::string(1, word.letter));
         if (by_letter_[letter]) {
             // The plane X U has two centre words of one letter, the first of X.
             if (word.letter >= 'I' && word.letter <= 'K' && !centre_second_) {

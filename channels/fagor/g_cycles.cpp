@@ -1,7 +1,9 @@
 // G81 to G89: the words of a cycle become a section, a hole, a thread or a groove (fagor_8037t part 2, 9.4 to 9.12).
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "channels/compensation/options.hpp"
 #include "channels/cycles/drilling.hpp"
 #include "channels/cycles/grooving.hpp"
 #include "channels/cycles/section.hpp"
@@ -188,6 +190,14 @@ bool Interpreter::g_grooving(const GCode& row) {
     if (std::fabs(depth) < 1e-9) return core_.fail(Alarm::FagorGrooveDepth, groove.along_x ? 'Q' : 'R');
     if (width < groove.cutter - 1e-6) return core_.fail(Alarm::FagorGrooveWidth, groove.along_x ? 'R' : 'Q', {}, width, groove.cutter);
     if (!(groove.step > 0)) return core_.fail(Alarm::FagorCycleZero, 'G', "C (NOSEW)");
+    // The location code says which corner of the cutter the tool's point is (9.11, part 1 8.2.1).
+    int p = -1, q = -1;
+    core_.plane_axes(p, q);
+    const auto code = static_cast<std::size_t>(std::clamp(tool.tip, 0, 9));
+    const auto along = static_cast<std::size_t>(groove.along_x ? p : q);
+    double corner = groove.along_x ? compensation::kTipsAround[code].first : compensation::kTipsAround[code].second;
+    if (modal_.mirrored >> along & 1u) corner = -corner;
+    groove.far_corner = corner * (groove.along_x ? groove.end.z - groove.start.z : groove.end.x - groove.start.x) > 0;
     const Point call = cycle_call_point();
     const double distance_now = ((groove.along_x ? call.x - groove.start.x : call.z - groove.start.z)) * (depth > 0 ? 1.0 : -1.0);
     if (distance_now < groove.safety - 1e-6) return core_.fail(Alarm::FagorCyclePosition, 'G', std::string(cycle_name(row.number)));

@@ -237,6 +237,7 @@ bool Interpreter::three_point_arc(const AxisValues& target) {
 bool Interpreter::g_thread(const GCode& row) {
     if (!has_axes()) return core_.fail(Alarm::CoordinateAxisNone, 'G', row.number == 33 ? "G33" : "G34");
     if (has('Q') && !settings_.thread_angle) return core_.fail(Alarm::FagorThreadAngle, 'Q');
+    if (std::fabs(number('Q')) >= 360.0) return core_.fail(Alarm::FagorValueRange, 'Q', "Q", number('Q'));
     if (!read_point_without_polar(target_)) return false;
     double lead = has('L') ? distance('L') : modal_.lead;
     double change = row.number == 34 ? distance('K') : 0.0;

@@ -80,6 +80,7 @@ bool Interpreter::record_profile(const Interpreter& caller, FileId file, TextPos
     recorder.contour.first = start;
     CallFrame frame;
     frame.file = file;
+    frame.maker = attribute_of(file, 'O');
     frames_.assign(1, frame);
     source_ = &files_->source(file);
     source_->seek(from);
@@ -204,6 +205,7 @@ bool Interpreter::g_profile(const GCode& row) {
         Contour allowed = part;
         if (has('M')) allowed = cycles::translated(part, {sz * m, sx * l});
         else if (l > 0) allowed = cycles::equidistant(part, l, side);
+        if (allowed.elements.empty()) return core_.fail(Alarm::ContourEmpty, 'L');
         cycles::ProfileRoughing cycle;
         cycle.facing = facing;
         cycle.depth = distance('C');
@@ -253,13 +255,18 @@ bool Interpreter::repeat_passes(const Contour& part, Point call, double l, doubl
     cycle.finishing_square = square;
     cycle.arc_tolerance = settings_.arc_tolerance;
     const int side = cycles::side_towards(part, call);
+    // An arc or a slope at the end is not cut beyond the largest coordinate that is programmed (9.1.1).
+    const cycles::Element& last = part.elements.back();
+    const bool oblique_end = last.form != cycles::Element::Form::Line || (std::fabs(last.to.z - last.from.z) > 1e-6 && std::fabs(last.to.x - last.from.x) > 1e-6);
     if (!(finishing > 0 && stock <= allowance)) {
         const int passes = static_cast<int>(std::ceil((stock - allowance) / step - 1e-9));
         if (passes > 10'000) return core_.fail(Alarm::CycleValueIllegal, 'C', "C", step);
         for (int k = 1; k <= passes; ++k) {
             const double d = std::fmax(stock - k * step, allowance);
             if (!has('M')) {
-                cycle.passes.push_back(d > 0 ? cycles::equidistant(part, d, side) : part);
+                Contour pass = d > 0 ? cycles::equidistant(part, d, side) : part;
+                if (oblique_end) pass = cycles::without_end_beyond(pass, along_x, along_x ? sx : sz, outermost);
+                if (!pass.elements.empty()) cycle.passes.push_back(std::move(pass));
                 continue;
             }
             const double more = d - allowance;

@@ -303,10 +303,11 @@ Step Interpreter::end_block(bool counts, std::uint64_t moves_before) {
     return wants_barrier_ ? Step::AtBarrier : Step::Continue;
 }
 
-bool Interpreter::parameter_value(std::int64_t number, double& value) {
-    if (!Values::exists(number)) return false;
+std::optional<Alarm> Interpreter::parameter_value(std::int64_t number, double& value) {
+    if (!Values::exists(number)) return Alarm::VariableUnknown;
+    if (Values::of_maker(number) && !frames_.back().maker) return Alarm::FagorMakerParameter;
     value = values_.parameter(number);
-    return true;
+    return std::nullopt;
 }
 
 bool Interpreter::preset_variable(std::string_view name, double value) {

@@ -248,7 +248,7 @@ private:
 
     // ReaderHost
     bool block_skip(unsigned number) override { return core_.port().block_skip(number); }
-    bool parameter_value(std::int64_t number, double& value) override;
+    std::optional<Alarm> parameter_value(std::int64_t number, double& value) override;
 
     // interrupt inputs (interrupts.cpp)
     void arm_interrupts();

@@ -148,7 +148,7 @@ bool Reader::word(const char*& at, Block& block) {
         for (unsigned digits = 0; p != end_ && is_digit(*p) && digits < 6; ++p, ++digits) number = number * 10 + (*p - '0');
         double value = 0.0;
         if (word.letter == 'N' && block.count == 0) return fail(Alarm::FagorLabel, begin, static_cast<std::size_t>(p - begin));
-        if (!host_->parameter_value(number, value)) return fail(Alarm::VariableUnknown, name, static_cast<std::size_t>(p - name), std::string(name, p));
+        if (const auto alarm = host_->parameter_value(number, value)) return fail(*alarm, name, static_cast<std::size_t>(p - name), std::string(name, p));
         word.value = sign * value;
         word.given = word.parameter = true;
         at = p;

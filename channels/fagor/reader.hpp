@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -43,8 +44,8 @@ class ReaderHost {
 public:
     virtual ~ReaderHost() = default;
     virtual bool block_skip(unsigned number) = 0;
-    // The value of parameter P<number>; false: there is no such parameter.
-    virtual bool parameter_value(std::int64_t number, double& value) = 0;
+    // The value of parameter P<number>; an alarm: there is no such parameter, or it is not this program's.
+    virtual std::optional<Alarm> parameter_value(std::int64_t number, double& value) = 0;
 };
 
 struct ReaderFault {

@@ -106,7 +106,9 @@ Interpreter::Flow Interpreter::run_statement(const char*& at, const char* end, b
         blanks(at, end);
         return true;
     };
-    if (block_.repeat >= 0 && word != "RPT") return flow_fault(Alarm::FagorRepeat, begin, word.size());
+    // The count behind IF belongs to the RPT in it.
+    const bool counts = word == "RPT" || inside_if || (word == "IF" && std::string_view(at, end).find("RPT") != std::string_view::npos);
+    if (block_.repeat >= 0 && !counts) return flow_fault(Alarm::FagorRepeat, begin, word.size());
     if (inside_if && (word == "IF" || word == "SUB")) return flow_fault(Alarm::FagorStatement, begin, word.size(), std::string(word) + " in IF");
     if (is("IF")) return condition(at, end);
     if (is("MSG")) return message_statement(at, end);

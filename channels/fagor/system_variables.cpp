@@ -26,6 +26,7 @@ int Interpreter::place_of(char axis) const { return axis ? place_[static_cast<st
 Access Interpreter::read(const Target& target, double& value) {
     if (!target.row) {
         if (!Values::exists(target.number)) return Access::Unknown;
+        if (Values::of_maker(target.number) && !frames_.back().maker) return variable_fault(Alarm::FagorMakerParameter, target_name(target));
         value = values_.parameter(target.number);
         return Access::Ok;
     }

@@ -87,7 +87,13 @@ Access Interpreter::write_table(const Target& target, double value) {
     if (index < 0 || index > 255) return variable_fault(Alarm::FagorValueRange, target_name(target), index);
     const auto field = static_cast<ToolField>(target.row->sub);
     if (field == ToolField::Offset && (value < 0 || value > most)) return variable_fault(Alarm::OffsetNumberIllegal, {}, value, most);
-    if (field == ToolField::Family && (value < 0 || value > 255)) return variable_fault(Alarm::FagorValueRange, target_name(target), value);
+    // Table formats of 11.2.2; angles are ten-thousandths of a degree.
+    static constexpr struct { ToolField field; double least, most; } kRanges[] = {
+        {ToolField::Family, 0, 255},          {ToolField::Life, 0, 65'535},           {ToolField::Used, 0, 9'999'999}, {ToolField::Pocket, -1, 255},
+        {ToolField::NoseAngle, 0, 3'599'999}, {ToolField::CutAngle, 0, 3'599'999},    {ToolField::NoseWidth, 0, 99'999.9999},
+    };
+    for (const auto& range : kRanges)
+        if (field == range.field && (value < range.least || value > range.most)) return variable_fault(Alarm::FagorValueRange, target_name(target), value);
     if (field == ToolField::NoseWidth) value *= unit();
     values_.write(values_.tool(field, static_cast<std::size_t>(index)), value);
     tell_tool(field, static_cast<std::size_t>(index), value);

@@ -82,7 +82,7 @@ bool Interpreter::classify() {
             if (block_.words[axis_words_[k]].axis >= 0 || block_.words[axis_words_[k]].address != 'H') axis_words_[kept++] = axis_words_[k];
         axis_word_count_ = kept;
     }
-    return true;
+    return !settings_.mefi || says_it_once();
 }
 
 // A milling channel calls three drilling cycles by the numbers that a lathe needs for turning (N1503#0, N1611#0).

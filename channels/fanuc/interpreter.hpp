@@ -300,6 +300,7 @@ private:
     bool stroke_limits();
     void reload_settings();
     void end_one_block_shift();
+    bool says_it_once();   // mefi
     void write_offset(OffsetTable table, std::int32_t number, OffsetField field, double value);
     void write_zero(std::int32_t row, unsigned place, double value);
 

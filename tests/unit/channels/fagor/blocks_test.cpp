@@ -110,6 +110,9 @@ TEST(FagorBlock, RefusesByName) {
         {"G81 X30 Z0 Q54 R-24 C0", Alarm::FagorCycleZero, "\"line\":1"},
         {"G86 X30 Z0 Q30 R-20 I1 B0.2 C1 M0.1 K-10", Alarm::FagorCyclePair, "\"line\":1"},
         {"G88 X30 Z0 Q30 R-20 C2", Alarm::FagorGrooveDepth, "\"line\":1"},
+        {"X100000", Alarm::DigitsTooMany, "\"line\":1"},                                                       // [3.3] 5.4
+        {"XP2000", Alarm::FagorMakerParameter, "\"column\":2"},                                                // [part 2, 11.2.1]
+        {"G68 X20 Z0 C2 S1 E2 Q123456", Alarm::SubprogramMissing, "P123456"},                                   // [part 2, 9.0.3] six digits
         {"G152\nG00 X10 Z10\nG20 K1 X0 Z0\nG21 K1 X5 Z5\nG22 K1 S1\nX1 Z1", Alarm::FagorZoneEntered, "\"line\":6"},
     };
     for (const Refusal& row : rows) {

@@ -39,6 +39,7 @@ TEST(FagorStatement, RunsWhatItNames) {
     EXPECT_TRUE(run("(PCALL 1, B2, D1)\nM30\n(SUB 1)\n(P100=CALLP)\n(RET)\n").has({"P100", ":10"}));                // [11.2.12]
     EXPECT_TRUE(run("(P101=1)\nN5 (P101=P101*2)\n(IF (P101 LT 30) GOTO N5)\n(P100=P101)\nM30\n").has({"P100", ":32"}));   // [12.4]
     EXPECT_TRUE(run("N1 (P101=P101+1)\nN2 (P102=P102+2)\n(RPT N1, N2) N3\n(P100=P101*10+P102)\nM30\n").has({"P100", ":48"}));
+    EXPECT_TRUE(run("N1 (P100=P100+1)\nN2 (P102=0)\n(IF (P100 EQ 1) RPT N1, N2) N3\nM30\n").has({"P100", ":4"}));   // its count stands behind the bracket
     EXPECT_TRUE(run("(P101=2.5)\n(OPEN P7)\n(WRITE (P100=?P101))\n(EXEC P7)\nM30\n").has({"P100", ":2.5"}));        // [12.7]
     EXPECT_TRUE(run("(OPEN P7)\n(WRITE (P101=5))\n(WRITE M30)\n(WRITE (P101=6))\n(EXEC P7)\n(P100=P101)\nM30\n").has({"P100", ":5"}));   // its M30 leads back
     EXPECT_TRUE(run("(P101=2)\n(MSG \"N ?P101 OK\")\nM30\n").has({"message", "N 2 OK"}));                            // [12.2]
@@ -53,6 +54,8 @@ TEST(FagorStatement, RefusesByName) {
         {"(RET)", Alarm::FagorReturn}, {"(WRITE G0)", Alarm::FagorWriteClosed}, {"(REPOS X)", Alarm::FagorRepos}, {"(PAGE 1)", Alarm::FagorUserChannel},
         {"(SUB 10001)\n(RET)", Alarm::FagorMakerSubroutine}, {"(SUB 1)\n(RET)\n(SUB 1)\n(RET)", Alarm::FagorSubroutineTwice},
         {"(OPEN P5)\n(OPEN P5)", Alarm::FagorProgramExists}, {"(CALL 1)\nM30\n(SUB 1)\n(CALL 1)\n(RET)", Alarm::CallTooDeep},
+        {"(P100=P2000)", Alarm::FagorMakerParameter}, {"(TLFN3=65536)", Alarm::FagorValueRange}, {"(TMZT1=-2)", Alarm::FagorValueRange}, {"(NOSEW1=-1)", Alarm::FagorValueRange},
+        {"(IF (1 EQ 1) GOTO N5) N2\nN5 X1", Alarm::FagorRepeat},
         {"(PCALL 1)\nM30\n(SUB 1)\n(PCALL 1)\n(RET)", Alarm::FagorLevels}, {"(P100=GPOSX N5 P9)", Alarm::FagorBlockUnknown},
     };
     for (const auto& [program, alarm] : rows) {

@@ -51,7 +51,6 @@ TEST(MefiShift, MovesWhereTheTableSays) {
         {"G00 G56 X0 Z0\nG58 X0 Z0\nX1 Z1", "-2,12.5 1,300 -1,13.5"},   // [5.3]
         {"G00 G58 X0 Z0\nX0 Z0", "1,300 40,-30"},
         {"G00 G56 X0 Z0\nG59\nX1", "-2,12.5 -1,12.5"},
-        {"G00 G57 X0 Z0\nG59 G55 X0 Z0\nX1", "20,7 0,0 1,0"},    // the last code of a group counts
         {"G00 X0 Z0\nG91 G58 X1\nZ1", "40,-30 41,-30 41,-29"},   // [5.2] increments know no shift
         {"G54 G92 X12\nG00 X0 Z0\nG53 X0 Z0\nG54 X0", "12,-50 40,-30 12,-30"},       // [6.1]
         {"G54 G92 X1 Z2\nG55 G92 Z3\nG00 X0 Z0\nG54 X0 Z0", "0,3 1,2"},
@@ -93,7 +92,8 @@ TEST(MefiShift, BeginsWithThePriorityFunctionOfItsParameter) {
 TEST(MefiBlock, RefusesWhatIsNotItsLanguage) {
     const Row rows[] = {
         {"G00 U5", "\"column\":5"}, {"G00 X#1", "expressions in mefi"}, {"#1=5", "macro statements in mefi"}, {"G20", "G20"},
-        {"G10 P1 X5", "G10"}, {"G71 P1 Q2", "G71"}, {"G92", "G92"}, {"G54 G93", "G93"}, {"G65 P9010", "G65"}};
+        {"G10 P1 X5", "G10"}, {"G71 P1 Q2", "G71"}, {"G92", "G92"}, {"G54 G93", "G93"}, {"G65 P9010", "G65"},
+        {"G00 X1 Z2 X3", "\"column\":11"}, {"G57 G55 X1", "G57 G55"}, {"G59 G58 X1", "G59 G58"}, {"G54 G92 G93 X1", "G92 G93"}, {"G90 G91 X1", "G90 G91"}};
     for (const Row& row : rows) {
         SCOPED_TRACE(std::string(row.program));
         const Played played = play(row.program, mefi());
