@@ -55,6 +55,7 @@ struct BlockContext {
     std::string_view cycle;        // name of the cycle that makes it; empty none
     bool by_code = false;          // within a program that a code has called (N1338 DSM)
     std::int8_t own_axis = -1;     // place of the axis that runs this by itself, beside the path (B programs); -1: the path does it
+    bool own_by_way = false;       // and its moves count from where it stands when its program begins
 };
 
 inline constexpr double kTorqueOfPlc = -1.0;
@@ -75,6 +76,7 @@ struct Move {
     AxisSet moved = 0;              // axes whose machine coordinate changes
     AxisValues machine_start{}, machine{};  // I2; arcs: the plane axes turn about `centre`
     AxisValues pos{};               // as programmed, workpiece system, true mm and radius; see cli.md 3 `pos`
+    AxisValues nose{};              // what compensation of the nose radius has added to the programmed end
     double feed = 0.0;              // mm/min (deg/min), mm/rev, 1/min; 0 for rapid
     double feed_scale = 1.0;        // way along the path (linear axes; rotary ones when they are alone) in one unit of what the feed counts
     double speed_limit = 0.0;       // along the path, mm/min, whatever the feed; 0 none

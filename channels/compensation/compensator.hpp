@@ -126,6 +126,7 @@ private:
     void contour_block(const Move& m, const BlockContext& at);
     void cancel_block(const Move& m, const BlockContext& at);
     void shift(Move& m) const;
+    void add_nose(Move& m, Vec by) const { m.nose[p_] = by.p, m.nose[q_] = by.q; }
     void straight_to_programmed(const Move& m, const BlockContext& at);
     bool finish(Vectors end);
     void finish_at_programmed();

@@ -27,6 +27,7 @@ void Compensator::shift(Move& m) const {
     m.machine_start[p_] += displacement_.p, m.machine_start[q_] += displacement_.q;
     m.machine[p_] += displacement_.p, m.machine[q_] += displacement_.q;
     m.pos[p_] += displacement_.p, m.pos[q_] += displacement_.q;
+    add_nose(m, displacement_);
     m.centre_p += displacement_.p, m.centre_q += displacement_.q;
     m.pos_centre_p += displacement_.p, m.pos_centre_q += displacement_.q;
 }
@@ -215,6 +216,7 @@ void Compensator::go(const Held& b, Vec to, bool by_arc, Vec about) {
     m.machine_start[p_] = here_.p, m.machine_start[q_] = here_.q;
     m.machine[p_] = to.p, m.machine[q_] = to.q;
     m.pos[p_] += to.p - programmed.p, m.pos[q_] += to.q - programmed.q;
+    add_nose(m, to - programmed);
     if (m.kind == MoveKind::Thread) {
         m.feed_mode = FeedMode::PerRevolution;
         m.feed = m.lead_path;
@@ -290,6 +292,7 @@ void Compensator::go_element(const Held& b, Vec to, bool as_line) {
     m.machine_start[p_] = here_.p, m.machine_start[q_] = here_.q;
     m.machine[p_] = to.p, m.machine[q_] = to.q;
     m.pos[p_] += to.p - programmed.p, m.pos[q_] += to.q - programmed.q;
+    add_nose(m, to - programmed);
     m.moved &= ~(1u << p_ | 1u << q_);
     bool curved = b.element.arc && !as_line;
     if (curved) {

@@ -96,18 +96,27 @@ void PathMaker::add_move() {
         next.move.flags &= ~std::uint32_t{kThreadChained};   // nothing to go on from
         next.ceilings = ceilings_of(next.move, *limits_);
         chain_.push_back(next);
-        return;
+    } else {
+        const bool runs = may_run(chain_.back().move, next.move);
+        next.ceilings = ceilings_of(next.move, *limits_);
+        if (runs) {
+            chain_.push_back(next);
+            run_on();
+        } else {
+            close_chain();
+            join(chain_.back(), next);
+            chain_.back() = next;
+        }
     }
-    const bool runs = may_run(chain_.back().move, next.move);
-    next.ceilings = ceilings_of(next.move, *limits_);
-    if (runs) {
-        chain_.push_back(next);
-        run_on();
-        return;
-    }
-    close_chain();
-    join(chain_.back(), next);
-    chain_.back() = next;
+    for (std::size_t k = 0; k < next.move.axis_count; ++k)
+        if (next.move.axis[k] < kMaxAxes) nose_[next.move.axis[k]] = next.move.nose[k];
+}
+
+// An axis that the move does not have stands where the one before has left it.
+double PathMaker::nose_of(const PathRecord& move, std::uint8_t axis) const {
+    for (std::size_t k = 0; k < move.axis_count; ++k)
+        if (move.axis[k] == axis) return move.nose[k];
+    return axis < kMaxAxes ? nose_[axis] : 0.0;
 }
 
 void PathMaker::add_event(const PathRecord& record, bool stops) {
@@ -135,6 +144,7 @@ void PathMaker::discard() {
     chain_.clear();
     between_.clear();
     running_ = false;
+    nose_.fill(0);
 }
 
 // Whatever else is kept goes out, so that one move remains.
@@ -250,6 +260,7 @@ void PathMaker::put_pieces(Kept& of, const Blend& blend, std::size_t first, std:
         of.begun = true;
         if (last && n + 1 == end) r.flags |= end_flag(r);
         fill_piece(blend, blend.piece[n], r);
+        for (std::size_t k = 0; k < r.axis_count; ++k) r.nose[k] = nose_of(of.move, r.axis[k]);
         Ceilings own = ceilings_of(r, *limits_);
         own.v = std::min(own.v, rules.v), own.soften(rules.a);
         store(own, r);

@@ -69,6 +69,7 @@ private:
     void put_part(Kept& of, double to, bool last, bool stop);
     void put_pieces(Kept& of, const Blend& blend, std::size_t first, std::size_t end, const Ceilings& rules, bool last);
     void put_between(std::uint64_t up_to);
+    double nose_of(const PathRecord& move, std::uint8_t axis) const;
     bool may_run(const PathRecord& a, PathRecord& b);
     bool agree_on_axes(PathRecord& a, PathRecord& b) const;
     void run_on();
@@ -86,6 +87,7 @@ private:
     std::uint64_t run_number_ = 0;  // of the run's first line
     SplineRun spline_;
     std::deque<Between> between_;
+    std::array<double, kMaxAxes> nose_{};   // PathRecord::nose of each machine axis behind the newest of chain_
     Blend blend_;
     PathRecord scratch_;
 };

@@ -52,6 +52,7 @@ bool PathMaker::agree_on_axes(PathRecord& a, PathRecord& b) const {
         if (find(a, b.axis[i]) == a.axis_count) {
             a.axis[a.axis_count] = b.axis[i];
             a.start[a.axis_count] = a.end[a.axis_count] = b.start[i];
+            a.nose[a.axis_count] = nose_of(a, b.axis[i]);
             ++a.axis_count;
         }
     for (std::size_t i = 0; i < a.axis_count; ++i) {
@@ -59,6 +60,7 @@ bool PathMaker::agree_on_axes(PathRecord& a, PathRecord& b) const {
         whole.axis[i] = a.axis[i];
         whole.start[i] = from < b.axis_count ? b.start[from] : a.end[i];
         whole.end[i] = from < b.axis_count ? b.end[from] : a.end[i];
+        whole.nose[i] = from < b.axis_count ? b.nose[from] : a.nose[i];
     }
     whole.axis_count = a.axis_count;
     b = whole;

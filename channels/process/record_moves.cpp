@@ -171,6 +171,7 @@ void RecordSink::add(const Move& move, const BlockContext& at, bool told, std::u
         if (arc && i == move.plane_q) r.plane[1] = r.axis_count;
         r.axis[r.axis_count] = view_->axes[i].machine_axis;
         r.start[r.axis_count] = from[i];
+        r.nose[r.axis_count] = move.nose[i];
         r.end[r.axis_count++] = to[i];
     }
     if (arc) fill_arc(move, r);
@@ -244,6 +245,7 @@ void RecordSink::fill_retract(const Move& move, PathRecord& r) const {
             if (slot == kMaxPathAxes) continue;
             r.axis[slot] = axis;
             r.start[slot] = r.end[slot] = move.machine[place];
+            r.nose[slot] = move.nose[place];
             ++r.axis_count;
         }
         if (slot < r.retract.size()) r.retract[slot] = move.withdraw[k];

@@ -48,6 +48,7 @@ void FactorSink::deliver(const Move& m, double way, const BlockContext& at) {
         if (f == 1.0) continue;
         out_.machine[i] += (f - 1) * out_.pos[i];
         out_.pos[i] *= f;
+        out_.nose[i] = f * m.nose[i];
         out_.machine_start[i] = axes_[i];
     }
     const double share = way > 0 ? way_of(out_, out_.machine_start, out_.machine, out_.radius, count) / way : 1.0;

@@ -19,6 +19,7 @@ void RouteSink::move(const Move& m, const BlockContext& at) {
         if (!axis.turned_round()) continue;
         routed_.machine_start[i] = axis.to_drive(m.machine_start[i]);
         routed_.machine[i] = axis.to_drive(m.machine[i]);
+        routed_.nose[i] = axis.reversed() ? -m.nose[i] : m.nose[i];
         if (!m.kinematics || has_role(*m.kinematics, i)) continue;   // a role's route is in the transformation
         routed_.path_start[i] = axis.to_drive(m.path_start[i]);
         routed_.path[i] = axis.to_drive(m.path[i]);

@@ -191,24 +191,32 @@ void Live::readChannel(unsigned number) {
     }
 }
 
-// Of each axis, what the newest record that moves it has. A reset ends compensation: what was driven before it tells nothing.
+// Of each axis, what the newest record that moves it has; along the running one it grows into that from what was before. A reset ends
+// compensation: what was driven before it tells nothing.
 void Live::readNose(unsigned number, std::uint64_t newest) {
     constexpr std::uint64_t kFar = kPathRing / 2;   // the channel writes at the other end of the ring
     ChannelView& view = views_[number - 1];
-    if (channel(number).state == static_cast<std::uint32_t>(ChannelState::Reset)) return;
+    const ChannelStatus& now = channel(number);
+    if (now.state == static_cast<std::uint32_t>(ChannelState::Reset)) return;
     const ChannelConfig& config = config_->channel(number);
     const bool goesOn = (view.picture.flags & (kPictureCompLeft | kPictureCompRight)) != 0;   // from a hold, with another epoch
     const auto& ring = channelSegments_[number - 1]->path;
     const std::uint32_t epoch = ring.slot(newest).epoch;
     std::array<bool, kChannelAxes> found{};
+    std::array<double, kChannelAxes> ahead{};   // how much of it is still to come
     std::size_t left = config.axis_count;
     for (std::uint64_t back = 0; back <= newest && back < kFar && left > 0; ++back) {
         const PathRecord& record = ring.slot(newest - back);
         if (record.epoch != epoch && !goesOn) return;
         if (record.kind == 0 || record.kind > static_cast<std::uint8_t>(RecordKind::Curve)) continue;
+        const double rest = newest - back == now.record && record.length > 0 ? std::clamp(now.path_left / record.length, 0.0, 1.0) : 0.0;
         for (std::size_t i = 0; i < record.axis_count && i < kMaxPathAxes; ++i)
-            for (std::size_t place = 0; place < config.axis_count; ++place)
-                if (!found[place] && config.axes[place] == record.axis[i] + 1) found[place] = true, view.nose[place] = record.nose[i], --left;
+            for (std::size_t place = 0; place < config.axis_count; ++place) {
+                if (found[place] || config.axes[place] != record.axis[i] + 1) continue;
+                view.nose[place] += (ahead[place] > 0 ? ahead[place] : 1.0 - rest) * record.nose[i];
+                if (rest > 0) ahead[place] = rest;
+                else found[place] = true, --left;
+            }
     }
 }
 

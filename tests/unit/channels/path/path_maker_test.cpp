@@ -217,5 +217,35 @@ TEST(PathMaker, PolylinesAreFollowedWithinTolerance) {
     }
 }
 
+// What compensation has added stays with its axis, whatever slots a blend has: each half belongs to its move, and an axis that
+// the move does not have stands where the one before has left it.
+TEST(PathMaker, WhatTheNoseAddsGoesAlongWithItsAxis) {
+    Collected out;
+    const PathLimits limits = easy_limits();
+    Program program(out, limits);
+    const auto single = [&](std::uint8_t axis, double to, double nose) {
+        PathRecord& r = program.begin(RecordKind::Line);
+        r.axis_count = 1;
+        r.axis = {axis};
+        double& at = axis == 0 ? program.at.x : program.at.z;
+        r.start = {at};
+        r.end = {at = to};
+        r.nose = {nose};
+        program.maker.add_move();
+    };
+    single(1, -20, 1);   // only Z, only X, only Z: every corner joins two records that share no axis
+    single(0, 20, 2);
+    single(1, -40, 3);
+    program.maker.flush();
+    const double wanted[3][2] = {{0, 1}, {2, 1}, {2, 3}};   // behind block 1, 2, 3: X, Z
+    bool blended = false;
+    ASSERT_GT(out.records.size(), 3u);
+    for (const PathRecord& r : out.records) {
+        blended = blended || r.axis_count == 2;
+        for (std::size_t k = 0; k < r.axis_count; ++k) EXPECT_EQ(r.nose[k], wanted[r.block - 1][r.axis[k]]) << "block " << r.block << " axis " << int(r.axis[k]);
+    }
+    EXPECT_TRUE(blended);
+}
+
 }  // namespace
 }  // namespace polyturn::channels

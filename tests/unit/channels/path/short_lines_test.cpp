@@ -144,5 +144,41 @@ TEST(ShortLines, EventsStayBehindTheirBlocks) {
     EXPECT_EQ(block, 200);
 }
 
+// Lines along one axis within a run get the other one too: it has what the nose had added to it before.
+TEST(ShortLines, WhatTheNoseAddsStaysWithItsAxis) {
+    Collected out;
+    PathLimits limits = easy_limits();
+    Program program(out, limits);
+    program.at = {10, 0};
+    double x_nose = 0, z_nose = 0;
+    std::vector<Point> noses{{0, 0}};
+    for (int n = 0; n < 12; ++n) {
+        PathRecord& r = program.begin(RecordKind::Line);
+        if (n % 3 == 0) {   // Z alone
+            r.axis_count = 1;
+            r.axis = {1};
+            r.start = {program.at.z};
+            r.end = {program.at.z -= 0.2};
+            r.nose = {z_nose = 10.0 + n};
+        } else {
+            program.at = {program.at.x + (n % 3 == 1 ? 0.002 : -0.002), program.at.z - 0.2};
+            r.end = {program.at.x, program.at.z};
+            r.nose = {x_nose = 20.0 + n, z_nose = 10.0 + n};
+        }
+        noses.push_back({x_nose, z_nose});
+        program.maker.add_move();
+    }
+    program.maker.flush();
+    bool curved = false;
+    for (const PathRecord& r : out.records) {
+        curved = curved || kind_of(r) == RecordKind::Curve;
+        for (std::size_t k = 0; k < r.axis_count; ++k) {
+            const Point& wanted = noses[static_cast<std::size_t>(r.block)];
+            EXPECT_EQ(r.nose[k], r.axis[k] == 0 ? wanted.x : wanted.z) << "block " << r.block << " axis " << int(r.axis[k]);
+        }
+    }
+    EXPECT_TRUE(curved);
+}
+
 }  // namespace
 }  // namespace polyturn::channels
