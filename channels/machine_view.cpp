@@ -40,7 +40,29 @@ void take_drive(ChannelAxis& to, const AxisConfig& from, const params::Table& ta
     to.limit_min = to.stroke.a.low;
 }
 
+void take_axis(MachineView& view, unsigned place, const AxisConfig& from) {
+    ChannelAxis& to = view.axes[place];
+    to.name = std::string(from.name_text());
+    to.machine_axis = to.home_axis = static_cast<std::uint8_t>(from.number - 1);
+    to.role = from.role;
+    to.diameter = from.diameter;
+    to.rotary = from.rotary;
+    to.rollover = from.rollover;
+    to.rollover_shortest = from.rollover_shortest;
+    to.rollover_sign_is_direction = from.rollover_sign_is_direction;
+    to.rollover_reduces_increments = from.rollover_reduces_increments;
+    to.rollover_deg = from.rollover_deg > 0 ? from.rollover_deg : 360.0;
+    to.increment = std::pow(10.0, -static_cast<double>(view.config().decimals()));
+    take_drive(to, from, view.table());
+}
+
 }  // namespace
+
+bool add_axis(MachineView& view, unsigned number) {
+    if (view.axis_count == kChannelAxes) return false;
+    take_axis(view, view.axis_count++, view.machine.axis(number));
+    return true;
+}
 
 bool take_routes(MachineView& view, std::span<const std::uint8_t> route) {
     bool changed = false;
@@ -68,22 +90,7 @@ MachineView make_machine_view(const params::Table& table, unsigned channel) {
     view.axis_count = config.axis_count;
     view.stroke = read_channel_stroke(table, channel);
     view.names = std::make_unique<std::array<std::array<char, 4>, kChannelAxes>>();
-    for (unsigned place = 0; place < view.axis_count; ++place) {
-        const AxisConfig& from = view.machine.axis(config.axes[place]);
-        ChannelAxis& to = view.axes[place];
-        to.name = std::string(from.name_text());
-        to.machine_axis = to.home_axis = static_cast<std::uint8_t>(from.number - 1);
-        to.role = from.role;
-        to.diameter = from.diameter;
-        to.rotary = from.rotary;
-        to.rollover = from.rollover;
-        to.rollover_shortest = from.rollover_shortest;
-        to.rollover_sign_is_direction = from.rollover_sign_is_direction;
-        to.rollover_reduces_increments = from.rollover_reduces_increments;
-        to.rollover_deg = from.rollover_deg > 0 ? from.rollover_deg : 360.0;
-        to.increment = std::pow(10.0, -static_cast<double>(config.decimals()));
-        take_drive(to, from, table);
-    }
+    for (unsigned place = 0; place < view.axis_count; ++place) take_axis(view, place, view.machine.axis(config.axes[place]));
     view.shared = std::make_unique<std::array<double, 900>>();
     view.shared->fill(std::numeric_limits<double>::quiet_NaN());
     return view;

@@ -63,6 +63,7 @@ struct MachineView {
     ChannelStroke stroke;
     // Variables that all channels share, as of the last barrier: #100.. and #500.. by number less 100. NaN is empty.
     std::unique_ptr<std::array<double, 900>> shared;
+    AxisSet own_programs = 0;       // axes that only programs of their own move, which other channels may have as well (fanuc F8250 = 3)
     AxisValues start{};             // machine coordinates at cycle start; X as a radius
     bool tables_in_radius = false;  // zero offsets of diameter axes are kept as radii (fagor)
 
@@ -88,6 +89,8 @@ void take_common_offsets(ChannelStore& store, const ChannelStore& from, const Co
 // True: something has changed.
 bool take_routes(MachineView& view, std::span<const std::uint8_t> route);
 MachineView make_machine_view(const params::Table& table, unsigned channel);
+// An axis of another channel (number from 1) gets the next place. False: there is none left.
+bool add_axis(MachineView& view, unsigned number);
 void clear_store(ChannelStore& store);
 
 }  // namespace polyturn::channels

@@ -59,7 +59,9 @@ public:
 }  // namespace
 
 std::unique_ptr<Language> make_fanuc(MachineView& view, Sink& sink, Port& port, ProgramFiles& files) {
+    const unsigned own = view.axis_count;
     fanuc::fanuc_axes(view);
+    for (unsigned i = own; i < view.axis_count; ++i) view.start[i] = port.axis_command(view.axes[i].machine_axis).value_or(0.0);
     bool usable = true;
     const fanuc::AngularAxes angular = fanuc::angular_axes(view, usable);
     if (angular.on || !usable) return std::make_unique<AngularInterpreter>(view, sink, port, files, angular, usable);

@@ -181,7 +181,7 @@ void drop_small(Vectors& list, double limit, bool keep_last) {
     for (unsigned i = 1; i < list.count; ++i) {
         const Vec step = list.at[i] - list.at[kept - 1];
         const bool small = std::fabs(step.p) <= close && std::fabs(step.q) <= close;
-        const bool needed = keep_last && i + 1 == list.count && length(step) > kSame;
+        const bool needed = keep_last && i + 1 == list.count && length(step) > kTangentialMm;   // less is no vector of its own
         if (small && !needed) {
             if (i < list.of_first) --list.of_first;
             continue;

@@ -7,6 +7,10 @@
 //   M81           handed over step by step (BlockContext::own_axis); the kernel drives them beside the path
 //   G1 X.. Z..    goes on meanwhile; a move of B by the path waits for the end of its own program
 //
+// Positions in front of the first absolute one of a program count from where B stands when the kernel begins it: with F8250 = 3
+// the program of another channel may have left it elsewhere. Then only such programs move it, each channel has its own, and
+// they follow each other in the order in which they were started (10.4.3, 10.4.5).
+//
 // Codes of it, feed and mode are its own: what the main program has set does not hold in it, and the other way round. What it
 // says to the PLC goes over the axis' own signals (AN_PAXFSTR).
 #include <cmath>
@@ -25,11 +29,15 @@ constexpr std::size_t kMostBlocks = 65'535;
 bool Interpreter::g_b_register(const GCode& row) {
     if (g_count_ > 1 || axis_word_count_ || m_count_ || block_.has('S') || block_.has('T') || block_.has('F')) return core_.fail(Alarm::BProgramCode, 'G', std::string(row.name));
     if (row.tenths == 1000) {
-        if (b_.registering == 0) return core_.fail(Alarm::BProgramCode, 'G', "G100");
+        if (b_.registering == 0) return core_.fail(Alarm::BEndAlone, 'G');
         b_.programs[b_.registering - 1u] = std::move(b_.draft);
         b_.registering = 0;
         b_.draft.clear();
         return b_keep();
+    }
+    if (b_.registering != 0) {
+        b_.registering = 0;
+        return core_.fail(Alarm::BBeginTwice, 'G');
     }
     if (!b_axis_here()) return false;
     b_.registering = static_cast<unsigned>(row.tenths - 1000) / 10u;
@@ -44,11 +52,7 @@ bool Interpreter::b_keep() {
     return core_.fail(Alarm::BMemoryFull, 'G');
 }
 
-// F8250 3, one B axis that two channels command: an axis obeys one.
-bool Interpreter::b_axis_here() {
-    if (params::get(core_.view().table(), params::f8250, core_.view().channel) == 3) return core_.fail(Alarm::BesideRefused, 'G', "B: F8250 = 3, one B axis of two channels");
-    return core_.view().axis_by_name("B") >= 0 || core_.fail(Alarm::PlaneAxisMissing, 'G');
-}
+bool Interpreter::b_axis_here() { return core_.view().axis_by_name("B") >= 0 || core_.fail(Alarm::BNotEnabled, 'G', "F8250"); }
 
 // A block of words as a step of the B program.
 bool Interpreter::b_step(BStep& step, bool single) {
@@ -56,6 +60,7 @@ bool Interpreter::b_step(BStep& step, bool single) {
     const unsigned l = core_.view().channel;
     step = {};
     unsigned others = 0;
+    const Word* time = nullptr;   // of G4; no axis
     step.absolute = params::bit(t, params::f8240, l, 6);
     for (unsigned k = 0; k < block_.count; ++k) {
         const Word& word = block_.words[k];
@@ -84,9 +89,9 @@ bool Interpreter::b_step(BStep& step, bool single) {
                 break;
             case 'R': step.has_r = true, step.r = length(word, core_.view().axis_by_name("B")); break;
             case 'Q': step.q = std::fabs(length(word, core_.view().axis_by_name("B"))); break;
-            case 'P':
             case 'X':
-            case 'U': step.p = seconds(word), step.has_p = true; break;
+            case 'U': time = &word; [[fallthrough]];
+            case 'P': step.p = seconds(word), step.has_p = true; break;
             case 'M':
             case 'S':
             case 'T':
@@ -97,9 +102,15 @@ bool Interpreter::b_step(BStep& step, bool single) {
             default: return refuse();
         }
     }
+    if (time && step.one_shot != 40) {
+        fault_column_ = time->column;
+        fault_length_ = time->length;
+        return core_.fail(Alarm::BProgramCode, 0, std::string(text_of(*time)));
+    }
     if (others > 1 || (others == 1 && (step.has_b || step.drilling > 0))) return core_.fail(Alarm::BProgramCode, step.letter, std::string(1, step.letter));
     if (step.one_shot == 280 && step.has_b) return core_.fail(Alarm::BProgramCode, 'B', "G28 B");
     if (step.drilling > 800 && !step.has_r) return core_.fail(Alarm::BLevelMissing, 'G');
+    if (step.drilling == 830 && !(step.q > 0)) return core_.fail(Alarm::BPeckMissing, 'G');
     if (single && step.drilling > 0) return core_.fail(Alarm::BSingleCycle, 'G');
     return true;
 }
@@ -136,6 +147,7 @@ bool Interpreter::b_run(const std::vector<BStep>& program) {
     const bool good = b_steps(program, static_cast<unsigned>(b));
     core_.signal("OWN_END", b);
     core_.at.own_axis = -1;
+    core_.at.own_by_way = false;
     core_.path.feed_mode = mode;
     core_.path.feed = feed;
     core_.path.override_locked = locked;
@@ -150,7 +162,7 @@ bool Interpreter::b_steps(const std::vector<BStep>& program, unsigned b) {
     bool line = params::bit(t, params::f8241, l, 1), per_revolution = params::bit(t, params::f8241, l, 2);
     double feed = 0.0, feed_turn = 0.0;
     BStep cycle;
-    bool good = true;
+    bool good = true, known = false;   // where B is, whatever another channel did with it
     core_.path.feed_mode = per_revolution ? FeedMode::PerRevolution : FeedMode::PerMinute;
     core_.path.feed = 0.0;
     for (std::size_t n = 0; good && n < program.size(); ++n) {
@@ -161,6 +173,12 @@ bool Interpreter::b_steps(const std::vector<BStep>& program, unsigned b) {
         if (step.motion) line = step.motion == 2, cycle = {};
         if (step.drilling == 800) cycle = {};
         else if (step.drilling) cycle = step;
+        known = known || step.one_shot == 280 || (step.has_b && step.absolute && !cycle.drilling);
+        core_.at.own_by_way = !known;
+        if (step.has_b && (line || cycle.drilling) && !(core_.path.feed > 0)) {
+            good = core_.fail(Alarm::BFeedMissing);
+            break;
+        }
         if (step.letter) good = b_function(step, line);
         AxisValues target = core_.path.programmed;
         if (!good) break;
@@ -219,8 +237,11 @@ bool Interpreter::b_start(double code) {
     const unsigned l = core_.view().channel;
     const double codes[] = {static_cast<double>(params::get(t, params::f8251, l)), static_cast<double>(params::get(t, params::f8252, l)),
                             static_cast<double>(params::get(t, params::f8253, l))};
-    for (std::size_t n = 0; n < 3; ++n)
-        if (codes[n] > 0 && codes[n] == code && !b_.programs[n].empty()) return b_run(b_.programs[n]);
+    for (std::size_t n = 0; n < 3; ++n) {
+        if (codes[n] <= 0 || codes[n] != code) continue;
+        if (b_.programs[n].empty()) return core_.fail(Alarm::BNotRegistered, 'M', "G" + std::to_string(101 + n));
+        return b_run(b_.programs[n]);
+    }
     return true;
 }
 

@@ -1,5 +1,7 @@
 #include "channels/fanuc/settings.hpp"
 
+#include <cmath>
+
 namespace polyturn::channels::fanuc {
 
 using namespace params;
@@ -78,7 +80,7 @@ Settings fanuc_settings(const Table& t, unsigned l) {
     s.chip_break_return = s.peck_clearance = static_cast<double>(get(t, f5114, l));
     s.compensation.entry = bit(t, f5003, l, 0) ? compensation::Entry::Around : compensation::Entry::Direct;
     s.compensation.resume_at_intersection = bit(t, f5003, l, 2);
-    s.compensation.small_vector = get(t, f5010, l);
+    s.compensation.small_vector = std::fmax(get(t, f5010, l), compensation::kTangentialMm);
     s.measure_by_decimal = bit(t, f3405, l, 3);
     s.measure_feed = static_cast<double>(get(t, f6241, l));
     const auto or_x = [](double z, double x) { return z > 0 ? z : x; };
@@ -119,9 +121,26 @@ Settings fanuc_settings(const Table& t, unsigned l) {
     return s;
 }
 
+namespace {
+
+// F8250 = 3: one B axis that several channels command (fanuc_lathe 10.4.5). It belongs to one of them (N0002), and is the last axis
+// of the others.
+void share_b_axis(MachineView& view) {
+    const Table& t = view.table();
+    if (get(t, f8250, view.channel) != 3) return;
+    for (unsigned number = 1; number <= view.machine.last_axis && view.axis_by_name("B") < 0; ++number) {
+        const AxisConfig& axis = view.machine.axis(number);
+        if (axis.exists() && axis.name_text() == "B" && axis.channel >= 1 && axis.channel != view.channel && get(t, f8250, axis.channel) == 3) add_axis(view, number);
+    }
+    if (const int b = view.axis_by_name("B"); b >= 0) view.own_programs = AxisSet{1} << b;
+}
+
+}  // namespace
+
 // F1008, F1260: roll-over as a fanuc machine is set up for it (fanuc_lathe 10.2); N0107 is the nct control's.
 void fanuc_axes(MachineView& view) {
     const Table& t = view.table();
+    share_b_axis(view);
     for (unsigned i = 0; i < view.axis_count; ++i) {
         ChannelAxis& axis = view.axes[i];
         const unsigned a = axis.machine_axis + 1u;

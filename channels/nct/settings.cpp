@@ -41,7 +41,7 @@ fanuc::Settings nct_settings(const Table& t, unsigned l) {
     s.compensation.look_back_blocks = static_cast<unsigned>(get(t, n1404_bk_no_interf, l));
     s.compensation.check = !bit(t, n1403_interference, l, 0) ? compensation::Check::Off
                            : bit(t, n1403_interference, l, 1) ? compensation::Check::Alarm : compensation::Check::Correct;
-    s.compensation.small_vector = get(t, n1405_deltv, l) * unit;
+    s.compensation.small_vector = std::fmax(get(t, n1405_deltv, l) * unit, compensation::kTangentialMm);
     s.compensation.corner_feed = {get(t, n1407_decdist, l) * unit, get(t, n1408_accdist, l) * unit, get(t, n1409_cornangle, l), get(t, n1410_cornover, l)};
     s.compensation.inner_arc_feed_from = get(t, n1406_circover, l);
     s.chip_break_return = get(t, n1500_return_val_g73, l) * unit;

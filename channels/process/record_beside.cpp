@@ -12,15 +12,16 @@ void RecordSink::beside(const Move& move, const BlockContext& at) {
     const bool own = at.own_axis >= 0;   // a step of its own program: they wait for each other in the kernel
     if (!own) await_axes_of(move, at);   // the same axis again: one after the other
     if (own) own_room(at);
+    if (own && !own_moved_) own_from_ = move.machine_start, own_moved_ = true;
     for (unsigned i = 0; i < view_->axis_count; ++i) {
         if (!(move.moved >> i & 1u)) continue;
         PathRecord r = event(RecordKind::Beside, at, note_move(move, at));
         const ChannelAxis& axis = view_->axes[i];
-        r.code = static_cast<std::int32_t>(own ? BesideStep::Move : BesideStep::Plain);
+        r.code = static_cast<std::int32_t>(!own ? BesideStep::Plain : at.own_by_way ? BesideStep::MoveBy : BesideStep::Move);
         r.axis_count = 1;
         r.axis[0] = axis.machine_axis;
         r.start[0] = move.machine_start[i];
-        r.end[0] = move.machine[i];
+        r.end[0] = at.own_by_way ? move.machine[i] - own_from_[i] : move.machine[i];
         r.feed_mode = static_cast<std::uint8_t>(move.feed_mode);
         r.spindle = move.spindle;
         const double feed = move.feed * shares_.beside[i];
@@ -42,7 +43,7 @@ void RecordSink::own_room(const BlockContext& at) {
 // OWN_BEGIN and OWN_END around the steps, and those that are not moves.
 void RecordSink::own_step(BesideStep step, const BlockContext& at) {
     PathRecord r = event(RecordKind::Beside, at, 0);
-    if (step == BesideStep::Begin) own_steps_ = 0;
+    if (step == BesideStep::Begin) own_steps_ = 0, own_moved_ = false;
     r.code = static_cast<std::int32_t>(step);
     r.axis_count = 1;
     r.axis[0] = view_->axes[static_cast<std::size_t>(at.own_axis)].machine_axis;

@@ -145,6 +145,8 @@ private:
     bool failed_ = false;       // an error was delivered
     bool more_parts_ = false;
     std::uint32_t own_steps_ = 0;   // of the program of an axis, since it was last asked for room
+    AxisValues own_from_{};         // where the axis stood in front of its first move
+    bool own_moved_ = false;
     enum class Ahead : std::uint8_t { No, AtOnce, Kept } ahead_ = Ahead::No;
     std::vector<PathRecord> kept_;
     OperatorChanges* changes_ = nullptr;

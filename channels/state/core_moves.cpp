@@ -61,6 +61,10 @@ bool Core::begin_move(const AxisValues& target, MoveKind kind) {
     }
     move_.kind = kind;
     move_.moved = moved;
+    if (moved & view_->own_programs && at.own_axis < 0) {
+        const ChannelAxis& axis = view_->axes[static_cast<unsigned>(__builtin_ctz(moved & view_->own_programs))];
+        return fail(Alarm::BesideRefused, axis.name[0], axis.name);
+    }
     const bool arc = kind == MoveKind::ArcCw || kind == MoveKind::ArcCcw;
     return within_stroke(move_.machine, moved) && (arc || zones_allow());
 }
@@ -72,6 +76,7 @@ bool Core::within_stroke(const AxisValues& machine, AxisSet moved) {
         if (axis.hypothetical) return fail(Alarm::AxisHypothetical, axis.name[0], std::string(axis.name));
     }
     if (!view_->stroke.before_move || (view_->stroke.not_before_skip && move_.kind == MoveKind::Skip)) return true;
+    if (at.own_by_way && (moved & view_->own_programs)) return true;   // only the kernel knows from where
     StrokeFault out;
     AxisValues drives = machine;
     if (!on_machine(drives)) return true;   // TransformSink says what is wrong with it

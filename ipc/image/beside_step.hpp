@@ -4,6 +4,7 @@
 //   Begin End  around the steps of one program; how many are begun and not ended is limited
 //   Room       behind each kStepsAtOnce steps of it, and as Begin before them: the path waits until the axis has room for more
 //   Move       like Plain, behind the steps before it
+//   MoveBy     likewise; end is a way from where the axis stood when its program began
 //   Dwell      feed: seconds
 //   Function   mask: letter (M, S, T), value: number; handed to the PLC at the axis (AN_PAXFSTR)
 #pragma once
@@ -11,7 +12,7 @@
 
 namespace polyturn {
 
-enum class BesideStep : std::int32_t { Plain = 0, Begin, End, Move, Dwell, Function, Room };
+enum class BesideStep : std::int32_t { Plain = 0, Begin, End, Move, Dwell, Function, Room, MoveBy };
 
 inline constexpr std::uint32_t kStepsAtOnce = 1000;
 

@@ -4,7 +4,8 @@
 //   AP_PAXR     ____/-----------\____     rising: to AP_PAXPOS with AP_PAXFEED; falling: it brakes
 //   AN_PAXA     _____/-----\__________     while it moves
 //
-// An axis may also run a program of its own, step by step (beside_program.hpp); AN_PAXA stays until that is over.
+// An axis may also run a program of its own, step by step (beside_program.hpp); AN_PAXA stays until that is over. The PLC must
+// allow it (AP_PAXENA), and may end it without ending anything else (AP_PAXRST; fanuc_lathe 10.4.6).
 //
 // A positioning axis of a program obeys its channel: it stands in a hold and at override 0, goes on with the program, and ends
 // where it is with a reset or an alarm. Machine lock lets it be where it is to be without moving.
@@ -81,14 +82,17 @@ bool Machine::end_beside(std::uint32_t a) noexcept {
 }
 
 void Machine::run_beside() noexcept {
+    for (auto& runner : channels_) runner->queue_up();
     for (auto& runner : channels_) runner->run_steps();
+    for (Core::BesideTurn& turn : core_.beside_turn) turn.first = Core::BesideTurn::kNobody;
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) {
         AxisUnit& axis = core_.axes[a];
         if (!axis.exists()) continue;
         const bool asked = core_.signals.plc(signals::ap_paxr(a + 1)) != 0;
         if (beside_[a].asked) {
             const std::uint32_t l = beside_[a].channel;
-            const bool over = l ? !channels_[l - 1]->program_runs() || channels_[l - 1]->breaks_off_beside() : !asked;
+            const bool ended = beside_[a].own && core_.signals.plc(signals::ap_paxrst(a + 1)) != 0;
+            const bool over = l ? !channels_[l - 1]->program_runs() || channels_[l - 1]->breaks_off_beside() || ended : !asked;
             if (over) jogs_[a].stop();
             else if (jogs_[a].active()) jogs_[a].limit_speed(beside_speed(a));
             end_beside(a);
@@ -96,7 +100,7 @@ void Machine::run_beside() noexcept {
         Core::BesideWish& wish = core_.beside[a];
         if (wish.asked && !beside_[a].asked) {
             const bool waits = axis.moving() && static_cast<double>(core_.tick - wish.since) * core_.config.tick_s < kComesToRestS;
-            if (!channels_[wish.channel - 1]->program_runs()) axis.beside = false, wish = {};
+            if (!channels_[wish.channel - 1]->program_runs() || (wish.own && core_.signals.plc(signals::ap_paxrst(a + 1)))) axis.beside = false, wish = {};
             else if (!waits) {
                 const Core::BesideWish now = wish;
                 wish = {};
@@ -112,7 +116,7 @@ void Machine::run_beside() noexcept {
         }
         pax_request_[a] = asked;
         const bool own = core_.config.axes[a].channel >= 1 && channels_[core_.config.axes[a].channel - 1]->runs_beside(a);
-        core_.signals.set_nc(signals::an_paxa(a + 1), axis.beside || own);
+        core_.signals.set_nc(signals::an_paxa(a + 1), axis.beside || own || core_.beside_turn[a].channel != 0);
     }
     watch_contours();
 }

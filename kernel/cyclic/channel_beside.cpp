@@ -36,6 +36,9 @@ void ChannelRunner::take_step(const PathRecord& r) noexcept {
     task.what = static_cast<BesideStep>(r.code);
     task.axis = r.axis[0];
     task.letter = static_cast<char>(r.mask);
+    task.by_way = task.what == BesideStep::MoveBy;
+    if (task.by_way) task.what = BesideStep::Move;
+    if (task.what == BesideStep::Begin) task.turn = core_.beside_starts++;
     task.per_turn = static_cast<FeedMode>(r.feed_mode) == FeedMode::PerRevolution;
     task.value = task.what == BesideStep::Move ? r.end[0] : task.what == BesideStep::Dwell ? r.feed : r.value;
     task.speed = task.per_turn ? r.feed : r.v_max;
@@ -47,12 +50,51 @@ void ChannelRunner::take_step(const PathRecord& r) noexcept {
     else if (!beside_program_.put(task)) raise(Alarm::BMemoryFull);
 }
 
-bool ChannelRunner::runs_beside(std::uint32_t axis) const noexcept { return core_.axes[axis].beside || beside_program_.moves(axis); }
+// Moves of another channel's program in between are none of ours.
+bool ChannelRunner::runs_beside(std::uint32_t axis) const noexcept {
+    const std::uint32_t whose = core_.beside_turn[axis].channel;
+    return (core_.axes[axis].beside && (whose == 0 || whose == number_)) || beside_program_.moves(axis);
+}
+
+void ChannelRunner::queue_up() noexcept {
+    const BesideTask* const task = beside_program_.now();
+    if (!task || task->what != BesideStep::Begin) return;
+    Core::BesideTurn& turn = core_.beside_turn[task->axis];
+    turn.first = std::min(turn.first, task->turn);
+}
+
+// The next program of an axis is the one that was started first, whichever channel did it.
+bool ChannelRunner::takes_axis(const BesideTask& task) noexcept {
+    Core::BesideTurn& turn = core_.beside_turn[task.axis];
+    if (turn.channel != 0 || turn.first < task.turn || !axis_enabled(task.axis)) return false;
+    turn.channel = number_;
+    beside_program_.base = core_.axes[task.axis].own();
+    return true;
+}
+
+void ChannelRunner::leave_axis() noexcept {
+    Core::BesideTurn& turn = core_.beside_turn[beside_program_.axis()];
+    if (turn.channel == number_) turn.channel = 0;
+}
+
+bool ChannelRunner::axis_enabled(std::uint32_t axis) noexcept {
+    if (core_.signals.plc(signals::ap_paxena(axis + 1u))) return true;
+    raise(Alarm::BNotEnabled, name_of('A', axis).view());
+    return false;
+}
 
 // One step at a time; several that take no time in one tick.
 void ChannelRunner::run_steps() noexcept {
-    if (!beside_program_.now()) return;
-    if (!program_runs() || breaks_off_beside()) return beside_program_.clear();
+    if (!beside_program_.busy()) return;
+    if (!program_runs() || breaks_off_beside()) {
+        leave_axis();
+        return beside_program_.clear();
+    }
+    if (const std::uint32_t axis = beside_program_.axis(); core_.signals.plc(signals::ap_paxrst(axis + 1u))) {
+        leave_axis();
+        cut_axis_ = axis;
+        return beside_program_.drop();
+    }
     constexpr int kMostInATick = 8;
     for (int k = 0; k < kMostInATick; ++k) {
         const BesideTask* const task = beside_program_.now();
@@ -66,14 +108,16 @@ bool ChannelRunner::step_done(const BesideTask& task) noexcept {
     BesideProgram& program = beside_program_;
     const bool begins = !program.begun;
     switch (task.what) {
+        case BesideStep::Begin: return takes_axis(task);
+        case BesideStep::End: return leave_axis(), true;
         case BesideStep::Move: {
             if (!begins) return !core_.beside[task.axis].asked && !core_.axes[task.axis].beside;
-            if (core_.axes[task.axis].beside) return false;
+            if (core_.axes[task.axis].beside || !axis_enabled(task.axis)) return false;
             if (task.note) report_step(KernelEventKind::RecordBegin, task);
             core_.axes[task.axis].beside = program.begun = true;
             Core::BesideWish wish;
-            wish.asked = true;
-            wish.target = task.value;
+            wish.asked = wish.own = true;
+            wish.target = task.by_way ? program.base + task.value : task.value;
             wish.per_turn = task.per_turn;
             wish.speed = task.speed;
             wish.channel = number_;

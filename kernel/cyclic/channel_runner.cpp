@@ -340,7 +340,7 @@ void ChannelRunner::place_axes(const PathRecord& r, double s) noexcept {
         AxisUnit& axis = core_.axes[r.axis[i]];
         axis.owner = number_;
         axis.rapid = (r.flags & kRapid) != 0;
-        if (!(keys & kKeyMachineLock) && !axis.bound() && !axis.beside && !axis.detached) axis.move_to(position[i]);
+        if (!(keys & kKeyMachineLock) && !axis.bound() && !axis.beside && !axis.detached && r.axis[i] != cut_axis_) axis.move_to(position[i]);
         last_axes_[i] = r.axis[i];
     }
     last_axis_count_ = r.axis_count;
@@ -359,7 +359,10 @@ void ChannelRunner::report(KernelEventKind kind, const PathRecord& r, double off
 // Axes that obey a master, or are not there, move for no program.
 void ChannelRunner::refuse_bound(const PathRecord& r) noexcept {
     for (std::uint32_t i = 0; is_motion(r) && i < r.axis_count; ++i)
-        if (r.end[i] != r.start[i]) {
+        if (r.axis[i] == cut_axis_) {
+            line_ = r.line, block_ = r.block, file_ = r.file;
+            raise(Alarm::BesideRefused, name_of('A', r.axis[i]).view());
+        } else if (r.end[i] != r.start[i]) {
             const AxisUnit& axis = core_.axes[r.axis[i]];
             const Alarm why = axis.bound() ? Alarm::SlaveCommanded : axis.beside ? Alarm::BesideRefused : Alarm::AxisDetached;
             if (!axis.bound() && !axis.beside && (!axis.detached || axis.config().on_spindle)) continue;
@@ -388,6 +391,7 @@ void ChannelRunner::finished(const PathRecord& r, std::uint64_t index, double of
     if (!(kind == RecordKind::Stop && state_ == ChannelState::Ended)) trail_.add(r, r.length, meeting_);   // an end can be taken back
     meeting_ = 0;
     if (r.flags & kDrains) {
+        cut_axis_ = kMaxAxes;   // it takes over where its axes stand
         know_positions();
         tell(ChannelEventKind::BarrierReached, index, r.value);
     }

@@ -100,6 +100,7 @@ public:
     bool holds_beside() const noexcept;
     bool runs_beside(std::uint32_t axis) const noexcept;   // it moves beside the path, or its own program is not over
     bool has_steps(std::uint32_t axis) const noexcept { return beside_program_.moves(axis); }
+    void queue_up() noexcept;                              // for its axis, where its program is about to begin
     void run_steps() noexcept;
     bool breaks_off_beside() const noexcept { return resetting_ || interrupted_ || dead_ || emergency_; }
     double wheel_share() const noexcept { return wheel_ ? wheel_rate_ : 1.0; }
@@ -258,8 +259,12 @@ private:
     void take_step(const PathRecord& r) noexcept;
     bool step_done(const BesideTask& task) noexcept;
     bool give_function(const BesideTask& task) noexcept;
+    bool takes_axis(const BesideTask& task) noexcept;
+    bool axis_enabled(std::uint32_t axis) noexcept;
+    void leave_axis() noexcept;
     void report_step(KernelEventKind kind, const BesideTask& task, std::int32_t code = static_cast<std::int32_t>(RecordKind::Beside)) noexcept;
     BesideProgram beside_program_;
+    std::uint32_t cut_axis_ = kMaxAxes;    // the PLC has ended its program, and the channel does not know yet where it stands; kMaxAxes none
     bool await(const PathRecord& r) const noexcept;
     bool limit_torque(const PathRecord& r) noexcept;
     bool find_reference(const PathRecord& r) noexcept;

@@ -83,8 +83,18 @@ struct Core {
         std::uint64_t note = 0;                   // event note that ends with it
         std::uint32_t line = 0;
         std::int64_t since = 0;                   // tick at which it was asked
+        bool own = false;                         // a step of a program that the axis runs by itself
     };
     std::array<BesideWish, kMaxAxes> beside{};
+    // Whose program an axis runs by itself. Several channels may command one (fanuc F8250 = 3): their programs follow each other
+    // in the order in which they were started.
+    struct BesideTurn {
+        static constexpr std::uint64_t kNobody = ~std::uint64_t{0};
+        std::uint32_t channel = 0;                // whose program runs; 0 none
+        std::uint64_t first = kNobody;            // of those that wait in this tick, the oldest
+    };
+    std::array<BesideTurn, kMaxAxes> beside_turn{};
+    std::uint64_t beside_starts = 0;
     // What a move that ends at a torque allows its drives (G31 P98), thousandths; 0: no such move.
     std::array<std::uint16_t, kMaxAxes> move_torque{};
     // What programs ask of the machine, axis by axis: torque on the way to a fixed stop (thousandths, 0 all), the window there

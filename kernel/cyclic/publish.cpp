@@ -43,7 +43,7 @@ void Machine::publish() noexcept {
         out.owner = axis.owner;
         out.skip = axis.skip;
         const std::uint32_t channel = core_.config.axes[a].channel;
-        const bool by_program = core_.beside[a].asked || (beside_[a].asked && beside_[a].channel) || (channel >= 1 && channels_[channel - 1]->has_steps(a));
+        const bool by_program = core_.beside[a].asked || (beside_[a].asked && beside_[a].channel) || core_.beside_turn[a].channel != 0 || (channel >= 1 && channels_[channel - 1]->has_steps(a));
         out.flags = kExists | (by_program ? kBesideOfProgram : 0u) | (axis.referenced ? kReferenced : 0u) | (axis.in_position() ? kInPos : 0u) | (axis.moving() ? kMoving : 0u) |
                     (axis.faulted() ? kDriveFault : 0u) | (axis.config().rotary ? kRotary : 0u) | (axis.config().diameter ? kDiameter : 0u);
     }

@@ -222,6 +222,7 @@ void LathePlc::stop_everything() {
 
 void LathePlc::write_outputs(View view) const {
     Message message = kNoMessage;
+    for (const AxisCodes& slot : axis_codes_) view.out.signal[slot.enabled] = 1;
     for (std::size_t c = 0; c < kChannels; ++c) {
         const Channel& me = channels_[c];
         const ChannelSlots& slot = channel_slots_[c];

@@ -230,7 +230,7 @@ private:
     std::array<AxisTorque, kAxes> torque_{};
     std::array<std::int32_t, kAxes> lube_slot_{};
     struct AxisCodes {                   // of an axis that runs a program of its own
-        std::int32_t strobe, letter, code, fin;
+        std::int32_t strobe, letter, code, fin, enabled;
     };
     std::array<AxisCodes, kAxes> axis_codes_{};
     std::array<std::uint32_t, kAxes> axis_channel_{};

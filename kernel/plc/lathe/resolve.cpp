@@ -92,7 +92,7 @@ const char* LathePlc::resolve(const PolyturnPlcHost& host) {
     }
     for (std::uint32_t a = 1; a <= kAxes; ++a) {
         lube_slot_[a - 1] = f.nc("AN_LUBR", a);
-        axis_codes_[a - 1] = {f.nc("AN_PAXFSTR", a), f.nc("AN_PAXFLET", a), f.nc("AN_PAXFCODE", a), f.plc("AP_PAXFFIN", a)};
+        axis_codes_[a - 1] = {f.nc("AN_PAXFSTR", a), f.nc("AN_PAXFLET", a), f.nc("AN_PAXFCODE", a), f.plc("AP_PAXFFIN", a), f.plc("AP_PAXENA", a)};
         couplings_[a - 1] = {{f.whole("PT_M_SYNC", a), f.whole("PT_M_MIX", a), f.whole("PT_M_SUPER", a)},
                              {f.plc("AP_SYNCR", a), f.plc("AP_MIXR", a), f.plc("AP_SPRPNR", a)},
                              {f.nc("AN_SYNCA", a), f.nc("AN_MIXA", a), f.nc("AN_SPRPNA", a)}};

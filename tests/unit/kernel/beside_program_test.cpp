@@ -9,8 +9,11 @@ namespace {
 
 constexpr std::uint32_t kAxis = 0;   // A1, by machine axis from 0
 
-PathRecord step(TickRig& rig, BesideStep what) {
-    PathRecord r = rig.blank(1, RecordKind::Beside);
+// The PLC has said that programs may move the axis (AP_PAXENA).
+constexpr int kPlcHasAnswered = 60;   // ticks
+
+PathRecord step(TickRig& rig, BesideStep what, unsigned channel = 1) {
+    PathRecord r = rig.blank(channel, RecordKind::Beside);
     r.code = static_cast<std::int32_t>(what);
     r.axis_count = 1;
     r.axis[0] = kAxis;
@@ -21,6 +24,12 @@ PathRecord move(TickRig& rig, double end, double speed) {
     PathRecord r = step(rig, BesideStep::Move);
     r.end[0] = end;
     r.v_max = speed;
+    return r;
+}
+
+PathRecord move_by(TickRig& rig, double way, double speed) {
+    PathRecord r = move(rig, way, speed);
+    r.code = static_cast<std::int32_t>(BesideStep::MoveBy);
     return r;
 }
 
@@ -38,14 +47,15 @@ PathRecord path(TickRig& rig, double by, double feed) {
     return r;
 }
 
-void push_program(TickRig& rig, const std::vector<PathRecord>& steps) {
-    rig.push(1, step(rig, BesideStep::Begin));
-    for (const PathRecord& r : steps) rig.push(1, r);
-    rig.push(1, step(rig, BesideStep::End));
+void push_program(TickRig& rig, const std::vector<PathRecord>& steps, unsigned channel = 1) {
+    rig.push(channel, step(rig, BesideStep::Begin, channel));
+    for (const PathRecord& r : steps) rig.push(channel, r);
+    rig.push(channel, step(rig, BesideStep::End, channel));
 }
 
 TEST(BesideProgram, DoesItsStepsInOrderWhileThePathGoesOn) {
     TickRig rig;
+    rig.run(kPlcHasAnswered);
     push_program(rig, {move(rig, 10, 10), dwell(rig, 0.5), move(rig, 4, 10)});
     rig.push(1, path(rig, 30, 10));
     rig.start(1);
@@ -61,6 +71,7 @@ TEST(BesideProgram, DoesItsStepsInOrderWhileThePathGoesOn) {
 
 TEST(BesideProgram, IsWaitedForWithItsDwells) {
     TickRig rig;
+    rig.run(kPlcHasAnswered);
     push_program(rig, {move(rig, 5, 10), dwell(rig, 1.0)});
     PathRecord await = rig.blank(1, RecordKind::Await);
     await.axis_count = 1;
@@ -76,7 +87,8 @@ TEST(BesideProgram, IsWaitedForWithItsDwells) {
 
 TEST(BesideProgram, ItsCodesHaveSignalsOfTheirOwn) {
     TickRig rig;
-    rig.plc_program = [](const PlcInputs&, PlcOutputs&) {};   // a PLC that answers nothing
+    rig.plc_program = [](const PlcInputs&, PlcOutputs& out) { out.signal[signals::ap_paxena(1)] = 1; };   // a PLC that answers nothing
+    rig.run(kPlcHasAnswered);
     PathRecord code = step(rig, BesideStep::Function);
     code.mask = 'M';
     code.value = 77;
@@ -97,6 +109,7 @@ TEST(BesideProgram, ItsCodesHaveSignalsOfTheirOwn) {
 
 TEST(BesideProgram, FiveMayBeStartedAndNotEnded) {
     TickRig rig;
+    rig.run(kPlcHasAnswered);
     for (int n = 0; n < 5; ++n) push_program(rig, {dwell(rig, 1.0)});
     rig.start(1);
     rig.run(500);
@@ -109,6 +122,7 @@ TEST(BesideProgram, FiveMayBeStartedAndNotEnded) {
 // 3000 steps are more than the axis keeps: the path waits with the Room record until enough of them are done.
 TEST(BesideProgram, ThePathWaitsForRoomForALongOne) {
     TickRig rig;
+    rig.run(kPlcHasAnswered);
     const auto some = [&](int count) {
         for (int n = 0; n < count; ++n) rig.push(1, dwell(rig, 0.001));
     };
@@ -152,6 +166,7 @@ TEST(BesideProgram, AProgramWithoutItsEndIsEndedWithItsPath) {
 
 TEST(BesideProgram, AResetEndsIt) {
     TickRig rig;
+    rig.run(kPlcHasAnswered);
     push_program(rig, {move(rig, 50, 10), move(rig, 0, 10)});
     rig.push(1, rig.dwell(1, 20));
     rig.start(1);
@@ -163,6 +178,122 @@ TEST(BesideProgram, AResetEndsIt) {
     rig.run(2000);
     EXPECT_EQ(rig.position(1), where);
     EXPECT_EQ(rig.machine->core().signals.nc(signals::an_paxa(1)), 0);
+}
+
+// F8250 = 3 (fanuc_lathe 10.4.5): the axis of channel 1 obeys programs of channel 2 too. They share its coordinate, and whoever was
+// started first goes first.
+TEST(BesideProgram, ProgramsOfTwoChannelsFollowEachOther) {
+    TickRig rig;
+    rig.run(kPlcHasAnswered);
+    push_program(rig, {move(rig, 10, 10), dwell(rig, 0.5), move(rig, 20, 10)});   // 0 to 2.5 s
+    push_program(rig, {move_by(rig, 3, 10)}, 2);                                  // from 20
+    rig.push(2, rig.dwell(2, 0.1));
+    rig.push(2, rig.line(2, {0, 5}, 20));
+    rig.start(1);
+    rig.run(100);
+    rig.start(2);
+    rig.run(1200);
+    EXPECT_NEAR(rig.position(1), 10, 1e-9) << "the other one's program waits, also while this one dwells";
+    EXPECT_NEAR(rig.position(4), 5, 1e-9) << "its path does not";
+    rig.run(1300);
+    EXPECT_NEAR(rig.position(1), 20, 0.5);
+    rig.run(600);
+    EXPECT_NEAR(rig.position(1), 23, 1e-9);
+    EXPECT_EQ(rig.machine->core().signals.nc(signals::an_paxa(1)), 0);
+}
+
+// Of three starts, the one of the other channel lies between: it does not wait for both.
+TEST(BesideProgram, TurnsGoByTheOrderOfTheStarts) {
+    TickRig rig;
+    rig.run(kPlcHasAnswered);
+    push_program(rig, {move(rig, 10, 10)});
+    rig.push(1, rig.dwell(1, 0.3));
+    push_program(rig, {move(rig, 0, 10)});
+    rig.push(1, rig.dwell(1, 10));
+    push_program(rig, {move_by(rig, 5, 10)}, 2);
+    rig.push(2, rig.dwell(2, 10));
+    rig.start(1);
+    rig.run(100);
+    rig.start(2);
+    double highest = 0;
+    for (int n = 0; n < 4000; ++n) rig.tick(), highest = std::max(highest, rig.position(1));
+    EXPECT_NEAR(highest, 15, 1e-9);
+    EXPECT_NEAR(rig.position(1), 0, 1e-9);
+}
+
+// A reset of the channel whose turn it is sets the axis free for the other one.
+TEST(BesideProgram, AResetPassesTheAxisOn) {
+    TickRig rig;
+    rig.run(kPlcHasAnswered);
+    push_program(rig, {move(rig, 50, 10)});
+    rig.push(1, rig.dwell(1, 20));
+    push_program(rig, {move(rig, 0, 10)}, 2);
+    rig.push(2, rig.dwell(2, 20));
+    rig.start(1);
+    rig.run(100);
+    rig.start(2);
+    rig.run(900);
+    EXPECT_GT(rig.position(1), 5);
+    rig.command(CommandKind::Reset, 1);
+    rig.run(2500);
+    EXPECT_NEAR(rig.position(1), 0, 1e-9);
+}
+
+// AP_PAXRST: B alone is reset (fanuc_lathe 10.4.6). What the path still hands over of the program is dropped with it.
+TEST(BesideProgram, ThePlcEndsItAlone) {
+    TickRig rig;
+    rig.run(kPlcHasAnswered);
+    rig.push(1, step(rig, BesideStep::Begin));
+    rig.push(1, move(rig, 50, 10));
+    rig.push(1, rig.dwell(1, 1));                      // the path is slow to hand over the rest
+    rig.push(1, move(rig, 0, 10));
+    rig.push(1, step(rig, BesideStep::End));
+    rig.push(1, path(rig, 30, 10));
+    rig.start(1);
+    rig.run(500);
+    EXPECT_GT(rig.position(1), 1);
+    rig.command(CommandKind::SetSignal, 0, 1, 0, signals::ap_paxrst(1), 1);
+    rig.run(300);
+    rig.command(CommandKind::SetSignal, 0, 0, 0, signals::ap_paxrst(1), 1);
+    const double where = rig.position(1);
+    EXPECT_LT(where, 15);
+    rig.run(4500);
+    EXPECT_EQ(rig.position(1), where);
+    EXPECT_NEAR(rig.position(2), 30, 1e-9) << "the path goes on";
+    EXPECT_EQ(rig.machine->core().signals.nc(signals::an_paxa(1)), 0);
+    push_program(rig, {move_by(rig, 2, 10)});
+    rig.run(500);
+    EXPECT_NEAR(rig.position(1), where + 2, 1e-9) << "the next program begins where it stands";
+}
+
+// The channel does not know where the PLC has stopped it: its path must not jump there.
+TEST(BesideProgram, ThePathDoesNotTakeAnAxisThatThePlcHasStopped) {
+    TickRig rig;
+    rig.run(kPlcHasAnswered);
+    push_program(rig, {move(rig, 50, 10)});
+    PathRecord await = rig.blank(1, RecordKind::Await);
+    await.axis_count = 1;
+    await.axis[0] = kAxis;
+    rig.push(1, await);
+    rig.place(1, 0, 50);
+    rig.push(1, rig.line(1, {-10, 0}, 10));
+    rig.start(1);
+    rig.run(500);
+    rig.command(CommandKind::SetSignal, 0, 1, 0, signals::ap_paxrst(1), 1);
+    rig.run(1000);
+    EXPECT_TRUE(rig.alarmed(Alarm::BesideRefused, 1));
+    EXPECT_LT(rig.position(1), 15);
+}
+
+TEST(BesideProgram, ThePlcMustAllowIt) {
+    TickRig rig;
+    rig.plc_program = [](const PlcInputs&, PlcOutputs&) {};
+    rig.run(kPlcHasAnswered);
+    push_program(rig, {move(rig, 5, 10)});
+    rig.start(1);
+    rig.run(500);
+    EXPECT_TRUE(rig.alarmed(Alarm::BNotEnabled, 1));
+    EXPECT_EQ(rig.position(1), 0);
 }
 
 }  // namespace

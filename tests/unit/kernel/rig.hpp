@@ -209,6 +209,7 @@ public:
 
     // Finishes every M, S and T at once; M3, M4, M5 turn spindle 1.
     static void lathe(const PlcInputs& in, PlcOutputs& out) {
+        for (std::size_t a = 1; a <= 4; ++a) out.signal[signals::ap_paxena(a)] = 1;
         for (std::size_t l = 1; l <= 3; ++l) {
             const int code = in.signal[signals::cn_mcode(l)];
             if (out.signal[signals::cp_mfin(l)] != in.signal[signals::cn_mstr(l)] && code >= 3 && code <= 5) out.signal[signals::sp_rot(1)] = code;

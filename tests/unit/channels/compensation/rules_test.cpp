@@ -172,6 +172,33 @@ TEST(NoseCompensation, LeavesOutVectorsThatInterfere) {
     EXPECT_EQ(run.points[3].n, 40);
 }
 
+// Type B at corners that programs with three or four decimals have nearly tangential: the vectors of one corner are millionths of a
+// millimetre apart, and F5010 is 0. What lies between them is less than a programmed point can be off: no move of its own.
+TEST(NoseCompensation, ANearlyTangentialCornerMakesNoMovesOfMillionths) {
+    for (const char* side : {"G41", "G42"}) {
+        SCOPED_TRACE(side);
+        const bool right = std::string(side) == "G42";
+        // Towards the contour and away from it on its outer side: 0.0001 mm in 10 and in 20.
+        const std::string x = right ? "49.9998" : "50.0002";
+        const NoseRun run = run_lathe(std::string("N10 G0 X") + x + " Z10\nN20 " + side + " G1 X50 Z0\nN30 Z-20\nN40 G40 X" + x + " Z-40", {0.8, 0}, 60, 20);
+        ASSERT_EQ(run.points.size(), 4u) << run.played.events;
+        const double out = right ? 1.6 : -1.6;   // diameter
+        const double wanted[][2] = {{right ? 49.9998 : 50.0002, 10}, {50 + out, 0}, {50 + out, -20}, {right ? 49.9998 : 50.0002, -40}};
+        for (std::size_t n = 0; n < 4; ++n) {
+            EXPECT_NEAR(run.points[n].x, wanted[n][0], 1e-3) << n;
+            EXPECT_NEAR(run.points[n].z, wanted[n][1], 1e-3) << n;
+        }
+    }
+}
+
+// A move that can be programmed stays one: at 0.05 degrees the vectors are a micrometre apart.
+TEST(NoseCompensation, ACornerOfAMicrometreStays) {
+    const NoseRun run = run_lathe("N10 G0 X49.7 Z10\nN20 G42 G1 X50 Z0\nN30 Z-20\nN40 G40 X60", {0.8, 0}, 60, 20);   // atan(0.15/10), r tan(a/2) = 0.006
+    EXPECT_EQ(run.points.size(), 5u) << run.played.events;
+    const NoseRun dropped = run_lathe("N10 G0 X49.7 Z10\nN20 G42 G1 X50 Z0\nN30 Z-20\nN40 G40 X60", {0.8, 0}, 60, 20, {"F5010=0.01"});
+    EXPECT_EQ(dropped.points.size(), 4u) << dropped.played.events;
+}
+
 struct AlarmRow {
     const char* why;
     const char* blocks;
