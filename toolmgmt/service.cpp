@@ -7,6 +7,7 @@
 #include <cstring>
 #include <utility>
 
+#include "ipc/image/store_news.hpp"
 #include "ipc/machine/config_check.hpp"
 #include "ipc/params/registry.hpp"
 #include "toolmgmt/cell_requests.hpp"
@@ -33,6 +34,16 @@ std::string one_line(const Diagnosis& diagnosis) {
 }
 
 }  // namespace
+
+void Service::tell_not_kept(const Diagnosis& why) {
+    std::fprintf(stderr, "polyturn-toolmgmt: %s\n", one_line(why).c_str());
+    if (!kernel_.attached()) return;
+    ToolAnswer message{};
+    message.alarm = kStoreMessage;
+    message.tool = static_cast<std::int32_t>(Alarm::NotKept);
+    copy_text(message.text, why.text());
+    (void)image_.push(message, kernel_->tool_tail.tail.load(std::memory_order_acquire));
+}
 
 Service::Service(std::string instance, PeerSegment<SupervisorSegment> supervisor, StoreImage image, StoreValues& values, Database* disk, Files files)
     : instance_(std::move(instance)), supervisor_(std::move(supervisor)), image_(std::move(image)), values_(values), disk_(disk),
@@ -69,7 +80,7 @@ bool Service::step() {
     if (!pending_.empty() && now - pending_since_ >= kBatchMs && now >= next_try_) {
         const bool known = !disk_refuses_.empty();   // said once
         if (const Result<void> done = commit_pending({}, "program"); !done) {
-            if (!known) std::fprintf(stderr, "polyturn-toolmgmt: %s\n", one_line(done.diagnosis()).c_str());
+            if (!known) tell_not_kept(done.diagnosis());
             next_try_ = now + kRetry;
         }
         worked = true;
@@ -166,7 +177,7 @@ bool Service::take_persist() {
         if (applied && static_cast<StoreRequestKind>(request.kind) == StoreRequestKind::OffsetValue && request.channel >= 1 && request.channel <= kMaxChannels)
             look_at_wear(values_, static_cast<unsigned>(offset_owner(values_.parameters, machine_, request.channel, request.number)), request.number, applied->changes);
         if (!applied) {
-            std::fprintf(stderr, "polyturn-toolmgmt: %s\n", one_line(applied.diagnosis()).c_str());
+            tell_not_kept(applied.diagnosis());
             continue;
         }
         refresh_machine(applied->changes);
@@ -176,7 +187,7 @@ bool Service::take_persist() {
             tell_kernel(applied->changes, request.id);
         std::move(applied->changes.begin(), applied->changes.end(), std::back_inserter(applied->until_power_off ? passing : changes));
     }
-    if (const Result<void> kept = keep_cells(supervisor_->options, values_.parameters, cells); !kept) std::fprintf(stderr, "polyturn-toolmgmt: %s\n", one_line(kept.diagnosis()).c_str());
+    if (const Result<void> kept = keep_cells(supervisor_->options, values_.parameters, cells); !kept) tell_not_kept(kept.diagnosis());
     keep_pending(changes);
     changes.insert(changes.end(), passing.begin(), passing.end());
     image_.publish(values_, changes);

@@ -57,6 +57,7 @@ private:
     std::string user_name(const StoreRequest& request) const;
     void send_answers();
     void tell_kernel(const std::vector<Change>& changes, std::uint64_t request);
+    void tell_not_kept(const Diagnosis& why);    // on stderr, and a message to the operator
     void back_up_when_due();
     bool has_users() const;                      // without any, everybody whom the socket lets in may do everything
     std::string mark() const;                    // in the file: how far the kernel's ring is on disk

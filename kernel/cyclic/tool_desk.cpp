@@ -5,6 +5,7 @@
 #include <cstring>
 #include <memory>
 
+#include "ipc/image/store_news.hpp"
 #include "kernel/cyclic/core.hpp"
 #include "polyturn/parameter_handles.hpp"
 
@@ -68,6 +69,10 @@ void ToolDesk::take_answers(Core& core) noexcept {
     auto index = taken.load(std::memory_order_relaxed);
     for (; index < head; ++index) {
         const ToolAnswer& answer = ring.slot(index);
+        if (answer.alarm == kStoreMessage) {
+            core.alarm(static_cast<Alarm>(answer.tool), 0, {answer.text.data(), ::strnlen(answer.text.data(), answer.text.size())});
+            continue;
+        }
         if (answer.channel < 1 || answer.channel > kMaxChannels) continue;
         Desk& desk = desk_[answer.channel - 1];
         if (answer.alarm == kToolNews) {

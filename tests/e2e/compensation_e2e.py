@@ -134,6 +134,11 @@ class MeasuredErrors(Case):
         self.assertEqual(done.status, 0, done.said())
         until(lambda: abs(compensation() + 0.02) < 1e-6, "what the program gave acts")
         self.assertIn("10007=-0.02\n", (machine / "machine.compensation").read_text())
+        # What cannot be written is a message: the program has gone on long since.
+        (machine / "machine.compensation").unlink()
+        (machine / "machine.compensation").mkdir()
+        until(lambda: self.polyturn("press", "--instance", name, "cycle_start", "L1").status == 0, "it runs again")
+        until(lambda: "PT1624" in self.polyturn("alarms", "--instance", name).out, "the message")
 
     def test_a_running_controller_reports_it_per_axis(self):
         name = f"compensation-{os.getpid()}"

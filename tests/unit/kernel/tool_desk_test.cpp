@@ -1,6 +1,7 @@
 // T calls that ask the store, and life that is counted while the tool cuts (nct part 2 30.3 to 30.6).
 #include <limits>
 
+#include "ipc/image/store_news.hpp"
 #include "ipc/machine/command_levels.hpp"
 #include "tests/unit/kernel/rig.hpp"
 
@@ -120,6 +121,20 @@ TEST(ToolDesk, AToolThatNobodyFindsStopsTheChannelByItsAlarm) {
     int calls = 0;
     for (const StoreRequest& one : d.asked) calls += static_cast<StoreRequestKind>(one.kind) == StoreRequestKind::ToolCall;
     EXPECT_EQ(calls, 1);
+}
+
+TEST(ToolDesk, WhatTheStoreCouldNotKeepIsToldTheOperator) {
+    Desk d;
+    d.tools = {Desk::tool(7, 4, LifeKind::None, kEver)};
+    ToolAnswer message{};
+    message.alarm = kStoreMessage, message.tool = static_cast<int>(Alarm::NotKept);
+    d.say(message);
+    d.rig.push(1, d.rig.aux(1, 'T', 7));
+    d.rig.push(1, d.rig.stop(1, StopReason::M30));
+    d.rig.start(1);
+    d.run(200);
+    EXPECT_TRUE(d.rig.alarmed(Alarm::NotKept));
+    EXPECT_EQ(d.rig.state(1), ChannelState::Ended) << "the program goes on, and answers behind it are taken";
 }
 
 TEST(ToolDesk, TimeCountsOnlyWhileTheToolCuts) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <thread>
 
+#include "ipc/image/store_news.hpp"
 #include "ipc/machine/work_zeros.hpp"
 #include "ipc/params/registry.hpp"
 
@@ -66,6 +67,20 @@ TEST(StoreAtItsStart, RefusesBadInputWithExitStatusTwo) {
         EXPECT_EQ(rig.wait_end(), 2) << rig.messages();
         EXPECT_FALSE(rig.messages().empty());
     }
+}
+
+// A cell that a program gives a value and that cannot be written: the operator must know, the program has gone on.
+TEST(StoreRequests, WhatCannotBeKeptIsAMessageForTheOperator) {
+    StoreRig rig("cell");
+    rig.make_kernel();
+    ASSERT_TRUE(rig.start({"--memory", "--machine", kMachine})) << rig.messages();   // the rig's supervisor has no folder of a machine
+    const std::uint64_t end = rig.push(parameter_request("10000=0.02"));
+    ASSERT_TRUE(StoreRig::reached((*rig.store)->persist_tail.tail, end));
+    const auto& ring = (*rig.store)->tool_answers;
+    ASSERT_EQ(ring.head.load(), 1u);
+    EXPECT_EQ(ring.slot(0).alarm, kStoreMessage);
+    EXPECT_EQ(ring.slot(0).tool, static_cast<std::int32_t>(Alarm::NotKept));
+    EXPECT_NE(std::string(ring.slot(0).text.data()).find("folder"), std::string::npos) << ring.slot(0).text.data();
 }
 
 TEST(StoreRequests, AreAnsweredAndPublished) {
