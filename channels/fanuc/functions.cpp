@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "channels/fanuc/interpreter.hpp"
 
@@ -245,7 +246,23 @@ bool Interpreter::function_code(const Word& word, bool late) {
     return !b_axis || at_once || b_start(code);
 }
 
+// Of several waiting codes none is waited for.
+bool Interpreter::one_wait_code() {
+    bool waits = false;
+    for (unsigned k = 0; k < m_count_; ++k) {
+        const Word& word = block_.words[m_words_[k]];
+        if (!core_.view().machine.is_wait_code(word.value)) continue;
+        if (std::exchange(waits, true)) {
+            fault_column_ = word.column;
+            fault_length_ = word.length;
+            return core_.fail(Alarm::ClampTooLong, 0, {}, word.value);
+        }
+    }
+    return true;
+}
+
 bool Interpreter::m_after() {
+    if (m_count_ > 1 && !one_wait_code()) return false;
     bool waits = false;
     const Word* last = nullptr;   // what ends or leaves the block: M0 M1 M2 M30 M98 M99
     for (unsigned k = 0; k < m_count_; ++k) {
@@ -253,7 +270,6 @@ bool Interpreter::m_after() {
         const double code = word.value;
         if (!acts_late(code, core_.view().machine)) continue;
         if (core_.view().machine.is_wait_code(code)) {
-            if (waits) return core_.fail(Alarm::ClampTooLong, 'M', {}, code);
             waits = true;
             if (!wait_code(word)) return false;
         } else if (code == 5 || code == 9) {

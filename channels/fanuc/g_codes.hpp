@@ -37,7 +37,7 @@ enum class GGroup : std::uint8_t {
 };
 
 // kM: mefi, which has few codes of its own and those that all controls share (kShared).
-enum GSystem : std::uint8_t { kA = 1, kB = 2, kC = 4, kN = 8, kM = 16, kAll = 15, kShared = 31, kBC = 6, kBN = 10, kBCN = 14, kBCNM = 30, kFanuc = 7 };
+enum GSystem : std::uint8_t { kA = 1, kB = 2, kC = 4, kN = 8, kM = 16, kAll = 15, kShared = 31, kBC = 6, kBN = 10, kABN = 11, kBCN = 14, kBCNM = 30, kFanuc = 7 };
 
 struct GCode {
     std::string_view name;    // "G50.2"

@@ -31,7 +31,7 @@ bool Interpreter::g_grooving(const GCode& row) {
     if (!read_axis_words(target_, &named)) return false;
     if (named & ~(1u << x | 1u << z)) return core_.fail(Alarm::PlaneAxisIllegal, 'G', "X, Z");
     cycles::Grooving cycle;
-    cycle.along_x = row.tenths == 750;
+    cycle.along_x = row.tenths == (settings_.system == kC ? 770 : 750);
     if (!(named >> (cycle.along_x ? x : z) & 1u)) return core_.fail(Alarm::CycleWordMissing, 'G', cycle.along_x ? "X" : "Z");
     cycle.end = {target_[static_cast<std::size_t>(z)], target_[static_cast<std::size_t>(x)]};
     cycle.retract = std::fabs(cycle_data_.peck_return.value_or(params::get(table, params::n1605_retr_g74_g75, l) * unit));

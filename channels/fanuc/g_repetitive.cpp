@@ -178,7 +178,7 @@ bool Interpreter::g_stock_removal(const GCode& row) {
     if (!turning_cycles_available(row)) return false;
     const params::Table& table = core_.view().table();
     const unsigned l = core_.view().channel;
-    const bool facing = row.tenths == 720;
+    const bool facing = row.tenths == (settings_.system == kC ? 740 : 720);
     const char depth_letter = facing ? 'W' : 'U';
     if (first_of_two() && !settings_.series15) {
         keep_word(cycle_data_.depth, depth_letter);

@@ -16,7 +16,7 @@ bool Interpreter::g_nothing(const GCode& row) {
 }
 
 bool Interpreter::g_units(const GCode& row) {
-    const bool inch = row.tenths == 200;
+    const bool inch = row.tenths == units_code(true);
     if (inch == inch_) return true;
     inch_ = inch;
     unit_ = inch ? 25.4 : 1.0;

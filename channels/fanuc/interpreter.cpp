@@ -62,7 +62,7 @@ void Interpreter::clear_modal() {
     choose(kPlanes[settings_.power_on_plane]);
     core_.path.plane = static_cast<Plane>(settings_.power_on_plane);
     inch_ = settings_.power_on_inch;
-    choose(inch_ ? 200 : 210);
+    choose(units_code(inch_));
     unit_ = inch_ ? 25.4 : 1.0;
     absolute_ = settings_.system == kA || !settings_.power_on_incremental;
     if (settings_.system != kA) choose(absolute_ ? 900 : 910);

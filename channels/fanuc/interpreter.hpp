@@ -196,7 +196,7 @@ private:
     bool tool_word();
     bool apply_tool_offsets();
     void load_nose();
-    bool m_before(), m_after();
+    bool m_before(), m_after(), one_wait_code();
     bool is_draining(double code) const;
     bool wait_code(const Word& word);
     bool code_calls(bool& called);
@@ -354,6 +354,7 @@ private:
     CycleData cycle_data_;   // what first blocks have said (fanuc: it stays; nct: for the next block)
     bool only_macros_ = false;        // of an interrupt program, while the path is on its way to it
     bool reads_contour_ = false;      // this interpreter only looks at a contour
+    std::uint16_t units_code(bool inch) const { return static_cast<std::uint16_t>((settings_.system == kC ? 700 : 200) + (inch ? 0 : 10)); }
     bool absolute_ = true, inch_ = false;
     std::optional<AxisValues> away_;  // moved in the hold (N1337 REL): the next block with axis words decides
     std::int64_t last_m_ = 0, last_t_ = 0, last_n_ = 0;

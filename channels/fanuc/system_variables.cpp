@@ -310,7 +310,7 @@ VariableStatus Interpreter::write_system(std::int64_t number, double value) {
             settings_.series15 = bits & 512u;
             inch_ = bits & 4u;
             unit_ = inch_ ? 25.4 : 1.0;
-            active_[static_cast<std::size_t>(GGroup::Units)] = table_.find(inch_ ? 200 : 210);
+            active_[static_cast<std::size_t>(GGroup::Units)] = table_.find(units_code(inch_));
             return VariableStatus::Ok;
         }
         case 3901: parts_ = plain; return VariableStatus::Ok;

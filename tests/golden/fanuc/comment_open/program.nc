@@ -1,0 +1,3 @@
+O1
+G0 X40. (ROUGHING
+M30
