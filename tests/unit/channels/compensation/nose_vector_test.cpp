@@ -47,7 +47,7 @@ protected:
     Recorder out;
     Compensator nose;
     Vec tip;
-    AxisValues here{};
+    AxisValues here{-10, 5};   // where the tool stands
 };
 
 //                     (20,20)        left of the contour, radius 1:

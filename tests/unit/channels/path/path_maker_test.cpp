@@ -223,6 +223,7 @@ TEST(PathMaker, WhatTheNoseAddsGoesAlongWithItsAxis) {
     Collected out;
     const PathLimits limits = easy_limits();
     Program program(out, limits);
+    program.feed = 1;   // so slow that a blend is worth it
     const auto single = [&](std::uint8_t axis, double to, double nose) {
         PathRecord& r = program.begin(RecordKind::Line);
         r.axis_count = 1;
