@@ -30,9 +30,9 @@ QString unitText(Unit unit) {
 
 forms::Dialect formDialect(const Live& live, unsigned channel, const QString& language) {
     const params::Table& t = live.table();
-    const bool a = !params::bit(t, params::f3401, channel, 6) && !params::bit(t, params::f3401, channel, 7);
+    const char system = params::bit(t, params::f3401, channel, 7) ? 'C' : params::bit(t, params::f3401, channel, 6) ? 'B' : 'A';
     const double increment = live.connected() ? std::pow(10.0, -static_cast<double>(live.config().channel(channel).decimals())) : 0.001;
-    return forms::dialect_of(language.toStdString(), a, params::bit(t, params::f0001, channel, 1), params::bit(t, params::f3401, channel, 0), increment);
+    return forms::dialect_of(language.toStdString(), system, params::bit(t, params::f0001, channel, 1), params::bit(t, params::f3401, channel, 0), increment);
 }
 
 CycleFormPage::CycleFormPage(Desk& desk, QWidget* parent) : EditorOverlay(parent), desk_(desk), table_(new Table(this)), picture_(new CyclePicture(this)), pad_(new NumberPad(this)), note_(new FreeSheet(this)) {

@@ -199,32 +199,51 @@ constexpr Field kPeckNct[] = {POLYTURN_FACE_HOLE('L', POLYTURN_PECK_E)};
 constexpr Field kHole15[] = {POLYTURN_FACE_HOLE('L', POLYTURN_DWELL)};
 
 constexpr Form kForms[] = {
-    {"G71", kFamily, Picture::Roughing, "Roughing along Z", kG71, "PQ"},
-    {"G72", kFamily, Picture::FaceRoughing, "Roughing along X", kG72, "PQ"},
-    {"G73", kFamily, Picture::Pattern, "Repeating a contour", kG73, "PQ"},
-    {"G71", kSeries15, Picture::Roughing, "Roughing along Z", kG71One, {}},
-    {"G72", kSeries15, Picture::FaceRoughing, "Roughing along X", kG71One, {}},
-    {"G73", kSeries15, Picture::Pattern, "Repeating a contour", kG73One, {}},
-    {"G70", kFamily | kSeries15, Picture::Finishing, "Finishing a contour", kG70, {}},
-    {"G74", kFamily, Picture::PeckFace, "Pecking and grooving along Z", kG74, "XZUWPQ"},
-    {"G75", kFamily, Picture::Groove, "Grooving along X", kG75, "XZUWPQ"},
-    {"G76", kFamily, Picture::Thread, "Thread in several passes", kG76, "XZUW"},
-    {"G74", kSeries15, Picture::PeckFace, "Pecking and grooving along Z", kG74One, {}},
-    {"G75", kSeries15, Picture::Groove, "Grooving along X", kG75One, {}},
-    {"G76", kSeries15, Picture::Thread, "Thread in several passes", kG76One, {}},
+    {"G71", kFanucAB | kNct, Picture::Roughing, "Roughing along Z", kG71, "PQ"},
+    {"G72", kFanucAB | kNct, Picture::FaceRoughing, "Roughing along X", kG72, "PQ"},
+    {"G73", kFanucAB | kNct, Picture::Pattern, "Repeating a contour", kG73, "PQ"},
+    {"G71", kSeries15AB, Picture::Roughing, "Roughing along Z", kG71One, {}},
+    {"G72", kSeries15AB, Picture::FaceRoughing, "Roughing along X", kG71One, {}},
+    {"G73", kSeries15AB, Picture::Pattern, "Repeating a contour", kG73One, {}},
+    {"G70", kFanucAB | kNct | kSeries15AB, Picture::Finishing, "Finishing a contour", kG70, {}},
+    {"G74", kFanucAB | kNct, Picture::PeckFace, "Pecking and grooving along Z", kG74, "XZUWPQ"},
+    {"G75", kFanucAB | kNct, Picture::Groove, "Grooving along X", kG75, "XZUWPQ"},
+    {"G76", kFanucAB | kNct, Picture::Thread, "Thread in several passes", kG76, "XZUW"},
+    {"G74", kSeries15AB, Picture::PeckFace, "Pecking and grooving along Z", kG74One, {}},
+    {"G75", kSeries15AB, Picture::Groove, "Grooving along X", kG75One, {}},
+    {"G76", kSeries15AB, Picture::Thread, "Thread in several passes", kG76One, {}},
     {"G90", kFanucA, Picture::Turning, "Turning, one pass", kTurning, {}},
     {"G92", kFanucA, Picture::TurningThread, "Thread, one pass", kThread, {}},
     {"G94", kFanucA, Picture::Facing, "Facing, one pass", kFacing, {}},
     {"G90", kSeries15A, Picture::Turning, "Turning, one pass", kTurning15, {}},
     {"G92", kSeries15A, Picture::TurningThread, "Thread, one pass", kThread15, {}},
     {"G94", kSeries15A, Picture::Facing, "Facing, one pass", kFacing15, {}},
-    {"G77", kFanucBC | kNct, Picture::Turning, "Turning, one pass", kTurning, {}},
-    {"G78", kFanucBC, Picture::TurningThread, "Thread, one pass", kThread, {}},
+    {"G77", kFanucB | kNct, Picture::Turning, "Turning, one pass", kTurning, {}},
+    {"G78", kFanucB, Picture::TurningThread, "Thread, one pass", kThread, {}},
     {"G78", kNct, Picture::TurningThread, "Thread, one pass", kThreadNct, {}},
-    {"G79", kFanucBC | kNct, Picture::Facing, "Facing, one pass", kFacing, {}},
-    {"G77", kSeries15BC, Picture::Turning, "Turning, one pass", kTurning15, {}},
-    {"G78", kSeries15BC, Picture::TurningThread, "Thread, one pass", kThread15, {}},
-    {"G79", kSeries15BC, Picture::Facing, "Facing, one pass", kFacing15, {}},
+    {"G79", kFanucB | kNct, Picture::Facing, "Facing, one pass", kFacing, {}},
+    {"G77", kSeries15B, Picture::Turning, "Turning, one pass", kTurning15, {}},
+    {"G78", kSeries15B, Picture::TurningThread, "Thread, one pass", kThread15, {}},
+    {"G79", kSeries15B, Picture::Facing, "Facing, one pass", kFacing15, {}},
+    {"G73", kFanucC, Picture::Roughing, "Roughing along Z", kG71, "PQ"},
+    {"G74", kFanucC, Picture::FaceRoughing, "Roughing along X", kG72, "PQ"},
+    {"G75", kFanucC, Picture::Pattern, "Repeating a contour", kG73, "PQ"},
+    {"G73", kSeries15C, Picture::Roughing, "Roughing along Z", kG71One, {}},
+    {"G74", kSeries15C, Picture::FaceRoughing, "Roughing along X", kG71One, {}},
+    {"G75", kSeries15C, Picture::Pattern, "Repeating a contour", kG73One, {}},
+    {"G72", kFanucC | kSeries15C, Picture::Finishing, "Finishing a contour", kG70, {}},
+    {"G76", kFanucC, Picture::PeckFace, "Pecking and grooving along Z", kG74, "XZUWPQ"},
+    {"G77", kFanucC, Picture::Groove, "Grooving along X", kG75, "XZUWPQ"},
+    {"G78", kFanucC, Picture::Thread, "Thread in several passes", kG76, "XZUW"},
+    {"G76", kSeries15C, Picture::PeckFace, "Pecking and grooving along Z", kG74One, {}},
+    {"G77", kSeries15C, Picture::Groove, "Grooving along X", kG75One, {}},
+    {"G78", kSeries15C, Picture::Thread, "Thread in several passes", kG76One, {}},
+    {"G20", kFanucC, Picture::Turning, "Turning, one pass", kTurning, {}},
+    {"G21", kFanucC, Picture::TurningThread, "Thread, one pass", kThread, {}},
+    {"G24", kFanucC, Picture::Facing, "Facing, one pass", kFacing, {}},
+    {"G20", kSeries15C, Picture::Turning, "Turning, one pass", kTurning15, {}},
+    {"G21", kSeries15C, Picture::TurningThread, "Thread, one pass", kThread15, {}},
+    {"G24", kSeries15C, Picture::Facing, "Facing, one pass", kFacing15, {}},
     {"G83", kNative, Picture::DrillFace, "Drilling in the face", kPeckFace, {}},
     {"G84", kNative, Picture::TapFace, "Tapping in the face", kHoleFace, {}},
     {"G85", kNative, Picture::BoreFace, "Boring in the face", kHoleFace, {}},
@@ -251,11 +270,12 @@ constexpr Form kForms[] = {
 
 std::span<const Form> fanuc_forms() { return kForms; }
 
-Dialect dialect_of(std::string_view language, bool system_a, bool series15, bool point_means_nothing, double increment) {
+Dialect dialect_of(std::string_view language, char system, bool series15, bool point_means_nothing, double increment) {
     if (language == "fagor") return {kFagor, false, increment};
     if (language == "nct") return {kNct, !point_means_nothing, increment};
     if (language != "fanuc") return {};
-    return {static_cast<std::uint8_t>(series15 ? system_a ? kSeries15A : kSeries15BC : system_a ? kFanucA : kFanucBC), !point_means_nothing, increment};
+    const Speaks own = system == 'A' ? kFanucA : system == 'B' ? kFanucB : kFanucC, of_15 = system == 'A' ? kSeries15A : system == 'B' ? kSeries15B : kSeries15C;
+    return {series15 ? of_15 : own, !point_means_nothing, increment};
 }
 
 }  // namespace polyturn::forms

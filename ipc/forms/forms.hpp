@@ -12,9 +12,10 @@
 
 namespace polyturn::forms {
 
-// Which programs a form is for. The fanuc family: system A, systems B and C, each in the own and in the series 15 format (F0001#1).
-enum Speaks : std::uint8_t { kFanucA = 1, kFanucBC = 2, kSeries15A = 4, kSeries15BC = 8, kNct = 16, kFagor = 32 };
-inline constexpr std::uint8_t kNative = kFanucA | kFanucBC, kSeries15 = kSeries15A | kSeries15BC, kFamily = kNative | kNct;
+// Which programs a form is for. The fanuc family: code systems A, B and C, each in the own and in the series 15 format (F0001#1).
+enum Speaks : std::uint8_t { kFanucA = 1, kFanucB = 2, kSeries15A = 4, kSeries15B = 8, kNct = 16, kFagor = 32, kFanucC = 64, kSeries15C = 128 };
+inline constexpr std::uint8_t kFanucAB = kFanucA | kFanucB, kSeries15AB = kSeries15A | kSeries15B;
+inline constexpr std::uint8_t kNative = kFanucAB | kFanucC, kSeries15 = kSeries15AB | kSeries15C;
 
 enum class Unit : std::uint8_t {
     Length,        // mm along an axis, or of no axis (radius)
@@ -76,7 +77,8 @@ struct Dialect {
     bool point_needed = false;      // X40 is 40 least increments, X40. is 40 mm
     double increment = 0.001;       // the least one, mm
 };
-Dialect dialect_of(std::string_view language, bool system_a, bool series15, bool point_means_nothing, double increment);
+// system: of the fanuc codes, 'A', 'B' or 'C'.
+Dialect dialect_of(std::string_view language, char system, bool series15, bool point_means_nothing, double increment);
 
 // In the order of the table.
 template <class Visit>

@@ -27,7 +27,7 @@ std::string letters_of(const Form& form) {
 
 TEST(Forms, OfTheFanucFamilyTakeWhatTheCodesTake) {
     using namespace fanuc;
-    const std::pair<forms::Speaks, GSystem> kSystems[] = {{forms::kFanucA, kA}, {forms::kFanucBC, kB}, {forms::kFanucBC, kC}, {forms::kSeries15A, kA}, {forms::kSeries15BC, kB}, {forms::kNct, kN}};
+    const std::pair<forms::Speaks, GSystem> kSystems[] = {{forms::kFanucA, kA}, {forms::kFanucB, kB}, {forms::kFanucC, kC}, {forms::kSeries15A, kA}, {forms::kSeries15B, kB}, {forms::kSeries15C, kC}, {forms::kNct, kN}};
     for (const Form& form : forms::fanuc_forms())
         for (const auto& [speaks, system] : kSystems) {
             if (!(form.speaks & speaks)) continue;
@@ -45,10 +45,11 @@ TEST(Forms, OfTheFanucFamilyLeaveNoCycleOut) {
     const auto is_cycle = [](const GCode& row, bool nct) {
         const unsigned n = row.tenths;
         if (row.group == GGroup::Drilling && n != 800) return n != 861 && !(nct && (n == 870 || n == 880));   // fine boring, back boring: no turning work
-        return (n >= 700 && n <= 790 && row.group != GGroup::Zero) || (row.systems == kA && (n == 900 || n == 920 || n == 940));
+        return (n >= 700 && n <= 790 && row.group != GGroup::Zero && row.group != GGroup::Units) || (row.systems == kA && (n == 900 || n == 920 || n == 940)) ||
+               (row.systems == kC && (n == 200 || n == 210 || n == 240));
     };
     for (const GCode& row : g_codes()) {
-        for (const auto& [system, speaks] : {std::pair{kA, forms::kFanucA | forms::kSeries15A}, {kB, forms::kFanucBC | forms::kSeries15BC}, {kN, int{forms::kNct}}}) {
+        for (const auto& [system, speaks] : {std::pair{kA, forms::kFanucA | forms::kSeries15A}, {kB, forms::kFanucB | forms::kSeries15B}, {kC, forms::kFanucC | forms::kSeries15C}, {kN, int{forms::kNct}}}) {
             if (!(row.systems & system) || !row.act || !is_cycle(row, system == kN)) continue;
             if (system != kN && row.tenths == 860) continue;   // fanuc lathes have none
             bool found = false;
@@ -80,7 +81,7 @@ int play_proposals(const forms::Dialect& dialect, const std::string& language, c
         using forms::Picture;
         const bool side = form.picture == Picture::Groove || form.picture == Picture::DrillSide || form.picture == Picture::TapSide || form.picture == Picture::BoreSide;
         const std::string x = form.picture == Picture::Pattern ? "60." : "46.", z = side ? "-10." : "3.";
-        const bool by_revolution_g95 = language == "nct" || (dialect.speaks & (forms::kFanucBC | forms::kSeries15BC)) != 0;
+        const bool by_revolution_g95 = language == "nct" || (dialect.speaks & (forms::kFanucB | forms::kSeries15B | forms::kFanucC | forms::kSeries15C)) != 0;
         std::vector<std::string> lines{fagor ? "G95 G97 S1000 M3 F0.2" : std::string(by_revolution_g95 ? "G95 G98" : "G99") + " G97 S1000 M3", "G0 X" + x + " Z" + z};
         if (fagor) lines.insert(lines.begin(), {"%1", "T1 D1"});
         const int at = static_cast<int>(lines.size());
@@ -110,7 +111,9 @@ int play_proposals(const forms::Dialect& dialect, const std::string& language, c
 
 TEST(Forms, WhatFanucProposesRuns) {
     EXPECT_GT(play_proposals({forms::kFanucA, true, 0.001}, "fanuc", {}), 10);
-    EXPECT_GT(play_proposals({forms::kFanucBC, true, 0.001}, "fanuc", {"F3401#6=1"}), 10);
+    EXPECT_GT(play_proposals({forms::kFanucB, true, 0.001}, "fanuc", {"F3401#6=1"}), 10);
+    EXPECT_GT(play_proposals({forms::kFanucC, true, 0.001}, "fanuc", {"F3401#7=1"}), 10);
+    EXPECT_GT(play_proposals({forms::kSeries15C, true, 0.001}, "fanuc", {"F0001#1=1", "F3401#7=1"}), 10);
     EXPECT_GT(play_proposals({forms::kSeries15A, true, 0.001}, "fanuc", {"F0001#1=1"}), 10);
 }
 TEST(Forms, WhatNctProposesRuns) { EXPECT_GT(play_proposals({forms::kNct, true, 0.001}, "nct", {}), 10); }

@@ -14,7 +14,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-const Dialect kDialects[] = {{kFanucA, true, 0.001}, {kFanucA, false, 0.001}, {kFanucBC, true, 0.0001}, {kSeries15A, true, 0.001}, {kSeries15BC, true, 0.001}, {kNct, true, 0.001}, {kNct, false, 0.001}, {kFagor, false, 0.0001}};
+const Dialect kDialects[] = {{kFanucA, true, 0.001}, {kFanucA, false, 0.001}, {kFanucB, true, 0.0001}, {kSeries15A, true, 0.001}, {kSeries15B, true, 0.001}, {kNct, true, 0.001}, {kNct, false, 0.001}, {kFagor, false, 0.0001}};
 
 std::vector<const Form*> forms_of(const Dialect& dialect) {
     std::vector<const Form*> out;
