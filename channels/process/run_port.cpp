@@ -5,6 +5,7 @@
 #include "ipc/image/beside_step.hpp"
 #include "ipc/machine/named_inputs.hpp"
 #include "ipc/memory/segment.hpp"
+#include "ipc/path/stroke_flags.hpp"
 
 namespace polyturn::channels {
 
@@ -98,10 +99,7 @@ bool RunPort::diameter_inverted(unsigned machine_axis) { return plc_->signal[sig
 unsigned RunPort::synchronous_master(unsigned machine_axis) { return static_cast<unsigned>(status_->axes[machine_axis].master); }
 
 StrokeFlags RunPort::stroke_flags(unsigned machine_axis) {
-    const auto on = [&](const PlcSignal& signal, std::size_t instance) { return plc_->signal[signal(instance)] != 0; };
-    using namespace signals;
-    return {on(cp_limsel, channel_), on(ap_limselp, machine_axis + 1), on(ap_limseln, machine_axis + 1),
-            on(cp_lim1dis, channel_), on(cp_lim2dis, channel_), on(cp_lim3dis, channel_)};
+    return polyturn::stroke_flags([&](std::uint32_t slot) { return plc_->signal[slot] != 0; }, channel_, machine_axis + 1);
 }
 
 bool RunPort::second_geometry(unsigned axis) {

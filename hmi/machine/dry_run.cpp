@@ -6,6 +6,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTimer>
+#include <cmath>
 
 #include "hmi/text/tongues.hpp"
 
@@ -13,6 +14,7 @@ namespace polyturn::hmi {
 namespace {
 
 constexpr std::size_t kMostBlocks = 200'000;
+constexpr double kOtherZero = 0.01;   // mm: what the zero must have moved by; less is wear or rounding
 
 QString tell(QString english, const QString& number) {
     const std::string plain = number.toStdString(), text = english.toStdString();
@@ -98,14 +100,25 @@ void DryRun::takeMove(RunChannel& own, const QJsonObject& event, double t, doubl
     const QString kind = event.value("kind").toString();
     move.t = t, move.end = end;
     move.rapid = kind == "rapid" || kind == "reference", move.arc = (kind == "cw" || kind == "ccw") && !centre.isEmpty(), move.clockwise = kind == "cw";
-    move.x = pos.value("X").toDouble(move.x), move.z = pos.value("Z").toDouble(move.z);
-    move.centreX = centre.value("X").toDouble(), move.centreZ = centre.value("Z").toDouble();
+    move.x = pos.value("X").toDouble(move.x), own.programmedZ = pos.value("Z").toDouble(own.programmedZ);
+    // The machine's coordinate less the programmed one is the workpiece zero with the tool's offset. While the offset stays, a jump is
+    // another zero (G55 after G54, a shift): the path goes on in the system that it began in. What a tool change adds belongs to the tool.
+    const QJsonObject tool = event.value("tool").toObject();
+    if (pos.contains("Z") && machine.contains("Z")) {
+        const double shift = machine.value("Z").toDouble() - own.programmedZ;
+        const QString offset = QString("%1 %2 %3").arg(tool.value("number").toInt()).arg(tool.value("offset").toInt()).arg(tool.value("edge").toInt());
+        if (offset == own.offset && std::abs(shift - own.shift) > kOtherZero) own.zeroMoved += shift - own.shift;
+        own.shift = shift, own.offset = offset;
+        if (!own.zero && tool.value("offset").toInt() == 0 && tool.value("edge").toInt() == 0) own.zero = shift - own.zeroMoved;
+    }
+    move.z = own.programmedZ + own.zeroMoved;
+    move.centreX = centre.value("X").toDouble(), move.centreZ = centre.value("Z").toDouble() + own.zeroMoved;
     for (auto one = machine.begin(); one != machine.end(); ++one) {
         auto place = own.axes.indexOf(one.key());
         if (place < 0) place = own.axes.size(), own.axes << one.key();
         if (place < static_cast<qsizetype>(move.machine.size())) move.machine[static_cast<std::size_t>(place)] = one.value().toDouble();
     }
-    move.tool = event.value("tool").toObject().value("number").toInt(move.tool);
+    move.tool = tool.value("number").toInt(move.tool);
     own.moves.push_back(move);
 }
 

@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace polyturn::hmi {
@@ -31,17 +32,20 @@ struct RunSpan {
 struct RunMove {
     double t = 0, end = 0;
     bool rapid = false, arc = false, clockwise = false;
-    double x = 0, z = 0, centreX = 0, centreZ = 0;   // in the workpiece system: x as the program has it, the centre as a radius
+    double x = 0, z = 0, centreX = 0, centreZ = 0;   // in the workpiece system that the channel begins with: x as the program has it, the centre as a radius
     std::array<double, 6> machine{};  // of RunChannel::axes, true millimetres
     int tool = 0;
 };
 struct RunChannel {
     QStringList axes;               // names of those that RunMove::machine tells
     std::vector<RunMove> moves;     // of a drive: those with X and Z
+    std::optional<double> zero;     // machine Z of that system's zero, where a move without tool offset has told it; mm
     std::vector<RunLine> blocks;    // in the order in which they are executed; a block after itself counts once
     std::vector<RunWait> waits;
     std::vector<RunSpan> spans;
     double end = 0;
+    double programmedZ = 0, shift = 0, zeroMoved = 0;   // while it is read: of the last move
+    QString offset;                 // with which shift holds
 };
 struct RunFault {
     unsigned channel = 0;

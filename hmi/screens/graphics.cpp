@@ -98,7 +98,8 @@ void Graphics::findJob() {
     }
 }
 
-// Where the workpiece zero of a channel is in the room: as its running block has it, else by the job's G54, else the blank touches its chuck.
+// Where the workpiece zero of a channel is in the room. Of the machine: as its running block has it. Of a dry run: as the run has told it,
+// else by the job's G54, with which it begins, else as the machine has it. Where nobody knows it, the blank touches its chuck.
 CuttingScene::Zero Graphics::zeroOf(unsigned channel, bool dryRun) const {
     CuttingScene::Zero zero;
     const Room* room = room_.room();
@@ -112,7 +113,9 @@ CuttingScene::Zero Graphics::zeroOf(unsigned channel, bool dryRun) const {
     const auto known = zeroZ_.find(channel);
     const auto job = job_.zeros.find(channel);
     const bool told = job != job_.zeros.end() && axis != room->axes.end();
-    if (known != zeroZ_.end() && !(dryRun && told)) zero.z = known->second;
+    const auto run = dryRun_.channels().find(channel);
+    if (dryRun && run != dryRun_.channels().end() && run->second.zero && axis != room->axes.end()) zero.z = axis->second.origin.z + zero.sense * *run->second.zero;
+    else if (known != zeroZ_.end() && !(dryRun && told)) zero.z = known->second;
     else if (told) zero.z = axis->second.origin.z + zero.sense * job->second;   // with which a dry run of the job begins
     else if (chuck != room->chucks.end()) zero.z = chuck->second.origin.z + zero.sense * (job_.stock ? job_.stock->length : 100);
     return zero;
@@ -298,6 +301,7 @@ void Graphics::refresh() {
         }
     }
     head_->refresh();
+    if (std::vector<ShownStroke> strokes = shownStrokes(desk_.live, room_, now_); !(strokes == strokes_)) strokes_ = std::move(strokes), redraw_ = true;
     CuttingScene& scene = shown();
     const qint64 now = QDateTime::currentMSecsSinceEpoch();
     const qreal ratio = devicePixelRatioF();

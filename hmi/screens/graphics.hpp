@@ -1,5 +1,6 @@
 // The paths of all channels in the machine's room, the stock that they leave, and what stands around it: chucks, tailstocks, turrets, protection
-// zones, from the geometry that protection guards (machine/room_view.hpp). Of the running machine, or of a dry run of its job, played
+// zones, from the geometry that protection guards (machine/room_view.hpp), and how far the tips may go, from the stroke ranges that the
+// kernel judges (machine/stroke_view.hpp). Of the running machine, or of a dry run of its job, played
 // back. The tip is a point here: the width of a grooving tool and the radius of a nose are not drawn, and the screen says so.
 #pragma once
 #include <QElapsedTimer>
@@ -10,6 +11,7 @@
 #include "hmi/app/screen.hpp"
 #include "hmi/machine/dry_run.hpp"
 #include "hmi/machine/room_view.hpp"
+#include "hmi/machine/stroke_view.hpp"
 #include "hmi/screens/cutting_scene.hpp"
 
 namespace polyturn::hmi {
@@ -32,6 +34,7 @@ public:
     void follow() override;
     // For tests: what is drawn of the machine, and of which run.
     const std::vector<ShownBody>& bodies() const { return bodies_; }
+    const std::vector<ShownStroke>& strokes() const { return strokes_; }
     const CuttingScene& scene() const { return dry_ ? drySide_ : live_; }
     double dryTime() const { return dryTime_; }
 
@@ -66,6 +69,7 @@ private:
     void drawRoom();                       // the whole picture but for what moves
     void drawPart(QPainter& p);
     void drawBody(QPainter& p, const ShownBody& body);
+    void drawStrokes(QPainter& p, const QRectF& area);
     QRectF bodyBox(const ShownBody& body) const;
     QRectF drawTrail(QPainter& p, unsigned channel, Trail& trail);   // what is new in it; its place
     QRectF tipBox(const Trail& trail) const;
@@ -77,6 +81,7 @@ private:
     RoomView room_;
     RoomNow now_;
     std::vector<ShownBody> bodies_;
+    std::vector<ShownStroke> strokes_;
     std::map<unsigned, double> cycle_;     // of the parts, by channel
     std::map<unsigned, double> zeroZ_;     // of the workpiece in the room, as the running block has it
     Aside<FoundJob> finding_;

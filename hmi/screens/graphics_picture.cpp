@@ -12,6 +12,7 @@ namespace polyturn::hmi {
 namespace {
 constexpr double kSketchWide = 0.45;     // of the reach: a turret of which only that is known
 constexpr double kLargest = 2500;        // mm: what stands farther out (the head behind a chuck) does not make the picture smaller
+constexpr double kFarthest = 1e5;        // mm: drawn instead of infinity
 }  // namespace
 
 // The part of the room that is shown: the blank with what is around it, or all bodies. In pixels: z to the right, x up.
@@ -33,6 +34,11 @@ void Graphics::measure() {
             if (!body.barrier)
                 for (const auto& box : body.boxes) take(box.z_low, box.x_low), take(box.z_high, box.x_high);
             if (body.boxes.empty() && body.reach > 0) body.alongX ? take(body.at.z, body.at.x + body.axisAt - body.outwards * body.reach) : take(body.at.z + body.axisAt - body.outwards * body.reach, body.at.x);
+        }
+    if (machine_)
+        for (const ShownStroke& stroke : strokes_) {
+            const auto take = [](double value, double& least, double& most) { if (std::abs(value) < kLargest) least = std::min(least, value), most = std::max(most, value); };
+            take(stroke.allowed.zLow, from, to), take(stroke.allowed.zHigh, from, to), take(stroke.allowed.xLow, low, high), take(stroke.allowed.xHigh, low, high);
         }
     const double top = head_->height();
     scale_ = std::min((width() - px(60)) / std::max(1.0, to - from), (height() - top - px(60)) / std::max(1.0, high - low)) * zoom_;
@@ -209,6 +215,49 @@ void Graphics::drawPart(QPainter& p) {
     p.drawPath(part);
 }
 
+// How far the tips may go, in the colour of their channel: a frame of dashes with its name, and hatched what a tip must stay out of. The
+// names stand one behind the other, above the frames of carriers that work from above, below those of the others.
+void Graphics::drawStrokes(QPainter& p, const QRectF& area) {
+    const Theme& t = theme();
+    p.setFont(lettering(13, true));
+    const QFontMetricsF metrics(p.font());
+    const auto boxed = [&](const ShownStroke::Area& of) {   // what is infinite ends beyond the picture
+        const QPointF a = place(std::clamp(of.zLow, -kFarthest, kFarthest), std::clamp(of.xHigh, -kFarthest, kFarthest)), b = place(std::clamp(of.zHigh, -kFarthest, kFarthest), std::clamp(of.xLow, -kFarthest, kFarthest));
+        return QRectF(a, b).normalized();
+    };
+    const auto name = [&](const QString& text, QPointF at, const QColor& colour) {
+        const QRectF label(at, QSizeF(metrics.horizontalAdvance(text) + px(10), metrics.height()));
+        QColor paper = t.card;
+        paper.setAlpha(215);
+        p.setPen(Qt::NoPen), p.setBrush(paper);
+        p.drawRoundedRect(label, px(3), px(3));
+        p.setPen(colour);
+        p.drawText(label, Qt::AlignCenter, text);
+        return label.right() + px(4);
+    };
+    double next[2] = {0, 0};
+    for (const ShownStroke& stroke : strokes_) {
+        const QColor colour = colourOf(stroke.channel);
+        for (const auto& [range, forbidden] : stroke.forbidden) {
+            const QRectF box = boxed(forbidden);
+            QColor paint = colour;
+            paint.setAlpha(90);
+            p.setPen(QPen(colour, px(1.4), Qt::DashDotDotLine)), p.setBrush(QBrush(paint, Qt::FDiagPattern));
+            p.drawRect(box);
+            const QRectF seen = box.intersected(area);
+            if (!seen.isEmpty()) name(word("Range %1 of L%2").arg(range).arg(stroke.channel), seen.topLeft() + QPointF(px(4), px(4)), colour);
+        }
+        const QRectF frame = boxed(stroke.allowed);
+        p.setPen(QPen(colour, px(1.4), Qt::DashDotDotLine)), p.setBrush(Qt::NoBrush);
+        p.drawRect(frame);
+        const QRectF seen = frame.intersected(area);
+        if (seen.isEmpty() || frame.contains(area)) continue;   // no line of it can be seen
+        const bool below = aside(stroke.channel) < 0;
+        const double x = std::max({seen.left() + px(6), area.left() + px(6), next[below]});
+        next[below] = name(word("Travel of L%1").arg(stroke.channel), QPointF(x, below ? seen.bottom() - metrics.height() - px(3) : seen.top() + px(3)), colour);
+    }
+}
+
 void Graphics::drawRoom() {
     const Theme& t = theme();
     QPainter p(&picture_);
@@ -224,6 +273,7 @@ void Graphics::drawRoom() {
     p.setPen(QPen(t.faint, 1, Qt::DashDotLine));
     const double axis = place(0, scene.zero().x).y();
     p.drawLine(QPointF(area.left(), axis), QPointF(area.right(), axis));
+    drawStrokes(p, area);
     for (auto& [channel, trail] : scene.trails) drawTrail(p, channel, trail);
     p.setPen(t.dim);
     p.setFont(lettering(13.5));

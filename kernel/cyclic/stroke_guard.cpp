@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "ipc/kinematics/kinematics.hpp"
+#include "ipc/path/stroke_flags.hpp"
 #include "kernel/cyclic/core.hpp"
 
 namespace polyturn::kernel {
@@ -29,7 +30,6 @@ void StrokeGuard::configure(const KernelConfig& config) noexcept {
 }
 
 void StrokeGuard::update(const Core& core) noexcept {
-    namespace s = signals;
     for (unsigned l = 0; l < kMaxChannels; ++l) {
         Channel& channel = channels_[l];
         bool limited = false, changed = false;
@@ -40,10 +40,9 @@ void StrokeGuard::update(const Core& core) noexcept {
             AxisZone zone;
             if (stroke.any() && axis.referenced && !axis.detached) {
                 const auto on = [&](std::uint32_t slot) { return core.signals.plc(slot) != 0; };
-                zone = zone_of(stroke, core.config.channels[l].stroke,
-                               {on(s::cp_limsel(l + 1)), on(s::ap_limselp(a + 1)), on(s::ap_limseln(a + 1)), on(s::cp_lim1dis(l + 1)),
-                                on(s::cp_lim2dis(l + 1)) || (core.stroke2_off >> l & 1u),
-                                on(s::cp_lim3dis(l + 1))});
+                StrokeFlags flags = stroke_flags(on, l + 1, a + 1);
+                flags.second_off = flags.second_off || (core.stroke2_off >> l & 1u);
+                zone = zone_of(stroke, core.config.channels[l].stroke, flags);
                 limited = true;
             }
             // A box is closed by all its axes; one that does not know where it is leaves it open.

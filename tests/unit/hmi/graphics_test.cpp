@@ -1,4 +1,5 @@
 // The picture of the machine: the stock as it is cut, bodies where protection has them, live and in a dry run.
+#include <QFile>
 #include <cmath>
 
 #include "hmi/screens/graphics.hpp"
@@ -37,6 +38,29 @@ TEST(CuttingScene, KnowsAWorkpieceThatLooksTheOtherWay) {
     EXPECT_DOUBLE_EQ(scene.stock.radiusAt(-60), 30);
 }
 
+// G55 after G54, by a job's own zeros: the path goes on where it is in the machine, and the run has said where the first zero lies.
+TEST(DryRunZeros, APathGoesOnInTheSystemThatItBeganIn) {
+    QTemporaryDir folder;
+    const auto write = [&](const char* name, const char* text) {
+        QFile file(folder.filePath(name));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(text);
+    };
+    write("O1.nc", "O1\nG54 G99\nG0 X50. Z10.\nG55 G0 Z10.\nG1 Z5. F0.2\nM30\n");
+    write("two.job.toml", "name = \"two\"\n[programs]\n1 = { file = \"O1.nc\", language = \"fanuc\" }\n[zeros]\n1 = { G54 = { Z = -100.0 }, G55 = { Z = -300.0 } }\n");
+    DryRun run;
+    run.start(DryRun::How::Drive, folder.filePath("two.job.toml"), {});
+    ASSERT_TRUE(waitFor([&] { return !run.running(); }, 60));
+    ASSERT_EQ(run.channels().count(1), 1u) << run.failure().toStdString();
+    const RunChannel& channel = run.channels().at(1);
+    ASSERT_EQ(channel.moves.size(), 3u);
+    EXPECT_DOUBLE_EQ(channel.moves[0].z, 10);
+    EXPECT_NEAR(channel.moves[1].z, 10 - 200, 1e-6);
+    EXPECT_NEAR(channel.moves[2].z, 5 - 200, 1e-6);
+    ASSERT_TRUE(channel.zero);
+    EXPECT_NEAR(*channel.zero, -100, 1e-6);
+}
+
 class GraphicsTasks : public Tasks {};
 
 // Every box that protection publishes is in the picture, at the same place: both come from the same geometry.
@@ -69,6 +93,43 @@ TEST_F(GraphicsTasks, BodiesStandWhereProtectionHasThem) {
     EXPECT_TRUE(barrier);
     EXPECT_TRUE(guarded);
     for (const char* line : {"N2000 L1=0", "N1901 L1=0", "N1902 L1=0"}) ASSERT_TRUE(g_controller->run({"params", "set", line, "--instance", g_controller->name}));
+}
+
+// The kernel is asked: an axis that it has stopped at its limit stands, in the picture, at the edge of its frame.
+TEST_F(GraphicsTasks, TheTravelEndsWhereTheKernelStopsTheAxis) {
+    Graphics& screen = screenOf<Graphics>();
+    window->showScreen(6);
+    const auto set = [&](const QString& line) { return g_controller->run({"params", "set", line, "--instance", g_controller->name}); };
+    const auto stroke = [&]() -> const ShownStroke* {
+        for (const ShownStroke& one : screen.strokes())
+            if (one.channel == 1) return &one;
+        return nullptr;
+    };
+    const auto stood = [&] { return live().status().axes[1].cmd; };
+    ASSERT_TRUE(waitFor([&] { return stroke() && std::isfinite(stroke()->allowed.zHigh); }, 10));
+    const double end = std::round(stood()) + 3;
+    ASSERT_TRUE(set(QString("N1002 A2=%1").arg(end)));
+    ASSERT_TRUE(g_controller->press("mode jog"));
+    for (int i = 0; i < 40 && live().nc(signals::an_otp(2)) == 0; ++i) g_controller->press("jog A2+ 0.5s"), QTest::qWait(300);
+    ASSERT_TRUE(waitFor([&] { return live().nc(signals::an_otp(2)) != 0 && !(live().status().axes[1].flags & kMoving); }, 20)) << stood();
+    EXPECT_NEAR(stood(), end, 0.01);
+    QTest::qWait(200);
+    const ShownBody* turret = nullptr;
+    for (const ShownBody& body : screen.bodies())
+        if (body.channel == 1) turret = &body;
+    ASSERT_TRUE(turret && stroke());
+    const double tip = turret->tipKnown ? turret->tip.z : turret->at.z;
+    EXPECT_NEAR(std::min(std::abs(stroke()->allowed.zHigh - tip), std::abs(stroke()->allowed.zLow - tip)), 0, 0.05) << tip;
+    // A box that both axes must stay out of, as range 3 has it; open while one of them takes no part that the tip is beyond.
+    EXPECT_TRUE(stroke()->forbidden.empty());
+    for (const char* line : {"N1008 A1=-20", "N1009 A1=-60", "N1008 A2=-200", "N1009 A2=-260", "N1000 A1=00000101", "N1000 A2=00000101"}) ASSERT_TRUE(set(line)) << line;
+    ASSERT_TRUE(waitFor([&] { return stroke() && stroke()->forbidden.size() == 1; }, 20));
+    const auto& [range, box] = stroke()->forbidden.front();
+    EXPECT_EQ(range, 3u);
+    EXPECT_NEAR(box.xHigh - box.xLow, 40, 0.02);
+    EXPECT_NEAR(box.zHigh - box.zLow, 60, 0.02);
+    for (const char* line : {"N1000 A1=00000001", "N1000 A2=00000001", "N1002 A2=800"}) ASSERT_TRUE(set(line)) << line;
+    ASSERT_TRUE(waitFor([&] { return stroke() && stroke()->forbidden.empty(); }, 20));
 }
 
 TEST_F(GraphicsTasks, ADryRunIsPlayedBesideTheMachine) {
