@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "hmi/machine/channel_words.hpp"
+#include "hmi/machine/critical_path.hpp"
 #include "hmi/screens/programs.hpp"
 
 namespace polyturn::hmi {
@@ -93,8 +94,11 @@ void Programs::composeTogether(Writer& w) {
     const std::vector<Row> rows = align(channels);
     const int visible = static_cast<int>((high - foot - head - px(12)) / row);
     scroll_ = std::clamp(scroll_, 0, std::max(0, static_cast<int>(rows.size()) - visible));
-    const auto faulty = [&](const RunLine& line) {
-        return std::any_of(dry_.faults().begin(), dry_.faults().end(), [&](const RunFault& fault) { return fault.at.line == line.line && fault.at.file == line.file; });
+    const auto faultAt = [&](const RunLine& line) {   // an error rather than a warning; nullptr: neither
+        const RunFault* found = nullptr;
+        for (const RunFault& fault : dry_.faults())
+            if (fault.at.line == line.line && fault.at.file == line.file && (!found || fault.error)) found = &fault;
+        return found;
     };
     for (int i = 0; i < visible && scroll_ + i < static_cast<int>(rows.size()); ++i) {
         const Row& one = rows[static_cast<std::size_t>(scroll_ + i)];
@@ -118,11 +122,13 @@ void Programs::composeTogether(Writer& w) {
             continue;
         }
         for (const auto& [number, line] : one.lines) {
-            const bool bad = faulty(line);
+            const RunFault* fault = faultAt(line);
+            const bool bad = fault != nullptr;
+            const QColor colour = !bad ? t.text : fault->error ? t.bad : t.warn;
             const double at = left[number];
-            if (bad) w.fill(QRectF(at + px(4), y + 1, each - px(8), row - 2), t.raised, px(4)), w.sign(QRectF(at + each - px(26), y + px(4), px(16), px(16)), Sign::Alarm, t.bad);
+            if (bad) w.fill(QRectF(at + px(4), y + 1, each - px(8), row - 2), t.raised, px(4)), w.sign(QRectF(at + each - px(26), y + px(4), px(16), px(16)), fault->error ? Sign::Alarm : Sign::Warning, colour);
             w.text(QRectF(at + px(4), y, px(44), row), QString::number(line.line), lettering(12), t.faint, kRight);
-            w.data(QRectF(at + px(56), y, each - px(bad ? 88 : 66), row), texts_.line(line.file, line.line), lettering(13.5, bad, Face::Program), bad ? t.bad : t.text);
+            w.data(QRectF(at + px(56), y, each - px(bad ? 88 : 66), row), texts_.line(line.file, line.line), lettering(13.5, bad, Face::Program), colour);
         }
     }
 }
@@ -144,15 +150,26 @@ void Programs::composeTime(Writer& w) {
         const char* text;
         QColor colour;
     };
-    const Key keys[] = {{WORD("Cutting"), t.good}, {WORD("Rapid"), t.accent}, {WORD("Dwell"), t.warn}, {WORD("Waiting"), t.wait}};
-    for (int i = 0; i < 4; ++i) {
-        w.fill(QRectF(left + i * px(150), px(18), px(26), px(12)), keys[i].colour, px(3));
+    const Key keys[] = {{WORD("Cutting"), t.good}, {WORD("Rapid"), t.accent}, {WORD("Dwell"), t.warn}, {WORD("Waiting"), t.wait}, {WORD("Decides the time"), t.text}};
+    for (int i = 0; i < 5; ++i) {
+        const double thick = i == 4 ? px(4) : px(12);   // as it is drawn below
+        w.fill(QRectF(left + i * px(150), px(24) - thick / 2, px(26), thick), keys[i].colour, px(i == 4 ? 0 : 3));
         w.text(QRectF(left + i * px(150) + px(34), px(10), px(112), px(28)), word(keys[i].text), lettering(14), t.dim);
     }
     w.text(QRectF(right + px(10), px(8), px(182), px(30)), word("%1 in all").arg(timeText(end)), lettering(17, true), t.text, kRight);
     double y = top, longest = 0;
     unsigned longestChannel = 0;
     const RunWait* worst = nullptr;
+    // The critical path: a line above the bars, from channel to channel at the meetings.
+    const std::vector<RunStretch> path = criticalPath(channels);
+    std::map<unsigned, double> above, decides;
+    for (const auto& [number, channel] : channels) above[number] = top + each * static_cast<double>(above.size()) - px(9);
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const double line = above[path[i].channel];
+        decides[path[i].channel] += path[i].to - path[i].from;
+        w.fill(QRectF(at(path[i].from), line, std::max(1.0, at(path[i].to) - at(path[i].from)), px(4)), t.text);
+        if (i) w.line({at(path[i].from), std::min(line, above[path[i - 1].channel])}, {at(path[i].from), std::max(line, above[path[i - 1].channel]) + px(4)}, t.text, px(1.6));
+    }
     for (const auto& [number, channel] : channels) {
         const double bar = each * 0.46;
         w.text(QRectF(px(14), y, px(56), bar), QString("L%1").arg(number), lettering(20, true), t.text);
@@ -199,14 +216,15 @@ void Programs::composeTime(Writer& w) {
         w.line({at(s), axis}, {at(s), axis + px(5)}, t.edge, 1);
         w.text(QRectF(at(s) - px(32), axis + px(7), px(64), px(18)), timeText(s), lettering(12), t.dim, Qt::AlignCenter);
     }
-    if (worst && longest > 0.5) {
-        w.sign(QRectF(px(14), high - foot + px(14), px(24), px(24)), Sign::Note, t.accent);
-        Item& item = w.text(QRectF(px(50), high - foot + px(8), wide - px(64), px(52)),
-                            word("Longest wait: L%1 stands %2 s at M%3 (line %4). Work moved from the channel that comes last to L%1 saves up to this time.")
-                                .arg(longestChannel).arg(longest, 0, 'f', 1).arg(worst->code).arg(worst->at.line),
-                            lettering(15), t.text);
-        item.wraps = true;
-    }
+    if (decides.empty()) return;
+    const auto most = std::max_element(decides.begin(), decides.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    QString note = word("L%1 decides %2 of %3: what becomes shorter there shortens the cycle.").arg(most->first).arg(timeText(most->second), timeText(end));
+    if (worst && longest > 0.5)
+        note += " " + word("Longest wait: L%1 stands %2 s at M%3 (line %4). Work moved from the channel that comes last to L%1 saves up to this time.")
+                          .arg(longestChannel).arg(longest, 0, 'f', 1).arg(worst->code).arg(worst->at.line);
+    w.sign(QRectF(px(14), high - foot + px(14), px(24), px(24)), Sign::Note, t.accent);
+    Item& item = w.text(QRectF(px(50), high - foot + px(8), wide - px(64), px(56)), note, lettering(15), t.text);
+    item.wraps = true;
 }
 
 }  // namespace polyturn::hmi
