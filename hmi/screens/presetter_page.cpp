@@ -75,10 +75,9 @@ PresetterPage::~PresetterPage() {
     process_->kill();
 }
 
+// The presetter makes its folder when it writes it.
 QString PresetterPage::calibrationFile() const {
-    const QString folder = QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + "/polyturn";
-    QDir().mkpath(folder);
-    return folder + "/presetter-" + QString::fromStdString(desk_.live.instance()) + ".json";
+    return QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + "/polyturn/presetter-" + QString::fromStdString(desk_.live.instance()) + ".json";
 }
 
 // Aside: the folder may lie on a network.

@@ -27,6 +27,7 @@ public:
     Table& files() { return *files_; }
     Table& values() { return *values_; }
     void readFolder(const QString& folder);
+    void propose() { measure(false); }   // writes nothing
     const QJsonObject& answer() const { return answer_; }
     const QString& failure() const { return failure_; }
     bool busy() const { return process_ != nullptr; }

@@ -128,10 +128,9 @@ void System::open() {
     else bringBack(true);
 }
 
-void System::save() {
-    QDir().mkpath(folder_);
+void System::save() {   // the store makes the folder: it may lie on a network
     const QString file = QDir(folder_).filePath(QString("%1-%2.ptb").arg(QString::fromStdString(desk_.live.instance()), QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss")));
-    desk_.requests.store({{"do", "backup.to"}, {"file", file}, {"with", QJsonArray{}}}, [this, file](const Answer& answer) {
+    desk_.requests.store({{"do", "backup.to"}, {"file", file}, {"with", QJsonArray{}}, {"make_folder", true}}, [this, file](const Answer& answer) {
         if (!answer.ok) return;
         desk_.tell(word("Saved: %1").arg(QFileInfo(file).fileName()), Told::Good);
         wanted_ = file;

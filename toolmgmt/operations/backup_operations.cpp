@@ -27,10 +27,12 @@ Json back_up(const Json& request, Work& work) {
         for (const auto& one : *with)
             if (!one.is_string() || !add_programs(one.get<std::string>(), files)) work.fault(Alarm::FileUnreadable, one.is_string() ? one.get<std::string>() : "with");
     if (!work.good()) return {};
+    // Only on demand: a stick that is not there must not become a folder of the computer. What cannot be made shows in the file.
+    std::error_code none;
+    if (request.value("make_folder", false)) std::filesystem::create_directories(std::filesystem::path(file).parent_path(), none);
     if (const Result<void> done = work.disk->backup(file, files); !done) return work.fault(done.diagnosis()), Json();
     Json names = Json::array();
     for (const auto& one : files) names.push_back(one.name);
-    std::error_code none;
     return {{"file", file}, {"bytes", std::filesystem::file_size(file, none)}, {"files", std::move(names)}};
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -106,6 +107,8 @@ Result<Calibration> read_calibration(const std::string& path) {
 Result<void> write_calibration(const std::string& path, const Calibration& c) {
     const Json json = {{"mm_per_pixel", c.mm_per_pixel}, {"scale_error", c.scale_error}, {"tilt_rad", c.tilt_rad}, {"reference", {c.reference.x, c.reference.y}}, {"x_mm", c.x_mm}, {"z_mm", c.z_mm},
                        {"reference_error_mm", c.reference_error_mm}, {"mirrored", c.mirrored}, {"width", c.width}, {"height", c.height}};
+    std::error_code none;   // a folder that cannot be made shows in the file
+    if (const auto folder = std::filesystem::path(path).parent_path(); !folder.empty()) std::filesystem::create_directories(folder, none);
     std::ofstream file(path);
     file << json.dump(2) << '\n';
     file.close();

@@ -162,7 +162,7 @@ TEST_F(Tasks, RestartAfterABrokenTool) {
 TEST_F(Tasks, RestoreABackup) {
     System& system = screenOf<System>();
     QTemporaryDir folder;
-    system.readFolder(folder.path());
+    system.readFolder(folder.filePath("new/folder"));   // the store makes it
     Operator hand(*window);
     hand.screen("system");
     hand.soft("Save now");

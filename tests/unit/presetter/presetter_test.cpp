@@ -2,7 +2,10 @@
 // radius within 3 um, and what is told as uncertainty holds; what cannot be measured is refused with its reason.
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <array>
+#include <filesystem>
 #include <random>
 
 #include "shadow_generator.hpp"
@@ -144,6 +147,16 @@ TEST(Presetter, ReadsPicturesAndRefusesBrokenFiles) {
     for (int i = 0; i < 64 * 64; ++i) wide += "\x80", wide += '\0';
     ASSERT_TRUE(presetter::parse_image(wide));
     EXPECT_NEAR(presetter::parse_image(wide)->at(0, 0), 127.5, 0.1);
+}
+
+TEST(Presetter, KeepsACalibrationInAFolderThatIsNotThereYet) {
+    const auto folder = std::filesystem::temp_directory_path() / ("polyturn_calibration_" + std::to_string(::getpid()));
+    const std::string file = (folder / "of" / "this.json").string();
+    ASSERT_TRUE(presetter::write_calibration(file, calibrated(1.5)));
+    const auto kept = presetter::read_calibration(file);
+    ASSERT_TRUE(kept);
+    EXPECT_NEAR(kept->mm_per_pixel, 0.005, 1e-5);
+    std::filesystem::remove_all(folder);
 }
 
 }  // namespace
