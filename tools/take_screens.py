@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Pictures of every screen with something on it: starts a controller with a chain and a matrix magazine beside its turrets, enters tools,
-measured parts, pallets, users, makes pictures for the presetter, lets the two-channel job run and stand, then saves the screens.
+measured parts, pallets, users, makes pictures for the presetter and calibrates it, runs a program into an alarm, lets the two-channel job run
+and stand, then saves the screens.
 
   python3 tools/take_screens.py --bin build/dev/bin --out pictures [--lang en] [--theme dark] [--size 1280x800]
 """
@@ -73,6 +74,9 @@ def main():
         shadow(job / "gauge-pin.pgm", lambda z, x: x >= 0 and abs(z) <= 1.5)
         programs = sorted(job.glob("*.nc"))
         (job / (programs[0].stem + "-old.nc")).write_text(programs[0].read_text(encoding="utf-8").replace("F0.2", "F0.25").replace("M30", "M99", 1), encoding="utf-8")
+        first = programs[0].read_text(encoding="utf-8")
+        programs[0].write_text(first.replace("N20 ", "N11 #1=12.5\nN12 #101=#1*2\nN13 #500=[#101+1]/3\nN20 ", 1), encoding="utf-8")   # variables
+        (job / "wrong.nc").write_text("O0009\nN10 G0 X40. Z2.\nN20 G2 X60. Z-12. I5. K0. F0.1\nM30\n", encoding="utf-8")              # its arc has two radii
         sets = [word for line in MACHINE for word in ("--set", line)]
         with open(os.path.join(folder, "log"), "w") as log:
             controller = subprocess.Popen([binary / "polyturn", "start", "--instance", name, "--store", os.path.join(folder, "store"), "--no-hmi", *sets], stdout=log, stderr=subprocess.STDOUT)
@@ -99,6 +103,12 @@ def main():
             time.sleep(6)
             for channel, wear in (("L1", "-0.02"), ("L2", "0.015")):
                 run("set", f"offset {channel} 3 geometry X=42.5"), run("set", f"offset {channel} 3 wear X={wear}")
+            run("presetter", "calibrate", str(job / "gauge-pin.pgm"), "diameter=3", "x=50", "z=30", "--calibration", os.path.join(folder, "polyturn", f"presetter-{name}.json"))
+            run("press", f"select L1={job}/wrong.nc")
+            run("press", "cycle_start L1")
+            time.sleep(3)
+            run("press", "reset")
+            time.sleep(1)
             run("press", f"select {job}/shaft.job.toml")
             run("press", "cycle_start")
             time.sleep(4)
@@ -113,7 +123,7 @@ def main():
             run("users", "add", "boris", "operator", stdin="secret-2\nsecret-2\n")
             words = [word for option, value in (("--lang", options.lang), ("--theme", options.theme)) if value for word in (option, value)]
             return subprocess.run([binary / "polyturn-hmi", "--instance", name, "--size", options.size, *words, "--screenshots", os.path.abspath(options.out)], cwd=job,
-                                  env=dict(os.environ, QT_QPA_PLATFORM="offscreen", XDG_RUNTIME_DIR=folder)).returncode
+                                  env=dict(os.environ, QT_QPA_PLATFORM="offscreen", XDG_RUNTIME_DIR=folder, XDG_CONFIG_HOME=folder)).returncode
         finally:
             controller.terminate()
             try:

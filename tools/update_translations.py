@@ -41,9 +41,11 @@ def collect():
             for column in columns:
                 if column < len(texts) and texts[column]:
                     found.setdefault(plain(texts[column]), "../" + header)
-    # Groups of the parameters.
+    # Groups and units of the parameters; their names and meanings lie beside them (ipc/params/tongue.hpp).
     for row in csv.DictReader((TOP / "ipc/params/parameters.csv").read_text(encoding="utf-8").splitlines()):
-        found.setdefault(row["group"], "../ipc/params/parameters.csv")
+        for text in (row["group"], *row["unit"].split("|")):
+            if text and text != "%":
+                found.setdefault(text, "../ipc/params/parameters.csv")
     # Titles and meanings of the cycles' forms: every literal there that is words.
     for path in sorted((TOP / "ipc/forms").glob("*_forms.cpp")):
         content = re.sub(r"^\s*(?://|#include).*$", "", path.read_text(encoding="utf-8"), flags=re.M)

@@ -96,7 +96,7 @@ ContourPage::ContourPage(Desk& desk, QWidget* parent)
         const auto held = value(one);
         if (column == 0) return {one.name, t.accent, Sign::None, true};
         if (column == 1) return {word(one.meaning) + (one.x && writing_.diameter ? QString::fromUtf8(" ⌀") : QString()), held ? t.text : t.dim, Sign::None, false, Face::Text, {}, 14};
-        return {held ? QString("%1 %2").arg(*held, 0, 'g', 9).arg(unitWord(one.unit)) : QString::fromUtf8("–"), held ? t.text : t.faint, Sign::None, held.has_value()};
+        return {held ? QString("%1 %2").arg(*held, 0, 'g', 9).arg(unitWord(one.unit)).trimmed() : QString::fromUtf8("–"), held ? t.text : t.faint, Sign::None, held.has_value()};
     };
     data_->onChosen = [this] { pad_->clear(); };
     pad_->field = [this]() -> std::optional<NumberPad::Field> {

@@ -27,6 +27,7 @@ public:
 
     enum class Page : std::uint8_t { Signals, Axes, Couplings, Variables, Counters, Processes, Scope };
     void showPage(Page page);
+    void find(const QString& text);   // signals or variables with it in their name or meaning
     Table& table() { return *table_; }
     ScopePage& scope() { return *scope_; }
 
@@ -35,7 +36,6 @@ protected:
 
 private:
     void layOut();
-    void find(const QString& text);
     void fillSignals();
     void fillAxes();
     void fillCouplings();
@@ -52,7 +52,7 @@ private:
     Page page_ = Page::Signals;
     struct SignalLine {
         QString name;
-        QString meaning;
+        QString meaning, english;   // in the language shown, and as builders' documents have it
         std::uint32_t slot;
         bool plc, isRegister;
     };

@@ -3,6 +3,7 @@
 
 #include "hmi/machine/tool_words.hpp"
 #include "hmi/screens/diagnosis.hpp"
+#include "ipc/image/signal_tongue.hpp"
 #include "ipc/machine/counters.hpp"
 #include "ipc/params/export.hpp"
 #include "ipc/params/unit.hpp"
@@ -19,7 +20,7 @@ void Diagnosis::fillSignals() {
         if (row.kind == SignalKind::Double) continue;
         const bool plc = row.writer == SignalWriter::Plc;
         const auto add = [&](const QString& scope, std::uint32_t instance) {
-            signals_.push_back({fromView(row.name) + scope, fromView(row.meaning), row.slot + instance - 1, plc, row.is_register});
+            signals_.push_back({fromView(row.name) + scope, fromView(meaning_of(row, spoken())), fromView(row.meaning), row.slot + instance - 1, plc, row.is_register});
         };
         switch (row.scope) {
             case SignalScope::Axis:
@@ -41,7 +42,7 @@ void Diagnosis::fillSignals() {
     }
     found_.clear();
     for (const SignalLine& one : signals_)
-        if (search_.isEmpty() || one.name.contains(search_, Qt::CaseInsensitive) || one.meaning.contains(search_, Qt::CaseInsensitive)) found_.push_back(one);
+        if (search_.isEmpty() || one.name.contains(search_, Qt::CaseInsensitive) || one.meaning.contains(search_, Qt::CaseInsensitive) || one.english.contains(search_, Qt::CaseInsensitive)) found_.push_back(one);
     table_->nothing = word("No signal has this in its name or meaning.");
     table_->rows = [this] { return static_cast<int>(found_.size()); };
     table_->cell = [this](int row, int column) -> Table::Cell {
@@ -150,7 +151,7 @@ void Diagnosis::fillVariables() {
     };
 }
 
-// The machine's own counters are parameters N2300 to N2307; beside them what belongs to the cycle that runs.
+// The machine's own counters are parameters N2300 to N2308 (N2305 only says which M code counts a part); beside them what belongs to the cycle that runs.
 void Diagnosis::fillCounters() {
     struct Line {
         QString title, scope;
@@ -162,7 +163,9 @@ void Diagnosis::fillCounters() {
     if (desk_.live.connected()) {
         const auto parameter = [&](const char* number, const QString& title, unsigned instance, const QString& scope) {
             const params::Row* row = params::find(number);
-            if (row) lines->push_back({title, scope, [this, row, instance] { return QString::fromStdString(params::value_text(*row, desk_.live.table(), instance, 0)) + "  " + fromView(params::unit_of(*row, desk_.live.table(), instance)); }});
+            if (!row) return;
+            if (row->unit == "ms") lines->push_back({title, scope, [this, row, instance] { return timeText(desk_.live.table().numbers[row->first_slot + instance - 1] / 1000); }});
+            else lines->push_back({title, scope, [this, row, instance] { return QString::fromStdString(params::value_text(*row, desk_.live.table(), instance, 0)); }});
         };
         parameter("N2300", word("Power on"), 1, {});
         for (const unsigned l : desk_.live.channels()) {
@@ -175,7 +178,7 @@ void Diagnosis::fillCounters() {
             status(word("Cycle last, mean"), [](const ChannelStatus& s) { return timeText(s.last_cycle_s) + "  /  " + timeText(s.mean_cycle_s); });
             status(word("Parts since the start"), [](const ChannelStatus& s) { return QString::number(s.parts); });
             parameter("N2301", word("Operation time"), l, scope), parameter("N2302", word("Cutting time"), l, scope), parameter("N2303", word("Interval meter"), l, scope), parameter("N2304", word("Part time"), l, scope);
-            parameter("N2305", word("Parts wanted"), l, scope), parameter("N2306", word("Parts in all"), l, scope), parameter("N2307", word("Parts of this job"), l, scope);
+            parameter("N2308", word("Parts wanted"), l, scope), parameter("N2306", word("Parts in all"), l, scope), parameter("N2307", word("Parts of this job"), l, scope);
         }
     }
     table_->rows = [lines] { return static_cast<int>(lines->size()); };

@@ -12,6 +12,8 @@ namespace {
 constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
 constexpr double kClicksATurn = 100, kTurn = 6.283185307179586;
 constexpr std::array<int, 3> kFactors{1, 10, 100};
+constexpr long kHandSpeed = 300;       // 1/min, where no program has said another
+constexpr double kStandsBelow = 1;     // 1/min
 
 }  // namespace
 
@@ -207,6 +209,16 @@ void HandPage::callTool() {
     if (const QString block = toolBlock(); !block.isEmpty()) desk_.requests.press(QString("mdi L%1 %2").arg(desk_.channel).arg(block));
 }
 
+// As fast as the last executed block had it, else slowly: every language has these words.
+QString HandPage::spindleBlock() const {
+    const unsigned spindle = desk_.live.connected() ? spindleOf(desk_.channel) : 0;
+    if (!spindle) return {};
+    if (std::abs(desk_.live.status().spindles[spindle - 1].speed) > kStandsBelow) return "M5";
+    const ChannelView& view = desk_.live.view(desk_.channel);
+    const bool told = view.known && view.picture.spindle == spindle && static_cast<SpindleModeCode>(view.picture.spindle_mode) == SpindleModeCode::Rpm && view.picture.speed > 0;
+    return QString("G97 S%1 M3").arg(told ? std::lround(view.picture.speed) : kHandSpeed);
+}
+
 void HandPage::doStep() {
     const Step& one = list()[static_cast<std::size_t>(steps_->row())];
     if (one.code[0]) desk_.requests.press(QString("mdi L%1 %2").arg(one.main ? otherChannel() : desk_.channel).arg(one.code));
@@ -251,7 +263,7 @@ std::vector<SoftKey> HandPage::keys(std::function<void()> back) {
     const QString name = QString("L%1").arg(desk_.channel);
     const auto press = [this](const QString& words) { return [this, words] { desk_.requests.press(words); }; };
     const bool superposes = (status.keys & kKeySuperpose) != 0;
-    const QString block = there ? toolBlock() : QString();
+    const QString block = there ? toolBlock() : QString(), turns = spindleBlock();
     const Step& chosen = list()[static_cast<std::size_t>(steps_->row())];
     const auto idle = [this](unsigned channel) {
         const auto state = static_cast<ChannelState>(desk_.live.channel(channel).state);
@@ -265,7 +277,7 @@ std::vector<SoftKey> HandPage::keys(std::function<void()> back) {
             {word("Reference"), press(QString("mode %1=reference").arg(name)), Sign::Offsets, there, static_cast<ChannelMode>(status.mode) == ChannelMode::Reference},
             {word("Call %1").arg(block), [this] { callTool(); }, Sign::Tools, !block.isEmpty() && idle(desk_.channel), false, false, word("The turret turns: press again")},
             {word("Do this step"), [this] { doStep(); }, Sign::Run, there && step, false, false, word("It acts at once: press again")},
-            {},
+            {turns == "M5" ? word("Spindle stop") : word("Spindle %1").arg(turns.mid(4)), press(QString("mdi %1 %2").arg(name, turns)), Sign::Spindle, !turns.isEmpty() && idle(desk_.channel), false, false, turns == "M5" ? QString() : word("The spindle turns: press again")},
             {word("Hold %1").arg(name), press("feed_hold " + name), Sign::Hold, there},
             {word("Emergency stop"), press("emergency_stop"), Sign::Off, there, false, true}};
 }

@@ -1,4 +1,4 @@
-// The rest of what is done by hand: the wheel on the screen, a tool called from its station, and a part passed to the counter spindle step by
+// The rest of what is done by hand: the wheel on the screen, a tool called from its station, the spindle, and a part passed to the counter spindle step by
 // step with the functions of the built-in lathe PLC. Each sends what a program would say, as a block by hand.
 #pragma once
 #include "hmi/app/screen.hpp"
@@ -19,6 +19,7 @@ public:
     unsigned axis() const;                       // that the wheel turns; 0 none
     void turn(int clicks);                       // as often as the factor says
     QString toolBlock() const;                   // «T0303» in the channel's language
+    QString spindleBlock() const;                // «M5», or «G97 S300 M3» where it stands; empty: the channel has none
     static constexpr int kAxisHits = 100, kFactorHits = 300, kMinusHit = 400, kPlusHit = 401, kDialHit = 402;
 
 protected:

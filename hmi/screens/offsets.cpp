@@ -1,5 +1,7 @@
 #include "hmi/screens/offsets.hpp"
 
+#include <QJsonArray>
+#include <QJsonObject>
 #include <cmath>
 
 #include "hmi/machine/channel_words.hpp"
@@ -52,7 +54,7 @@ Offsets::Offsets(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), side_(n
     };
     head_->onTouched = [this](int channel) { desk_.choose(static_cast<unsigned>(channel)), refresh(); };
     side_->onCompose = [this](Writer& w) { composeSide(w); };
-    table_->onChosen = [this] { pad_->clear(), side_->refresh(); };
+    table_->onChosen = [this] { pad_->clear(), askHistory(), side_->refresh(); };
     table_->onActivated = [this] {};
     pad_->field = [this]() -> std::optional<NumberPad::Field> {
         const auto value = chosen();
@@ -207,8 +209,65 @@ void Offsets::put(const Value& value, double now, bool undone) {
         if (!answer.ok) return;   // told already
         changes_.push_back({QDateTime::currentDateTime(), value, old, now, undone});
         desk_.tell(QString::fromUtf8("%1: %2 → %3").arg(value.title, lengthText(old, value.decimals), lengthText(now, value.decimals)), Told::Good);
-        refresh();
+        askHistory(), refresh();
     });
+}
+
+// An operation of the store has entered it: what it says counts.
+void Offsets::entered(const Value& value, const Answer& answer) {
+    if (!answer.ok) return;
+    const double now = answer.object.value("new").toDouble();
+    changes_.push_back({QDateTime::currentDateTime(), value, answer.object.contains("old") ? answer.object.value("old").toDouble() : value.present, now, false});
+    desk_.tell(QString::fromUtf8("%1: %2 → %3").arg(value.title, lengthText(changes_.back().old, value.decimals), lengthText(now, value.decimals)), Told::Good);
+    askHistory(), refresh();
+}
+
+// The store knows by axis and direction what was touched; of an offset only its number and table are said, of a zero its name.
+void Offsets::touched() {
+    const auto value = chosen();
+    if (!value) return;
+    const QStringList words = value->words.split(' ');   // «offset L1 3 wear X», «zero L1 G54 Z»
+    QJsonObject request{{"do", zeros_ ? "zeros.touch" : "offsets.touch"}, {"channel", static_cast<int>(desk_.channel)}};
+    if (zeros_) request.insert("zero", words[2]);
+    else request.insert("number", words[2].toInt()), request.insert("table", words[3]);
+    desk_.requests.store(request, [this, decimals = value->decimals](const Answer& answer) {
+        const auto number = [&](const char* name) { return lengthText(answer.object.value(name).toDouble(), decimals); };
+        if (answer.ok) desk_.tell(QString::fromUtf8("%1: %2 → %3").arg(answer.object.value("what").toString(), number("old"), number("new")), Told::Good);
+        askHistory(), refresh();
+    });
+}
+
+void Offsets::relativeZero() {
+    desk_.requests.store({{"do", "offsets.origin"}, {"channel", static_cast<int>(desk_.channel)}}, [this](const Answer& answer) {
+        if (answer.ok) desk_.tell(word("The relative counter of L%1 begins here").arg(desk_.channel), Told::Good);
+    });
+}
+
+void Offsets::relativeInput() {
+    const auto value = chosen();
+    if (!value || zeros_ || value->place < 0) return;
+    const QStringList words = value->words.split(' ');
+    desk_.requests.store({{"do", "offsets.relative"}, {"channel", static_cast<int>(desk_.channel)}, {"number", words[2].toInt()}, {"table", words[3]}, {"field", words[4]}},
+                         [this, value = *value](const Answer& answer) { entered(value, answer); });
+}
+
+// Who has changed it before, since the store was begun.
+void Offsets::askHistory() {
+    const auto value = chosen();
+    history_.clear(), historyOf_ = value ? value->words : QString();
+    if (!value || !desk_.live.connected()) return;
+    const QStringList words = value->words.split(' ');
+    const QString about = zeros_ ? QString("%1 %2 place %3").arg(words[1], words[2]).arg(value->place + 1) : QString("%1 offset %2 %3 %4").arg(words[1], words[2], words[3], words[4]);
+    desk_.requests.store({{"do", "history.list"}, {"about", about}, {"most", 40}}, [this, about, of = historyOf_, decimals = value->decimals](const Answer& answer) {
+        if (!answer.ok || historyOf_ != of) return;
+        for (const auto& entry : answer.object.value("history").toArray()) {
+            const QJsonObject one = entry.toObject();
+            if (one.value("what").toString() != about) continue;
+            const auto number = [&](const char* name) { return lengthText(one.value(name).toString().toDouble(), decimals); };
+            history_ << QString::fromUtf8("%1  %2: %3 → %4").arg(QDateTime::fromString(one.value("utc").toString(), Qt::ISODate).toLocalTime().toString("dd.MM. HH:mm"), one.value("who").toString(), number("old"), number("new"));
+        }
+        side_->refresh();
+    }, true);
 }
 
 // The newest change that has not been taken back.
@@ -303,12 +362,9 @@ void Offsets::composeSide(Writer& w) {
     }
     w.line(QPointF(px(12), y), QPointF(wide - px(12), y), t.edge, 1);
     y += px(4);
-    w.text(QRectF(px(12), y, wide - px(24), px(20)), word("Changes since the start of these screens"), lettering(12.5, false, Face::Condensed), t.dim);
+    w.text(QRectF(px(12), y, wide - px(24), px(20)), word("Who has changed this value"), lettering(12.5, false, Face::Condensed), t.dim);
     y += px(21);
-    for (auto change = changes_.rbegin(); change != changes_.rend() && y + px(20) < high; ++change, y += px(20))
-        w.data(QRectF(px(12), y, wide - px(24), px(20)),
-               QString::fromUtf8("%1  %2: %3 → %4").arg(change->when.toString("HH:mm"), change->value.title, lengthText(change->old, change->value.decimals), lengthText(change->now, change->value.decimals)),
-               lettering(13, false, Face::Condensed), change->undone ? t.faint : t.text);
+    for (auto entry = history_.begin(); entry != history_.end() && y + px(20) < high; ++entry, y += px(20)) w.data(QRectF(px(12), y, wide - px(24), px(20)), *entry, lettering(13, false, Face::Condensed), t.text);
 }
 
 void Offsets::refresh() {
@@ -322,15 +378,20 @@ std::vector<SoftKey> Offsets::keys() {
     const auto value = chosen();
     bool any = false;
     for (const Change& change : changes_) any |= !change.undone;
+    const bool empty = pad_->text().isEmpty(), placed = value.has_value() && value->place >= 0;
     std::vector<SoftKey> keys{{word("Tool offsets"), [this] { showParts(false), showZeros(false); }, Sign::Tools, true, !zeros_ && !partsShown_},
                               {word("Work zeros"), [this] { showParts(false), showZeros(true); }, Sign::Offsets, true, zeros_ && !partsShown_},
                               {word("Measured parts"), [this] { showParts(true); }, Sign::Parameters, true, partsShown_},
                               {}};
     if (partsShown_) return parts_->addKeys(keys), keys;
-    keys.push_back({word("Input"), [this] { enter(false); }, Sign::None, ready});
+    keys.back() = {zeros_ ? word("Workpiece setter") : word("Tool setter"), [this] { touched(); }, Sign::None, desk_.live.connected() && value.has_value(), false, false, word("Enters what was touched: press again")};
+    if (empty && !zeros_) keys.push_back({word("Relative input"), [this] { relativeInput(); }, Sign::None, desk_.live.connected() && placed, false, false, word("Enters the relative counter: press again")});
+    else keys.push_back({word("Input"), [this] { enter(false); }, Sign::None, ready});
     keys.push_back({word("+ Input"), [this] { enter(true); }, Sign::None, ready});
     if (zeros_)
         keys.push_back({pad_->text().isEmpty() ? word("Zero here") : word("This is here"), [this] { zeroHere(); }, Sign::None, value.has_value() && (pad_->text().isEmpty() || ready), false, false, word("Sets the zero: press again")});
+    else if (empty)
+        keys.push_back({word("Relative zero"), [this] { relativeZero(); }, Sign::None, desk_.live.connected()});
     else
         keys.push_back({word("Measured"), [this] { measure(); }, Sign::None, ready && value->place >= 0 && value->words.contains("geometry"), false, false, word("Tip is at this measure: press again")});
     keys.push_back({word("Undo"), [this] { undo(); }, Sign::Left, any});

@@ -1,5 +1,5 @@
 // Tool offsets and work zeros of a channel: the table's value beside what the machine works with now, input, +input, measured input,
-// zero here, undo; measured parts. A value counts when the store has answered: it is on disk then.
+// relative input, zero here, what a setter has touched, undo, who has changed it; measured parts. A value counts when the store has answered: it is on disk then.
 #pragma once
 #include "hmi/app/screen.hpp"
 #include "hmi/screens/parts_page.hpp"
@@ -60,6 +60,11 @@ private:
     void undo();
     void measure();
     void zeroHere();
+    void touched();                // takes what the tool setter or the workpiece setter has answered
+    void relativeZero();           // the relative counter begins to count here
+    void relativeInput();          // and what it says goes into the offset
+    void entered(const Value& value, const Answer& answer);
+    void askHistory();
     void enter(bool added);
     bool appliedNow(const Value& value, double& applied, double& tableSum) const;
 
@@ -72,6 +77,8 @@ private:
     std::vector<std::size_t> zeroRows_;
     std::vector<char> fields_;                 // letter of each column of offsets: X Z R T, wear in lower case
     std::vector<Change> changes_;
+    QString historyOf_;
+    QStringList history_;          // of the chosen value, as lines
 };
 
 }  // namespace polyturn::hmi

@@ -1,8 +1,13 @@
 #include "hmi/screens/parameters.hpp"
 
+#include <QDateTime>
+#include <QJsonObject>
+#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 
+#include "ipc/machine/load_machine.hpp"
+#include "ipc/params/tongue.hpp"
 #include "ipc/params/unit.hpp"
 
 namespace polyturn::hmi {
@@ -29,10 +34,24 @@ const char* levelWord(params::Protection level) {
     return "";
 }
 
+// Found by a part of its number, or of its name, its meaning, the name or meaning of a bit: as people read them here, or in English, as
+// builders' documents write them.
+bool matches(const params::Row& row, const QString& searched) {
+    const auto has = [&](std::string_view text) { return fromView(text).contains(searched, Qt::CaseInsensitive); };
+    if (searched.isEmpty() || has(row.number)) return true;
+    for (const Tongue tongue : {spoken(), Tongue::English}) {
+        const params::RowWords words = params::words_of(row, tongue);
+        if (has(words.name) || has(words.meaning) || std::any_of(words.bits.begin(), words.bits.end(), has)) return true;
+        if (spoken() == Tongue::English) break;
+    }
+    return std::any_of(row.bits.begin(), row.bits.end(), [&](const params::Bit& bit) { return has(bit.name); });
+}
+
 }  // namespace
 
 Parameters::Parameters(Desk& desk)
-    : Screen(desk), head_(new FreeSheet(this)), detail_(new FreeSheet(this)), groups_(new Table(this)), table_(new Table(this)), pad_(new NumberPad(this)) {
+    : Screen(desk), head_(new FreeSheet(this)), detail_(new FreeSheet(this)), groups_(new Table(this)), table_(new Table(this)), pad_(new NumberPad(this)), compensation_(new CompensationPage(desk, this)) {
+    compensation_->hide();
     setFocusPolicy(Qt::StrongFocus);
     names_ = {QString()}, titles_ = {word("All groups")};
     for (const params::Row& row : params::rows()) {
@@ -49,27 +68,34 @@ Parameters::Parameters(Desk& desk)
         group_ = groups_->row();
         search();
     };
-    table_->columns = {{word("Number"), 1.7}, {word("Name"), 3}, {word("Value"), 1.6, kRight}, {word("Unit"), 1.6}};
     table_->rowUnits = 34;
-    table_->nothing = word("No parameter has this in its number, name or meaning.");
-    table_->rows = [this] { return static_cast<int>(lines_.size()); };
+    setColumns();
+    table_->rows = [this] { return page_ == Page::History ? static_cast<int>(history_.size()) : static_cast<int>(lines_.size()); };
     table_->cell = [this](int row, int column) -> Table::Cell {
+        if (page_ == Page::History) {
+            const QJsonObject one = history_.at(row).toObject();
+            if (column == 0) return {QDateTime::fromString(one.value("utc").toString(), Qt::ISODate).toLocalTime().toString("dd.MM.yy HH:mm:ss"), theme().dim, Sign::None, false, Face::Condensed};
+            static constexpr const char* kNames[] = {"what", "who", "old", "new"};
+            return {one.value(kNames[column - 1]).toString(), column == 4 ? theme().accent : theme().text, Sign::None, column == 4 || column == 1, column == 1 ? Face::Condensed : Face::Text};
+        }
         const Line& line = lines_[static_cast<std::size_t>(row)];
         const Theme& t = theme();
         const bool differ = differs(line);
         switch (column) {
             case 0: return {target(line), t.text, Sign::None, true, Face::Condensed};
-            case 1: return {fromView(line.row->name), line.row->acts == "yes" ? t.text : t.faint};
+            case 1: return {fromView(params::words_of(*line.row, spoken()).name), line.row->acts == "yes" ? t.text : t.faint};
             case 2: return {QString::fromStdString(params::value_text(*line.row, desk_.live.table(), line.instance, line.element)), differ ? t.accent : t.text, Sign::None, differ};
             default: return {unitWord(params::unit_of(*line.row, desk_.live.table(), line.instance)), t.dim, Sign::None, false, Face::Condensed};
         }
     };
-    table_->onChosen = [this] { pad_->clear(), detail_->refresh(); };
+    table_->onChosen = [this] { pad_->clear(), detail_->refresh(), bitsAlone() != bitsShown_ ? layOut() : void(); };
     table_->onActivated = [this] { if (const Line* line = chosen()) askText(*line); };
     head_->onCompose = [this](Writer& w) {
         const Theme& t = theme();
         w.fill(QRectF(0, 0, head_->width(), head_->height()), t.window);
-        w.text(QRectF(px(14), 0, px(240), head_->height()), word("Parameters"), lettering(20, true), t.text);
+        const QString title = page_ == Page::Compensation ? word("Compensation tables") : page_ == Page::History ? word("Changes of %1").arg(historyOf_.isEmpty() ? word("all parameters") : historyOf_) : word("Parameters");
+        w.data(QRectF(px(14), 0, page_ == Page::List ? px(240) : head_->width() - px(28), head_->height()), title, lettering(20, true), t.text);
+        if (page_ != Page::List) return;
         const QRectF box(head_->width() - px(460), px(6), px(452), head_->height() - px(10));
         w.field(box, search_, word("Search: number, name or meaning"), searching_, 1);
         w.text(QRectF(head_->width() - px(600), 0, px(130), head_->height()), QString::number(lines_.size()), lettering(15), t.dim, kRight);
@@ -98,6 +124,7 @@ Parameters::Parameters(Desk& desk)
 void Parameters::restore(const QString& state) {
     const int bar = static_cast<int>(state.indexOf('|'));
     if (bar < 0) return;
+    if (page_ != Page::List) showPage(Page::List);
     group_ = std::clamp(state.left(bar).toInt(), 0, static_cast<int>(names_.size()) - 1);
     search_ = state.mid(bar + 1);
     groups_->choose(group_);
@@ -111,9 +138,7 @@ void Parameters::search() {
     if (desk_.live.connected())
         for (const params::Row& row : params::rows()) {
             if (group_ > 0 && fromView(row.group) != names_[static_cast<std::size_t>(group_)]) continue;
-            if (!search_.isEmpty() && !fromView(row.number).contains(search_, Qt::CaseInsensitive) && !fromView(row.name).contains(search_, Qt::CaseInsensitive) &&
-                !fromView(row.meaning).contains(search_, Qt::CaseInsensitive))
-                continue;
+            if (!matches(row, search_)) continue;
             const unsigned count = params::instances(row.scope);
             for (unsigned instance = 1; instance <= count; ++instance) {
                 if (row.scope == params::Scope::Channel && !machine.channel(instance).exists()) continue;
@@ -122,7 +147,7 @@ void Parameters::search() {
                 if (row.scope == params::Scope::Group && machine.channels_of_group(instance) == 0) continue;
                 for (unsigned element = 0; element < row.array; ++element) {
                     const Line line{&row, instance, element};
-                    if (!changedOnly_ || differs(line)) lines_.push_back(line);
+                    if (only_ == Only::Changed ? differs(line) : only_ == Only::UnlikeFile ? unlikeFile(line) : true) lines_.push_back(line);
                 }
             }
         }
@@ -135,16 +160,17 @@ HelpTopic Parameters::help() const {
     const Line* line = chosen();
     if (!line) return {"builder.md", "The machine is its parameters", {}};
     const params::Row& row = *line->row;
+    const params::RowWords words = params::words_of(row, spoken());
     const QString unit = unitWord(params::unit_of(row, desk_.live.table(), line->instance));
     return {"builder.md", "The machine is its parameters",
             QString("# %1 %2\n\n%3\n\n| | |\n| --- | --- |\n| %4 | %5 %6 |\n| %7 | %8 |\n| %9 | %10 |")
-                .arg(fromView(row.number), fromView(row.name), fromView(row.meaning), word("Value"), QString::fromStdString(params::value_text(row, desk_.live.table(), line->instance, line->element)), unit)
+                .arg(fromView(row.number), fromView(words.name), fromView(words.meaning), word("Value"), QString::fromStdString(params::value_text(row, desk_.live.table(), line->instance, line->element)), unit)
                 .arg(word("Effect"), word(effectWord(row.effect)), word("Level"), word(levelWord(row.protection)))};
 }
 
 const Parameters::Line* Parameters::chosen() const {
     const int row = table_->row();
-    return row >= 0 && row < static_cast<int>(lines_.size()) ? &lines_[static_cast<std::size_t>(row)] : nullptr;
+    return page_ == Page::List && row >= 0 && row < static_cast<int>(lines_.size()) ? &lines_[static_cast<std::size_t>(row)] : nullptr;
 }
 
 double Parameters::value(const Line& line) const {
@@ -156,6 +182,85 @@ bool Parameters::differs(const Line& line) const {
     if (line.row->type == params::Type::Text)
         return params::text_at(desk_.live.table(), line.row->first_slot + static_cast<std::size_t>(line.instance - 1) * line.row->array + line.element) != line.row->default_text;
     return value(line) != line.row->default_number(line.element);
+}
+
+bool Parameters::unlikeFile(const Line& line) const { return file_ && textIn(*file_, line) != textIn(desk_.live.table(), line); }
+
+QString Parameters::textIn(const params::Table& table, const Line& line) const { return QString::fromStdString(params::value_text(*line.row, table, line.instance, line.element)); }
+
+// The file may lie on a network.
+void Parameters::readFile() {
+    if (!desk_.live.connected()) return;
+    reading_.start([base = desk_.live.machineFolder()](const std::atomic<bool>&) -> std::shared_ptr<params::Table> {
+        if (base.empty()) return nullptr;
+        LoadedMachine loaded = load_machine_file(base + ".params");
+        return loaded.ok() ? std::shared_ptr<params::Table>(std::move(loaded.table)) : nullptr;
+    });
+    takeFile();
+}
+
+void Parameters::takeFile() {
+    if (auto made = reading_.take()) {
+        file_ = *made;
+        if (only_ == Only::UnlikeFile) search();
+        detail_->refresh();
+    }
+}
+
+void Parameters::setColumns() {
+    if (page_ == Page::History) {
+        table_->columns = {{word("When"), 1.6}, {word("What"), 1.8}, {word("Who"), 1.6}, {word("Before"), 1.6, kRight}, {word("Then"), 1.6, kRight}};
+        table_->nothing = word("Nobody has changed it since the store was begun.");
+    } else {
+        table_->columns = {{word("Number"), 1.7}, {word("Name"), 3}, {word("Value"), 1.6, kRight}, {word("Unit"), 1.6}};
+        table_->nothing = word("No parameter has this in its number, name or meaning.");
+    }
+}
+
+std::vector<Sheet*> Parameters::sheets() {
+    if (page_ == Page::List) {
+        if (bitsShown_) return {head_, groups_, table_, detail_};
+        return {head_, groups_, table_, detail_, pad_};
+    }
+    if (page_ == Page::History) return {head_, table_};
+    std::vector<Sheet*> out = compensation_->sheets();
+    out.push_back(head_);
+    return out;
+}
+
+// The history tells of the parameter that was chosen when it was asked for.
+void Parameters::showPage(Page page) {
+    const Line* line = chosen();
+    const QString about = line ? target(*line) : QString();
+    const int row = table_->row();
+    if (page_ == Page::List) listRow_ = row;
+    page_ = page;
+    setColumns();
+    history_ = {}, historyOf_ = about;
+    if (page == Page::Compensation) compensation_->begin();
+    if (page == Page::History)
+        desk_.requests.store({{"do", "history.list"}, {"about", about}, {"most", 500}}, [this, about](const Answer& answer) {
+            if (!answer.ok || page_ != Page::History || historyOf_ != about) return;
+            history_ = {};
+            for (const auto& one : answer.object.value("history").toArray()) {
+                const QString what = one.toObject().value("what").toString();
+                if (about.isEmpty() ? params::find(what.section(QRegularExpression("[ \\[]"), 0, 0).toStdString()) != nullptr : what == about) history_.append(one);   // A1 is in A12 too
+            }
+            table_->choose(0), refresh();
+        });
+    table_->choose(page == Page::List ? listRow_ : 0);
+    layOut();
+    if (desk_.keysChanged) desk_.keysChanged();
+}
+
+void Parameters::turnTo(int page) {
+    showPage(page == 2 ? Page::History : page == 3 ? Page::Compensation : Page::List);
+    if (page < 2) find(page == 1 ? "N0106" : QString());
+}
+
+bool Parameters::bitsAlone() const {
+    const Line* line = chosen();
+    return line && line->row->type == params::Type::Bits && pad_->text().isEmpty();
 }
 
 QString Parameters::target(const Line& line) const {
@@ -202,9 +307,15 @@ void Parameters::layOut() {
     const int top = px(46), edge = px(8), groups = px(190), side = px(330), pad = px(346);
     head_->setGeometry(0, 0, width(), top);
     groups_->setGeometry(edge, top, groups, height() - top - edge);
-    table_->setGeometry(groups + 2 * edge, top, width() - groups - side - 4 * edge, height() - top - edge);
-    detail_->setGeometry(width() - side - edge, top, side, height() - top - pad - 2 * edge);
+    const bool list = page_ == Page::List;
+    bitsShown_ = bitsAlone();
+    if (list) table_->setGeometry(groups + 2 * edge, top, width() - groups - side - 4 * edge, height() - top - edge);
+    else table_->setGeometry(edge, top, width() - 2 * edge, height() - top - edge);
+    detail_->setGeometry(width() - side - edge, top, side, height() - top - edge - (bitsShown_ ? 0 : pad + edge));
     pad_->setGeometry(width() - side - edge, height() - pad - edge, side, pad);
+    compensation_->setGeometry(0, top, width(), height() - top);
+    groups_->setVisible(list), detail_->setVisible(list), pad_->setVisible(list && !bitsShown_);
+    table_->setVisible(page_ != Page::Compensation), compensation_->setVisible(page_ == Page::Compensation);
     for (Sheet* one : sheets()) one->refresh();
 }
 
@@ -216,24 +327,26 @@ void Parameters::composeDetail(Writer& w) {
     const Line* line = chosen();
     if (!line) return;
     const params::Row& row = *line->row;
+    const params::RowWords words = params::words_of(row, spoken());
     double y = px(8);
-    w.data(QRectF(px(12), y, wide - px(24), px(24)), target(*line) + "  " + fromView(row.name), lettering(16, true), t.text);
+    w.data(QRectF(px(12), y, wide - px(24), px(24)), target(*line) + "  " + fromView(words.name), lettering(16, true), t.text);
     y += px(26);
     const bool bits = row.type == params::Type::Bits;
-    const double meaning = px(bits ? 40 : 96);
-    Item& text = w.text(QRectF(px(12), y, wide - px(24), meaning), fromView(row.meaning), lettering(13.5), t.dim, Qt::AlignLeft | Qt::AlignTop);
+    const double meaning = px(bits ? 60 : 96);
+    Item& text = w.text(QRectF(px(12), y, wide - px(24), meaning), fromView(words.meaning), lettering(13.5), t.dim, Qt::AlignLeft | Qt::AlignTop);
     text.wraps = true, text.data = true;
     y += meaning + px(2);
     if (bits) {   // each bit with what it means on and off; a touch turns it over
         const auto now = static_cast<unsigned>(value(*line));
-        const double each = std::min<double>(px(27), (high - y - px(22)) / std::max<std::size_t>(1, row.bits.size()));
+        const double each = std::min<double>(px(62), (high - y - px(10)) / static_cast<double>(std::max<std::size_t>(1, row.bits.size())));
         for (const params::Bit& bit : row.bits) {
             const bool on = now >> bit.number & 1u;
             const QRectF box(px(8), y, wide - px(16), each - px(2));
             w.fill(box, on ? t.mark : t.raised, px(4));
             w.sign(QRectF(box.left() + px(5), box.center().y() - px(8), px(16), px(16)), on ? Sign::Good : Sign::None, t.good);
             w.data(QRectF(box.left() + px(26), box.top(), px(62), box.height()), QString("#%1 %2").arg(bit.number).arg(fromView(bit.name)), lettering(12.5, true, Face::Condensed), t.text);
-            w.data(QRectF(box.left() + px(90), box.top(), box.width() - px(94), box.height()), fromView(bit.meaning), lettering(12.5, false, Face::Condensed), on ? t.text : t.dim);
+            Item& told = w.text(QRectF(box.left() + px(84), box.top(), box.width() - px(88), box.height()), fromView(words.bits[bit.number]), lettering(each < px(40) ? 12 : 13, false, Face::Condensed), on ? t.text : t.dim);
+            told.wraps = told.data = true;
             w.hit(box, kBitHits + bit.number);
             y += each;
         }
@@ -251,17 +364,21 @@ void Parameters::composeDetail(Writer& w) {
     } else {
         fact(word("Default"), fromView(row.default_text), t.text);
     }
+    if (file_) fact(word("In the file"), textIn(*file_, *line), unlikeFile(*line) ? t.accent : t.text);
     fact(word("Level"), word(levelWord(row.protection)), t.text);
     w.text(QRectF(px(12), y, wide - px(24), px(20)), word(effectWord(row.effect)), lettering(13), t.dim);
     y += px(21);
     if (row.acts != "yes" && y + px(34) < high) {
-        Item& why = w.text(QRectF(px(12), y, wide - px(24), px(36)), word("Without effect:") + " " + fromView(row.acts), lettering(13), t.warn, Qt::AlignLeft | Qt::AlignTop);
+        Item& why = w.text(QRectF(px(12), y, wide - px(24), px(36)), word("Without effect:") + " " + fromView(words.acts), lettering(13), t.warn, Qt::AlignLeft | Qt::AlignTop);
         why.wraps = true, why.data = true;
     }
     if (row.type == params::Type::Text) w.field(QRectF(px(10), high - px(50), wide - px(20), px(42)), QString::fromStdString(params::value_text(row, desk_.live.table(), line->instance, line->element)), word("Touch, or Enter: a text"), false, kTextHit);
 }
 
 void Parameters::refresh() {
+    takeFile();
+    if (page_ == Page::Compensation) return head_->refresh(), compensation_->refresh();
+    if (page_ == Page::List && bitsAlone() != bitsShown_) layOut();
     for (Sheet* one : sheets()) one->refresh();
 }
 
@@ -272,17 +389,23 @@ std::vector<SoftKey> Parameters::keys() {
     const Line* line = chosen();
     std::vector<SoftKey> keys{{word("Search"), [this] { searching_ = !searching_, head_->refresh(); }, Sign::None, true, searching_},
                               {word("Clear search"), [this] { search_.clear(), searching_ = false, search(); }, Sign::None, !search_.isEmpty()},
-                              {word("Changed only"), [this] { changedOnly_ = !changedOnly_, search(); }, Sign::None, desk_.live.connected(), changedOnly_},
-                              {},
+                              {word("Changed only"), [this] { only_ = only_ == Only::Changed ? Only::All : Only::Changed, search(); }, Sign::None, desk_.live.connected(), only_ == Only::Changed},
+                              {word("Unlike the file"), [this] { only_ = only_ == Only::UnlikeFile ? Only::All : Only::UnlikeFile, search(); }, Sign::None, file_ != nullptr, only_ == Only::UnlikeFile},
                               {word("Input"), [this] { pad_->enter(false); }, Sign::None, ready},
                               {word("+ Input"), [this] { pad_->enter(true); }, Sign::None, ready},
                               {word("Default value"), [this] { if (const Line* now = chosen()) put(*now, now->row->default_number(now->element)); }, Sign::None,
                                line && line->row->type != params::Type::Text && differs(*line), false, false, word("Sets the default: press again")},
                               {word("Undo"), [this] { undo(); }, Sign::Left, any}};
+    if (page_ != Page::List) keys.assign(8, {});
+    const auto page = [this](Page wanted, const QString& text) { return SoftKey{text, [this, wanted] { showPage(page_ == wanted ? Page::List : wanted); }, page_ == wanted ? Sign::Left : Sign::None, desk_.live.connected(), page_ == wanted}; };
+    keys.push_back(page(Page::History, word("History")));
+    keys.push_back(page(Page::Compensation, word("Compensation tables")));
     return keys;
 }
 
 bool Parameters::key(QKeyEvent* event) {
+    if (page_ == Page::Compensation) return compensation_->key(event);
+    if (page_ == Page::History) return table_->key(event);
     if (searching_) {
         if (event->key() == Qt::Key_Escape || event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) searching_ = false, head_->refresh();
         else if (event->key() == Qt::Key_Backspace) search_.chop(1), search();

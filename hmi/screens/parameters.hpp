@@ -1,7 +1,11 @@
-// Parameters: groups, search by number, name or meaning, bits with their meaning, unit, range, effect, what differs from the default.
-// A change counts when the store has it on its disk.
+// Parameters: groups, search by number, name or meaning, bits with their meaning, unit, range, effect, what differs from the default or from
+// the machine's file, who has changed what (the store's history); the compensation tables. A change counts when the store has it on its disk.
 #pragma once
+#include <QJsonArray>
+
 #include "hmi/app/screen.hpp"
+#include "hmi/machine/aside.hpp"
+#include "hmi/screens/compensation_page.hpp"
 #include "hmi/widgets/number_pad.hpp"
 #include "hmi/widgets/table.hpp"
 #include "ipc/params/export.hpp"
@@ -17,15 +21,22 @@ public:
     const char* name() const override { return "parameters"; }
     std::vector<SoftKey> keys() override;
     void refresh() override;
-    void rebuilt() override { search(); }
+    void rebuilt() override { file_.reset(), readFile(), search(); }
     bool key(QKeyEvent* event) override;
     bool typing() const override { return true; }
     QString state() const override { return QString("%1|%2").arg(group_).arg(search_); }
     void restore(const QString& state) override;
     HelpTopic help() const override;
-    std::vector<Sheet*> sheets() override { return {head_, groups_, table_, detail_, pad_}; }
+    std::vector<Sheet*> sheets() override;
+    int pages() const override { return 4; }   // the list, a parameter of bits, the history, the compensation tables
+    void turnTo(int page) override;
+    enum class Page : std::uint8_t { List, History, Compensation };
+    void showPage(Page page);
+    enum class Only : std::uint8_t { All, Changed, UnlikeFile };
     Table& table() { return *table_; }
     NumberPad& pad() { return *pad_; }
+    CompensationPage& compensation() { return *compensation_; }
+    int changes() const { return static_cast<int>(history_.size()); }   // that the history shows
     FreeSheet& detail() { return *detail_; }
     void find(const QString& text) { search_ = text, search(); }
 
@@ -43,6 +54,12 @@ private:
     const Line* chosen() const;
     double value(const Line& line) const;
     bool differs(const Line& line) const;
+    bool unlikeFile(const Line& line) const;
+    QString textIn(const params::Table& table, const Line& line) const;
+    void readFile();               // of the machine, aside
+    void takeFile();
+    void setColumns();
+    bool bitsAlone() const;        // the chosen parameter has bits, and nothing is typed: they have the room of the keys
     QString target(const Line& line) const;
     void put(const Line& line, double now);
     void put(const Line& line, const QString& written);
@@ -58,9 +75,17 @@ private:
     Table *groups_, *table_;
     NumberPad* pad_;
     std::vector<QString> names_, titles_;   // of groups as the table has them, and in the language; [0] all
-    int group_ = 0;
+    int group_ = 0, listRow_ = 0;
     QString search_;
-    bool changedOnly_ = false, searching_ = false;
+    Only only_ = Only::All;
+    bool searching_ = false;
+    Page page_ = Page::List;
+    bool bitsShown_ = false;
+    CompensationPage* compensation_;
+    Aside<std::shared_ptr<params::Table>> reading_;
+    std::shared_ptr<params::Table> file_;
+    QJsonArray history_;
+    QString historyOf_;
     std::vector<Line> lines_;
     std::vector<Change> changes_;
 };

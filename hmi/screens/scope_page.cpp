@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "hmi/machine/tool_words.hpp"
+#include "ipc/image/signal_tongue.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -27,7 +28,7 @@ QColor colourOfTrace(std::size_t trace) {
 }  // namespace
 
 ScopePage::ScopePage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), traces_(new Table(this)), chooser_(new Table(this)), pad_(new NumberPad(this)), note_(new FreeSheet(this)) {
-    traces_->columns = {{"", 0.35}, {word("Signal"), 3}, {word("Now"), 1.3, kRight}, {word("From"), 1.1, kRight}, {word("To"), 1.1, kRight}, {word("Unit"), 0.9}};
+    traces_->columns = {{"", 0.35}, {word("Signal"), 3}, {word("Now"), 1.3, kRight}, {word("Least"), 1.1, kRight}, {word("Most"), 1.1, kRight}, {word("Unit"), 0.9}};
     traces_->rowUnits = 26;
     traces_->textUnits = 13.5;
     traces_->rows = [] { return static_cast<int>(kScopeTraces); };
@@ -145,7 +146,7 @@ void ScopePage::fillChoices() {
         }
         for (const SignalRow& row : signal_rows()) {
             if (row.kind == SignalKind::Double || row.elements > 0) continue;
-            const auto add = [&](const QString& scope) { all_.push_back({"signal " + fromView(row.name) + scope, fromView(row.name) + scope + "  " + fromView(row.meaning), {}}); };
+            const auto add = [&](const QString& scope) { all_.push_back({"signal " + fromView(row.name) + scope, fromView(row.name) + scope + "  " + fromView(meaning_of(row, spoken())), {}, fromView(row.meaning)}); };
             if (row.scope == SignalScope::Axis) for (std::uint32_t a = 1; a <= machine.last_axis; ++a) { if (machine.axis(a).exists()) add(QString(" A%1").arg(a)); }
             else if (row.scope == SignalScope::Channel) for (const unsigned l : desk_.live.channels()) add(QString(" L%1").arg(l));
             else if (row.scope == SignalScope::Spindle) for (std::uint32_t s = 1; s <= machine.last_spindle; ++s) { if (machine.spindle(s).exists()) add(QString(" S%1").arg(s)); }
@@ -154,7 +155,7 @@ void ScopePage::fillChoices() {
     }
     found_.clear();
     for (const Choice& one : all_)
-        if (search_.isEmpty() || one.title.contains(search_, Qt::CaseInsensitive)) found_.push_back(one);
+        if (search_.isEmpty() || one.title.contains(search_, Qt::CaseInsensitive) || one.english.contains(search_, Qt::CaseInsensitive)) found_.push_back(one);
     chooser_->choose(0);
 }
 

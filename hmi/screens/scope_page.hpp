@@ -35,7 +35,7 @@ protected:
 private:
     struct Choice {
         QString words;                 // «measured A1», as press scope takes it
-        QString title, unit;
+        QString title, unit, english{};   // english: of a signal, for who searches by a builder's document
     };
     void layOut();
     void fillChoices();

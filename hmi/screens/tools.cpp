@@ -154,6 +154,15 @@ std::vector<std::int32_t> Tools::magazines() const {
     return out;
 }
 
+void Tools::turnTo(int page) {
+    const auto all = magazines();
+    const auto other = static_cast<std::size_t>(std::max(0, page - kPages + 1));   // behind the pages: the magazines but the first
+    const bool magazine = page == 0 || (page >= kPages && other < all.size());
+    showPage(magazine ? Page::Magazine : static_cast<Page>(std::min(page, kPages - 1)));
+    if (magazine && !all.empty()) picture_->show(all[page == 0 ? 0 : other]);
+    if (!magazine && page >= kPages) presetter_->propose();
+}
+
 void Tools::showPage(Page page) {
     page_ = page;
     picture_->carried = 0;
@@ -255,16 +264,20 @@ void Tools::composeHead(Writer& w) {
         w.data(QRectF(px(250), 0, head_->width() - px(260), high), tool ? QString("%1   %2").arg(tool_).arg(toolName(*tool, tool_)) : QString(), lettering(17, true), t.accent);
     }
     if (page_ != Page::Magazine) return;
-    double x = px(250);
-    for (const std::int32_t one : magazines()) {
+    // As many as there are, between the title and the filter: places of spindles come last, and must be there too.
+    const auto all = magazines();
+    const double begin = px(40) + QFontMetricsF(lettering(20, true)).horizontalAdvance(word(kTitles[0])), room = head_->width() - px(614) - begin;
+    const double each = std::clamp<double>(room / static_cast<double>(std::max<std::size_t>(1, all.size())), px(40), px(68));
+    double x = begin;
+    for (const std::int32_t one : all) {
         const bool here = one == picture_->shown();
-        const QRectF box(x, px(6), px(62), high - px(11));
+        const QRectF box(x, px(6), each - px(5), high - px(11));
         if (box.right() > head_->width() - px(608)) break;
         w.fill(box, here ? t.mark : t.card, px(6));
         w.frame(box, here ? t.accent : t.edge, px(6), here ? px(2) : 1);
-        w.text(box, one >= 10 ? placeText(desk_.live, one, 1) : QString("M%1").arg(one), lettering(15.5, here), t.text, Qt::AlignCenter);
+        w.text(box, one >= 10 ? placeText(desk_.live, one, 1) : QString("M%1").arg(one), lettering(each < px(52) ? 13 : 15.5, here), t.text, Qt::AlignCenter);
         w.hit(box, magazineHit(one));
-        x += px(68);
+        x += each;
     }
     static constexpr const char* kFilters[] = {WORD("All tools"), WORD("In this magazine"), WORD("Not loaded"), WORD("To be replaced")};
     const QRectF box(head_->width() - px(608), px(6), px(250), high - px(11));

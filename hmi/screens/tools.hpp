@@ -43,12 +43,13 @@ public:
     QString state() const override { return QString("%1 %2").arg(static_cast<int>(page_)).arg(picture_->shown()); }
     void restore(const QString& state) override;
     std::vector<Sheet*> sheets() override;
-    int pages() const override { return 5; }
+    int pages() const override { return kPages + std::max(0, static_cast<int>(magazines().size()) - 1) + 1; }   // the other magazines, what the presetter proposes
+    bool busy() const override { return page_ == Page::Presetter && presetter_->busy(); }
     HelpTopic help() const override {
         static constexpr const char* kFind[] = {"2. Enter tools and load them", "2. Enter tools and load them", "4. Set the life", "pallet", "Measure in the presetter"};
         return {"setup.md", kFind[static_cast<std::size_t>(page_)], {}};
     }
-    void turnTo(int page) override { showPage(static_cast<Page>(page)); }
+    void turnTo(int page) override;
 
     enum class Page : std::uint8_t { Magazine, Data, Life, Pallets, Presetter };
     enum class Filter : std::uint8_t { All, Here, Nowhere, Replace };
@@ -87,6 +88,7 @@ private:
     void addTool();
     void nextFilter();
     bool passes(std::int32_t number, const ToolRow& tool) const;
+    static constexpr int kPages = 5;
     std::vector<std::int32_t> magazines() const;
     const ToolRow* chosen() const { return toolOf(desk_.live, tool_); }
     bool textField() const;

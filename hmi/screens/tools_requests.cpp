@@ -2,6 +2,7 @@
 #include <QApplication>
 #include <QJsonArray>
 #include <algorithm>
+#include <limits>
 
 #include "hmi/screens/tools.hpp"
 
@@ -110,6 +111,13 @@ void Tools::look() {
                 life_.push_back(line);
             }
         }
+        // T3 before T11; names of groups that are no numbers come last, as the report has them.
+        const auto number = [](const LifeLine& line) {
+            bool good = false;
+            const qlonglong read = line.group.mid(line.group.startsWith('T')).toLongLong(&good);
+            return good ? read : std::numeric_limits<qlonglong>::max();
+        };
+        std::stable_sort(life_.begin(), life_.end(), [&](const LifeLine& a, const LifeLine& b) { return number(a) < number(b); });
         firstToStop_ = first.isEmpty() ? QString() : word("First to stop the machine: %1 after %2 more parts").arg(first).arg(answer.object.value("stops_first").toObject().value("parts_left").toDouble(), 0, 'f', 0);
         if (page_ == Page::Life) fillLife();
     }, true);

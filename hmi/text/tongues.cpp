@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QTranslator>
+#include <map>
 #include <memory>
 #include <string>
 #include <unordered_map>
@@ -14,6 +15,7 @@ namespace {
 Tongue g_tongue = Tongue::English;
 std::unique_ptr<QTranslator> g_words;
 std::unordered_map<const char*, QString> g_known;
+std::map<std::string, QString, std::less<>> g_units;
 
 }  // namespace
 
@@ -31,7 +33,7 @@ Tongue spoken() { return g_tongue; }
 
 void speak(Tongue tongue) {
     if (g_words) QCoreApplication::removeTranslator(g_words.get());
-    g_words.reset(), g_known.clear();
+    g_words.reset(), g_known.clear(), g_units.clear();
     g_tongue = tongue;
     choose_tongue(codeOf(tongue));
     if (tongue == Tongue::English) return;
@@ -45,11 +47,13 @@ QString word(const char* english) {
     const auto at = g_known.find(english);
     return at != g_known.end() ? at->second : g_known.emplace(english, QCoreApplication::translate("hmi", english)).first->second;
 }
+// Units of parameters.csv are collected with its groups; these stand elsewhere too, or only there.
+[[maybe_unused]] constexpr const char* kUnits[] = {WORD("mm"), WORD("mm/min"), WORD("mm/rev"), WORD("m/min"), WORD("1/min"), WORD("mm/s"), WORD("ms"), WORD("s"), WORD("min"), WORD("kB"), WORD("us"), WORD("mm/s2"), WORD("mm/s3")};
+
 QString unitWord(std::string_view unit) {
-    static constexpr const char* kUnits[] = {WORD("mm"), WORD("mm/min"), WORD("mm/rev"), WORD("m/min"), WORD("1/min"), WORD("mm/s"), WORD("ms"), WORD("s"), WORD("min"), WORD("kB"), WORD("us"), WORD("character code"), WORD("mm/s2"), WORD("mm/s3")};
-    for (const char* one : kUnits)
-        if (unit == one) return word(one);
-    return fromView(unit);
+    if (unit.empty()) return {};
+    const auto at = g_units.find(unit);
+    return at != g_units.end() ? at->second : g_units.emplace(std::string(unit), word(unit)).first->second;
 }
 
 QString word(std::string_view english) { return QCoreApplication::translate("hmi", std::string(english).c_str()); }

@@ -19,6 +19,11 @@
         <translation>  z toho čekání</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>%1 by %2: straightness</source>
+        <translation>%1 podle %2: přímost</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>%1 files</source>
         <translation>souborů: %1</translation>
@@ -129,6 +134,26 @@
         <translation>%1: zvolte místo, Enter ho tam dá, Escape nechá být</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>%1: gradient</source>
+        <translation>%1: gradient</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>%1: periodic</source>
+        <translation>%1: periodická</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>%1: pitch</source>
+        <translation>%1: stoupání</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>%1: pitch, negative direction</source>
+        <translation>%1: stoupání, záporný směr</translation>
+    </message>
+    <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>(limited)</source>
         <translation>(omezeno)</translation>
@@ -137,6 +162,11 @@
         <location filename="../screens/offsets.cpp"/>
         <source>+ Input</source>
         <translation>+ Vstup</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>0.1 lead</source>
+        <translation>0,1 stoupání</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>
@@ -149,9 +179,19 @@
         <translation>1/100 s</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>1/K</source>
+        <translation>1/K</translation>
+    </message>
+    <message>
         <location filename="../text/tongues.cpp"/>
         <source>1/min</source>
         <translation>ot/min</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>1/s</source>
+        <translation>1/s</translation>
     </message>
     <message>
         <location filename="../machine/computer_settings.cpp"/>
@@ -389,6 +429,11 @@
         <translation>Zálohy</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Before</source>
+        <translation>Před</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Block skip</source>
         <translation>Vypuštění bloků</translation>
@@ -529,9 +574,9 @@
         <translation>Jen změněné</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
-        <source>Changes since the start of these screens</source>
-        <translation>Změny od startu obrazovek</translation>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Changes of %1</source>
+        <translation>Změny: %1</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
@@ -639,6 +684,11 @@
         <translation>Kompenzace</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Compensation tables</source>
+        <translation>Kompenzační tabulky</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>Computer</source>
         <translation>Počítač</translation>
@@ -677,6 +727,11 @@
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Core diameter at the end</source>
         <translation>Průměr jádra na konci</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Correction</source>
+        <translation>Oprava</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis.cpp"/>
@@ -732,6 +787,11 @@
         <location filename="../screens/contour_page.cpp"/>
         <source>Datum</source>
         <translation>Údaj</translation>
+    </message>
+    <message>
+        <location filename="../screens/job_views.cpp"/>
+        <source>Decides the time</source>
+        <translation>Určuje čas</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -1034,6 +1094,16 @@
         <translation>Zapsáno</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Enters the relative counter: press again</source>
+        <translation>Zapíše počítadlo: ještě jednou</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Enters what was touched: press again</source>
+        <translation>Zapíše dotyk: ještě jednou</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Every axis and spindle is on its own: nothing is coupled, exchanged or followed.</source>
         <translation>Každá osa a vřeteno je samostatné: žádná vazba, záměna ani sledování.</translation>
@@ -1299,6 +1369,11 @@
         <translation>Plný moment</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>G code</source>
+        <translation>kód G</translation>
+    </message>
+    <message>
         <location filename="../machine/computer_settings.cpp"/>
         <source>Gateway</source>
         <translation>Brána</translation>
@@ -1399,9 +1474,19 @@
         <translation>Trvání</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Hz</source>
+        <translation>Hz</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>In position</source>
         <translation>V poloze</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>In the file</source>
+        <translation>V souboru</translation>
     </message>
     <message>
         <location filename="../screens/tools.cpp"/>
@@ -1579,9 +1664,19 @@
         <translation>L%1 se ptá: %2</translation>
     </message>
     <message>
+        <location filename="../screens/job_views.cpp"/>
+        <source>L%1 decides %2 of %3: what becomes shorter there shortens the cycle.</source>
+        <translation>L%1 určuje %2 z %3: co se zkrátí tam, zkrátí cyklus.</translation>
+    </message>
+    <message>
         <location filename="../screens/restart_page.cpp"/>
         <source>L%1: restart at block</source>
         <translation>L%1: začít od bloku</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>L%1: volume along %2</source>
+        <translation>L%1: prostorová podél %2</translation>
     </message>
     <message>
         <location filename="../screens/settings_page.cpp"/>
@@ -1592,6 +1687,11 @@
         <location filename="../screens/graphics.cpp"/>
         <source>Larger</source>
         <translation>Větší</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Largest</source>
+        <translation>Největší</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -1617,6 +1717,11 @@
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Lead</source>
         <translation>Stoupání</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Least</source>
+        <translation>Nejméně</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -1779,6 +1884,11 @@
         <translation>Dolní</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>M code</source>
+        <translation>kód M</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>MDI</source>
         <translation>MDI</translation>
@@ -1877,6 +1987,11 @@
         <location filename="../screens/alarms.cpp"/>
         <source>Message</source>
         <translation>Zpráva</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Most</source>
+        <translation>Nejvíce</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
@@ -1979,6 +2094,11 @@
         <translation>Od začátku záznamu se nejel kruh: projeďte v L%1 aspoň tři čtvrtiny</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>No compensation table is described (N2500 to N2808).</source>
+        <translation>Žádná kompenzační tabulka není popsána (N2500 až N2808).</translation>
+    </message>
+    <message>
         <location filename="../app/main_window.cpp"/>
         <source>No controller answers</source>
         <translation>Řízení neodpovídá</translation>
@@ -2054,9 +2174,14 @@
         <translation>Žádná proměnná kanálu nemá hodnotu.</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/compensation_page.cpp"/>
         <source>No.</source>
         <translation>Č.</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Nobody has changed it since the store was begun.</source>
+        <translation>Od založení úložiště ji nikdo nezměnil.</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -2444,6 +2569,11 @@
         <translation>Přehrát</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Points</source>
+        <translation>Bodů</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>Polyturn</source>
         <translation>Polyturn</translation>
@@ -2452,6 +2582,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>Pool %1</source>
         <translation>Zásoba %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Position</source>
+        <translation>Poloha</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -2574,6 +2709,11 @@
         <translation>Rozsah</translation>
     </message>
     <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>Range %1 of L%2</source>
+        <translation>Oblast %1 L%2</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Rapid</source>
         <translation>Rychlop.</translation>
@@ -2617,6 +2757,16 @@
         <location filename="../screens/manual.cpp"/>
         <source>Reference all</source>
         <translation>Reference všech</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Relative input</source>
+        <translation>Relativní vstup</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Relative zero</source>
+        <translation>Relativní nula</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -2706,7 +2856,7 @@
     <message>
         <location filename="../screens/programs.cpp"/>
         <source>Restart in the middle</source>
-        <translation>Návrat doprostřed</translation>
+        <translation>Start od bloku</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -2994,6 +3144,11 @@
         <translation>Vřeteno</translation>
     </message>
     <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Spindle %1</source>
+        <translation>Vřeteno %1</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>Spindle Control</source>
         <translation>Vřetena</translation>
@@ -3002,6 +3157,11 @@
         <location filename="../../ipc/params/parameters.csv"/>
         <source>Spindle Servo</source>
         <translation>Pohony vřeten</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Spindle stop</source>
+        <translation>Stop vřetena</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -3124,6 +3284,11 @@
         <translation>Povrch Z</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Switched off</source>
+        <translation>Vypnuto</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Synchronised view</source>
         <translation>Synchronní pohled</translation>
@@ -3137,6 +3302,11 @@
         <location filename="../../ipc/params/parameters.csv"/>
         <source>System Config</source>
         <translation>Systém</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Table</source>
+        <translation>Tabulka</translation>
     </message>
     <message>
         <location filename="../screens/graphics_picture.cpp"/>
@@ -3269,7 +3439,7 @@
         <translation>Předchozí program se ještě zapisuje.</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/compensation_page.cpp"/>
         <source>The machine works with it</source>
         <translation>Stroj s tím pracuje</translation>
     </message>
@@ -3344,9 +3514,19 @@
         <translation>Programy se čtou</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>The relative counter of L%1 begins here</source>
+        <translation>Relativní počítadlo L%1 začíná zde</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>The setup sheet is not written: stopped.</source>
         <translation>Seřizovací list není zapsán: zastaveno.</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>The spindle turns: press again</source>
+        <translation>Vřeteno se roztočí: ještě jednou</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -3354,7 +3534,7 @@
         <translation>Revolver se otočí: znovu</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/parameters.cpp"/>
         <source>Then</source>
         <translation>Potom</translation>
     </message>
@@ -3544,11 +3724,6 @@
         <translation>Břit je na míře: znovu</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
-        <source>To</source>
-        <translation>Do</translation>
-    </message>
-    <message>
         <location filename="../screens/tools.cpp"/>
         <source>To be replaced</source>
         <translation>K výměně</translation>
@@ -3609,6 +3784,11 @@
         <translation>Korekce nástrojů</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Tool setter</source>
+        <translation>Sonda nástroje</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Tool unit, 0 all</source>
         <translation>Nástrojová jednotka, 0 všechny</translation>
@@ -3652,6 +3832,11 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>Trace off</source>
         <translation>Signál vyp</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>Travel of L%1</source>
+        <translation>Dráha L%1</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -3739,6 +3924,11 @@
         <translation>Jednotka</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Unlike the file</source>
+        <translation>Jiné než soubor</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>Unload</source>
         <translation>Vyjmout</translation>
@@ -3767,6 +3957,11 @@
         <location filename="../screens/system.cpp"/>
         <source>Users</source>
         <translation>Uživatelé</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>V</source>
+        <translation>V</translation>
     </message>
     <message>
         <location filename="../app/dialogue_view.cpp"/>
@@ -3904,6 +4099,21 @@
         <translation>Kolečko, nástroj</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>When</source>
+        <translation>Kdy</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Who</source>
+        <translation>Kdo</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Who has changed this value</source>
+        <translation>Kdo tuto hodnotu změnil</translation>
+    </message>
+    <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Whole machine</source>
         <translation>Celý stroj</translation>
@@ -3952,6 +4162,11 @@
         <location filename="../screens/channel_card.cpp"/>
         <source>Workpiece</source>
         <translation>Obrobek</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Workpiece setter</source>
+        <translation>Sonda obrobku</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -4029,6 +4244,11 @@
         <translation>působí při dalším zastavení čtení</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>all parameters</source>
+        <translation>všechny parametry</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/machine_step.hpp"/>
         <source>an alarm has stopped everything</source>
         <translation>alarm vše zastavil</translation>
@@ -4074,6 +4294,21 @@
         <translation>osy byly odjety v pozastavení</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>axis no.</source>
+        <translation>č. osy</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>bits</source>
+        <translation>bity</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>blocks</source>
+        <translation>bloků</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>bore</source>
         <translation>otvor</translation>
@@ -4094,7 +4329,12 @@
         <translation>kotoučový nůž</translation>
     </message>
     <message>
-        <location filename="../text/tongues.cpp"/>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>cell no.</source>
+        <translation>č. buňky</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
         <source>character code</source>
         <translation>kód znaku</translation>
     </message>
@@ -4124,6 +4364,16 @@
         <translation>zavřete je nebo zapněte seřizování</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>column no.</source>
+        <translation>č. sloupce</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>columns</source>
+        <translation>sloupců</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>commanded</source>
         <translation>požadovaná</translation>
@@ -4137,6 +4387,46 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>compensation</source>
         <translation>kompenzace</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>count</source>
+        <translation>ks</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>counts</source>
+        <translation>inkrementů</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>decimals</source>
+        <translation>des. míst</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>deg</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>deg/min</source>
+        <translation>°/min</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>deg/rev</source>
+        <translation>°/ot</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>deg/s</source>
+        <translation>°/s</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>deg/s2</source>
+        <translation>°/s²</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -4199,6 +4489,11 @@
         <translation>sleduje ji synchronně</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>ft/min</source>
+        <translation>stopa/min</translation>
+    </message>
+    <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>good</source>
         <translation>dobrý</translation>
@@ -4214,14 +4509,44 @@
         <translation>zapichovací nůž</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>h</source>
+        <translation>h</translation>
+    </message>
+    <message>
         <location filename="../screens/graphics_picture.cpp"/>
         <source>held by protection</source>
         <translation>drží ochrana</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>inch</source>
+        <translation>palec</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>inch/min</source>
+        <translation>palec/min</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>inch/rev</source>
+        <translation>palec/ot</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>inch/s2</source>
+        <translation>palec/s²</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>input %1</source>
         <translation>vstup %1</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>input no.</source>
+        <translation>č. vstupu</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -4297,6 +4622,11 @@
         <location filename="../screens/cycle_form_page.cpp"/>
         <source>mm, diameter</source>
         <translation>mm, průměr</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>mm/K</source>
+        <translation>mm/K</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>
@@ -4419,6 +4749,11 @@
         <translation>vyp</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>offset no.</source>
+        <translation>č. korekce</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>only makers</source>
         <translation>jen výrobce</translation>
@@ -4432,6 +4767,11 @@
         <location filename="../screens/parameters.cpp"/>
         <source>operator</source>
         <translation>obsluha</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>pallets</source>
+        <translation>palet</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -4454,9 +4794,29 @@
         <translation>ks</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>periods</source>
+        <translation>period</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>pieces</source>
         <translation>kusy</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>point no.</source>
+        <translation>č. bodu</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>pot no.</source>
+        <translation>č. místa</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>pots</source>
+        <translation>míst</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/machine_step.hpp"/>
@@ -4484,9 +4844,24 @@
         <translation>sonda</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>program no.</source>
+        <translation>č. programu</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>ratio</source>
+        <translation>poměr</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>read-only</source>
         <translation>jen pro čtení</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>records</source>
+        <translation>záznamů</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -4509,9 +4884,34 @@
         <translation>odstraňte příčinu, pak reset</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>rev</source>
+        <translation>ot</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>rev/s2</source>
+        <translation>ot/s²</translation>
+    </message>
+    <message>
         <location filename="../machine/tool_words.cpp"/>
         <source>roughing tool</source>
         <translation>hrubovací nůž</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>rows</source>
+        <translation>řad</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>rpm</source>
+        <translation>ot/min</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>rpm/s</source>
+        <translation>ot/min/s</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>
@@ -4537,6 +4937,16 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>speed</source>
         <translation>otáčky</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>spindle no.</source>
+        <translation>č. vřetena</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>stations</source>
+        <translation>stanic</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -4624,6 +5034,11 @@
         <translation>závitový nůž</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>ticks</source>
+        <translation>taktů</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>tip</source>
         <translation>břit</translation>
@@ -4677,6 +5092,11 @@
         <location filename="../machine/tool_words.cpp"/>
         <source>uses</source>
         <translation>použití</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>variable no.</source>
+        <translation>č. proměnné</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>

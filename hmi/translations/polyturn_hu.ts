@@ -19,6 +19,11 @@
         <translation>  ebből várakozás</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>%1 by %2: straightness</source>
+        <translation>%1 a(z) %2 szerint: egyenesség</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>%1 files</source>
         <translation>%1 fájl</translation>
@@ -129,6 +134,26 @@
         <translation>%1: válasszon helyet, Enter leteszi, Escape elhagyja</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>%1: gradient</source>
+        <translation>%1: gradiens</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>%1: periodic</source>
+        <translation>%1: periodikus</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>%1: pitch</source>
+        <translation>%1: orsóhiba</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>%1: pitch, negative direction</source>
+        <translation>%1: orsóhiba, negatív irány</translation>
+    </message>
+    <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>(limited)</source>
         <translation>(korlátozva)</translation>
@@ -137,6 +162,11 @@
         <location filename="../screens/offsets.cpp"/>
         <source>+ Input</source>
         <translation>+ Bevitel</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>0.1 lead</source>
+        <translation>0,1 emelkedés</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>
@@ -149,9 +179,19 @@
         <translation>1/100 s</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>1/K</source>
+        <translation>1/K</translation>
+    </message>
+    <message>
         <location filename="../text/tongues.cpp"/>
         <source>1/min</source>
         <translation>1/min</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>1/s</source>
+        <translation>1/s</translation>
     </message>
     <message>
         <location filename="../machine/computer_settings.cpp"/>
@@ -389,6 +429,11 @@
         <translation>Mentések</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Before</source>
+        <translation>Előtte</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Block skip</source>
         <translation>Mondatkihagyás</translation>
@@ -529,9 +574,9 @@
         <translation>Csak módosítottak</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
-        <source>Changes since the start of these screens</source>
-        <translation>Változások a képernyők indítása óta</translation>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Changes of %1</source>
+        <translation>Változások: %1</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
@@ -639,6 +684,11 @@
         <translation>Kompenzáció</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Compensation tables</source>
+        <translation>Kompenzációs táblázatok</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>Computer</source>
         <translation>Számítógép</translation>
@@ -677,6 +727,11 @@
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Core diameter at the end</source>
         <translation>Magátmérő a végén</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Correction</source>
+        <translation>Javítás</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis.cpp"/>
@@ -732,6 +787,11 @@
         <location filename="../screens/contour_page.cpp"/>
         <source>Datum</source>
         <translation>Adat</translation>
+    </message>
+    <message>
+        <location filename="../screens/job_views.cpp"/>
+        <source>Decides the time</source>
+        <translation>Ez dönt</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -1034,6 +1094,16 @@
         <translation>Beírva</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Enters the relative counter: press again</source>
+        <translation>Beírja a számlálót: újra</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Enters what was touched: press again</source>
+        <translation>Beírja az érintést: újra</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Every axis and spindle is on its own: nothing is coupled, exchanged or followed.</source>
         <translation>Minden tengely és orsó önálló: nincs csatolás, csere vagy követés.</translation>
@@ -1299,6 +1369,11 @@
         <translation>Teljes nyomaték</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>G code</source>
+        <translation>G kód</translation>
+    </message>
+    <message>
         <location filename="../machine/computer_settings.cpp"/>
         <source>Gateway</source>
         <translation>Átjáró</translation>
@@ -1399,9 +1474,19 @@
         <translation>Időtartam</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Hz</source>
+        <translation>Hz</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>In position</source>
         <translation>Pozícióban</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>In the file</source>
+        <translation>A fájlban</translation>
     </message>
     <message>
         <location filename="../screens/tools.cpp"/>
@@ -1579,9 +1664,19 @@
         <translation>L%1 kérdezi: %2</translation>
     </message>
     <message>
+        <location filename="../screens/job_views.cpp"/>
+        <source>L%1 decides %2 of %3: what becomes shorter there shortens the cycle.</source>
+        <translation>L%1 dönt %2 időről (%3): ami ott rövidül, a ciklust rövidíti.</translation>
+    </message>
+    <message>
         <location filename="../screens/restart_page.cpp"/>
         <source>L%1: restart at block</source>
         <translation>L%1: folytatás a mondattól</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>L%1: volume along %2</source>
+        <translation>L%1: térbeli, %2 mentén</translation>
     </message>
     <message>
         <location filename="../screens/settings_page.cpp"/>
@@ -1592,6 +1687,11 @@
         <location filename="../screens/graphics.cpp"/>
         <source>Larger</source>
         <translation>Nagyobb</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Largest</source>
+        <translation>Legnagyobb</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -1617,6 +1717,11 @@
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Lead</source>
         <translation>Menetemelkedés</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Least</source>
+        <translation>Legkisebb</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -1779,6 +1884,11 @@
         <translation>Alsó</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>M code</source>
+        <translation>M kód</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>MDI</source>
         <translation>MDI</translation>
@@ -1877,6 +1987,11 @@
         <location filename="../screens/alarms.cpp"/>
         <source>Message</source>
         <translation>Üzenet</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Most</source>
+        <translation>Legnagyobb</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
@@ -1979,6 +2094,11 @@
         <translation>A rögzítés kezdete óta nem volt kör: járjon be legalább háromnegyedet L%1-ben</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>No compensation table is described (N2500 to N2808).</source>
+        <translation>Nincs megadva kompenzációs táblázat (N2500 ... N2808).</translation>
+    </message>
+    <message>
         <location filename="../app/main_window.cpp"/>
         <source>No controller answers</source>
         <translation>A vezérlő nem válaszol</translation>
@@ -2054,9 +2174,14 @@
         <translation>A csatornának nincs értékkel bíró változója.</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/compensation_page.cpp"/>
         <source>No.</source>
         <translation>Sz.</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Nobody has changed it since the store was begun.</source>
+        <translation>A tároló kezdete óta senki sem változtatta.</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -2444,6 +2569,11 @@
         <translation>Lejátszás</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Points</source>
+        <translation>Pontok</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>Polyturn</source>
         <translation>Polyturn</translation>
@@ -2452,6 +2582,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>Pool %1</source>
         <translation>Tároló %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Position</source>
+        <translation>Pozíció</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -2574,6 +2709,11 @@
         <translation>Tartomány</translation>
     </message>
     <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>Range %1 of L%2</source>
+        <translation>L%2 %1. tartománya</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Rapid</source>
         <translation>Gyors</translation>
@@ -2617,6 +2757,16 @@
         <location filename="../screens/manual.cpp"/>
         <source>Reference all</source>
         <translation>Mind referencia</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Relative input</source>
+        <translation>Relatív bevitel</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Relative zero</source>
+        <translation>Relatív nulla</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -2706,7 +2856,7 @@
     <message>
         <location filename="../screens/programs.cpp"/>
         <source>Restart in the middle</source>
-        <translation>Folytatás középről</translation>
+        <translation>Indítás mondattól</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -2994,6 +3144,11 @@
         <translation>Orsó</translation>
     </message>
     <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Spindle %1</source>
+        <translation>Főorsó %1</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>Spindle Control</source>
         <translation>Orsók</translation>
@@ -3002,6 +3157,11 @@
         <location filename="../../ipc/params/parameters.csv"/>
         <source>Spindle Servo</source>
         <translation>Orsóhajtások</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Spindle stop</source>
+        <translation>Főorsó állj</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -3124,6 +3284,11 @@
         <translation>Felület Z</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Switched off</source>
+        <translation>Kikapcsolva</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Synchronised view</source>
         <translation>Szinkron nézet</translation>
@@ -3137,6 +3302,11 @@
         <location filename="../../ipc/params/parameters.csv"/>
         <source>System Config</source>
         <translation>Rendszer</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Table</source>
+        <translation>Táblázat</translation>
     </message>
     <message>
         <location filename="../screens/graphics_picture.cpp"/>
@@ -3269,7 +3439,7 @@
         <translation>Az előző program írása még folyik.</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/compensation_page.cpp"/>
         <source>The machine works with it</source>
         <translation>A gép ezzel dolgozik</translation>
     </message>
@@ -3344,9 +3514,19 @@
         <translation>A programok olvasása folyik</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>The relative counter of L%1 begins here</source>
+        <translation>L%1 relatív számlálója innen indul</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>The setup sheet is not written: stopped.</source>
         <translation>A beállítási lap nincs megírva: leállítva.</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>The spindle turns: press again</source>
+        <translation>A főorsó forogni fog: újra</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -3354,7 +3534,7 @@
         <translation>A revolver fordul: újra</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/parameters.cpp"/>
         <source>Then</source>
         <translation>Utána</translation>
     </message>
@@ -3544,11 +3724,6 @@
         <translation>A csúcs a méreten: újra</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
-        <source>To</source>
-        <translation>Eddig</translation>
-    </message>
-    <message>
         <location filename="../screens/tools.cpp"/>
         <source>To be replaced</source>
         <translation>Cserélendő</translation>
@@ -3609,6 +3784,11 @@
         <translation>Korrekciók</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Tool setter</source>
+        <translation>Szerszámbemérő</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Tool unit, 0 all</source>
         <translation>Szerszámegység, 0 mind</translation>
@@ -3652,6 +3832,11 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>Trace off</source>
         <translation>Jel ki</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>Travel of L%1</source>
+        <translation>L%1 lökete</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -3739,6 +3924,11 @@
         <translation>Egység</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Unlike the file</source>
+        <translation>Fájltól eltérő</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>Unload</source>
         <translation>Kivétel</translation>
@@ -3767,6 +3957,11 @@
         <location filename="../screens/system.cpp"/>
         <source>Users</source>
         <translation>Felhasználók</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>V</source>
+        <translation>V</translation>
     </message>
     <message>
         <location filename="../app/dialogue_view.cpp"/>
@@ -3904,6 +4099,21 @@
         <translation>Kerék, szerszám</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>When</source>
+        <translation>Mikor</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Who</source>
+        <translation>Ki</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Who has changed this value</source>
+        <translation>Ki változtatta ezt az értéket</translation>
+    </message>
+    <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Whole machine</source>
         <translation>Egész gép</translation>
@@ -3952,6 +4162,11 @@
         <location filename="../screens/channel_card.cpp"/>
         <source>Workpiece</source>
         <translation>Munkadarab</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Workpiece setter</source>
+        <translation>Munkadarab-mérő</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -4029,6 +4244,11 @@
         <translation>a csatorna következő olvasási megállásánál hat</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>all parameters</source>
+        <translation>minden paraméter</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/machine_step.hpp"/>
         <source>an alarm has stopped everything</source>
         <translation>riasztás állított le mindent</translation>
@@ -4074,6 +4294,21 @@
         <translation>a tengelyeket tartás közben elmozdították</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>axis no.</source>
+        <translation>tengelyszám</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>bits</source>
+        <translation>bit</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>blocks</source>
+        <translation>mondat</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>bore</source>
         <translation>furat</translation>
@@ -4094,7 +4329,12 @@
         <translation>gombkés</translation>
     </message>
     <message>
-        <location filename="../text/tongues.cpp"/>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>cell no.</source>
+        <translation>cellaszám</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
         <source>character code</source>
         <translation>karakterkód</translation>
     </message>
@@ -4124,6 +4364,16 @@
         <translation>csukja be, vagy váltson beállító módra</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>column no.</source>
+        <translation>oszlopszám</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>columns</source>
+        <translation>oszlop</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>commanded</source>
         <translation>előírt</translation>
@@ -4137,6 +4387,46 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>compensation</source>
         <translation>kompenzáció</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>count</source>
+        <translation>db</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>counts</source>
+        <translation>inkremens</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>decimals</source>
+        <translation>tizedes</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>deg</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>deg/min</source>
+        <translation>°/min</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>deg/rev</source>
+        <translation>°/ford.</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>deg/s</source>
+        <translation>°/s</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>deg/s2</source>
+        <translation>°/s²</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -4199,6 +4489,11 @@
         <translation>szinkronban követi</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>ft/min</source>
+        <translation>láb/min</translation>
+    </message>
+    <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>good</source>
         <translation>jó</translation>
@@ -4214,14 +4509,44 @@
         <translation>beszúró kés</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>h</source>
+        <translation>h</translation>
+    </message>
+    <message>
         <location filename="../screens/graphics_picture.cpp"/>
         <source>held by protection</source>
         <translation>a védelem tartja</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>inch</source>
+        <translation>hüvelyk</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>inch/min</source>
+        <translation>hüvelyk/min</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>inch/rev</source>
+        <translation>hüvelyk/ford.</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>inch/s2</source>
+        <translation>hüvelyk/s²</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>input %1</source>
         <translation>%1. bemenet</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>input no.</source>
+        <translation>bemenetszám</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -4297,6 +4622,11 @@
         <location filename="../screens/cycle_form_page.cpp"/>
         <source>mm, diameter</source>
         <translation>mm, átmérő</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>mm/K</source>
+        <translation>mm/K</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>
@@ -4419,6 +4749,11 @@
         <translation>ki</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>offset no.</source>
+        <translation>korrekciószám</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>only makers</source>
         <translation>csak gyártó</translation>
@@ -4432,6 +4767,11 @@
         <location filename="../screens/parameters.cpp"/>
         <source>operator</source>
         <translation>kezelő</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>pallets</source>
+        <translation>paletta</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -4454,9 +4794,29 @@
         <translation>db</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>periods</source>
+        <translation>periódus</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>pieces</source>
         <translation>darabot</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>point no.</source>
+        <translation>pontszám</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>pot no.</source>
+        <translation>helyszám</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>pots</source>
+        <translation>hely</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/machine_step.hpp"/>
@@ -4484,9 +4844,24 @@
         <translation>tapintó</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>program no.</source>
+        <translation>programszám</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>ratio</source>
+        <translation>arány</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>read-only</source>
         <translation>csak olvasható</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>records</source>
+        <translation>rekord</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -4509,9 +4884,34 @@
         <translation>szüntesse meg az okát, majd reset</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>rev</source>
+        <translation>ford.</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>rev/s2</source>
+        <translation>ford./s²</translation>
+    </message>
+    <message>
         <location filename="../machine/tool_words.cpp"/>
         <source>roughing tool</source>
         <translation>nagyoló kés</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>rows</source>
+        <translation>sor</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>rpm</source>
+        <translation>1/min</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>rpm/s</source>
+        <translation>1/min/s</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>
@@ -4537,6 +4937,16 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>speed</source>
         <translation>fordulat</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>spindle no.</source>
+        <translation>főorsószám</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>stations</source>
+        <translation>állomás</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -4624,6 +5034,11 @@
         <translation>menetkés</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>ticks</source>
+        <translation>ciklus</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>tip</source>
         <translation>csúcs</translation>
@@ -4677,6 +5092,11 @@
         <location filename="../machine/tool_words.cpp"/>
         <source>uses</source>
         <translation>használat</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>variable no.</source>
+        <translation>változószám</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>

@@ -19,6 +19,11 @@
         <translation>  из него ожидание</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>%1 by %2: straightness</source>
+        <translation>%1 по %2: прямолинейность</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>%1 files</source>
         <translation>файлов: %1</translation>
@@ -129,6 +134,26 @@
         <translation>%1: выберите место, Enter поставит, Escape отменит</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>%1: gradient</source>
+        <translation>%1: градиент</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>%1: periodic</source>
+        <translation>%1: периодическая</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>%1: pitch</source>
+        <translation>%1: шаг винта</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>%1: pitch, negative direction</source>
+        <translation>%1: шаг винта, в минус</translation>
+    </message>
+    <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>(limited)</source>
         <translation>(ограничено)</translation>
@@ -137,6 +162,11 @@
         <location filename="../screens/offsets.cpp"/>
         <source>+ Input</source>
         <translation>+ Ввод</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>0.1 lead</source>
+        <translation>0,1 шага</translation>
     </message>
     <message>
         <location filename="../screens/cycle_form_page.cpp"/>
@@ -149,9 +179,19 @@
         <translation>1/100 с</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>1/K</source>
+        <translation>1/К</translation>
+    </message>
+    <message>
         <location filename="../text/tongues.cpp"/>
         <source>1/min</source>
         <translation>об/мин</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>1/s</source>
+        <translation>1/с</translation>
     </message>
     <message>
         <location filename="../machine/computer_settings.cpp"/>
@@ -389,6 +429,11 @@
         <translation>Копии</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Before</source>
+        <translation>Было</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Block skip</source>
         <translation>Пропуск кадров</translation>
@@ -529,9 +574,9 @@
         <translation>Только изменённые</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
-        <source>Changes since the start of these screens</source>
-        <translation>Изменения с запуска экранов</translation>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Changes of %1</source>
+        <translation>Изменения: %1</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
@@ -639,6 +684,11 @@
         <translation>Компенсация</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Compensation tables</source>
+        <translation>Таблицы компенсации</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>Computer</source>
         <translation>Компьютер</translation>
@@ -677,6 +727,11 @@
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Core diameter at the end</source>
         <translation>Внутренний диаметр в конце</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Correction</source>
+        <translation>Поправка</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis.cpp"/>
@@ -732,6 +787,11 @@
         <location filename="../screens/contour_page.cpp"/>
         <source>Datum</source>
         <translation>Данное</translation>
+    </message>
+    <message>
+        <location filename="../screens/job_views.cpp"/>
+        <source>Decides the time</source>
+        <translation>Решает время</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -1034,6 +1094,16 @@
         <translation>Введено</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Enters the relative counter: press again</source>
+        <translation>Введёт счётчик: ещё раз</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Enters what was touched: press again</source>
+        <translation>Введёт измеренное: ещё раз</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Every axis and spindle is on its own: nothing is coupled, exchanged or followed.</source>
         <translation>Каждая ось и шпиндель сами по себе: нет связей, обмена и слежения.</translation>
@@ -1299,6 +1369,11 @@
         <translation>Полный момент</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>G code</source>
+        <translation>код G</translation>
+    </message>
+    <message>
         <location filename="../machine/computer_settings.cpp"/>
         <source>Gateway</source>
         <translation>Шлюз</translation>
@@ -1399,9 +1474,19 @@
         <translation>Длит.</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>Hz</source>
+        <translation>Гц</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>In position</source>
         <translation>В позиции</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>In the file</source>
+        <translation>В файле</translation>
     </message>
     <message>
         <location filename="../screens/tools.cpp"/>
@@ -1579,9 +1664,19 @@
         <translation>L%1 спрашивает: %2</translation>
     </message>
     <message>
+        <location filename="../screens/job_views.cpp"/>
+        <source>L%1 decides %2 of %3: what becomes shorter there shortens the cycle.</source>
+        <translation>L%1 определяет %2 из %3: что короче там, сокращает цикл.</translation>
+    </message>
+    <message>
         <location filename="../screens/restart_page.cpp"/>
         <source>L%1: restart at block</source>
         <translation>L%1: начать с кадра</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>L%1: volume along %2</source>
+        <translation>L%1: объёмная вдоль %2</translation>
     </message>
     <message>
         <location filename="../screens/settings_page.cpp"/>
@@ -1592,6 +1687,11 @@
         <location filename="../screens/graphics.cpp"/>
         <source>Larger</source>
         <translation>Крупнее</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Largest</source>
+        <translation>Наибольшая</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -1617,6 +1717,11 @@
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Lead</source>
         <translation>Шаг резьбы</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Least</source>
+        <translation>Мин.</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -1779,6 +1884,11 @@
         <translation>Низ</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>M code</source>
+        <translation>код M</translation>
+    </message>
+    <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>MDI</source>
         <translation>РВД</translation>
@@ -1877,6 +1987,11 @@
         <location filename="../screens/alarms.cpp"/>
         <source>Message</source>
         <translation>Сообщение</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>Most</source>
+        <translation>Макс.</translation>
     </message>
     <message>
         <location filename="../machine/setup_sheet.cpp"/>
@@ -1979,6 +2094,11 @@
         <translation>С начала записи круга не было: проедьте хотя бы три четверти круга в L%1</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>No compensation table is described (N2500 to N2808).</source>
+        <translation>Таблицы компенсации не описаны (N2500 - N2808).</translation>
+    </message>
+    <message>
         <location filename="../app/main_window.cpp"/>
         <source>No controller answers</source>
         <translation>Нет связи с УЧПУ</translation>
@@ -2054,9 +2174,14 @@
         <translation>Ни у одной переменной канала нет значения.</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/compensation_page.cpp"/>
         <source>No.</source>
         <translation>№</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Nobody has changed it since the store was begun.</source>
+        <translation>С начала хранилища никто его не менял.</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -2444,6 +2569,11 @@
         <translation>Показать</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Points</source>
+        <translation>Точек</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>Polyturn</source>
         <translation>Polyturn</translation>
@@ -2452,6 +2582,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>Pool %1</source>
         <translation>Накопитель %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Position</source>
+        <translation>Положение</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -2574,6 +2709,11 @@
         <translation>Диапазон</translation>
     </message>
     <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>Range %1 of L%2</source>
+        <translation>Зона %1 L%2</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>Rapid</source>
         <translation>Быстро</translation>
@@ -2617,6 +2757,16 @@
         <location filename="../screens/manual.cpp"/>
         <source>Reference all</source>
         <translation>Все в ноль</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Relative input</source>
+        <translation>Ввод относит.</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Relative zero</source>
+        <translation>Относит. ноль</translation>
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
@@ -2706,7 +2856,7 @@
     <message>
         <location filename="../screens/programs.cpp"/>
         <source>Restart in the middle</source>
-        <translation>Пуск с середины</translation>
+        <translation>Пуск с кадра</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -2994,6 +3144,11 @@
         <translation>Шпиндель</translation>
     </message>
     <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Spindle %1</source>
+        <translation>Шпиндель %1</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>Spindle Control</source>
         <translation>Шпиндели</translation>
@@ -3002,6 +3157,11 @@
         <location filename="../../ipc/params/parameters.csv"/>
         <source>Spindle Servo</source>
         <translation>Приводы шпинделей</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Spindle stop</source>
+        <translation>Стоп шпинделя</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -3124,6 +3284,11 @@
         <translation>Поверхность Z</translation>
     </message>
     <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Switched off</source>
+        <translation>Выключена</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Synchronised view</source>
         <translation>Синхронный вид</translation>
@@ -3137,6 +3302,11 @@
         <location filename="../../ipc/params/parameters.csv"/>
         <source>System Config</source>
         <translation>Система</translation>
+    </message>
+    <message>
+        <location filename="../screens/compensation_page.cpp"/>
+        <source>Table</source>
+        <translation>Таблица</translation>
     </message>
     <message>
         <location filename="../screens/graphics_picture.cpp"/>
@@ -3269,7 +3439,7 @@
         <translation>Предыдущая программа ещё записывается.</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../screens/compensation_page.cpp"/>
         <source>The machine works with it</source>
         <translation>Станок работает с ним</translation>
     </message>
@@ -3344,9 +3514,19 @@
         <translation>Программы читаются</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>The relative counter of L%1 begins here</source>
+        <translation>Относительный счётчик L%1 начинается здесь</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>The setup sheet is not written: stopped.</source>
         <translation>Карта наладки не записана: остановлено.</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>The spindle turns: press again</source>
+        <translation>Шпиндель начнёт вращаться: ещё раз</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -3354,7 +3534,7 @@
         <translation>Револьвер повернётся: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/system.cpp"/>
+        <location filename="../screens/parameters.cpp"/>
         <source>Then</source>
         <translation>Потом</translation>
     </message>
@@ -3544,11 +3724,6 @@
         <translation>Вершина на размере: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
-        <source>To</source>
-        <translation>До</translation>
-    </message>
-    <message>
         <location filename="../screens/tools.cpp"/>
         <source>To be replaced</source>
         <translation>К замене</translation>
@@ -3609,6 +3784,11 @@
         <translation>Корректоры</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Tool setter</source>
+        <translation>Щуп инструмента</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Tool unit, 0 all</source>
         <translation>Инструментальный узел, 0 все</translation>
@@ -3652,6 +3832,11 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>Trace off</source>
         <translation>Сигнал выкл</translation>
+    </message>
+    <message>
+        <location filename="../screens/graphics_picture.cpp"/>
+        <source>Travel of L%1</source>
+        <translation>Ход L%1</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -3739,6 +3924,11 @@
         <translation>Единица</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Unlike the file</source>
+        <translation>Отличие от файла</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>Unload</source>
         <translation>Извлечь</translation>
@@ -3767,6 +3957,11 @@
         <location filename="../screens/system.cpp"/>
         <source>Users</source>
         <translation>Пользователи</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>V</source>
+        <translation>В</translation>
     </message>
     <message>
         <location filename="../app/dialogue_view.cpp"/>
@@ -3904,6 +4099,21 @@
         <translation>Маховик, инструмент</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>When</source>
+        <translation>Когда</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Who</source>
+        <translation>Кто</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Who has changed this value</source>
+        <translation>Кто менял это значение</translation>
+    </message>
+    <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Whole machine</source>
         <translation>Весь станок</translation>
@@ -3952,6 +4162,11 @@
         <location filename="../screens/channel_card.cpp"/>
         <source>Workpiece</source>
         <translation>Деталь</translation>
+    </message>
+    <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Workpiece setter</source>
+        <translation>Щуп детали</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -4029,6 +4244,11 @@
         <translation>действует на следующей остановке чтения</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>all parameters</source>
+        <translation>все параметры</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/machine_step.hpp"/>
         <source>an alarm has stopped everything</source>
         <translation>авария всё остановила</translation>
@@ -4074,6 +4294,21 @@
         <translation>оси отведены при удержании</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>axis no.</source>
+        <translation>№ оси</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>bits</source>
+        <translation>бит</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>blocks</source>
+        <translation>кадров</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>bore</source>
         <translation>отверстие</translation>
@@ -4094,7 +4329,12 @@
         <translation>круглый резец</translation>
     </message>
     <message>
-        <location filename="../text/tongues.cpp"/>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>cell no.</source>
+        <translation>№ ячейки</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
         <source>character code</source>
         <translation>код символа</translation>
     </message>
@@ -4124,6 +4364,16 @@
         <translation>закройте её или включите режим наладки</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>column no.</source>
+        <translation>№ столбца</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>columns</source>
+        <translation>столбцов</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>commanded</source>
         <translation>заданное</translation>
@@ -4137,6 +4387,46 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>compensation</source>
         <translation>компенсация</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>count</source>
+        <translation>шт.</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>counts</source>
+        <translation>импульсов</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>decimals</source>
+        <translation>знаков</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>deg</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>deg/min</source>
+        <translation>°/мин</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>deg/rev</source>
+        <translation>°/об</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>deg/s</source>
+        <translation>°/с</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>deg/s2</source>
+        <translation>°/с²</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -4199,6 +4489,11 @@
         <translation>следует за ней синхронно</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>ft/min</source>
+        <translation>фут/мин</translation>
+    </message>
+    <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>good</source>
         <translation>годен</translation>
@@ -4214,14 +4509,44 @@
         <translation>канавочный резец</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>h</source>
+        <translation>ч</translation>
+    </message>
+    <message>
         <location filename="../screens/graphics_picture.cpp"/>
         <source>held by protection</source>
         <translation>удержано защитой</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>inch</source>
+        <translation>дюйм</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>inch/min</source>
+        <translation>дюйм/мин</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>inch/rev</source>
+        <translation>дюйм/об</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>inch/s2</source>
+        <translation>дюйм/с²</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>input %1</source>
         <translation>вход %1</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>input no.</source>
+        <translation>№ входа</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -4297,6 +4622,11 @@
         <location filename="../screens/cycle_form_page.cpp"/>
         <source>mm, diameter</source>
         <translation>мм, диаметр</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>mm/K</source>
+        <translation>мм/К</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>
@@ -4419,6 +4749,11 @@
         <translation>выкл</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>offset no.</source>
+        <translation>№ корректора</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>only makers</source>
         <translation>только изготовитель</translation>
@@ -4432,6 +4767,11 @@
         <location filename="../screens/parameters.cpp"/>
         <source>operator</source>
         <translation>оператор</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>pallets</source>
+        <translation>паллет</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -4454,9 +4794,29 @@
         <translation>шт</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>periods</source>
+        <translation>периодов</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>pieces</source>
         <translation>детали</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>point no.</source>
+        <translation>№ точки</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>pot no.</source>
+        <translation>№ гнезда</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>pots</source>
+        <translation>гнёзд</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/machine_step.hpp"/>
@@ -4484,9 +4844,24 @@
         <translation>щуп</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>program no.</source>
+        <translation>№ программы</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>ratio</source>
+        <translation>отношение</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>read-only</source>
         <translation>только чтение</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>records</source>
+        <translation>записей</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -4509,9 +4884,34 @@
         <translation>устраните причину, затем сброс</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>rev</source>
+        <translation>об</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>rev/s2</source>
+        <translation>об/с²</translation>
+    </message>
+    <message>
         <location filename="../machine/tool_words.cpp"/>
         <source>roughing tool</source>
         <translation>черновой резец</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>rows</source>
+        <translation>рядов</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>rpm</source>
+        <translation>об/мин</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>rpm/s</source>
+        <translation>об/мин/с</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>
@@ -4537,6 +4937,16 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>speed</source>
         <translation>обороты</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>spindle no.</source>
+        <translation>№ шпинделя</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>stations</source>
+        <translation>станций</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -4624,6 +5034,11 @@
         <translation>резьбовой резец</translation>
     </message>
     <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>ticks</source>
+        <translation>тактов</translation>
+    </message>
+    <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>tip</source>
         <translation>вершина</translation>
@@ -4677,6 +5092,11 @@
         <location filename="../machine/tool_words.cpp"/>
         <source>uses</source>
         <translation>вызовов</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/params/parameters.csv"/>
+        <source>variable no.</source>
+        <translation>№ переменной</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>

@@ -15,6 +15,7 @@
 #include "ipc/memory/segment.hpp"
 #include "ipc/params/export.hpp"
 #include "ipc/params/param_file.hpp"
+#include "ipc/params/tongue.hpp"
 #include "ipc/text/read_file.hpp"
 #include "ipc/text/replace_file.hpp"
 #include "kernel/supervisor/ask_verbs.hpp"
@@ -72,15 +73,16 @@ int list(const ParamsOptions& options) {
     for (const params::Row& row : params::rows()) {
         const bool acts = row.acts == "yes" || row.acts.empty();
         if (options.unused && acts) continue;
-        const std::string searched = upper(fmt::format("{} {} {}", row.number, row.name, row.group));
+        const params::RowWords words = params::words_of(row, tongue_now());
+        const std::string searched = upper(fmt::format("{} {} {} {}", row.number, row.name, row.group, words.name));
         if (!std::all_of(options.arguments.begin(), options.arguments.end(),
                          [&](const std::string& word) { return searched.find(upper(word)) != std::string::npos; }))
             continue;
         if (row.group != group) print(fmt::format("{}{}\n", shown ? "\n" : "", row.group)), group = row.group;
         ++shown;
-        print(fmt::format("  {:<14} {:<9} {:<12} {}{}{}\n", row.number, params::to_string(row.scope), row.unit, row.name, row.meaning.empty() ? "" : ": ",
-                          row.meaning));
-        if (!acts) print(fmt::format("  {:<14} {}: {}\n", "", say("no effect"), row.acts));
+        print(fmt::format("  {:<14} {:<9} {:<12} {}{}{}\n", row.number, params::to_string(row.scope), row.unit, words.name, words.meaning.empty() ? "" : ": ",
+                          words.meaning));
+        if (!acts) print(fmt::format("  {:<14} {}: {}\n", "", say("no effect"), words.acts));
     }
     print(fmt::format(fmt::runtime(say("{}{} parameters{}\n")), shown ? "\n" : "", shown, options.unused ? say(" without effect") : ""));
     return 0;

@@ -46,7 +46,7 @@ TEST(DryRunZeros, APathGoesOnInTheSystemThatItBeganIn) {
         ASSERT_TRUE(file.open(QIODevice::WriteOnly));
         file.write(text);
     };
-    write("O1.nc", "O1\nG54 G99\nG0 X50. Z10.\nG55 G0 Z10.\nG1 Z5. F0.2\nM30\n");
+    write("O1.nc", "O1\nG54 G98\nG0 X50. Z10.\nG55 G0 Z10.\nG1 Z5. F200.\nM30\n");
     write("two.job.toml", "name = \"two\"\n[programs]\n1 = { file = \"O1.nc\", language = \"fanuc\" }\n[zeros]\n1 = { G54 = { Z = -100.0 }, G55 = { Z = -300.0 } }\n");
     DryRun run;
     run.start(DryRun::How::Drive, folder.filePath("two.job.toml"), {});
@@ -109,7 +109,7 @@ TEST_F(GraphicsTasks, TheTravelEndsWhereTheKernelStopsTheAxis) {
     ASSERT_TRUE(waitFor([&] { return stroke() && std::isfinite(stroke()->allowed.zHigh); }, 10));
     const double end = std::round(stood()) + 3;
     ASSERT_TRUE(set(QString("N1002 A2=%1").arg(end)));
-    ASSERT_TRUE(g_controller->press("mode jog"));
+    ASSERT_TRUE(g_controller->press("mode L1=jog"));
     for (int i = 0; i < 40 && live().nc(signals::an_otp(2)) == 0; ++i) g_controller->press("jog A2+ 0.5s"), QTest::qWait(300);
     ASSERT_TRUE(waitFor([&] { return live().nc(signals::an_otp(2)) != 0 && !(live().status().axes[1].flags & kMoving); }, 20)) << stood();
     EXPECT_NEAR(stood(), end, 0.01);
@@ -128,6 +128,7 @@ TEST_F(GraphicsTasks, TheTravelEndsWhereTheKernelStopsTheAxis) {
     EXPECT_EQ(range, 3u);
     EXPECT_NEAR(box.xHigh - box.xLow, 40, 0.02);
     EXPECT_NEAR(box.zHigh - box.zLow, 60, 0.02);
+    ASSERT_TRUE(g_controller->press("mode L1=auto"));
     for (const char* line : {"N1000 A1=00000001", "N1000 A2=00000001", "N1002 A2=800"}) ASSERT_TRUE(set(line)) << line;
     ASSERT_TRUE(waitFor([&] { return stroke() && stroke()->forbidden.empty(); }, 20));
 }

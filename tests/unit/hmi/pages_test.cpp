@@ -15,6 +15,24 @@ protected:
     static void SetUpTestSuite() { g_controller = new Controller("transfer"); }
 };
 
+TEST_F(PageTasks, TheSpindleIsTurnedByHand) {
+    Operator hand(*window);
+    hand.screen("manual");
+    hand.soft("Wheel, tool, transfer");
+    HandPage& page = screenOf<Manual>().hand();
+    ASSERT_TRUE(waitFor([&] { return live().plc(signals::cp_turretopen(1)) == 0; }, 20)) << "a turret on its way holds the spindle";
+    ASSERT_TRUE(waitFor([&] { return page.spindleBlock().startsWith("G97 S"); }, 20)) << page.spindleBlock().toStdString();
+    const QString name = "Spindle " + page.spindleBlock().mid(4);
+    hand.soft(name);
+    QTest::qWait(300);
+    EXPECT_LT(std::abs(live().status().spindles[0].speed), 1) << "one press must not turn it";
+    hand.soft(name);
+    ASSERT_TRUE(waitFor([&] { return std::abs(live().status().spindles[0].speed) > 100; }, 20));
+    ASSERT_TRUE(waitFor([&] { return page.spindleBlock() == "M5" && state(1) != ChannelState::Running; }, 20));
+    hand.soft("Spindle stop");
+    EXPECT_TRUE(waitFor([&] { return std::abs(live().status().spindles[0].speed) < 1; }, 20));
+}
+
 TEST_F(PageTasks, TheWheelTurnsAnAxisByKeysByTouchAndByTheDial) {
     Operator hand(*window);
     hand.screen("manual");

@@ -4,7 +4,9 @@
 
 #include "hmi/machine/code_help.hpp"
 #include "hmi/screens/alarms.hpp"
+#include "hmi/screens/diagnosis.hpp"
 #include "hmi/screens/offsets.hpp"
+#include "hmi/screens/parameters.hpp"
 #include "hmi/screens/system.hpp"
 #include "tests/unit/hmi/tasks.hpp"
 
@@ -183,6 +185,103 @@ TEST(CodeHelp, FindsThePlaceOfAWord) {
         EXPECT_EQ(place.page, row.page);
         EXPECT_EQ(place.find, row.find);
     }
+}
+
+TEST_F(PanelTasks, AParameterTellsWhoChangedItAndWhatTheFileHas) {
+    Operator hand(*window);
+    hand.screen("parameters");
+    Parameters& screen = screenOf<Parameters>();
+    const auto set = [&](const QString& line) { return g_controller->run({"params", "set", line, "--instance", g_controller->name}); };
+    ASSERT_TRUE(set("N0304 A2=23000") && set("N0304 A2=23500"));
+    screen.find("N0304");
+    ASSERT_TRUE(waitFor([&] { return screen.table().rows() >= 4; }, 5));
+    hand.soft("Unlike the file");
+    ASSERT_TRUE(waitFor([&] { return screen.table().rows() == 1; }, 10)) << screen.table().rows();
+    hand.soft("History");
+    ASSERT_TRUE(waitFor([&] { return screen.changes() == 2; }, 10)) << screen.changes();
+    noWordIsShortened(*window);
+    hand.screen("parameters");
+    ASSERT_TRUE(set("N0304 A2=24000"));
+}
+
+// The bits of a parameter have the room of the keys until somebody types a number.
+TEST_F(PanelTasks, BitsShowAllOfTheirMeanings) {
+    Operator hand(*window);
+    hand.screen("parameters");
+    for (const Tongue tongue : kTongues) {
+        window->setTongue(tongue);
+        window->showScreen(5);
+        Parameters& now = screenOf<Parameters>();
+        now.find("N0106");
+        QTest::qWait(60);
+        EXPECT_FALSE(now.pad().isVisible());
+        EXPECT_GT(now.detail().height(), now.height() * 0.8);
+        QTest::keyClick(window.get(), Qt::Key_5);
+        QTest::qWait(60);
+        EXPECT_TRUE(now.pad().isVisible()) << "a typed number is seen";
+        now.pad().clear();
+    }
+    window->setTongue(Tongue::English);
+}
+
+// A word of the language shown finds a parameter, and so does the English one of a builder's document.
+TEST_F(PanelTasks, SearchUnderstandsTheLanguageShownAndEnglish) {
+    for (const auto& [tongue, word] : {std::pair{Tongue::Czech, "rychloposuv"}, {Tongue::Russian, "ускорен"}, {Tongue::Hungarian, "gyorsjárat"}}) {
+        window->setTongue(tongue);
+        window->showScreen(5);
+        Parameters& screen = screenOf<Parameters>();
+        for (const char* searched : {word, "in rapid moves", "N0304"}) {
+            screen.find(searched);
+            EXPECT_TRUE(waitFor([&] { return screen.table().rows() > 0; }, 5)) << searched;
+        }
+        window->showScreen(8);
+        Diagnosis& diagnosis = screenOf<Diagnosis>();
+        diagnosis.turnTo(0);
+        diagnosis.find("the axis is in position");
+        EXPECT_GE(diagnosis.table().rows(), 2) << "in English";
+    }
+    window->setTongue(Tongue::English);
+}
+
+TEST_F(PanelTasks, TheRelativeCounterGoesIntoAnOffset) {
+    Operator hand(*window);
+    hand.screen("offsets");
+    Offsets& offsets = screenOf<Offsets>();
+    offsets.table().choose(7, 1);
+    hand.soft("Relative zero");
+    QTest::qWait(300);
+    ASSERT_TRUE(g_controller->press("mode L1=jog"));
+    const double from = live().status().axes[0].cmd;
+    ASSERT_TRUE(g_controller->press("jog A1+ 0.4s"));
+    ASSERT_TRUE(waitFor([&] { return std::abs(live().status().axes[0].cmd - from) > 0.2 && !(live().status().axes[0].flags & kMoving); }, 20));
+    const double way = 2 * (live().status().axes[0].cmd - from);   // the table has diameters
+    const double before = live().store(1).offsets[8].geometry[0];
+    hand.soft("Relative input");
+    QTest::qWait(200);
+    EXPECT_EQ(live().store(1).offsets[8].geometry[0], before) << "one press writes nothing";
+    hand.soft("Relative input");
+    EXPECT_TRUE(waitFor([&] { return std::abs(live().store(1).offsets[8].geometry[0] - way) < 0.05; }, 10)) << live().store(1).offsets[8].geometry[0] << " " << way;
+    hand.soft("Undo");
+    EXPECT_TRUE(waitFor([&] { return std::abs(live().store(1).offsets[8].geometry[0] - before) < 1e-9; }, 10));
+    ASSERT_TRUE(g_controller->press("mode L1=auto"));
+}
+
+// Parts wanted are N2308; N2305 is the M code that counts them.
+TEST_F(PanelTasks, CountersShowWhatTheySay) {
+    ASSERT_TRUE(g_controller->run({"params", "set", "N2308 L1=77", "--instance", g_controller->name}));
+    Operator hand(*window);
+    hand.screen("diagnosis");
+    Diagnosis& diagnosis = screenOf<Diagnosis>();
+    diagnosis.turnTo(4);
+    ASSERT_TRUE(waitFor([&] { return params::get(live().table(), params::n2308_no_of_parts_reqrd, 1) == 77; }, 10));
+    bool found = false;
+    for (int row = 0; row < diagnosis.table().rows(); ++row) {
+        const QString title = diagnosis.table().cell(row, 0).text, value = diagnosis.table().cell(row, 2).text;
+        EXPECT_FALSE(value.contains("ms") || value.contains("M code") || value.contains("count")) << title.toStdString() << ": " << value.toStdString();
+        found = found || (title == "Parts wanted" && value == "77");
+    }
+    EXPECT_TRUE(found);
+    ASSERT_TRUE(g_controller->run({"params", "set", "N2308 L1=0", "--instance", g_controller->name}));
 }
 
 }  // namespace
