@@ -107,8 +107,8 @@ std::vector<Element> raw_pieces(const Contour& contour, double distance, int sid
     return out;
 }
 
-// Ways (mm) at which the pieces cross others.
-std::vector<std::vector<double>> crossings_of(const std::vector<Element>& pieces) {
+// Ways (mm) at which the pieces cross others, or come nearer to one of the ends of the contour than the distance.
+std::vector<std::vector<double>> crossings_of(const std::vector<Element>& pieces, Vec first, Vec last, double distance) {
     std::vector<std::vector<double>> cuts(pieces.size());
     std::vector<comp::Element> plain;
     plain.reserve(pieces.size());
@@ -123,6 +123,15 @@ std::vector<std::vector<double>> crossings_of(const std::vector<Element>& pieces
                 cuts[i].push_back(u);
                 cuts[j].push_back(v);
             }
+        }
+    }
+    for (const Vec end : {first, last}) {
+        const Vec begin = end + Vec{distance, 0.0};
+        const comp::Element around = comp::arc(begin, begin, end, 2 * std::numbers::pi);
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            const comp::Crossings found = comp::crossings(plain[i], around);
+            for (int k = 0; k < found.count; ++k)
+                if (const double u = way(i, found.at[k]); u >= 0 && u <= length_of(pieces[i])) cuts[i].push_back(u);
         }
     }
     for (auto& list : cuts) std::ranges::sort(list);
@@ -149,7 +158,7 @@ Contour equidistant(const Contour& contour, double distance, int side) {
     Contour out = contour;
     out.elements.clear();
     const std::vector<Element> pieces = raw_pieces(contour, distance, side);
-    const auto cuts = crossings_of(pieces);
+    const auto cuts = crossings_of(pieces, vec(contour.first), vec(contour.end()), distance);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const double whole = length_of(pieces[i]);
         double from = 0.0;
@@ -188,7 +197,8 @@ Contour translated(const Contour& contour, Point by) {
 
 Contour without_end_beyond(const Contour& contour, bool in_x, double sign, double most) {
     Contour out = contour;
-    const auto beyond = [&](Point p) { return sign * (in_x ? p.x : p.z) > most + kSame; };
+    const auto over = [&](Point p) { return sign * (in_x ? p.x : p.z) - most; };
+    const auto beyond = [&](Point p) { return over(p) > kSame; };
     while (!out.elements.empty() && beyond(out.elements.back().to)) {
         const Element last = out.elements.back();
         out.elements.pop_back();
@@ -196,7 +206,7 @@ Contour without_end_beyond(const Contour& contour, bool in_x, double sign, doubl
         double low = 0.0, high = length_of(last);   // the way at which it comes to the bound
         for (int k = 0; k < 60; ++k) {
             const double middle = (low + high) / 2;
-            (beyond(point(at_way(last, middle))) ? high : low) = middle;
+            (over(point(at_way(last, middle))) > 0 ? high : low) = middle;
         }
         if (low > kSame) out.elements.push_back(between(last, 0.0, low));
         break;
@@ -204,9 +214,13 @@ Contour without_end_beyond(const Contour& contour, bool in_x, double sign, doubl
     return out;
 }
 
-int side_towards(const Contour& contour, Point p) {
+int side_towards(const Contour& contour, Point p, bool infeed_in_x) {
+    const Point first = contour.first, end = contour.end();
+    const double way = infeed_in_x ? end.z - first.z : first.x - end.x;   // left of +Z is +X, left of -X is +Z
+    const bool above = infeed_in_x ? p.x >= first.x : p.z >= first.z;
+    if (std::fabs(way) > kSame) return (way > 0) == above ? 1 : -1;
     const auto cross = [p](Point a, Point b) { return (b.z - a.z) * (p.x - a.x) - (b.x - a.x) * (p.z - a.z); };
-    double sum = cross(contour.first, contour.end());
+    double sum = cross(first, end);
     if (std::fabs(sum) < 1e-7 && !contour.elements.empty()) sum = cross(contour.elements.front().from, contour.elements.front().to);
     return sum > 0 ? 1 : -1;
 }

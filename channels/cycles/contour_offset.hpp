@@ -10,7 +10,8 @@ Contour equidistant(const Contour& contour, double distance, int side);
 Contour translated(const Contour& contour, Point by);
 // Without what lies, from the end backwards, beyond `most` (sign * X or Z); perhaps no elements are left.
 Contour without_end_beyond(const Contour& contour, bool in_x, double sign, double most);
-// On which side of the contour's way a point beside it lies: that of its chord, or of its first element.
-int side_towards(const Contour& contour, Point point);
+// On which side of the contour's way the tool works that comes from a point: the infeed is along X (else along Z), and the
+// contour's way across it tells left from right; a point that is far aside says nothing about its own side of the chord.
+int side_towards(const Contour& contour, Point point, bool infeed_in_x);
 
 }  // namespace polyturn::channels::cycles

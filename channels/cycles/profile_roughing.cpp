@@ -33,7 +33,7 @@ public:
         core.end_cycle();
         core.path.feed = feed;
         core.path.exact_stop_mode = square;
-        if (nose && !core.compensation(side_towards(part, call) > 0 ? CompSide::Left : CompSide::Right)) return false;
+        if (nose && !core.compensation(side_towards(part, call, x_first) > 0 ? CompSide::Left : CompSide::Right)) return false;
         const Point beside = x_first ? Point{call.z, part.first.x} : Point{part.first.z, call.x};
         bool good = moves_->rapid(beside) && moves_->linear(part.first) && elements(part);
         if (good && nose) good = core.compensation_off(0.0, 0.0);

@@ -193,15 +193,18 @@ bool Interpreter::g_profile(const GCode& row) {
     } else {
         const bool facing = row.number == 69;
         // Outside the part, farther away than the allowances.
-        double x = -1e12, z = -1e12;
+        Point least = part.first, most = part.first;
         const double sx = call.x >= part.first.x ? 1.0 : -1.0, sz = call.z >= part.first.z ? 1.0 : -1.0;
-        const auto look = [&](Point p) { x = std::fmax(x, sx * p.x), z = std::fmax(z, sz * p.z); };
-        look(part.first);
-        for (const cycles::Element& e : part.elements) look(e.to);
-        const bool x_clear = sx * call.x >= (facing ? sx * part.first.x : x) + (facing ? 0.0 : l) - 1e-6;
-        const bool z_clear = sz * call.z >= (facing ? z + m : sz * part.first.z) - 1e-6;
-        if (!x_clear || !z_clear) return core_.fail(Alarm::FagorCyclePosition, 'G', std::string(cycle_name(row.number)));
-        const int side = cycles::side_towards(part, call);
+        for (const cycles::Element& e : part.elements) {
+            least = {std::fmin(least.z, e.to.z), std::fmin(least.x, e.to.x)};
+            most = {std::fmax(most.z, e.to.z), std::fmax(most.x, e.to.x)};
+        }
+        // Along the infeed on the side of the call point, along the passes on either side of the profile.
+        const double x_above = call.x - most.x, x_below = least.x - call.x, z_above = call.z - most.z, z_below = least.z - call.z;
+        const double x_room = facing ? std::fmax(x_above, x_below) : sx > 0 ? x_above : x_below;
+        const double z_room = !facing ? std::fmax(z_above, z_below) : sz > 0 ? z_above : z_below;
+        if (x_room < l - 1e-6 || z_room < m - 1e-6) return core_.fail(Alarm::FagorCyclePosition, 'G', std::string(cycle_name(row.number)));
+        const int side = cycles::side_towards(part, call, !facing);
         Contour allowed = part;
         if (has('M')) allowed = cycles::translated(part, {sz * m, sx * l});
         else if (l > 0) allowed = cycles::equidistant(part, l, side);
@@ -254,7 +257,7 @@ bool Interpreter::repeat_passes(const Contour& part, Point call, double l, doubl
     cycle.finishing_feed = finishing;
     cycle.finishing_square = square;
     cycle.arc_tolerance = settings_.arc_tolerance;
-    const int side = cycles::side_towards(part, call);
+    const int side = cycles::side_towards(part, call, along_x);
     // An arc or a slope at the end is not cut beyond the largest coordinate that is programmed (9.1.1).
     const cycles::Element& last = part.elements.back();
     const bool oblique_end = last.form != cycles::Element::Form::Line || (std::fabs(last.to.z - last.from.z) > 1e-6 && std::fabs(last.to.x - last.from.x) > 1e-6);

@@ -113,6 +113,9 @@ TEST(FagorBlock, RefusesByName) {
         {"X100000", Alarm::DigitsTooMany, "\"line\":1"},                                                       // [3.3] 5.4
         {"XP2000", Alarm::FagorMakerParameter, "\"column\":2"},                                                // [part 2, 11.2.1]
         {"G68 X20 Z0 C2 S1 E2 Q123456", Alarm::SubprogramMissing, "P123456"},                                   // [part 2, 9.0.3] six digits
+        {"G152\nG00 X50 Z-5\nG68 X20 Z0 C2 S1 E2\nM30\nN1 G01 Z-10\nN2 X30 Z-20", Alarm::FagorCyclePosition, "\"line\":3"},       // [part 2, 9.2]
+        {"G152\nG00 X50 Z0.2\nG68 X20 Z0 C2 M0.3 S1 E2\nM30\nN1 G01 Z-10\nN2 X30 Z-20", Alarm::FagorCyclePosition, "\"line\":3"},
+        {"G152\nG00 X20 Z5\nG69 X30 Z-10 C2 S1 E2\nM30\nN1 G01 X20\nN2 X10 Z0", Alarm::FagorCyclePosition, "\"line\":3"},          // [part 2, 9.3]
         {"G152\nG00 X10 Z10\nG20 K1 X0 Z0\nG21 K1 X5 Z5\nG22 K1 S1\nX1 Z1", Alarm::FagorZoneEntered, "\"line\":6"},
     };
     for (const Refusal& row : rows) {
