@@ -202,11 +202,16 @@ void Compensator::contour_block(const Move& m, const BlockContext& at) {
         }
         constexpr double kHalfTurn = 3.14159;
         drop_small(corner.vectors, options_.small_vector, next.arc && std::fabs(next.sweep) >= kHalfTurn);
-        if (before_ && leave_out_short(next, corner.vectors, m, at)) return;
-        if (failed_ || (before_ && !release_before())) return;
-        if (too_short(next, corner)) {
-            before_ = {block_, corner.vectors, {}};
-            before_->trailing.append(trailing_);
+        Vec gap;
+        unsigned left_out = 0;
+        if (!before_.empty() && !leave_out_short(next, corner, gap, left_out)) return;
+        if (first_) {   // the way in ends on an element farther on
+            hold(m, at, Role::Contour);
+            return;
+        }
+        if (waits(next, corner)) {
+            before_.push_back({block_, corner.vectors, {}, gap, left_out});
+            before_.back().trailing.append(trailing_);
             hold(m, at, Role::Contour);
             block_.slow_begin = slow;
             return;
@@ -215,6 +220,7 @@ void Compensator::contour_block(const Move& m, const BlockContext& at) {
         const bool done = finish(corner.vectors);
         touches_.reset();
         if (!done) return;
+        follow(gap);
     }
     if (constant_) {
         constant_ = false;
@@ -239,11 +245,15 @@ void Compensator::cancel_block(const Move& m, const BlockContext& at) {
         if (!failed_) fail(Alarm::CompArcStartEnd, true, at);
         return;
     }
-    if (held_ && before_ && options_.short_last != ShortLast::None) {
-        if (!leave_short_last(m, at)) return;
-        wish_set_ = repeated_ = false;
-        state_ = State::Off;
-        return;
+    if (held_ && !before_.empty() && options_.short_last != ShortLast::None) {
+        bool done = false;
+        if (!leave_short_last(m, done)) return;
+        if (done) {
+            straight_to_programmed(m, at);
+            wish_set_ = repeated_ = false;
+            state_ = State::Off;
+            return;
+        }
     }
     if (held_) {
         CornerResult corner;
@@ -301,6 +311,7 @@ void Compensator::settle() {
         state_ = State::Armed;
         return;
     }
+    if (held_ && first_ && !failed_) fail(Alarm::CompNoOffsetMeeting, false, block_.at);
     if (held_ && !failed_) finish(Vectors::one(block_.element.nose * block_.element.normal_at_end()));
 }
 
@@ -348,7 +359,8 @@ bool Compensator::fail(Alarm alarm, bool this_block, const BlockContext& at) {
     fault_ = {alarm, this_block, at};
     failed_ = true;
     held_ = false;
-    before_.reset();
+    before_.clear();
+    first_.reset();
     trailing_.clear();
     look_back_.let_out();
     return false;
@@ -376,6 +388,8 @@ void Compensator::alarm(const Diagnosis& diagnosis, const BlockContext& at) {
         if (!halted_) ready_.pass_on_before_halt(*out_);
         failed_ = true;
         held_ = false;
+        before_.clear();
+        first_.reset();
         trailing_.clear();
     }
     ready_.clear();

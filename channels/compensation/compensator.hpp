@@ -16,6 +16,7 @@
 //   I4  closed(): nothing is held and no vector is left, the compensator may be taken out of the way.
 #pragma once
 #include <optional>
+#include <vector>
 
 #include "channels/compensation/corner.hpp"
 #include "channels/compensation/held_calls.hpp"
@@ -109,11 +110,13 @@ private:
         bool slow_begin = false, slow_end = false;   // at an inner corner that asks for less feed
     };
 
-    // The element before a held one that is too short: it is not known yet where it ends.
+    // An element before a held one that may be too short: it is not known yet where it ends, nor which one follows it.
     struct Before {
         Held held;
-        Vectors end;
+        Vectors end;          // seen from its own programmed end, as it looks now
         HeldCalls trailing;
+        Vec gap;              // from its programmed end to the start of what follows it now: what was left out
+        unsigned left_out;    // so many elements
     };
 
     HeldCalls& queue() { return held_ ? trailing_ : ready_; }
@@ -125,23 +128,28 @@ private:
     void hold(const Move& m, const BlockContext& at, Role role);
     void contour_block(const Move& m, const BlockContext& at);
     void cancel_block(const Move& m, const BlockContext& at);
-    void shift(Move& m) const;
+    void shift(Move& m) const { shift(m, displacement_); }
+    void shift(Move& m, Vec by) const;
     void add_nose(Move& m, Vec by) const { m.nose[p_] = by.p, m.nose[q_] = by.q; }
     void straight_to_programmed(const Move& m, const BlockContext& at);
     bool finish(Vectors end);
     void finish_at_programmed();
     bool held_rapid() const { return held_ && block_.role == Role::Begin && block_.move.kind == MoveKind::Rapid; }
     Vectors before_rapid() const;
+    // short_elements.cpp
     bool release_before();
-    bool too_short(const Element& next, const CornerResult& corner) const;
-    bool slow_corner(const Held& a, const Move& next_move, const Element& next) const;
-    bool leave_short_last(const Move& m, const BlockContext& at);
-    bool leave_out_short(const Element& next, const Vectors& corner, const Move& m, const BlockContext& at);
+    bool may_be_short(const Element& next) const;
+    bool waits(const Element& next, const CornerResult& corner) const;
+    bool leave_out_short(const Element& next, CornerResult& corner, Vec& gap, unsigned& left_out);
+    bool begin_beyond_short(const Element& next, CornerResult& corner, Vec& gap);
+    bool leave_short_last(const Move& m, bool& left);
     void drop_held();
+    void follow(Vec gap);
+    bool slow_corner(const Held& a, const Move& next_move, const Element& next) const;
     void leave_in_place();
     bool fail(Alarm alarm, bool this_block, const BlockContext& at);
     // one move in the plane from here_ to `to`
-    void go(const Held& b, Vec to, bool by_arc, Vec about);
+    void go(const Held& b, Vec to, bool by_arc, Vec about, double overshoot = 0.0);
     void go_element(const Held& b, Vec to, bool as_line);
     // the straight move m becomes a polynomial that touches the contour where it begins (entering) or ends
     void touch(Move& m, Vec dir, double curvature, bool entering) const;
@@ -156,7 +164,8 @@ private:
     State state_ = State::Off;
     bool held_ = false, halted_ = false, failed_ = false;
     Held block_;                // when held_
-    std::optional<Before> before_;
+    std::vector<Before> before_;          // in succession, the newest last; block_ follows them
+    std::optional<Element> first_;        // of the contour, left out: the way in ends where an element meets what lengthens this one
     bool constant_ = false;     // the last moves were only shifted
     Vectors start_ = Vectors::one({});   // where the next (or the held) block begins; at[0] has been reached
     HeldCalls trailing_, ready_;

@@ -8,6 +8,7 @@ namespace {
 constexpr double kTangent = 1e-9;            // sine of the turn below which two elements go on straight
 constexpr double kRightAngle = 1e-9;         // cosine: 90 degrees counts as obtuse
 constexpr double kOneDegree = std::numbers::pi / 180.0;
+constexpr double kSharpest = 0.995;          // of the overshoot that a conic can make
 
 Vec first_normal(const Element& a) { return a.nose * a.normal_at_end(); }
 Vec second_normal(const Element& b) { return b.nose * b.normal_at_start(); }
@@ -35,8 +36,15 @@ double opening_deg(const Element& a, const Element& b) {
 void add_outer(Vectors& list, const Element& a, const Element& b, Turn turn, const Options& options) {
     if (options.corner == Corner::Arc || (options.arc_below_deg > 0 && opening_deg(a, b) < options.arc_below_deg) ||
         (options.corner == Corner::Intersection && opening_deg(a, b) < options.intersection_from_deg)) {
+        // Where the contour opens by more than 120 degrees the arc hardly leaves it (sinumerik_part2 11.3).
+        const double over = options.corner == Corner::Arc && turn != Turn::Reversal && opening_deg(a, b) <= 120.0 + 1e-9 ? options.overshoot : 0.0;
+        if (over >= 1.0) {
+            if (const auto v = meeting_point(a, b)) list.add(*v);
+            else add_outer_tangents(list, a, b);
+            return;
+        }
         list.add(first_normal(a));
-        list.add(second_normal(b), true);
+        list.add(second_normal(b), true, std::fmin(over, kSharpest));
     } else if (turn == Turn::Obtuse || (options.corner == Corner::Intersection && turn != Turn::Reversal)) {
         // Where sharper corners get an arc, the others are joined by straight lines only: arcs are lengthened along their tangents
         // (fagor_8037t part 1, 8.2.5, COMPMODE 0).
@@ -140,7 +148,8 @@ CornerResult offset_corner(const Element& a, const Element& next, const Options&
         add_outer(list, a, b, turn, options);
         return result;
     }
-    if (const auto v = meeting_point(a, b)) list.add(*v);
+    if (const auto v = closed_meeting_point(a, b, options.closed_meets_at_start)) list.add(*v);
+    else if (const auto near = meeting_point(a, b)) list.add(*near);
     else result.fault = CornerFault::NoIntersection;
     return result;
 }
@@ -187,6 +196,7 @@ void drop_small(Vectors& list, double limit, bool keep_last) {
             continue;
         }
         list.at[kept] = list.at[i];
+        list.overshoot[kept] = list.overshoot[i];
         list.by_arc[kept++] = list.by_arc[i];
     }
     list.count = kept;

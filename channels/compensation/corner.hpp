@@ -20,10 +20,12 @@ namespace polyturn::channels::compensation {
 struct Vectors {
     std::array<Vec, 5> at{};
     std::array<bool, 5> by_arc{};   // reached by an arc about the corner
+    std::array<double, 5> overshoot{};   // or by a conic: this share of the way from the arc to the intersection (conic.hpp)
     unsigned count = 0;
     unsigned of_first = 1;          // so many belong to a: a single block stop comes behind them
-    void add(Vec v, bool arc = false) {
+    void add(Vec v, bool arc = false, double over = 0.0) {
         at[count] = v;
+        overshoot[count] = over;
         by_arc[count++] = arc;
     }
     static Vectors one(Vec v) {

@@ -99,6 +99,17 @@ Crossings crossings(const Element& a, const Element& b) {
     return {{points.at[0], points.at[1]}, points.count};
 }
 
+std::optional<Vec> closed_meeting_point(const Element& a, const Element& b, bool at_start) {
+    const double gap = length(b.end - a.start);
+    if ((!a.arc && !b.arc) || gap >= 0.1 * a.nose || gap > 1.0) return std::nullopt;   // 1 mm: 1000 steps of the path
+    const Crossings points = crossings(a, b);
+    std::optional<Vec> found;
+    for (int i = 0; i < points.count; ++i)
+        if (on_nose_path(a, points.at[i]) && on_nose_path(b, points.at[i]) && (!found || (way_to(a, points.at[i]) < way_to(a, *found)) == at_start)) found = points.at[i];
+    if (!found) return std::nullopt;
+    return *found - a.end;
+}
+
 double way_to(const Element& e, Vec point) {
     if (!e.arc) return dot(point - e.start, e.start_dir);
     const Vec from = e.start - e.centre, to = point - e.centre;

@@ -46,6 +46,10 @@ Element arc(Vec start, Vec end, Vec centre, double sweep);
 // that along b, both taken without ends; nothing where they do not meet.
 std::optional<Vec> meeting_point(const Element& a, const Element& b);
 
+// The end of b lies where a begins, nearly: of the two points that the paths inside have in common, the one that the nose comes
+// to first (at_start) or last along a (sinumerik_part2 11.1, closed contours). Nothing where the contour is not such a one.
+std::optional<Vec> closed_meeting_point(const Element& a, const Element& b, bool at_start);
+
 // Where the nose centre's paths along two elements meet that need not be neighbours: points of the plane, both taken
 // without ends. on_nose_path: does the nose centre really pass the point between the normals at both ends of the element?
 struct Crossings {

@@ -39,7 +39,7 @@ Verdict check_element(const Element& e, Vectors& at_start, Vectors& at_end, Chec
     if (!dropped) return Verdict::Clean;
     at_start.count = last;
     Vectors rest;
-    for (unsigned i = first; i < at_end.count; ++i) rest.add(at_end.at[i], i > first && at_end.by_arc[i]);
+    for (unsigned i = first; i < at_end.count; ++i) rest.add(at_end.at[i], i > first && at_end.by_arc[i], at_end.overshoot[i]);
     at_end = rest;
     return Verdict::Corrected;
 }

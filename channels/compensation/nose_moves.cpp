@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "channels/compensation/compensator.hpp"
+#include "channels/compensation/conic.hpp"
 #include "channels/compensation/interference.hpp"
 
 namespace polyturn::channels::compensation {
@@ -23,18 +24,18 @@ void Compensator::deliver(const Move& m, const BlockContext& at) {
     pump();
 }
 
-void Compensator::shift(Move& m) const {
-    m.machine_start[p_] += displacement_.p, m.machine_start[q_] += displacement_.q;
-    m.machine[p_] += displacement_.p, m.machine[q_] += displacement_.q;
-    m.pos[p_] += displacement_.p, m.pos[q_] += displacement_.q;
-    add_nose(m, displacement_);
-    m.centre_p += displacement_.p, m.centre_q += displacement_.q;
-    m.pos_centre_p += displacement_.p, m.pos_centre_q += displacement_.q;
+void Compensator::shift(Move& m, Vec by) const {
+    m.machine_start[p_] += by.p, m.machine_start[q_] += by.q;
+    m.machine[p_] += by.p, m.machine[q_] += by.q;
+    m.pos[p_] += by.p, m.pos[q_] += by.q;
+    m.nose[p_] += by.p, m.nose[q_] += by.q;   // calls of an element that was left out are shifted twice
+    m.centre_p += by.p, m.centre_q += by.q;
+    m.pos_centre_p += by.p, m.pos_centre_q += by.q;
 }
 
 // The held block from its first remaining start vector to its first end vector; further end vectors stay for the next one.
 bool Compensator::finish(Vectors end) {
-    if (before_ && !release_before()) return false;
+    if (!release_before()) return false;
     Held& b = block_;
     Verdict verdict = Verdict::Clean;
     if (b.role == Role::Contour) verdict = check_element(b.element, start_, end, options_.check);
@@ -48,7 +49,7 @@ bool Compensator::finish(Vectors end) {
     if (looks_back)
         if (const auto fault = look_back_.end_block()) return fail(Alarm::CompInterference, false, *fault);
     Vectors rest;
-    for (unsigned i = end.of_first - 1; i < end.count; ++i) rest.add(end.at[i], end.by_arc[i]);
+    for (unsigned i = end.of_first - 1; i < end.count; ++i) rest.add(end.at[i], end.by_arc[i], end.overshoot[i]);
     start_ = rest;
     displacement_ = here_ - b.element.end;
     held_ = false;
@@ -59,118 +60,9 @@ bool Compensator::finish(Vectors end) {
     return true;
 }
 
-bool Compensator::release_before() {
-    const Held next = block_;
-    HeldCalls later;
-    later.append(trailing_);
-    block_ = before_->held;
-    trailing_.append(before_->trailing);
-    const Vectors end = before_->end;
-    before_.reset();
-    if (!finish(end)) return false;
-    block_ = next;
-    held_ = true;
-    trailing_.append(later);
-    return true;
-}
-
-// Begun at the corner and ended at its own normal, the next element would be driven backwards: it is shorter than the nose
-// needs there. Whether that matters the block behind it tells. The first element of the contour may be too short as well,
-// for the corner behind it: then the way in waits for that (sinumerik_part2 11.4.2, 11.5).
-bool Compensator::too_short(const Element& next, const CornerResult& corner) const {
-    if (!options_.looks_back || before_ || next.arc) return false;
-    if (block_.role == Role::Begin) return options_.short_last != ShortLast::None && corner.vectors.count == 1;
-    if (block_.role != Role::Contour || corner.vectors.count != 1) return false;
-    return interferes(next, corner.vectors.at[0], next.nose * next.normal_at_end());
-}
-
-// The held element is not driven: the nose stands where the one before it ends.
-void Compensator::drop_held() {
-    displacement_ = here_ - block_.element.end;
-    start_ = Vectors::one(displacement_ - block_.tip);
-    held_ = false;
-    ready_.append(trailing_);
-    pump();
-}
-
-namespace {
-
-// The point of `on` that the nose passes first (last) of those where it meets `other` between its normals.
-std::optional<Vec> meets_on(const Element& on, const Element& other, bool within_other, bool last) {
-    const Crossings points = crossings(on, other);
-    std::optional<Vec> found;
-    for (int i = 0; i < points.count; ++i) {
-        const Vec p = points.at[i];
-        if (!on_nose_path(on, p) || (within_other && !on_nose_path(other, p))) continue;
-        if (!found || (way_to(on, p) > way_to(on, *found)) == last) found = p;
-    }
-    return found;
-}
-
-// The circle of the nose's centre about a programmed point.
-Element circle_about(Vec centre, double radius) {
-    const Vec at = centre + Vec{radius, 0};
-    Element e = arc(at, at, centre, kTurn);
-    e.nose = 0;
-    return e;
-}
-
-}  // namespace
-
-// The last element is left out: the one before it ends where it meets the last one's lengthened equidistant, or the circle
-// about the last programmed point, and from there it goes straight out.
-bool Compensator::leave_short_last(const Move& m, const BlockContext& at) {
-    const Element& a = before_->held.element;
-    if (options_.short_last == ShortLast::Circle) {
-        const auto point = meets_on(a, circle_about(block_.element.end, block_.element.nose), false, false);
-        if (!point) return fail(Alarm::CompNoOffsetMeeting, false, block_.at);
-        before_->end = Vectors::one(*point - a.end);
-    } else if (!on_nose_path(a, a.end + before_->end.at[before_->end.count - 1])) {
-        return fail(Alarm::CompNoOffsetMeeting, false, block_.at);
-    }
-    if (!release_before()) return false;
-    drop_held();
-    straight_to_programmed(m, at);
-    return true;
-}
-
-// The held element cannot be driven forwards between what stands before and behind it: it is left out. The one before it ends
-// where it meets the nose's path behind, an arc about the corner or the next element; the way in ends on the next element, as
-// the way out does mirrored.
-bool Compensator::leave_out_short(const Element& next, const Vectors& corner, const Move& m, const BlockContext& at) {
-    const Element& s = block_.element;
-    const bool way_in = before_->held.role == Role::Begin;
-    if (!interferes(s, before_->end.at[before_->end.count - 1], corner.at[0])) return false;
-    const bool round = corner.count > 1 && corner.by_arc[1];
-    Vec end = before_->held.element.end;
-    std::optional<Vec> point;
-    if (way_in) {
-        if (options_.short_last == ShortLast::Circle) point = meets_on(next, circle_about(s.start, s.nose), false, true);
-        else point = meets_on(next, s, false, true);
-        if (!point) {
-            fail(Alarm::CompNoOffsetMeeting, false, block_.at);
-            return false;
-        }
-    } else if (round) {
-        const Vec from = corner.at[0], to = corner.at[1];
-        Element way = arc(s.end + from, s.end + to, s.end, std::atan2(cross(from, to), dot(from, to)));
-        way.nose = 0;
-        point = meets_on(before_->held.element, way, true, false);
-    } else if (corner.count == 1) {
-        point = meets_on(before_->held.element, next, true, false);
-    }
-    if (!point) return false;   // judged as any other element
-    before_->end = Vectors::one(*point - end);
-    if (!release_before()) return true;
-    drop_held();
-    if (round) start_.add(corner.at[1], true);
-    hold(m, at, Role::Contour);
-    return true;
-}
-
 // The held block ends without a vector, straight, whatever it was.
 void Compensator::finish_at_programmed() {
-    if (before_ && !release_before()) return;
+    if (!release_before()) return;
     Held& b = block_;
     here_ = b.element.start + displacement_;
     if (b.role == Role::Contour) go_corner(b, start_, 1, start_.count, b.element.start, b.tip);
@@ -201,11 +93,11 @@ void Compensator::straight_to_programmed(const Move& m, const BlockContext& at) 
 }
 
 void Compensator::go_corner(const Held& b, const Vectors& vectors, unsigned from, unsigned to, Vec corner, Vec tip) {
-    for (unsigned i = from; i < to; ++i) go(b, corner + vectors.at[i] + tip, vectors.by_arc[i], corner + tip);
+    for (unsigned i = from; i < to; ++i) go(b, corner + vectors.at[i] + tip, vectors.by_arc[i], corner + tip, vectors.overshoot[i]);
 }
 
 // A connecting move at a corner: with the feed of block b, other axes stand.
-void Compensator::go(const Held& b, Vec to, bool by_arc, Vec about) {
+void Compensator::go(const Held& b, Vec to, bool by_arc, Vec about, double overshoot) {
     if (length(to - here_) < kStands) return;
     Move m = b.move;
     for (std::size_t i = 0; i < m.pos.size(); ++i) {
@@ -225,7 +117,16 @@ void Compensator::go(const Held& b, Vec to, bool by_arc, Vec about) {
     if (m.kind != MoveKind::Rapid && m.kind != MoveKind::Reference) m.kind = MoveKind::Linear;
     m.sweep = 0;
     m.turns = 0;
-    if (by_arc) {
+    m.through.reset();
+    if (by_arc && overshoot > 0) {
+        auto through = std::make_shared<std::vector<AxisValues>>();
+        for (const Vec point : conic_about(here_, to, about, overshoot)) {
+            AxisValues axes = m.machine_start;
+            axes[p_] = point.p, axes[q_] = point.q;
+            through->push_back(axes);
+        }
+        m.through = std::move(through);
+    } else if (by_arc) {
         const Vec a = here_ - about, c = to - about;
         m.sweep = std::atan2(cross(a, c), dot(a, c));
         m.kind = m.sweep > 0 ? MoveKind::ArcCcw : MoveKind::ArcCw;

@@ -39,11 +39,13 @@ inline constexpr TipTable kTips = {{{0, 0}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}, 
 // fagor_8037t part 1, 8.2.1: odd codes touch two sides, even ones one side.
 inline constexpr TipTable kTipsAround = {{{0, 0}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {0, 0}}};
 
-// The block before the one that ends compensation is shorter than the nose needs in an inner corner.
+// The block before the one that ends compensation is shorter than the nose needs in an inner corner: an element before it
+// ends where it meets ... The beginning is the mirror image.
 enum class ShortLast : std::uint8_t {
     None,     // judged as any other element
-    Circle,   // the element before ends where it meets the circle about the last programmed point: sinumerik G461
-    Line,     // or where it meets the last element, lengthened: sinumerik G462
+    WayOut,   // ... the way out: sinumerik G460
+    Circle,   // ... the circle about the last programmed point: sinumerik G461
+    Line,     // ... the last element, lengthened: sinumerik G462
 };
 
 // Which speed of an arc the feed is: that of the nose's centre, or that of the point where it cuts.
@@ -65,10 +67,14 @@ struct Options {
     Entry entry = Entry::Around;
     bool leaves_direct = false;             // ends Direct at outer corners too, however it begins
     Corner corner = Corner::Extended;
+    double overshoot = 0.0;                 // Corner::Arc: 0 the arc, 1 the intersection, a conic between them: sinumerik DISC
+    bool closed_meets_at_start = false;     // closed_meeting_point(): sinumerik SD42496
     Check check = Check::Correct;
     double intersection_from_deg = 80.0;    // Corner::Intersection
     ShortLast short_last = ShortLast::None;
-    bool looks_back = false;                // an element too short for an inner corner waits for what ShortLast makes of it
+    bool looks_back = false;                // what is too short for an inner corner is left out
+    unsigned leaves_out = 1;                // so many elements in succession at the most, the beginning and the end aside
+    bool farthest_meeting = false;          // ShortLast: of all elements before the last one, the first that it meets: sinumerik CDON
     bool constant = false;                  // the vector stays as it is: sinumerik CUTCONON
     double small_vector = 0.0;              // mm: corner vectors that close on both axes count as one
     bool resume_at_intersection = false;    // after G53, G28: straight to the next vector instead of a new beginning (CCN)

@@ -50,6 +50,8 @@ bool Interpreter::check_block() {
         if (!taken) return fail_word(Alarm::AddressIllegal, word, address.name == "axis" ? axis_name(word.axis) : std::string(address.name));
     }
     if (m + s + h + others > 10) return fail(Alarm::FunctionsTooMany, "M S H T D F");   // sinumerik_part2 14
+    if (const GCode* frame = block_.coded[kFrameGroup]; frame && block_.codes.size() > 1 && (frame->number < 9 || frame->number > 14))
+        return fail(Alarm::OwnBlockNeeded, std::string(frame->name));   // frame commands (sinumerik_part2 13.2)
     const std::size_t other = block_.words.size() + block_.codes.size();
     for (const auto& [command, call] : block_.procedures)
         if (command->own_block && (other > 0 || block_.procedures.size() > 1)) return fail(Alarm::OwnBlockNeeded, std::string(command->name));

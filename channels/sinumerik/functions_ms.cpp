@@ -65,6 +65,8 @@ bool Interpreter::spindle_words() {
                         value *= (metric_lengths() ? 1.0 : 0.3048) * 60'000.0 / (2.0 * std::numbers::pi * modal_.wheel_radius_mm[spindle]);
                     if (spindle && (modal_.wheel_speeds >> (spindle - 1) & 1u) && modal_.wheel_most_rpm[spindle] > 0)
                         value = std::fmin(value, modal_.wheel_most_rpm[spindle]);
+                    if (core_.path.spindle.mode == SpindleModeCode::Rpm && value > 0 && core_.path.spindle.spindle)   // G25 S
+                        value = std::fmax(value, params::get(core_.view().table(), params::sd43210, core_.path.spindle.spindle));
                     if (!core_.spindle_speed(value)) return false;
                 } else {
                     const auto m = static_cast<std::int64_t>(word.number());

@@ -28,6 +28,22 @@ bool Interpreter::g_units(const GCode&) { return true; }
 bool Interpreter::g_distance(const GCode&) { return true; }
 bool Interpreter::g_diameter(const GCode&) { return true; }
 
+// MD20150 takes only commands that the tables of the groups mark (sinumerik_part3 2 and 6.3); what is active as delivered stands there too.
+std::optional<Diagnosis> Interpreter::reset_value_fault() const {
+    for (unsigned group = 1; group < kGroups; ++group) {
+        const unsigned number = settings_.g_reset[group - 1];
+        const GCode* row = find_g(group, number);
+        if (number == 0 || (row && row->preset)) continue;
+        const std::string said = "MD20150[" + std::to_string(group - 1) + "]=" + std::to_string(number) + (row ? " (" + std::string(row->name) + ")" : "");
+        const bool marked = row && row->modal && group != 7 && group != 26 && group != 31 && group != 32 && group != 33 && !(group == 35 && number >= 4);
+        Diagnosis wrong;
+        wrong.alarm = !marked ? Alarm::ParamRange : Alarm::NotBuilt;
+        wrong.detail = !marked ? said : std::string(row->name);
+        if (!marked || !row->act) return wrong;
+    }
+    return std::nullopt;
+}
+
 bool Interpreter::g_plane(const GCode& code) {
     const auto plane = static_cast<Plane>(code.number - 1);
     if (core_.path.plane == plane) return true;

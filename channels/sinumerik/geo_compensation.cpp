@@ -10,10 +10,15 @@ bool Interpreter::update_compensation() {
     Options options;
     static constexpr Entry kEntries[] = {Entry::Direct, Entry::Tangent, Entry::Smooth, Entry::Curved};   // NORM KONT KONTT KONTC
     options.entry = kEntries[active(17) - 1];
-    options.corner = active(18) == 2 || modal_.geo.disc >= 100 ? Corner::Intersection : Corner::Arc;
+    options.corner = active(18) == 2 ? Corner::Intersection : Corner::Arc;
+    options.overshoot = std::fmin(modal_.geo.disc, settings_.highest_disc) / 100.0;
+    options.closed_meets_at_start = settings_.comp_closed_start;
     options.intersection_from_deg = 180.0 - settings_.corner_limit_deg;
-    options.short_last = active(48) == 2 ? ShortLast::Circle : active(48) == 3 ? ShortLast::Line : ShortLast::None;
+    static constexpr ShortLast kShortLast[] = {ShortLast::WayOut, ShortLast::Circle, ShortLast::Line};   // G460 G461 G462
+    options.short_last = kShortLast[active(48) - 1];
     options.looks_back = true;
+    options.leaves_out = settings_.comp_known_blocks > 2 ? static_cast<unsigned>(settings_.comp_known_blocks) - 2 : 0;   // 11.5: of three known blocks one
+    options.farthest_meeting = active(23) == 2;
     options.arc_feed = active(16) == 1 ? ArcFeed::Contour : active(16) == 3 ? ArcFeed::Inner : ArcFeed::Centre;
     options.small_vector = kTangentialMm;
     options.constant = active(40) == 2;

@@ -14,13 +14,19 @@ std::array<int, 3> geometry(const MachineView& view) {
     return {view.axis_by_role(PlaneRole::BasicX), view.axis_by_role(PlaneRole::BasicY), view.axis_by_role(PlaneRole::BasicZ)};
 }
 
-// X''Y'Z: about Z, then the new Y, then the new X.
-Frame turned(const Point3& degrees) {
+// X''Y'Z: about Z, then the new Y, then the new X. Euler (MD10600): about Z, then the new X, then the new Z by the angle of Y (13.2).
+Frame turned(const Point3& degrees, bool euler) {
+    if (euler) return Frame::rotation(GeoAxis::Z, degrees[2]) * Frame::rotation(GeoAxis::X, degrees[0]) * Frame::rotation(GeoAxis::Z, degrees[1]);
     return Frame::rotation(GeoAxis::Z, degrees[2]) * Frame::rotation(GeoAxis::Y, degrees[1]) * Frame::rotation(GeoAxis::X, degrees[0]);
 }
 
 // The angles of turned() of a pure rotation.
-Point3 angles_of(const std::array<Point3, 3>& m) {
+Point3 angles_of(const std::array<Point3, 3>& m, bool euler) {
+    if (euler) {   // X from 0 to 180
+        const double x = std::atan2(std::hypot(m[2][0], m[2][1]), m[2][2]);
+        if (std::hypot(m[2][0], m[2][1]) < 1e-12) return {x / kDegree, 0.0, std::atan2(m[1][0], m[0][0]) / kDegree};
+        return {x / kDegree, std::atan2(m[2][0], m[2][1]) / kDegree, std::atan2(m[0][2], -m[1][2]) / kDegree};
+    }
     const double y = std::asin(std::fmax(-1.0, std::fmin(1.0, -m[2][0])));
     if (std::fabs(m[2][0]) > 1 - 1e-12) return {std::atan2(-m[1][2], m[1][1]) / kDegree, y / kDegree, 0.0};
     return {std::atan2(m[2][1], m[2][2]) / kDegree, y / kDegree, std::atan2(m[1][0], m[0][0]) / kDegree};
@@ -41,7 +47,7 @@ Frame Interpreter::frame_of(const FrameValue& value) const {
         degrees[k] = value.rotation_deg[i];
         factor[k] = (value.scale[i] == 0 ? 1.0 : value.scale[i]) * (value.mirrored >> i & 1u ? -1.0 : 1.0);
     }
-    f = Frame::translation(shift) * turned(degrees) * Frame::scaling(factor);
+    f = Frame::translation(shift) * turned(degrees, settings_.euler_angles) * Frame::scaling(factor);
     for (unsigned i = 0; i < view.axis_count; ++i) {
         if (static_cast<int>(i) == geo[0] || static_cast<int>(i) == geo[1] || static_cast<int>(i) == geo[2]) continue;
         f.offset[i] = value.coarse_mm[i] + value.fine_mm[i];
@@ -66,7 +72,7 @@ FrameValue Interpreter::components_of(const Frame& frame, const FrameValue& like
         value.scale[i] = length;
         value.fine_mm[i] = frame.shift[k] - like.coarse_mm[i];
     }
-    const Point3 degrees = angles_of(m);
+    const Point3 degrees = angles_of(m, settings_.euler_angles);
     for (std::size_t k = 0; k < 3; ++k)
         if (geo[k] >= 0) value.rotation_deg[static_cast<std::size_t>(geo[k])] = degrees[k];
     for (unsigned i = 0; i < view.axis_count; ++i) {
@@ -181,7 +187,7 @@ bool Interpreter::geo_frame(const GCode& code) {
     if (!additive) {
         geo.exact = step;
         geo.frame = said;
-        if (kind == "ROTS") geo.frame = components_of(step, said);
+        if (kind == "ROTS" || (about && settings_.euler_angles)) geo.frame = components_of(step, said);
     } else {
         geo.frame.mirrored ^= said.mirrored;
         geo.exact = geo.exact * step;

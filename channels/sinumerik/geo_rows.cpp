@@ -99,9 +99,9 @@ constexpr GCode kCodes[] = {
     {"CUT2DFD", 22, 10, true, false, &Interpreter::geo_comp_kind},
     {"CUT3DCD", 22, 11, true, false, &Interpreter::geo_not_built},
     // group 23: Collision monitoring on inner contours
-    {"CDOF", 23, 1, true, true, &Interpreter::g_nothing},
-    {"CDON", 23, 2, true, false, &Interpreter::g_nothing},
-    {"CDOF2", 23, 3, true, false, &Interpreter::g_nothing},
+    {"CDOF", 23, 1, true, true, &Interpreter::geo_comp_option},
+    {"CDON", 23, 2, true, false, &Interpreter::geo_comp_option},
+    {"CDOF2", 23, 3, true, false, &Interpreter::geo_comp_option},
     // group 40: Constant tool radius compensation
     {"CUTCONOF", 40, 1, true, true, &Interpreter::geo_comp_option},
     {"CUTCONON", 40, 2, true, false, &Interpreter::geo_comp_option},

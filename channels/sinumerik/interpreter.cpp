@@ -48,6 +48,7 @@ void Interpreter::activate(unsigned group, unsigned number) { modal_.active[grou
 Result<void> Interpreter::start(FileId main) {
     core_.compensation_reset();
     settings_ = read_settings(core_.view().table(), core_.view());
+    if (auto wrong = reset_value_fault()) return std::move(*wrong);
     core_.path.spindle = {};
     stops_on_ = stops_wanted_ = 0;
     reset_modal();

@@ -159,6 +159,7 @@ private:
     Step end_of_text();
     void finish(StopReason reason);
     void reset_modal();
+    std::optional<Diagnosis> reset_value_fault() const;
     bool next_line(bool& section_done);
     void live_value_barrier();
     bool need_fresh();
@@ -174,6 +175,7 @@ private:
     bool parse_named_word(const char* begin, std::string_view name, const Symbol& symbol);
     bool parse_system_assignment();
     bool add_g(const GCode* code, const char* begin);
+    bool turns_about_y() const;
     bool read_value(Word& word);
     bool read_index(Word& word, const Address& address);
     bool add_word(Word word, const char* begin);

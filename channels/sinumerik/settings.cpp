@@ -32,6 +32,10 @@ Settings read_settings(const params::Table& table, const MachineView& view) {
     s.corner_from_this = (get(table, md20201, l) & 1) != 0;
     s.corner_limit_deg = get(table, md20210, l);
     s.comp_idle_blocks = static_cast<int>(get(table, md20250, l));
+    s.comp_known_blocks = static_cast<int>(get(table, md20240, l));
+    s.highest_disc = static_cast<double>(get(table, md20220, l));
+    s.comp_closed_start = get(table, sd42496, l) != 0;
+    s.euler_angles = get(table, md10600) == 0;
     s.fine_translation = get(table, md24000, l) != 0;
     for (unsigned i = 0; i < view.axis_count; ++i) {
         const unsigned a = view.axes[i].machine_axis;

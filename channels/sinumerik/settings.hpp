@@ -39,6 +39,10 @@ struct Settings {
     bool corner_from_this = false;               // MD20201 bit 0
     double corner_limit_deg = 100.0;             // MD20210
     int comp_idle_blocks = 3;                    // MD20250
+    int comp_known_blocks = 3;                   // MD20240
+    double highest_disc = 50.0;                  // MD20220
+    bool comp_closed_start = false;              // SD42496
+    bool euler_angles = false;                   // MD10600 is 0
     bool fine_translation = true;                // MD24000
     std::array<bool, kMaxAxes> area_plus{}, area_minus{};       // SD43400, SD43410: by machine axis
     std::array<double, kMaxAxes> area_high{}, area_low{};       // SD43420, SD43430

@@ -183,6 +183,11 @@ bool Interpreter::parse_letter_word(const char* begin) {
         if (extended) return fail_at(Alarm::AxisUnknown, begin, 1 + digits, upper({begin, 1 + digits}));
         return read_value(word) && add_word(std::move(word), begin);
     }
+    if (letter == 'Y' && !extended && turns_about_y()) {   // ROT Y of a lathe without that axis turns its plane, as RPL does
+        word.address = &find_symbol("RPL").address();
+        cursor_.advance(1);
+        return read_value(word) && add_word(std::move(word), begin);
+    }
     if (symbol.kind != Symbol::Kind::Address) return fail_at(Alarm::AddressIllegal, begin, 1, name);
     word.address = &symbol.address();
     cursor_.advance(1);
@@ -243,6 +248,11 @@ bool Interpreter::parse_named_word(const char* begin, std::string_view name, con
             return true;
         default: return fail_at(Alarm::NotBuilt, begin, name.size(), std::string(name));
     }
+}
+
+bool Interpreter::turns_about_y() const {
+    const GCode* frame = block_.coded[3];
+    return frame && (frame->name == "ROT" || frame->name == "AROT") && core_.path.plane == Plane::ZX;
 }
 
 bool Interpreter::add_g(const GCode* code, const char* begin) {
