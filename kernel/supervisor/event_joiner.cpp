@@ -101,7 +101,6 @@ void EventJoiner::close_channel(unsigned channel, double t_s) {
     Channel& own = channels_[channel];
     while (!own.open.empty()) end(channel, own.open.begin()->first, t_s);
     settle_skip(own);
-    own.waiting.clear();
     own.held.clear();
 }
 

@@ -39,7 +39,8 @@ public:
     // The block began. Returns its text with t, for stimuli that wait for it; empty when there is no such note.
     std::string_view begin(unsigned channel, std::uint64_t number, double t_s);
     void end(unsigned channel, std::uint64_t number, double t_s);
-    // The channel was reset or has died: what was under way has ended here.
+    // The channel was reset or has died: what was under way has ended here. Notes stay: those of the next start may be here
+    // before the log tells of this end, and what was discarded with its records is dropped when a later one begins.
     void close_channel(unsigned channel, double t_s);
     // An event that comes without a note (alarm, flag, stop); a JSON object without t.
     std::string_view plain(unsigned channel, double t_s, std::string text);
