@@ -92,7 +92,8 @@ struct Shares {
     double skew() const { return t * k > 0 ? std::sqrt(1 + std::min(1.0, tk / (t * k))) : 1; }
 };
 
-Ceilings of_samples(const PathRecord& r, const PathLimits& limits, bool rapid, const Samples& samples) {
+// `least`: what the bend alone must not lower the speed below (N0310); it may take more than N0400 then, never more than N0402.
+Ceilings of_samples(const PathRecord& r, const PathLimits& limits, bool rapid, const Samples& samples, double least = 0) {
     Ceilings c{kInfinity, kInfinity, kInfinity};
     Shares of_a, of_j;
     for (std::size_t n = 0; n < samples.count; ++n) {
@@ -114,15 +115,21 @@ Ceilings of_samples(const PathRecord& r, const PathLimits& limits, bool rapid, c
         c.j = kSampling / (j_skew * of_j.t);
         c.turning = c.j * 3 * j_skew * of_j.k, c.along = c.j * j_along, c.across = c.j * j_across;
     }
-    if (c.bend > 0) c.v = std::min(c.v, std::sqrt(kBendShare * c.a / c.bend));
+    double by_bend = kInfinity;
+    if (c.bend > 0) by_bend = std::sqrt(kBendShare * c.a / c.bend);
     // (2) with kAlongLeft and kAcrossLeft of j_max to spare: a quadratic equation in v^3.
     const double square = j_along * j_along + j_across * j_across;
     if (square > 0) {
         const double half = kAlongLeft * j_along + kAcrossLeft * j_across;
         const double rest = kSampling * kSampling - kAlongLeft * kAlongLeft - kAcrossLeft * kAcrossLeft;
-        c.v = std::min(c.v, std::cbrt((std::sqrt(half * half + square * rest) - half) / square));
+        by_bend = std::min(by_bend, std::cbrt((std::sqrt(half * half + square * rest) - half) / square));
     }
-    c.v = std::min(c.v * kSampling, kFastest);
+    if (const double lift = least / (by_bend * kSampling); lift > 1) {   // (1) goes with v^2, (2) with v^3
+        by_bend *= lift;
+        c.bend /= lift * lift, c.turning /= lift * lift;
+        c.along /= lift * lift * lift, c.across /= lift * lift * lift;
+    }
+    c.v = std::min(std::min(c.v, by_bend) * kSampling, kFastest);
     if (rapid && r.feed > 0) c.v = std::min(c.v, r.feed);
     return c;
 }
@@ -147,8 +154,8 @@ Ceilings ceilings_of(const PathRecord& r, const PathLimits& limits) {
     Samples samples;
     if (static_cast<RecordKind>(r.kind) == RecordKind::Arc) {
         sample_arc(r, samples);
-        Ceilings c = thread ? of_thread(r, limits, rapid, samples) : of_samples(r, limits, rapid, samples);
-        // N0310: sqrt(a r) of the softest axis, but never below Circ F Min, and the axes' limits above all.
+        Ceilings c = thread ? of_thread(r, limits, rapid, samples) : of_samples(r, limits, rapid, samples, rapid ? 0.0 : limits.arc_feed_min);
+        // N0310: sqrt(a r) of the softest axis, but never below Circ F Min (nct_parameters_part1 5.4).
         double softest = kInfinity;
         for (std::size_t i = 0; i < r.axis_count; ++i) softest = std::min(softest, limits.axis[r.axis[i]].accel);
         const double radius = std::abs(r.shape[arc_shape::kRadius]);

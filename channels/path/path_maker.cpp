@@ -92,6 +92,7 @@ void PathMaker::add_move() {
     next.from = 0;
     next.begun = false;
     next.number = ++number_;
+    if (has(next.move, kRapid) && limits_->rapid_in_position && !limits_->rapid_overlaps) next.move.flags |= kExactStop | kInPosition;
     if (chain_.empty()) {
         next.move.flags &= ~std::uint32_t{kThreadChained};   // nothing to go on from
         next.ceilings = ceilings_of(next.move, *limits_);

@@ -99,7 +99,6 @@ ChannelConfig read_channel(const p::Table& t, unsigned l) {
     channel.stroke = read_channel_stroke(t, l);
     channel.rapid_overlaps = p::bit(t, p::n0421_acc_contr, l, 0);
     channel.looks_one_block_ahead = !p::bit(t, p::n1301_defaultg2, l, 6);
-    channel.in_position_at_rapid_end = p::bit(t, p::n1337_execution_config, l, 0);
     if (channel.group >= 1 && channel.group <= kMaxGroups) {
         channel.wait_timeout_s = p::get(t, p::pt_wait_timeout, channel.group);
         channel.partner_death = static_cast<PartnerDeath>(p::get(t, p::pt_partner_death, channel.group));

@@ -67,7 +67,6 @@ struct ChannelConfig {
     double in_position_timeout_s = 0;
     double wait_timeout_s = 0;            // 0: never
     PartnerDeath partner_death = PartnerDeath::GoOn;
-    bool in_position_at_rapid_end = false;  // N1337 PCH
     bool rapid_overlaps = false;            // N0421 ROL
     bool looks_one_block_ahead = false;     // N1301 MBM = 0; three blocks in G41 and G42
     double parts_wanted = 0;              // N2308; 0: no end

@@ -165,6 +165,26 @@ TEST(Ceilings, AxesMayDiffer) {
         }
 }
 
+// nct_parameters_part1 5.4: F = min(programmed, max(sqrt(a r), Circ F Min)); 6.2: N0402 counts in any case.
+TEST(Ceilings, TheBendOfAnArcNeverLowersItsSpeedBelowCircFMin) {
+    const auto arc = [](double least, double normal) {
+        PathLimits limits = easy_limits();
+        for (auto& axis : limits.axis) axis.accel = 100, axis.normal = normal, axis.jerk = 2000;
+        limits.arc_feed_min = least;
+        Collected out;
+        Program program(out, limits);
+        program.arc({0, 25}, std::numbers::pi);
+        program.maker.flush();
+        return out.records[0];
+    };
+    EXPECT_NEAR(arc(10, 1e6).v_max, 50, 2);    // sqrt(100 * 25), less what braking needs
+    EXPECT_NEAR(arc(80, 1e6).v_max, 80, 0.5);
+    EXPECT_NEAR(arc(80, 144).v_max, 60, 0.5);  // sqrt(144 * 25)
+    const PathRecord r = arc(80, 1e6);
+    EXPECT_NEAR(r.a_max, 100, 1);              // along the path N0400 holds
+    EXPECT_LT(r.bend * r.v_max * r.v_max, r.a_max);
+}
+
 TEST(Ceilings, AThreadKeepsWhatHoldsAtItsCeiling) {
     Collected out;
     const PathLimits limits = easy_limits();

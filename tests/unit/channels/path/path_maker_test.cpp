@@ -103,6 +103,20 @@ TEST(PathMaker, StopsWhereItMust) {
     }
 }
 
+// N1337 PCH; must be 0 where rapid moves overlap (nct_parameters_part1 6.4, 14.4).
+TEST(PathMaker, RapidMovesEndInPositionWherePchAsksForIt) {
+    const auto flags = [](bool asked, bool overlaps) {
+        PathLimits limits = easy_limits();
+        limits.rapid_in_position = asked, limits.rapid_overlaps = overlaps;
+        const auto records = made(limits, [](Program& p) { p.line({5, 0}), p.line({10, 0}, kRapid); });
+        EXPECT_FALSE(records.front().flags & kInPosition);
+        return records.back().flags & kInPosition;
+    };
+    EXPECT_TRUE(flags(true, false));
+    EXPECT_FALSE(flags(false, false));
+    EXPECT_FALSE(flags(true, true));
+}
+
 TEST(PathMaker, ATangentialArcGetsATransitionUnlessNoAxisHasAJerkLimit) {
     const auto text = [](Program& p) { p.line({10, 0}), p.arc({10, 5}, 1.5); };
     auto records = made(easy_limits(), text);
