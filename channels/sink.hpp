@@ -54,6 +54,7 @@ struct BlockContext {
     AxisSet display_swapped = 0;   // axes that the program counts the other way than the machine shows them: radius, not diameter
     std::string_view cycle;        // name of the cycle that makes it; empty none
     bool by_code = false;          // within a program that a code has called (N1338 DSM)
+    bool statement = false;        // a macro statement: for single block it is no block
     std::int8_t own_axis = -1;     // place of the axis that runs this by itself, beside the path (B programs); -1: the path does it
     bool own_by_way = false;       // and its moves count from where it stands when its program begins
 };

@@ -103,6 +103,7 @@ double Interpreter::rounding_step(char address) const {
 
 Step Interpreter::macro_statement(std::size_t from) {
     jumped_ = called_ = wants_barrier_ = false;
+    core_.at.statement = !settings_.stops_at_macros;   // fanuc_lathe 6.7
     bool ends = false;
     if (const std::uint8_t number = loop_word(line_.substr(from), ends); number && !ends && !loops_nest(number, from)) return fault(core_.fault());
     const char* at = line_.data() + from;

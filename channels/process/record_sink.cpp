@@ -47,7 +47,8 @@ std::uint64_t RecordSink::note_move(const Move& move, const BlockContext& at) {
 PathRecord RecordSink::event(RecordKind kind, const BlockContext& at, std::uint64_t note) const {
     PathRecord r;
     r.kind = code_of(kind);
-    r.flags = kBlockBegin | kBlockEnd;
+    // kMoreBehind of what is no move: single block does not stand here.
+    r.flags = kBlockBegin | kBlockEnd | (at.statement ? std::uint32_t{kMoreBehind} : 0u);
     r.note = note;
     place(at, r);
     return r;

@@ -57,7 +57,7 @@ void ChannelRunner::execute_standing(double& left) noexcept {
         phase_ = Phase::None;
         at_boundary_ = true;
         finished(r, index, (1.0 - left) * core_.config.tick_s);
-        if ((keys & kKeySingleBlock) && (r.flags & kBlockEnd) && state_ == ChannelState::Running) {
+        if ((keys & kKeySingleBlock) && block_ends_at(index) && state_ == ChannelState::Running) {
             stand(ChannelState::ProgramStop, StopReason::SingleBlock);
             return;
         }

@@ -129,6 +129,16 @@ void ChannelRunner::take_keys() noexcept {
     if (control_ & kControlNoSingleBlock) keys &= ~static_cast<std::uint32_t>(kKeySingleBlock);
 }
 
+// Whether single block stands behind a record. What follows of its block belongs to it (M3 S500 G1 Z-1. is one block), except
+// the next move: a cycle is driven move by move. A macro statement is no block (fanuc_lathe 6.7).
+bool ChannelRunner::block_ends_at(std::uint64_t index) const noexcept {
+    const PathRecord& r = record(index);
+    if (!(r.flags & kBlockEnd) || (!is_motion(r) && (r.flags & kMoreBehind))) return false;
+    if (index + 1 >= limit_) return true;
+    const PathRecord& next = record(index + 1);
+    return next.serial != r.serial || next.serial == 0 || next.epoch != r.epoch || (is_motion(r) && is_motion(next));
+}
+
 void ChannelRunner::supply() noexcept {
     if (!segment_) return;
     take_keys();
@@ -150,6 +160,7 @@ void ChannelRunner::supply() noexcept {
         const bool flying = static_cast<RecordKind>(r.kind) == RecordKind::Wait && (r.flags & kFlying);
         if (flying && flying_ == kNoRecord) flying_ = planner_->next_record();
         PlannedRecord planned = PlannedRecord::from(r, stops_path(r));
+        planned.block_end = block_ends_at(planner_->next_record());
         if (r.flags & kTapping) limit_tapping(r, planned);
         if (is_motion(r) && ends_at_limit(r)) {
             planned.length = cut_.s;
@@ -285,7 +296,7 @@ void ChannelRunner::drive() noexcept {
     if (step_.stands == Stands::NoRecord) cursor_ = planner_->next_record();
     if (step_.stands == Stands::Moving && step_.over && planner_->at_rest()) {
         const PathRecord& last = record(step_.record);
-        at_boundary_ = !(last.flags & kInPosition) && !(input.single_block && (last.flags & kBlockEnd));
+        at_boundary_ = !(last.flags & kInPosition) && !(input.single_block && block_ends_at(step_.record));
     }
     if (step_.stands == Stands::InPosition) watch_standstill(nullptr);   // the record that ended is the channel's again
     if (step_.over || cursor_ >= planner_->next_record()) return;

@@ -162,6 +162,7 @@ private:
     }
     static bool is_motion(const PathRecord& r) noexcept { return r.kind >= 1 && r.kind <= static_cast<std::uint8_t>(RecordKind::Curve); }
     static bool stops_path(const PathRecord& r) noexcept;
+    bool block_ends_at(std::uint64_t index) const noexcept;
     static bool writes_store(const PathRecord& r) noexcept;
     void plan_anew(std::uint64_t from) noexcept;
     void drop_old_epochs() noexcept;

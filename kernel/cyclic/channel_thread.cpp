@@ -110,7 +110,7 @@ bool ChannelRunner::thread(double& left) noexcept {
     if (spindle.locked_by == number_ && spindle.mode() != SpindleUnit::Mode::SurfaceSpeed) spindle.locked_by = 0;
     if (!whole && !interrupted_ && !resetting_ && !dead_) raise(Alarm::ThreadSpindleStands, name_of('S', first.spindle - 1u).view());
     left = whole ? 1.0 - thread_->end_fraction(thread_end_) : 0.0;
-    const bool block_end = (record(thread_end_).flags & kBlockEnd) != 0;
+    const bool block_end = block_ends_at(thread_end_);
     cursor_ = thread_end_ + 1;
     planner_->skip(cursor_);
     phase_ = Phase::None;

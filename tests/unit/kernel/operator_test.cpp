@@ -121,6 +121,30 @@ TEST(Operator, StopsAfterEachBlockInSingleBlock) {
     EXPECT_EQ(rig.state(1), ChannelState::Ended);
 }
 
+// G4 P0.1 G1 W5. M8: one block; then two moves of a cycle; then a macro statement, which is no block of its own.
+TEST(Operator, StopsOnceABlockInSingleBlockWhateverItHolds) {
+    TickRig rig;
+    const auto of = [](PathRecord r, std::uint64_t serial, std::uint32_t more = 0) { return r.serial = serial, r.flags |= more, r; };
+    rig.command(CommandKind::SingleBlock, 1, 1);
+    rig.push(1, of(rig.dwell(1, 0.1), 1));
+    rig.push(1, of(rig.line(1, {5, 0}, 50), 1));
+    rig.push(1, of(rig.aux(1, 'M', 8), 1));
+    rig.push(1, of(rig.line(1, {5, 0}, 50), 2));
+    rig.push(1, of(rig.line(1, {5, 0}, 50), 2));
+    rig.push(1, of(rig.dwell(1, 0.1), 3, kMoreBehind));
+    rig.push(1, of(rig.line(1, {5, 0}, 50), 4));
+    rig.push(1, of(rig.stop(1, StopReason::M30), 5));
+    for (const double place : {5.0, 10.0, 15.0, 20.0}) {
+        rig.start(1);
+        rig.run_until_idle();
+        EXPECT_NEAR(rig.position(1), place, 1e-9);
+        EXPECT_EQ(rig.state(1), ChannelState::ProgramStop);
+    }
+    rig.start(1);
+    rig.run_until_idle();
+    EXPECT_EQ(rig.state(1), ChannelState::Ended);
+}
+
 // Pressed on the way it neither stops the axes at once nor, taken back, lets them jump to where the path has come.
 TEST(Operator, MachineLockActsFromOneProgramToTheNext) {
     TickRig rig;
