@@ -219,6 +219,7 @@ void ChannelProcess::take_limits() {
 // The barrier has been executed: take what has changed outside, then read on.
 void ChannelProcess::go_on() {
     port_.look();
+    sink_->barrier_done();
     if (next_part_) {
         begin_program();
         return;

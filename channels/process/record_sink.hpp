@@ -62,6 +62,7 @@ public:
     // The program has come to a barrier, or to its end: everything is out afterwards. `stop`: what ends it unless the
     // program itself has; a barrier without a record of its own gets one.
     void reach_barrier();
+    void barrier_done() { drained_ = false; }   // the next stop of the interpreter needs a barrier of its own, even if nothing is pushed between
     void forget() { drained_ = stopped_ = failed_ = false, skip_.number = 0, limits_changed(); }   // what was pushed is void: the program goes back
     // Behind the barrier of a skip move: its note is told once more, with the point at which it ended.
     void skip_ended(Port& port);

@@ -87,6 +87,19 @@ TEST_F(ChannelProcessTest, StandsAtABarrierUntilTheKernelHasAnswered) {
     EXPECT_EQ(rig.channel->path.head.load(), pushed + 2) << "the move and the end";
 }
 
+// A restart that searches its block tells nothing of the codes that drain: two of them one after the other.
+TEST_F(ChannelProcessTest, StandsAtASecondBarrierThoughNothingLiesBetween) {
+    for (int n = 0; n < 2; ++n) rig.program.push_back([](Sink&, const MachineView&, Port&) { return Step::AtBarrier; });
+    rig.tell(ChannelEventKind::CycleStart);
+    for (int n = 0; n < 2; ++n) {
+        rig.run_until_quiet();
+        EXPECT_EQ(rig.take_all(), 1u) << n;
+    }
+    rig.run_until_quiet();
+    rig.take_all();
+    EXPECT_EQ(static_cast<RecordKind>(rig.taken.back().kind), RecordKind::Stop);
+}
+
 TEST_F(ChannelProcessTest, WaitsForRoomAndLosesNothing) {
     for (int n = 1; n <= 6000; ++n) rig.program.push_back(line(n % 2 ? 10 : 0, n));
     rig.tell(ChannelEventKind::CycleStart);
