@@ -80,7 +80,10 @@ void Machine::run_command(const Command& c) noexcept {
                 }
             break;
         case CommandKind::SetSignal:
-            if (c.flags && c.object < kPlcSignals) core_.signals.force_plc(c.object, static_cast<std::int32_t>(c.value));
+            if (c.flags && c.object < kPlcSignals && c.channel >= 1 && c.channel <= 32) {
+                const std::uint32_t bit = 1u << (c.channel - 1), now = static_cast<std::uint32_t>(core_.signals.plc(c.object));
+                core_.signals.force_plc(c.object, static_cast<std::int32_t>(on ? now | bit : now & ~bit));
+            } else if (c.flags && c.object < kPlcSignals) core_.signals.force_plc(c.object, static_cast<std::int32_t>(c.value));
             else if (!c.flags && c.object < kNcSignals) core_.signals.force_nc(c.object, static_cast<std::int32_t>(c.value));
             break;
         case CommandKind::ReleaseSignal:

@@ -40,6 +40,18 @@ int input_number(std::string_view words) {
     return -1;
 }
 
+std::optional<ProgramInput> program_input(std::string_view words) {
+    words = trimmed(words);
+    if (words.empty() || words[0] != '#') return std::nullopt;
+    const auto blank = words.find_first_of(" \t");
+    const auto number = number_of(words.substr(1, blank == std::string_view::npos ? blank : blank - 1));
+    if (!number || *number < 1000 || *number > 1031 || *number != std::floor(*number)) return std::nullopt;
+    const std::string scope = blank == std::string_view::npos ? "L1" : std::string(trimmed(words.substr(blank)));
+    const auto signal = parse_signal("CP_UIN " + scope);
+    if (!signal) return std::nullopt;
+    return ProgramInput{signal->slot(), static_cast<std::uint32_t>(*number) - 999};
+}
+
 Result<std::vector<Command>> drive_fault(std::string_view whom, std::string_view value, const MachineConfig& machine) {
     Command command{};
     command.kind = static_cast<std::uint32_t>(CommandKind::DriveFault);

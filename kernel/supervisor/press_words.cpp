@@ -456,6 +456,14 @@ Result<Commands> parse_set(std::string_view words, const MachineConfig& machine)
         command.value = *on ? 1.0 : 0.0;
         return Commands{command};
     }
+    if (const auto bit = program_input(name)) {
+        const auto on = on_off(value);
+        if (!on) return fault(Alarm::PressArgument, fmt::format("{} is an input of the program: 0 or 1", name));
+        Command command = command_of(CommandKind::SetSignal);
+        command.object = bit->slot, command.channel = bit->bit, command.flags = kSlotOfPlc;
+        command.value = *on ? 1.0 : 0.0;
+        return Commands{command};
+    }
     if (const auto signal = parse_signal(name); signal || signal.diagnosis().alarm != Alarm::SignalUnknown) {
         if (!signal) return signal.diagnosis();
         if (signal->row->kind == SignalKind::Double)
@@ -487,6 +495,10 @@ Result<Commands> parse_release(std::string_view words, const MachineConfig&) {
         command.kind = static_cast<std::uint32_t>(CommandKind::SetInput);
         command.object = static_cast<std::uint32_t>(input);
         command.flags = 1;
+        return Commands{command};
+    }
+    if (const auto bit = program_input(words)) {   // all of them: the PLC writes one register
+        command.object = bit->slot, command.flags = kSlotOfPlc;
         return Commands{command};
     }
     const auto signal = parse_signal(words);

@@ -196,6 +196,10 @@ TEST(Set, SignalsInputsDrivesParametersAndKeys) {
     command = one("input 17=1");
     EXPECT_EQ(command.kind, static_cast<std::uint32_t>(CommandKind::SetInput));
     EXPECT_EQ(command.object, 17u);
+    command = one("#1003 L2=1");   // one bit of the register: the others keep what the PLC writes
+    EXPECT_EQ(command.kind, static_cast<std::uint32_t>(CommandKind::SetSignal));
+    EXPECT_EQ(command.object, signals::cp_uin(2));
+    EXPECT_EQ(command.channel, 4u);
     command = one("N0304 A1=5000");
     EXPECT_EQ(command.kind, static_cast<std::uint32_t>(CommandKind::SetParameter));
     EXPECT_STREQ(command.text.data(), "N0304 A1=5000");
@@ -207,7 +211,7 @@ TEST(Set, SignalsInputsDrivesParametersAndKeys) {
 TEST(Set, WhatIsWrongIsSaid) {
     const std::pair<const char*, Alarm> rows[] = {
         {"AP_SYNCR=1", Alarm::SignalScope},        {"AP_SYNCR L1=1", Alarm::SignalScope},  {"AP_SYNCR A97=1", Alarm::SignalScope},
-        {"AP_SYNCR A3=2", Alarm::PressArgument},   {"NO_SUCH L1=1", Alarm::SignalUnknown}, {"AP_SYNCR A3", Alarm::PressArgument},
+        {"#1000 L1=2", Alarm::PressArgument}, {"AP_SYNCR A3=2", Alarm::PressArgument},   {"NO_SUCH L1=1", Alarm::SignalUnknown}, {"AP_SYNCR A3", Alarm::PressArgument},
         {"drive A77=fault", Alarm::PressArgument}, {"drive A3=hot", Alarm::PressArgument}, {"input 3=5", Alarm::PressArgument},
         {"N0304 A1=fast", Alarm::ParamValue},
     };
