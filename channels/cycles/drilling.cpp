@@ -149,6 +149,12 @@ bool tap_axial(Core& core, const AxialHole& hole) {
 
 namespace {
 
+bool aside(Core& core, const Drilling& hole, double way) {
+    AxisValues target = core.path.programmed;
+    for (std::size_t i = 0; i < target.size(); ++i) target[i] += way * hole.aside[i];
+    return core.rapid(target);
+}
+
 bool drill_hole(Core& core, const Drilling& hole) {
     if (!to(core, hole, hole.r_level, true)) return false;
     const SpindleTurn in = core.path.spindle.turn;
@@ -168,6 +174,10 @@ bool drill_hole(Core& core, const Drilling& hole) {
             if (!turn(core, SpindleTurn::Stop)) return false;
             if (!to(core, hole, hole.to_r_level ? hole.r_level : hole.initial, true)) return false;
             return turn(core, in);
+        case Drilling::Way::Fine:
+            if (!core.spindle_position(0.0) || !core.commit_spindle()) return false;
+            core.aux('M', 19, "M19", false);
+            return aside(core, hole, 1.0) && to(core, hole, hole.to_r_level ? hole.r_level : hole.initial, true) && aside(core, hole, -1.0) && turn(core, in);
         case Drilling::Way::Tap:
             if (!out_of_thread(core, hole, hole.r_level, hole.out_factor)) return false;
             if (hole.dwells && hole.dwells_at_r && !core.dwell(hole.dwell, hole.dwell_revolutions)) return false;

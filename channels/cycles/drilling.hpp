@@ -20,7 +20,8 @@ struct Drilling {
     double dwell = 0.0;             // seconds, or revolutions
     bool dwell_revolutions = false;
     bool dwells_at_r = true;        // Tap: there too
-    enum class Way : std::uint8_t { Rapid, Feed, StopRapid, Tap } way_out = Way::Rapid;
+    enum class Way : std::uint8_t { Rapid, Feed, StopRapid, Tap, Fine } way_out = Way::Rapid;
+    AxisValues aside{};             // Fine: from the wall, with the spindle oriented, on the way out; and back above
     double way_out_factor = 1.0;    // of the feed
     bool left_hand = false;         // Tap: turns anticlockwise on the way in
     bool to_r_level = false;        // ends at the R level

@@ -66,7 +66,7 @@ bool Interpreter::classify() {
             coded_[static_cast<std::size_t>(row->group)] = row;
             coded_groups_ |= bit_of(row->group);
         } else if (letter == 'M') {
-            if (word.from_expression) block_.words[i].value = std::nearbyint(word.value);   // fanuc_lathe 6.1
+            if (word.from_expression) block_.words[i].value = whole_steps(word.value, 1.0);   // fanuc_lathe 6.1
             if (m_count_ == m_words_.size()) return core_.fail(Alarm::WordsTooMany, 'M');
             m_words_[m_count_++] = static_cast<std::uint8_t>(i);
         } else if (axis_letters_ >> (letter - 'A') & 1u) {
@@ -309,6 +309,7 @@ bool Interpreter::act() {
         ;   // G51 X Z P names a point, and nothing moves
     } else if (axis_word_count_ || (coded_groups_ & bit_of(GGroup::Motion)) || (block_.has('A') && motion_->tenths == 10 && !settings_.mefi && !(axis_letters_ & letter_bit('A'))) || block_.has('I') || block_.has('J') || block_.has('K') || block_.has('R')) {
         if (!motion_->act) return core_.fail(Alarm::NotBuilt, 'G', std::string(motion_->name));
+        core_.path.feed_path.degree_mm = settings_.mefi ? 0.0 : unit_;   // F is the speed in the plane of millimetres and degrees
         if (!(this->*motion_->act)(*motion_)) return false;
     }
     return m_count_ ? m_after() : true;
@@ -321,7 +322,7 @@ double Interpreter::length(const Word& word, int place) const {
     const double step = place >= 0 ? view.axes[static_cast<std::size_t>(place)].increment : view.axes[0].increment;
     const double increment = inch_ && !rotary ? step * 0.1 : step;   // one more decimal place in inches
     double value = word.value;
-    if (word.from_expression) value = std::nearbyint(value / increment) * increment;
+    if (word.from_expression) value = whole_steps(value, increment) * increment;
     else if (!word.has_point && !settings_.point_means_nothing) value *= increment;
     return rotary ? value : value * unit_;
 }
@@ -369,7 +370,7 @@ bool Interpreter::read_axis_words(AxisValues& target, AxisSet* named) {
 
 bool Interpreter::whole(char letter, std::int64_t& value) {
     const Word& word = block_.word(letter);
-    const double rounded = std::nearbyint(word.value);
+    const double rounded = whole_steps(word.value, 1.0);
     if (!word.from_expression && word.has_point) return core_.fail(Alarm::PointForbidden, letter, std::string(1, letter));
     if (rounded < 0) return core_.fail(Alarm::NegativeSign, letter, std::string(1, letter));
     value = static_cast<std::int64_t>(rounded);

@@ -364,7 +364,7 @@ bool Expression::function(double& value) {
             value = std::exp(x);
             if (value > 3.65e47 || value < 1e-29) return out_of_range();
             break;
-        case Round: value = round_step_ == 1.0 ? std::round(x) : std::round(x / round_step_) * round_step_; break;
+        case Round: value = whole_steps(x, round_step_) * round_step_; break;
         case Fix: value = std::trunc(x); break;
         case Fup: value = x < 0 ? std::floor(x) : std::ceil(x); break;
         case Bin: {

@@ -7,6 +7,7 @@
 //
 // Empty (NaN) survives only where it stands alone and in EQ and NE; everywhere else it counts as 0 (fanuc_lathe 6.2).
 #pragma once
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -16,6 +17,10 @@
 #include "ipc/diagnosis/diagnosis.hpp"
 
 namespace polyturn::channels::fanuc {
+
+// How many whole steps the value is, a half counted away from zero: 1.2345 is 1235 steps of 0.001. What the binary digits
+// of a quotient lack of a half (1.0005/0.001) is made up.
+inline double whole_steps(double value, double step) { return std::round(value / step * (1 + 1e-12)); }
 
 struct ExpressionFault {
     Alarm alarm{};

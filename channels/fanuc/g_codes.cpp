@@ -133,7 +133,7 @@ constexpr auto kRows = std::to_array<GCode>({
     {"G84.3", 843, kN, G::Drilling, &I::g_drilling, "xRQPLKEI", false, "Rigid tapping, left"},
     {"G85", 850, kAll, G::Drilling, &I::g_drilling, "xRQPLKEI", false, "Boring"},
     {"G86", 860, kAll, G::Drilling, &I::g_drilling, "xRQPLKE", false, "Boring with stop"},
-    {"G86.1", 861, kN, G::Drilling, &I::g_drilling, "xRQPLKIJ", false, "Fine boring"},
+    {"G86.1", 861, kN, G::Drilling, &I::g_drilling, "xRQPLKIJ", false, "Fine boring: out with the spindle oriented, I, J, K beside the wall"},
     {"G87", 870, kAll, G::Drilling, &I::g_drilling, "xRQPLKE", false, "Side drilling"},
     {"G88", 880, kAll, G::Drilling, &I::g_drilling, "xRQPLKE", false, "Side tapping"},
     {"G89", 890, kAll, G::Drilling, &I::g_drilling, "xRQPLKEI", false, "Boring with dwell"},

@@ -57,6 +57,16 @@ void Interpreter::bore_out(cycles::Drilling& hole) {
     hole.way_out_factor = settings_.nct && block_.has('I') && block_.value('I') > 0 ? block_.value('I') / 100.0 : settings_.bore_out_factor;
 }
 
+// nct G86.1 (G76 of a milling channel): I, J, K lead the tool from the wall, in the plane across the hole, as increments.
+void Interpreter::fine_way(cycles::Drilling& hole) {
+    constexpr PlaneRole kRoles[] = {PlaneRole::BasicX, PlaneRole::BasicY, PlaneRole::BasicZ};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const char letter = static_cast<char>('I' + static_cast<int>(k));
+        if (block_.has(letter)) drill_.aside[k] = radius_length(letter);
+        if (const int place = core_.view().axis_by_role(kRoles[k]); place >= 0 && place != static_cast<int>(hole.axis)) hole.aside[static_cast<std::size_t>(place)] = drill_.aside[k];
+    }
+}
+
 // nct G84.2, G84.3: how the thread is cut and left (nct part 1 16.1, 16.4).
 bool Interpreter::begin_rigid_tap(cycles::Drilling& hole, bool left_hand) {
     const Settings::Tapping& tapping = settings_.tapping;
@@ -162,7 +172,7 @@ bool Interpreter::run_drilling() {
             hole.dwells = dwell_word;
             break;
         case 850: hole.way_out = cycles::Drilling::Way::Feed; bore_out(hole); hole.dwells = dwell_word && !series15_drills(settings_, core_.view()); break;
-        case 861:
+        case 861: hole.way_out = cycles::Drilling::Way::Fine; fine_way(hole); hole.dwells = dwell_word; break;
         case 860: hole.way_out = cycles::Drilling::Way::StopRapid; hole.dwells = dwell_word; break;
         case 890: hole.way_out = cycles::Drilling::Way::Feed; hole.dwells = dwell_word; bore_out(hole); break;
         default: return core_.fail(Alarm::NotBuilt, 'G', std::string(row.name));

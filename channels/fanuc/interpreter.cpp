@@ -68,6 +68,7 @@ void Interpreter::clear_modal() {
     if (settings_.system != kA) choose(absolute_ ? 900 : 910);
     if (settings_.power_on_length) choose(settings_.power_on_length);
     core_.helix_in_plane(settings_.helix_in_plane);
+    core_.wait_for_spindle(true);   // feed per revolution waits for a spindle that the PLC may start; the kernel tells if none turns
     const bool per_revolution = settings_.power_on_per_revolution;
     if (settings_.system == kA) choose(per_revolution ? 990 : 980);
     else choose(per_revolution ? 950 : 940);
@@ -216,7 +217,9 @@ Step Interpreter::step() {
 void Interpreter::live_value_barrier() {
     if (core_.holds_block())
         core_.sink().alarm({Alarm::CompCornerCut, {files_->path(frames_.back().file), core_.at.line, 0, 0}, {}, {}}, core_.at);
+    core_.at.statement = true;   // the block itself is still to come
     core_.sink().barrier(core_.at);
+    core_.at.statement = false;
 }
 
 Step Interpreter::read_block() {
@@ -247,6 +250,7 @@ Step Interpreter::read_block() {
     at.by_code = frames_.size() > 1 && std::any_of(frames_.begin() + 1, frames_.end(), [](const CallLevel& f) { return f.by_code; });
     at.line = source_->position().line;
     at.block = -1;
+    at.statement = false;
     at.cycle = finishing_.active ? finishing_.name : std::string_view{};
     const ScanStop stop = scanner_.scan(line_, column_, block_);
     switch (stop) {

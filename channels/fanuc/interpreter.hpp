@@ -106,6 +106,7 @@ public:
     bool g_thread_passes(const GCode&);
     bool g_skip(const GCode&);
     bool g_measure(const GCode&);
+    std::int32_t measured_offset() const;
     bool g_drilling_off(const GCode&);
     bool g_diameter(const GCode&);
     bool g_preset_off(const GCode&);
@@ -246,6 +247,7 @@ private:
     double fine_length(char letter) const;
     bool begin_rigid_tap(cycles::Drilling& hole, bool left_hand);
     void bore_out(cycles::Drilling& hole);
+    void fine_way(cycles::Drilling& hole);
     bool run_drilling();
     int drilling_axis();
 

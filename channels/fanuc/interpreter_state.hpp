@@ -106,6 +106,7 @@ struct ContourText {
 struct DrillWords {
     double initial = 0, r_level = 0, bottom = 0, q = 0, p = 0, e = 0;
     bool initial_known = false, r_set = false, bottom_set = false, p_set = false, e_set = false;
+    std::array<double, 3> aside{};   // I, J, K of fine boring, mm
 };
 
 struct Finishing {                // G70 drives the blocks P to Q

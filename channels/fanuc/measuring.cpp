@@ -62,6 +62,13 @@ std::string_view Interpreter::dwell_signal() {
     return {};
 }
 
+// The offset that T selects; where lengths are called by G43 H (nct: milling, N1414 TCM), the one of H.
+std::int32_t Interpreter::measured_offset() const {
+    const ToolState& tool = core_.path.tool;
+    const std::int32_t by_tool = settings_.measure_to_wear ? tool.wear : tool.geometry;
+    return by_tool != 0 ? by_tool : length_.number;
+}
+
 bool Interpreter::g_measure(const GCode& row) {
     const bool decimal = row.tenths == 371 || row.tenths == 372;
     if (!settings_.nct && decimal != settings_.measure_by_decimal) return core_.fail(Alarm::GCodeUnknown, 'G', std::string(row.name));
@@ -76,8 +83,7 @@ bool Interpreter::g_measure(const GCode& row) {
     const PlaneRole role = core_.view().axes[place].role;
     const bool fits = along_z ? role == PlaneRole::BasicZ : role == PlaneRole::BasicX || (settings_.nct && role == PlaneRole::BasicY);
     if (!fits) return core_.fail(Alarm::AddressIllegal, core_.view().axes[place].name[0], std::string(core_.view().axes[place].name));
-    const ToolState& tool = core_.path.tool;
-    if (settings_.measure_to_wear ? tool.wear == 0 : tool.geometry == 0) return core_.fail(Alarm::MeasureNoOffset, 'G');
+    if (measured_offset() == 0) return core_.fail(Alarm::MeasureNoOffset, 'G');
     if (settings_.nct && settings_.measure_input == 0) return core_.fail(Alarm::MeasureInputNone, 'G');
 
     const std::size_t k = role == PlaneRole::BasicX ? 0 : role == PlaneRole::BasicY ? 1 : 2;
@@ -117,7 +123,7 @@ Step Interpreter::finish_skip() {
     if (!came || std::fabs(difference) > done.range + 1e-9)
         return fault({Alarm::MeasureNoSignal, 'G', done.range, 0.0, {}, {}});
     const OffsetTable table = settings_.measure_to_wear ? OffsetTable::Wear : OffsetTable::Geometry;
-    const std::int32_t number = settings_.measure_to_wear ? core_.path.tool.wear : core_.path.tool.geometry;
+    const std::int32_t number = measured_offset();
     const PlaneRole role = view.axes[done.place].role;
     const OffsetField field = role == PlaneRole::BasicX ? OffsetField::X : role == PlaneRole::BasicY ? OffsetField::Y : OffsetField::Z;
     const OffsetCell& cell = view.store->offsets[static_cast<std::size_t>(number)];

@@ -87,6 +87,7 @@ struct FeedPath {
     double rapid_scale = 1.0;               // and of rapid, 1 at the most
     AxisSet degrees = 0;                    // rotary axes whose feed is one of degrees where no counted linear axis moves,
     double degree_unit = 1.0;               // though the feed was said in units of so many millimetres
+    double degree_mm = 0.0;                 // fanuc, nct: what a degree counts where linear axes move along; 0: the linear axes alone count
 };
 
 // All of it, plain: a resume state is a copy.

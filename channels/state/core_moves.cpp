@@ -198,7 +198,16 @@ void Core::tell_feed_path() {
             if (i != move_.plane_p && i != move_.plane_q && !view_->axes[i].rotary) beside2 += std::pow(move_.machine[i] - move_.machine_start[i], 2);
         move_.feed_scale *= std::sqrt(arc_length * arc_length + beside2) / arc_length;
     }
-    if (!by.active) return;
+    if (!by.active) {
+        if (by.degree_mm <= 0 || path.transformation.active()) return;
+        double along2 = arc_length * arc_length, round2 = 0.0;
+        for (unsigned i = 0; i < view_->axis_count; ++i) {
+            if (arc && (i == move_.plane_p || i == move_.plane_q)) continue;
+            (view_->axes[i].rotary ? round2 : along2) += std::pow((move_.machine[i] - move_.machine_start[i]) * (view_->axes[i].rotary ? by.degree_mm : 1.0), 2);
+        }
+        if (along2 > kSame * kSame && round2 > 0) move_.feed_scale *= std::sqrt(along2 / (along2 + round2));
+        return;
+    }
     double linear2 = 0.0, rotary2 = 0.0, counted2 = 0.0;
     bool linear = false;
     std::array<double, kChannelAxes> way{};

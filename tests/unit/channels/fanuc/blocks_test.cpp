@@ -132,7 +132,6 @@ TEST(FanucBlock, IsDiagnosedAtItsLineAndColumn) {
         {"(\xC3\xA4) G0 X", "5", 1, 8},                   // columns count characters
         {"G0 X1. (open", R"("PT1001")", 1, 8},
         {"G0 X1.\nG98 G1 X5.", "11", 2, 0},               // no feed
-        {"G99 G1 X5. F0.1", R"("PT1014")", 1, 0},         // per revolution, spindle stands
         {"G32 Z-5. F1.", R"("PT1016")", 1, 0},
         {"S3000 M3\nG32 Z-5. F4.", R"("PT1017")", 2, 10}, // 12 m/min, the axis does 8
         {"S300 M3\nG32 Z-5.", R"("PT1044")", 2, 0},
@@ -189,14 +188,16 @@ TEST(FanucBlock, WaitsNameTheirChannels) {
     EXPECT_TRUE(two_channels.has({R"("channels":[1,2])"})) << two_channels.events;
 }
 
-TEST(FanucBlock, ASpindleThatAnotherChannelMayHaveStartedIsAWarningOnce) {
-    Play how;
-    how.alone = false;
-    const Played played = play("G99 G1 X5. F0.1\nX6.\nM30\n", how);
-    EXPECT_EQ(played.errors, 0u) << played.events;
-    unsigned warnings = 0;
-    for (const std::string& line : played.lines()) warnings += line.find("\"warning\"") != std::string::npos;
-    EXPECT_EQ(warnings, 1u) << played.events;
+TEST(FanucBlock, ASpindleThatAnotherChannelOrThePlcMayHaveStartedIsAWarningOnce) {
+    for (const bool alone : {false, true}) {
+        Play how;
+        how.alone = alone;
+        const Played played = play("G99 G1 X5. F0.1\nX6.\nM30\n", how);
+        EXPECT_EQ(played.errors, 0u) << played.events;
+        unsigned warnings = 0;
+        for (const std::string& line : played.lines()) warnings += line.find("\"warning\"") != std::string::npos;
+        EXPECT_EQ(warnings, 1u) << played.events;
+    }
 }
 
 }  // namespace

@@ -87,13 +87,40 @@ TEST(RollOver, IsFanucsOwn) {   // fanuc_lathe 10.2: without F1008#0 positions r
     EXPECT_TRUE(play("G0 C20.\nN2 C-350.\nM30\n", how).has({R"("n":2,)", R"("pos":{"X":)", R"("C":10)"})) << play("G0 C20.\nN2 C-350.\nM30\n", how).events;
 }
 
+// How much of the path (its linear axes) one unit of the feed is, move by move.
+struct FeedScales final : QuietSink {
+    std::vector<double> scales;
+    void move(const Move& m, const BlockContext&) override { scales.push_back(m.feed_scale); }
+};
+
+TEST(Feed, OfLinearAndRotaryAxesCountsADegreeAsAMillimetre) {   // the field's standard: 30 mm and 40 degrees are a way of 50
+    const auto table = lathe({});
+    MachineView view = make_machine_view(*table, 1);
+    ProgramFiles files;
+    FeedScales told;
+    const text::Setup setup;
+    CheckPort port(setup, 1, true);
+    const auto main = files.open_text("G98 F100\nG1 W30. H40.\nW5.\nH90.\nG20\nW1. H25.4\nG21 G2 U20. W-10. R10.\nM30\n", "test.nc");
+    ASSERT_TRUE(main);
+    const auto interpreter = make_language("fanuc", view, told, port, files);
+    ASSERT_TRUE(interpreter->start(*main).ok());
+    interpreter->core().start_at_machine(view.start);
+    for (int n = 0; n < 100 && interpreter->step() == Step::Continue; ++n) {}
+    ASSERT_EQ(told.scales.size(), 5u);
+    EXPECT_NEAR(told.scales[0], 0.6, 1e-9);
+    EXPECT_EQ(told.scales[1], 1.0);
+    EXPECT_EQ(told.scales[2], 1.0);   // alone it is degrees per minute
+    EXPECT_NEAR(told.scales[3], 1 / std::hypot(1, 25.4), 1e-9);
+    EXPECT_EQ(told.scales[4], 1.0);
+}
+
 // Where the C axis goes, whole turns included.
 struct Turns final : QuietSink {
     std::vector<double> ends;
     void move(const Move& m, const BlockContext&) override { ends.push_back(m.machine[2] - m.machine_start[2]); }
 };
 
-std::vector<double> turns_of(std::string_view program, const std::vector<std::string>& sets) {
+std::vector<double> turns_of(std::string_view program, const std::vector<std::string>& sets, const char* name = "nct") {
     const auto table = lathe(sets);
     MachineView view = make_machine_view(*table, 1);
     ProgramFiles files;
@@ -102,7 +129,7 @@ std::vector<double> turns_of(std::string_view program, const std::vector<std::st
     CheckPort port(setup, 1, true);
     const auto main = files.open_text(program, "test.nc");
     if (!main) return {};
-    const auto interpreter = make_language("nct", view, turns, port, files);
+    const auto interpreter = make_language(name, view, turns, port, files);
     (void)interpreter->start(*main).ok();
     interpreter->core().start_at_machine(view.start);
     for (int n = 0; n < 100 && interpreter->step() == Step::Continue; ++n) {}
@@ -113,6 +140,10 @@ TEST(RollOver, TakesZeroAsPositive) {   // nct part 1 3.5: the sign of a positio
     EXPECT_EQ(turns_of("G0 C330.\nC-0.\n", {"N0107 A5=1"}), (std::vector<double>{330, 30}));
     EXPECT_EQ(turns_of("G0 C330.\nC-0.\n", {"N0107 A5=5"}), (std::vector<double>{330, -330}));
     EXPECT_EQ(turns_of("G0 C330.\nC-10.\n", {"N0107 A5=1"}), (std::vector<double>{330, -340}));
+}
+
+TEST(RollOver, OfFanucBySignGoesToTheWordModuloItsPeriod) {   // fanuc_lathe 10.2, F1008#1 RAB = 1
+    EXPECT_EQ(turns_of("G0 C10.\nC-20.\nC350.\n", {"F1008 A5=3"}, "fanuc"), (std::vector<double>{10, -30, 10}));
 }
 
 TEST(Compensation, NeedsRoomInAnInnerChamfer) {   // fanuc_lathe 3.16

@@ -101,6 +101,13 @@ TEST(MacroNames, StandForTheirVariables) {   // the field's standard for SETVN
     EXPECT_TRUE(played.has({R"("name":"#511","value":4)"})) << played.events;
 }
 
+TEST(MacroWord, IsRoundedToTheIncrementWithAHalfAwayFromZero) {   // fanuc_lathe 6.1, 6.4
+    const Played lengths = play("#1=1.2345\n#2=1.0005\nG0 W#1\nZ-#1\nZ#2\nZROUND[#2]\nM30\n");
+    EXPECT_TRUE(lengths.has({R"("Z":1.235)", R"("Z":-1.235)", R"("Z":1.001)"})) << lengths.events;
+    const Played codes = play("#1=2.5\n#2=80.5\nM[#2]\nG[#1]\nM30\n");
+    EXPECT_TRUE(codes.has({R"("code":"M81")"})) << codes.events;
+}
+
 TEST(MacroWord, OfAnEmptyVariableDoesNotExist) {
     const Played played = play("G0 X5. Z5.\nX#1 Z7.\nM30\n");
     EXPECT_TRUE(played.has({R"("pos":{"X":5,"Z":7,)"})) << played.events;
