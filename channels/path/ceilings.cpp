@@ -102,7 +102,7 @@ Ceilings of_samples(const PathRecord& r, const PathLimits& limits, bool rapid, c
             const PathAxis& axis = limits.axis[r.axis[i]];
             const double t = std::abs(at.first[i]), k = std::abs(at.second[i]);
             if (t > kFlat) c.v = std::min(c.v, (rapid ? axis.rapid : axis.feed) / t);
-            if (k > kFlat && axis.normal < axis.accel) c.v = std::min(c.v, std::sqrt(axis.normal / k));
+            if (k > kFlat && (axis.normal < axis.accel || least > 0)) c.v = std::min(c.v, std::sqrt(axis.normal / k));
         }
         of_a.add(at, r, limits, &PathAxis::accel);
         of_j.add(at, r, limits, &PathAxis::jerk);

@@ -130,10 +130,11 @@ void ChannelRunner::take_keys() noexcept {
 }
 
 // Whether single block stands behind a record. What follows of its block belongs to it (M3 S500 G1 Z-1. is one block), except
-// the next move: a cycle is driven move by move. A macro statement is no block (fanuc_lathe 6.7).
+// the next move: a cycle is driven move by move. A macro statement is no block (fanuc_lathe 6.7), nor is what a program says beside
+// its path: that it puts single block off, for one.
 bool ChannelRunner::block_ends_at(std::uint64_t index) const noexcept {
     const PathRecord& r = record(index);
-    if (!(r.flags & kBlockEnd) || (!is_motion(r) && (r.flags & kMoreBehind))) return false;
+    if (!(r.flags & kBlockEnd) || (!is_motion(r) && (r.flags & kMoreBehind)) || static_cast<RecordKind>(r.kind) == RecordKind::Flag) return false;
     if (index + 1 >= limit_) return true;
     const PathRecord& next = record(index + 1);
     return next.serial != r.serial || next.serial == 0 || next.epoch != r.epoch || (is_motion(r) && is_motion(next));
@@ -270,6 +271,7 @@ void ChannelRunner::drive() noexcept {
     const bool breaks_off = interrupt_due_ && !(interrupt_bits_ & kInterruptAtBlockEnd);
     const bool ends_block = interrupt_due_ && !breaks_off;
     if (skip_signal() || breaks_off) input.hold = true;
+    if (state_ == ChannelState::ProgramStop && stop_reason_ == StopReason::SingleBlock) input.hold = true;   // behind a block that is no move nothing else keeps the path
     input.single_block = (keys & kKeySingleBlock) != 0 || ends_block;
     input.in_position = axes_in_position();
     if (state_ == ChannelState::Running && waits_for_drive()) input.hold = true;

@@ -201,6 +201,8 @@ void PathPlanner::carry(const PathState& next, PathStep& step) noexcept {
 
 PathStep PathPlanner::tick(const PathInput& input) noexcept {
     appended_ = 0;
+    // Taken back before it has stopped the path; pressed again, the block that runs then is meant.
+    if (!input.single_block || (block_latch_ != kNone && block_latch_ < first_)) block_latch_ = kNone;
     PathStep step;
     step.began_from = step.began_to = step.ended_from = step.ended_to = first_;
     step.stands = Stands::Moving;

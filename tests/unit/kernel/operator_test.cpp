@@ -145,6 +145,23 @@ TEST(Operator, StopsOnceABlockInSingleBlockWhateverItHolds) {
     EXPECT_EQ(rig.state(1), ChannelState::Ended);
 }
 
+TEST(Operator, SingleBlockTakenBackAndPressedAgainStandsAtTheBlockThatRunsThen) {
+    TickRig rig;
+    for (int n = 0; n < 3; ++n) rig.push(1, rig.line(1, {5, 0}, 50));
+    rig.push(1, rig.stop(1, StopReason::M30));
+    const auto until = [&](double place) { while (rig.position(1) < place) rig.run(1); };
+    rig.start(1);
+    until(1);
+    rig.command(CommandKind::SingleBlock, 1, 1);
+    until(2);
+    rig.command(CommandKind::SingleBlock, 1, 0);
+    until(6);
+    rig.command(CommandKind::SingleBlock, 1, 1);
+    rig.run_until_idle();
+    EXPECT_NEAR(rig.position(1), 10, 1e-9);
+    EXPECT_EQ(rig.state(1), ChannelState::ProgramStop);
+}
+
 // Pressed on the way it neither stops the axes at once nor, taken back, lets them jump to where the path has come.
 TEST(Operator, MachineLockActsFromOneProgramToTheNext) {
     TickRig rig;
