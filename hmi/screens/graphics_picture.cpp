@@ -280,6 +280,10 @@ void Graphics::drawRoom() {
     const QRectF foot = area.adjusted(px(16), 0, -px(16), -px(10));
     QString left = word("Whole outline: guarded; broken outline: only drawn");
     if (desk_.live.channels().size() > kFewChannels && !dry_) left = word("Since the start of these screens; tips as points, without width and radius");   // no room for it on top
+    QColor paper = t.card;
+    paper.setAlpha(225);
+    const QRectF written = p.boundingRect(foot, Qt::AlignLeft | Qt::AlignBottom, left);
+    p.fillRect(written.adjusted(-px(4), 0, px(4), 0), paper);   // frames may end there
     p.drawText(foot, Qt::AlignLeft | Qt::AlignBottom, left);
     if (!scene.stock.any()) p.drawText(foot, Qt::AlignRight | Qt::AlignBottom, word("No job names the stock of the running program"));
 }

@@ -241,7 +241,11 @@ void PresetterPage::composeResult(Writer& w) {
     y += px(22);
     for (const auto& one : answer_.value("entries").toArray()) {
         const QJsonObject entry = one.toObject();
-        w.data(QRectF(px(12), y, wide - px(24), px(20)), QString::fromUtf8("%1: %2 → %3").arg(entry.value("what").toString(), lengthText(entry.value("old").toDouble(), 4), lengthText(entry.value("new").toDouble(), 4)), lettering(13.5, false, Face::Condensed), t.text);
+        const QStringList what = entry.value("what").toString().split(' ');   // «L1 offset 3 geometry X», as the store and its history call it
+        const QString letter = what.last(), field = letter == "R" ? word("Radius") : letter == "T" ? word("Tip") : QString("%1 %2").arg(word("Geom."), letter);
+        const unsigned decimals = letter == "T" ? 0 : 4;
+        const QString title = what.size() == 5 ? QString("%1  %2 %3  %4").arg(what[0], word("Offset"), what[2], field) : entry.value("what").toString();
+        w.data(QRectF(px(12), y, wide - px(24), px(20)), QString::fromUtf8("%1: %2 → %3").arg(title, lengthText(entry.value("old").toDouble(), decimals), lengthText(entry.value("new").toDouble(), decimals)), lettering(13.5, false, Face::Condensed), t.text);
         y += px(20);
     }
 }
