@@ -73,7 +73,7 @@ void Magazine::chain(std::vector<Spot>& out, const std::vector<const ToolPlace*>
         else if ((s -= kTurn / 2 * r) < straight) at = {straight / 2 - s, r};
         else s -= straight, at = QPointF(-straight / 2, 0) + QPointF(-std::sin(s / r), std::cos(s / r)) * r;
         at += middle;
-        out.push_back({places[i], QRectF(at.x() - size / 2, at.y() - size / 2, size, size), false});
+        out.push_back({places[i], QRectF(at.x() - size / 2, at.y() - size / 2, size, size), true});   // round ones do not touch in the bends
     }
 }
 
@@ -147,7 +147,7 @@ void Magazine::compose(Writer& w) {
         item.wraps = true;
         return;
     }
-    if (spots.front().round) {
+    if (static_cast<PlaceKind>(spots.front().place->kind) == PlaceKind::Turret && spots.front().round) {
         const double side = std::min<double>(width(), height()), size = spots.front().box.width(), hub = side / 2 - size - px(10);
         const QPointF middle(width() / 2.0, height() / 2.0);
         w.fill(QRectF(middle.x() - side / 2, middle.y() - side / 2, side, side), t.card, side / 2);
