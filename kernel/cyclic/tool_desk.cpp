@@ -37,7 +37,8 @@ void ToolDesk::start(KernelSegment& image, const StoreSegment& store) {
             now.left = row.life - row.counter;
             now.group_left = 0;
             for (const ToolRow& other : tools->rows)
-                if (other.used && other.type_number == row.type_number && (row.type_number != 0 || &other == &row)) now.group_left += std::max(other.life - other.counter, 0.0);
+                if (other.used && other.type_number == row.type_number && (row.type_number != 0 || &other == &row))
+                    now.group_left += other.life > 0 && static_cast<LifeKind>(other.life_kind) != LifeKind::None ? other.life - other.counter : std::numeric_limits<double>::infinity();
         }
     }
 }

@@ -112,10 +112,7 @@ bool sisters(const ToolRow& a, const ToolRow& b) {
 double group_left(const StoreValues& values, const ToolRow& row) {
     double sum = 0;
     for (const ToolRow& other : values.tools.rows)
-        if (&other == &row || sisters(row, other)) {
-            if (other.state & (kToolLocked | kToolBroken) || !(other.state & kToolEnabled)) continue;
-            sum += std::max(life_left(other), 0.0);
-        }
+        if (&other == &row || sisters(row, other)) sum += life_left(other);
     return sum;
 }
 

@@ -25,7 +25,8 @@ bool usable(const ToolRow& row);
 bool reaches(const params::Table& table, unsigned channel, const ToolRow& row);   // magazine and tool unit
 // What is left of its life; infinite when it is not watched.
 double life_left(const ToolRow& row);
-// Of all sisters of a tool; infinite when one of them is not watched.
+// N2900 TLN = 1 (nct part 2, 30.3): the sum of life less the sum of the counters over all sisters of a tool, also those that are locked,
+// broken or past their end; infinite when one of them is not watched.
 double group_left(const StoreValues& values, const ToolRow& row);
 bool sisters(const ToolRow& a, const ToolRow& b);   // of one type number, or without one of one name
 

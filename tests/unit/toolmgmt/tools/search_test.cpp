@@ -24,6 +24,19 @@ TEST(TCall, TakesTheSisterWithTheLeastLifeLeftAndThenTheNext) {
     EXPECT_EQ(rig.found(kType, 5), first);
 }
 
+// nct part 2, 30.3: "the sum of Life less the sum of Life counter over all tools with the same type number".
+TEST(TCall, TellsWhatIsLeftOfAllSistersLockedBrokenOrWornOut) {
+    ToolRig rig;
+    rig.add({{"type", 5}, {"life_kind", "minutes"}, {"life", 60}, {"counter", 10}}, 1, 3);
+    const int locked = rig.add({{"type", 5}, {"life_kind", "minutes"}, {"life", 60}, {"counter", 40}, {"locked", 1}}, 1, 4);
+    rig.add({{"type", 5}, {"life_kind", "minutes"}, {"life", 30}, {"counter", 35}}, 1, 5);
+    rig.add({{"type", 6}, {"life_kind", "minutes"}, {"life", 90}}, 1, 6);
+    EXPECT_NE(rig.found(kType, 5), locked);
+    EXPECT_DOUBLE_EQ(rig.call(kType, 5).group_left, 50 + 20 - 5);
+    rig.add({{"type", 5}}, 1, 7);   // one that is not watched lasts for ever
+    EXPECT_TRUE(std::isinf(rig.call(kType, 5).group_left));
+}
+
 TEST(TCall, GoesByTheCustomColumnWhereTcuSaysSo) {
     ToolRig rig;
     rig.set("N2904=2");
