@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "ipc/diagnosis/tongue.hpp"
 
 namespace polyturn {
@@ -14,6 +16,22 @@ std::string_view alarm_number(Alarm id, Dialect dialect) {
 
 std::string Diagnosis::text() const { return text_in(*this, Tongue::English); }
 
+namespace {
+
+// Of a line that fills screens, what stands around the column.
+std::string_view around(std::string_view line, std::uint32_t column) {
+    constexpr std::size_t kWidest = 240, kBefore = 80;
+    if (line.size() <= kWidest) return line;
+    const auto inside = [&](std::size_t at) { return at < line.size() && (static_cast<unsigned char>(line[at]) & 0xC0) == 0x80; };   // a letter of several bytes
+    std::size_t from = column > kBefore ? std::min<std::size_t>(column - kBefore, line.size()) : 0;
+    while (inside(from)) ++from;
+    std::size_t to = std::min(from + kWidest, line.size());
+    while (inside(to)) --to;
+    return line.substr(from, to - from);
+}
+
+}  // namespace
+
 std::string render(const Diagnosis& diagnosis, Dialect dialect, std::string_view source_line) {
     const Place& place = diagnosis.place;
     std::string out = place.file;
@@ -23,11 +41,13 @@ std::string render(const Diagnosis& diagnosis, Dialect dialect, std::string_view
     const std::string_view what = severity_word(diagnosis.severity(), tongue), remedy = alarm_text(diagnosis.alarm, tongue).remedy;
     out += fmt::format("{}{} {}: {}\n", out.empty() ? "" : ": ", what, alarm_number(diagnosis.alarm, dialect), text_in(diagnosis, tongue));
     if (!source_line.empty()) {
-        out += fmt::format("{:5} | {}\n", place.line, source_line);
+        const std::string_view shown = around(source_line, place.column);
+        const auto before = static_cast<std::size_t>(shown.data() - source_line.data());
+        out += fmt::format("{:5} | {}\n", place.line, shown);
         if (place.column) {
             // Tabs are kept, so that the mark stands under the word whatever their width on the screen.
             std::string pad;
-            for (std::size_t i = 0; i + 1 < place.column && i < source_line.size(); ++i) pad += source_line[i] == '\t' ? '\t' : ' ';
+            for (std::size_t i = before; i + 1 < place.column && i < source_line.size(); ++i) pad += source_line[i] == '\t' ? '\t' : ' ';
             out += fmt::format("      | {}{}\n", pad, std::string(place.length ? place.length : 1, '^'));
         }
     }
