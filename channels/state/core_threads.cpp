@@ -83,11 +83,15 @@ bool Core::thread(const AxisValues& target, const ThreadCall& call) {
     if (call.by_axis) along = call.axis, longest = std::fabs(move_.machine[along] - move_.machine_start[along]);
     if (longest <= kSame) return fail(Alarm::LeadIllegal, 'F', {}, call.lead);
     const double length = call.arc ? std::fabs(move_.sweep) * move_.radius : std::sqrt(length2), lead_path = call.lead * length / longest;
+    // Where the lead changes from turn to turn it is sqrt(lead^2 + 2 change way) behind the way.
+    const double end_square = call.lead * call.lead + 2.0 * call.lead_change * longest;
+    if (call.lead_change != 0 && end_square <= 0) return fail(Alarm::LeadRunsOut, 'K');
+    const double steepest = call.lead_change > 0 ? std::sqrt(end_square) / call.lead : 1.0;
     if (const double rpm = spindle_rpm_at(nearest_x); rpm > 0) {
         double most = rpm;
         int slow = -1;
         for (unsigned i = 0; i < view_->axis_count; ++i) {
-            const double share = std::fabs(move_.machine[i] - move_.machine_start[i]) / length * lead_path;
+            const double share = std::fabs(move_.machine[i] - move_.machine_start[i]) / length * lead_path * steepest;
             const double can = view_->axes[i].max_feed_mm_min;
             if (share > kSame && can > 0 && share * most > can * (1 + 1e-9)) most = can / share, slow = static_cast<int>(i);
         }
