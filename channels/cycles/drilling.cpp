@@ -1,6 +1,7 @@
 #include "channels/cycles/drilling.hpp"
 
 #include <cmath>
+#include <string>
 
 namespace polyturn::channels::cycles {
 namespace {
@@ -155,8 +156,32 @@ bool aside(Core& core, const Drilling& hole, double way) {
     return core.rapid(target);
 }
 
+// From here on the spindle is led by the axis.
+bool close_loop(Core& core, const Drilling& hole) {
+    if (hole.orients) {
+        if (!core.spindle_position(0.0) || !core.commit_spindle()) return false;
+        core.aux('M', 19, "M19", false);
+    } else {
+        core.aux('M', hole.closing_code, "M" + std::to_string(static_cast<long>(hole.closing_code)), false);
+    }
+    if (!core.spindle_turn(forward_of(hole)) || !core.commit_spindle()) return false;
+    PathState& path = core.path;
+    path.tap_pitch = hole.left_hand ? -hole.pitch : hole.pitch;
+    path.tap_axis = static_cast<std::uint8_t>(hole.axis);
+    path.tap_depth_sign = hole.bottom < hole.r_level ? -1.0 : 1.0;
+    path.tap_feedforward = hole.feedforward;
+    path.tap_own_acceleration_out = hole.own_acceleration_out;
+    return true;
+}
+
+bool open_loop(Core& core) {
+    core.path.tap_pitch = 0;
+    return turn(core, SpindleTurn::Stop);
+}
+
 bool drill_hole(Core& core, const Drilling& hole) {
     if (!to(core, hole, hole.r_level, true)) return false;
+    if (hole.rigid && !close_loop(core, hole)) return false;
     const SpindleTurn in = core.path.spindle.turn;
     const bool taps = hole.way_out == Drilling::Way::Tap;
     if (hole.peck > 0 ? !(taps ? tap_in_pecks(core, hole) : peck(core, hole)) : !to(core, hole, hole.bottom, false)) return false;
@@ -181,7 +206,7 @@ bool drill_hole(Core& core, const Drilling& hole) {
         case Drilling::Way::Tap:
             if (!out_of_thread(core, hole, hole.r_level, hole.out_factor)) return false;
             if (hole.dwells && hole.dwells_at_r && !core.dwell(hole.dwell, hole.dwell_revolutions)) return false;
-            if (!turn_for(core, hole, forward_of(hole))) return false;
+            if (hole.rigid ? !open_loop(core) : !turn(core, forward_of(hole))) return false;
             break;
     }
     return hole.to_r_level ? true : to(core, hole, hole.initial, true);
@@ -196,14 +221,9 @@ bool drill(Core& core, const Drilling& hole) {
     PathState& path = core.path;
     const bool locked = path.override_locked;
     path.override_locked = true;
-    path.tap_pitch = hole.left_hand ? -hole.pitch : hole.pitch;
-    path.tap_axis = static_cast<std::uint8_t>(hole.axis);
-    path.tap_depth_sign = hole.bottom < hole.r_level ? -1.0 : 1.0;
-    path.tap_feedforward = hole.feedforward;
-    path.tap_own_acceleration_out = hole.own_acceleration_out;
     const bool good = drill_hole(core, hole);
-    core.path.tap_pitch = 0;
-    core.path.override_locked = locked;
+    path.tap_pitch = 0;
+    path.override_locked = locked;
     return good;
 }
 

@@ -26,8 +26,10 @@ struct Drilling {
     bool left_hand = false;         // Tap: turns anticlockwise on the way in
     bool to_r_level = false;        // ends at the R level
     double out_factor = 1.0;        // Tap: speed out of the thread
-    // Tap: the spindle is positioned and turns along with the axis, `pitch` mm a revolution; whoever calls closes its loop before.
-    bool rigid = false;
+    // Tap: at the R level the spindle is positioned (M19) or its loop closed by a code, then it turns along with the axis, `pitch` mm a
+    // revolution; back at the R level the loop is opened (nct part 1, 16.4).
+    bool rigid = false, orients = false;
+    double closing_code = 0.0;
     double pitch = 0.0;
     bool feedforward = false, own_acceleration_out = false;   // N1503 RFF, EAE
     double return_factor = 1.0;     // Tap in pecks that leave the thread: speed back to the cut

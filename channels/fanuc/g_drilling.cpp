@@ -70,21 +70,7 @@ void Interpreter::fine_way(cycles::Drilling& hole) {
 // nct G84.2, G84.3: how the thread is cut and left (nct part 1 16.1, 16.4).
 bool Interpreter::begin_rigid_tap(cycles::Drilling& hole, bool left_hand) {
     const Settings::Tapping& tapping = settings_.tapping;
-    if (tapping.orients) {
-        if (!core_.spindle_position(0.0) || !core_.commit_spindle()) return false;
-        core_.aux('M', 19, "M19", false);
-    } else if (tapping.code > 0) {
-        core_.aux('M', tapping.code, "M" + std::to_string(static_cast<long>(tapping.code)), false);
-    }
-    hole.peck = drill_.q;
-    hole.chip_break = !tapping.leaves_hole;
-    hole.clearance = drill_.e_set ? drill_.e : tapping.leaves_hole ? tapping.clearance : tapping.chip_break;
-    hole.out_factor = tapping.out_factor;
-    hole.return_factor = tapping.return_factor;
-    if (tapping.word_i && block_.has('I') && block_.value('I') > 0) hole.out_factor = block_.value('I') / 100.0;
     hole.rigid = tapping.orients || tapping.code > 0;   // otherwise nothing closes the spindle's loop: it turns, the axis follows
-    hole.feedforward = tapping.feedforward;
-    hole.own_acceleration_out = tapping.own_acceleration_out;
     if (hole.rigid) {
         const double rpm = core_.path.spindle.rpm, feed = core_.path.feed;
         const bool per_revolution = core_.path.feed_mode == FeedMode::PerRevolution;
@@ -92,9 +78,19 @@ bool Interpreter::begin_rigid_tap(cycles::Drilling& hole, bool left_hand) {
         hole.pitch = per_revolution ? feed : feed / rpm;
         if (!(hole.pitch > 0)) return core_.fail(Alarm::FeedMissing, 'F');
     }
-    const SpindleTurn turn = left_hand ? SpindleTurn::Ccw : SpindleTurn::Cw;
-    if (!core_.spindle_turn(turn) || !core_.commit_spindle()) return false;
-    if (!hole.rigid) core_.aux('M', left_hand ? 4 : 3, left_hand ? "M4" : "M3", false);
+    hole.orients = tapping.orients;
+    hole.closing_code = tapping.code;
+    hole.peck = drill_.q;
+    hole.chip_break = !tapping.leaves_hole;
+    hole.clearance = drill_.e_set ? drill_.e : tapping.leaves_hole ? tapping.clearance : tapping.chip_break;
+    hole.out_factor = tapping.out_factor;
+    hole.return_factor = tapping.return_factor;
+    if (tapping.word_i && block_.has('I') && block_.value('I') > 0) hole.out_factor = block_.value('I') / 100.0;
+    hole.feedforward = tapping.feedforward;
+    hole.own_acceleration_out = tapping.own_acceleration_out;
+    if (hole.rigid) return true;
+    if (!core_.spindle_turn(left_hand ? SpindleTurn::Ccw : SpindleTurn::Cw) || !core_.commit_spindle()) return false;
+    core_.aux('M', left_hand ? 4 : 3, left_hand ? "M4" : "M3", false);
     return true;
 }
 
@@ -196,7 +192,7 @@ bool Interpreter::run_drilling() {
             if (named >> i & 1u) position[i] = steps >> i & 1u && k > 0 ? core_.path.programmed[i] + (step[i] - from[i]) : step[i];
         if (!core_.rapid(position) || !cycles::drill(core_, hole)) return false;
     }
-    if (hole.rigid || turns_spindle) {   // the loop opens again
+    if (turns_spindle) {   // the loop opens again
         if (!core_.spindle_turn(SpindleTurn::Stop) || !core_.commit_spindle()) return false;
         core_.aux('M', 5, "M5", false);
     }
