@@ -169,7 +169,6 @@ int run_check(const CheckOptions& options, std::FILE* out) {
     if (shared.cells() && !ask_to_go_on()) return 0;   // the programs take turns
 
     // A loop of the program that causes nothing would keep the check for ever.
-    constexpr std::uint64_t kMostSilentSteps = 20'000'000;
     std::uint64_t silent = 0;
     std::size_t printed = 0;
     for (;;) {
@@ -177,7 +176,7 @@ int run_check(const CheckOptions& options, std::FILE* out) {
         silent = printer.text.size() == printed ? silent + 1 : 0;
         printer.flush_large();
         printed = printer.text.size();
-        if (silent > kMostSilentSteps) {
+        if (silent > options.silent_steps) {
             events.alarm({Alarm::LoopEndless, {options.program, interpreter->core().at.line, 0, 0}, {}, {}}, interpreter->core().at);
             break;
         }

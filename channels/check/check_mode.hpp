@@ -1,5 +1,6 @@
 // `polyturn-channel --check`: interprets one program without a machine and prints its events (cli.md 3).
 #pragma once
+#include <cstdint>
 #include <cstdio>
 #include <string>
 
@@ -16,6 +17,7 @@ struct CheckOptions {
     bool variables = false;
     std::string shared;       // file that holds the variables which all channels of this check share; empty: alone
     bool alone = false;       // no other program takes part
+    std::uint64_t silent_steps = 20'000'000;   // blocks in a row that cause nothing: more are a loop without an end
 };
 
 // Prints to `out`. Exit status: 0 done, 1 an alarm ended the program, 2 something could not be read.
