@@ -22,13 +22,13 @@ namespace {
 
 // The interpreter behind a machine whose X slide is inclined.
 struct AngularWorld {
-    AngularWorld(MachineView& view, Sink& sink, Port& port, const fanuc::AngularAxes& axes) : sink_of(sink, port, view, axes), port_of(port, view, axes) {}
+    AngularWorld(MachineView& view, Sink& sink, Port& port, const AngularAxes& axes) : sink_of(sink, port, view, axes), port_of(port, view, axes) {}
     fanuc::AngularSink sink_of;
     fanuc::AngularPort port_of;
 };
 class AngularInterpreter final : private AngularWorld, public fanuc::Interpreter {
 public:
-    AngularInterpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles& files, const fanuc::AngularAxes& axes, bool usable)
+    AngularInterpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles& files, const AngularAxes& axes, bool usable)
         : AngularWorld(view, sink, port, axes), fanuc::Interpreter(view, sink_of, port_of, files, &fanuc::fanuc_settings), usable_(usable) {}
     Result<void> start(FileId main) override {
         if (!usable_) return Diagnosis{Alarm::AngularAngle, {}, {}, {}};
@@ -63,7 +63,7 @@ std::unique_ptr<Language> make_fanuc(MachineView& view, Sink& sink, Port& port, 
     fanuc::fanuc_axes(view);
     for (unsigned i = own; i < view.axis_count; ++i) view.start[i] = port.axis_command(view.axes[i].machine_axis).value_or(0.0);
     bool usable = true;
-    const fanuc::AngularAxes angular = fanuc::angular_axes(view, usable);
+    const AngularAxes angular = fanuc::angular_axes(view, usable);
     if (angular.on || !usable) return std::make_unique<AngularInterpreter>(view, sink, port, files, angular, usable);
     if (params::get(view.table(), params::pt_balance, view.channel) != 0) return std::make_unique<BalanceInterpreter>(view, sink, port, files);
     return std::make_unique<fanuc::Interpreter>(view, sink, port, files, &fanuc::fanuc_settings);

@@ -1,32 +1,11 @@
 #include "channels/fanuc/angular_axis.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace polyturn::channels::fanuc {
 
-using namespace params;
-
 AngularAxes angular_axes(const MachineView& view, bool& usable) {
-    AngularAxes axes;
-    usable = true;
-    const Table& t = view.table();
-    if (!bit(t, f8200, view.channel, 0)) return axes;
-    const double degrees = static_cast<double>(get(t, f8210, view.channel));
-    const auto place = [&](std::int64_t number, PlaneRole role) {
-        return number >= 1 && number <= static_cast<std::int64_t>(view.axis_count) ? static_cast<int>(number - 1) : view.axis_by_role(role);
-    };
-    const int x = place(get(t, f8211, view.channel), PlaneRole::BasicX), z = place(get(t, f8212, view.channel), PlaneRole::BasicZ);
-    const double away = std::fabs(std::remainder(degrees, 90.0));
-    usable = x >= 0 && z >= 0 && x != z && away > 1e-9 && std::fabs(degrees) < 90.0;
-    if (!usable) return axes;
-    axes.on = true;
-    axes.angular = static_cast<unsigned>(x);
-    axes.square = static_cast<unsigned>(z);
-    axes.radians = degrees * std::numbers::pi / 180.0;
-    axes.cosine = std::cos(degrees * std::numbers::pi / 180.0);
-    axes.tangent = std::tan(degrees * std::numbers::pi / 180.0);
-    return axes;
+    return polyturn::angular_axes(view.table(), view.channel, view.axis_count, view.axis_by_role(PlaneRole::BasicX), view.axis_by_role(PlaneRole::BasicZ), usable);
 }
 
 void AngularSink::move(const Move& m, const BlockContext& at) {

@@ -1,9 +1,4 @@
-// Angular axis control (fanuc_lathe 10.5): the X slide is inclined, programs are written at right angles.
-//
-//        X slide  /|        real X = X / cos(a)         X a radius
-//                / |        real Z = Z - X * tan(a)
-//               /a | X
-//   ------------+--+----> Z
+// Angular axis control (fanuc_lathe 10.5; formulas: ipc/machine/angular_axes.hpp) between the program and the machine.
 //
 // Interpreter, cycles and compensation work at right angles; this sink and this port stand between them and the machine.
 // The path stays at right angles too; the kernel finds the axes at every tick (ipc/kinematics), so arcs stay round.
@@ -12,24 +7,11 @@
 #include "channels/forwarding_sink.hpp"
 #include "channels/machine_view.hpp"
 #include "channels/port.hpp"
+#include "ipc/machine/angular_axes.hpp"
 
 namespace polyturn::channels::fanuc {
 
-struct AngularAxes {
-    bool on = false;
-    unsigned angular = 0, square = 1;   // places in the channel
-    double cosine = 1.0, tangent = 0.0, radians = 0.0;
-
-    void to_machine(AxisValues& values) const {
-        const double x = values[angular];
-        values[square] -= x * tangent;
-        values[angular] = x / cosine;
-    }
-    double x_of(double real) const { return real * cosine; }
-    double z_of(double real_x, double real_z) const { return real_z + real_x * cosine * tangent; }
-};
-
-// F8200 and on; `usable` is false for an angle that no slide can have.
+// Those of the channel that the view shows.
 AngularAxes angular_axes(const MachineView& view, bool& usable);
 
 class AngularSink final : public ForwardingSink {
