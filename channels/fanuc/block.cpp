@@ -33,6 +33,7 @@ bool Interpreter::classify() {
     coded_groups_ = 0;
     m_count_ = axis_word_count_ = g_count_ = comma_count_ = 0;
     spindle_words_ = false;
+    comma_angle_ = -1;
     for (unsigned i = 0; i < block_.count; ++i) {
         const Word& word = block_.words[i];
         if (word.axis >= kSpindleWord) {
@@ -45,6 +46,10 @@ bool Interpreter::classify() {
         }
         const char letter = word.address;
         if (letter >= 'a') {
+            if (letter == 'a' && comma_angle_ < 0 && !block_.has('A') && !settings_.mefi) {
+                comma_angle_ = static_cast<int>(i);
+                continue;
+            }
             if (comma_count_ == comma_words_.size() || settings_.mefi) {
                 fault_column_ = word.column;
                 fault_length_ = word.length;
@@ -195,7 +200,10 @@ Step Interpreter::nc_block() {
         const std::int64_t program = sub_program_;
         sub_program_ = -1;
         called_ = true;
-        if (!ended_ && !call_program(program, sub_repeats_, nullptr, true, false, 0)) return fault(core_.fault());
+        if (!ended_ && !call_program(program, sub_repeats_, nullptr, true, false, 0)) {
+            fault_column_ = sub_column_, fault_length_ = sub_length_;
+            return fault(core_.fault());
+        }
     }
     if (finishing_.active && !ended_ && !called_ && frames_.size() == finishing_.depth && core_.at.block == finishing_.last && !end_finishing()) return fault(core_.fault());
     end_one_block_shift();
@@ -279,6 +287,7 @@ bool Interpreter::act() {
     }
     for (unsigned k = 0; k < comma_count_; ++k)
         if (!corner_word(block_.words[comma_words_[k]])) return false;
+    if (comma_angle_ >= 0 && (motion_->tenths != 10 || one_shot || drilling_)) return corner_word(block_.words[static_cast<std::size_t>(comma_angle_)]);   // refused
     if (coded_groups_ & bit_of(GGroup::Surface)) {
         const GCode* row = coded_[static_cast<std::size_t>(GGroup::Surface)];
         if (!(this->*row->act)(*row)) return false;
@@ -307,7 +316,7 @@ bool Interpreter::act() {
         if ((axis_word_count_ || block_.has('R')) && !run_drilling()) return false;
     } else if (words_used_) {
         ;   // G51 X Z P names a point, and nothing moves
-    } else if (axis_word_count_ || (coded_groups_ & bit_of(GGroup::Motion)) || (block_.has('A') && motion_->tenths == 10 && !settings_.mefi && !(axis_letters_ & letter_bit('A'))) || block_.has('I') || block_.has('J') || block_.has('K') || block_.has('R')) {
+    } else if (axis_word_count_ || (coded_groups_ & bit_of(GGroup::Motion)) || (angle_word() && motion_->tenths == 10 && !settings_.mefi) || block_.has('I') || block_.has('J') || block_.has('K') || block_.has('R')) {
         if (!motion_->act) return core_.fail(Alarm::NotBuilt, 'G', std::string(motion_->name));
         core_.path.feed_path.degree_mm = settings_.mefi ? 0.0 : unit_;   // F is the speed in the plane of millimetres and degrees
         if (!(this->*motion_->act)(*motion_)) return false;

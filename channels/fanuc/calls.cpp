@@ -124,6 +124,7 @@ bool Interpreter::code_calls(bool& called) {
         const auto later = [&](std::int32_t program, std::int64_t repeats, bool repeats_word = false) {
             sub_program_ = program;
             sub_repeats_ = repeats;
+            sub_column_ = word.column, sub_length_ = word.length;
             block_.words[k].address = 'N';
             if (repeats_word) block_.letters &= ~letter_bit('L');   // it was the number of calls
             bool another = false;

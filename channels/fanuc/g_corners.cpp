@@ -2,7 +2,7 @@
 //
 //   G1 Z-20. I5.      Z, then a chamfer of 5 towards +X; the next block goes on in X
 //   G1 X40. Z-20. ,R2.   any two elements
-//   G1 X40. A135.     the angle from the +Z axis gives the missing coordinate
+//   G1 X40. A135.     (or ,A135.) the angle from the +Z axis gives the missing coordinate
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -116,13 +116,20 @@ bool Interpreter::follows_corner(const AxisValues& target, bool line) {
     return true;
 }
 
+// A where no axis has this name, or ,A.
+const Word* Interpreter::angle_word() const {
+    if (comma_angle_ >= 0) return &block_.words[static_cast<std::size_t>(comma_angle_)];
+    return block_.has('A') && !(axis_letters_ & letter_bit('A')) ? &block_.word('A') : nullptr;
+}
+
 // A: with one coordinate the other one; alone (the next block names both): where that block's line crosses this one.
 bool Interpreter::angle_line(AxisSet named) {
     int p = -1, q = -1;
     core_.plane_axes(p, q);
     if (p < 0 || q < 0) return core_.fail(Alarm::PlaneAxisMissing, 'G');
     const auto i = static_cast<std::size_t>(p), k = static_cast<std::size_t>(q);
-    const double degrees = block_.word('A').has_point || block_.word('A').from_expression || settings_.point_means_nothing ? block_.value('A') : block_.value('A') * 0.001;
+    const Word& word = *angle_word();
+    const double degrees = word.has_point || word.from_expression || settings_.point_means_nothing ? word.value : word.value * 0.001;
     const double a = degrees * std::numbers::pi / 180.0, dp = std::cos(a), dq = std::sin(a);
     const AxisValues& from = core_.path.programmed;
     const bool has_p = named >> i & 1u, has_q = named >> k & 1u;

@@ -12,7 +12,7 @@ bool Interpreter::g_rapid(const GCode&) {
 }
 
 bool Interpreter::g_linear(const GCode&) {
-    const bool angle = block_.has('A') && !(axis_letters_ & letter_bit('A'));
+    const bool angle = angle_word() != nullptr;
     if (angle && settings_.mefi) return core_.fail(Alarm::AddressIllegal, 'A', "A");
     if (!axis_word_count_ && !angle) {
         for (const char letter : {'I', 'K', 'R'})

@@ -2,6 +2,7 @@
 #include "channels/fanuc/interpreter.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <utility>
 
@@ -177,7 +178,30 @@ Step Interpreter::fault(Fault fault) {
         column = word.column;
         length = word.length;
     }
+    if (!column && !fault_line_) {
+        if (const Word* word = word_at_fault(fault.alarm)) column = word->column, length = word->length;
+    }
     return fault_at(fault.alarm, column, length, std::move(fault.detail), fault.value0, fault.value1);
+}
+
+// Where what went wrong names no letter: the centre or radius of an arc that does not fit; otherwise the code that moves, the last G word
+// or the first word of the block.
+const Word* Interpreter::word_at_fault(Alarm alarm) const {
+    if (block_.count == 0 || line_.empty()) return nullptr;
+    if (alarm == Alarm::ArcRadiusDiffers || alarm == Alarm::CompArcCentre)
+        for (const char letter : {'R', 'I', 'J', 'K'})
+            if (block_.has(letter)) return &block_.word(letter);
+    const Word* found = nullptr;
+    for (std::size_t k = 0; k < block_.count; ++k) {   // it may not have been classified yet
+        const Word& word = block_.words[k];
+        if (word.address == 'N' || word.address == 'O') continue;
+        if (word.address == 'G') {
+            if (const GCode* row = table_.find(static_cast<std::uint32_t>(std::lround(std::fabs(word.value) * 10.0))); row && row->group == GGroup::Motion) return &word;
+            found = &word;
+        }
+        if (!found) found = &word;
+    }
+    return found;
 }
 
 void Interpreter::finish(StopReason reason) {
@@ -333,7 +357,7 @@ std::optional<TextPosition> Interpreter::find_block(std::int64_t number) {
 
 bool Interpreter::jump_to(std::int64_t number) {
     const auto found = find_block(number);
-    if (!found) return core_.fail(Alarm::SequenceNumberMissing, 0, std::to_string(number));
+    if (!found) return core_.fail(Alarm::SequenceNumberMissing, 'P', std::to_string(number));
     go_to(*found);
     return true;
 }

@@ -14,7 +14,8 @@
 #include "channels/cycles/contour.hpp"
 #include "channels/cycles/drilling.hpp"
 #include "channels/cycles/simple_cycles.hpp"
-#include "channels/fanuc/interpreter_state.hpp"
+#include "channels/fanuc/block_words.hpp"
+#include "channels/fanuc/modal_state.hpp"
 #include "channels/fanuc/settings.hpp"
 #include "channels/fanuc/expression.hpp"
 #include "channels/fanuc/block_index.hpp"
@@ -27,7 +28,8 @@
 
 namespace polyturn::channels::fanuc {
 
-class Interpreter : public Language, private ScanHook, private VariableHost {
+// The values that its blocks leave stand in ModalState, those of the block being read in BlockWords.
+class Interpreter : public Language, private ScanHook, private VariableHost, private ModalState, private BlockWords {
 public:
     using MakeSettings = Settings (*)(const params::Table&, unsigned channel);
     Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles& files, MakeSettings make_settings);
@@ -129,6 +131,7 @@ private:
     void live_value_barrier();
     void look_at_synchronous_axes();
     Step fault(Fault fault);
+    const Word* word_at_fault(Alarm alarm) const;
     Step fault_at(Alarm alarm, std::uint32_t column, std::uint32_t length, std::string detail = {}, double v0 = 0, double v1 = 0);
     Step end_of_text();
     void finish(StopReason reason);
@@ -215,6 +218,7 @@ private:
     void note_chamfer(double size);
     bool chamfer_has_room(const AxisValues& target);
     bool follows_corner(const AxisValues& target, bool line);
+    const Word* angle_word() const;
     bool angle_line(AxisSet named);
     bool radius_offset();
     double second_geometry(std::size_t axis, const OffsetCell& cell);
@@ -344,80 +348,24 @@ private:
     bool blocks_begun_ = false;       // of the running program text
     std::int64_t program_number_ = 0; // O of the running program
 
-    // modal state of the language
-    const GCode* motion_ = nullptr;
-    std::array<const GCode*, static_cast<std::size_t>(GGroup::Count)> active_{};
-    AxisValues cycle_end_{};          // of G90 G92 G94 (G77 to G79), for the axes of cycle_set_
-    AxisSet cycle_set_ = 0;
-    double cycle_taper_ = 0.0;
-    const GCode* drilling_ = nullptr; // active drilling cycle
-    DrillWords drill_;
-    Finishing finishing_;   // G70 drives the blocks P to Q
-    CycleData cycle_data_;   // what first blocks have said (fanuc: it stays; nct: for the next block)
     bool only_macros_ = false;        // of an interrupt program, while the path is on its way to it
     bool reads_contour_ = false;      // this interpreter only looks at a contour
     std::uint16_t units_code(bool inch) const { return static_cast<std::uint16_t>((settings_.system == kC ? 700 : 200) + (inch ? 0 : 10)); }
-    bool absolute_ = true, inch_ = false;
-    std::optional<AxisValues> away_;  // moved in the hold (N1337 REL): the next block with axis words decides
-    std::int64_t last_m_ = 0, last_t_ = 0, last_n_ = 0;
-    bool parameter_input_ = false;    // between G10 L50 and G11
-    LifeInput life_;                  // between G10 L3 and G11
-    OneBlockShift one_block_;   // mefi G58, G59: what holds again behind the block
 
-    // the block
-    std::array<const GCode*, static_cast<std::size_t>(GGroup::Count)> coded_{};
-    std::uint32_t coded_groups_ = 0;
-    std::array<std::uint8_t, 12> m_words_{};
-    std::array<std::uint8_t, kChannelAxes * 2> axis_words_{};
-    static constexpr int kSpindleWord = 64;   // Word::axis of a spindle's address of several letters: place in Settings::spindle_addresses
-    static constexpr int kNamedSpindle = 96;  // ... of a spindle's name (S2=3200): place in Settings::spindle_names
-    bool spindle_words_ = false;              // the block has such words
-    unsigned m_count_ = 0, axis_word_count_ = 0, g_count_ = 0;
-    std::array<std::uint8_t, 12> g_words_{};
-    AxisValues target_{};
+    // under way beside blocks
     Measuring measuring_;
     RemoteData remote_;   // G5: blocks of binary data come
     ExternalProgram external_;   // M198: a program text comes through a socket
     std::deque<std::string> external_texts_;   // of programs that came
-    Interrupting interrupting_;
-    FrameChain frames_of_;
-    LengthState length_;
-    Plane plane_before_ = Plane::ZX;           // what G13.1 goes back to
-    CornerThen corner_then_;
-    ChamferBefore chamfer_before_;
-    bool polar_ = false, polar_known_ = false;
-    double polar_radius_ = 0.0, polar_angle_ = 0.0;
-    double angle_dp_ = 0.0, angle_dq_ = 0.0;   // direction of a line whose end the next block tells
-    BlockContext angle_at_;
-    std::array<std::uint32_t, 8> corner_lines_{};  // of the newest blocks with a chamfer or corner R
-    unsigned corner_count_ = 0;
-    std::uint64_t comp_moves_ = ~0ull;         // moves delivered when compensation was switched on
-    std::uint16_t comp_code_ = 0;              // G41 or G42, in tenths, as it was programmed last
-    std::array<std::uint8_t, 2> comma_words_{};
-    unsigned comma_count_ = 0;
-    bool words_used_ = false;                  // a setting of this block has taken the axis words
     BPrograms b_;
     Interruption interruption_;   // an interrupt program runs
     std::shared_ptr<ResumeState> interrupted_;   // what held when the program was interrupted
-    double parts_ = 0, parts_wanted_ = 0;
-    double pattern_ = 0;              // #5900
     PatternDialogue dialogue_;
-    std::uint32_t outputs_ = 0;       // #1132
-    double outputs_wide_ = 0;         // #1133
-    bool settings_iso_ = false, settings_sequence_ = false, settings_tv_ = false;   // #3005 without a further effect
-    double timer_ms_offset_ = 0, timer_h_offset_ = 0;   // #3001, #3002 as the program has set them
-    bool printing_ = false;           // between POPEN and PCLOS
-    bool print_blanks_ = false;
-    std::int64_t sub_program_ = -1, sub_repeats_ = 1;   // called by a code of this block when the block has acted
-    bool polygon_on_ = false;
     std::uint64_t managed_serial_ = 0;   // of the block whose T has been executed before the rest of it
     bool wants_barrier_ = false, ended_ = false, jumped_ = false, called_ = false;
     bool reread_ = false;             // the block stands before a barrier and is read again behind it
     bool fresh_ = false;              // live values are those of the barrier just passed
-    bool moved_ = false;              // the block moved: G66 calls follow
     std::string kept_line_;
-    std::uint32_t fault_line_ = 0;    // 0: the line read last
-    std::uint32_t fault_column_ = 0, fault_length_ = 0;   // by the macro parser; 0: the letter tells
     Fault pending_fault_;
     bool has_pending_fault_ = false;
     std::optional<Fault> barrier_fault_;   // what the world looks like behind a barrier is a mistake
@@ -431,11 +379,7 @@ private:
     // letters -> axes
     std::array<std::int8_t, 26> absolute_axis_{}, incremental_axis_{};
     std::uint32_t axis_letters_ = 0;
-    double unit_ = 1.0;               // mm in a programmed millimetre or inch
-    double lead_ = 0.0;               // of the last thread, mm
-    bool single_block_off_ = false, no_finish_wait_ = false;   // #3003
     bool hidden_ = false;             // in a program in which single block does not stop (N1756)
-    int automatic_control_ = 0;       // #3004
 };
 
 }  // namespace polyturn::channels::fanuc

@@ -131,12 +131,12 @@ TEST(FanucBlock, IsDiagnosedAtItsLineAndColumn) {
         {"G0 X1. \xC3\xA4", R"("PT1000")", 1, 8},
         {"(\xC3\xA4) G0 X", "5", 1, 8},                   // columns count characters
         {"G0 X1. (open", R"("PT1001")", 1, 8},
-        {"G0 X1.\nG98 G1 X5.", "11", 2, 0},               // no feed
-        {"G32 Z-5. F1.", R"("PT1016")", 1, 0},
+        {"G0 X1.\nG98 G1 X5.", "11", 2, 5},               // no feed
+        {"G32 Z-5. F1.", R"("PT1016")", 1, 1},
         {"S3000 M3\nG32 Z-5. F4.", R"("PT1017")", 2, 10}, // 12 m/min, the axis does 8
-        {"S300 M3\nG32 Z-5.", R"("PT1044")", 2, 0},
+        {"S300 M3\nG32 Z-5.", R"("PT1044")", 2, 1},
         {"G98 F9\nG2 X10. Z-10. R1.", "20", 2, 15},
-        {"G98 F9\nG2 X10. Z-10. I5. K1.", "20", 2, 0},
+        {"G98 F9\nG2 X10. Z-10. I5. K1.", "20", 2, 15},
         {"G98 F9\nG2 X10. Z-10.", "22", 2, 1},
         {"G98 F9\nG2 X10. Z-10. R-9.", "23", 2, 15},
         {"G98 F9\nG2 X10. Z-10. J9.", "21", 2, 15},
