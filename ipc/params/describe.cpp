@@ -1,10 +1,67 @@
 // Words for people: `params get`, the manual.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "ipc/params/limits_text.hpp"
 #include "ipc/params/registry.hpp"
+#include "ipc/params/tongue.hpp"
 
 namespace polyturn::params {
+
+namespace {
+
+// What is said of every row, in the languages that people read; the rows themselves are told by words_of.
+struct Phrase {
+    std::string_view english, russian, czech, hungarian;
+};
+constexpr Phrase kPhrases[] = {
+    {"machine group", "на группу станка", "skupinu stroje", "gépcsoportonként"},
+    {"channel", "на канал", "kanál", "csatornánként"},
+    {"axis", "на ось", "osu", "tengelyenként"},
+    {"spindle", "на шпиндель", "vřeteno", "főorsónként"},
+    {"eight bits", "восемь битов", "osm bitů", "nyolc bit"},
+    {"whole number", "целое число", "celé číslo", "egész szám"},
+    {"number", "число", "číslo", "szám"},
+    {"text", "текст", "text", "szöveg"},
+    {"at the next tick", "со следующего такта", "od příštího taktu", "a következő ütemtől"},
+    {"at the channel's next barrier", "со следующего останова чтения канала", "od příštího zastavení čtení kanálu", "a csatorna következő olvasási megállásától"},
+    {"at the next start", "со следующего пуска", "od příštího spuštění", "a következő indítástól"},
+    {"operator", "оператор", "obsluha", "kezelő"},
+    {"setter", "наладчик", "seřizovač", "beállító"},
+    {"machine builder", "изготовитель станка", "výrobce stroje", "gépgyártó"},
+    {"yes", "да", "ano", "igen"},
+    {"one of {}", "одно из: {}", "jedno z: {}", "ezek egyike: {}"},
+    {"four numbers 0 to 255 with points between, or empty", "четыре числа от 0 до 255 через точки или пусто", "čtyři čísla 0 až 255 oddělená tečkami, nebo prázdné", "négy szám 0 és 255 között, pontokkal, vagy üres"},
+    {"{} to {} characters", "от {} до {} знаков", "{} až {} znaků", "{}–{} karakter"},
+    {"any", "любое", "libovolné", "bármi"},
+    {"up to {}", "до {}", "nejvýše {}", "legfeljebb {}"},
+    {"from {}", "от {}", "nejméně {}", "legalább {}"},
+    {"{} to {}", "от {} до {}", "{} až {}", "{} … {}"},
+    {"{:.0f} to {:.0f}", "от {:.0f} до {:.0f}", "{:.0f} až {:.0f}", "{:.0f} … {:.0f}"},
+    {"  once per machine", "  один на станок", "  jednou na stroj", "  gépenként egyszer"},
+    {"  once per {}, {}1 to {}{}", "  по одному {}, с {}1 по {}{}", "  jednou na {}, {}1 až {}{}", "  {} egyszer, {}1–{}{}"},
+    {", [0] to [{}]", ", с [0] по [{}]", ", [0] až [{}]", ", [0] … [{}]"},
+    {", in {}", ", единица {}", ", v {}", ", egység: {}"},
+    {"; default \"{}\"\n", "; по умолчанию \"{}\"\n", "; výchozí \"{}\"\n", "; alapérték: \"{}\"\n"},
+    {"; default {}\n", "; по умолчанию {}\n", "; výchozí {}\n", "; alapérték: {}\n"},
+    {"  changed by: {}; takes effect {}\n", "  изменяет: {}; действует {}\n", "  mění: {}; platí {}\n", "  változtatja: {}; hat {}\n"},
+    {"  acts: {}\n", "  действует: {}\n", "  působí: {}\n", "  hatása: {}\n"},
+};
+
+std::string_view say(std::string_view english, Tongue tongue) {
+    if (tongue == Tongue::English) return english;
+    const auto found = std::find_if(std::begin(kPhrases), std::end(kPhrases), [&](const Phrase& phrase) { return phrase.english == english; });
+    if (found == std::end(kPhrases)) return english;
+    return tongue == Tongue::Russian ? found->russian : tongue == Tongue::Czech ? found->czech : found->hungarian;
+}
+
+template <class... Values>
+std::string told(std::string_view english, Tongue tongue, const Values&... values) {
+    return fmt::format(fmt::runtime(say(english, tongue)), values...);
+}
+
+}  // namespace
 
 std::string_view to_string(Scope scope) noexcept {
     switch (scope) {
@@ -60,32 +117,39 @@ std::string_view to_string(Protection protection) noexcept {
     return "machine builder";
 }
 
-std::string limits_text(const Row& row) {
-    if (row.text_rule == TextRule::Choice) return fmt::format("one of {}", fmt::join(row.choices, ", "));
-    if (row.text_rule == TextRule::Ipv4) return "four numbers 0 to 255 with points between, or empty";
-    if (row.type == Type::Text) return fmt::format("{} to {} characters", row.min, row.max);
+namespace {
+
+std::string limits_in(const Row& row, Tongue tongue) {
+    if (row.text_rule == TextRule::Choice) return told("one of {}", tongue, fmt::join(row.choices, ", "));
+    if (row.text_rule == TextRule::Ipv4) return told("four numbers 0 to 255 with points between, or empty", tongue);
+    if (row.type == Type::Text) return told("{} to {} characters", tongue, row.min, row.max);
     constexpr double kUnlimited = 1e307;  // the widest range that a row has stands for none
-    if (row.min < -kUnlimited && row.max > kUnlimited) return "any";
-    if (row.min < -kUnlimited) return fmt::format("up to {}", row.max);
-    if (row.max > kUnlimited) return fmt::format("from {}", row.min);
-    if (row.type == Type::Real) return fmt::format("{} to {}", row.min, row.max);
-    return fmt::format("{:.0f} to {:.0f}", row.min, row.max);
+    if (row.min < -kUnlimited && row.max > kUnlimited) return told("any", tongue);
+    if (row.min < -kUnlimited) return told("up to {}", tongue, row.max);
+    if (row.max > kUnlimited) return told("from {}", tongue, row.min);
+    return told(row.type == Type::Real ? "{} to {}" : "{:.0f} to {:.0f}", tongue, row.min, row.max);
 }
 
+}  // namespace
+
+std::string limits_text(const Row& row) { return limits_in(row, Tongue::English); }   // a part of diagnoses, which logs have in English
+
 std::string describe(const Row& row) {
+    const Tongue tongue = tongue_now();
+    const RowWords words = words_of(row, tongue);
     const char letter = scope_letter(row.scope);
-    std::string out = fmt::format("{}  {}  ({})\n  {}\n", row.number, row.name, row.group, row.meaning);
-    for (const Bit& bit : row.bits) out += fmt::format("  #{} {}: {}\n", bit.number, bit.name, bit.meaning);
+    std::string out = fmt::format("{}  {}  ({})\n  {}\n", row.number, words.name, row.group, words.meaning);
+    for (const Bit& bit : row.bits) out += fmt::format("  #{} {}: {}\n", bit.number, bit.name, words.bits[bit.number]);
     if (letter == '\0')
-        out += "  once per machine";
+        out += told("  once per machine", tongue);
     else
-        out += fmt::format("  once per {}, {}1 to {}{}", to_string(row.scope), letter, letter, instances(row.scope));
-    if (row.array > 1) out += fmt::format(", [0] to [{}]", row.array - 1);
-    out += fmt::format("; {}, {}", to_string(row.type), limits_text(row));
-    if (!row.unit.empty()) out += fmt::format(", in {}", row.unit);
-    out += row.type == Type::Text ? fmt::format("; default \"{}\"\n", row.default_text) : fmt::format("; default {}\n", fmt::join(row.default_numbers, " "));
-    out += fmt::format("  changed by: {}; takes effect {}\n", to_string(row.protection), to_string(row.effect));
-    out += fmt::format("  acts: {}\n", row.acts);
+        out += told("  once per {}, {}1 to {}{}", tongue, say(to_string(row.scope), tongue), letter, letter, instances(row.scope));
+    if (row.array > 1) out += told(", [0] to [{}]", tongue, row.array - 1);
+    out += fmt::format("; {}, {}", say(to_string(row.type), tongue), limits_in(row, tongue));
+    if (!row.unit.empty()) out += told(", in {}", tongue, row.unit);
+    out += row.type == Type::Text ? told("; default \"{}\"\n", tongue, row.default_text) : told("; default {}\n", tongue, fmt::join(row.default_numbers, " "));
+    out += told("  changed by: {}; takes effect {}\n", tongue, say(to_string(row.protection), tongue), say(to_string(row.effect), tongue));
+    out += told("  acts: {}\n", tongue, row.acts == "yes" ? say("yes", tongue) : words.acts);
     return out;
 }
 

@@ -6,11 +6,13 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <map>
 #include <set>
 #include <string>
 
 #include "ipc/params/table.hpp"
+#include "ipc/params/tongue.hpp"
 
 namespace polyturn::params {
 namespace {
@@ -118,6 +120,25 @@ TEST(Descriptions, NameScopeLimitsUnitEffectAndBits) {
     for (const char* part : {"N0106", "Axis Properties", "#0 DIA", "#7 HYP", "A1 to A96", "0 to 255", "default 0", "acts: yes"})
         EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
     for (const Row& row : rows()) EXPECT_NE(describe(row).find(row.number), std::string::npos);
+}
+
+TEST(Descriptions, AreToldInTheLanguageOfTheReader) {
+    const char* before = std::getenv("POLYTURN_LANG");
+    const std::string kept = before ? before : "";
+    setenv("POLYTURN_LANG", "cs", 1);
+    const Row& row = *find("N0106");
+    const std::string text = describe(row);
+    EXPECT_NE(text.find(words_of(row, Tongue::Czech).name), std::string::npos) << text;
+    for (const char* part : {"jednou na osu, A1 až A96", "osm bitů, 0 až 255", "výchozí 0", "mění: ", "působí: ano"}) EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+    for (const char* word : {"ru", "cs", "hu"}) {
+        setenv("POLYTURN_LANG", word, 1);
+        for (const Row& one : rows()) {
+            const std::string own = describe(one);
+            for (const char* english : {"once per", "changed by:", "takes effect", "; default ", "  acts:"}) EXPECT_EQ(own.find(english), std::string::npos) << own;
+        }
+    }
+    if (before) setenv("POLYTURN_LANG", kept.c_str(), 1);
+    else unsetenv("POLYTURN_LANG");
 }
 
 }  // namespace
