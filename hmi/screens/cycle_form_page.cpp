@@ -11,6 +11,8 @@ namespace {
 
 using forms::Unit;
 
+QString addressText(const forms::Field& field, const forms::Value& value) { return value.address.empty() ? fromView(field.address) : QString::fromStdString(value.address); }
+
 QString unitText(Unit unit) {
     switch (unit) {
         case Unit::Length: case Unit::Fine: return unitWord("mm");
@@ -22,6 +24,7 @@ QString unitText(Unit unit) {
         case Unit::Lead: return unitWord("mm/rev");
         case Unit::Tenths: return word("1/10 lead");
         case Unit::Label: return "N";
+        case Unit::Speed: return unitWord("1/min");
         default: return {};
     }
 }
@@ -49,7 +52,7 @@ CycleFormPage::CycleFormPage(Desk& desk, QWidget* parent) : EditorOverlay(parent
         if (i < 0) return std::nullopt;
         const forms::Field& f = now_->form->fields[static_cast<std::size_t>(i)];
         const forms::Value& v = now_->values[static_cast<std::size_t>(i)];
-        return NumberPad::Field{QString(QChar(v.address ? v.address : f.address)) + "  " + word(f.meaning), unitText(f.unit), v.expression.empty() ? v.number : 0.0, static_cast<unsigned>(forms::decimals_of(f, dialect_))};
+        return NumberPad::Field{addressText(f, v) + "  " + word(f.meaning), unitText(f.unit), v.expression.empty() ? v.number : 0.0, static_cast<unsigned>(forms::decimals_of(f, dialect_))};
     };
     pad_->onInput = [this](double value) { input(value); };
     note_->onCompose = [this](Writer& w) { composeNote(w); };
@@ -99,6 +102,11 @@ void CycleFormPage::choose(int row) {
     if (desk_.keysChanged) desk_.keysChanged();
 }
 
+QString CycleFormPage::code() const {
+    const auto row = static_cast<std::size_t>(std::max(0, table_->row()));
+    return now_ ? fromView(now_->form->code) : row < list_.size() ? fromView(list_[row]->code) : QString();
+}
+
 int CycleFormPage::field() const { return now_ && table_->row() < static_cast<int>(now_->values.size()) ? table_->row() : -1; }
 
 void CycleFormPage::point() {
@@ -139,7 +147,7 @@ QString CycleFormPage::hintText(int i) const {
     if (!now_ || i < 0) return {};
     const forms::Field& f = now_->form->fields[static_cast<std::size_t>(i)];
     const forms::Value& v = now_->values[static_cast<std::size_t>(i)];
-    const bool other_program = dialect_.speaks == forms::kFagor && f.address == 'Q';
+    const bool other_program = dialect_.speaks == forms::kFagor && f.address == "Q";
     if (f.unit != Unit::Label || other_program || !v.set || !v.expression.empty()) return {};
     if (dialect_.speaks == forms::kFagor && now_->values.back().set) return {};   // the contour stands in the program Q
     const QRegularExpression block(QString("^\\s*(?:/\\d?\\s*)?N0*%1(?!\\d)").arg(static_cast<long>(v.number)), QRegularExpression::CaseInsensitiveOption);
@@ -160,7 +168,7 @@ Table::Cell CycleFormPage::cell(int row, int column) const {
     const bool changed = before_ && !(before_->values[i] == v);
     switch (column) {
         case kAddress: {
-            const QString name = QString(QChar(v.address ? v.address : f.address));
+            const QString name = addressText(f, v);
             return {now_->form->two_blocks() ? name + (f.block ? QString::fromUtf8(" ②") : QString::fromUtf8(" ①")) : name, t.accent, Sign::None, true};
         }
         case kMeaning: return {word(f.meaning), f.needed || v.set ? t.text : t.dim};
@@ -192,7 +200,7 @@ void CycleFormPage::erase() {
     const int i = field();
     if (i < 0) return;
     forms::Value& v = now_->values[static_cast<std::size_t>(i)];
-    const char address = v.address;
+    const std::string address = v.address;
     v = {};
     v.address = address;
     pad_->clear();

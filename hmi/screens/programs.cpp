@@ -9,6 +9,8 @@
 #include "hmi/machine/channel_words.hpp"
 #include "hmi/machine/code_help.hpp"
 #include "hmi/machine/setup_sheet.hpp"
+#include "hmi/screens/contour_page.hpp"
+#include "hmi/screens/cycle_form_page.hpp"
 #include "ipc/text/job.hpp"
 #include "ipc/text/machine_path.hpp"
 
@@ -96,7 +98,10 @@ void Programs::look(DryRun::How how) {
 
 // In the editor the manual's line of the word at the cursor.
 HelpTopic Programs::help() const {
-    if (page_ == Page::Edit) {
+    if (page_ == Page::Edit && editor_->contour().isVisible()) return {"operator.md", "Cycles as forms", {}};
+    if (page_ == Page::Edit && editor_->form().isVisible()) {
+        if (const CodePlace place = placeOfCode(editor_->form().code(), editor_->language()); !place.page.isEmpty()) return {place.page, place.find, {}, true};
+    } else if (page_ == Page::Edit) {
         const QTextCursor at = editor_->edit().textCursor();
         if (const CodePlace place = placeOfCode(wordAt(at.block().text(), at.positionInBlock()), editor_->language()); !place.page.isEmpty()) return {place.page, place.find, {}, true};
     }

@@ -24,11 +24,6 @@
         <translation>%1 podle %2: přímost</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
-        <source>%1 files</source>
-        <translation>souborů: %1</translation>
-    </message>
-    <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>%1 has a new insert: life and wear begin anew</source>
         <translation>%1 má novou destičku: životnost a opotřebení začínají znovu</translation>
@@ -99,11 +94,6 @@
         <translation>%1 z %2</translation>
     </message>
     <message>
-        <location filename="../screens/parts_page.cpp"/>
-        <source>%1 parts to the limit</source>
-        <translation>do meze %1 dílů</translation>
-    </message>
-    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>%1 s after the start of the controller</source>
         <translation>%1 s po startu řízení</translation>
@@ -117,11 +107,6 @@
         <location filename="../screens/tools_requests.cpp"/>
         <source>%1 stands in %2</source>
         <translation>%1 stojí v %2</translation>
-    </message>
-    <message>
-        <location filename="../screens/system.cpp"/>
-        <source>%1 values and files would change</source>
-        <translation>Změnilo by se %1 hodnot a souborů</translation>
     </message>
     <message>
         <location filename="../screens/settings_page.cpp"/>
@@ -284,6 +269,11 @@
         <translation>Vše od nástrojů</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>All axes move: press again</source>
+        <translation>Pojedou všechny osy: stiskněte znovu</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>All groups</source>
         <translation>Všechny skupiny</translation>
@@ -429,6 +419,16 @@
         <translation>Zálohy</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Barrel thread on an arc, clockwise</source>
+        <translation>Soudkový závit po oblouku, po směru hodin</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Barrel thread on an arc, counter-clockwise</source>
+        <translation>Soudkový závit po oblouku, proti směru hodin</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Before</source>
         <translation>Před</translation>
@@ -479,9 +479,19 @@
         <translation>Dno díry X</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Bottom of the hole X, or the end of the way back</source>
+        <translation>Dno díry X, nebo konec zpětné dráhy</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Bottom of the hole Z</source>
         <translation>Dno díry Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Bottom of the hole Z, or the end of the way back</source>
+        <translation>Dno díry Z, nebo konec zpětné dráhy</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -909,6 +919,11 @@
         <translation>Průměr tohoto řezu na konci</translation>
     </message>
     <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>Differences: %1</source>
+        <translation>Rozdílů: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>Dimension</source>
         <translation>Rozměr</translation>
@@ -1024,6 +1039,16 @@
         <translation>Konec závitu Z</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>End of the way back X</source>
+        <translation>Konec zpětné dráhy X</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>End of the way back Z</source>
+        <translation>Konec zpětné dráhy Z</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>End point X</source>
         <translation>Koncový bod X</translation>
@@ -1034,6 +1059,11 @@
         <translation>Koncový bod X posledního zápichu</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>End point X, where the thread is tapered</source>
+        <translation>Koncový bod X, je-li závit kuželový</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>End point Z</source>
         <translation>Koncový bod Z</translation>
@@ -1042,6 +1072,11 @@
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>End point Z of the last plunge</source>
         <translation>Koncový bod Z posledního zápichu</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>End point Z, where the thread is tapered</source>
+        <translation>Koncový bod Z, je-li závit kuželový</translation>
     </message>
     <message>
         <location filename="../screens/overview.cpp"/>
@@ -1264,6 +1299,11 @@
         <translation>Posuv posledního hrubovacího řezu</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Feed: lead times speed</source>
+        <translation>Posuv: stoupání krát otáčky</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>Feedrate</source>
         <translation>Posuv</translation>
@@ -1330,8 +1370,8 @@
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
-        <source>First to stop the machine: %1 after %2 more parts</source>
-        <translation>První zastaví stroj: %1 po %2 dílech</translation>
+        <source>First to stop the machine: %1; parts until then: %2</source>
+        <translation>První zastaví stroj: %1; dílů do té doby: %2</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -1719,6 +1759,26 @@
         <translation>Stoupání</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Lead along X</source>
+        <translation>Stoupání podél X</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Lead along Z</source>
+        <translation>Stoupání podél Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Lead as on the way in</source>
+        <translation>Stoupání jako při cestě dovnitř</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Lead; negative: a left-hand thread</source>
+        <translation>Stoupání; záporné: levý závit</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Least</source>
         <translation>Nejméně</translation>
@@ -2012,6 +2072,11 @@
         <location filename="../../ipc/params/parameters.csv"/>
         <source>Multichannel Control</source>
         <translation>Vícekanálové řízení</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>NC</source>
+        <translation>NC</translation>
     </message>
     <message>
         <location filename="../app/dialogue_view.cpp"/>
@@ -2409,6 +2474,11 @@
         <translation>Vlastní místo</translation>
     </message>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>PLC</source>
+        <translation>PLC</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>PLC Constants</source>
         <translation>Konstanty PLC</translation>
@@ -2699,6 +2769,11 @@
         <translation>Rádius</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Radius of the arc</source>
+        <translation>Poloměr oblouku</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Radius, commanded</source>
         <translation>Poloměr, požadovaný</translation>
@@ -2870,8 +2945,8 @@
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
-        <source>Restored: %1 values and files</source>
-        <translation>Obnoveno: %1 hodnot a souborů</translation>
+        <source>Restored values and files: %1</source>
+        <translation>Obnoveno hodnot a souborů: %1</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -2892,6 +2967,26 @@
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Rigid tapping</source>
         <translation>Synchronní závitování</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Rigid tapping in the face</source>
+        <translation>Synchronní závitování na čele</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Rigid tapping in the face, the way back</source>
+        <translation>Synchronní závitování na čele, cesta zpět</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Rigid tapping in the side</source>
+        <translation>Synchronní závitování z boku</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Rigid tapping in the side, the way back</source>
+        <translation>Synchronní závitování z boku, cesta zpět</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -2934,9 +3029,19 @@
         <translation>Zaoblení k dalšímu</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Run-in; -1: as the axis accelerates</source>
+        <translation>Náběh; -1: jak osa zrychlí</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Run-out in tenths of the lead</source>
         <translation>Výběh v desetinách stoupání</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Run-out; -1: as the axis brakes</source>
+        <translation>Výběh; -1: jak osa zabrzdí</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -3137,6 +3242,11 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>Some ticks were missed</source>
         <translation>Některé takty chybí</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Speed of the spindle</source>
+        <translation>Otáčky vřetena</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -3364,14 +3474,34 @@
         <translation>Závitování na čele</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Tapping in the face with a compensating chuck</source>
+        <translation>Závitování na čele s vyrovnávacím pouzdrem</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Tapping in the side</source>
         <translation>Závitování z boku</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Tapping in the side with a compensating chuck</source>
+        <translation>Závitování z boku s vyrovnávacím pouzdrem</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Text</source>
         <translation>Text</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis.cpp"/>
+        <source>The NC writes it.</source>
+        <translation>Zapisuje jej NC.</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis.cpp"/>
+        <source>The PLC writes it.</source>
+        <translation>Zapisuje jej PLC.</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -3472,6 +3602,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>The pallet in a row goes with its program. «Exchange»: choose a row, press, choose the other row, press again.</source>
         <translation>Paleta se mění i s programem. «Vyměnit»: zvolte řádek, stiskněte, zvolte druhý, stiskněte znovu.</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>The pallets are being asked for ...</source>
+        <translation>Zjišťují se palety ...</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -3589,9 +3724,9 @@
         <translation>Jsou velmi odlišné</translation>
     </message>
     <message>
-        <location filename="../screens/compare_page.cpp"/>
-        <source>They differ in %1 places</source>
-        <translation>Liší se na %1 místech</translation>
+        <location filename="../screens/offsets.cpp"/>
+        <source>This channel has no offsets.</source>
+        <translation>Tento kanál nemá korekce.</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -3649,6 +3784,21 @@
         <translation>Tento systém nezná WINS: jména dávají servery DNS</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Thread along Z, one pass</source>
+        <translation>Závit podél Z, jeden řez</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Thread along Z, the lead grows</source>
+        <translation>Závit podél Z, stoupání roste</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Thread along Z, the lead shrinks</source>
+        <translation>Závit podél Z, stoupání klesá</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Thread in several passes</source>
         <translation>Závit na více řezů</translation>
@@ -3657,6 +3807,21 @@
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Thread in the face</source>
         <translation>Závit na čele</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Thread in the face, one pass</source>
+        <translation>Závit na čele, jeden řez</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Thread in the face, the lead grows</source>
+        <translation>Závit na čele, stoupání roste</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Thread in the face, the lead shrinks</source>
+        <translation>Závit na čele, stoupání klesá</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -3969,6 +4134,11 @@
         <translation>Hodnota</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Values and files that would change: %1</source>
+        <translation>Změní se hodnot a souborů: %1</translation>
+    </message>
+    <message>
         <location filename="../app/dialogue_view.cpp"/>
         <source>Variable</source>
         <translation>Proměnná</translation>
@@ -4264,11 +4434,6 @@
         <translation>osou se ručně pohybuje</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
-        <source>and %1 more</source>
-        <translation>a dalších %1</translation>
-    </message>
-    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>angle</source>
         <translation>úhel</translation>
@@ -4464,6 +4629,11 @@
         <translation>soubor</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>files: %1</source>
+        <translation>souborů: %1</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>fill up its oil</source>
         <translation>doplňte olej</translation>
@@ -4654,6 +4824,11 @@
         <translation>mm/s³</translation>
     </message>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>more: %1</source>
+        <translation>další: %1</translation>
+    </message>
+    <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>mounted</source>
         <translation>založen</translation>
@@ -4777,6 +4952,11 @@
         <location filename="../machine/tool_words.cpp"/>
         <source>parting tool</source>
         <translation>upichovací nůž</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>parts to the limit: %1</source>
+        <translation>dílů do meze: %1</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>

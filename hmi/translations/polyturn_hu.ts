@@ -24,11 +24,6 @@
         <translation>%1 a(z) %2 szerint: egyenesség</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
-        <source>%1 files</source>
-        <translation>%1 fájl</translation>
-    </message>
-    <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>%1 has a new insert: life and wear begin anew</source>
         <translation>%1: új lapka, az élettartam és a kopás újrakezdődik</translation>
@@ -99,11 +94,6 @@
         <translation>%1 / %2</translation>
     </message>
     <message>
-        <location filename="../screens/parts_page.cpp"/>
-        <source>%1 parts to the limit</source>
-        <translation>%1 darab a határig</translation>
-    </message>
-    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>%1 s after the start of the controller</source>
         <translation>%1 s a vezérlő indulása után</translation>
@@ -117,11 +107,6 @@
         <location filename="../screens/tools_requests.cpp"/>
         <source>%1 stands in %2</source>
         <translation>%1 itt áll: %2</translation>
-    </message>
-    <message>
-        <location filename="../screens/system.cpp"/>
-        <source>%1 values and files would change</source>
-        <translation>%1 érték és fájl változna</translation>
     </message>
     <message>
         <location filename="../screens/settings_page.cpp"/>
@@ -284,6 +269,11 @@
         <translation>Mind a szerszámtól</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>All axes move: press again</source>
+        <translation>Minden tengely mozog: nyomja meg újra</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>All groups</source>
         <translation>Minden csoport</translation>
@@ -429,6 +419,16 @@
         <translation>Mentések</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Barrel thread on an arc, clockwise</source>
+        <translation>Hordómenet íven, óramutató szerint</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Barrel thread on an arc, counter-clockwise</source>
+        <translation>Hordómenet íven, óramutatóval ellentétesen</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Before</source>
         <translation>Előtte</translation>
@@ -479,9 +479,19 @@
         <translation>Furat alja X</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Bottom of the hole X, or the end of the way back</source>
+        <translation>Furat alja X, vagy a visszaút vége</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Bottom of the hole Z</source>
         <translation>Furat alja Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Bottom of the hole Z, or the end of the way back</source>
+        <translation>Furat alja Z, vagy a visszaút vége</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -909,6 +919,11 @@
         <translation>E fogás átmérője a végén</translation>
     </message>
     <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>Differences: %1</source>
+        <translation>Eltérések: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>Dimension</source>
         <translation>Méret</translation>
@@ -1024,6 +1039,16 @@
         <translation>Menet vége Z</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>End of the way back X</source>
+        <translation>A visszaút vége X</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>End of the way back Z</source>
+        <translation>A visszaút vége Z</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>End point X</source>
         <translation>Végpont X</translation>
@@ -1034,6 +1059,11 @@
         <translation>Utolsó beszúrás végpontja X</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>End point X, where the thread is tapered</source>
+        <translation>X végpont, ha a menet kúpos</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>End point Z</source>
         <translation>Végpont Z</translation>
@@ -1042,6 +1072,11 @@
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>End point Z of the last plunge</source>
         <translation>Utolsó beszúrás végpontja Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>End point Z, where the thread is tapered</source>
+        <translation>Z végpont, ha a menet kúpos</translation>
     </message>
     <message>
         <location filename="../screens/overview.cpp"/>
@@ -1264,6 +1299,11 @@
         <translation>Utolsó nagyoló fogás előtolása</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Feed: lead times speed</source>
+        <translation>Előtolás: emelkedés × fordulatszám</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>Feedrate</source>
         <translation>Előtolás</translation>
@@ -1330,8 +1370,8 @@
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
-        <source>First to stop the machine: %1 after %2 more parts</source>
-        <translation>Elsőként állítja meg a gépet: %1, még %2 darab után</translation>
+        <source>First to stop the machine: %1; parts until then: %2</source>
+        <translation>Elsőként állítja meg a gépet: %1; darab addig: %2</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -1719,6 +1759,26 @@
         <translation>Menetemelkedés</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Lead along X</source>
+        <translation>Menetemelkedés X mentén</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Lead along Z</source>
+        <translation>Menetemelkedés Z mentén</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Lead as on the way in</source>
+        <translation>Emelkedés, mint befelé</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Lead; negative: a left-hand thread</source>
+        <translation>Emelkedés; negatív: bal menet</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Least</source>
         <translation>Legkisebb</translation>
@@ -2012,6 +2072,11 @@
         <location filename="../../ipc/params/parameters.csv"/>
         <source>Multichannel Control</source>
         <translation>Többcsatornás vezérlés</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>NC</source>
+        <translation>NC</translation>
     </message>
     <message>
         <location filename="../app/dialogue_view.cpp"/>
@@ -2409,6 +2474,11 @@
         <translation>Saját hely</translation>
     </message>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>PLC</source>
+        <translation>PLC</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>PLC Constants</source>
         <translation>PLC-állandók</translation>
@@ -2699,6 +2769,11 @@
         <translation>Sugár</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Radius of the arc</source>
+        <translation>Az ív sugara</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Radius, commanded</source>
         <translation>Sugár, előírt</translation>
@@ -2870,8 +2945,8 @@
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
-        <source>Restored: %1 values and files</source>
-        <translation>Visszaállítva: %1 érték és fájl</translation>
+        <source>Restored values and files: %1</source>
+        <translation>Visszaállított értékek és fájlok: %1</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -2892,6 +2967,26 @@
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Rigid tapping</source>
         <translation>Merevszárú menetfúrás</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Rigid tapping in the face</source>
+        <translation>Merevszárú menetfúrás a homlokon</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Rigid tapping in the face, the way back</source>
+        <translation>Merevszárú menetfúrás a homlokon, visszaút</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Rigid tapping in the side</source>
+        <translation>Merevszárú menetfúrás oldalról</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Rigid tapping in the side, the way back</source>
+        <translation>Merevszárú menetfúrás oldalról, visszaút</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -2934,9 +3029,19 @@
         <translation>Lekerekítés a következőhöz</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Run-in; -1: as the axis accelerates</source>
+        <translation>Ráfutás; -1: ahogy a tengely gyorsul</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Run-out in tenths of the lead</source>
         <translation>Kifutás az emelkedés tizedében</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Run-out; -1: as the axis brakes</source>
+        <translation>Kifutás; -1: ahogy a tengely fékez</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -3137,6 +3242,11 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>Some ticks were missed</source>
         <translation>Néhány ütem kimaradt</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Speed of the spindle</source>
+        <translation>Főorsó fordulatszáma</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -3364,14 +3474,34 @@
         <translation>Menetfúrás a homlokon</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Tapping in the face with a compensating chuck</source>
+        <translation>Menetfúrás a homlokon kiegyenlítő tokmánnyal</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Tapping in the side</source>
         <translation>Menetfúrás oldalról</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Tapping in the side with a compensating chuck</source>
+        <translation>Menetfúrás oldalról kiegyenlítő tokmánnyal</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Text</source>
         <translation>Szöveg</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis.cpp"/>
+        <source>The NC writes it.</source>
+        <translation>Az NC írja.</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis.cpp"/>
+        <source>The PLC writes it.</source>
+        <translation>A PLC írja.</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -3472,6 +3602,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>The pallet in a row goes with its program. «Exchange»: choose a row, press, choose the other row, press again.</source>
         <translation>A paletta a programjával együtt cserél. «Csere»: válasszon sort, nyomja meg, válassza a másikat, nyomja meg újra.</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>The pallets are being asked for ...</source>
+        <translation>A paletták lekérdezése ...</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -3589,9 +3724,9 @@
         <translation>Nagyon különböznek</translation>
     </message>
     <message>
-        <location filename="../screens/compare_page.cpp"/>
-        <source>They differ in %1 places</source>
-        <translation>%1 helyen különböznek</translation>
+        <location filename="../screens/offsets.cpp"/>
+        <source>This channel has no offsets.</source>
+        <translation>Ennek a csatornának nincsenek korrekciói.</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -3649,6 +3784,21 @@
         <translation>Ez a rendszer nem ismer WINS-t: a neveket a DNS adja</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Thread along Z, one pass</source>
+        <translation>Menet Z mentén, egy fogás</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Thread along Z, the lead grows</source>
+        <translation>Menet Z mentén, növekvő emelkedés</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Thread along Z, the lead shrinks</source>
+        <translation>Menet Z mentén, csökkenő emelkedés</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Thread in several passes</source>
         <translation>Menet több fogással</translation>
@@ -3657,6 +3807,21 @@
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Thread in the face</source>
         <translation>Menet a homlokon</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Thread in the face, one pass</source>
+        <translation>Menet a homlokon, egy fogás</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Thread in the face, the lead grows</source>
+        <translation>Menet a homlokon, növekvő emelkedés</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Thread in the face, the lead shrinks</source>
+        <translation>Menet a homlokon, csökkenő emelkedés</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -3969,6 +4134,11 @@
         <translation>Érték</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Values and files that would change: %1</source>
+        <translation>Változó értékek és fájlok: %1</translation>
+    </message>
+    <message>
         <location filename="../app/dialogue_view.cpp"/>
         <source>Variable</source>
         <translation>Változó</translation>
@@ -4264,11 +4434,6 @@
         <translation>egy tengelyt kézzel mozgatnak</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
-        <source>and %1 more</source>
-        <translation>és még %1</translation>
-    </message>
-    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>angle</source>
         <translation>szög</translation>
@@ -4464,6 +4629,11 @@
         <translation>fájl</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>files: %1</source>
+        <translation>fájlok: %1</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>fill up its oil</source>
         <translation>töltse fel az olajat</translation>
@@ -4654,6 +4824,11 @@
         <translation>mm/s³</translation>
     </message>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>more: %1</source>
+        <translation>további: %1</translation>
+    </message>
+    <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>mounted</source>
         <translation>befogva</translation>
@@ -4777,6 +4952,11 @@
         <location filename="../machine/tool_words.cpp"/>
         <source>parting tool</source>
         <translation>leszúró kés</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>parts to the limit: %1</source>
+        <translation>darab a határig: %1</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>

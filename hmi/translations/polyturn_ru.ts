@@ -24,11 +24,6 @@
         <translation>%1 по %2: прямолинейность</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
-        <source>%1 files</source>
-        <translation>файлов: %1</translation>
-    </message>
-    <message>
         <location filename="../screens/tools_requests.cpp"/>
         <source>%1 has a new insert: life and wear begin anew</source>
         <translation>%1: новая пластина, ресурс и износ начинаются заново</translation>
@@ -99,11 +94,6 @@
         <translation>%1 из %2</translation>
     </message>
     <message>
-        <location filename="../screens/parts_page.cpp"/>
-        <source>%1 parts to the limit</source>
-        <translation>деталей до предела: %1</translation>
-    </message>
-    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>%1 s after the start of the controller</source>
         <translation>через %1 с после запуска УЧПУ</translation>
@@ -117,11 +107,6 @@
         <location filename="../screens/tools_requests.cpp"/>
         <source>%1 stands in %2</source>
         <translation>%1 стоит в %2</translation>
-    </message>
-    <message>
-        <location filename="../screens/system.cpp"/>
-        <source>%1 values and files would change</source>
-        <translation>Изменится %1 значений и файлов</translation>
     </message>
     <message>
         <location filename="../screens/settings_page.cpp"/>
@@ -284,6 +269,11 @@
         <translation>Все от инструмента</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>All axes move: press again</source>
+        <translation>Все оси поедут: нажмите ещё раз</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>All groups</source>
         <translation>Все группы</translation>
@@ -429,6 +419,16 @@
         <translation>Копии</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Barrel thread on an arc, clockwise</source>
+        <translation>Бочкообразная резьба по дуге, по часовой стрелке</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Barrel thread on an arc, counter-clockwise</source>
+        <translation>Бочкообразная резьба по дуге, против часовой стрелки</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Before</source>
         <translation>Было</translation>
@@ -479,9 +479,19 @@
         <translation>Дно отверстия X</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Bottom of the hole X, or the end of the way back</source>
+        <translation>Дно отверстия X или конец обратного хода</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Bottom of the hole Z</source>
         <translation>Дно отверстия Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Bottom of the hole Z, or the end of the way back</source>
+        <translation>Дно отверстия Z или конец обратного хода</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -909,6 +919,11 @@
         <translation>Диаметр этого прохода в конце</translation>
     </message>
     <message>
+        <location filename="../screens/compare_page.cpp"/>
+        <source>Differences: %1</source>
+        <translation>Различий: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>Dimension</source>
         <translation>Размер</translation>
@@ -1024,6 +1039,16 @@
         <translation>Конец резьбы Z</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>End of the way back X</source>
+        <translation>Конец обратного хода X</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>End of the way back Z</source>
+        <translation>Конец обратного хода Z</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>End point X</source>
         <translation>Конечная точка X</translation>
@@ -1034,6 +1059,11 @@
         <translation>Конечная точка X последнего врезания</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>End point X, where the thread is tapered</source>
+        <translation>Конечная точка X, если резьба коническая</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>End point Z</source>
         <translation>Конечная точка Z</translation>
@@ -1042,6 +1072,11 @@
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>End point Z of the last plunge</source>
         <translation>Конечная точка Z последнего врезания</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>End point Z, where the thread is tapered</source>
+        <translation>Конечная точка Z, если резьба коническая</translation>
     </message>
     <message>
         <location filename="../screens/overview.cpp"/>
@@ -1264,6 +1299,11 @@
         <translation>Подача последнего чернового прохода</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Feed: lead times speed</source>
+        <translation>Подача: шаг, умноженный на обороты</translation>
+    </message>
+    <message>
         <location filename="../../ipc/params/parameters.csv"/>
         <source>Feedrate</source>
         <translation>Подача</translation>
@@ -1330,8 +1370,8 @@
     </message>
     <message>
         <location filename="../screens/tools_requests.cpp"/>
-        <source>First to stop the machine: %1 after %2 more parts</source>
-        <translation>Первым остановит станок: %1 через %2 деталей</translation>
+        <source>First to stop the machine: %1; parts until then: %2</source>
+        <translation>Первым остановит станок: %1; деталей до этого: %2</translation>
     </message>
     <message>
         <location filename="../screens/channel_card.cpp"/>
@@ -1719,6 +1759,26 @@
         <translation>Шаг резьбы</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Lead along X</source>
+        <translation>Шаг резьбы по X</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Lead along Z</source>
+        <translation>Шаг резьбы по Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Lead as on the way in</source>
+        <translation>Шаг, как на пути внутрь</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Lead; negative: a left-hand thread</source>
+        <translation>Шаг; отрицательный: левая резьба</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Least</source>
         <translation>Мин.</translation>
@@ -2012,6 +2072,11 @@
         <location filename="../../ipc/params/parameters.csv"/>
         <source>Multichannel Control</source>
         <translation>Многоканальность</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>NC</source>
+        <translation>ЧПУ</translation>
     </message>
     <message>
         <location filename="../app/dialogue_view.cpp"/>
@@ -2386,7 +2451,7 @@
     <message>
         <location filename="../screens/manual.cpp"/>
         <source>Overrides</source>
-        <translation>Коррекции</translation>
+        <translation>Процентовка</translation>
     </message>
     <message>
         <location filename="../screens/overview.hpp"/>
@@ -2407,6 +2472,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>Own place</source>
         <translation>Своё место</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>PLC</source>
+        <translation>ПЛК</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -2699,6 +2769,11 @@
         <translation>Радиус</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Radius of the arc</source>
+        <translation>Радиус дуги</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Radius, commanded</source>
         <translation>Радиус, заданный</translation>
@@ -2870,8 +2945,8 @@
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
-        <source>Restored: %1 values and files</source>
-        <translation>Восстановлено: %1 значений и файлов</translation>
+        <source>Restored values and files: %1</source>
+        <translation>Восстановлено значений и файлов: %1</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -2892,6 +2967,26 @@
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Rigid tapping</source>
         <translation>Жёсткое нарезание</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Rigid tapping in the face</source>
+        <translation>Жёсткое нарезание в торце</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Rigid tapping in the face, the way back</source>
+        <translation>Жёсткое нарезание в торце, обратный ход</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Rigid tapping in the side</source>
+        <translation>Жёсткое нарезание сбоку</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Rigid tapping in the side, the way back</source>
+        <translation>Жёсткое нарезание сбоку, обратный ход</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -2934,9 +3029,19 @@
         <translation>Скругление к следующему</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Run-in; -1: as the axis accelerates</source>
+        <translation>Разбег; -1: как разгоняется ось</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Run-out in tenths of the lead</source>
         <translation>Сбег в десятых шага</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Run-out; -1: as the axis brakes</source>
+        <translation>Сбег; -1: как тормозит ось</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -3137,6 +3242,11 @@
         <location filename="../screens/scope_page.cpp"/>
         <source>Some ticks were missed</source>
         <translation>Часть тактов пропущена</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Speed of the spindle</source>
+        <translation>Частота вращения шпинделя</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -3364,14 +3474,34 @@
         <translation>Нарезание метчиком в торце</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Tapping in the face with a compensating chuck</source>
+        <translation>Нарезание в торце с компенсирующим патроном</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Tapping in the side</source>
         <translation>Нарезание метчиком сбоку</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Tapping in the side with a compensating chuck</source>
+        <translation>Нарезание сбоку с компенсирующим патроном</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Text</source>
         <translation>Текст</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis.cpp"/>
+        <source>The NC writes it.</source>
+        <translation>Его задаёт ЧПУ.</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis.cpp"/>
+        <source>The PLC writes it.</source>
+        <translation>Его задаёт ПЛК.</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -3472,6 +3602,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>The pallet in a row goes with its program. «Exchange»: choose a row, press, choose the other row, press again.</source>
         <translation>Паллета меняется вместе с программой. «Поменять»: выберите строку, нажмите, выберите другую, нажмите ещё раз.</translation>
+    </message>
+    <message>
+        <location filename="../screens/tools_tables.cpp"/>
+        <source>The pallets are being asked for ...</source>
+        <translation>Запрашиваются палеты ...</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -3589,9 +3724,9 @@
         <translation>Они совсем разные</translation>
     </message>
     <message>
-        <location filename="../screens/compare_page.cpp"/>
-        <source>They differ in %1 places</source>
-        <translation>Различий: %1</translation>
+        <location filename="../screens/offsets.cpp"/>
+        <source>This channel has no offsets.</source>
+        <translation>У этого канала нет коррекций.</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -3649,6 +3784,21 @@
         <translation>Эта система не знает WINS: имена дают серверы DNS</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Thread along Z, one pass</source>
+        <translation>Резьба вдоль Z, один проход</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Thread along Z, the lead grows</source>
+        <translation>Резьба вдоль Z, шаг растёт</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Thread along Z, the lead shrinks</source>
+        <translation>Резьба вдоль Z, шаг убывает</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Thread in several passes</source>
         <translation>Резьба за несколько проходов</translation>
@@ -3657,6 +3807,21 @@
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Thread in the face</source>
         <translation>Резьба на торце</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Thread in the face, one pass</source>
+        <translation>Резьба на торце, один проход</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Thread in the face, the lead grows</source>
+        <translation>Резьба на торце, шаг растёт</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Thread in the face, the lead shrinks</source>
+        <translation>Резьба на торце, шаг убывает</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -3969,6 +4134,11 @@
         <translation>Значение</translation>
     </message>
     <message>
+        <location filename="../screens/system.cpp"/>
+        <source>Values and files that would change: %1</source>
+        <translation>Изменится значений и файлов: %1</translation>
+    </message>
+    <message>
         <location filename="../app/dialogue_view.cpp"/>
         <source>Variable</source>
         <translation>Переменная</translation>
@@ -4264,11 +4434,6 @@
         <translation>ось перемещают вручную</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis_tables.cpp"/>
-        <source>and %1 more</source>
-        <translation>и ещё %1</translation>
-    </message>
-    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>angle</source>
         <translation>угол</translation>
@@ -4464,6 +4629,11 @@
         <translation>файл</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>files: %1</source>
+        <translation>файлов: %1</translation>
+    </message>
+    <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>fill up its oil</source>
         <translation>долейте масло</translation>
@@ -4654,6 +4824,11 @@
         <translation>мм/с³</translation>
     </message>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>more: %1</source>
+        <translation>ещё: %1</translation>
+    </message>
+    <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>mounted</source>
         <translation>установлен</translation>
@@ -4777,6 +4952,11 @@
         <location filename="../machine/tool_words.cpp"/>
         <source>parting tool</source>
         <translation>отрезной резец</translation>
+    </message>
+    <message>
+        <location filename="../screens/parts_page.cpp"/>
+        <source>parts to the limit: %1</source>
+        <translation>деталей до предела: %1</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>

@@ -4,6 +4,7 @@
 #include <QPainterPath>
 #include <cmath>
 
+#include "hmi/text/tongues.hpp"
 #include "hmi/widgets/theme.hpp"
 
 namespace polyturn::hmi {
@@ -165,7 +166,7 @@ void CyclePicture::paintEvent(QPaintEvent*) {
             const SceneDim* found = nullptr;
             for (const SceneDim& dim : scene_.dims)
                 if (dim.mark == fields[i].mark && (!found || seen++ < nth)) found = &dim;
-            if (found) draw(*found, QString(QChar(fields[i].address)) + (chosen && !value_.isEmpty() ? "  " + value_ : QString()), chosen);
+            if (found) draw(*found, fromView(fields[i].address) + (chosen && !value_.isEmpty() ? "  " + value_ : QString()), chosen);
         }
 }
 

@@ -177,12 +177,13 @@ Scene thread(bool passes) {
     length(s, Mark::Lead, {kFace - 6, 39}, {kFace - 10, 39});
     way(s, Mark::Feed, {80, 25.8}, {70, 26.6});
     point(s, Mark::StartAngle, {86, 25.4});
+    length(s, Mark::RunIn, {kFace, 20}, {86, 20});
+    length(s, Mark::Chamfer, {43, 40}, {37, 40});
     if (!passes) return s;
     length(s, Mark::ThreadDepth, {62, 26.6}, {62, 34.6});
     length(s, Mark::FirstPass, {54, 35.2}, {54, 32});
     length(s, Mark::LeastPass, {50, 30}, {50, 28.8});
     length(s, Mark::AllowanceX, {58, 27.2}, {58, 28.6});
-    length(s, Mark::Chamfer, {43, 40}, {37, 40});
     length(s, Mark::Safety, {70, 34}, {70, 50});
     s.dims.push_back({Kind::Angle, Mark::ToolAngle, {46, 28.4}, {46, 38}});
     point(s, Mark::Count, {66, 30});
@@ -197,13 +198,40 @@ Scene faceThread() {
     s.part << QPointF(kFace, 44) << QPointF(8, 44);
     s.blank = bar(44), s.tool = {88, 52};
     rapid(s, {{88, 52}, {64, 52}}), feed(s, {{64, 52}, {64, 14}, {72, 8}}), rapid(s, {{72, 8}, {88, 8}, {88, 52}});
-    length(s, Mark::StartX, {94, kCentre}, {94, 44}), length(s, Mark::EndX, {82, kCentre}, {82, 14});
+    length(s, Mark::StartX, {94, kCentre}, {94, 44}), length(s, Mark::EndX, {88, kCentre}, {88, 14});
     point(s, Mark::StartZ, {kFace, 44}), point(s, Mark::EndZ, {64, 14});
     length(s, Mark::ThreadDepth, {64, 48}, {kFace, 48}), length(s, Mark::FirstPass, {69, 40}, {kFace, 40}), length(s, Mark::LeastPass, {64, 30}, {65.5, 30});
     length(s, Mark::Lead, {58, 22}, {58, 26}), length(s, Mark::Chamfer, {76, 14}, {76, 8}), length(s, Mark::Safety, {kFace, 55}, {88, 55});
     length(s, Mark::AllowanceX, {64, 35}, {66, 35});
+    length(s, Mark::RunIn, {58, 44}, {58, 52});
     s.dims.push_back({Kind::Angle, Mark::ToolAngle, {64, 18}, {74, 18}});
     point(s, Mark::StartAngle, {64, 52}), point(s, Mark::Count, {68, 24});
+    return s;
+}
+
+// A thread along an arc: the teeth stand on it, the tool's way is one.
+Scene barrelThread() {
+    Scene s;
+    const auto crest = [](double z) { return 38 - (z - 54) * (z - 54) / 40.0; };
+    s.part = {{8, kCentre}, {kFace, kCentre}};
+    for (double z = kFace; z >= 38; z -= 4) s.part << QPointF(z, crest(z) - 8) << QPointF(z - 2, crest(z - 2));
+    s.part << QPointF(32, crest(36)) << QPointF(32, 42) << QPointF(8, 42);
+    s.blank = {{8, kCentre}, {kFace, kCentre}};
+    for (double z = kFace; z >= 36; z -= 2) s.blank << QPointF(z, crest(z));
+    s.blank << QPointF(32, crest(36)) << QPointF(32, 42) << QPointF(8, 42);
+    s.tool = {86, 50};
+    QPolygonF way;
+    for (double z = 80; z >= 38; z -= 2) way << QPointF(z, crest(z) - 8);
+    rapid(s, {{86, 50}, {86, way.front().y()}, way.front()});
+    feed(s, way);
+    rapid(s, {way.back(), {38, 50}, {86, 50}});
+    length(s, Mark::EndX, {22, kCentre}, {22, way.back().y()});
+    length(s, Mark::EndZ, {kFace, 9}, {38, 9});
+    length(s, Mark::Lead, {58, 42}, {54, 42});
+    length(s, Mark::ArcRadius, {46, 28}, {46, kCentre});
+    length(s, Mark::RunIn, {kFace, 24}, {80, 24});
+    length(s, Mark::Chamfer, {44, 45}, {38, 45});
+    point(s, Mark::StartAngle, way.front());
     return s;
 }
 
@@ -247,6 +275,7 @@ Scene holeFace(bool tap, bool bore) {
     length(s, Mark::Peck, {kFace, 41}, {58, 41});
     length(s, Mark::Retract, {58, 33}, {62, 33});
     length(s, Mark::LeastPass, {42, 41}, {36, 41});
+    if (tap) length(s, Mark::Lead, {61, 33}, {64, 33});
     length(s, Mark::Safety, {kFace, 12}, {79, 12});
     point(s, Mark::StartZ, {kFace, 46});
     point(s, Mark::Dwell, {33, 25});
@@ -269,6 +298,7 @@ Scene holeSide(bool tap, bool bore) {
     length(s, Mark::Bottom, {36, kCentre}, {36, 14.5});
     length(s, Mark::RLevel, {57, 40}, {57, 45});
     length(s, Mark::Peck, {62, 40}, {62, 30});
+    if (tap) length(s, Mark::Lead, {56, 26}, {56, 29});
     point(s, Mark::Dwell, {47, 15});
     point(s, Mark::Count, {30, 46});
     way(s, Mark::Feed, {47, 42}, {47, 34});
@@ -343,6 +373,7 @@ Scene sceneOf(Picture picture) {
         case Picture::SectionFacing: return section(true, false);
         case Picture::ArcTurning: return section(false, true);
         case Picture::ArcFacing: return section(true, true);
+        case Picture::BarrelThread: return barrelThread();
     }
     return {};
 }

@@ -48,6 +48,18 @@ BlockText::BlockText(std::string line, Notation notation) : line_(std::move(line
 void BlockText::read() {
     words_.clear();
     plain_ = true;
+    if (notation_ == Notation::Sinumerik) read_names();
+    else read_letters();
+    for (TextWord& word : words_) {
+        word.value = line_.substr(word.value_from, word.to - word.value_from);
+        const auto number = plain_number(word.value);
+        word.plain = number.has_value();
+        word.number = number.value_or(0.0);
+        word.has_point = word.plain && word.value.find('.') != std::string::npos;
+    }
+}
+
+void BlockText::read_letters() {
     std::size_t i = 0;
     const std::size_t n = line_.size();
     while (i < n) {
@@ -67,7 +79,7 @@ void BlockText::read() {
             while (i < n && is_digit(line_[i])) ++i;
         } else if (is_letter(c)) {
             TextWord word;
-            word.address = capital(c);
+            word.address = std::string(1, capital(c));
             word.from = i++;
             while (i < n && is_blank(line_[i])) ++i;
             word.value_from = i;
@@ -83,7 +95,7 @@ void BlockText::read() {
                     if (depth == 0 && d == ']') break;
                 }
                 plain_ = plain_ && depth == 0;
-            } else if (notation_ == Notation::Fagor && i < n && (capital(line_[i]) == 'P' || (line_[i] == '-' && i + 1 < n && capital(line_[i + 1]) == 'P')) && word.address != 'N') {
+            } else if (notation_ == Notation::Fagor && i < n && (capital(line_[i]) == 'P' || (line_[i] == '-' && i + 1 < n && capital(line_[i + 1]) == 'P')) && word.address != "N") {
                 i += line_[i] == '-' ? 2 : 1;
                 const std::size_t digits = i;
                 while (i < n && is_digit(line_[i])) ++i;
@@ -92,12 +104,7 @@ void BlockText::read() {
                 while (i < n && (is_digit(line_[i]) || line_[i] == '.' || ((line_[i] == '-' || line_[i] == '+') && i == word.value_from))) ++i;
             }
             word.to = i;
-            word.value = line_.substr(word.value_from, i - word.value_from);
-            const auto number = plain_number(word.value);
-            word.plain = number.has_value();
-            word.number = number.value_or(0.0);
-            word.has_point = word.plain && word.value.find('.') != std::string::npos;
-            if (word.value.empty()) plain_ = false;
+            if (word.to == word.value_from) plain_ = false;
             words_.push_back(std::move(word));
         } else {
             return void(plain_ = false);
@@ -105,7 +112,59 @@ void BlockText::read() {
     }
 }
 
-const TextWord* BlockText::find(char address) const {
+// N10 G33 Z=R1+2 K2 SF=180 LFON ;why so: a letter with its number, a name with = and a value, a command without one. What is called
+// or chosen (brackets behind a name, labels, strings) and a value of several parts with blanks between them are left alone.
+void BlockText::read_names() {
+    std::size_t i = 0;
+    const std::size_t n = line_.size();
+    const auto blanks = [&] { while (i < n && is_blank(line_[i])) ++i; };
+    const auto digits = [&] { while (i < n && is_digit(line_[i])) ++i; };
+    const auto is_sign = [](char c) { return c == '+' || c == '-' || c == '*' || c == '/'; };
+    for (blanks(); i < n; blanks()) {
+        const char c = line_[i];
+        if (c == ';') return;
+        if (c == '/' && words_.empty()) {
+            ++i, digits();
+            continue;
+        }
+        if (!is_letter(c) && c != '_') return void(plain_ = false);
+        TextWord word;
+        word.from = i;
+        while (i < n && (is_letter(line_[i]) || line_[i] == '_')) word.address += capital(line_[i++]);
+        const std::size_t behind_name = i;
+        const bool letter = word.address.size() == 1;
+        digits();
+        std::size_t at = i;
+        while (at < n && is_blank(line_[at])) ++at;
+        if (at < n && line_[at] == '=') {              // X1=, SF=
+            word.address += line_.substr(behind_name, i - behind_name);
+            i = at + 1;
+            blanks();
+            word.value_from = i;
+            int depth = 0;
+            for (; i < n && (depth > 0 || !is_blank(line_[i])) && line_[i] != ';'; ++i) {
+                if (line_[i] == '"') return void(plain_ = false);
+                if (line_[i] == '(' || line_[i] == '[') ++depth;
+                if (line_[i] == ')' || line_[i] == ']') --depth;
+            }
+            if (i == word.value_from || depth != 0 || is_sign(line_[i - 1]) || line_[word.value_from] == '=') return void(plain_ = false);
+        } else if (letter) {                           // K2, Z-20.5
+            i = behind_name;
+            blanks();
+            word.value_from = i;
+            while (i < n && (is_digit(line_[i]) || line_[i] == '.' || ((line_[i] == '-' || line_[i] == '+') && i == word.value_from))) ++i;
+            if (i == word.value_from || (i < n && capital(line_[i]) == 'E')) return void(plain_ = false);   // 2EX3
+        } else {
+            word.address += line_.substr(behind_name, i - behind_name);
+            word.value_from = i;
+        }
+        word.to = i;
+        if (i < n && (line_[i] == '(' || line_[i] == '[' || line_[i] == ':')) return void(plain_ = false);
+        words_.push_back(std::move(word));
+    }
+}
+
+const TextWord* BlockText::find(std::string_view address) const {
     for (const TextWord& word : words_)
         if (word.address == address) return &word;
     return nullptr;
@@ -115,21 +174,22 @@ bool BlockText::has_code(std::string_view code) const {
     if (code.empty() || !plain_) return false;
     const auto number = plain_number(code.substr(1));
     for (const TextWord& word : words_)
-        if (word.address == code[0] && word.plain && number && std::fabs(word.number - *number) < 1e-9) return true;
+        if (word.address == code.substr(0, 1) && word.plain && number && std::fabs(word.number - *number) < 1e-9) return true;
     return false;
 }
 
-void BlockText::set(char address, const std::string& value) {
+void BlockText::set(std::string_view address, const std::string& value) {
     if (const TextWord* word = find(address)) {
         line_.replace(word->value_from, word->to - word->value_from, value);
     } else {
         std::size_t at = words_.empty() ? line_.size() : words_.back().to;
-        line_.insert(at, std::string(at > 0 && !is_blank(line_[at - 1]) ? " " : "") + address + value);
+        const bool equals = notation_ == Notation::Sinumerik && (address.size() > 1 || !plain_number(value));
+        line_.insert(at, std::string(at > 0 && !is_blank(line_[at - 1]) ? " " : "") + std::string(address) + (equals ? "=" : "") + value);
     }
     read();
 }
 
-void BlockText::erase(char address) {
+void BlockText::erase(std::string_view address) {
     const TextWord* word = find(address);
     if (!word) return;
     std::size_t from = word->from, to = word->to;

@@ -8,10 +8,10 @@
 
 namespace polyturn::forms {
 
-enum class Notation { Family, Fagor };   // comments in brackets; behind a semicolon, values may be P5
+enum class Notation { Family, Fagor, Sinumerik };   // comments in brackets; behind a semicolon, values may be P5; the same, SF=180, Z=R1+2
 
 struct TextWord {
-    char address = 0;             // capital letter
+    std::string address;          // in capital letters
     std::size_t from = 0, to = 0; // bytes of the line, the address included
     std::size_t value_from = 0;
     std::string value;            // as written, without blanks
@@ -28,15 +28,17 @@ public:
     // Nothing stands in it but words, block number, skip sign and comments: it can be a cycle's.
     bool plain() const { return plain_; }
     bool empty() const { return words_.empty() && plain_; }
-    const TextWord* find(char address) const;
+    const TextWord* find(std::string_view address) const;
     // G71, G83.1: as it stands in the tables.
     bool has_code(std::string_view code) const;
 
-    void set(char address, const std::string& value);   // a new one stands behind the words that are there
-    void erase(char address);
+    void set(std::string_view address, const std::string& value);   // a new one stands behind the words that are there
+    void erase(std::string_view address);
 
 private:
     void read();
+    void read_letters();
+    void read_names();
     std::string line_;
     Notation notation_;
     std::vector<TextWord> words_;

@@ -1,5 +1,6 @@
 #include "ipc/forms/cycle_block.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ipc/forms/block_text.hpp"
@@ -7,12 +8,12 @@
 namespace polyturn::forms {
 namespace {
 
-Notation notation_of(const Dialect& dialect) { return dialect.speaks == kFagor ? Notation::Fagor : Notation::Family; }
-bool is_family(const Dialect& dialect) { return dialect.speaks != kFagor; }
+Notation notation_of(const Dialect& dialect) { return dialect.speaks == kFagor ? Notation::Fagor : dialect.speaks == kSinumerik ? Notation::Sinumerik : Notation::Family; }
+bool is_family(const Dialect& dialect) { return notation_of(dialect) == Notation::Family; }
 
 bool has_any(const BlockText& block, std::string_view letters) {
     for (const char letter : letters)
-        if (block.find(letter)) return true;
+        if (block.find({&letter, 1})) return true;
     return false;
 }
 
@@ -35,7 +36,7 @@ std::string text_of(double value, const Field& field, const Dialect& dialect) {
             break;
         case Unit::Thousandth: return number_text(value * 1000.0, 0, false);
         case Unit::Count: case Unit::Label: case Unit::Choice: case Unit::Milliseconds: case Unit::Hundredths: case Unit::Tenths: return number_text(value, 0, false);
-        case Unit::Degrees: case Unit::Plain: return number_text(value, 4, false);
+        case Unit::Degrees: case Unit::Plain: case Unit::Speed: return number_text(value, 4, false);
         default: break;
     }
     return number_text(value, decimals_of(field, dialect), is_family(dialect));
@@ -54,7 +55,7 @@ int total_digits(const Form& form, const Field& of) {
 Value read_field(const BlockText& block, const Form& form, const Field& field, const Dialect& dialect) {
     Value value;
     const TextWord* word = block.find(field.address);
-    if (!word && field.increment && dialect.speaks & (kFanucA | kSeries15A)) word = block.find(field.increment);
+    if (!word && !field.increment.empty() && dialect.speaks & (kFanucA | kSeries15A)) word = block.find(field.increment);
     if (!word) return value;
     value.set = true;
     if (word->address != field.address) value.address = word->address;
@@ -95,14 +96,16 @@ std::string word_text(const Form& form, const std::vector<Value>& values, std::s
 
 bool is_first_part(const Form& form, std::size_t i) { return form.fields[i].digits == 0 || form.fields[i].digit == 0; }
 
+std::string address_of(const Field& field, const Value& value) { return value.address.empty() ? std::string(field.address) : value.address; }
+
 std::string fresh_block(const Form& form, const CycleBlock& cycle, int block, const Dialect& dialect) {
-    std::string line(form.code);
+    BlockText line(std::string(form.code), notation_of(dialect));
     for (std::size_t i = 0; i < form.fields.size(); ++i) {
         const Field& field = form.fields[i];
         if (field.block != block || !is_first_part(form, i)) continue;
-        if (const std::string text = word_text(form, cycle.values, i, dialect); !text.empty()) line += std::string(" ") + (cycle.values[i].address ? cycle.values[i].address : field.address) + text;
+        if (const std::string text = word_text(form, cycle.values, i, dialect); !text.empty()) line.set(address_of(field, cycle.values[i]), text);
     }
-    return line;
+    return line.line();
 }
 
 bool any_set(const Form& form, const CycleBlock& cycle, int block) {
@@ -121,8 +124,8 @@ std::string changed_block(const std::string& line, const CycleBlock& before, con
         for (std::size_t k = 0; k < form.fields.size(); ++k)
             if (form.fields[k].address == field.address && form.fields[k].block == field.block) same = same && before.values[k] == now.values[k];
         if (same) continue;
-        const char address = now.values[i].address ? now.values[i].address : field.address;
-        if (const char was = before.values[i].address ? before.values[i].address : field.address; was != address) text.erase(was);
+        const std::string address = address_of(field, now.values[i]);
+        if (const std::string was = address_of(field, before.values[i]); was != address) text.erase(was);
         const std::string value = word_text(form, now.values, i, dialect);
         if (value.empty()) text.erase(address);
         else text.set(address, value);
@@ -135,7 +138,7 @@ std::string changed_block(const std::string& line, const CycleBlock& before, con
 int decimals_of(const Field& field, const Dialect& dialect) {
     if (field.whole()) return 0;
     switch (field.unit) {
-        case Unit::FeedRate: case Unit::Lead: case Unit::Degrees: case Unit::Plain: return 4;
+        case Unit::FeedRate: case Unit::Lead: case Unit::Degrees: case Unit::Plain: case Unit::Speed: return 4;
         case Unit::Thousandth: return 3;
         default: break;
     }
@@ -154,8 +157,9 @@ std::optional<CycleBlock> read_cycle(const std::vector<std::string>& lines, int 
     const BlockText here = block_at(line);
     if (!here.plain()) return std::nullopt;
     std::optional<CycleBlock> found;
+    std::ptrdiff_t most = -1;                          // words of the one found
     each_form(dialect, [&](const Form& form) {
-        if (found || !here.has_code(form.code)) return;
+        if (!here.has_code(form.code)) return;
         CycleBlock cycle;
         cycle.form = &form;
         if (!form.two_blocks()) {
@@ -170,7 +174,8 @@ std::optional<CycleBlock> read_cycle(const std::vector<std::string>& lines, int 
             }
         }
         for (const Field& field : form.fields) cycle.values.push_back(cycle.line[field.block] < 0 ? Value{} : read_field(block_at(cycle.line[field.block]), form, field, dialect));
-        found = std::move(cycle);
+        const auto words = std::count_if(cycle.values.begin(), cycle.values.end(), [](const Value& value) { return value.set; });
+        if (words > most) most = words, found = std::move(cycle);
     });
     return found;
 }

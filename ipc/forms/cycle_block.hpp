@@ -18,7 +18,7 @@ struct Value {
     bool set = false;
     double number = 0.0;
     std::string expression;       // not empty: instead of the number
-    char address = 0;             // of the word it came from, where a field has two (X, U); 0: its first
+    std::string address;          // of the word it came from, where a field has two (X, U); empty: its first
     bool operator==(const Value&) const = default;
 };
 

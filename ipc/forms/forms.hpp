@@ -3,7 +3,8 @@
 //   G71 U2. R0.5            block 0: fields with block 0
 //   G71 P100 Q200 U0.4 ...  block 1: fields with block 1
 //
-// A form of one block has fields of block 0 only. Letters and codes are those of the language's own table of G codes; a test keeps them so.
+// A form of one block has fields of block 0 only. Of several forms of a code, the block is that one's of which most words stand in it
+// (G33 with K: along Z, with I: in the face). Letters and codes are those of the language's own table of G codes; a test keeps them so.
 #pragma once
 #include <cstdint>
 #include <limits>
@@ -13,9 +14,9 @@
 namespace polyturn::forms {
 
 // Which programs a form is for. The fanuc family: code systems A, B and C, each in the own and in the series 15 format (F0001#1).
-enum Speaks : std::uint8_t { kFanucA = 1, kFanucB = 2, kSeries15A = 4, kSeries15B = 8, kNct = 16, kFagor = 32, kFanucC = 64, kSeries15C = 128 };
-inline constexpr std::uint8_t kFanucAB = kFanucA | kFanucB, kSeries15AB = kSeries15A | kSeries15B;
-inline constexpr std::uint8_t kNative = kFanucAB | kFanucC, kSeries15 = kSeries15AB | kSeries15C;
+enum Speaks : std::uint16_t { kFanucA = 1, kFanucB = 2, kSeries15A = 4, kSeries15B = 8, kNct = 16, kFagor = 32, kFanucC = 64, kSeries15C = 128, kSinumerik = 256 };
+inline constexpr std::uint16_t kFanucAB = kFanucA | kFanucB, kSeries15AB = kSeries15A | kSeries15B;
+inline constexpr std::uint16_t kNative = kFanucAB | kFanucC, kSeries15 = kSeries15AB | kSeries15C;
 
 enum class Unit : std::uint8_t {
     Length,        // mm along an axis, or of no axis (radius)
@@ -28,24 +29,25 @@ enum class Unit : std::uint8_t {
     FeedRate,      // as G94, G95 say
     Lead,          // mm a revolution
     Tenths,        // of the lead
+    Speed,         // of the spindle, 1/min
     Count, Label, Choice, Plain,
 };
 
 // What of the picture a field dimensions.
 enum class Mark : std::uint8_t {
     None, StartX, StartZ, EndX, EndZ, Depth, Retract, AllowanceX, AllowanceZ, ReliefX, ReliefZ, Count, Contour, Peck, Step, Aside, Taper, Lead, Chamfer,
-    ToolAngle, ThreadDepth, FirstPass, LeastPass, StartAngle, RLevel, Bottom, Dwell, Feed, FinishFeed, Safety, CentreX, CentreZ, Place,
+    ToolAngle, ThreadDepth, FirstPass, LeastPass, StartAngle, RLevel, Bottom, Dwell, Feed, FinishFeed, Safety, CentreX, CentreZ, Place, RunIn, ArcRadius,
 };
 
 enum class Picture : std::uint8_t {
     Roughing, FaceRoughing, Pattern, Finishing, PeckFace, Groove, GrooveFace, Thread, FaceThread, Turning, Facing, TurningThread,
-    DrillFace, DrillSide, TapFace, TapSide, BoreFace, BoreSide, SectionTurning, SectionFacing, ArcTurning, ArcFacing,
+    DrillFace, DrillSide, TapFace, TapSide, BoreFace, BoreSide, SectionTurning, SectionFacing, ArcTurning, ArcFacing, BarrelThread,
 };
 
 inline constexpr double kAny = std::numeric_limits<double>::max();
 
 struct Field {
-    char address;
+    std::string_view address;       // of its word: a letter, in sinumerik a name too ("SF")
     std::uint8_t block;             // 0 or 1
     Unit unit;
     Mark mark;
@@ -53,14 +55,14 @@ struct Field {
     double low, high;
     std::string_view preset;        // what a new form proposes; empty: nothing
     std::string_view meaning;       // English; the HMI's languages have it too
-    char increment = 0;             // address of the same thing as a distance from where the tool stands (U beside X)
+    std::string_view increment = {};   // address of the same thing as a distance from where the tool stands (U beside X)
     std::uint8_t digit = 0, digits = 0;   // a part of a word: P021060 of G76 is three fields of two digits
     bool whole() const { return unit == Unit::Count || unit == Unit::Label || unit == Unit::Choice || unit == Unit::Milliseconds || unit == Unit::Hundredths || digits != 0; }
 };
 
 struct Form {
     std::string_view code;          // "G71"
-    std::uint8_t speaks;            // Speaks
+    std::uint16_t speaks;           // Speaks
     Picture picture;
     std::string_view title;         // English; translated
     std::span<const Field> fields;
@@ -70,10 +72,11 @@ struct Form {
 
 std::span<const Form> fanuc_forms();
 std::span<const Form> fagor_forms();
+std::span<const Form> sinumerik_forms();
 
 // What a channel's programs are written in: which forms it has and how numbers are written.
 struct Dialect {
-    std::uint8_t speaks = 0;        // one of Speaks; 0: this language has no cycles
+    std::uint16_t speaks = 0;       // one of Speaks; 0: this language has no cycles
     bool point_needed = false;      // X40 is 40 least increments, X40. is 40 mm
     double increment = 0.001;       // the least one, mm
 };
@@ -83,7 +86,7 @@ Dialect dialect_of(std::string_view language, char system, bool series15, bool p
 // In the order of the table.
 template <class Visit>
 void each_form(const Dialect& dialect, Visit visit) {
-    for (const Form& form : dialect.speaks == kFagor ? fagor_forms() : fanuc_forms())
+    for (const Form& form : dialect.speaks == kFagor ? fagor_forms() : dialect.speaks == kSinumerik ? sinumerik_forms() : fanuc_forms())
         if (form.speaks & dialect.speaks) visit(form);
 }
 

@@ -8,6 +8,8 @@
 
 #include "channels/fagor/g_codes.hpp"
 #include "channels/fanuc/g_codes.hpp"
+#include "channels/sinumerik/interpreter.hpp"
+#include "channels/sinumerik/tables.hpp"
 #include "ipc/forms/cycle_block.hpp"
 #include "tests/unit/channels/play.hpp"
 
@@ -19,8 +21,8 @@ using forms::Form;
 std::string letters_of(const Form& form) {
     std::string out;
     for (const forms::Field& field : form.fields) {
-        if (out.find(field.address) == std::string::npos) out += field.address;
-        if (field.increment && out.find(field.increment) == std::string::npos) out += field.increment;
+        for (const std::string_view letter : {field.address, field.increment})
+            if (!letter.empty() && out.find(letter) == std::string::npos) out += letter;
     }
     return out;
 }
@@ -72,17 +74,41 @@ TEST(Forms, OfFagorTakeWhatTheCodesTake) {
     }
 }
 
+// Threads and taps (sinumerik_part2 10.10, 10.11): every code has a form, in the face and along Z, of words that it or any block takes (axes, S, F).
+TEST(Forms, OfSinumerikTakeWhatTheCodesTake) {
+    using namespace sinumerik;
+    unsigned seen = 0;
+    for (const GCode& row : g_codes()) {
+        const bool cycle = row.act == &Interpreter::geo_thread || row.act == &Interpreter::geo_barrel || row.act == &Interpreter::geo_tap || row.act == &Interpreter::geo_tap_chuck;
+        if (!cycle) continue;
+        bool found = false;
+        for (const Form& form : forms::sinumerik_forms()) {
+            if (form.code != row.name) continue;
+            found = true, ++seen;
+            const std::string takes = " " + std::string(row.takes) + " ";
+            for (const forms::Field& field : form.fields) {
+                const bool any = field.address == "X" || field.address == "Z" || field.address == "S" || field.address == "F", own = takes.find(" " + std::string(field.address) + " ") != std::string::npos;
+                const Symbol symbol = find_symbol(field.address);
+                const bool always = symbol.kind == Symbol::Kind::Address && symbol.address().use == Address::Use::Setting;
+                EXPECT_TRUE(any || own || always) << form.code << ' ' << field.address;
+            }
+        }
+        EXPECT_TRUE(found) << row.name;
+    }
+    EXPECT_EQ(seen, forms::sinumerik_forms().size());
+}
+
 // The proposals, as one would write them: a start beside the part, a contour where the cycle wants one. How many forms were played.
 int play_proposals(const forms::Dialect& dialect, const std::string& language, const std::vector<std::string>& sets) {
     int played_forms = 0;
     forms::each_form(dialect, [&](const Form& form) {
         ++played_forms;
-        const bool fagor = language == "fagor";
+        const bool fagor = language == "fagor", sinumerik = language == "sinumerik";
         using forms::Picture;
         const bool side = form.picture == Picture::Groove || form.picture == Picture::DrillSide || form.picture == Picture::TapSide || form.picture == Picture::BoreSide;
         const std::string x = form.picture == Picture::Pattern ? "60." : "46.", z = side ? "-10." : "3.";
         const bool by_revolution_g95 = language == "nct" || (dialect.speaks & (forms::kFanucB | forms::kSeries15B | forms::kFanucC | forms::kSeries15C)) != 0;
-        std::vector<std::string> lines{fagor ? "G95 G97 S1000 M3 F0.2" : std::string(by_revolution_g95 ? "G95 G98" : "G99") + " G97 S1000 M3", "G0 X" + x + " Z" + z};
+        std::vector<std::string> lines{sinumerik ? "G18 G95 S1000 M3 F0.2" : fagor ? "G95 G97 S1000 M3 F0.2" : std::string(by_revolution_g95 ? "G95 G98" : "G99") + " G97 S1000 M3", "G0 X" + x + " Z" + z};
         if (fagor) lines.insert(lines.begin(), {"%1", "T1 D1"});
         const int at = static_cast<int>(lines.size());
         lines.push_back(fagor ? "G0 X80 Z20" : "G0 X80. Z20.");
@@ -104,7 +130,7 @@ int play_proposals(const forms::Dialect& dialect, const std::string& language, c
         how.sets = sets;
         const testing::Played played = testing::play(text, how);
         EXPECT_EQ(played.errors, 0u) << language << ' ' << form.code << "\n" << text << played.find({"\"alarm\""});
-        EXPECT_TRUE(played.has({"\"move\"", "\"cycle\""})) << language << ' ' << form.code << "\n" << text;
+        EXPECT_TRUE(sinumerik ? played.has({"\"move\"", "\"thread\""}) || played.has({"\"move\"", "\"linear\""}) : played.has({"\"move\"", "\"cycle\""})) << language << ' ' << form.code << "\n" << text;
     });
     return played_forms;
 }
@@ -118,6 +144,7 @@ TEST(Forms, WhatFanucProposesRuns) {
 }
 TEST(Forms, WhatNctProposesRuns) { EXPECT_GT(play_proposals({forms::kNct, true, 0.001}, "nct", {}), 10); }
 TEST(Forms, WhatFagorProposesRuns) { EXPECT_GT(play_proposals({forms::kFagor, false, 0.001}, "fagor", {}), 10); }
+TEST(Forms, WhatSinumerikProposesRuns) { EXPECT_GT(play_proposals({forms::kSinumerik, false, 0.001}, "sinumerik", {}), 10); }
 
 }  // namespace
 }  // namespace polyturn::channels

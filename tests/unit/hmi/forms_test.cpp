@@ -177,7 +177,7 @@ TEST_F(Forms, AContourIsEnteredChosenWrittenAndReadBack) {
 }
 
 TEST(CyclePictures, HaveAPlaceForEveryField) {
-    for (const auto table : {forms::fanuc_forms(), forms::fagor_forms()})
+    for (const auto table : {forms::fanuc_forms(), forms::fagor_forms(), forms::sinumerik_forms()})
         for (const forms::Form& form : table) {
             const Scene scene = sceneOf(form.picture);
             EXPECT_FALSE(scene.part.isEmpty() || scene.paths.empty()) << form.code;

@@ -14,7 +14,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-const Dialect kDialects[] = {{kFanucA, true, 0.001}, {kFanucA, false, 0.001}, {kFanucB, true, 0.0001}, {kSeries15A, true, 0.001}, {kSeries15B, true, 0.001}, {kNct, true, 0.001}, {kNct, false, 0.001}, {kFagor, false, 0.0001}};
+const Dialect kDialects[] = {{kFanucA, true, 0.001}, {kFanucA, false, 0.001}, {kFanucB, true, 0.0001}, {kSeries15A, true, 0.001}, {kSeries15B, true, 0.001}, {kNct, true, 0.001}, {kNct, false, 0.001}, {kFagor, false, 0.0001}, {kSinumerik, false, 0.001}};
 
 std::vector<const Form*> forms_of(const Dialect& dialect) {
     std::vector<const Form*> out;
@@ -66,7 +66,7 @@ RC_GTEST_PROP(CycleForms, WhatIsWrittenIsReadBack, ()) {
     for (int block : {0, 1})
         if (found->line[block] >= 0) {
             std::string& line = commented[static_cast<std::size_t>(found->line[block])];
-            line = "N70 " + line + (dialect.speaks == kFagor ? " ;why so" : " M8 (why so)");
+            line = "N70 " + line + (dialect.speaks == kFagor ? " ;why so" : dialect.speaks == kSinumerik ? " M8 ;why so" : " M8 (why so)");
         }
     const auto again = read_cycle(commented, found->line[form.fields[i].block] >= 0 ? found->line[form.fields[i].block] : found->line[1], dialect);
     RC_ASSERT(again.has_value());
@@ -79,7 +79,7 @@ RC_GTEST_PROP(CycleForms, WhatIsWrittenIsReadBack, ()) {
     RC_ASSERT(changes.size() <= 1u);
     apply_changes(after, changes);
     if (changes.empty() || changes[0].inserts) return;
-    const Notation notation = dialect.speaks == kFagor ? Notation::Fagor : Notation::Family;
+    const Notation notation = dialect.speaks == kFagor ? Notation::Fagor : dialect.speaks == kSinumerik ? Notation::Sinumerik : Notation::Family;
     const BlockText was(commented[static_cast<std::size_t>(changes[0].at)], notation), is(changes[0].text, notation);
     RC_ASSERT(is.line().substr(0, 4) == "N70 ");
     RC_ASSERT(is.line().find("why so") != std::string::npos);
@@ -120,7 +120,7 @@ TEST(CycleForms, ExpressionsAndIncrementsStay) {
     const Dialect dialect{kFanucA, true, 0.001};
     const auto cycle = read_cycle(lines, 0, dialect);
     ASSERT_TRUE(cycle);
-    EXPECT_EQ(cycle->values[0].address, 'U');
+    EXPECT_EQ(cycle->values[0].address, "U");
     EXPECT_EQ(cycle->values[1].expression, "[#100*2+1]");
     EXPECT_EQ(cycle->values[3].expression, "#3");
     CycleBlock now = *cycle;
@@ -128,7 +128,7 @@ TEST(CycleForms, ExpressionsAndIncrementsStay) {
     Lines after = lines;
     apply_changes(after, write_cycle(lines, *cycle, now, 0, dialect));
     EXPECT_EQ(after[0], "G90 U-5. Z[#100*2+1] F#3 (one pass)");
-    now.values[0].address = 0, now.values[0].number = 36;   // the end point instead of the way
+    now.values[0].address.clear(), now.values[0].number = 36;   // the end point instead of the way
     after = lines;
     apply_changes(after, write_cycle(lines, *cycle, now, 0, dialect));
     EXPECT_EQ(after[0], "G90 Z[#100*2+1] F#3 X36. (one pass)");
@@ -175,8 +175,66 @@ TEST(CycleForms, FagorValuesMayBeParameters) {
     ASSERT_TRUE(cycle);
     EXPECT_EQ(cycle->values[4].expression, "P5");
     CycleBlock now = *cycle;
-    now.values[4] = {true, 2.5, {}, 0};
+    now.values[4] = {true, 2.5, {}, {}};
     EXPECT_EQ(write_cycle(lines, *cycle, now, 0, dialect)[0].text, "N0070 G81 X20 Z0 Q40 R-30 C 2.5 D1 L0.5 ;section");
+}
+
+// sinumerik_part2 10.10.1: K makes a thread along Z, I one in the face; SF is a word of two letters.
+TEST(CycleForms, SinumerikThreadsAreChosenByTheirLead) {
+    const Dialect dialect = dialect_of("sinumerik", 'A', false, false, 0.001);
+    const Lines lines{"N10 G33 Z=R1+2 K2 SF=180 LFON ;second start", "G33X20I1.5", "G33 X40 Z-30 I3"};
+    const auto along = read_cycle(lines, 0, dialect);
+    ASSERT_TRUE(along);
+    const auto value = [](const CycleBlock& cycle, std::string_view address) {
+        for (std::size_t i = 0; i < cycle.values.size(); ++i)
+            if (cycle.form->fields[i].address == address) return cycle.values[i];
+        return Value{};
+    };
+    EXPECT_EQ(value(*along, "Z").expression, "R1+2");
+    EXPECT_DOUBLE_EQ(value(*along, "K").number, 2);
+    EXPECT_DOUBLE_EQ(value(*along, "SF").number, 180);
+    CycleBlock now = *along;
+    for (std::size_t i = 0; i < now.values.size(); ++i) {
+        if (now.form->fields[i].address == "SF") now.values[i].number = 90;
+        if (now.form->fields[i].address == "Z") now.values[i] = {true, -35, {}, {}};
+        if (now.form->fields[i].address == "DITE") now.values[i] = {true, 3, {}, {}};
+    }
+    EXPECT_EQ(write_cycle(lines, *along, now, 0, dialect)[0].text, "N10 G33 Z=-35 K2 SF=90 LFON DITE=3 ;second start");
+    for (const int at : {1, 2}) {
+        const auto face = read_cycle(lines, at, dialect);
+        ASSERT_TRUE(face) << at;
+        EXPECT_EQ(face->form->picture, Picture::FaceThread) << at;
+        EXPECT_TRUE(value(*face, "I").set);
+    }
+}
+
+// The speed has a block of its own (10.11.1); both open the form.
+TEST(CycleForms, SinumerikTapsHaveTheirSpeedInABlockOfItsOwn) {
+    const Dialect dialect = dialect_of("sinumerik", 'A', false, false, 0.001);
+    const Lines lines{"SPOS=0", "G331 S400", "G331 X20 I-1.25", "G332 X46 I-1.25"};
+    for (const int at : {1, 2}) {
+        const auto tap = read_cycle(lines, at, dialect);
+        ASSERT_TRUE(tap) << at;
+        EXPECT_EQ(tap->form->picture, Picture::TapSide);
+        EXPECT_EQ(tap->line[0], 1);
+        EXPECT_EQ(tap->line[1], 2);
+        EXPECT_DOUBLE_EQ(tap->values[0].number, 400);
+    }
+    Lines fresh{"M30"};
+    each_form(dialect, [&](const Form& form) {
+        if (form.code == "G331" && form.picture == Picture::TapFace) apply_changes(fresh, write_cycle(fresh, CycleBlock{&form, {}, {-1, -1}}, new_cycle(form), 0, dialect));
+    });
+    EXPECT_EQ(fresh, (Lines{"G331 S500", "G331 Z-15 K1.5", "M30"}));
+}
+
+TEST(CycleForms, NoFormTouchesASinumerikCallOrASplitValue) {
+    const Dialect dialect = dialect_of("sinumerik", 'A', false, false, 0.001);
+    EXPECT_FALSE(read_cycle({"G33 Z=R1 + 2 K2"}, 0, dialect));
+    EXPECT_FALSE(read_cycle({"G33 Z-20 K2EX1"}, 0, dialect));
+    EXPECT_FALSE(read_cycle({"START: G33 Z-20 K2"}, 0, dialect));
+    EXPECT_FALSE(read_cycle({"MSG(\"G33 Z-20 K2\")"}, 0, dialect));
+    EXPECT_FALSE(read_cycle({"IF R1 == 2 G33 Z-20 K2"}, 0, dialect));
+    EXPECT_TRUE(read_cycle({"/1 N20 G33 Z=IC(-20) K2 F0.2 DIAMON"}, 0, dialect));
 }
 
 }  // namespace
