@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Pictures of every screen with something on it: starts a controller with a chain and a matrix magazine beside its turrets, enters tools,
-measured parts, pallets, users, makes pictures for the presetter and calibrates it, runs a program into an alarm, lets the two-channel job run
+measured parts, pallets, users and a table of compensation, makes pictures for the presetter and calibrates it, runs a program into an alarm, lets the two-channel job run
 and stand, then saves the screens.
 
   python3 tools/take_screens.py --bin build/dev/bin --out pictures [--lang en] [--theme dark] [--size 1280x800]
@@ -17,6 +17,7 @@ import tempfile
 import time
 
 TOP = pathlib.Path(__file__).resolve().parent.parent
+PITCH = ["N2500 A2=1", "N2501 A2=10", "N2502 A2=10010", "N2503 A2=10000", "N2504 A2=10020"]   # a pitch error table of the axis Z of L1
 MACHINE = ["N2912=24", "N2905=00001000", "N2920=4", "N2921=6", "N3300=3", "N3301=4", "PT_PLC_CYCLE=100", "PT_LATE_MAX=1000"]
 
 
@@ -77,9 +78,14 @@ def main():
         first = programs[0].read_text(encoding="utf-8")
         programs[0].write_text(first.replace("N20 ", "N11 #1=12.5\nN12 #101=#1*2\nN13 #500=[#101+1]/3\nN20 ", 1), encoding="utf-8")   # variables
         (job / "wrong.nc").write_text("O0009\nN10 G0 X40. Z2.\nN20 G2 X60. Z-12. I5. K0. F0.1\nM30\n", encoding="utf-8")              # its arc has two radii
+        machine = pathlib.Path(folder, "machine")
+        shutil.copytree(TOP / "examples/machines/twin-turret", machine)
+        with open(machine / "machine.params", "a", encoding="utf-8") as file:
+            file.write("\n" + "\n".join(PITCH) + "\n")
+        (machine / "machine.compensation").write_text("".join(f"{10000 + i}={0.006 * math.sin(i / 4) + 0.0007 * (i - 10):.4f}\n" for i in range(21)), encoding="ascii")
         sets = [word for line in MACHINE for word in ("--set", line)]
         with open(os.path.join(folder, "log"), "w") as log:
-            controller = subprocess.Popen([binary / "polyturn", "start", "--instance", name, "--store", os.path.join(folder, "store"), "--no-hmi", *sets], stdout=log, stderr=subprocess.STDOUT)
+            controller = subprocess.Popen([binary / "polyturn", "start", machine, "--instance", name, "--store", os.path.join(folder, "store"), "--no-hmi", *sets], stdout=log, stderr=subprocess.STDOUT)
         try:
             for _ in range(120):
                 if subprocess.run([binary / "polyturn", "status", "--instance", name], capture_output=True).returncode == 0:
@@ -109,6 +115,8 @@ def main():
             time.sleep(3)
             run("press", "reset")
             time.sleep(1)
+            for trace, signal in enumerate(("command A2", "velocity A2", "error A2", "torque A2", "speed S1", "path L1"), 1):
+                run("press", f"scope {trace} {signal}")
             run("press", f"select {job}/shaft.job.toml")
             run("press", "cycle_start")
             time.sleep(4)

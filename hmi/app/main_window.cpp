@@ -4,6 +4,7 @@
 #include <QDateTime>
 #include <algorithm>
 
+#include "hmi/widgets/table.hpp"
 #include "ipc/machine/machine_step.hpp"
 
 namespace polyturn::hmi {
@@ -90,9 +91,12 @@ MainWindow::~MainWindow() {
     qApp->removeEventFilter(this);
 }
 
+void MainWindow::sayWhyEmpty() const { Table::noMachine = live_.connected() ? QString() : word("No controller answers"); }
+
 void MainWindow::build() {
     entry_->shut(false);
     requests_.forgetScreens();
+    sayWhyEmpty();
     while (stack_->count()) {
         QWidget* old = stack_->widget(0);
         stack_->removeWidget(old);
@@ -163,6 +167,7 @@ void MainWindow::paintBehind() {
 void MainWindow::frame() {
     ++frames_;
     live_.poll();
+    sayWhyEmpty();
     alarms_.poll();
     if (live_.generation() != generation_) {
         generation_ = live_.generation();
@@ -327,6 +332,14 @@ void MainWindow::nextField() {
     sheet->touch(hit);
 }
 
+void MainWindow::nextChannel(int step) {
+    const auto& all = desk_.live.channels();
+    const auto here = std::find(all.begin(), all.end(), desk_.channel) - all.begin() + step;
+    if (here < 0 || here >= static_cast<std::ptrdiff_t>(all.size())) return;
+    desk_.choose(all[static_cast<std::size_t>(here)]);
+    screen()->refresh();
+}
+
 bool MainWindow::keyPressed(QKeyEvent* event) {
     const int key = event->key();
     if (key == Qt::Key_Help || (key == Qt::Key_H && event->modifiers() & Qt::ControlModifier)) return showHelp(), true;
@@ -345,7 +358,9 @@ bool MainWindow::keyPressed(QKeyEvent* event) {
     if (event->modifiers() & Qt::AltModifier && key >= Qt::Key_0 && key <= Qt::Key_9) return showScreen(key == Qt::Key_0 ? 9 : key - Qt::Key_1), true;
     if (event->modifiers() & Qt::ControlModifier) {
         if (key >= Qt::Key_1 && key <= Qt::Key_9) return desk_.choose(static_cast<unsigned>(key - Qt::Key_0)), screen()->refresh(), true;
+        if (key == Qt::Key_PageUp || key == Qt::Key_PageDown) return nextChannel(key == Qt::Key_PageDown ? 1 : -1), true;   // more than nine
         if (key == Qt::Key_L) return lock(true), true;
+        if (key == Qt::Key_D && dialogue_->channel()) return topTouched(kHitDialogue), true;
     }
     const bool done = screen()->key(event);
     if (done) showKeys();
@@ -353,7 +368,8 @@ bool MainWindow::keyPressed(QKeyEvent* event) {
 }
 
 bool MainWindow::keyReleased(QKeyEvent* event) {
-    if (event->key() < Qt::Key_F1 || event->key() > Qt::Key_F10 || event->isAutoRepeat()) return false;
+    if (event->isAutoRepeat()) return false;
+    if (event->key() < Qt::Key_F1 || event->key() > Qt::Key_F10) return screen()->keyReleased(event);
     bar_->letGo(event->key() - Qt::Key_F1);
     return true;
 }

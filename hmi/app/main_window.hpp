@@ -63,6 +63,8 @@ private:
     void nextField();
     bool keyPressed(QKeyEvent* event);
     bool keyReleased(QKeyEvent* event);
+    void nextChannel(int step);
+    void sayWhyEmpty() const;   // what every table says that has nothing to show
 
     Choices choices_;
     std::unique_ptr<QSettings> kept_;

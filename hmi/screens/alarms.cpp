@@ -118,7 +118,7 @@ std::vector<SoftKey> Alarms::keys() {
     keys.resize(9);
     const ChannelStatus& status = desk_.live.channel(desk_.channel);
     const auto state = static_cast<ChannelState>(status.state);
-    const bool running = state == ChannelState::Running || state == ChannelState::Waiting;
+    const bool running = state == ChannelState::Running || state == ChannelState::Waiting || state == ChannelState::Held || state == ChannelState::ProgramStop;
     keys[8] = {word("Reset L%1").arg(desk_.channel), [this] { desk_.requests.press(QString("reset L%1").arg(desk_.channel)); }, Sign::Reset, desk_.live.connected(), false, true,
                running ? word("Ends the program: press again") : QString()};
     keys.push_back({word("Reset all"), [this] { desk_.requests.press("reset"); }, Sign::Reset, desk_.live.connected(), false, true, word("Ends all programs: press again")});

@@ -57,7 +57,7 @@ void ComparePage::compose(Writer& w) {
     }
     const bool same = difference_.places == 0;
     w.sign(QRectF(px(12), px(8), px(20), px(20)), same ? Sign::Good : Sign::Warning, same ? t.good : t.warn);
-    w.text(QRectF(px(40), 0, wide - px(60), px(36)), same ? word("They are the same") : difference_.rough ? word("They are very different") : word("They differ in %1 places").arg(difference_.places), lettering(16, true), t.text);
+    w.text(QRectF(px(40), 0, wide - px(60), px(36)), same ? word("They are the same") : difference_.rough ? word("They are very different") : word("Differences: %1").arg(difference_.places), lettering(16, true), t.text);
     w.data(QRectF(px(12), px(36), half - px(24), px(28)), left_, lettering(14), t.accent);
     w.data(QRectF(half + px(12), px(36), half - px(24), px(28)), right_, lettering(14), t.accent);
     w.line(QPointF(half, px(40)), QPointF(half, high - px(6)), t.edge, 1);

@@ -62,6 +62,7 @@ void CompensationPage::refresh() {
         all_ = compensationCurves(desk_.live.table(), desk_.live.config(), *cells_);
         curves_->choose(0);
     }
+    curves_->focused = !onPoints_, points_->focused = onPoints_;
     for (Sheet* one : sheets()) one->refresh();
 }
 
@@ -118,7 +119,7 @@ void CompensationPage::composeGraph(Writer& w) {
     }
     for (int i = 0; i <= 4; ++i) {
         const double x = left + (right - left) * i / 4;
-        w.text(QRectF(x - px(50), bottom + px(6), px(100), px(20)), lengthText(from + span * i / 4, 1), lettering(12.5), t.dim, i == 0 ? int(Qt::AlignLeft | Qt::AlignVCenter) : i == 4 ? kRight : int(Qt::AlignCenter));
+        w.text(QRectF(std::min<double>(x - px(50), wide - px(104)), bottom + px(6), px(100), px(20)), lengthText(from + span * i / 4, 1), lettering(12.5), t.dim, i == 0 ? int(Qt::AlignLeft | Qt::AlignVCenter) : i == 4 ? kRight : int(Qt::AlignCenter));
     }
     // A graph has some hundred places; of tables with thousands of points the least and greatest of each place are drawn.
     const std::size_t count = curve->points.size(), step = std::max<std::size_t>(1, count / 400);

@@ -137,4 +137,12 @@ bool Diagnosis::key(QKeyEvent* event) {
     return table_->key(event);
 }
 
+// The chosen signal, then what the page is about.
+HelpTopic Diagnosis::help() const {
+    const auto row = static_cast<std::size_t>(std::max(0, table_->row()));
+    if (page_ != Page::Signals || row >= found_.size()) return {"operator.md", "Diagnosis:", {}};
+    const SignalLine& one = found_[row];
+    return {"builder.md", "Names and meanings of the signals", QString("# %1\n\n%2\n\n%3").arg(one.name, one.meaning, one.plc ? word("The PLC writes it.") : word("The NC writes it."))};
+}
+
 }  // namespace polyturn::hmi

@@ -11,7 +11,7 @@ class Diagnosis : public Screen {
 public:
     explicit Diagnosis(Desk& desk);
     QString title() const override { return word("Diagnosis"); }
-    Sign sign() const override { return Sign::Feed; }
+    Sign sign() const override { return Sign::Diagnosis; }
     const char* name() const override { return "diagnosis"; }
     std::vector<SoftKey> keys() override;
     void refresh() override;
@@ -22,7 +22,7 @@ public:
     void restore(const QString& state) override;
     std::vector<Sheet*> sheets() override;
     int pages() const override { return 8; }
-    HelpTopic help() const override { return {"operator.md", "Diagnosis:", {}}; }
+    HelpTopic help() const override;
     void turnTo(int page) override;
 
     enum class Page : std::uint8_t { Signals, Axes, Couplings, Variables, Counters, Processes, Scope };

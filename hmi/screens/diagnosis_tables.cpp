@@ -52,7 +52,7 @@ void Diagnosis::fillSignals() {
         switch (column) {
             case 0: return {one.name, t.text, Sign::None, true};
             case 1: return {QString::number(value), value ? t.good : t.dim, value && !one.isRegister ? Sign::Good : Sign::None, value != 0};
-            case 2: return {one.plc ? "PLC" : "NC", t.dim};
+            case 2: return {one.plc ? word("PLC") : word("NC"), t.dim};
             default: return {one.meaning, t.dim};
         }
     };
@@ -145,7 +145,7 @@ void Diagnosis::fillVariables() {
     const std::uint32_t more = list.more;
     table_->rows = [lines, more] { return static_cast<int>(lines->size()) + (more ? 1 : 0); };
     table_->cell = [lines, more](int row, int column) -> Table::Cell {
-        if (row == static_cast<int>(lines->size())) return column == 0 ? Table::Cell{word("and %1 more").arg(more), theme().dim} : Table::Cell{};
+        if (row == static_cast<int>(lines->size())) return column == 0 ? Table::Cell{word("more: %1").arg(more), theme().dim} : Table::Cell{};
         const auto& [name, value] = (*lines)[static_cast<std::size_t>(row)];
         return column == 0 ? Table::Cell{name, theme().text, Sign::None, true, Face::Program} : column == 1 ? Table::Cell{value, theme().text} : Table::Cell{};
     };

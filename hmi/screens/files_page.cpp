@@ -27,6 +27,7 @@ FilesPage::FilesPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk)
     files_->columns = {{word("Name"), 5}, {word("Changed"), 2.2}, {word("Size"), 1.2, kRight}};
     files_->rowUnits = 40;
     files_->textUnits = 16;
+    files_->ofMachine = false;
     files_->rows = [this] { return static_cast<int>(placesShown_ ? places_.size() : entries_.size()); };
     files_->cell = [this](int row, int column) -> Table::Cell {
         const Theme& t = theme();
@@ -273,8 +274,13 @@ void FilesPage::composeJob(Writer& w, double y) {
     if (job.tools.empty()) return;
     y += px(8);
     headline(word("Tools that it needs"));
-    for (const SheetTool& tool : compareTools(desk_.live, job)) {   // wanted against mounted
-        if (y + px(26) > high) break;
+    const std::vector<SheetTool> tools = compareTools(desk_.live, job);
+    for (std::size_t i = 0; i < tools.size(); ++i) {   // wanted against mounted
+        const SheetTool& tool = tools[i];
+        if (y + px(52) > high && i + 1 < tools.size()) {
+            w.text(QRectF(px(16), y, wide - px(32), px(24)), word("more: %1").arg(tools.size() - i), lettering(15), t.dim);
+            break;
+        }
         const bool same = tool.match == SheetTool::Match::Same, unknown = tool.match == SheetTool::Match::Unknown;
         const bool usable = same && tool.state.sign != Sign::Alarm && tool.state.sign != Sign::Lock && tool.state.sign != Sign::Stop;
         w.text(QRectF(px(16), y, px(120), px(24)), QString("L%1   T%2").arg(tool.channel).arg(tool.station), lettering(15, true), t.text);
@@ -307,7 +313,7 @@ void FilesPage::composeState(Writer& w) {
     }
     const bool good = outcome_.ok();
     if (told_) w.sign(QRectF(px(14), high / 2 - px(10), px(20), px(20)), good ? Sign::Good : Sign::Alarm, good ? t.good : t.bad);
-    w.data(QRectF(px(44), 0, wide - px(58), high), told_ ? (good ? doing_ + ": " : QString()) + outcome_.what + (good && outcome_.files > 1 ? "  " + word("%1 files").arg(outcome_.files) : QString()) : taken_.isEmpty() ? word("«Take» chooses what is copied or compared") : word("Taken: %1").arg(taken), lettering(15), told_ && !good ? t.bad : t.text);
+    w.data(QRectF(px(44), 0, wide - px(58), high), told_ ? (good ? doing_ + ": " : QString()) + outcome_.what + (good && outcome_.files > 1 ? "  " + word("files: %1").arg(outcome_.files) : QString()) : taken_.isEmpty() ? word("«Take» chooses what is copied or compared") : word("Taken: %1").arg(taken), lettering(15), told_ && !good ? t.bad : t.text);
 }
 
 void FilesPage::start(const QString& what, std::function<FileOutcome(const std::atomic<bool>&)> work) {

@@ -131,7 +131,7 @@ void Manual::composeAxes(Writer& w) {
     const double wide = axes_->width(), high = axes_->height();
     w.fill(QRectF(0, 0, wide, high), t.window);
     const Live& live = desk_.live;
-    if (!live.connected()) return;
+    if (!live.connected()) return void(w.text(QRectF(0, 0, wide, high), word("No controller answers"), lettering(20, true), t.dim, Qt::AlignCenter));
     const ChannelConfig& config = live.config().channel(desk_.channel);
     // channels
     double x = 0;
@@ -160,7 +160,8 @@ void Manual::composeAxes(Writer& w) {
         const unsigned decimals = decimalsOf(live.config(), axis);
         const QRectF box(0, top + static_cast<double>(place) * row, wide, row - px(8));
         w.fill(box, t.card, px(8));
-        w.frame(box, now.flags & kMoving ? t.good : t.edge, px(8), now.flags & kMoving ? px(2) : 1);
+        const bool here = number == chosenAxis();
+        w.frame(box, now.flags & kMoving ? t.good : here ? t.accent : t.edge, px(8), now.flags & kMoving || here ? px(2) : 1);
         const double keyWide = px(92), keyHigh = std::min<double>(box.height() - px(16), px(80)), keyTop = box.center().y() - keyHigh / 2;
         w.text(QRectF(box.left() + px(14), box.top(), px(60), box.height()), fromView(axis.name_text()), lettering(32, true), t.text);
         for (const bool positive : {false, true}) {
@@ -183,6 +184,13 @@ void Manual::composeAxes(Writer& w) {
         const QString beneath = !referenced ? word("not referenced") : known ? word("Workpiece") + "  " + lengthText(shown(axis, workpiece), decimals) : word("Machine");
         w.text(QRectF(left, box.top() + box.height() * 0.6, room - (axis.diameter ? px(26) : 0), box.height() * 0.32), beneath, lettering(15), referenced ? t.dim : t.warn, kRight);
         if (axis.diameter) w.text(QRectF(left + room - px(20), box.top() + box.height() * 0.6, px(20), box.height() * 0.32), QString::fromUtf8("⌀"), lettering(16), t.dim, kRight);
+        if (!referenced) {
+            const QRectF key(left, box.top() + px(7), px(124), box.height() * 0.5);
+            w.fill(key, t.raised, px(8));
+            w.frame(key, t.edge, px(8), 1);
+            w.text(key, word("Reference"), lettering(15, true), t.text, Qt::AlignCenter);
+            w.hit(key, static_cast<int>(number) * 10 + 3);
+        }
         w.text(QRectF(left, box.top() + box.height() * 0.6, px(120), box.height() * 0.32), QString("A%1   %2").arg(number).arg(now.velocity * 60, 0, 'f', 0), lettering(14), t.faint);
     }
     // steps
@@ -217,7 +225,7 @@ void Manual::composeSide(Writer& w) {
                           {WORD("Spindle"), spindle ? live.status().spindles[spindle - 1].override : 0.0, kSpindleLess, 1.5}};
     for (int i = 0; i < 3; ++i) {
         const double top = px(40) + i * px(66);
-        w.text(QRectF(px(14), top, px(110), px(24)), word(lines[i].title), lettering(15), t.dim);
+        w.text(QRectF(px(14), top, px(110), px(24)), word(lines[i].title), lettering(15, i == override_), i == override_ ? t.accent : t.dim);
         w.text(QRectF(px(130), top, wide - px(258), px(24)), QString("%1 %").arg(std::lround(lines[i].value * 100)), lettering(18, true), std::abs(lines[i].value - 1) > 1e-6 ? t.warn : t.text, kRight);
         w.bar(QRectF(px(14), top + px(34), wide - px(142), px(9)), lines[i].value / lines[i].most, std::abs(lines[i].value - 1) > 1e-6 ? t.warn : t.accent, t.edge);
         for (int more = 0; more < 2; ++more) {
@@ -266,7 +274,7 @@ std::vector<SoftKey> Manual::keys() {
         {word("Jog"), [this] { mode("jog"); }, Sign::Manual, there, mode_now == ChannelMode::Jog},
         {word("MDI"), [this] { mode("mdi"), typing_ = true, layOut(), refresh(); }, Sign::None, there, mode_now == ChannelMode::Mdi},
         {word("Wheel, tool, transfer"), [this] { showHand(true); }, Sign::Right, there},
-        {word("Reference all"), press_words("reference all"), Sign::Offsets, there && on},
+        {word("Reference all"), press_words("reference all"), Sign::Offsets, there && on, false, false, word("All axes move: press again")},
         {word("Leave the hold %1").arg(name), press_words("jog_in_hold " + name), Sign::Hold, there && held && !away},
         {word("Return %1").arg(name), press_words("return " + name), Sign::Left, there && away},
         {word("Start %1").arg(name), [this, name, mode_now] { mode_now == ChannelMode::Mdi && !mdi_.trimmed().isEmpty() ? startMdi() : desk_.requests.press("cycle_start " + name); }, Sign::Run, there},
@@ -282,14 +290,51 @@ std::vector<SoftKey> Manual::keys() {
     return keys;
 }
 
+unsigned Manual::chosenAxis() const {
+    const ChannelConfig& config = desk_.live.config().channel(desk_.channel);
+    return config.axis_count ? config.axes[std::min<std::size_t>(place_, config.axis_count - 1)] : 0;
+}
+
+// Up and down choose the axis, plus and minus move it as long as they are held or by the step, left and right choose the step, Home seeks its
+// reference point; Tab chooses an override, page up and page down change it.
 bool Manual::key(QKeyEvent* event) {
     if (handShown_) return hand_->key(event);
-    if (!typing_) return false;
+    if (!typing_) {
+        const unsigned axis = chosenAxis();
+        const std::size_t axes = desk_.live.config().channel(desk_.channel).axis_count;
+        switch (event->key()) {
+            case Qt::Key_Up: place_ = place_ ? place_ - 1 : 0; break;
+            case Qt::Key_Down: place_ = std::min<unsigned>(place_ + 1, axes ? static_cast<unsigned>(axes) - 1 : 0); break;
+            case Qt::Key_Left: step_ = std::max(step_ - 1, 0); break;
+            case Qt::Key_Right: step_ = std::min<int>(step_ + 1, kSteps.size() - 1); break;
+            case Qt::Key_Plus: case Qt::Key_Minus:
+                if (axis && !event->isAutoRepeat()) press(jogHit(axis, event->key() == Qt::Key_Plus));
+                return true;
+            case Qt::Key_Home:
+                if (axis) press(static_cast<int>(axis) * 10 + 3);
+                return true;
+            case Qt::Key_Tab: override_ = (override_ + 1) % 3; break;
+            case Qt::Key_Backtab: override_ = (override_ + 2) % 3; break;
+            case Qt::Key_PageUp: press(kOverrideHits + 2 * override_ + 1); return true;
+            case Qt::Key_PageDown: press(kOverrideHits + 2 * override_); return true;
+            default: return false;
+        }
+        refresh();
+        return true;
+    }
     if (event->key() == Qt::Key_Escape) typing_ = false, layOut();
     else if (event->key() == Qt::Key_Backspace) mdi_.chop(1);
     else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) startMdi();
     else if (!event->text().isEmpty() && event->text()[0].isPrint() && mdi_.size() < 150) mdi_ += event->text().toUpper();
     else return false;
+    refresh();
+    return true;
+}
+
+// Whatever was held: a shift that is let go first makes another key of a plus.
+bool Manual::keyReleased(QKeyEvent*) {
+    if (heldWords_.isEmpty()) return false;
+    letGo();
     refresh();
     return true;
 }

@@ -17,6 +17,7 @@ public:
     std::vector<SoftKey> keys() override;
     void refresh() override;
     bool key(QKeyEvent* event) override;
+    bool keyReleased(QKeyEvent* event) override;
     bool typing() const override { return typing_; }
     QString state() const override { return QString::number(step_); }
     void restore(const QString& state) override;
@@ -46,6 +47,7 @@ private:
     void letGo();
     void tellHeld();
     void mode(const char* wanted);
+    unsigned chosenAxis() const;  // 0: none
 
     FreeSheet *axes_, *side_;
     HandPage* hand_;
@@ -55,6 +57,8 @@ private:
     QString heldWords_;
     int step_ = 0;                // 0: jog as long as the key is held; otherwise into kSteps
     bool typing_ = false;
+    unsigned place_ = 0;          // of the axis that keys move
+    int override_ = 0;            // feed, rapid, spindle: the one that keys change
     QString mdi_;
 };
 

@@ -103,6 +103,7 @@ void Offsets::build() {
     table_->columns = {{zeros_ ? word("Zero") : word("No."), zeros_ ? 1.3 : 0.8}};
     fields_ = {' '};
     zeroRows_.clear();
+    table_->nothing = word("This channel has no offsets.");
     if (!live.connected() || live.channels().empty()) {
         table_->rows = [] { return 0; };
         return;
@@ -364,6 +365,7 @@ void Offsets::composeSide(Writer& w) {
     y += px(4);
     w.text(QRectF(px(12), y, wide - px(24), px(20)), word("Who has changed this value"), lettering(12.5, false, Face::Condensed), t.dim);
     y += px(21);
+    if (history_.isEmpty() && chosen()) w.text(QRectF(px(12), y, wide - px(24), px(44)), word("Nobody has changed it since the store was begun."), lettering(13, false, Face::Condensed), t.dim, Qt::AlignLeft | Qt::AlignTop).wraps = true;
     for (auto entry = history_.begin(); entry != history_.end() && y + px(20) < high; ++entry, y += px(20)) w.data(QRectF(px(12), y, wide - px(24), px(20)), *entry, lettering(13, false, Face::Condensed), t.text);
 }
 

@@ -108,7 +108,8 @@ Parameters::Parameters(Desk& desk)
         const Line* line = chosen();
         if (line && number == kTextHit) return askText(*line);
         if (!line || line->row->type != params::Type::Bits || number < kBitHits) return;
-        put(*line, static_cast<double>(static_cast<unsigned>(value(*line)) ^ 1u << (number - kBitHits)));
+        bit_ = static_cast<unsigned>(number - kBitHits);
+        turnBit(*line, bit_);
     };
     pad_->field = [this]() -> std::optional<NumberPad::Field> {
         const Line* line = chosen();
@@ -274,6 +275,16 @@ void Parameters::put(const Line& line, double now) {
     put(line, line.row->type == params::Type::Real ? QString::number(now, 'g', 15) : QString::number(std::llround(now)));
 }
 
+void Parameters::turnBit(const Line& line, unsigned bit) { put(line, static_cast<double>(static_cast<unsigned>(value(line)) ^ 1u << bit)); }
+
+void Parameters::nextBit(const params::Row& row, int step) {
+    const auto at = std::find_if(row.bits.begin(), row.bits.end(), [this](const params::Bit& bit) { return bit.number == bit_; });
+    const auto here = at == row.bits.end() ? 0 : at - row.bits.begin() + step;
+    if (row.bits.empty()) return;
+    bit_ = row.bits[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(here, 0, static_cast<std::ptrdiff_t>(row.bits.size()) - 1))].number;
+    detail_->refresh();
+}
+
 void Parameters::put(const Line& line, const QString& written) {
     const QString where = target(line), old = QString::fromStdString(params::value_text(*line.row, desk_.live.table(), line.instance, line.element));
     desk_.requests.parameter(where + "=" + written, [this, where, old, written](const Answer& answer) {
@@ -343,6 +354,7 @@ void Parameters::composeDetail(Writer& w) {
             const bool on = now >> bit.number & 1u;
             const QRectF box(px(8), y, wide - px(16), each - px(2));
             w.fill(box, on ? t.mark : t.raised, px(4));
+            if (bit.number == bit_) w.frame(box, t.accent, px(4), px(2));
             w.sign(QRectF(box.left() + px(5), box.center().y() - px(8), px(16), px(16)), on ? Sign::Good : Sign::None, t.good);
             w.data(QRectF(box.left() + px(26), box.top(), px(62), box.height()), QString("#%1 %2").arg(bit.number).arg(fromView(bit.name)), lettering(12.5, true, Face::Condensed), t.text);
             Item& told = w.text(QRectF(box.left() + px(84), box.top(), box.width() - px(88), box.height()), fromView(words.bits[bit.number]), lettering(each < px(40) ? 12 : 13, false, Face::Condensed), on ? t.text : t.dim);
@@ -379,6 +391,7 @@ void Parameters::refresh() {
     takeFile();
     if (page_ == Page::Compensation) return head_->refresh(), compensation_->refresh();
     if (page_ == Page::List && bitsAlone() != bitsShown_) layOut();
+    groups_->focused = onGroups_;
     for (Sheet* one : sheets()) one->refresh();
 }
 
@@ -413,8 +426,13 @@ bool Parameters::key(QKeyEvent* event) {
         else return table_->key(event);
         return true;
     }
+    if (event->key() == Qt::Key_Tab || event->key() == Qt::Key_Backtab) return onGroups_ = !onGroups_, refresh(), true;
+    if (const Line* line = chosen(); line && bitsAlone() && !onGroups_) {
+        if (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right) return nextBit(*line->row, event->key() == Qt::Key_Right ? 1 : -1), true;
+        if (event->key() == Qt::Key_Space) return turnBit(*line, bit_), true;
+    }
     if (pad_->key(event)) return true;
-    return table_->key(event);
+    return (onGroups_ ? groups_ : table_)->key(event);
 }
 
 }  // namespace polyturn::hmi

@@ -62,6 +62,8 @@ private:
     bool bitsAlone() const;        // the chosen parameter has bits, and nothing is typed: they have the room of the keys
     QString target(const Line& line) const;
     void put(const Line& line, double now);
+    void turnBit(const Line& line, unsigned bit);
+    void nextBit(const params::Row& row, int step);
     void put(const Line& line, const QString& written);
     void askText(const Line& line);
     void undo();
@@ -78,7 +80,8 @@ private:
     int group_ = 0, listRow_ = 0;
     QString search_;
     Only only_ = Only::All;
-    bool searching_ = false;
+    bool searching_ = false, onGroups_ = false;   // onGroups_: keys go to the groups
+    unsigned bit_ = 0;                      // that keys turn over
     Page page_ = Page::List;
     bool bitsShown_ = false;
     CompensationPage* compensation_;

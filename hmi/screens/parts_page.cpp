@@ -99,7 +99,7 @@ void PartsPage::look() {
 void PartsPage::refresh() {
     if (desk_.live.connected() && QDateTime::currentMSecsSinceEpoch() > lookAt_) look();
     if (!desk_.live.connected()) all_.clear();
-    table_->nothing = desk_.live.connected() ? word("There are no dimensions yet: «New dimension».") : QString();
+    table_->nothing = word("There are no dimensions yet: «New dimension».");
     for (Sheet* one : sheets()) one->refresh();
 }
 
@@ -187,7 +187,7 @@ void PartsPage::composeCurve(Writer& w) {
     }
     QString trend;
     if (count >= 2) trend = word("%1 mm a part").arg(signedText(one->value("trend").toDouble()));
-    if (one->contains("parts_to_limit")) trend += "   " + word("%1 parts to the limit").arg(one->value("parts_to_limit").toDouble(), 0, 'f', 0);
+    if (one->contains("parts_to_limit")) trend += "   " + word("parts to the limit: %1").arg(one->value("parts_to_limit").toDouble(), 0, 'f', 0);
     w.text(QRectF(px(12), high - px(46), wide - px(24), px(20)), trend, lettering(13.5), t.text);
     if (one->contains("proposal")) w.text(QRectF(px(12), high - px(25), wide - px(24), px(20)), word("Proposal: %1 mm").arg(signedText(one->value("proposal").toDouble())) + (one->value("limited").toBool() ? "  " + word("(limited)") : QString()), lettering(14, true), t.accent);
 }

@@ -37,6 +37,7 @@ std::vector<QPoint> outlineOf(const QImage& image) {
 PresetterPage::PresetterPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), files_(new Table(this)), values_(new Table(this)), result_(new FreeSheet(this)), pad_(new NumberPad(this)) {
     files_->columns = {{word("Picture"), 1}};
     files_->rowUnits = 34;
+    files_->ofMachine = false;
     files_->nothing = word("No pictures (PGM, BMP, PNG) in this folder.");
     files_->rows = [this] { return static_cast<int>(entries_.size()); };
     files_->cell = [this](int row, int) -> Table::Cell {
@@ -185,6 +186,7 @@ void PresetterPage::resizeEvent(QResizeEvent*) {
 void PresetterPage::refresh() {
     takeFolder();
     take();
+    files_->focused = !onValues_, values_->focused = onValues_;
     for (Sheet* one : sheets()) one->refresh();
 }
 

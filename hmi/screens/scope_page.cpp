@@ -282,7 +282,7 @@ void ScopePage::paintTraces(QPainter& p) {
         if (!choice_.kind[trace]) continue;
         double low = 1e300, high = -1e300;
         for (std::size_t i = first; i < samples.size(); ++i) low = std::min(low, samples[i].value[trace]), high = std::max(high, samples[i].value[trace]);
-        const double middle = (low + high) / 2, span = std::max({high - low, std::abs(middle) * 1e-3, 1e-6});   // what hardly changes is a straight line
+        const double middle = (low + high) / 2, span = std::max({high - low, std::abs(middle) * 1e-3, 1e-3});   // what hardly changes is a straight line
         const auto at = [&](double tick, double value) { return QPointF(box.right() - (end - tick) / window * box.width(), box.center().y() - (value - middle) / span * box.height() * 0.9); };
         // At most one line from least to greatest for each column of pixels: no spike is lost.
         QPolygonF line;

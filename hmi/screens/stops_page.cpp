@@ -48,7 +48,7 @@ void StopsPage::resizeEvent(QResizeEvent*) {
 
 void StopsPage::refresh() {
     book_.poll();
-    table_->nothing = !desk_.live.connected() ? QString() : !book_.whyNot().isEmpty() ? book_.whyNot() : word("No channel has stood in this time.");
+    table_->nothing = !book_.whyNot().isEmpty() ? book_.whyNot() : word("No channel has stood in this time.");
     table_->refresh(), picture_->refresh();
 }
 

@@ -59,6 +59,7 @@ void System::showPage(Page page) {
 }
 
 void System::fill() {
+    files_->ofMachine = page_ == Page::Users;
     if (page_ == Page::Users) {
         files_->columns = {{word("User"), 2}, {word("Level"), 1.4}};
         files_->nothing = word("There are no users: everybody may do everything. The first one must be a maker.");
@@ -150,7 +151,7 @@ void System::bringBack(bool preview) {
         for (const auto& one : answer.object.value("files").toArray())
             if (preview) preview_.append(QJsonObject{{"what", one.toString()}, {"new", word("file")}});
         previewOf_ = preview ? file : QString();
-        note_ = !preview ? word("Restored: %1 values and files").arg(total) : total ? word("%1 values and files would change").arg(total) : word("Nothing would change");
+        note_ = !preview ? word("Restored values and files: %1").arg(total) : total ? word("Values and files that would change: %1").arg(total) : word("Nothing would change");
         if (!preview) desk_.tell(note_, Told::Good);
         refresh();
         if (desk_.keysChanged) desk_.keysChanged();

@@ -216,7 +216,7 @@ void Tools::fillList() {
     if (desk_.live.connected())
         for (std::int32_t n = 1; n <= static_cast<std::int32_t>(kTools); ++n)
             if (const ToolRow* tool = toolOf(desk_.live, n); tool && passes(n, *tool)) rows_.push_back(n);
-    list_->nothing = !desk_.live.connected() ? QString() : filter_ == Filter::All && search_.isEmpty() ? word("There are no tools yet: «New tool» on the page of tool data.") : word("No tool is like this.");
+    list_->nothing = filter_ == Filter::All && search_.isEmpty() ? word("There are no tools yet: «New tool» on the page of tool data.") : word("No tool is like this.");
     if (!chosen()) tool_ = rows_.empty() ? 0 : rows_.front();
 }
 
@@ -258,7 +258,7 @@ void Tools::composeHead(Writer& w) {
     const double high = head_->height();
     static constexpr const char* kTitles[] = {WORD("Magazines"), WORD("Tool data"), WORD("Life and forecast"), WORD("Pallets"), WORD("Presetter")};
     w.fill(QRectF(0, 0, head_->width(), high), t.window);
-    w.text(QRectF(px(14), 0, px(230), high), word(kTitles[static_cast<std::size_t>(page_)]), lettering(20, true), t.text);
+    w.text(QRectF(px(14), 0, page_ == Page::Magazine || page_ == Page::Data ? px(230) : head_->width() * 0.5, high), word(kTitles[static_cast<std::size_t>(page_)]), lettering(20, true), t.text);
     if (page_ == Page::Data) {
         const ToolRow* tool = chosen();
         w.data(QRectF(px(250), 0, head_->width() - px(260), high), tool ? QString("%1   %2").arg(tool_).arg(toolName(*tool, tool_)) : QString(), lettering(17, true), t.accent);

@@ -118,7 +118,7 @@ void Tools::look() {
             return good ? read : std::numeric_limits<qlonglong>::max();
         };
         std::stable_sort(life_.begin(), life_.end(), [&](const LifeLine& a, const LifeLine& b) { return number(a) < number(b); });
-        firstToStop_ = first.isEmpty() ? QString() : word("First to stop the machine: %1 after %2 more parts").arg(first).arg(answer.object.value("stops_first").toObject().value("parts_left").toDouble(), 0, 'f', 0);
+        firstToStop_ = first.isEmpty() ? QString() : word("First to stop the machine: %1; parts until then: %2").arg(first).arg(answer.object.value("stops_first").toObject().value("parts_left").toDouble(), 0, 'f', 0);
         if (page_ == Page::Life) fillLife();
     }, true);
 }

@@ -140,7 +140,7 @@ void Tools::fillLife() {
 void Tools::fillPallets() {
     table_->columns = {{word("Station"), 2}, {word("Pallet"), 1, kRight}, {word("Program"), 3}};
     table_->rowUnits = 40;
-    table_->nothing = whyNoPallets_.isEmpty() ? QString() : word("This machine has no pallets (N3300).");
+    table_->nothing = whyNoPallets_.isEmpty() ? word("The pallets are being asked for ...") : word("This machine has no pallets (N3300).");
     table_->rows = [this] { return static_cast<int>(pallets_.size()); };
     table_->cell = [this](int row, int column) -> Table::Cell {
         const Theme& t = theme();

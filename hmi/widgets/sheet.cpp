@@ -5,6 +5,7 @@
 #include <QMouseEvent>
 #include <QPaintEvent>
 #include <QRawFont>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -213,6 +214,40 @@ std::vector<QString> Sheet::shortened() const {
     std::vector<QString> out;
     for (const Item& item : items_)
         if (item.kind == Item::Kind::Text && !item.data && !item.text.isEmpty() && !fits(item)) out.push_back(item.text);
+    return out;
+}
+
+std::vector<QString> Sheet::fixedWords() const {
+    std::vector<QString> out;
+    for (const Item& item : items_)
+        if (item.kind == Item::Kind::Text && !item.data && !item.text.isEmpty()) out.push_back(item.text);
+    return out;
+}
+
+// Capital letters count, not the room between lines; what a fill between two words has covered is not seen.
+std::vector<QString> Sheet::overlapping() const {
+    const auto ink = [](const Item& item) {
+        const QFontMetricsF metrics(item.font);
+        if (item.wraps) return metrics.boundingRect(item.box, item.align | Qt::TextWordWrap, item.text).intersected(item.box);
+        const double wide = std::min(metrics.horizontalAdvance(item.text), item.box.width()), high = metrics.capHeight();
+        const double left = item.align & Qt::AlignRight ? item.box.right() - wide : item.align & Qt::AlignHCenter ? item.box.center().x() - wide / 2 : item.box.left();
+        const double top = item.align & Qt::AlignTop ? item.box.top() + metrics.ascent() - high : item.box.center().y() - high / 2;
+        return QRectF(left, top, wide, high);
+    };
+    std::vector<QString> out;
+    const auto words = [](const Item& item) { return item.kind == Item::Kind::Text && !item.text.trimmed().isEmpty(); };
+    for (std::size_t j = 0; j < items_.size(); ++j) {
+        if (!words(items_[j])) continue;
+        const QRectF upper = ink(items_[j]);
+        if (!QRectF(rect()).adjusted(-1.5, -1.5, 1.5, 1.5).contains(upper)) out.push_back(items_[j].text + " (beyond the edge)");
+        for (std::size_t i = 0; i < j; ++i) {
+            if (!words(items_[i])) continue;
+            const QRectF both = ink(items_[i]).intersected(upper);
+            if (both.width() <= 2 || both.height() <= 2) continue;
+            const bool covered = std::any_of(items_.begin() + static_cast<std::ptrdiff_t>(i), items_.begin() + static_cast<std::ptrdiff_t>(j), [&](const Item& item) { return item.kind == Item::Kind::Fill && item.box.contains(both); });
+            if (!covered) out.push_back(items_[i].text + " / " + items_[j].text);
+        }
+    }
     return out;
 }
 

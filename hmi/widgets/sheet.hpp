@@ -64,6 +64,8 @@ public:
     explicit Sheet(QWidget* parent = nullptr);
     void refresh();   // composes, and repaints what has changed
     std::vector<QString> shortened() const;   // fixed words that do not fit
+    std::vector<QString> fixedWords() const;  // that are no data: they stand in the language of the screens
+    std::vector<QString> overlapping() const; // words that are written over others, or beyond the sheet
     // Where a number of hit() lies, for tests; empty: nowhere.
     QRectF boxOf(int number) const;
     const std::vector<TextField>& fields() const { return fields_; }

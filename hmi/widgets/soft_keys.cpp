@@ -10,7 +10,10 @@ SoftKeyBar::SoftKeyBar(QWidget* parent) : Sheet(parent) {
 
 void SoftKeyBar::show(std::vector<SoftKey> keys) {
     keys.resize(kKeys);
-    if (asked_ >= 0 && (asked_ >= static_cast<int>(keys.size()) || keys[static_cast<std::size_t>(asked_)].confirm.isEmpty() || !keys[static_cast<std::size_t>(asked_)].enabled)) asked_ = -1;
+    if (asked_ >= 0) {   // another key at its place (another channel, another screen) has not been asked for
+        const SoftKey &before = keys_[static_cast<std::size_t>(asked_)], &now = keys[static_cast<std::size_t>(asked_)];
+        if (!now.enabled || now.text != before.text || now.confirm != before.confirm) asked_ = -1;
+    }
     keys_ = std::move(keys);
     refresh();
 }

@@ -99,10 +99,11 @@ void Table::compose(Writer& w) {
                        column.align);
         }
     }
-    if (all == 0 && !nothing.isEmpty()) {
-        Item& item = w.text(QRectF(px(20), head() + px(20), width() - px(40), px(80)), nothing, lettering(16), t.dim, Qt::AlignHCenter | Qt::AlignTop);
+    if (const QString why = whyEmpty(); all == 0 && !why.isEmpty()) {
+        Item& item = w.text(QRectF(px(20), head() + px(20), width() - px(40), px(80)), why, lettering(16), t.dim, Qt::AlignHCenter | Qt::AlignTop);
         item.wraps = true;
     }
+    if (focused) w.frame(QRectF(0, 0, width(), height()), t.accent, px(4), px(2));
     if (all > visibleRows()) {   // where in the list
         const double room = height() - head(), part = std::max<double>(px(24), room * visibleRows() / all);
         w.fill(QRectF(width() - px(9), head() + (room - part) * first / std::max(1, all - visibleRows()), px(6), part), t.edge, px(3));

@@ -34,7 +34,12 @@ public:
     std::function<void()> onActivated;          // touched again, or Enter
     double rowUnits = 36, textUnits = 15;
     QString nothing;                            // instead of rows, when there is none
+    bool ofMachine = true;                      // without a controller it has nothing to show, and says so
+    static inline QString noMachine;            // what it says then; empty: there is a controller
+    QString whyEmpty() const { return ofMachine && !noMachine.isEmpty() ? noMachine : nothing; }
+    bool isEmpty() const { return count() == 0; }
     bool byCell = false;
+    bool focused = false;                       // of several lists the one that keys go to: a frame
 
     int row() const { return row_; }
     int column() const { return column_; }

@@ -143,6 +143,10 @@ void drawSign(QPainter& p, const QRectF& box, Sign sign, const QColor& colour) {
             p.drawEllipse(QPointF(12, 12), 9.5, 9.5), p.drawArc(QRectF(8.8, 6, 6.4, 6.4), -70 * 16, 250 * 16), p.drawLine(QPointF(12.6, 12.4), QPointF(12, 14.5));
             p.drawPoint(QPointF(12, 17.8));
             break;
+        case Sign::Diagnosis:   // a pulse on a screen
+            p.drawRoundedRect(QRectF(2, 3.5, 20, 17), 2.5, 2.5);
+            polyline({{4.5, 13}, {8, 13}, {10, 7.5}, {13.5, 17}, {15.5, 11}, {16.5, 13}, {19.5, 13}});
+            break;
         case Sign::None: break;
     }
     p.restore();

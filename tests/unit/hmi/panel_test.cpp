@@ -224,6 +224,24 @@ TEST_F(PanelTasks, BitsShowAllOfTheirMeanings) {
     window->setTongue(Tongue::English);
 }
 
+TEST_F(PanelTasks, ABitIsTurnedOverByKeysAlone) {
+    Operator hand(*window);
+    hand.screen("parameters");
+    screenOf<Parameters>().find("N1200");
+    QTest::qWait(60);
+    const auto bits = [&] { return static_cast<unsigned>(live().table().numbers[params::find("N1200")->first_slot]); };
+    const unsigned before = bits();
+    for (int bit = 0; bit < 8; ++bit) hand.key(Qt::Key_Left);
+    hand.key(Qt::Key_Right);
+    hand.key(Qt::Key_Space);
+    ASSERT_TRUE(waitFor([&] { return bits() == (before ^ 2u); }, 10)) << bits();
+    hand.key(Qt::Key_Space);
+    ASSERT_TRUE(waitFor([&] { return bits() == before; }, 10)) << bits();
+    hand.key(Qt::Key_Tab);                        // to the groups
+    hand.key(Qt::Key_Down);
+    EXPECT_EQ(screenOf<Parameters>().state().section('|', 0, 0), "1");
+}
+
 // A word of the language shown finds a parameter, and so does the English one of a builder's document.
 TEST_F(PanelTasks, SearchUnderstandsTheLanguageShownAndEnglish) {
     for (const auto& [tongue, word] : {std::pair{Tongue::Czech, "rychloposuv"}, {Tongue::Russian, "ускорен"}, {Tongue::Hungarian, "gyorsjárat"}}) {

@@ -1,4 +1,4 @@
-// What must hold for every screen in every language: no word is shortened because it does not fit.
+// What must hold for every screen in every language: no word is shortened because it does not fit, none is written over another.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -26,9 +26,12 @@ inline std::vector<std::string> shortenedWords(MainWindow& window, int& looked) 
                 std::vector<Sheet*> sheets = window.ownSheets();
                 for (Sheet* one : window.screen()->sheets()) sheets.push_back(one);
                 looked += static_cast<int>(sheets.size());
-                for (Sheet* sheet : sheets)
-                    for (const QString& text : sheet->shortened())
-                        found.push_back(codeOf(tongue) + (", " + std::string(window.screen()->name())) + " " + std::to_string(page + 1) + ": " + text.toStdString());
+                const std::string where = codeOf(tongue) + (", " + std::string(window.screen()->name())) + " " + std::to_string(page + 1) + ": ";
+                for (Sheet* sheet : sheets) {
+                    for (const QString& text : sheet->shortened()) found.push_back(where + text.toStdString());
+                    if (!sheet->isVisibleTo(&window)) continue;
+                    for (const QString& text : sheet->overlapping()) found.push_back(where + text.toStdString());
+                }
             }
             if (!starts) window.screen()->restore(before);
         }

@@ -193,6 +193,34 @@ TEST_F(Tasks, AJogKeyMovesAsLongAsItIsHeld) {
     EXPECT_GT(std::abs(live().status().axes[1].cmd - from), 0.5);
 }
 
+// Step and held, the second axis, an override: everything on the screen without a touch.
+TEST_F(Tasks, AnAxisIsMovedByKeysAlone) {
+    Operator hand(*window);
+    hand.screen("manual");
+    const auto stands = [&] { return !(live().status().axes[1].flags & kMoving); };
+    const auto before = live().status().axes[1].cmd;
+    hand.key(Qt::Key_Down);
+    for (int step = 0; step < 6; ++step) hand.key(Qt::Key_Left);
+    for (int step = 0; step < 4; ++step) hand.key(Qt::Key_Right);    // 1 mm
+    hand.key(Qt::Key_Plus);
+    ASSERT_TRUE(waitFor([&] { return std::abs(live().status().axes[1].cmd - before - 1.0) < 1e-9 && stands(); }, 20)) << live().status().axes[1].cmd - before;
+    for (int step = 0; step < 4; ++step) hand.key(Qt::Key_Left);     // as held
+    QTest::keyPress(window.get(), Qt::Key_Minus);
+    QTest::qWait(900);
+    QTest::keyRelease(window.get(), Qt::Key_Minus);
+    ASSERT_TRUE(waitFor(stands, 10));
+    EXPECT_LT(live().status().axes[1].cmd, before + 0.5);
+    const double override = live().channel(1).feed_override;
+    hand.key(Qt::Key_PageDown);
+    ASSERT_TRUE(waitFor([&] { return live().channel(1).feed_override < override; }, 10));
+    hand.key(Qt::Key_PageUp);
+    ASSERT_TRUE(waitFor([&] { return live().channel(1).feed_override >= override; }, 10));
+    hand.key(Qt::Key_PageDown, Qt::ControlModifier);
+    EXPECT_EQ(window->desk().channel, 2u);
+    hand.key(Qt::Key_PageUp, Qt::ControlModifier);
+    EXPECT_EQ(window->desk().channel, 1u);
+}
+
 TEST_F(Tasks, TheScreensComeBackWithTheController) {
     g_controller->stop();
     ASSERT_TRUE(waitFor([&] { return !live().connected(); }, 10));
