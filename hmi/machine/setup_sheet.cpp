@@ -47,17 +47,18 @@ QString sheetText(const Live& live, const text::Job& job) {
         for (const QString& one : texts) out += QString("<%1 align='left'>%2</%1>").arg(tag, one.toHtmlEscaped());
         return out + "</tr>";
     };
-    const auto table = [](const QString& rows) { return "<table border='1' cellspacing='0' cellpadding='5' width='100%'>" + rows + "</table>"; };
-    html += "<h2>" + word("Programs") + "</h2>";
+    const auto headline = [](const QString& text) { return "<h2 style='margin-top:22px; margin-bottom:6px'>" + text + "</h2>"; };
+    const auto table = [](const QString& rows) { return "<table border='1' cellspacing='0' cellpadding='5' width='100%'>" + rows + "</table><p style='margin:0; font-size:4pt'>&nbsp;</p>"; };   // a table has no room of its own below
+    html += headline(word("Programs"));
     QString rows;
     for (const auto& [channel, program] : job.programs) rows += cells({QString("L%1").arg(channel), QFileInfo(QString::fromStdString(program.file)).fileName(), QString::fromStdString(program.language)}, "td");
     html += table(rows);
-    if (job.stock) html += "<h2>" + word("Stock") + "</h2><p>" + QString::fromUtf8("⌀ %1 × %2 %3   %4").arg(job.stock->diameter).arg(job.stock->length).arg(unitWord("mm"), QString::fromStdString(job.stock->spindle)) + "</p>";
-    html += "<h2>" + word("Tools that it needs") + "</h2>";
+    if (job.stock) html += headline(word("Stock")) + "<p>" + QString::fromUtf8("⌀ %1 × %2 %3   %4").arg(job.stock->diameter).arg(job.stock->length).arg(unitWord("mm"), QString::fromStdString(job.stock->spindle)) + "</p>";
+    html += headline(word("Tools that it needs"));
     rows = cells({word("Channel"), word("Station"), word("Wanted"), word("Mounted"), word("State")}, "th");
     for (const SheetTool& one : compareTools(live, job)) rows += cells({QString("L%1").arg(one.channel), QString::number(one.station), one.wanted, matchText(one), one.state.text}, "td");
     html += table(rows);
-    if (job.parts_wanted) html += "<h2>" + word("Parts") + QString("</h2><p>%1</p>").arg(job.parts_wanted);
+    if (job.parts_wanted) html += headline(word("Parts")) + QString("<p>%1</p>").arg(job.parts_wanted);
     return html;
 }
 
