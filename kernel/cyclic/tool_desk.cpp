@@ -14,6 +14,10 @@ namespace p = params;
 namespace {
 constexpr double kSendEveryS = 1.0;
 constexpr double kSecondsPerMinute = 60.0, kMmPerMetre = 1000.0;
+
+// A number that another process has written: one that is no alarm's (the store died at it, or is another version) must not be
+// looked up.
+Alarm known_alarm(std::int32_t number) noexcept { return number >= 0 && number < kAlarmCount ? static_cast<Alarm>(number) : Alarm::ToolsUnserved; }
 }  // namespace
 
 bool ToolDesk::managed(const Core& core) noexcept { return p::bit(core.table, p::n2900_tool_m_config, 0); }
@@ -71,7 +75,7 @@ void ToolDesk::take_answers(Core& core) noexcept {
     for (; index < head; ++index) {
         const ToolAnswer& answer = ring.slot(index);
         if (answer.alarm == kStoreMessage) {
-            core.alarm(static_cast<Alarm>(answer.tool), 0, {answer.text.data(), ::strnlen(answer.text.data(), answer.text.size())});
+            core.alarm(known_alarm(answer.tool), 0, {answer.text.data(), ::strnlen(answer.text.data(), answer.text.size())});
             continue;
         }
         if (answer.channel < 1 || answer.channel > kMaxChannels) continue;
@@ -92,6 +96,7 @@ void ToolDesk::take_answers(Core& core) noexcept {
         // Never earlier than its tick: a fast store must not make another run of the same program.
         if (core.virtual_time && core.tick < desk.asked_at + core.config.answer_ticks) break;
         desk.answer = answer;
+        if (answer.alarm >= 0) desk.answer.alarm = static_cast<std::int32_t>(known_alarm(answer.alarm));
         desk.call = answer.alarm >= 0 ? Call::Refused : Call::Answered;
     }
     taken.store(index, std::memory_order_release);

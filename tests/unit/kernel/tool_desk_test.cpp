@@ -137,6 +137,22 @@ TEST(ToolDesk, WhatTheStoreCouldNotKeepIsToldTheOperator) {
     EXPECT_EQ(d.rig.state(1), ChannelState::Ended) << "the program goes on, and answers behind it are taken";
 }
 
+TEST(ToolDesk, ANumberThatIsNoAlarmsIsARefusalToo) {
+    Desk d;
+    d.tools = {Desk::tool(7, 4, LifeKind::None, kEver)};
+    d.tools[0].alarm = kAlarmCount;
+    ToolAnswer message{};
+    message.alarm = kStoreMessage, message.tool = -1;
+    d.say(message);
+    d.rig.push(1, d.rig.aux(1, 'T', 7));
+    d.rig.push(1, d.rig.stop(1, StopReason::M30));
+    d.rig.start(1);
+    d.run(200);
+    EXPECT_TRUE(d.rig.alarmed(Alarm::ToolsUnserved));
+    EXPECT_TRUE(d.rig.alarmed(Alarm::ToolsUnserved, 1));
+    EXPECT_EQ(d.nc(signals::cn_tstr), 0);
+}
+
 TEST(ToolDesk, TimeCountsOnlyWhileTheToolCuts) {
     Desk d;
     d.tools = {Desk::tool(7, 4, LifeKind::Minutes, 10)};
