@@ -44,6 +44,7 @@ void ChannelRunner::cycle_start() noexcept {
         hold_ = false;
         return;
     }
+    take_keys();   // machine lock of this very tick: it counts before the program runs, or not at all
     if (const ShortText missing = missing_for_start(core_, start_view()); !missing.view().empty()) {
         core_.alarm(Alarm::NotReady, number_, missing.view());
         return;

@@ -38,7 +38,7 @@ bool ChannelRunner::leave_path() noexcept {
 }
 
 bool ChannelRunner::axes_are_on(const PathRecord& r, double s) const noexcept {
-    if (r.transform) return true;   // its slots are no axes
+    if (r.transform || (keys & kKeyMachineLock)) return true;   // its slots are no axes; locked ones stand beside every path
     SlotVector there;
     position_at(r, s, there);
     for (std::uint32_t i = 0; i < r.axis_count; ++i)

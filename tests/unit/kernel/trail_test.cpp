@@ -192,6 +192,29 @@ TEST(Retrace, IsRefusedWhereTheAxesAreNotOnThePathAnyMore) {
     EXPECT_EQ(step, 0);
 }
 
+TEST(Retrace, GoesThroughTheBlocksWithTheMachineLocked) {
+    TickRig rig;
+    push_path(rig);
+    rig.command(CommandKind::MachineLock, 1, 1);
+    rig.start(1);
+    rig.run(900);
+    rig.command(CommandKind::FeedHold, 1);
+    rig.run(200);
+    ASSERT_EQ(rig.state(1), ChannelState::Held);
+    const double x = rig.position(1), z = rig.position(2);
+    rig.command(CommandKind::Retrace, 1, 1);
+    rig.start(1);
+    rig.run_until_idle();
+    EXPECT_FALSE(rig.alarmed(Alarm::RecordInvalid, 1));
+    EXPECT_TRUE(rig.alarmed(Alarm::RetraceEnds, 1));
+    rig.command(CommandKind::Retrace, 1, 0);
+    rig.start(1);
+    rig.run_until_idle();
+    EXPECT_EQ(rig.state(1), ChannelState::Ended);
+    EXPECT_EQ(rig.position(1), x);
+    EXPECT_EQ(rig.position(2), z);
+}
+
 TEST(Retrace, ForgetsWithAReset) {
     TickRig rig;
     push_path(rig);
