@@ -92,7 +92,7 @@ struct Shares {
     double skew() const { return t * k > 0 ? std::sqrt(1 + std::min(1.0, tk / (t * k))) : 1; }
 };
 
-// `least`: what the bend alone must not lower the speed below (N0310); it may take more than N0400 then, never more than N0402.
+// `least`: what the bend alone must not lower the speed below (N0310); it may take more than N0400 then, never more than N0402 and the jerk.
 Ceilings of_samples(const PathRecord& r, const PathLimits& limits, bool rapid, const Samples& samples, double least = 0) {
     Ceilings c{kInfinity, kInfinity, kInfinity};
     Shares of_a, of_j;
@@ -117,17 +117,16 @@ Ceilings of_samples(const PathRecord& r, const PathLimits& limits, bool rapid, c
     }
     double by_bend = kInfinity;
     if (c.bend > 0) by_bend = std::sqrt(kBendShare * c.a / c.bend);
+    if (const double lift = least / (by_bend * kSampling); lift > 1) {   // (1) goes with v^2
+        by_bend *= lift;
+        c.bend /= lift * lift;
+    }
     // (2) with kAlongLeft and kAcrossLeft of j_max to spare: a quadratic equation in v^3.
     const double square = j_along * j_along + j_across * j_across;
     if (square > 0) {
         const double half = kAlongLeft * j_along + kAcrossLeft * j_across;
         const double rest = kSampling * kSampling - kAlongLeft * kAlongLeft - kAcrossLeft * kAcrossLeft;
         by_bend = std::min(by_bend, std::cbrt((std::sqrt(half * half + square * rest) - half) / square));
-    }
-    if (const double lift = least / (by_bend * kSampling); lift > 1) {   // (1) goes with v^2, (2) with v^3
-        by_bend *= lift;
-        c.bend /= lift * lift, c.turning /= lift * lift;
-        c.along /= lift * lift * lift, c.across /= lift * lift * lift;
     }
     c.v = std::min(std::min(c.v, by_bend) * kSampling, kFastest);
     if (rapid && r.feed > 0) c.v = std::min(c.v, r.feed);
