@@ -116,6 +116,8 @@ struct Move {
     AxisValues path_start{}, path{};
 };
 
+[[nodiscard]] constexpr bool is_arc(const Move& m) { return m.kind == MoveKind::ArcCw || m.kind == MoveKind::ArcCcw; }
+
 struct Dwell {
     bool revolutions = false;
     double value = 0.0;             // seconds or revolutions

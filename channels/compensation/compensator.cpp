@@ -6,8 +6,6 @@
 namespace polyturn::channels::compensation {
 namespace {
 
-bool is_arc(const Move& m) { return m.kind == MoveKind::ArcCw || m.kind == MoveKind::ArcCcw; }
-
 // These tell of the block behind the held one, whose own end stands: the tool comes to rest there. Behind any other error
 // nothing is known, and a block that ends at its normal could cut into an inner corner: it is not begun.
 bool leaves_held_block(Alarm alarm) {

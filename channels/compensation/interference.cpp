@@ -1,12 +1,11 @@
 #include "channels/compensation/interference.hpp"
 
-#include <numbers>
+#include "channels/angles.hpp"
 
 namespace polyturn::channels::compensation {
 namespace {
 
 constexpr double kStands = 1e-7;   // mm: the nose does not move along the element
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 }  // namespace
 

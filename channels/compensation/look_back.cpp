@@ -5,8 +5,6 @@ namespace {
 
 constexpr double kSame = 1e-6;   // mm: the paths only touch at an end
 
-bool is_arc(const Move& m) { return m.kind == MoveKind::ArcCw || m.kind == MoveKind::ArcCcw; }
-
 bool at_an_end(const Element& a, const Element& b, Vec point) {
     for (const Vec end : {a.start, a.end, b.start, b.end})
         if (length(point - end) < kSame) return true;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "channels/angles.hpp"
 #include "channels/compensation/compensator.hpp"
 #include "channels/compensation/conic.hpp"
 #include "channels/compensation/interference.hpp"
@@ -10,8 +11,7 @@
 namespace polyturn::channels::compensation {
 namespace {
 
-constexpr double kStands = 1e-7;   // mm
-constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kNoseStands = 1e-7;   // mm
 
 }  // namespace
 
@@ -98,7 +98,7 @@ void Compensator::go_corner(const Held& b, const Vectors& vectors, unsigned from
 
 // A connecting move at a corner: with the feed of block b, other axes stand.
 void Compensator::go(const Held& b, Vec to, bool by_arc, Vec about, double overshoot) {
-    if (length(to - here_) < kStands) return;
+    if (length(to - here_) < kNoseStands) return;
     Move m = b.move;
     for (std::size_t i = 0; i < m.pos.size(); ++i) {
         m.pos[i] -= m.machine[i] - m.machine_start[i];   // programmed start of the block
@@ -151,7 +151,7 @@ bool Compensator::slow_corner(const Held& a, const Move& next_move, const Elemen
 
 double Compensator::path_curvature(const Element& e, double radius) const {
     const double r = e.arc ? e.nose_path_radius(radius) : 0.0;
-    return r > kStands ? (e.sweep > 0 ? 1.0 : -1.0) / r : 0.0;
+    return r > kNoseStands ? (e.sweep > 0 ? 1.0 : -1.0) / r : 0.0;
 }
 
 // A cubic with control points P0 P1 P2 P3. Entering, P3 lies on the contour's equidistant with tangent d and curvature k:
@@ -162,7 +162,7 @@ double Compensator::path_curvature(const Element& e, double radius) const {
 void Compensator::touch(Move& m, Vec dir, double curvature, bool entering) const {
     const Vec from{m.machine_start[p_], m.machine_start[q_]}, to{m.machine[p_], m.machine[q_]};
     const double chord = length(to - from);
-    if (chord < kStands) return;
+    if (chord < kNoseStands) return;
     const Vec contour = entering ? to : from, free = entering ? from : to, away = entering ? -1.0 * dir : dir;
     const double h = chord / 3.0;
     const Vec near = contour + h * away;
@@ -201,15 +201,15 @@ void Compensator::go_element(const Held& b, Vec to, bool as_line) {
         m.centre_p = centre.p, m.centre_q = centre.q;
         m.pos_centre_p += b.tip.p, m.pos_centre_q += b.tip.q;
         m.radius = length(a), m.radius_end = length(c);
-        if (m.radius < kStands || m.radius_end < kStands) m.sweep = 0;   // the nose just fits: it turns on the spot
+        if (m.radius < kNoseStands || m.radius_end < kNoseStands) m.sweep = 0;   // the nose just fits: it turns on the spot
         else m.sweep += std::remainder(std::atan2(cross(a, c), dot(a, c)) - m.sweep, kTurn);
-        curved = std::fabs(m.sweep) * m.radius >= kStands;
+        curved = std::fabs(m.sweep) * m.radius >= kNoseStands;
         if (curved) {
             m.moved |= 1u << p_ | 1u << q_;
             if (options_.inner_arc_feed_from >= 0 && b.element.centre_on_nose_side() && m.feed_mode != FeedMode::InverseTime)
                 m.feed *= std::fmax(options_.inner_arc_feed_from, m.radius / b.element.start_radius);
             const bool at_contour = options_.arc_feed == ArcFeed::Contour || (options_.arc_feed == ArcFeed::Inner && m.radius < b.element.start_radius);
-            if (at_contour && b.element.start_radius > kStands) m.feed_scale *= m.radius / b.element.start_radius;
+            if (at_contour && b.element.start_radius > kNoseStands) m.feed_scale *= m.radius / b.element.start_radius;
         }
     }
     if (b.element.arc && !curved) {
@@ -221,7 +221,7 @@ void Compensator::go_element(const Held& b, Vec to, bool as_line) {
         if (b.role == Role::Begin) touch(m, touches_->start_dir, path_curvature(*touches_, touches_->start_radius), true);
         else touch(m, touches_->end_dir, path_curvature(*touches_, touches_->end_radius), false);
     }
-    if (!curved && length(to - here_) >= kStands) m.moved |= (to.p != here_.p ? 1u << p_ : 0u) | (to.q != here_.q ? 1u << q_ : 0u);
+    if (!curved && length(to - here_) >= kNoseStands) m.moved |= (to.p != here_.p ? 1u << p_ : 0u) | (to.q != here_.q ? 1u << q_ : 0u);
     here_ = to;
     if (m.moved) deliver(m, b.at);
 }

@@ -11,6 +11,7 @@
 // an element before the last one in the way that ShortLast says.
 #include <algorithm>
 
+#include "channels/angles.hpp"
 #include "channels/compensation/compensator.hpp"
 #include "channels/compensation/interference.hpp"
 
@@ -19,7 +20,6 @@ namespace {
 
 constexpr double kShort = 4.0;          // times the nose's radius: longer ones do not wait for the block behind them
 constexpr std::size_t kDeepest = 16;    // so many wait at the most
-constexpr double kTurn = 6.283185307179586;
 
 // The point of `on` that the nose passes first (last) of those where it meets `other`, within its normals or beyond them.
 std::optional<Vec> meets_on(const Element& on, const Element& other, bool within_other, bool last) {

@@ -1,6 +1,6 @@
 #include "channels/corners/corner_element.hpp"
 
-#include <numbers>
+#include "channels/angles.hpp"
 
 namespace polyturn::channels::corners {
 namespace {
@@ -9,7 +9,6 @@ using namespace compensation;
 
 constexpr double kFit = 1e-6;      // mm: so much beyond the end is rounding
 constexpr double kSmooth = 1e-7;   // sine of the angle below which a corner is none
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr int kHalvings = 60;      // of a size: far below a nanometre
 
 Vec turned(Vec v, double angle) {

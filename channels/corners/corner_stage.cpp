@@ -1,13 +1,12 @@
 #include "channels/corners/corner_stage.hpp"
 
+#include "channels/angles.hpp"
+
 namespace polyturn::channels::corners {
 namespace {
 
 constexpr double kStands = 1e-7;   // mm: nothing is left of a move
 constexpr double kSame = 1e-9;     // as Core judges it
-constexpr double kTurn = 6.283185307179586;
-
-bool is_arc(const Move& m) { return m.kind == MoveKind::ArcCw || m.kind == MoveKind::ArcCcw; }
 
 // Axes beside the plane keep their share of the way: `share` of it from the start is kept, or comes first and is left out.
 void keep_share(Move& m, double share, bool first, unsigned p, unsigned q) {

@@ -12,7 +12,7 @@ namespace {
 namespace comp = compensation;
 using comp::Vec;
 
-constexpr double kSame = 1e-6;    // mm: shorter is nothing
+constexpr double kShortest = 1e-6;    // mm: shorter is nothing
 constexpr double kNearer = 1e-3;  // mm: what is nearer to the contour than the distance by more than this is cut off
 constexpr double kGap = 0.05;     // mm: ends of arcs may miss each other by the arc tolerance
 
@@ -81,8 +81,8 @@ std::vector<Element> raw_pieces(const Contour& contour, double distance, int sid
     bool a_kept = false;
     for (const Element& e : contour.elements) {
         const comp::Element b = element_of(e, distance, side);
-        if (!b.arc && comp::length(b.end - b.start) <= kSame) continue;
-        const bool kept = !b.arc || b.nose_path_radius(e.radius) > kSame;
+        if (!b.arc && comp::length(b.end - b.start) <= kShortest) continue;
+        const bool kept = !b.arc || b.nose_path_radius(e.radius) > kShortest;
         Vec from = b.start + distance * b.normal_at_start();
         if (a) {
             const double turn = comp::cross(a->end_dir, b.start_dir);
@@ -91,7 +91,7 @@ std::vector<Element> raw_pieces(const Contour& contour, double distance, int sid
                 const auto meeting = comp::meeting_point(*a, b);
                 if (const Vec corner = a->end + meeting.value_or(Vec{}); meeting && comp::on_nose_path(*a, corner) && comp::on_nose_path(b, corner)) {
                     // Between two inner corners that need more room than it has, the element is turned round: it disappears.
-                    if (comp::way_to(*a, corner) > comp::way_to(*a, vec(out.back().from)) + kSame) out.back() = moved(*before, *a, vec(out.back().from), corner);
+                    if (comp::way_to(*a, corner) > comp::way_to(*a, vec(out.back().from)) + kShortest) out.back() = moved(*before, *a, vec(out.back().from), corner);
                     else out.pop_back();
                     from = corner;
                 }
@@ -164,7 +164,7 @@ Contour equidistant(const Contour& contour, double distance, int side) {
         double from = 0.0;
         for (std::size_t k = 0; k <= cuts[i].size(); ++k) {
             const double to = k == cuts[i].size() ? whole : cuts[i][k];
-            if (to - from <= kSame) continue;
+            if (to - from <= kShortest) continue;
             const Vec middle = at_way(pieces[i], (from + to) / 2);
             const bool clear = std::ranges::all_of(contour.elements, [&](const Element& e) { return distance_to(e, middle) > distance - kNearer; });
             const Element part = between(pieces[i], from, to);
@@ -174,7 +174,7 @@ Contour equidistant(const Contour& contour, double distance, int side) {
                 Element& last = out.elements.back();
                 if (comp::length(vec(part.from) - vec(last.to)) > kGap) continue;   // an island beyond a narrow place
                 if (k > 0 && last.at.line == part.at.line && last.form == part.form && last.centre.z == part.centre.z && last.centre.x == part.centre.x &&
-                    comp::length(vec(part.from) - vec(last.to)) <= kSame && (last.form != Element::Form::Line || std::fabs(comp::cross(comp::unit(vec(last.to) - vec(last.from)), vec(part.to) - vec(part.from))) < kSame)) {
+                    comp::length(vec(part.from) - vec(last.to)) <= kShortest && (last.form != Element::Form::Line || std::fabs(comp::cross(comp::unit(vec(last.to) - vec(last.from)), vec(part.to) - vec(part.from))) < kShortest)) {
                     last.to = part.to;   // the same piece goes on behind a crossing that does not count
                     last.sweep += part.sweep;
                     continue;
@@ -198,7 +198,7 @@ Contour translated(const Contour& contour, Point by) {
 Contour without_end_beyond(const Contour& contour, bool in_x, double sign, double most) {
     Contour out = contour;
     const auto over = [&](Point p) { return sign * (in_x ? p.x : p.z) - most; };
-    const auto beyond = [&](Point p) { return over(p) > kSame; };
+    const auto beyond = [&](Point p) { return over(p) > kShortest; };
     while (!out.elements.empty() && beyond(out.elements.back().to)) {
         const Element last = out.elements.back();
         out.elements.pop_back();
@@ -208,7 +208,7 @@ Contour without_end_beyond(const Contour& contour, bool in_x, double sign, doubl
             const double middle = (low + high) / 2;
             (over(point(at_way(last, middle))) > 0 ? high : low) = middle;
         }
-        if (low > kSame) out.elements.push_back(between(last, 0.0, low));
+        if (low > kShortest) out.elements.push_back(between(last, 0.0, low));
         break;
     }
     return out;
@@ -218,7 +218,7 @@ int side_towards(const Contour& contour, Point p, bool infeed_in_x) {
     const Point first = contour.first, end = contour.end();
     const double way = infeed_in_x ? end.z - first.z : first.x - end.x;   // left of +Z is +X, left of -X is +Z
     const bool above = infeed_in_x ? p.x >= first.x : p.z >= first.z;
-    if (std::fabs(way) > kSame) return (way > 0) == above ? 1 : -1;
+    if (std::fabs(way) > kShortest) return (way > 0) == above ? 1 : -1;
     const auto cross = [p](Point a, Point b) { return (b.z - a.z) * (p.x - a.x) - (b.x - a.x) * (p.z - a.z); };
     double sum = cross(first, end);
     if (std::fabs(sum) < 1e-7 && !contour.elements.empty()) sum = cross(contour.elements.front().from, contour.elements.front().to);

@@ -8,7 +8,7 @@
 namespace polyturn::channels::cycles {
 namespace {
 
-constexpr double kSame = 1e-9;   // mm
+constexpr double kSameGroove = 1e-9;   // mm
 
 }  // namespace
 
@@ -23,13 +23,13 @@ bool cut_grooves(Core& core, const Grooving& cycle) {
     const auto at = [&](double d, double r) { return cycle.along_x ? Point{r, d} : Point{d, r}; };
     const double deep = std::fabs(d1 - d0), wide = std::fabs(r1 - r0);
     if (cycle.peck < 0) return refuse(cycle.peck_letter, cycle.peck);
-    if (cycle.row < 0 || (wide > kSame && cycle.row <= 0)) return refuse(cycle.row_letter, cycle.row);
-    const double pecks = cycle.peck > 0 ? std::ceil(deep / cycle.peck - 1e-9) : 1, rows = wide > kSame ? std::ceil(wide / cycle.row - 1e-9) : 0;
+    if (cycle.row < 0 || (wide > kSameGroove && cycle.row <= 0)) return refuse(cycle.row_letter, cycle.row);
+    const double pecks = cycle.peck > 0 ? std::ceil(deep / cycle.peck - 1e-9) : 1, rows = wide > kSameGroove ? std::ceil(wide / cycle.row - 1e-9) : 0;
     if (pecks > kMostPecks) return refuse(cycle.peck_letter, cycle.peck);
     if (rows > kMostPecks || rows * pecks > kMostPecks) return refuse(cycle.row_letter, cycle.row);
     if (cycle.peck > 0 && pecks > 1 && cycle.retract >= cycle.peck + deep) return refuse('R', cycle.retract);
     const double d_way = std::copysign(1.0, d1 - d0), r_way = std::copysign(1.0, r1 - r0);
-    const double aside = wide > kSame ? -r_way * cycle.relief : cycle.relief;
+    const double aside = wide > kSameGroove ? -r_way * cycle.relief : cycle.relief;
     for (int row = 0; row <= static_cast<int>(rows); ++row) {
         const double r = row == static_cast<int>(rows) && rows > 0 ? r1 : r0 + r_way * cycle.row * row;
         if (!moves.rapid(at(d0, r))) return false;

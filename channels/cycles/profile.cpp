@@ -7,7 +7,7 @@
 namespace polyturn::channels::cycles {
 namespace {
 
-constexpr double kSame = 1e-7;   // mm: a level on the contour
+constexpr double kOnContour = 1e-7;   // mm: a level on the contour
 constexpr double kQuarter = std::numbers::pi / 2;
 
 }  // namespace
@@ -76,7 +76,7 @@ std::optional<std::size_t> Profile::runs_back(bool height, double tolerance) con
     double highest = height ? first_.h : first_.s;
     for (const Piece& piece : pieces_) {
         const double value = height ? piece.to.h : piece.to.s;
-        if (highest - value > tolerance + kSame) return piece.element;
+        if (highest - value > tolerance + kOnContour) return piece.element;
         highest = std::fmax(highest, value);
     }
     return std::nullopt;
@@ -89,11 +89,11 @@ std::vector<Opening> Profile::openings(double h, const Opening& within) const {
     if (pieces_.empty()) return found;
     Opening now;
     // A flank piece may belong to two openings: only what lies inside [s1, s2] of this one counts.
-    bool open = within.from_start && first_.h <= h + kSame;
+    bool open = within.from_start && first_.h <= h + kOnContour;
     if (open) now = {0, 0, first_.s, 0, true, false};
     for (std::size_t i = within.first; i <= within.last; ++i) {
         const Piece& piece = pieces_[i];
-        const bool low_before = piece.from.h <= h + kSame, low_after = piece.to.h <= h + kSame;
+        const bool low_before = piece.from.h <= h + kOnContour, low_after = piece.to.h <= h + kOnContour;
         if (!low_before && low_after && !open) {
             now = {i, i, piece.at_height(std::fmax(h, piece.to.h)), 0, false, false};
             open = true;

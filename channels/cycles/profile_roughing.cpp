@@ -11,7 +11,7 @@
 namespace polyturn::channels::cycles {
 namespace {
 
-constexpr double kSame = 1e-7;   // mm
+constexpr double kSameLevel = 1e-7;   // mm
 
 // One pass along a contour at a feed, from the call point and back to it.
 class Along {
@@ -49,9 +49,9 @@ private:
     double tolerance_;
 };
 
-class Roughing {
+class ProfilePasses {
 public:
-    Roughing(CycleMoves& moves, Point call, const ProfileRoughing& cycle, const Profile& profile, const Profile* blank)
+    ProfilePasses(CycleMoves& moves, Point call, const ProfileRoughing& cycle, const Profile& profile, const Profile* blank)
         : moves_(&moves), cycle_(&cycle), profile_(&profile), blank_(blank), call_(profile.level(call)), here_(call_) {}
 
     bool run() {
@@ -63,8 +63,8 @@ public:
         const double lowest = profile_->lowest();
         if ((top - lowest) / cycle_->depth > kMostPasses) return moves_->core().fail(Alarm::CycleValueIllegal, 'C', "C", cycle_->depth);
         levels_.push_back(top);
-        while (levels_.back() - cycle_->depth > lowest + kSame) levels_.push_back(levels_.back() - cycle_->depth);
-        if (levels_.back() > lowest + kSame) levels_.push_back(lowest);
+        while (levels_.back() - cycle_->depth > lowest + kSameLevel) levels_.push_back(levels_.back() - cycle_->depth);
+        if (levels_.back() > lowest + kSameLevel) levels_.push_back(lowest);
         const Opening whole = profile_->whole();
         std::vector<Opening> before;
         struct Root { Opening opening; std::size_t level; };
@@ -77,7 +77,7 @@ public:
                     if (!main_pass(opening, k)) return false;
                     continue;
                 }
-                const bool inside = std::any_of(before.begin(), before.end(), [&](const Opening& o) { return o.s1 <= opening.s1 + kSame && o.s2 >= opening.s2 - kSame; });
+                const bool inside = std::any_of(before.begin(), before.end(), [&](const Opening& o) { return o.s1 <= opening.s1 + kSameLevel && o.s2 >= opening.s2 - kSameLevel; });
                 if (!inside) hollows.push_back({opening, k});
                 apart.push_back(opening);
             }
@@ -89,7 +89,7 @@ public:
     }
 
     bool home() {
-        if (here_.h < call_.h - kSame && !to({here_.s, call_.h}, true)) return false;
+        if (here_.h < call_.h - kSameLevel && !to({here_.s, call_.h}, true)) return false;
         return to(call_, true);
     }
     void stands_at(Level level) { here_ = level; }
@@ -101,7 +101,7 @@ private:
     }
 
     bool follow(const Piece& piece, Level target) {
-        if (std::hypot(target.s - here_.s, target.h - here_.h) < kSame) return true;
+        if (std::hypot(target.s - here_.s, target.h - here_.h) < kSameLevel) return true;
         if (!piece.arc) return to(target, false);
         here_ = target;
         return moves_->arc(profile_->point(target), profile_->point(piece.centre), piece.clockwise, cycle_->arc_tolerance);
@@ -118,23 +118,23 @@ private:
             any = true;
         };
         for (const Piece& piece : blank_->pieces()) {
-            if (piece.from.h >= h - kSame) see(piece.from.s);
-            if (piece.to.h >= h - kSame) see(piece.to.s);
+            if (piece.from.h >= h - kSameLevel) see(piece.from.s);
+            if (piece.to.h >= h - kSameLevel) see(piece.to.s);
             if ((piece.from.h - h) * (piece.to.h - h) < 0) see(piece.at_height(h));
         }
         if (!any) return false;
         from = std::fmax(from, first);
         to = std::fmin(to, last);
-        return from < to - kSame;
+        return from < to - kSameLevel;
     }
 
     bool main_pass(const Opening& opening, std::size_t k) {
         const double h = levels_[k];
         double from = call_.s, end = opening.s2;
         if (!stock(h, from, end)) return true;
-        const bool reaches = end > opening.s2 - kSame;
+        const bool reaches = end > opening.s2 - kSameLevel;
         if (!to({call_.s, h}, true)) return false;
-        if (from > call_.s + kSame && !to({from, h}, true)) return false;
+        if (from > call_.s + kSameLevel && !to({from, h}, true)) return false;
         if (!to({end, h}, false)) return false;
         return leave(opening, k, end, reaches) && to({call_.s, here_.h}, true);
     }
@@ -144,7 +144,7 @@ private:
         const double h = levels_[k];
         if (cycle_->retract == Retract::Oblique) {
             const double away = opening.from_start ? cycle_->safety : std::fmin(cycle_->safety, end - opening.s1);   // the flank where it came in
-            return away < kSame || to({end - away, h + away}, true);
+            return away < kSameLevel || to({end - away, h + away}, true);
         }
         if (cycle_->retract == Retract::Same) return to({std::fmax(opening.from_start ? call_.s : opening.s1, call_.s), h}, true);
         const double above = levels_[k - 1];
@@ -154,21 +154,21 @@ private:
 
     bool up_flank(const Opening& opening, double above) {
         const auto& pieces = profile_->pieces();
-        for (std::size_t i = opening.last; i < pieces.size() && pieces[i].to.h > pieces[i].from.h - kSame; ++i) {
-            const bool ends = pieces[i].to.h > above - kSame;
+        for (std::size_t i = opening.last; i < pieces.size() && pieces[i].to.h > pieces[i].from.h - kSameLevel; ++i) {
+            const bool ends = pieces[i].to.h > above - kSameLevel;
             if (!follow(pieces[i], ends ? Level{pieces[i].at_height(above), above} : pieces[i].to)) return false;
             if (ends) break;
         }
-        return here_.h >= above - kSame || to({here_.s, above}, true);
+        return here_.h >= above - kSameLevel || to({here_.s, above}, true);
     }
 
     bool down_flank(const Opening& opening, double above, double level) {
         const auto& pieces = profile_->pieces();
         std::size_t top = opening.first;
-        while (pieces[top].from.h < above - kSame && top > 0 && pieces[top - 1].from.h > pieces[top - 1].to.h + kSame) --top;
+        while (pieces[top].from.h < above - kSameLevel && top > 0 && pieces[top - 1].from.h > pieces[top - 1].to.h + kSameLevel) --top;
         Level entry = pieces[top].from;
         if (entry.h > above) entry = {pieces[top].at_height(above), above};
-        if (here_.h < call_.h - kSame && !to({here_.s, call_.h}, true)) return false;
+        if (here_.h < call_.h - kSameLevel && !to({here_.s, call_.h}, true)) return false;
         if (!to({entry.s, call_.h}, true) || !to(entry, true)) return false;
         Core& core = moves_->core();
         const double feed = core.path.feed;
@@ -199,7 +199,7 @@ private:
             if (i > opening.first) floor = std::fmin(floor, profile_->pieces()[i].from.h);
             if (i < opening.last) floor = std::fmin(floor, profile_->pieces()[i].to.h);
         }
-        if (floor > level - kSame) return true;
+        if (floor > level - kSameLevel) return true;
         const std::vector<Opening> bottom = profile_->openings(floor, opening);
         for (const Opening& inner : bottom) {
             levels_.insert(levels_.begin() + static_cast<std::ptrdiff_t>(k) + 1, floor);
@@ -238,7 +238,7 @@ bool rough_profile(Core& core, const Contour& part, const Contour& allowed, cons
     const Profile profile(allowed, cycle.facing, s_sign, h_sign, {});
     std::optional<Profile> stock;
     if (blank) stock.emplace(*blank, cycle.facing, s_sign, h_sign, Point{});
-    Roughing roughing(moves, call, cycle, profile, stock ? &*stock : nullptr);
+    ProfilePasses roughing(moves, call, cycle, profile, stock ? &*stock : nullptr);
     if (!roughing.run()) return false;
     Along pass(moves, cycle.arc_tolerance);
     if (cycle.semi_feed > 0) {

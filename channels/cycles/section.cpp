@@ -9,7 +9,7 @@
 namespace polyturn::channels::cycles {
 namespace {
 
-constexpr double kSame = 1e-9;   // mm
+constexpr double kSameSection = 1e-9;   // mm
 
 // Coordinates of the cycle: s along the passes, h in the direction of the infeed, as the axes have them.
 struct Frame2 {
@@ -37,7 +37,7 @@ public:
         const Section& c = *section_;
         const double up = c.facing ? sz_ : sx_;
         const double top = up * frame_.h(call_), total = top - up * frame_.h(start_);
-        const int passes = total > kSame ? static_cast<int>(std::ceil(total / c.most - 1e-9)) : 0;
+        const int passes = total > kSameSection ? static_cast<int>(std::ceil(total / c.most - 1e-9)) : 0;
         if (passes > kMostPasses) return moves_->core().fail(Alarm::CycleValueIllegal, 'C', "C", c.most);
         const double step = passes ? total / passes : 0.0, back = frame_.s(call_);
         double above = top;
@@ -53,8 +53,8 @@ public:
                 if (!rapid(back, h)) return false;
             } else {
                 const double to = up * std::fmin(above, up * frame_.h(end_));
-                if (up * to > level + kSame && !follow(to)) return false;
-                if (up * to < above - kSame && !rapid(frame_.s(moves_->here()), up * above)) return false;
+                if (up * to > level + kSameSection && !follow(to)) return false;
+                if (up * to < above - kSameSection && !rapid(frame_.s(moves_->here()), up * above)) return false;
                 if (!rapid(back, up * above)) return false;
             }
             above = level;
@@ -76,7 +76,7 @@ private:
     double meet(double h) const {
         const double h0 = frame_.h(start_), h1 = frame_.h(end_);
         const double lo = std::fmin(h0, h1), hi = std::fmax(h0, h1);
-        if (std::fabs(h1 - h0) < kSame || (h - h1) * (h1 - h0) >= 0) return frame_.s(end_);
+        if (std::fabs(h1 - h0) < kSameSection || (h - h1) * (h1 - h0) >= 0) return frame_.s(end_);
         if ((h - h0) * (h0 - h1) >= 0) return frame_.s(start_);
         if (!section_->arc) return frame_.s(start_) + (h - h0) / (h1 - h0) * (frame_.s(end_) - frame_.s(start_));
         const double radius = std::hypot(start_.z - centre_.z, start_.x - centre_.x);
@@ -108,7 +108,7 @@ private:
     }
 
     bool home() {
-        if (std::fabs(frame_.s(moves_->here()) - frame_.s(call_)) > kSame && !rapid(frame_.s(call_), frame_.h(moves_->here()))) return false;
+        if (std::fabs(frame_.s(moves_->here()) - frame_.s(call_)) > kSameSection && !rapid(frame_.s(call_), frame_.h(moves_->here()))) return false;
         return moves_->rapid(call_);
     }
 

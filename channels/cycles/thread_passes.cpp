@@ -9,7 +9,7 @@
 namespace polyturn::channels::cycles {
 namespace {
 
-constexpr double kSame = 1e-9;   // mm
+constexpr double kSamePass = 1e-9;   // mm
 double tan_deg(double angle) { return std::tan(angle * std::numbers::pi / 180.0); }
 
 }  // namespace
@@ -26,7 +26,7 @@ std::vector<double> thread_depths(const ThreadPasses& cycle) {
     std::vector<double> depths;
     const double rough = cycle.height - cycle.allowance;
     double depth = 0.0;
-    for (int k = 1; depth < rough - kSame; ++k) {
+    for (int k = 1; depth < rough - kSamePass; ++k) {
         if (k > kMostThreadPasses) return {};
         const double step = cycle.first * (std::sqrt(static_cast<double>(k)) - std::sqrt(static_cast<double>(k - 1)));
         depth = std::fmin(depth + std::fmax(step, cycle.least), rough);
@@ -46,16 +46,16 @@ bool cut_thread(Core& core, const ThreadPasses& cycle) {
     if (!moves.ready()) return false;
     const Point start = moves.here();
     const double length = cycle.end.z - start.z;
-    if (std::fabs(length) <= kSame) return refuse('Z', cycle.end.z);
+    if (std::fabs(length) <= kSamePass) return refuse('Z', cycle.end.z);
     const double way = std::copysign(1.0, length);                        // of the cut
     const double out = start.x >= cycle.end.x ? 1.0 : -1.0;               // away from the work
     // A start point inside the thread would drive rapid through the work.
-    if (out * (start.x - cycle.end.x - cycle.taper) < cycle.height - kSame || out * (start.x - cycle.end.x) < cycle.height - kSame)
+    if (out * (start.x - cycle.end.x - cycle.taper) < cycle.height - kSamePass || out * (start.x - cycle.end.x) < cycle.height - kSamePass)
         return refuse(cycle.height_letter, cycle.height);
     const std::vector<double> depths = thread_depths(cycle);
     if (depths.empty()) return refuse(cycle.first_letter, cycle.first);
     const double flank = tan_deg(cycle.tool_angle_deg / 2);
-    if (std::fabs(length) - cycle.height * flank <= kSame) return refuse('Z', cycle.end.z);
+    if (std::fabs(length) - cycle.height * flank <= kSamePass) return refuse('Z', cycle.end.z);
     const double run_out = std::fmin(cycle.chamfer, std::fabs(length) - cycle.height * flank);
     for (const double depth : depths) {
         const double z = start.z + way * depth * flank;
@@ -66,8 +66,8 @@ bool cut_thread(Core& core, const ThreadPasses& cycle) {
         const double leave = cycle.end.z - way * run_out;
         ThreadCall pass = cycle.thread;
         withdraw_to(pass, moves.x(), start.x, x_at(z), x_at(leave));
-        if (std::fabs(leave - z) > kSame && !moves.thread({leave, x_at(leave)}, pass)) return false;
-        if (run_out > kSame) {
+        if (std::fabs(leave - z) > kSamePass && !moves.thread({leave, x_at(leave)}, pass)) return false;
+        if (run_out > kSamePass) {
             ThreadCall call = pass;   // the lead still counts along Z
             call.by_axis = true;
             call.axis = static_cast<std::uint8_t>(moves.z());

@@ -9,7 +9,7 @@
 namespace polyturn::channels::cycles {
 namespace {
 
-constexpr double kSame = 1e-9;   // mm
+constexpr double kSameThread = 1e-9;   // mm
 
 // How far pass k (from 1) begins aside: towards the cut or against it, as a share of depth * tan(angle).
 double side_of(const ThreadSection& t, int k) {
@@ -66,7 +66,7 @@ private:
     bool thread(double s, double h) {
         const Point here = moves_->here();
         const double from = t_->face ? here.x : here.z;
-        if (std::fabs(s - from) <= kSame) return true;
+        if (std::fabs(s - from) <= kSameThread) return true;
         return moves_->thread(point(s, h), call_);
     }
 
@@ -122,7 +122,7 @@ std::vector<double> section_depths(const ThreadSection& t) {
     std::vector<double> depths;
     const double rough = std::fabs(t.depth) - std::fabs(t.finishing);
     double depth = 0.0;
-    for (int n = 1; depth < rough - kSame; ++n) {
+    for (int n = 1; depth < rough - kSameThread; ++n) {
         if (n > kMostThreadPasses) return {};
         const double step = t.first > 0 ? std::fmax(t.first * (std::sqrt(static_cast<double>(n)) - std::sqrt(static_cast<double>(n - 1))), t.least) : -t.first;
         depth = std::fmin(depth + step, rough);
@@ -135,7 +135,7 @@ bool cut_thread_section(Core& core, const ThreadSection& t) {
     CycleMoves moves(core);
     if (!moves.ready()) return false;
     const double length = std::fabs(t.face ? t.end.x - t.start.x : t.end.z - t.start.z);
-    if (length <= kSame) return core.fail(Alarm::CycleValueIllegal, t.face ? 'Q' : 'R', t.face ? "Q" : "R");
+    if (length <= kSameThread) return core.fail(Alarm::CycleValueIllegal, t.face ? 'Q' : 'R', t.face ? "Q" : "R");
     const std::vector<double> depths = section_depths(t);
     if (depths.empty() && std::fabs(t.depth) > std::fabs(t.finishing)) return core.fail(Alarm::CycleValueIllegal, 'B', "B", t.first);
     return Threading(moves, t).run(depths);

@@ -9,7 +9,7 @@ namespace polyturn::channels::cycles {
 namespace {
 
 constexpr double kStep = 0.02;      // mm of an arc that is judged as straight
-constexpr double kSame = 1e-7;
+constexpr double kSameTool = 1e-7;
 
 constexpr std::size_t kNoArc = ~std::size_t{0};
 
@@ -43,7 +43,7 @@ bool close(Chain& chain, double slope) {
     for (std::size_t i = 1; i < chain.points.size(); ++i) {
         const Level from = out.points.back(), to = chain.points[i];
         const double ds = to.s - from.s, fall = from.h - to.h;
-        if (fall <= kSame || (ds > kSame && fall <= slope * ds + kSame)) {
+        if (fall <= kSameTool || (ds > kSameTool && fall <= slope * ds + kSameTool)) {
             out.add(to, chain.ways[i]);
             continue;
         }
@@ -112,7 +112,7 @@ Contour closed_for(const Contour& contour, bool facing, double s_sign, double h_
         while (way.arc != kNoArc && i + 1 < chain.points.size() && chain.ways[i + 1].arc == way.arc) ++i;
         e.to = profile.point(chain.points[i]);
         e.at = way.at;
-        if (std::hypot(e.to.z - e.from.z, e.to.x - e.from.x) <= kSame) continue;
+        if (std::hypot(e.to.z - e.from.z, e.to.x - e.from.x) <= kSameTool) continue;
         if (way.arc != kNoArc) {
             e.first_angle = std::atan2(e.from.x - e.centre.x, e.from.z - e.centre.z);
             e.sweep = std::remainder(std::atan2(e.to.x - e.centre.x, e.to.z - e.centre.z) - e.first_angle, 2 * std::numbers::pi);

@@ -3,14 +3,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "channels/angles.hpp"
+#include "channels/text/chars.hpp"
 #include "channels/text/number.hpp"
 
 namespace polyturn::channels::fagor {
 namespace {
-
-bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 // 32 bits, as the operators see a number; the sign of a negative one is its highest bit.
 std::uint32_t bits_of(double value) {
@@ -226,9 +224,9 @@ bool Expression::primary(Value& v) {
         v = {number.value, false};
         return true;
     }
-    if (!is_letter(*p_)) return fail(Alarm::VariableIllegal, begin, std::string(1, *begin));
+    if (!is_capital(*p_)) return fail(Alarm::VariableIllegal, begin, std::string(1, *begin));
     const char* q = p_;
-    while (q != end_ && is_letter(*q)) ++q;
+    while (q != end_ && is_capital(*q)) ++q;
     const std::string_view name(p_, static_cast<std::size_t>(q - p_));
     char axis = 0;
     if (name == "PI") {
@@ -356,9 +354,9 @@ bool Expression::whole(double& value) {
 bool Expression::read_target(Target& target) {
     blanks();
     const char* const begin = p_;
-    if (p_ == end_ || !is_letter(*p_)) return fail(Alarm::VariableIllegal, p_, p_ == end_ ? "a name is missing" : std::string(1, *p_));
+    if (p_ == end_ || !is_capital(*p_)) return fail(Alarm::VariableIllegal, p_, p_ == end_ ? "a name is missing" : std::string(1, *p_));
     const char* q = p_;
-    while (q != end_ && is_letter(*q)) ++q;
+    while (q != end_ && is_capital(*q)) ++q;
     const std::string_view name(p_, static_cast<std::size_t>(q - p_));
     if (*p_ == 'P' && (q - p_ == 1)) {
         const char* r = q;

@@ -11,7 +11,7 @@ using I = Interpreter;
 using G = GGroup;
 constexpr bool kAlone = true, kModal = true;
 
-constexpr auto kRows = std::to_array<GCode>({
+constexpr auto kGRows = std::to_array<GCode>({
     {0, G::Motion, &I::g_linear, "xRQ", 0, !kAlone, kModal, "Rapid traverse"},
     {1, G::Motion, &I::g_linear, "xRQ", 0, !kAlone, kModal, "Line at feed"},
     {2, G::Motion, &I::g_arc, "xRQIJK", 0, !kAlone, kModal, "Arc, clockwise"},
@@ -92,14 +92,14 @@ constexpr bool ascending(const auto& rows) {
         if (rows[i].number <= rows[i - 1].number) return false;
     return true;
 }
-static_assert(ascending(kRows), "each code once, in order");
+static_assert(ascending(kGRows), "each code once, in order");
 
 }  // namespace
 
-std::span<const GCode> g_codes() { return kRows; }
+std::span<const GCode> g_codes() { return kGRows; }
 
 const GCode* find_g_code(unsigned number) {
-    for (const GCode& row : kRows)
+    for (const GCode& row : kGRows)
         if (row.number == number) return &row;
     return nullptr;
 }

@@ -1,14 +1,13 @@
 // From the words of a block to the point it means: cartesian, polar, angle and one coordinate (fagor_8037t part 1, 3.6).
 #include <cmath>
-#include <numbers>
 
+#include "channels/angles.hpp"
 #include "channels/fagor/interpreter.hpp"
 
 namespace polyturn::channels::fagor {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kSame = 1e-7;   // mm
+constexpr double kSamePoint = 1e-7;   // mm
 
 double modulo_turn(double degrees) { return std::fmod(degrees, 360.0); }
 
@@ -133,7 +132,7 @@ bool Interpreter::angle_point(AxisValues& target) {
     const bool gives_p = axis_words_[p] != nullptr;
     const double way = gives_p ? target[p] - p0 : target[q] - q0, share = gives_p ? c : s;
     // The direction must lead to the coordinate, not away from it and not past it.
-    if (std::fabs(share) >= 1e-9 && std::fabs(way) < kSame) return true;
+    if (std::fabs(share) >= 1e-9 && std::fabs(way) < kSamePoint) return true;
     if (std::fabs(share) < 1e-9 || way / share < 0) return core_.fail(Alarm::FagorAngle, 'Q', {}, number('Q'));
     if (gives_p) target[q] = q0 + way * s / c;
     else target[p] = p0 + way * c / s;

@@ -5,13 +5,10 @@
 #include <cmath>
 
 #include "channels/fagor/interpreter.hpp"
+#include "channels/text/chars.hpp"
 
 namespace polyturn::channels::fagor {
 namespace {
-
-void blanks(const char*& at, const char* end) {
-    while (at != end && (*at == ' ' || *at == '\t')) ++at;
-}
 
 bool comma(const char*& at, const char* end) {
     blanks(at, end);

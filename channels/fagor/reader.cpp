@@ -1,17 +1,10 @@
 #include "channels/fagor/reader.hpp"
 
+#include "channels/text/chars.hpp"
 #include "channels/text/number.hpp"
 
 namespace polyturn::channels::fagor {
 namespace {
-
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
-
-void blanks(const char*& at, const char* end) {
-    while (at != end && is_blank(*at)) ++at;
-}
 
 // Behind the skip conditions.
 void skip_conditions(const char*& at, const char* end) {
@@ -124,7 +117,7 @@ BlockKind Reader::statement(const char* at, Block& block) {
 // A letter and its number; blanks may stand between letter, sign and digits; P<n> stands for the value of a parameter.
 bool Reader::word(const char*& at, Block& block) {
     const char* const begin = at;
-    if (!is_letter(*at)) {
+    if (!is_capital(*at)) {
         if (is_digit(*at) || *at == '.' || *at == '-' || *at == '+') return fail(Alarm::AddressMissing, at, 1, std::string(1, *at));
         return fail(Alarm::CharacterUnknown, at, 1, std::string(1, *at));
     }

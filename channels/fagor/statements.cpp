@@ -4,20 +4,15 @@
 #include <cmath>
 
 #include "channels/fagor/interpreter.hpp"
+#include "channels/text/chars.hpp"
 #include "ipc/image/interrupt_inputs.hpp"
 
 namespace polyturn::channels::fagor {
 namespace {
 
-bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-void blanks(const char*& at, const char* end) {
-    while (at != end && (*at == ' ' || *at == '\t')) ++at;
-}
-
 std::string_view letters_at(const char* at, const char* end) {
     const char* q = at;
-    while (q != end && is_letter(*q)) ++q;
+    while (q != end && is_capital(*q)) ++q;
     return {at, static_cast<std::size_t>(q - at)};
 }
 
@@ -29,7 +24,7 @@ const char* else_in(const char* at, const char* end) {
         if (*p == '"') quoted = !quoted;
         if (quoted) continue;
         depth += *p == '(' ? 1 : *p == ')' ? -1 : 0;
-        if (depth == 0 && end - p >= 4 && std::string_view(p, 4) == "ELSE" && (p == at || !is_letter(p[-1]))) return p;
+        if (depth == 0 && end - p >= 4 && std::string_view(p, 4) == "ELSE" && (p == at || !is_capital(p[-1]))) return p;
     }
     return end;
 }
@@ -39,7 +34,7 @@ bool mentions_live_value(const char* at, const char* end) {
     bool quoted = false;
     for (const char* p = at; p < end;) {
         if (*p == '"') quoted = !quoted;
-        if (quoted || !is_letter(*p)) {
+        if (quoted || !is_capital(*p)) {
             ++p;
             continue;
         }
@@ -262,7 +257,7 @@ std::string Interpreter::with_parameters(std::string_view text, bool only_marked
         if ((marked || plain) && j < text.size() && text[j] == 'P' && j + 1 < text.size() && is_digit(text[j + 1])) {
             number = 0;
             for (++j; j < text.size() && is_digit(text[j]) && number < 100'000; ++j) number = number * 10 + (text[j] - '0');
-        } else if (marked && j < text.size() && is_letter(text[j]) && (j + 1 == text.size() || !is_letter(text[j + 1]))) {
+        } else if (marked && j < text.size() && is_capital(text[j]) && (j + 1 == text.size() || !is_capital(text[j + 1]))) {
             number = text[j++] - 'A';   // a local parameter by its letter
         }
         if (number < 0 || !Values::exists(number)) {

@@ -6,12 +6,6 @@
 #include "ipc/machine/work_zeros.hpp"
 
 namespace polyturn::channels::fagor {
-namespace {
-
-constexpr std::size_t kNoPlace = Values::kKeptPlaces - 1;
-
-}  // namespace
-
 Access Interpreter::variable_fault(Alarm alarm, std::string detail, double v0, double v1) {
     core_.fail(alarm, 0, std::move(detail), v0, v1);
     ExpressionFault told;
@@ -100,7 +94,7 @@ Access Interpreter::read_named(const Target& target, double& value) {
         case Var::ZoneLow: value = from_length_plain(path.zones[row.sub].low[i]); return Access::Ok;
         case Var::ZoneHigh: value = from_length_plain(path.zones[row.sub].high[i]); return Access::Ok;
         case Var::Kept: case Var::KeptAxis:
-            value = values_.kept(static_cast<std::size_t>(&row - &variable_row(0)), row.shape == Shape::Plain ? kNoPlace : row.shape == Shape::Axis ? i : static_cast<std::size_t>(target.index) % kNoPlace);
+            value = values_.kept(static_cast<std::size_t>(&row - &variable_row(0)), row.shape == Shape::Plain ? Values::kNoPlace : row.shape == Shape::Axis ? i : static_cast<std::size_t>(target.index) % Values::kNoPlace);
             return Access::Ok;
         case Var::Way: {
             const double way = ways_.way(static_cast<unsigned>(i)) + values_.kept(static_cast<std::size_t>(&row - &variable_row(0)), i);

@@ -83,6 +83,7 @@ public:
     }
 
     static constexpr std::size_t kMarks = 5958, kRegisters = 500, kPins = 513, kTimers = 513, kCounters = 257, kKeptRows = 200, kKeptPlaces = 18;
+    static constexpr std::size_t kNoPlace = kKeptPlaces - 1;   // of a row that has one value
 
 private:
     std::vector<LocalSet> levels_;

@@ -9,7 +9,7 @@ using S = Shape;
 using V = Var;
 constexpr bool kLive = true, kNow = false, kWritable = true, kReadOnly = false;
 
-constexpr auto kRows = std::to_array<VariableRow>({
+constexpr auto kVariableRows = std::to_array<VariableRow>({
     // 11.2.2 tools
     {"TOOL", S::Plain, V::Tool, kNow, kReadOnly, 0},
     {"TOD", S::Plain, V::Tod, kNow, kReadOnly, 0},
@@ -189,16 +189,16 @@ constexpr bool with_axis(Shape shape) { return shape == S::Axis || shape == S::A
 
 }  // namespace
 
-std::size_t variable_count() { return kRows.size(); }
-const VariableRow& variable_row(std::size_t index) { return kRows[index]; }
+std::size_t variable_count() { return kVariableRows.size(); }
+const VariableRow& variable_row(std::size_t index) { return kVariableRows[index]; }
 
 const VariableRow* find_variable(std::string_view name, char& axis) {
     axis = 0;
-    for (const VariableRow& row : kRows)
+    for (const VariableRow& row : kVariableRows)
         if (!with_axis(row.shape) && row.name == name) return &row;
     if (name.size() < 3 || axis_number(name.back()) == 0) return nullptr;
     const std::string_view stem = name.substr(0, name.size() - 1);
-    for (const VariableRow& row : kRows) {
+    for (const VariableRow& row : kVariableRows) {
         if (!with_axis(row.shape) || row.name != stem) continue;
         axis = name.back();
         return &row;

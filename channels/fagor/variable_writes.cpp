@@ -7,8 +7,6 @@
 namespace polyturn::channels::fagor {
 namespace {
 
-constexpr std::size_t kNoPlace = Values::kKeptPlaces - 1;
-
 struct OffsetColumn {
     Var var;
     std::string_view table, axis;
@@ -172,11 +170,11 @@ Access Interpreter::write_named(const Target& target, double value) {
         case Var::Kept: case Var::KeptAxis:
             if (row.name == "KEYSRC") {   // only while it is 0 (11.2.14)
                 if (value < 0 || value > 2 || value != std::nearbyint(value)) return variable_fault(Alarm::FagorValueRange, "KEYSRC", value);
-                if (values_.kept(static_cast<std::size_t>(&row - &variable_row(0)), kNoPlace) != 0) return Access::ReadOnly;
+                if (values_.kept(static_cast<std::size_t>(&row - &variable_row(0)), Values::kNoPlace) != 0) return Access::ReadOnly;
             }
             if (row.name == "ANAO" && (target.index < 1 || target.index > 8)) return variable_fault(Alarm::FagorValueRange, target_name(target), target.index);
             if (row.name == "ANAO" && std::fabs(value) > 10.0) return variable_fault(Alarm::FagorValueRange, target_name(target), value);
-            values_.write(values_.kept(static_cast<std::size_t>(&row - &variable_row(0)), row.shape == Shape::Plain ? kNoPlace : row.shape == Shape::Axis ? i : static_cast<std::size_t>(target.index) % kNoPlace), value);
+            values_.write(values_.kept(static_cast<std::size_t>(&row - &variable_row(0)), row.shape == Shape::Plain ? Values::kNoPlace : row.shape == Shape::Axis ? i : static_cast<std::size_t>(target.index) % Values::kNoPlace), value);
             return Access::Ok;
         default: return write_table(target, value);
     }

@@ -1,5 +1,7 @@
 #include "channels/fanuc/block_index.hpp"
 
+#include "channels/text/chars.hpp"
+
 #include <algorithm>
 #include <limits>
 
@@ -7,7 +9,6 @@ namespace polyturn::channels::fanuc {
 namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr std::uint64_t kNoEnd = std::numeric_limits<std::uint64_t>::max();
 
 }  // namespace

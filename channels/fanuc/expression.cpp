@@ -5,14 +5,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "channels/text/chars.hpp"
 #include "channels/text/number.hpp"
 
 namespace polyturn::channels::fanuc {
 namespace {
 
 double zero_if_null(double value) { return is_null(value) ? 0.0 : value; }
-bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
-char capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; }
 
 // A name written out or by its first two letters.
 bool names(std::string_view word, std::string_view name) {

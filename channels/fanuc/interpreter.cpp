@@ -1,18 +1,14 @@
 // Reading blocks and the flow between programs. What a block does stands in block.cpp and behind the handlers.
 #include "channels/fanuc/interpreter.hpp"
 
+#include "channels/text/chars.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <utility>
 
 namespace polyturn::channels::fanuc {
-namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-}  // namespace
-
 Interpreter::Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles& files, MakeSettings make_settings)
     : core_(view, sink, port), files_(&files), make_settings_(make_settings), settings_(make_settings(view.table(), view.channel)), table_(settings_.system), scanner_(*this),
       variables_(*this, *view.store, settings_.common_first, settings_.common_last),

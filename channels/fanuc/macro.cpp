@@ -3,15 +3,10 @@
 #include <cmath>
 
 #include "channels/fanuc/interpreter.hpp"
+#include "channels/text/chars.hpp"
 
 namespace polyturn::channels::fanuc {
 namespace {
-
-bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
-char capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; }
-void blanks(const char*& at, const char* end) {
-    while (at != end && (*at == ' ' || *at == '\t')) ++at;
-}
 
 // Takes the word at `at` if it is `name`, or two and more of its first letters where no further letter stands (WH for WHILE).
 bool take(const char*& at, const char* end, std::string_view name) {

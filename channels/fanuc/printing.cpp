@@ -8,15 +8,12 @@
 #include <cmath>
 
 #include "channels/fanuc/interpreter.hpp"
+#include "channels/text/chars.hpp"
 
 namespace polyturn::channels::fanuc {
 namespace {
 
 bool is_sent(char c) { return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '*' || c == '/' || c == '+' || c == '-' || c == '.' || c == ','; }
-void blanks(const char*& at, const char* end) {
-    while (at != end && (*at == ' ' || *at == '\t')) ++at;
-}
-
 // Sign, whole digits (the lowest `whole`), point and decimals. compact: neither plus sign nor leading zeros.
 std::string decimal_text(double value, int whole, int decimals, bool compact) {
     const double scale = std::pow(10.0, decimals);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSamePlace = 1e-6;   // mm, degrees
 
-bool is_arc(const Move& move) { return (move.kind == MoveKind::ArcCw || move.kind == MoveKind::ArcCcw) && move.sweep != 0; }
+bool has_way(const Move& move) { return (move.kind == MoveKind::ArcCw || move.kind == MoveKind::ArcCcw) && move.sweep != 0; }
 bool is_cut(const Move& move) { return move.kind == MoveKind::Linear && move.tap_turns == 0; }
 
 bool same(const MachineView& view, const AxisValues& a, const AxisValues& b) {
@@ -116,7 +116,7 @@ void ResumeSink::move(const Move& m, const BlockContext& at) {
 void ResumeSink::step_to(const AxisValues& point, const Move& of) {
     if (same(*view_, here_, point)) return;
     Move step = of;
-    step.kind = is_cut(of) || is_arc(of) ? MoveKind::Linear : MoveKind::Rapid;
+    step.kind = is_cut(of) || has_way(of) ? MoveKind::Linear : MoveKind::Rapid;
     if (step.kind == MoveKind::Rapid) step.feed_mode = FeedMode::Rapid, step.feed = 0.0, step.exact_stop = true;
     if (step.feed_mode == FeedMode::InverseTime) step.feed_mode = FeedMode::PerMinute, step.feed = 0.0;
     step.sweep = step.lead = step.tap_turns = 0.0;
@@ -156,9 +156,9 @@ void ResumeSink::enter(const Move& m) {
     }
     double share = 0.0;
     if (begun_ && is_cut(m)) share = share_of_line(*view_, m, here_);
-    if (begun_ && is_arc(m) && m.turns == 0) share = share_of_arc(m, here_);
+    if (begun_ && has_way(m) && m.turns == 0) share = share_of_arc(m, here_);
     for (unsigned i = 0; i < view_->axis_count; ++i) rest.machine_start[i] += (m.machine[i] - m.machine_start[i]) * share;
-    if (is_arc(m) && share > 0) {
+    if (has_way(m) && share > 0) {
         const auto angle = std::atan2(m.machine_start[m.plane_q] - m.centre_q, m.machine_start[m.plane_p] - m.centre_p) + m.sweep * share;
         const double radius = m.radius + (m.radius_end - m.radius) * share;
         rest.machine_start[m.plane_p] = m.centre_p + radius * std::cos(angle);
@@ -167,7 +167,7 @@ void ResumeSink::enter(const Move& m) {
         rest.sweep = m.sweep * (1.0 - share);
     }
     step_to(rest.machine_start, m);
-    if (same(*view_, rest.machine_start, rest.machine) && !(is_arc(m) && std::fabs(rest.sweep) > 1e-9)) return;
+    if (same(*view_, rest.machine_start, rest.machine) && !(has_way(m) && std::fabs(rest.sweep) > 1e-9)) return;
     rest.thread_chained = false;
     next_->move(rest, at_);
 }

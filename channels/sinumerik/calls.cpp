@@ -6,7 +6,7 @@
 namespace polyturn::channels::sinumerik {
 namespace {
 
-constexpr std::size_t kDeepest = 16;   // program levels
+constexpr std::size_t kMostLevels = 16;   // program levels
 
 }  // namespace
 
@@ -43,7 +43,7 @@ bool Interpreter::call_program(const std::string& name, std::vector<Argument> ar
     if (repeats > 9999) return fail(Alarm::RepeatsIllegal, name, static_cast<double>(repeats));
     std::size_t depth = 0;
     for (const Level& level : levels_) depth += !level.section;
-    if (depth >= kDeepest) return fail(Alarm::CallTooDeep, name, kDeepest);
+    if (depth >= kMostLevels) return fail(Alarm::CallTooDeep, name, kMostLevels);
     auto file = files_->find_name(name);
     for (const char* suffix : {".SPF", ".MPF", "_SPF", "_MPF"})
         if (!file) file = files_->find_name(name + suffix);
@@ -214,7 +214,7 @@ bool Interpreter::restore_modal(const Modal& saved) {
 
 bool Interpreter::run_section(TextPosition from, std::uint64_t end, std::int64_t repeats, bool block_only) {
     if (repeats < 1) return true;
-    if (levels_.size() >= 4 * kDeepest) return fail(Alarm::CallTooDeep, "REPEAT", 4 * kDeepest);
+    if (levels_.size() >= 4 * kMostLevels) return fail(Alarm::CallTooDeep, "REPEAT", 4 * kMostLevels);
     Level level;
     level.file = levels_.back().file;
     level.section = true;

@@ -5,14 +5,14 @@
 #include <string>
 #include <string_view>
 
+#include "channels/text/chars.hpp"
+
 namespace polyturn::channels::sinumerik {
 
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
-constexpr bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 constexpr bool is_name_start(char c) { return is_letter(c) || c == '_'; }
 constexpr bool is_name(char c) { return is_name_start(c) || is_digit(c); }
 constexpr bool is_blank(char c) { return c == '&' || (static_cast<unsigned char>(c) <= ' '); }
-constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+constexpr char upper(char c) { return capital(c); }
 inline std::string upper(std::string_view text) {
     std::string out(text);
     for (char& c : out) c = upper(c);

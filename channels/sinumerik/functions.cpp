@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "channels/angles.hpp"
 #include "channels/sinumerik/interpreter.hpp"
 
 namespace polyturn::channels::sinumerik {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 // Right at whole quarter turns, where the sine of a rounded angle is not.
 double sine_deg(double degrees) {

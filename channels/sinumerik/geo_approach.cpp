@@ -14,7 +14,7 @@
 namespace polyturn::channels::sinumerik {
 namespace {
 
-constexpr double kSame = 1e-9;
+constexpr double kSameApproach = 1e-9;
 
 int applicate(const MachineView& view, Plane plane) {
     static constexpr PlaneRole kRoles[] = {PlaneRole::BasicZ, PlaneRole::BasicY, PlaneRole::BasicX};   // XY ZX YZ
@@ -136,13 +136,13 @@ bool Interpreter::finish_approach(const AxisValues& target, const ArcCall* arc, 
         tp = -turn * (p4[q] - arc->centre_q), tq = turn * (p4[p] - arc->centre_p);
     }
     const double length = std::hypot(tp, tq);
-    if (length < kSame) return fail(Alarm::ApproachNoEnd);
+    if (length < kSameApproach) return fail(Alarm::ApproachNoEnd);
     tp /= length, tq /= length;
     const int side = approach_side(soft, tp, tq, soft.from[p] - p4[p], soft.from[q] - p4[q]);
     if (side == 0 && soft.form != 0) return fail(Alarm::ApproachNoSide);
     const double nose = soft.comp > 1 ? core_.path.tool.nose_radius + core_.path.tool.allowance : 0.0;
     const double way = soft.form == 0 ? soft.radius + std::fmax(nose, 0.0) : soft.radius + (side == (soft.comp == 2 ? 1 : -1) ? nose : -nose);
-    if (way <= kSame) return fail(Alarm::ApproachRadius);
+    if (way <= kSameApproach) return fail(Alarm::ApproachRadius);
     const double np = -side * tq, nq = side * tp;
     AxisValues p3 = p4;
     if (soft.form == 0) p3[p] -= way * tp, p3[q] -= way * tq;
@@ -204,7 +204,7 @@ bool Interpreter::geo_retract(const GCode& code) {
     };
     double tp = modal_.geo.tangent[geo(p)], tq = modal_.geo.tangent[geo(q)];
     const double length = std::hypot(tp, tq);
-    if (length < kSame) return fail(Alarm::RetractNoMove);
+    if (length < kSameApproach) return fail(Alarm::RetractNoMove);
     tp /= length, tq /= length;
     const bool in_plane_end = (named >> p & 1u) || (named >> q & 1u), upright_end = w >= 0 && (named >> w & 1u);
     const int side = approach_side(soft, tp, tq, target[p] - p4[p], target[q] - p4[q]);
@@ -212,7 +212,7 @@ bool Interpreter::geo_retract(const GCode& code) {
     const bool compensated = soft.comp > 1;
     const double nose = compensated ? core_.path.tool.nose_radius + core_.path.tool.allowance : 0.0;
     const double way = soft.form == 0 ? soft.radius + std::fmax(nose, 0.0) : soft.radius + (side == (soft.comp == 2 ? 1 : -1) ? nose : -nose);
-    if (way <= kSame) return fail(Alarm::ApproachRadius);
+    if (way <= kSameApproach) return fail(Alarm::ApproachRadius);
     const double np = -side * tq, nq = side * tp;
     AxisValues p3 = p4;
     double ep = tp, eq = tq;   // direction at its end

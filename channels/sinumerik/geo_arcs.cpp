@@ -1,14 +1,13 @@
 // Arcs: by centre, radius, opening angle, polar words, intermediate point, tangent; helices (sinumerik_part1 10.6, 10.7).
 #include <cmath>
-#include <numbers>
 
+#include "channels/angles.hpp"
 #include "channels/sinumerik/interpreter.hpp"
 
 namespace polyturn::channels::sinumerik {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kSame = 1e-9;
+constexpr double kSameArc = 1e-9;
 constexpr std::string_view kCentre[3][2] = {{"I", "J"}, {"K", "I"}, {"J", "K"}};   // by plane: XY ZX YZ
 
 }  // namespace
@@ -72,7 +71,7 @@ bool Interpreter::fit_centre(const AxisValues& target, ArcCall& call) {
     const double sp = core_.path.programmed[p], sq = core_.path.programmed[q], ep = target[p], eq = target[q];
     const double rs = std::hypot(sp - call.centre_p, sq - call.centre_q), re = std::hypot(ep - call.centre_p, eq - call.centre_q);
     const double tolerance = std::fmax(settings_.circle_error_mm, settings_.circle_error_factor * std::fmax(rs, re));
-    if (std::fabs(rs - re) > tolerance + kSame) return fail(Alarm::ArcRadiusDiffers, {}, std::fabs(rs - re), tolerance);
+    if (std::fabs(rs - re) > tolerance + kSameArc) return fail(Alarm::ArcRadiusDiffers, {}, std::fabs(rs - re), tolerance);
     const double dp = ep - sp, dq = eq - sq, chord2 = dp * dp + dq * dq;
     if (chord2 > 1e-12) {
         const double off = ((call.centre_p - (sp + ep) / 2) * dp + (call.centre_q - (sq + eq) / 2) * dq) / chord2;
@@ -88,7 +87,7 @@ bool Interpreter::centre_by_radius(const AxisValues& target, double radius, ArcC
     const auto [p, q] = plane_places();
     const double sp = core_.path.programmed[p], sq = core_.path.programmed[q], ep = target[p], eq = target[q];
     const double chord = std::hypot(ep - sp, eq - sq), r = std::fabs(radius);
-    if (r < kSame) return fail(Alarm::ArcRadiusIllegal);
+    if (r < kSameArc) return fail(Alarm::ArcRadiusIllegal);
     if (chord < 1e-7) return fail(Alarm::ArcEndMissing);
     const double short_by = chord / 2 - r;
     if (short_by > std::fmax(settings_.circle_error_mm, settings_.circle_error_factor * r)) return fail(Alarm::RadiusTooSmall, {}, short_by);

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "channels/angles.hpp"
 #include "channels/sinumerik/interpreter.hpp"
 
 namespace polyturn::channels::sinumerik {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kSagitta = 0.0005;      // mm
 constexpr std::size_t kMostPoints = 20'000;

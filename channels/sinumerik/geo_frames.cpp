@@ -1,13 +1,11 @@
 // Programmable frames: TRANS ROT SCALE MIRROR and their additive forms, G58 G59, frame functions (sinumerik_part2 13).
 #include <cmath>
-#include <numbers>
 
+#include "channels/angles.hpp"
 #include "channels/sinumerik/interpreter.hpp"
 
 namespace polyturn::channels::sinumerik {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 // Places of X, Y, Z in the channel; -1 missing.
 std::array<int, 3> geometry(const MachineView& view) {

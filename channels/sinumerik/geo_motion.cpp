@@ -1,14 +1,13 @@
 // Straight lines: end points in Cartesian and polar words, contour lines by their angle, and what every contour move of
 // the language has in common (sinumerik_part1 10, part 2 10.9 and 10.12).
 #include <cmath>
-#include <numbers>
 
+#include "channels/angles.hpp"
 #include "channels/sinumerik/interpreter.hpp"
 
 namespace polyturn::channels::sinumerik {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kSame = 1e-9;
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace {
 using Index = Address::Index;
 using Use = Address::Use;
 
-constexpr Address kRows[] = {
+constexpr Address kAddressRows[] = {
     // name, index, use, handler, signed, repeats, without value
     {"M", Index::Spindle, Use::Block, nullptr, false, true},
     {"H", Index::Number, Use::Block, nullptr, true, true},
@@ -70,6 +70,6 @@ constexpr Address kRows[] = {
 
 }  // namespace
 
-std::span<const Address> program_addresses() { return kRows; }
+std::span<const Address> program_addresses() { return kAddressRows; }
 
 }  // namespace polyturn::channels::sinumerik

@@ -5,7 +5,7 @@ namespace polyturn::channels::sinumerik {
 namespace {
 
 using I = Interpreter;
-constexpr Command kRows[] = {
+constexpr Command kCommandRows[] = {
     // name, function, least, most arguments, their types, handler, own block
     // arithmetic
     {"ABS", true, 1, 1, "r", &I::f_abs},
@@ -202,6 +202,6 @@ constexpr Command kRows[] = {
 
 }  // namespace
 
-std::span<const Command> program_commands() { return kRows; }
+std::span<const Command> program_commands() { return kCommandRows; }
 
 }  // namespace polyturn::channels::sinumerik

@@ -6,7 +6,7 @@
 namespace polyturn::channels::sinumerik {
 namespace {
 
-constexpr GCode kRows[] = {
+constexpr GCode kGRows[] = {
     // name, group, number, modal, delivery state, handler, addresses it reads
     // group 4: FIFO (preprocessing buffer)
     {"STARTFIFO", 4, 1, true, true, &Interpreter::g_nothing},
@@ -243,6 +243,6 @@ constexpr GCode kRows[] = {
 
 }  // namespace
 
-std::span<const GCode> program_g_codes() { return kRows; }
+std::span<const GCode> program_g_codes() { return kGRows; }
 
 }  // namespace polyturn::channels::sinumerik

@@ -4,7 +4,7 @@
 namespace polyturn::channels::sinumerik {
 namespace {
 
-constexpr Statement kRows[] = {
+constexpr Statement kStatementRows[] = {
     {"IF", &Interpreter::st_if},
     {"ELSE", &Interpreter::st_else},
     {"ENDIF", &Interpreter::st_end_marker},
@@ -49,6 +49,6 @@ constexpr Statement kRows[] = {
 
 }  // namespace
 
-std::span<const Statement> statements() { return kRows; }
+std::span<const Statement> statements() { return kStatementRows; }
 
 }  // namespace polyturn::channels::sinumerik

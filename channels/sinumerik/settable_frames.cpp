@@ -12,7 +12,7 @@
 namespace polyturn::channels::sinumerik {
 namespace {
 
-constexpr PlaneRole kRoles[] = {PlaneRole::BasicX, PlaneRole::BasicY, PlaneRole::BasicZ};
+constexpr PlaneRole kBasicAxes[] = {PlaneRole::BasicX, PlaneRole::BasicY, PlaneRole::BasicZ};
 
 std::optional<std::size_t> row_of(int number) { return number == 0 ? work_zero_row("G500") : settable_zero_row(static_cast<std::size_t>(number)); }
 
@@ -22,7 +22,7 @@ Frame shift_by(const MachineView& view, const AxisValues& by, double sign) {
     for (unsigned i = 0; i < view.axis_count; ++i) {
         bool geometry = false;
         for (std::size_t k = 0; k < 3; ++k)
-            if (view.axes[i].role == kRoles[k]) f.shift[k] = sign * by[i], geometry = true;
+            if (view.axes[i].role == kBasicAxes[k]) f.shift[k] = sign * by[i], geometry = true;
         if (!geometry) f.offset[i] = sign * by[i];
     }
     return f;
@@ -51,10 +51,10 @@ AxisValues Interpreter::programmable(const AxisValues& target) const {
     Point3 point{};
     for (unsigned i = 0; i < view.axis_count; ++i) out[i] = frame.scale[i] * target[i] + frame.offset[i];
     for (std::size_t k = 0; k < 3; ++k)
-        if (const int place = view.axis_by_role(kRoles[k]); place >= 0) point[k] = target[static_cast<std::size_t>(place)];
+        if (const int place = view.axis_by_role(kBasicAxes[k]); place >= 0) point[k] = target[static_cast<std::size_t>(place)];
     point = frame.map(point);
     for (std::size_t k = 0; k < 3; ++k)
-        if (const int place = view.axis_by_role(kRoles[k]); place >= 0) out[static_cast<std::size_t>(place)] = point[k];
+        if (const int place = view.axis_by_role(kBasicAxes[k]); place >= 0) out[static_cast<std::size_t>(place)] = point[k];
     return out;
 }
 

@@ -5,7 +5,7 @@
 namespace polyturn::channels::sinumerik {
 namespace {
 
-constexpr int kDone = 0, kUnknown = -1;
+constexpr int kAnswered = 0, kUnknown = -1;
 constexpr std::size_t kMost = 100;   // names that are kept
 
 }  // namespace
@@ -16,7 +16,7 @@ bool Interpreter::f_toolenv(Call& c) {
     if (!tool_environments_.contains(name) && tool_environments_.size() >= kMost) return fail(Alarm::FunctionArgument, "TOOLENV", static_cast<double>(kMost));
     undo([this, before = tool_environments_] { tool_environments_ = before; });
     tool_environments_[name] = {static_cast<double>(modal_.tool), static_cast<double>(modal_.edge), static_cast<double>(modal_.sum_offset)};
-    return c.result = Value::of_int(kDone), true;
+    return c.result = Value::of_int(kAnswered), true;
 }
 
 bool Interpreter::f_gettenv(Call& c) {
@@ -26,16 +26,16 @@ bool Interpreter::f_gettenv(Call& c) {
     if (result.element + found->second.size() > result.variable->cells.size()) return fail(Alarm::FunctionArgument, "GETTENV", 2);
     for (std::size_t i = 0; i < found->second.size(); ++i)
         if (!assign({result.variable, result.element + i, false}, Value::of_int(found->second[i]), cursor_.begin())) return false;
-    return c.result = Value::of_int(kDone), true;
+    return c.result = Value::of_int(kAnswered), true;
 }
 
 bool Interpreter::f_deltoolenv(Call& c) {   // without a name: all of them
     undo([this, before = tool_environments_] { tool_environments_ = before; });
     if (!c.has(0)) {
         tool_environments_.clear();
-        return c.result = Value::of_int(kDone), true;
+        return c.result = Value::of_int(kAnswered), true;
     }
-    return c.result = Value::of_int(tool_environments_.erase(upper(c.value(0).text)) ? kDone : kUnknown), true;
+    return c.result = Value::of_int(tool_environments_.erase(upper(c.value(0).text)) ? kAnswered : kUnknown), true;
 }
 
 }  // namespace polyturn::channels::sinumerik

@@ -7,7 +7,7 @@ namespace polyturn::channels {
 namespace {
 
 constexpr double kSmall = 1e-9;   // mm, or a share of a direction
-constexpr char kNames[3] = {'X', 'Y', 'Z'};
+constexpr char kAxisNames[3] = {'X', 'Y', 'Z'};
 
 }  // namespace
 
@@ -104,7 +104,7 @@ bool Core::frame_reachable(const AxisValues& target) {
     const Point3 point = path.frame.map(geo_of(target));
     for (std::size_t k = 0; k < 3; ++k)
         if (geo_[k] < 0 && std::fabs(point[k] - path.frame.shift[k]) > 1e-6)
-            return fail(Alarm::FrameAxisMissing, 0, std::string(1, kNames[k]));
+            return fail(Alarm::FrameAxisMissing, 0, std::string(1, kAxisNames[k]));
     return true;
 }
 

@@ -6,7 +6,7 @@
 
 namespace polyturn::channels {
 namespace {
-constexpr double kSame = 1e-9;   // mm: no movement
+constexpr double kNoThreadWay = 1e-9;   // mm: no movement
 }  // namespace
 
 // Out of a held thread: as the program says, or PT_THREAD_RETRACT across it, back against the last movement of that axis,
@@ -75,13 +75,13 @@ bool Core::thread(const AxisValues& target, const ThreadCall& call) {
         if (axis.rotary) continue;
         const double distance = std::fabs(move_.machine[i] - move_.machine_start[i]);
         length2 += distance * distance;
-        const bool better = distance > longest + kSame || (distance > longest - kSame && axis.role == PlaneRole::BasicZ);
-        if (distance > kSame && (!any || better)) along = i, longest = distance, any = true;
+        const bool better = distance > longest + kNoThreadWay || (distance > longest - kNoThreadWay && axis.role == PlaneRole::BasicZ);
+        if (distance > kNoThreadWay && (!any || better)) along = i, longest = distance, any = true;
         if (axis.role == PlaneRole::BasicX) nearest_x = std::fmin(std::fabs(framed_now()[i]), std::fabs(move_.pos[i]));
     }
     if (!any) return fail(Alarm::LeadIllegal, 'F', {}, call.lead);
     if (call.by_axis) along = call.axis, longest = std::fabs(move_.machine[along] - move_.machine_start[along]);
-    if (longest <= kSame) return fail(Alarm::LeadIllegal, 'F', {}, call.lead);
+    if (longest <= kNoThreadWay) return fail(Alarm::LeadIllegal, 'F', {}, call.lead);
     const double length = call.arc ? std::fabs(move_.sweep) * move_.radius : std::sqrt(length2), lead_path = call.lead * length / longest;
     // Where the lead changes from turn to turn it is sqrt(lead^2 + 2 change way) behind the way.
     const double end_square = call.lead * call.lead + 2.0 * call.lead_change * longest;
@@ -93,7 +93,7 @@ bool Core::thread(const AxisValues& target, const ThreadCall& call) {
         for (unsigned i = 0; i < view_->axis_count; ++i) {
             const double share = std::fabs(move_.machine[i] - move_.machine_start[i]) / length * lead_path * steepest;
             const double can = view_->axes[i].max_feed_mm_min;
-            if (share > kSame && can > 0 && share * most > can * (1 + 1e-9)) most = can / share, slow = static_cast<int>(i);
+            if (share > kNoThreadWay && can > 0 && share * most > can * (1 + 1e-9)) most = can / share, slow = static_cast<int>(i);
         }
         if (slow >= 0) return fail(Alarm::ThreadTooFast, 'F', std::string(view_->axes[static_cast<unsigned>(slow)].name), std::floor(most));
     }

@@ -9,8 +9,6 @@ namespace {
 
 constexpr double kSagitta = 0.001;   // mm between a chord and its arc
 
-bool is_arc(const Move& m) { return m.kind == MoveKind::ArcCw || m.kind == MoveKind::ArcCcw; }
-
 // Way of a move as the feed sees it: all axes, degrees as millimetres.
 double way_of(const Move& m, const AxisValues& start, const AxisValues& end, double radius, unsigned count) {
     double square = 0.0;

@@ -11,8 +11,6 @@ namespace {
 constexpr double kDeg = 180.0 / std::numbers::pi;
 constexpr double kSameAngle = 1e-7;     // degrees that the rotary axis need not be turned by
 
-bool is_arc(const Move& m) { return m.kind == MoveKind::ArcCw || m.kind == MoveKind::ArcCcw; }
-
 void take(const Transformation& t, const AxisValues& values, RoleValues& roles) {
     for (std::size_t r = 0; r < role_count(kind_of(t.kinematics)); ++r)
         roles[r] = t.kinematics.axis[r] == kNoPlace ? t.kinematics.centre[r] : values[t.kinematics.axis[r]];

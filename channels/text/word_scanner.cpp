@@ -1,5 +1,6 @@
 #include "channels/text/word_scanner.hpp"
 
+#include "channels/text/chars.hpp"
 #include "channels/text/number.hpp"
 
 namespace polyturn::channels {
@@ -27,7 +28,6 @@ constexpr std::array<Kind, 256> make_kinds() {
 constexpr auto kKinds = make_kinds();
 
 Kind kind_of(char c) { return kKinds[static_cast<unsigned char>(c)]; }
-char capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; }
 
 }  // namespace
 

@@ -15,6 +15,8 @@
 
 namespace polyturn::supervisor {
 
+inline constexpr const char* kLevelWords[] = {"none", "operator", "setter", "maker"};   // of UserLevel, in requests and answers
+
 struct Who {
     UserLevel level = UserLevel::None;
     std::uint32_t user = 0;

@@ -18,9 +18,9 @@ namespace polyturn::supervisor {
 
 using Json = nlohmann::json;
 
-namespace {
 void print(std::string_view words) { std::fwrite(words.data(), 1, words.size(), stdout); }
 
+namespace {
 // The text of an alarm in the language of this process; the list does not say whose numbers it speaks.
 std::string told(const std::string& number, std::string english) {
     if (tongue_now() == Tongue::English) return english;

@@ -1,5 +1,8 @@
 // Verbs that ask a running controller: press, set, release, status, alarms; and clean.
 #pragma once
+#include <string>
+#include <string_view>
+
 #include "ipc/diagnosis/diagnosis.hpp"
 #include "kernel/supervisor/options.hpp"
 
@@ -8,6 +11,7 @@ int press_words(const CommandLine& line);  // press, set, release
 int show_status(const CommandLine& line);
 int show_alarms(const CommandLine& line);
 int clean_up();
+void print(std::string_view words);        // on stdout
 // Tells on stderr what was wrong with a command line; the exit code of one that was refused.
 int refuse(const Diagnosis& diagnosis);
 // Sends a request (JSON) and reads the answer; false when it was refused, then the reason stands on stderr.

@@ -33,7 +33,7 @@ Json page_of(unsigned channel, const Dialogue& page) {
     return out;
 }
 
-std::string lines_of(const Json& page) {
+std::string page_lines(const Json& page) {
     std::string out = fmt::format("L{}  {}\n", page["ch"].get<unsigned>(), page["title"].get<std::string>());
     for (const Json& field : page["fields"])
         out += fmt::format("  {:<12} {:<12} {}\n", field["variable"].get<std::string>(), field["name"].get<std::string>(), field["value"].is_null() ? std::string("-") : fmt::format("{:.10g}", field["value"].get<double>()));
@@ -62,7 +62,7 @@ int dialogue_verb(const CommandLine& line) {
     std::string out;
     if (line.json) out = pages.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
     else
-        for (const Json& page : pages) out += lines_of(page);
+        for (const Json& page : pages) out += page_lines(page);
     if (out.empty()) out = std::string(say("No program asks anything.\n"));
     std::fwrite(out.data(), 1, out.size(), stdout);
     return 0;

@@ -25,7 +25,7 @@ constexpr std::pair<std::string_view, Dialect> kLanguages[] = {
     {"fanuc", Dialect::Fanuc}, {"nct", Dialect::Nct}, {"fagor", Dialect::Fagor}, {"sinumerik", Dialect::Sinumerik}, {"mefi", Dialect::Mefi}};
 
 // "2=fanuc": channel and rest; without a number the channel is 0. A file name may hold a '=' of its own.
-std::pair<unsigned, std::string> split_channel(const std::string& words) {
+std::pair<unsigned, std::string> program_of_channel(const std::string& words) {
     const auto at = words.find('=');
     if (at == std::string::npos || at == 0 || at > 2 || words.find_first_not_of("0123456789") != at) {
         const bool letter = at != std::string::npos && at >= 2 && at <= 3 && words[0] == 'L' && words.find_first_not_of("0123456789", 1) == at;
@@ -60,7 +60,7 @@ private:
                 read_job(argument);
                 continue;
             }
-            auto [channel, file] = split_channel(argument);
+            auto [channel, file] = program_of_channel(argument);
             if (channel == 0) {
                 channel = 1;
                 while (plan_.programs.count(channel)) ++channel;
@@ -139,7 +139,7 @@ private:
 
     void languages() {
         for (const std::string& option : options_.languages) {
-            const auto [channel, name] = split_channel(option);
+            const auto [channel, name] = program_of_channel(option);
             if (dialect_of(name) == Dialect::Polyturn) {
                 fault(Alarm::LanguageUnknown, option);
                 continue;

@@ -28,8 +28,6 @@ namespace {
 
 using TablePointer = std::unique_ptr<params::Table>;
 
-void print(std::string_view words) { std::fwrite(words.data(), 1, words.size(), stdout); }
-
 bool tell(const std::vector<Diagnosis>& diagnoses) {
     for (const Diagnosis& diagnosis : diagnoses) print_diagnosis(diagnosis, Dialect::Polyturn);
     return any_error(diagnoses);

@@ -14,7 +14,7 @@ namespace {
 
 std::string base_name(const std::string& file) { return std::filesystem::path(file).filename().string(); }
 
-std::string lines_of(const Pass& pass) {
+std::string pass_lines(const Pass& pass) {
     return pass.first_line == pass.last_line ? fmt::format(fmt::runtime(say("line {}")), pass.first_line) : fmt::format(fmt::runtime(say("lines {} to {}")), pass.first_line, pass.last_line);
 }
 
@@ -60,7 +60,7 @@ std::string report_text(const RunRecord& record, const JobPlan& plan) {
     if (!moves.empty()) out += fmt::format("\n  {}\n", say("Which cut to move"));
     for (const Advice& one : moves)
         out += "    " + fmt::format(fmt::runtime(say("{} {} of L{} ({:.1f} s{}): L{} waits {:.1f} s for it at {}. Given to L{} it saves up to {:.1f} s.")), base_name(one.pass.file),
-                           lines_of(one.pass), one.pass.channel, one.pass.seconds(), one.pass.tool.empty() ? std::string() : ", " + one.pass.tool,
+                           pass_lines(one.pass), one.pass.channel, one.pass.seconds(), one.pass.tool.empty() ? std::string() : ", " + one.pass.tool,
                            one.wait.channel, one.wait.seconds(), one.wait.code, one.wait.channel, one.gain_s) + "\n";
     return out;
 }

@@ -46,7 +46,7 @@ std::uint32_t count_of(SignalScope scope) {
     return 1;
 }
 
-Diagnosis fault(Alarm alarm, std::string detail) { return Diagnosis{alarm, {}, {}, std::move(detail)}; }
+Diagnosis bad_word(Alarm alarm, std::string detail) { return Diagnosis{alarm, {}, {}, std::move(detail)}; }
 
 bool is_called(const SignalRow& row, std::string_view name) {
     if (same_word(row.name, name)) return true;
@@ -114,12 +114,12 @@ Result<SignalName> parse_signal(std::string_view words) {
     const SignalRow* found = nullptr;
     for (const SignalRow& row : signal_rows())
         if (is_called(row, name)) found = &row;
-    if (!found) return fault(Alarm::SignalUnknown, unknown(words, name));
+    if (!found) return bad_word(Alarm::SignalUnknown, unknown(words, name));
     SignalName out{found, 1, 0};
     const char letter = letter_of(found->scope);
-    const auto wrong = [&] { return fault(Alarm::SignalScope, fmt::format("{}: {}", words, possible(*found))); };
+    const auto wrong = [&] { return bad_word(Alarm::SignalScope, fmt::format("{}: {}", words, possible(*found))); };
     if (scope.empty()) {
-        if (letter) return fault(Alarm::SignalScope, fmt::format("{} is one per instance: write {} {}1 and so on", found->name, found->name, letter));
+        if (letter) return bad_word(Alarm::SignalScope, fmt::format("{} is one per instance: write {} {}1 and so on", found->name, found->name, letter));
         if (found->elements) return wrong();
         return out;
     }

@@ -44,7 +44,7 @@ std::string default_store(const std::string& instance) {
     return std::string(home && *home ? home : "/var/lib") + "/.local/state/polyturn/" + instance;
 }
 
-void tell(const std::string& words) { std::fwrite(words.data(), 1, words.size(), stderr); }
+void tell_words(const std::string& words) { std::fwrite(words.data(), 1, words.size(), stderr); }
 
 }  // namespace
 
@@ -96,7 +96,7 @@ int StartSession::run() {
         print_diagnosis(launched.diagnosis(), Dialect::Polyturn);
         return 1;
     }
-    tell(fmt::format(fmt::runtime(say("polyturn: the controller \"{}\" runs with {} channels, {} axes, {} spindles. End it with Ctrl-C or SIGTERM.\n")), options_.instance,
+    tell_words(fmt::format(fmt::runtime(say("polyturn: the controller \"{}\" runs with {} channels, {} axes, {} spindles. End it with Ctrl-C or SIGTERM.\n")), options_.instance,
                      machine_.channel_count, machine_.axis_count, machine_.spindle_count));
     server_.set_guests([this](std::int64_t uid) {
         const auto users = std::make_unique<UserTable>();
@@ -107,7 +107,7 @@ int StartSession::run() {
     loop();
     keep_stops(stops_.close(utc_ms()));
     controller_->stop(5'000);
-    tell(fmt::format(fmt::runtime(say("polyturn: the controller \"{}\" has ended.\n")), options_.instance));
+    tell_words(fmt::format(fmt::runtime(say("polyturn: the controller \"{}\" has ended.\n")), options_.instance));
     return 0;
 }
 
@@ -226,7 +226,7 @@ void StartSession::process_died(std::size_t slot, int status) {
     while (!times.empty() && now - times.front() > kDeathWindow) times.pop_front();
     times.push_back(now);
     if (times.size() > kMostDeaths) {
-        tell(fmt::format(fmt::runtime(say("polyturn: {} has died {} times in {} s and stays dead.\n")), process_name(slot), times.size(), kDeathWindow.count()));
+        tell_words(fmt::format(fmt::runtime(say("polyturn: {} has died {} times in {} s and stays dead.\n")), process_name(slot), times.size(), kDeathWindow.count()));
         if (slot == kProcessKernel) ask_to_end_ = true;
         return;
     }
@@ -267,8 +267,7 @@ void StartSession::handle(RequestServer::Client client, const std::string& line)
     }
     if (what == "logout") return server_.answer(client, access_.close(text_at("token")) ? R"({"ok":true})" : R"({"ok":true,"nobody":true})");
     if (what == "who") {
-        static constexpr const char* kLevels[] = {"none", "operator", "setter", "maker"};
-        return server_.answer(client, Json{{"ok", true}, {"name", who.name}, {"level", kLevels[static_cast<std::size_t>(who.level)]}}.dump());
+        return server_.answer(client, Json{{"ok", true}, {"name", who.name}, {"level", kLevelWords[static_cast<std::size_t>(who.level)]}}.dump());
     }
     if (what == "set" || what == "release" || what == "parameters")
         if (!may(client, who, UserLevel::Operator, what)) return;

@@ -18,7 +18,6 @@ using Json = nlohmann::json;
 using Clock = std::chrono::steady_clock;
 
 namespace {
-constexpr const char* kLevels[] = {"none", "operator", "setter", "maker"};
 constexpr std::size_t kPiece = sizeof(StoreRequest{}.name) - 1;
 }  // namespace
 
@@ -36,7 +35,7 @@ Who StartSession::who_asks(RequestServer::Client client, const std::string& toke
 
 bool StartSession::may(RequestServer::Client client, const Who& who, UserLevel least, const std::string& what) {
     if (who.level >= least) return true;
-    server_.answer(client, refusal({Alarm::LevelTooLow, {}, {}, fmt::format("{} ({})", what, kLevels[static_cast<std::size_t>(least)])}));
+    server_.answer(client, refusal({Alarm::LevelTooLow, {}, {}, fmt::format("{} ({})", what, kLevelWords[static_cast<std::size_t>(least)])}));
     return false;
 }
 

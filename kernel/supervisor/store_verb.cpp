@@ -45,7 +45,7 @@ std::string ask_password(const char* prompt) {
 }
 
 // "life=100": false when there is no equals sign.
-bool split(const std::string& word, std::string& name, std::string& value) {
+bool split_field(const std::string& word, std::string& name, std::string& value) {
     const std::size_t at = word.find('=');
     if (at == std::string::npos || at == 0) return false;
     name = word.substr(0, at), value = word.substr(at + 1);
@@ -57,7 +57,7 @@ bool add_fields(Json& op, const std::vector<std::string>& words, std::size_t fir
     op["fields"] = Json::object();
     for (std::size_t i = first; i < words.size(); ++i) {
         std::string name, value;
-        if (!split(words[i], name, value)) return wrong = words[i], false;
+        if (!split_field(words[i], name, value)) return wrong = words[i], false;
         op["fields"][name] = value;
     }
     return true;
@@ -87,7 +87,7 @@ Json tools_operation(const StoreOptions& o, std::string& wrong) {
         op["magazine"] = w[0], op["pot"] = w[1];
         for (std::size_t i = 2; i < w.size(); ++i) {
             std::string name, value;
-            if (!split(w[i], name, value)) wrong = w[i];
+            if (!split_field(w[i], name, value)) wrong = w[i];
             op[name] = value;
         }
     } else if (o.action == "life") {
@@ -125,7 +125,7 @@ Json offsets_operation(const StoreOptions& o, std::string& wrong) {
     op["number"] = w[1], op["table"] = w[2];
     std::string name, value;
     if (o.action == "relative") op["field"] = w[3];
-    else if (split(w[3], name, value)) op["field"] = name, op["value"] = value;
+    else if (split_field(w[3], name, value)) op["field"] = name, op["value"] = value;
     else wrong = w[3];
     op["incremental"] = o.incremental;
     if (!o.zero.empty()) op["zero"] = o.zero;
@@ -139,7 +139,7 @@ Json zeros_operation(const StoreOptions& o, std::string& wrong) {
     if (!w.empty()) op["channel"] = channel_of(w[0]);
     std::string name, value;
     for (std::size_t i = 1; i < w.size() && i < 3; ++i) {
-        if (split(w[i], name, value)) op["field"] = name, op["value"] = value;
+        if (split_field(w[i], name, value)) op["field"] = name, op["value"] = value;
         else if (i == 1) op["zero"] = w[i];
         else wrong = w[i];
     }
@@ -175,7 +175,7 @@ Json users_operation(const StoreOptions& o, std::string& wrong) {
     if (w.size() > 1) op["level"] = w[1];
     if (w.size() > 2) {
         std::string name, value;
-        if (split(w[2], name, value) && name == "uid") op["uid"] = value;
+        if (split_field(w[2], name, value) && name == "uid") op["uid"] = value;
         else wrong = w[2];
     }
     if (o.action == "add") op["password"] = ask_password("New password: ");
@@ -205,8 +205,7 @@ int log_in(const std::string& instance, const StoreOptions& options) {
     Json answer;
     if (!send(instance, {{"do", "users.login"}, {"name", options.words[0]}, {"password", ask_password("Password: ")}}, answer)) return 2;
     if (!keep_token(instance, answer.value("token", ""))) return refuse({Alarm::OutputFile, {}, {}, token_file(instance)});
-    static constexpr const char* kLevels[] = {"none", "operator", "setter", "maker"};
-    fmt::print(fmt::runtime(say("{} is logged in as {}.\n")), answer.value("name", ""), kLevels[answer.value("level", 0u) % 4]);
+    fmt::print(fmt::runtime(say("{} is logged in as {}.\n")), answer.value("name", ""), kLevelWords[answer.value("level", 0u) % 4]);
     return 0;
 }
 
@@ -269,7 +268,7 @@ int store_verb(const StoreOptions& options, bool json) {
     for (std::size_t i = 0; i < entries; ++i) {
         if (entries > 1) {
             std::string name, value;
-            if (!split(options.words[first + i], name, value)) return wrong_word(options.words[first + i]);
+            if (!split_field(options.words[first + i], name, value)) return wrong_word(options.words[first + i]);
             op["field"] = name, op["value"] = value;
         }
         if (!send(instance, op, answer)) return 2;

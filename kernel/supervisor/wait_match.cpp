@@ -10,9 +10,7 @@ namespace polyturn::supervisor {
 
 namespace {
 
-std::string base_name(const std::string& file) { return std::filesystem::path(file).filename().string(); }
-
-std::string place_text(unsigned channel, const WaitPoint& wait) { return fmt::format("L{} {}:{}", channel, base_name(wait.file), wait.line); }
+std::string place_text(unsigned channel, const WaitPoint& wait) { return fmt::format("L{} {}:{}", channel, std::filesystem::path(wait.file).filename().string(), wait.line); }
 
 std::string set_text(std::uint32_t set) {
     std::string out;
