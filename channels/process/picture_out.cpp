@@ -76,4 +76,18 @@ void PictureOut::look(const Core& core, const std::string& codes) {
     push_picture(*own_, now);
 }
 
+void PictureOut::offset_lost(std::uint64_t serial) {
+    BlockPicture now{};
+    if (!find_picture(*own_, serial, now)) return;
+    for (std::size_t i = 0; i < kChannelAxes; ++i) now.shift[i] -= now.tool_shift[i];
+    now.tool_shift.fill(0.0);
+    now.tool_shown.fill(0.0);
+    now.offset = now.geometry = now.wear = 0;
+    now.tip = 0;
+    now.nose_radius = 0.0;
+    now.flags &= ~(kPictureCompLeft | kPictureCompRight);
+    any_ = false;   // what the next program begins with is told anew
+    push_picture(*own_, now);   // the newest of those that may be meant
+}
+
 }  // namespace polyturn::channels

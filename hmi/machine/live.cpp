@@ -64,6 +64,7 @@ void Live::attach() {
     storeVersion_ = tableVersion_ = 0;
     toolsSeen_ = edgesSeen_ = placesSeen_ = 0;
     namesVersion_ = {};
+    noseTrails_ = {};
 }
 
 std::string Live::machineFolder() const { return connected_ ? std::string(supervisor_->options.machine_folder.data()) : std::string(); }
@@ -95,6 +96,14 @@ void Live::readStore() {
         channels_.clear();
         for (unsigned number = 1; number <= config_->last_channel; ++number)
             if (config_->channel(number).exists()) channels_.push_back(number);
+        for (const unsigned number : channels_) {
+            const auto place = [&](PlaneRole role) {
+                const AxisConfig* axis = find_axis(*config_, number, role);
+                return axis && axis->slot != kNoSlot ? static_cast<int>(axis->slot) : -1;
+            };
+            bool usable = true;
+            angular_[number - 1] = angular_axes(*table_, number, config_->channel(number).axis_count, place(PlaneRole::BasicX), place(PlaneRole::BasicZ), usable);
+        }
     }
     for (const unsigned number : channels_)
         if (!storeSegment_->channels[number - 1].read(*stores_[number - 1])) return;
@@ -192,38 +201,45 @@ void Live::readChannel(unsigned number) {
 }
 
 // Of each axis, what the newest record that moves it has; along the running one it grows into that from what was before. A reset ends
-// compensation: what was driven before it tells nothing.
+// compensation: what was driven before it tells nothing. Records that are past are read once.
 void Live::readNose(unsigned number, std::uint64_t newest) {
     constexpr std::uint64_t kFar = kPathRing / 2;   // the channel writes at the other end of the ring
     ChannelView& view = views_[number - 1];
+    NoseTrail& trail = noseTrails_[number - 1];
     const ChannelStatus& now = channel(number);
-    if (now.state == static_cast<std::uint32_t>(ChannelState::Reset)) return;
+    if (now.state == static_cast<std::uint32_t>(ChannelState::Reset)) {
+        trail = {};
+        return;
+    }
     const ChannelConfig& config = config_->channel(number);
     const bool goesOn = (view.picture.flags & (kPictureCompLeft | kPictureCompRight)) != 0;   // from a hold, with another epoch
     const auto& ring = channelSegments_[number - 1]->path;
-    const std::uint32_t epoch = ring.slot(newest).epoch;
-    std::array<bool, kChannelAxes> found{};
-    std::array<double, kChannelAxes> ahead{};   // how much of it is still to come
-    std::size_t left = config.axis_count;
-    for (std::uint64_t back = 0; back <= newest && back < kFar && left > 0; ++back) {
-        const PathRecord& record = ring.slot(newest - back);
-        if (record.epoch != epoch && !goesOn) return;
+    if (trail.next > newest || newest - trail.next > kFar) trail = {newest > kFar ? newest - kFar : 0, ring.slot(newest).epoch, {}};
+    view.nose = trail.nose;
+    for (std::uint64_t at = trail.next; at <= newest; ++at) {
+        const PathRecord& record = ring.slot(at);
+        if (record.epoch != trail.epoch && !goesOn) view.nose.fill(0);
+        trail.epoch = record.epoch;
+        if (at == newest) trail.next = newest, trail.nose = view.nose;   // it may still be running
         if (record.kind == 0 || record.kind > static_cast<std::uint8_t>(RecordKind::Curve)) continue;
-        const double rest = newest - back == now.record && record.length > 0 ? std::clamp(now.path_left / record.length, 0.0, 1.0) : 0.0;
+        const double rest = at == now.record && record.length > 0 ? std::clamp(now.path_left / record.length, 0.0, 1.0) : 0.0;
         for (std::size_t i = 0; i < record.axis_count && i < kMaxPathAxes; ++i)
-            for (std::size_t place = 0; place < config.axis_count; ++place) {
-                if (found[place] || config.axes[place] != record.axis[i] + 1) continue;
-                view.nose[place] += (ahead[place] > 0 ? ahead[place] : 1.0 - rest) * record.nose[i];
-                if (rest > 0) ahead[place] = rest;
-                else found[place] = true, --left;
-            }
+            for (std::size_t place = 0; place < config.axis_count; ++place)
+                if (config.axes[place] == record.axis[i] + 1) view.nose[place] += (1.0 - rest) * (record.nose[i] - view.nose[place]);
     }
+}
+
+double Live::upright(unsigned channel, unsigned place, double machine) const {
+    const AngularAxes& axes = angular_[channel - 1];
+    if (axes.on && place == axes.angular) return axes.x_of(machine);
+    if (axes.on && place == axes.square) return axes.z_of(status_->axes[config_->channel(channel).axes[axes.angular] - 1u].act, machine);
+    return machine;
 }
 
 bool Live::fromZero(unsigned channel, unsigned place, double machine, double& out) const {
     const ChannelView& one = view(channel);
     if (!one.known || (one.picture.flags & kPictureNoShift)) return false;
-    out = machine - one.picture.shift[place];
+    out = upright(channel, place, machine) - one.picture.shift[place];
     return true;
 }
 

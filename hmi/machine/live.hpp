@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ipc/image/block_pictures.hpp"
+#include "ipc/machine/angular_axes.hpp"
 #include "ipc/machine/machine_config.hpp"
 #include "ipc/memory/segment.hpp"
 
@@ -76,6 +77,8 @@ public:
 
     // Of an axis of the channel by its place: what the workpiece system shows for a machine coordinate; false: it cannot be said.
     bool workpiece(unsigned channel, unsigned place, double machine, double& out) const;
+    // The coordinate at right angles for that of the drive, where the X slide is inclined (fanuc_lathe 10.5); the same everywhere else.
+    double upright(unsigned channel, unsigned place, double machine) const;
     // Likewise, in the system that the program counts in, whatever absolute positions are to contain.
     bool fromZero(unsigned channel, unsigned place, double machine, double& out) const;
 
@@ -108,6 +111,13 @@ private:
     std::unique_ptr<ProgramNames> names_;
     std::array<std::unique_ptr<ChannelStore>, kMaxChannels> stores_;
     std::array<ChannelView, kMaxChannels> views_;
+    std::array<AngularAxes, kMaxChannels> angular_{};
+    struct NoseTrail {
+        std::uint64_t next = 0;                   // the first record that is still to be read
+        std::uint32_t epoch = 0;
+        std::array<double, kChannelAxes> nose{};  // before it
+    };
+    std::array<NoseTrail, kMaxChannels> noseTrails_{};
     std::vector<unsigned> channels_;
     void readTools();
     std::unique_ptr<ToolTable> tools_;

@@ -293,7 +293,7 @@ void Offsets::measure() {
     const ChannelView& view = desk_.live.view(desk_.channel);
     const auto place = static_cast<std::size_t>(value->place);
     const AxisConfig& axis = desk_.live.config().axis(desk_.live.config().channel(desk_.channel).axes[place]);
-    const double machine = shown(axis, desk_.live.status().axes[axis.number - 1u].act);
+    const double machine = shown(axis, desk_.live.upright(desk_.channel, static_cast<unsigned>(place), desk_.live.status().axes[axis.number - 1u].act));
     const ChannelStore& store = desk_.live.store(desk_.channel);
     const double zero = view.known && !(view.picture.flags & kPictureNoShift) ? shown(axis, view.picture.shift[place] - view.picture.tool_shift[place])
                                                                               : store.zeros[place] + store.zeros[kZeroG54 * kChannelAxes + place] + store.zeros[kZeroShift * kChannelAxes + place];
@@ -311,7 +311,7 @@ void Offsets::zeroHere() {
     const ChannelView& view = desk_.live.view(desk_.channel);
     const auto place = static_cast<std::size_t>(value->place);
     const AxisConfig& axis = desk_.live.config().axis(desk_.live.config().channel(desk_.channel).axes[place]);
-    const double machine = shown(axis, desk_.live.status().axes[axis.number - 1u].act), tool = view.known ? shown(axis, view.picture.tool_shift[place]) : 0.0;
+    const double machine = shown(axis, desk_.live.upright(desk_.channel, static_cast<unsigned>(place), desk_.live.status().axes[axis.number - 1u].act)), tool = view.known ? shown(axis, view.picture.tool_shift[place]) : 0.0;
     const ChannelStore& store = desk_.live.store(desk_.channel);
     const std::size_t row = zeroRows_[static_cast<std::size_t>(table_->row())];
     double others = 0;   // that act beside it
