@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "channels/program_start.hpp"
+
 namespace polyturn::channels {
 namespace {
 
@@ -93,6 +95,18 @@ public:
 private:
     std::string& out_;
 };
+
+void channel_set(Object& object, std::uint32_t set) {
+    object.key("channels");
+    object.raw("[");
+    bool first = true;
+    for (unsigned channel = 1; channel <= kMaxChannels; ++channel) {
+        if (!(set >> (channel - 1) & 1u)) continue;
+        object.raw(fmt::format("{}{}", first ? "" : ",", channel));
+        first = false;
+    }
+    object.raw("]");
+}
 
 std::string_view shown_name(const ChannelAxis& axis) { return axis.named_y ? std::string_view("Y") : std::string_view(axis.name); }
 
@@ -243,15 +257,7 @@ void append_event(std::string& out, const EventScene& scene, const Wait& wait, c
     Object object(out, "wait", scene, &at);
     if (wait.marker.empty()) object.integer("code", wait.code);
     else object.text("code", wait.marker);
-    object.key("channels");
-    object.raw("[");
-    bool first = true;
-    for (unsigned channel = 1; channel <= kMaxChannels; ++channel) {
-        if (!(wait.channels >> (channel - 1) & 1u)) continue;
-        object.raw(fmt::format("{}{}", first ? "" : ",", channel));
-        first = false;
-    }
-    object.raw("]");
+    channel_set(object, wait.channels);
     object.text("kind", wait.flying ? "flying" : "stop");
 }
 
@@ -319,6 +325,17 @@ void append_message_event(std::string& out, const EventScene& scene, std::string
 void append_print_event(std::string& out, const EventScene& scene, std::string_view text, const BlockContext& at) {
     Object object(out, "print", scene, &at);
     object.text("text", text);
+}
+
+void append_signal_event(std::string& out, const EventScene& scene, std::string_view name, double value, const BlockContext& at) {
+    if (const auto selection = selection_of(name)) {
+        Object object(out, "select", scene, &at);
+        object.integer("channel", selection->channel);
+        object.text("program", selection->file);
+    } else if (name == kStartSignal) {
+        Object object(out, "start", scene, &at);
+        channel_set(object, static_cast<std::uint32_t>(value));
+    }
 }
 
 void append_part_event(std::string& out, const EventScene& scene, double count, const BlockContext& at) {

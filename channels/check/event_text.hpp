@@ -28,6 +28,8 @@ void append_event(std::string& out, const EventScene&, const Stop&, const BlockC
 void append_event(std::string& out, const EventScene&, const Diagnosis&, const BlockContext&);
 void append_message_event(std::string& out, const EventScene&, std::string_view text, const BlockContext&);
 void append_print_event(std::string& out, const EventScene&, std::string_view text, const BlockContext&);
+// What the signals of channels/program_start.hpp say: {"ev":"select", channel, program}, {"ev":"start", channels}; nothing of others.
+void append_signal_event(std::string& out, const EventScene&, std::string_view name, double value, const BlockContext&);
 void append_part_event(std::string& out, const EventScene&, double count, const BlockContext&);
 
 // A sink that appends every event to a text, each followed by `separator` (0: nothing).
@@ -48,6 +50,11 @@ public:
     void message(std::string_view text, const BlockContext& at) override { append_message_event(*text_, scene_, text, at); end(); }
     void part(double count, const BlockContext& at) override { append_part_event(*text_, scene_, count, at); end(); }
     void print(std::string_view text, const BlockContext& at) override { append_print_event(*text_, scene_, text, at); end(); }
+    void signal(std::string_view name, double value, const BlockContext& at) override {
+        const std::size_t before = text_->size();
+        append_signal_event(*text_, scene_, name, value, at);
+        if (text_->size() != before) end();
+    }
     void barrier(const BlockContext&) override {}
     void block_end(const BlockContext&) override {}
     unsigned errors() const { return errors_; }

@@ -1,9 +1,11 @@
 #include "channels/process/record_sink.hpp"
 
 #include "channels/process/record_place.hpp"
+#include "channels/program_start.hpp"
 
 #include "ipc/image/balance.hpp"
 #include "ipc/image/interrupt_inputs.hpp"
+#include "ipc/image/program_start.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -206,7 +208,7 @@ void RecordSink::signal(std::string_view name, double value, const BlockContext&
         maker_->smooth(smoothing_of(view_->table(), view_->machine, view_->channel, static_cast<int>(value)));
         return;
     }
-    if (takes_share(name, value) || demand(name, value, at)) return;
+    if (takes_share(name, value) || demand(name, value, at) || other_program(name, value, at)) return;
     static constexpr std::pair<std::string_view, std::int32_t> kCodes[] = {
         {"TAPPING", kFlagTapping}, {"CONTROL", kFlagControl}, {"STROKE2", kFlagStroke2}, {"CN_UOUT", kFlagOutputs}, {"CN_UOUTW", kFlagOutputsWide},
         {"CN_BALANCE", kFlagBalance}};
@@ -217,6 +219,32 @@ void RecordSink::signal(std::string_view name, double value, const BlockContext&
         r.value = value;
         push(r, false, false);
     }
+}
+
+// The program of another channel: chosen piece by piece, or started.
+bool RecordSink::other_program(std::string_view name, double value, const BlockContext& at) {
+    const auto selection = selection_of(name);
+    if (!selection && name != kStartSignal) return false;
+    const std::uint64_t number = note([&](Sink& sink) { sink.signal(name, value, at); });
+    if (!selection) {
+        PathRecord r = event(RecordKind::Flag, at, number);
+        r.code = kFlagStart;
+        r.mask = static_cast<std::uint32_t>(value);
+        push(r, false, false);
+        return true;
+    }
+    for (std::size_t from = 0; from < selection->file.size();) {
+        PathRecord r = event(RecordKind::Flag, at, from == 0 ? number : 0);
+        const std::string_view piece = selection->file.substr(from, r.text.size() - 1);
+        r.code = kFlagProgram;
+        r.mask = selection->channel;
+        r.value = static_cast<double>(from);
+        from += piece.size();
+        r.plane[0] = from == selection->file.size();
+        copy_text(piece, r.text);
+        push(r, false, false);
+    }
+    return true;
 }
 
 // A column or tool parameter that does not exist is the language's mistake, told before it comes here.

@@ -102,6 +102,7 @@ private:
     void await_axes_of(const Move&, const BlockContext&);
     void await_spindles(const BlockContext&);
     bool demand(std::string_view name, double value, const BlockContext&);
+    bool other_program(std::string_view name, double value, const BlockContext&);
     LifeGroup group_{};            // that was opened last
     int group_order_ = 0;
     Outstanding under_way_;        // told beside the path and not waited for yet

@@ -138,6 +138,7 @@ public:
     bool p_cancel(Call&), p_lock(Call&), p_unlock(Call&), p_action_reset(Call&), p_stop_reading_of(Call&);   // synchronized.cpp
     bool p_interrupts(Call&), p_without_effect(Call&), p_trail(Call&), p_wheel_speed(Call&), a_sum_offset(const Word&);
     bool p_msg(Call&), p_setal(Call&), p_stopre(Call&), p_setms(Call&), p_wait_marker(Call&), p_wait_end(Call&);
+    bool p_init(Call&), p_start(Call&);   // program_start.cpp
     bool p_set_marker(Call&), p_nothing(Call&), p_fgroup(Call&), p_diamchan(Call&);
     bool p_reset_monitoring(Call& c);
     bool p_spindle_control(Call&), p_wait_axis(Call&), p_wait_spindle(Call&), p_wrtpr(Call&);

@@ -216,6 +216,13 @@ void ChannelRunner::select(std::string_view file) noexcept {
     tell(ChannelEventKind::SelectProgram, cursor_, 0, file);
 }
 
+// START of another channel's program. One that runs already, or is held, goes on as it is.
+void ChannelRunner::start_program() noexcept {
+    if (!idle()) return;
+    if (mode_ == ChannelMode::Mdi) mode_ = ChannelMode::Auto;   // the selected program is meant, not the block that was entered last
+    cycle_start();
+}
+
 void ChannelRunner::set_mode(ChannelMode mode) noexcept {
     if (!program_runs()) mode_ = mode;
 }

@@ -8,6 +8,7 @@
 #include "ipc/machine/store_requests.hpp"
 #include "ipc/image/balance.hpp"
 #include "ipc/image/interrupt_inputs.hpp"
+#include "ipc/image/program_start.hpp"
 #include "kernel/cyclic/channel_runner.hpp"
 #include "kernel/cyclic/spindle_couplings.hpp"
 
@@ -160,6 +161,20 @@ void ChannelRunner::flag(const PathRecord& r) noexcept {
             else core_.stroke2_off |= ChannelSet{1} << index_;
             break;
         case kFlagBalance: core_.signals.set_nc(signals::cn_balance(number_), static_cast<std::int32_t>(r.value)); break;
+        case kFlagProgram: {
+            if (r.mask < 1 || r.mask > kMaxChannels) break;
+            Core::ProgramCall& call = core_.program_calls[r.mask - 1];
+            const auto from = static_cast<std::size_t>(r.value);
+            const std::string_view piece = text_of(r);
+            if (from == 0) call.file.fill(0);
+            if (from + piece.size() < call.file.size()) std::copy(piece.begin(), piece.end(), call.file.begin() + static_cast<std::ptrdiff_t>(from));
+            call.selected = r.plane[0] != 0;
+            break;
+        }
+        case kFlagStart:
+            for (unsigned l = 0; l < kMaxChannels; ++l)
+                if (r.mask >> l & 1u) core_.program_calls[l].started = true;
+            break;
         case kFlagOutputs: core_.signals.set_nc(signals::cn_uout(number_), static_cast<std::int32_t>(static_cast<std::uint32_t>(r.value))); break;
         case kFlagOutputsWide: core_.signals.set_nc(signals::cn_uoutw(number_), static_cast<std::int32_t>(r.value)); break;
         default: break;

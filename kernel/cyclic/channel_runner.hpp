@@ -66,6 +66,7 @@ public:
     bool at_restart_block() const noexcept { return restart_ == RestartState::AtBlock; }
     void reset() noexcept;
     void select(std::string_view file) noexcept;
+    void start_program() noexcept;
     void mdi(std::string_view text) noexcept;
     void set_mode(ChannelMode mode) noexcept;
     ChannelMode mode() const noexcept { return mode_; }

@@ -102,6 +102,12 @@ struct Core {
     std::array<std::uint16_t, kMaxAxes> program_torque{};
     std::array<double, kMaxAxes> program_window{};
     std::array<bool, kMaxAxes> home_wish{}, home_busy{}, home_failed{};
+    // What programs have told other channels (INIT, START): carried out when all channels have had their turn in the tick.
+    struct ProgramCall {
+        std::array<char, 160> file{};
+        bool selected = false, started = false;
+    };
+    std::array<ProgramCall, kMaxChannels> program_calls{};
     SpindleCouplings* spindle_couplings = nullptr;   // the machine's
     const Guard* guard = nullptr;                    // likewise
     ChannelSet jogging = 0;                // channels of which an axis is moved by hand

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <utility>
 
 #include "kernel/drives/simulated_drive.hpp"
 
@@ -233,6 +235,11 @@ void Machine::run_channels() noexcept {
     }
     for (auto& channel : channels_) channel->run();
     for (unsigned l = 0; l < kMaxChannels; ++l) channels_[l]->feed_override = own[l].feed, channels_[l]->rapid_override = own[l].rapid;
+    for (unsigned l = 0; l < kMaxChannels; ++l) {
+        Core::ProgramCall& call = core_.program_calls[l];
+        if (std::exchange(call.selected, false)) channels_[l]->select({call.file.data(), ::strnlen(call.file.data(), call.file.size())});
+        if (std::exchange(call.started, false)) channels_[l]->start_program();
+    }
     ChannelSet idle = 0;
     for (unsigned l = 0; l < channels_.size(); ++l) idle |= channels_[l]->idle() ? ChannelSet{1} << l : ChannelSet{0};
     core_.waits.idle(idle);

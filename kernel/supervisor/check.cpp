@@ -24,10 +24,12 @@ namespace {
 
 // A program that runs round a wait for ever can only be followed so far once its partner has left it.
 constexpr std::size_t kMostWaitsBehind = 10'000;
+constexpr std::size_t kMostStarts = 100;   // of programs by programs, which may start each other for ever
 
 // One channel's interpreter.
 struct Interpreter {
     unsigned channel = 0;
+    std::string file;
     Child child;
     std::string buffer;
     bool ended = false, alarmed = false, killed = false;
@@ -75,17 +77,8 @@ public:
 
     int run() {
         if (plan_.programs.size() > 1 && shares_variables()) make_shared_cells();
-        for (const auto& [channel, program] : plan_.programs) {
-            auto started = start(channel, program);
-            if (!started) {
-                report(started.diagnosis(), Dialect::Polyturn, 0);
-                return 2;
-            }
-            interpreters_[channel].channel = channel;
-            interpreters_[channel].child = std::move(*started);
-            interpreters_[channel].in_turn = interpreters_[channel].due = !shared_path_.empty();
-            matcher_.add_channel(channel);
-        }
+        for (const auto& [channel, program] : plan_.programs)
+            if (!begin(channel, program)) return 2;
         interleave();
         if (interpreters_.size() > 1) {
             for (const WaitFault& fault : matcher_.find_faults()) report_fault(fault);
@@ -120,6 +113,45 @@ private:
         if (plan_.programs.size() == 1) arguments.push_back("--alone");  // nobody else can have started its spindle
         arguments.push_back(program.file);
         return Child::start("polyturn-channel", arguments, {true, true});
+    }
+
+    bool begin(unsigned channel, const PlannedProgram& program) {
+        auto started = start(channel, program);
+        if (!started) return report(started.diagnosis(), Dialect::Polyturn, 0), false;
+        Interpreter& interpreter = interpreters_[channel] = {};
+        interpreter.channel = channel;
+        interpreter.file = program.file;
+        interpreter.child = std::move(*started);
+        interpreter.in_turn = interpreter.due = !shared_path_.empty();
+        matcher_.begin(channel);
+        return true;
+    }
+
+    // INIT and START of a program. Without time a channel counts as running until its program has been read to its end; one that is
+    // chosen meanwhile follows it.
+    void note_selection(const Interpreter& by, const std::string& line) {
+        const auto event = nlohmann::json::parse(line, nullptr, false);
+        if (event.is_discarded()) return;
+        PlannedProgram& program = selected_[event.value("channel", 0u)];
+        program.file = event.value("program", "");
+        program.language = plan_.programs.count(by.channel) ? plan_.programs.at(by.channel).language : selected_[by.channel].language;
+        program.dialect = dialect_of(program.language);
+    }
+    void start_others(const std::string& line) {
+        const auto event = nlohmann::json::parse(line, nullptr, false);
+        const auto channels = event.find("channels");
+        if (event.is_discarded() || channels == event.end()) return;
+        for (const auto& one : *channels) {
+            if (++starts_ > kMostStarts) return report(Diagnosis{Alarm::LoopEndless, {}, {}, {}}, Dialect::Polyturn, one.get<unsigned>());
+            const unsigned channel = one.get<unsigned>();
+            const auto selected = selected_.find(channel);
+            const auto planned = plan_.programs.find(channel);
+            if (const auto runs = interpreters_.find(channel); runs != interpreters_.end() && !runs->second.ended) {
+                if (selected != selected_.end() && selected->second.file != runs->second.file) follows_.insert(channel);
+            } else if (selected != selected_.end()) begin(channel, selected->second);
+            else if (planned != plan_.programs.end()) begin(channel, planned->second);
+            else report(Diagnosis{Alarm::FileUnreadable, {}, {}, "no program is selected"}, plan_.dialect(channel), channel);
+        }
     }
 
     // In channel number order, each to its next wait; complete sets go on. When nobody can, the rest is read without
@@ -172,6 +204,8 @@ private:
                 const auto event = nlohmann::json::parse(line, nullptr, false);
                 if (!event.is_discarded() && event.value("value", 0) != 0) matcher_.mark(interpreter.channel, "M" + std::to_string(event.value("code", 0L)));
             }
+            if (kind == "select") note_selection(interpreter, line);
+            if (kind == "start") start_others(line);
             if (kind == "wait") {
                 matcher_.arrive(interpreter.channel, wait_point(interpreter.channel, line));
                 return;
@@ -192,6 +226,7 @@ private:
             tell_alarm(interpreter);
         if (status != 0) ++alarms_;
         matcher_.end(interpreter.channel, interpreter.alarmed || status != 0);
+        if (follows_.erase(interpreter.channel)) begin(interpreter.channel, selected_.at(interpreter.channel));
     }
 
     void tell_alarm(Interpreter& interpreter) {
@@ -256,10 +291,12 @@ private:
     JobPlan plan_;
     std::set<unsigned> not_waited_for_;
     std::map<unsigned, Interpreter> interpreters_;
+    std::map<unsigned, PlannedProgram> selected_;   // by INIT
+    std::set<unsigned> follows_;                    // channels that begin it when what they run has ended
     WaitMatcher matcher_;
     Output output_;
     std::string shared_path_;
-    std::size_t alarms_ = 0;
+    std::size_t alarms_ = 0, starts_ = 0;
     bool unreadable_ = false;
 };
 

@@ -13,35 +13,20 @@ namespace {
 constexpr std::uintmax_t kLargest = 256u << 20;  // looked through in under a second
 constexpr std::size_t kMostNeighbours = 200;
 
-bool file_holds_stop(const fs::path& path) {
+using Finds = bool (*)(std::string_view);
+
+bool file_holds(const fs::path& path, Finds finds) {
     std::ifstream file(path, std::ios::binary);
     std::string block(1 << 20, '\0'), kept;
     while (file.read(block.data(), static_cast<std::streamsize>(block.size())) || file.gcount() > 0) {
         kept.append(block.data(), static_cast<std::size_t>(file.gcount()));
-        if (text_holds_program_stop(kept)) return true;
+        if (finds(kept)) return true;
         kept.erase(0, kept.size() > 16 ? kept.size() - 16 : 0);  // a word across the border of two blocks
     }
     return false;
 }
-}  // namespace
 
-bool text_holds_program_stop(std::string_view text) {
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] != 'M' && text[i] != 'm') continue;
-        std::size_t k = i + 1;
-        while (k < text.size() && (text[k] == ' ' || text[k] == '=')) ++k;
-        if (k < text.size() && (text[k] == '#' || text[k] == '[')) return true;  // computed: anything is possible
-        const std::size_t digits = k;
-        while (k < text.size() && text[k] == '0') ++k;
-        const bool zero = k > digits, one = k < text.size() && text[k] == '1';
-        if (one) ++k;
-        const bool ends = k >= text.size() || (!std::isdigit(static_cast<unsigned char>(text[k])) && text[k] != '.');
-        if ((zero || one) && ends) return true;
-    }
-    return false;
-}
-
-bool may_hold_program_stop(const std::vector<std::string>& files) {
+bool any_holds(const std::vector<std::string>& files, Finds finds) {
     std::set<fs::path> paths, folders;
     for (const auto& file : files) {
         const fs::path path = fs::path(file).lexically_normal();
@@ -63,9 +48,42 @@ bool may_hold_program_stop(const std::vector<std::string>& files) {
     for (const auto& path : paths) {
         const auto size = fs::file_size(path, none);
         if (none) continue;  // not there: its channel says so
-        if (size > kLargest || file_holds_stop(path)) return true;
+        if (size > kLargest || file_holds(path, finds)) return true;
     }
     return false;
 }
+}  // namespace
+
+bool text_holds_program_stop(std::string_view text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] != 'M' && text[i] != 'm') continue;
+        std::size_t k = i + 1;
+        while (k < text.size() && (text[k] == ' ' || text[k] == '=')) ++k;
+        if (k < text.size() && (text[k] == '#' || text[k] == '[')) return true;  // computed: anything is possible
+        const std::size_t digits = k;
+        while (k < text.size() && text[k] == '0') ++k;
+        const bool zero = k > digits, one = k < text.size() && text[k] == '1';
+        if (one) ++k;
+        const bool ends = k >= text.size() || (!std::isdigit(static_cast<unsigned char>(text[k])) && text[k] != '.');
+        if ((zero || one) && ends) return true;
+    }
+    return false;
+}
+
+// A name with a bracket behind it; what stands in a comment or a text only costs the time of some processes.
+bool text_starts_programs(std::string_view text) {
+    constexpr std::string_view kWord = "START";
+    for (std::size_t i = 0; i + kWord.size() < text.size(); ++i) {
+        std::size_t k = 0;
+        while (k < kWord.size() && std::toupper(static_cast<unsigned char>(text[i + k])) == kWord[k]) ++k;
+        if (k < kWord.size()) continue;
+        for (k += i; k < text.size() && (text[k] == ' ' || text[k] == '\t'); ++k) {}
+        if (k < text.size() && text[k] == '(') return true;
+    }
+    return false;
+}
+
+bool may_hold_program_stop(const std::vector<std::string>& files) { return any_holds(files, text_holds_program_stop); }
+bool may_start_programs(const std::vector<std::string>& files) { return any_holds(files, text_starts_programs); }
 
 }  // namespace polyturn::supervisor

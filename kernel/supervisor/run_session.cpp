@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "kernel/supervisor/event_text.hpp"
 
@@ -231,7 +232,16 @@ void RunSession::take_begin(const KernelEvent& event, double t_s) {
         if (text.find("\"severity\":\"warning\"") == std::string_view::npos) ++alarms_;
         print_alarm_event(text, plan_.dialect(event.channel));
     }
+    if (event_kind(text) == "start") expect_started(text);
     react(text, t_s);
+}
+
+// Channels that a program starts belong to the run from then on.
+void RunSession::expect_started(std::string_view event_text) {
+    const auto event = nlohmann::json::parse(event_text, nullptr, false);
+    const auto channels = event.find("channels");
+    if (event.is_discarded() || channels == event.end()) return;
+    for (const auto& one : *channels) tracks_[one.get<unsigned>()];
 }
 
 // Stimuli that wait for this event.

@@ -72,6 +72,8 @@ private:
     bool all_over() const;
     bool start_is_planned() const;
     bool programs_may_stop() const;
+    std::vector<std::string> program_files() const;
+    void expect_started(std::string_view event_text);
     void finish();
     void write_pictures();
     double seconds(const KernelEvent& event) const { return static_cast<double>(event.tick - origin_) * tick_s_ + event.offset_s; }

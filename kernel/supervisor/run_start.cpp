@@ -60,9 +60,19 @@ Result<void> RunSession::start() {
     if (!plan_.setup_path.empty()) plan.channel_arguments = {"--setup", plan_.setup_path};
     if (options_.variables) plan.channel_arguments.push_back("--variables");
     for (const auto& [channel, program] : plan_.programs) plan.channels.push_back(channel);
+    // Programs that a program may start: their channels read in its language.
+    const auto starter = std::find_if(plan_.programs.begin(), plan_.programs.end(), [](const auto& one) { return one.second.language == "sinumerik"; });
+    if (starter != plan_.programs.end() && may_start_programs(program_files())) {
+        const PlannedProgram& first = starter->second;
+        for (unsigned channel = 1; channel <= kMaxChannels; ++channel) {
+            if (plan_.programs.count(channel) || !plan_.machine->channel(channel).exists()) continue;
+            plan.channels.push_back(channel);
+            if (first.language_chosen) plan.machine_arguments.insert(plan.machine_arguments.end(), {"--set", fmt::format("PT_LANGUAGE L{}={}", channel, first.language)});
+        }
+    }
     if (wishes_.scenario)
         for (const unsigned channel : wishes_.scenario->channels_that_read())
-            if (!plan_.programs.count(channel)) plan.channels.push_back(channel);
+            if (std::find(plan.channels.begin(), plan.channels.end(), channel) == plan.channels.end()) plan.channels.push_back(channel);
 
     auto controller = Controller::start(std::move(plan));
     if (!controller) return controller.diagnosis();
@@ -117,10 +127,14 @@ Result<void> RunSession::await_first_idle() {
 // Programs whose text holds a programmed stop: its answer must come at an exact tick, so the kernel has to wait for us.
 bool RunSession::programs_may_stop() const {
     if (wishes_.scenario && wishes_.scenario->presses_cycle_start()) return false;
+    return may_hold_program_stop(program_files());
+}
+
+std::vector<std::string> RunSession::program_files() const {
     std::vector<std::string> files;
     for (const auto& [channel, program] : plan_.programs) files.push_back(program.file);
     for (const auto& [channel, setup] : plan_.setup.channels) files.insert(files.end(), setup.subprograms.begin(), setup.subprograms.end());
-    return may_hold_program_stop(files);
+    return files;
 }
 
 void RunSession::send_at(const Command& command, double t_s) {

@@ -31,6 +31,12 @@ void WaitMatcher::arrive(unsigned channel, WaitPoint wait) {
     if (track.next + 1 == track.waits.size()) track.arrived = ++clock_;
 }
 
+void WaitMatcher::begin(unsigned channel) {
+    Track& track = tracks_[channel];
+    track.ended = track.broken = false;
+    track.markers.erase(kProgramEnd);
+}
+
 void WaitMatcher::mark(unsigned channel, const std::string& code) { tracks_[channel].markers.insert(code); }
 
 void WaitMatcher::end(unsigned channel, bool broken) {

@@ -35,7 +35,8 @@ struct WaitFault {
 
 class WaitMatcher {
 public:
-    void add_channel(unsigned channel) { tracks_[channel]; }
+    // Its program begins, or another one behind it (START).
+    void begin(unsigned channel);
     // The channel has come to its next wait. Arrivals may run ahead of meetings.
     void arrive(unsigned channel, WaitPoint wait);
     // A marker that the channel sets counts as its arrival at that code, until it waits there itself. When it clears the

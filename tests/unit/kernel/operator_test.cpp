@@ -1,5 +1,6 @@
 // What the operator asks for: hold, reset, overrides, single block, programmed stops, emergency stop.
 #include "ipc/image/interrupt_inputs.hpp"
+#include "ipc/image/program_start.hpp"
 #include "tests/unit/kernel/rig.hpp"
 
 namespace polyturn::kernel {
@@ -300,6 +301,44 @@ TEST(Operator, MarksOfThePlcAreKeysAsLongAsTheyAreSet) {
     EXPECT_EQ(set(signals::m01stop, 1), kKeyBlockSkip1 << 1 | kKeyOptionalStop);
     EXPECT_EQ(set(signals::blkskip2, 0), std::uint32_t{kKeyOptionalStop});
     EXPECT_EQ(set(signals::m5008, 1), std::uint32_t{kKeyOptionalStop} | kKeySingleBlock);
+}
+
+// INIT, START: the path comes in pieces; a program that runs goes on as it is.
+TEST(Operator, AProgramStartsThatOfAnotherChannel) {
+    TickRig rig;
+    const std::string path = std::string(60, 'a') + "/PART2.MPF";
+    for (std::size_t from = 0; from < path.size(); from += 40) {
+        PathRecord piece = rig.blank(1, RecordKind::Flag);
+        piece.code = kFlagProgram;
+        piece.mask = 2;
+        piece.value = static_cast<double>(from);
+        piece.plane[0] = from + 40 >= path.size();
+        copy_text(piece.text, path.substr(from, 40));
+        rig.push(1, piece);
+    }
+    const auto start = [&] {
+        PathRecord r = rig.blank(1, RecordKind::Flag);
+        r.code = kFlagStart;
+        r.mask = 0b10;
+        rig.push(1, r);
+    };
+    start();
+    rig.push(1, rig.dwell(1, 0.1));
+    start();   // it is under way by now
+    rig.push(1, rig.wait(1, WaitBoard::kProgramEnd, 0b11));
+    rig.push(1, rig.stop(1, StopReason::M30));
+    rig.push(2, rig.dwell(2, 0.3));
+    rig.push(2, rig.stop(2, StopReason::M30));
+    rig.start(1);
+    rig.run_until_idle();
+    EXPECT_EQ(rig.state(1), ChannelState::Ended);
+    EXPECT_EQ(rig.state(2), ChannelState::Ended);
+    ASSERT_EQ(rig.heard[1].size(), 2u);
+    EXPECT_EQ(rig.heard[1][0].kind, static_cast<std::uint32_t>(ChannelEventKind::SelectProgram));
+    EXPECT_EQ(std::string(rig.heard[1][0].text.data()), path);
+    EXPECT_EQ(rig.heard[1][1].kind, static_cast<std::uint32_t>(ChannelEventKind::CycleStart));
+    EXPECT_GT(rig.when(rig.find(KernelEventKind::CycleEnded, 1)), rig.when(rig.find(KernelEventKind::CycleEnded, 2)) - 1);   // it has waited for the other's end
+    EXPECT_TRUE(rig.log.empty() || !rig.alarmed(Alarm::NotReady));
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ using Programs = std::map<unsigned, std::vector<Planned>>;
 WaitMatcher matcher_of(const Programs& programs) {
     WaitMatcher matcher;
     for (const auto& [channel, waits] : programs) {
-        matcher.add_channel(channel);
+        matcher.begin(channel);
         std::uint32_t line = 0;
         for (const Planned& wait : waits) matcher.arrive(channel, {wait.code, wait.set, "O" + std::to_string(channel), ++line * 10});
         matcher.end(channel, false);
@@ -43,6 +43,22 @@ TEST(WaitMatch, FitsTogether) {
     EXPECT_EQ(meetings, 2u);
     EXPECT_TRUE(faults_of({{1, {{"M501", 1}}}, {2, {}}}, &meetings).empty());  // only itself: passes at once
     EXPECT_EQ(meetings, 0u);
+}
+
+// WAITE, START, WAITE: the end of the first program does not open the second wait.
+TEST(WaitMatch, AProgramMayFollowAnother) {
+    WaitMatcher matcher;
+    matcher.begin(1);
+    matcher.begin(2);
+    matcher.arrive(1, {"WAITE", 3, "O1", 10});
+    EXPECT_TRUE(matcher.meet().empty());
+    matcher.end(2, false);
+    EXPECT_EQ(matcher.meet(), std::vector<unsigned>{1});
+    matcher.begin(2);
+    matcher.arrive(1, {"WAITE", 3, "O1", 20});
+    EXPECT_TRUE(matcher.meet().empty());
+    matcher.end(2, false);
+    EXPECT_EQ(matcher.meet(), std::vector<unsigned>{1});
 }
 
 TEST(WaitMatch, EachFaultIsNamedOnce) {
@@ -77,8 +93,8 @@ TEST(WaitMatch, AFaultNamesChannelsProgramsAndLines) {
 
 TEST(WaitMatch, NothingIsSaidAboutWhatFollowsAnAlarm) {
     WaitMatcher matcher;
-    matcher.add_channel(1);
-    matcher.add_channel(2);
+    matcher.begin(1);
+    matcher.begin(2);
     matcher.arrive(1, {"M501", 3, "O1", 1});
     matcher.end(1, false);
     matcher.end(2, true);
@@ -141,8 +157,8 @@ RC_GTEST_PROP(WaitMatch, AgreesWithTheModel, ()) {
 
 TEST(WaitMatch, TakesAMarkerForAnArrival) {
     WaitMatcher matcher;
-    matcher.add_channel(1);
-    matcher.add_channel(2);
+    matcher.begin(1);
+    matcher.begin(2);
     matcher.mark(1, "M7");
     matcher.arrive(2, {"M7", 3, "B", 1});
     EXPECT_EQ(matcher.meet(), std::vector<unsigned>{2});

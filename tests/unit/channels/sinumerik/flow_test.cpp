@@ -127,5 +127,18 @@ TEST(SinumerikResume, LeadsToTheSameEventsFromEveryBlock) {
         expect_same_events_from_every_block("sinumerik", program, files.setup);
 }
 
+// What INIT and START cannot do is told where they stand; what becomes of them the e2e test shows.
+TEST(SinumerikFlow, ProgramsOfOtherChannelsAreChosenByNumberAndName) {
+    Files files;
+    files.add("PART2.MPF", "M30\n");
+    const auto errors = [&](const std::string& block) { return run(block + "\nM30\n", files.setup).errors; };
+    for (const char* good : {"INIT(2,\"PART2\")", "INIT(2,\"/_N_MPF_DIR/_N_PART2_MPF\",\"N\")", "INIT(2,\"part2.mpf\",\"S\")", "START(2)", "START(1,2)"}) EXPECT_EQ(errors(good), 0u) << good;
+    for (const char* bad : {"INIT(1,\"PART2\")", "INIT(2,\"PART3\")", "INIT(2,\"PART2\",\"A\")", "INIT(9,\"PART2\")", "START(9)", "START(2) X1", "INIT(,\"PART2\")"}) EXPECT_NE(errors(bad), 0u) << bad;
+    const Played played = run("INIT(2,\"PART2\")\nSTART(1,2)\nM30\n", files.setup);
+    EXPECT_NE(played.events.find("\"channel\":2,\"program\":"), std::string::npos) << played.events;
+    EXPECT_NE(played.events.find("\"ev\":\"start\""), std::string::npos) << played.events;
+    EXPECT_NE(played.events.find("\"channels\":[2]"), std::string::npos) << "the own channel runs already\n" << played.events;
+}
+
 }  // namespace
 }  // namespace polyturn::channels::testing
