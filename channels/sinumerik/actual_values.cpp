@@ -1,5 +1,6 @@
 // Axes and files of the machine seen from the program: PRESETON, GEOAX, axis exchange, words that this machine accepts and
 // that leave its path as it is (sinumerik_part3 7).
+#include <algorithm>
 #include <cmath>
 
 #include "channels/sinumerik/interpreter.hpp"
@@ -91,6 +92,31 @@ bool Interpreter::p_axis_exchange(Call& c) {
     core_.sink().barrier(core_.at);
     stop_reading();
     return true;
+}
+
+// AXTOCHAN(axis, channel, ...): for this channel it is GET, for another one RELEASE: that one takes the axis with its own GET.
+bool Interpreter::p_axis_to_channel(Call& c) {
+    AxisSet comes = 0, goes = 0;
+    for (std::size_t k = 0; k < c.arguments.size(); k += 2) {
+        unsigned channel = 0;
+        if (!c.has(k) || !c.has(k + 1) || c.value(k).type != Type::Axis) return fail(Alarm::AxisArgumentMissing, "AXTOCHAN");
+        if (!channel_of(c.value(k + 1), channel)) return false;
+        const int place = c.value(k).place();
+        if (place >= kSpindleAxis) continue;   // a spindle belongs to whoever commands it
+        if (core_.compensating()) return fail(Alarm::AxisExchangeIllegal, axis_name(place));
+        (channel == core_.view().channel ? comes : goes) |= 1u << place;
+    }
+    modal_.released = (modal_.released | goes) & ~comes;
+    core_.mark_emitted();
+    core_.sink().barrier(core_.at);
+    stop_reading();
+    return true;
+}
+
+// CYCLE800() at the head of a program: no swivelled plane is left (sinumerik_part1 4.2). There is none that it could swivel to.
+bool Interpreter::p_swivel(Call& c) {
+    const bool any = std::any_of(c.arguments.begin(), c.arguments.end(), [](const Argument& one) { return one.given; });
+    return !any || fail(Alarm::NotBuilt, "CYCLE800");
 }
 
 // GETSELT(VAR t, spindle), GETEXET(VAR t, spindle): the tool that waits for its change, and the one that cuts.

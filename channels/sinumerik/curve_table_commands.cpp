@@ -50,6 +50,7 @@ bool Interpreter::p_ctabdef(Call& c) {   // (follow, lead, n, periodic[, memory]
     if (!memory) return fail(Alarm::FunctionArgument, "CTABDEF", 5);
     if (core_.compensating() || core_.transformed()) return fail(Alarm::CodesContradict, "CTABDEF, G41, TRANSMIT");
     if (const auto had = curve_tables_.find(static_cast<int>(number)); had != curve_tables_.end() && had->second.locked) return fail(Alarm::CodesContradict, fmt::format("CTABDEF({:.0f}), CTABLOCK", number));
+    if (is_coupled(static_cast<int>(number))) return fail(Alarm::CodesContradict, fmt::format("CTABDEF({:.0f}), LEADON", number));
     made.number = static_cast<int>(number);
     made.table.periodic = static_cast<int>(periodic);
     made.table.dynamic = *memory;
@@ -100,6 +101,7 @@ bool Interpreter::p_ctab_each(Call& c) {
     undo([this, before = curve_tables_] { curve_tables_ = before; });
     for (auto one = curve_tables_.begin(); one != curve_tables_.end();) {
         const bool meant = one->first >= from && one->first <= to && (!c.has(2) || one->second.dynamic == *memory);
+        if (meant && name == "CTABDEL" && is_coupled(one->first)) return fail(Alarm::CodesContradict, fmt::format("CTABDEL({}), LEADON", one->first));
         if (meant && name == "CTABDEL" && one->second.locked) return fail(Alarm::CodesContradict, fmt::format("CTABDEL({}), CTABLOCK", one->first));
         if (meant && name != "CTABDEL") one->second.locked = name == "CTABLOCK";
         one = meant && name == "CTABDEL" ? curve_tables_.erase(one) : std::next(one);
@@ -172,8 +174,9 @@ bool Interpreter::curve_fact(Call& c, const std::function<double(const CurveTabl
     return c.result = Value::of_int(found == curve_tables_.end() ? -1.0 : fact(found->second)), true;
 }
 bool Interpreter::f_ctabexists(Call& c) { return c.result = Value::of_bool(curve_tables_.contains(static_cast<int>(c.number(0)))), true; }
-bool Interpreter::f_ctabislock(Call& c) {   // nothing couples axes by a table, so CTABLOCK alone locks one
-    return curve_fact(c, [](const CurveTable& t) { return t.locked ? 1.0 : 0.0; });
+bool Interpreter::f_ctabislock(Call& c) {   // 1 CTABLOCK, 2 LEADON, 3 both
+    const bool coupled = is_coupled(static_cast<int>(c.number(0)));
+    return curve_fact(c, [coupled](const CurveTable& t) { return (t.locked ? 1.0 : 0.0) + (coupled ? 2.0 : 0.0); });
 }
 bool Interpreter::f_ctabmemtyp(Call& c) {
     return curve_fact(c, [](const CurveTable& t) { return t.dynamic ? 1.0 : 0.0; });

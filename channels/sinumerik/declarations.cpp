@@ -327,7 +327,17 @@ bool Interpreter::st_mcall() {
     const Symbol symbol = find_symbol(name);
     if (name.empty() || symbol.kind == Symbol::Kind::Reserved) return fail_at(Alarm::NotBuilt, at, std::max<std::size_t>(1, name.size()), "MCALL " + name);
     cursor_.advance(name.size());
-    ModalCall call{name, {}};
+    ModalCall call{name, {}, nullptr};
+    if (symbol.kind == Symbol::Kind::Command) {
+        const Command& cycle = symbol.command();
+        if (!cycle.name.starts_with("CYCLE8") || name == "CYCLE800") return fail_at(Alarm::NotBuilt, at, name.size(), "MCALL " + name);
+        Call given;
+        if (!read_arguments(cycle, given) || !rest_must_be_empty()) return false;
+        call.arguments = std::move(given.arguments);
+        call.cycle = &cycle;
+        modal_.call = std::move(call);
+        return true;
+    }
     if (cursor_.peek() == '(' && !read_program_arguments(name, call.arguments)) return false;
     if (!rest_must_be_empty()) return false;
     if (!files_->find_name(name) && !files_->find_name(name + ".SPF")) return fail_at(Alarm::SubprogramMissing, at, name.size(), name);

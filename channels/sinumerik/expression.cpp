@@ -323,7 +323,9 @@ bool Interpreter::read_arguments(const Command& command, Call& call) {
                     const bool in_turn = !types.empty() && types.back() == '+';
                     const char type = types.empty() ? '*' : in_turn ? types[i % (types.size() - 1)] : types[std::min(i, types.size() - 1)];
                     const char* const at = cursor_.at();
-                    if (type == 'v') {
+                    if (type == 'w' && cursor_.peek() == '$' && upper(cursor_.next_raw(1)) != 'R') {
+                        if (!system_name(argument.system, argument.indices)) return false;
+                    } else if (type == 'v' || type == 'w') {
                         if (!reference_ahead(argument.reference)) return false;
                         if (!argument.reference) return fail_at(Alarm::ArgumentNoVariable, at, 1, std::string(command.name), static_cast<double>(i + 1));
                     } else {

@@ -104,7 +104,11 @@ bool Interpreter::go_line(const AxisValues& wanted, bool rapid) {
         return measuring_line(target, event);
     }
     if (!corner_words(true)) return false;
-    if (!(rapid ? core_.rapid(target) : core_.linear(target))) return false;
+    std::vector<AxisValues> bends;
+    if (!modal_.trails.empty() && !bends_on_the_way(wanted, bends)) return false;
+    for (const AxisValues& bend : bends)
+        if (!within_areas(bend) || (rapid && !core_.rapid(bend))) return false;
+    if (!(rapid ? core_.rapid(target) : bends.empty() ? core_.linear(target) : core_.curve(target, bends))) return false;
     note_tangent(from, target);
     if (!rapid) modal_.geo.last_feed = core_.path.feed;
     return true;

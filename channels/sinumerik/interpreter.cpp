@@ -63,6 +63,7 @@ Result<void> Interpreter::start(FileId main) {
     macros_.clear();
     channel_scope_->names.clear();
     routines_.clear();
+    polynomials_.clear();
     std::erase_if(actions_, [](const SynchronizedAction& one) { return !one.is_static; });
     of_channel_ = false;
     ended_ = reread_ = jumped_ = needs_barrier_ = wants_barrier_ = called_ = false;
@@ -207,6 +208,7 @@ Step Interpreter::read_block() {
     at.stack_depth = static_cast<std::uint8_t>(depth - 1);
     at.line = here_.line;
     at.block = -1;
+    at.cycle = {};
     moves_before_ = core_.moves();
     block_.clear();
     block_undo_.clear();
@@ -310,12 +312,13 @@ Step Interpreter::after_block(bool ok) {
         }
         if (core_.transformation_failed()) return fault(core_.fault());
     }
+    if (!ended_ && !called_ && modal_.call && modal_.call->cycle && core_.moves() != moves_before_ && !modal_cycle()) return fault(core_.fault());
     if (managed_serial_ == core_.at.serial) core_.mark_emitted();   // its T came before the barrier
     if (core_.emitted()) {
         fresh_ = false;
         core_.end_block();
     }
-    if (!ended_ && !called_ && modal_.call && core_.moves() != moves_before_) {
+    if (!ended_ && !called_ && modal_.call && !modal_.call->cycle && core_.moves() != moves_before_) {
         const ModalCall call = *modal_.call;
         if (!call_program(call.name, call.arguments, 1, true)) return fault(core_.fault());
     }

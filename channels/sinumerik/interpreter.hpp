@@ -25,6 +25,10 @@
 #include "channels/sinumerik/text_index.hpp"
 #include "ipc/params/registry.hpp"
 
+namespace polyturn::channels::cycles {
+struct Drilling;
+}
+
 namespace polyturn::channels::sinumerik {
 
 class Interpreter final : public Language {
@@ -113,7 +117,7 @@ public:
     bool f_axname(Call&), f_axstring(Call&), f_isaxis(Call&), f_spi(Call&), f_axtospi(Call&), f_modaxval(Call&), f_isvar(Call&);
     bool f_toolenv(Call&), f_gettenv(Call&), f_deltoolenv(Call&);   // tool_environments.cpp
     bool f_gett(Call&), f_newt(Call&), p_delt(Call&), f_getdno(Call&), f_setdno(Call&), p_dzero(Call&), f_chkdno(Call&), f_chkdm(Call&), f_getacttd(Call&);   // tool_functions.cpp
-    bool f_getactt(Call&), f_toolgnt(Call&), f_toolgt(Call&), f_deldl(Call&), p_tca(Call&), p_tml(Call&), call_tool(std::int64_t number, ToolCallBy by);
+    bool f_getactt(Call&), f_toolgnt(Call&), f_toolgt(Call&), f_deldl(Call&), f_lentoax(Call&), p_tca(Call&), p_tml(Call&), call_tool(std::int64_t number, ToolCallBy by);
     std::vector<std::int64_t> tools_named(const std::string& name) const;   // by duplo
     std::int64_t tool_named(const Call& call, std::size_t duplo) const;
     // curve_table_commands.cpp
@@ -139,6 +143,9 @@ public:
     bool p_interrupts(Call&), p_without_effect(Call&), p_trail(Call&), p_wheel_speed(Call&), a_sum_offset(const Word&);
     bool p_msg(Call&), p_setal(Call&), p_stopre(Call&), p_setms(Call&), p_wait_marker(Call&), p_wait_end(Call&);
     bool p_init(Call&), p_start(Call&);   // program_start.cpp
+    bool p_fctdef(Call&), p_synfct(Call&);   // polynomials.cpp
+    bool p_swivel(Call&), p_axis_to_channel(Call&);
+    bool p_cycle81(Call&), p_cycle82(Call&), p_cycle85(Call&), p_holes(Call&);   // drilling_cycles.cpp
     bool p_set_marker(Call&), p_nothing(Call&), p_fgroup(Call&), p_diamchan(Call&);
     bool p_reset_monitoring(Call& c);
     bool p_spindle_control(Call&), p_wait_axis(Call&), p_wait_spindle(Call&), p_wrtpr(Call&);
@@ -175,6 +182,7 @@ private:
     bool parse_letter_word(const char* begin);
     bool parse_named_word(const char* begin, std::string_view name, const Symbol& symbol);
     bool parse_system_assignment();
+    bool write_system(const std::string& name, const std::vector<Value>& indices, Value value, const char* from, std::size_t length, const char* at);
     bool add_g(const GCode* code, const char* begin);
     bool turns_about_y() const;
     bool read_value(Word& word);
@@ -227,6 +235,7 @@ private:
     bool change_tool();
     bool select_edge(int edge);
     void apply_tool();
+    std::array<int, 3> axes_of_lengths() const;
     bool spindle_words();
     bool spindle_share(const Word& word, double share);
     bool spindle_closed(std::uint16_t spindle) const { return modal_.closed_spindles >> (spindle - 1) & 1u; }
@@ -240,6 +249,9 @@ private:
     bool corner_words(bool contour);
     AxisValues trailed(AxisValues target) const;               // TRAILON
     bool leads_nobody(const AxisValues& target);
+    bool bends_on_the_way(const AxisValues& wanted, std::vector<AxisValues>& bends);   // LEADON
+    double shown_by_table(std::size_t place, double mm) const;
+    bool is_coupled(int table) const;
     bool go_line(const AxisValues& target, bool rapid);
     bool go_arc(const AxisValues& target, const ArcCall& call);
     bool measuring_line(const AxisValues& target, const Word& probe);
@@ -298,6 +310,10 @@ private:
     bool approach_line(const AxisValues& to, bool rapid, double feed, std::uint8_t mode);
     bool approach_curve(const SoftApproach& soft, const AxisValues& to, int side, const std::array<double, 2>& centre, double feed, std::uint8_t mode);
     bool finish_approach(const AxisValues& target, const ArcCall* arc, bool& taken);
+    bool hole_of(const Call& c, cycles::Drilling& hole);
+    static void dwell_of(const Call& c, cycles::Drilling& hole);
+    bool modal_cycle();
+    bool drill_at(double p_mm, double q_mm);
 
     // expressions (expression.cpp)
     bool expression(Value& value);
@@ -380,6 +396,11 @@ private:
     bool each_action(Call& c, const std::function<void(SynchronizedAction&)>& change);
     bool only_in_action(std::string_view name);
     static bool find_do(Cursor& at);
+    struct Polynomial {
+        double low = 0, high = 0;
+        std::array<double, 4> factors{};
+    };
+    std::map<int, Polynomial> polynomials_;                      // FCTDEF
 
     // text files (files.cpp)
     std::map<std::string, std::optional<std::string>, std::less<>> written_files_;   // nullopt: deleted

@@ -21,12 +21,15 @@ namespace polyturn::channels::sinumerik {
 struct ModalCall {
     std::string name;
     std::vector<Argument> arguments;
+    const Command* cycle = nullptr;   // null: a program
 };
 
-// TRAILON: way of `follows` = factor * way of `leads`.
+// TRAILON: way of `follows` = factor * way of `leads`. LEADON: its place is what the table says of the place of `leads`.
 struct Trail {
     std::size_t follows = 0, leads = 0;
     double factor = 1.0;
+    int number = 0;                                // of the table
+    std::shared_ptr<const CurveTable> table = {};  // null: TRAILON
 };
 
 // COUPDEF: turns of the following spindle for turns of the leading one.

@@ -52,7 +52,7 @@ std::string_view type_name(char letter) {
         case 'b': return "bool";
         case 'c': return "character";
         case 'f': return "frame";
-        case 'v': return "variable";
+        case 'v': case 'w': return "variable";
         default: return "any";
     }
 }

@@ -31,7 +31,7 @@ bool allowed(std::string_view address) {
 }
 
 bool allowed_call(std::string_view procedure) {
-    static constexpr std::string_view kProcedures[] = {"LOCK", "UNLOCK", "RESET", "STOPREOF", "SETM", "CLEARM", "SETAL", "TRAILON", "TRAILOF"};
+    static constexpr std::string_view kProcedures[] = {"LOCK", "UNLOCK", "RESET", "STOPREOF", "SETM", "CLEARM", "SETAL", "TRAILON", "TRAILOF", "SYNFCT"};
     return std::find(std::begin(kProcedures), std::end(kProcedures), procedure) != std::end(kProcedures);
 }
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "channels/sinumerik/interpreter.hpp"
+#include "ipc/diagnosis/tongue.hpp"
 
 namespace polyturn::channels::sinumerik {
 namespace {
@@ -136,7 +137,11 @@ bool Interpreter::system_value(Value& value) {
         const int part = name == "$A_YEAR" ? now.year : name == "$A_MONTH" ? now.month : name == "$A_DAY" ? now.day : name == "$A_HOUR" ? now.hour : name == "$A_MINUTE" ? now.minute : now.second;
         return value = Value::of_int(part), true;
     }
-    if (name == "$AN_LANGUAGE_ON_HMI") return value = Value::of_int(3), true;
+    if (name == "$AN_LANGUAGE_ON_HMI") {   // sinumerik_part3 10
+        static constexpr int kNumbers[] = {3, 57, 28, 18};   // English, Russian, Czech, Hungarian
+        const auto chosen = tongue_of(params::get_text(core_.view().table(), params::pt_display_language));
+        return value = Value::of_int(kNumbers[static_cast<std::size_t>(chosen.value_or(tongue_now()))]), true;
+    }
     if (name.starts_with("$TC_")) return tool_value(name, indices, from, length, value);
     if (name == "$AC_LIFTFAST") {   // what a program has written: a retraction that ends the channel does not come back to it
         const auto found = written_system_.find(name);
@@ -225,7 +230,11 @@ bool Interpreter::parse_system_assignment() {
     cursor_.advance(1);
     const char* const at = cursor_.at();
     Value value;
-    if (!expression(value)) return false;
+    return expression(value) && write_system(name, indices, std::move(value), from, length, at);
+}
+
+// `from`, `length`: where the name stands, `at`: the value.
+bool Interpreter::write_system(const std::string& name, const std::vector<Value>& indices, Value value, const char* from, std::size_t length, const char* at) {
     const auto key = [&] { return name + "[" + to_text(Value::of_int(std::nearbyint(indices[0].number))) + "]"; };
     if (name == "$TC_TP2" || name == "$TC_TP_MAX_VELO" || grinding_parameter(name)) {
         if (indices.size() != 1 || !indices[0].is_number()) return fail_at(Alarm::ArrayIndexMissing, from, length, name);

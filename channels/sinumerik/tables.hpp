@@ -48,6 +48,8 @@ struct Argument {
     bool given = false;
     Value value;
     Reference reference;                 // where the argument is a variable
+    std::string system;                  // where it is a system variable that is to be written
+    std::vector<Value> indices;          // of that
     std::size_t column = 0;              // byte in the line
 };
 struct Call {
@@ -62,7 +64,7 @@ struct Command {
     std::string_view name;
     bool function = false;               // yields a value
     std::uint8_t least = 0, most = 0;    // arguments
-    std::string_view types;              // of the arguments, the last one repeats, with + at the end all of them do: r number, s text, a axis, b bool, c char, f frame, v variable, * any
+    std::string_view types;              // of the arguments, the last one repeats, with + at the end all of them do: r number, s text, a axis, b bool, c char, f frame, v variable, w variable or system variable, * any
     using Act = bool (Interpreter::*)(Call&);
     Act act = nullptr;
     bool own_block = false;              // nothing else may stand in its block

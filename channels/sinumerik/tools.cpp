@@ -102,16 +102,57 @@ bool Interpreter::select_edge(int edge) {
     return refresh_cutting_speeds();
 }
 
+// Of the active edge, with SD42940 and SD42950.
+std::array<int, 3> Interpreter::axes_of_lengths() const {
+    const int assigned = settings_.length_type ? settings_.length_type : modal_.edge_data ? static_cast<int>(modal_.edge_data->dp[1]) : 0;
+    unsigned plane = static_cast<unsigned>(core_.path.plane);
+    if (settings_.length_const >= 17 && settings_.length_const <= 19) plane = static_cast<unsigned>(settings_.length_const - 17);
+    std::array<int, 3> axes{};
+    length_axes(assigned, plane, axes);
+    return axes;
+}
+
+// LENTOAX(VAR ind[3], VAR mat[3,3][, system]): which length acts along abscissa, ordinate and applicate (sinumerik_part3 9.8; numbers, signs
+// and answers as on the real control: 0 the indices say all, 1 a length lies across the axes, -1 no such system, -2 no edge is active).
+// Rows of the matrix: abscissa, ordinate, applicate; columns: L1, L2, L3. In the workpiece system a rotation turns it.
+bool Interpreter::f_lentoax(Call& c) {
+    constexpr double kAlong = 1.0 - 1e-9;
+    const std::string system = c.has(2) && !c.value(2).text.empty() ? upper(c.value(2).text) : "WCS";
+    const bool turned = system == "WCS" || system == "W";
+    Variable& indices = *c.arguments[0].reference.variable;
+    Variable& matrix = *c.arguments[1].reference.variable;
+    if (indices.cells.size() < 3 || matrix.cells.size() < 9) return fail(Alarm::FunctionArgument, "LENTOAX", 1);
+    if (!turned && system != "MCS" && system != "M" && system != "BCS" && system != "B") return c.result = Value::of_int(-1), true;
+    if (!modal_.edge_data) return c.result = Value::of_int(-2), true;
+    const std::array<int, 3> axes = axes_of_lengths();
+    static constexpr int kOfPlane[3][3] = {{0, 1, 2}, {2, 0, 1}, {1, 2, 0}};   // X Y Z, Z X Y, Y Z X
+    const auto& plane = kOfPlane[static_cast<std::size_t>(core_.path.plane)];
+    const auto& linear = core_.path.frame.linear;
+    bool across = false;
+    for (std::size_t row = 0; row < 3; ++row) {
+        double index = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            double part = axes[k] == plane[row] ? 1.0 : 0.0;
+            if (turned && core_.path.framed && axes[k] >= 0) {   // the part of that axis along the one of the workpiece
+                const auto to = static_cast<std::size_t>(plane[row]), of = static_cast<std::size_t>(axes[k]);
+                const double size = std::sqrt(linear[0][to] * linear[0][to] + linear[1][to] * linear[1][to] + linear[2][to] * linear[2][to]);
+                part = size > 0 ? linear[of][to] / size : 0.0;
+            }
+            if (std::fabs(part) >= kAlong) index = (part > 0 ? 1.0 : -1.0) * static_cast<double>(k + 1);
+            else if (std::fabs(part) > 1e-9) across = true;
+            store({c.arguments[1].reference.variable, row * 3 + k, false}, Value::of_real(part));
+        }
+        store({c.arguments[0].reference.variable, row, false}, Value::of_int(index));
+    }
+    return c.result = Value::of_int(across ? 1 : 0), true;
+}
+
 // Lengths become a shift of their axes: an axis takes it along with its next word.
 void Interpreter::apply_tool() {
     ToolState& state = core_.path.tool;
     const Edge* const edge = modal_.edge_data.get();
     const int type = edge ? static_cast<int>(edge->dp[1]) : 0;
-    const int assigned = settings_.length_type ? settings_.length_type : type;
-    unsigned plane = static_cast<unsigned>(core_.path.plane);
-    if (settings_.length_const >= 17 && settings_.length_const <= 19) plane = static_cast<unsigned>(settings_.length_const - 17);
-    std::array<int, 3> axes{};
-    length_axes(assigned, plane, axes);
+    const std::array<int, 3> axes = axes_of_lengths();
     static constexpr PlaneRole kRoles[] = {PlaneRole::BasicX, PlaneRole::BasicY, PlaneRole::BasicZ};
     AxisValues shift{};
     const auto sum = static_cast<std::size_t>(modal_.sum_offset);   // DL

@@ -72,11 +72,11 @@ bool text_holds_program_stop(std::string_view text) {
 
 // A name with a bracket behind it; what stands in a comment or a text only costs the time of some processes.
 bool text_starts_programs(std::string_view text) {
-    constexpr std::string_view kWord = "START";
-    for (std::size_t i = 0; i + kWord.size() < text.size(); ++i) {
+    constexpr std::string_view kStart = "START";
+    for (std::size_t i = 0; i + kStart.size() < text.size(); ++i) {
         std::size_t k = 0;
-        while (k < kWord.size() && std::toupper(static_cast<unsigned char>(text[i + k])) == kWord[k]) ++k;
-        if (k < kWord.size()) continue;
+        while (k < kStart.size() && std::toupper(static_cast<unsigned char>(text[i + k])) == kStart[k]) ++k;
+        if (k < kStart.size()) continue;
         for (k += i; k < text.size() && (text[k] == ' ' || text[k] == '\t'); ++k) {}
         if (k < text.size() && text[k] == '(') return true;
     }

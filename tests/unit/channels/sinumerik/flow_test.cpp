@@ -127,6 +127,20 @@ TEST(SinumerikResume, LeadsToTheSameEventsFromEveryBlock) {
         expect_same_events_from_every_block("sinumerik", program, files.setup);
 }
 
+// f(x) = 2 + 3x + x^2/2 within -5 and 50; read where an output block begins and ends (sinumerik_part3 7.12, 8)
+TEST(SinumerikFlow, PolynomialsOfSynchronizedActionsHaveLimits) {
+    const auto result = [](const std::string& x) {
+        return last_value(run("FCTDEF(1,-5,50,2,3,0.5,0)\n$AC_PARAM[0]=" + x + "\nID=1 DO SYNFCT(1,$AC_PARAM[1],$AC_PARAM[0]) SYNFCT(1,R7,$AC_PARAM[0])\nG4 F0.1\nG4 F0.1\nR1=$AC_PARAM[1]\nM30\n"), "R1");
+    };
+    EXPECT_EQ(result("4"), "22");
+    EXPECT_EQ(result("20"), "50");
+    EXPECT_EQ(result("-3"), "-2.5");
+    EXPECT_EQ(last_value(run("FCTDEF(2,-5,50,0,1,0,0)\nID=1 DO SYNFCT(2,R7,8)\nG4 F0.1\nM30\n"), "R7"), "8");
+    EXPECT_NE(run("ID=1 DO SYNFCT(1,R7,8)\nG4 F0.1\nM30\n").errors, 0u) << "nobody has defined it";
+    EXPECT_NE(run("FCTDEF(1,5,4,0,1,0,0)\nM30\n").errors, 0u) << "limits the wrong way round";
+    EXPECT_NE(run("FCTDEF(1,-5,50,2,3,0.5,0)\nSYNFCT(1,R7,8)\nM30\n").errors, 0u) << "in a block of the program";
+}
+
 // What INIT and START cannot do is told where they stand; what becomes of them the e2e test shows.
 TEST(SinumerikFlow, ProgramsOfOtherChannelsAreChosenByNumberAndName) {
     Files files;
@@ -138,6 +152,66 @@ TEST(SinumerikFlow, ProgramsOfOtherChannelsAreChosenByNumberAndName) {
     EXPECT_NE(played.events.find("\"channel\":2,\"program\":"), std::string::npos) << played.events;
     EXPECT_NE(played.events.find("\"ev\":\"start\""), std::string::npos) << played.events;
     EXPECT_NE(played.events.find("\"channels\":[2]"), std::string::npos) << "the own channel runs already\n" << played.events;
+}
+
+// Z of the moves that a cycle makes.
+std::string cycle_levels(const Played& played) {
+    std::string levels;
+    for (const std::string& line : played.lines()) {
+        if (line.find("\"cycle\":\"CYCLE8") == std::string::npos) continue;
+        const auto at = line.find("\"Z\":", line.find("\"pos\":")) + 4;
+        levels += line.substr(at, line.find_first_of(",}", at) - at) + " ";
+    }
+    return levels;
+}
+
+// Own figures: retract plane 10, surface 0, safety distance 2, bottom 15 below; in G17 the axis of the hole is Z.
+TEST(SinumerikFlow, DrillingCyclesGoDownAndBack) {
+    const std::string head = "G17 G90 G94 G0 X0 Z20 F120\n";
+    Played played = run(head + "CYCLE81(10,0,2,-15)\nM30\n");
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_EQ(cycle_levels(played), "2 -15 10 ");
+    played = run(head + "CYCLE82(10,0,2,,15,1.5)\nM30\n");
+    EXPECT_EQ(cycle_levels(played), "2 -15 10 ");
+    EXPECT_NE(played.events.find("\"seconds\":1.5"), std::string::npos) << played.events;
+    played = run(head + "CYCLE85(10,0,2,-15,,0,80,200)\nG1 Z12\nM30\n");
+    EXPECT_EQ(cycle_levels(played), "2 -15 2 10 ");
+    for (const char* feed : {"\"value\":80}", "\"value\":200}", "\"value\":120}"}) EXPECT_NE(played.events.find(feed), std::string::npos) << feed << played.events;
+    EXPECT_EQ(cycle_levels(run(head + "MCALL CYCLE81(10,0,2,-15)\nX5\nM8\nX6\nMCALL\nX7\nM30\n")), "2 -15 10 2 -15 10 ") << "behind each block that moves";
+    for (const char* bad : {"CYCLE81(1,0,2,-15)", "CYCLE81(10,0,2,15)", "CYCLE81(10,0,2)", "CYCLE81(10,,2,-15)", "G18\nCYCLE81(10,0,2,-15)", "CYCLE83(10,0,2,-15)", "MCALL CYCLE83(1)", "CYCLE800(1)", "HOLES2(0,0,10,0,0,0)"})
+        EXPECT_NE(run(head + bad + "\nM30\n").errors, 0u) << bad;
+    EXPECT_EQ(run("CYCLE800()\nTRAFOOF\nM30\n").errors, 0u);
+}
+
+
+// The table of sinumerik_part1 6.5: a turning tool lies with L1 along X and L2 along Z in G18, along Y and X in G17.
+TEST(SinumerikFlow, LengthsAreToldByAxis) {
+    const auto told = [](const std::string& blocks) {
+        const Played played = run("DEF INT IND[3]\nDEF REAL MAT[3,3]\n$TC_DP1[1,1]=500\n$TC_DP2[1,1]=3\nT1 M6\nD1\n" + blocks + "\nR1=IND[0]*100+IND[1]*10+IND[2]\nR2=MAT[0,1]\nM30\n");
+        return last_value(played, "R9") + " " + last_value(played, "R1") + " " + last_value(played, "R2");
+    };
+    EXPECT_EQ(told("G18\nR9=LENTOAX(IND,MAT)"), "0 213 1");
+    EXPECT_EQ(told("G17\nR9=LENTOAX(IND,MAT,\"BCS\")"), "0 213 1");
+    EXPECT_EQ(told("$TC_DP1[1,1]=120\nG17\nD1\nR9=LENTOAX(IND,MAT,\"W\")"), "0 321 0");
+    EXPECT_EQ(told("G18\nROT RPL=90\nR9=LENTOAX(IND,MAT,\"WCS\")"), "0 83 0") << "abscissa along X, ordinate against Z: 1, -2, 3";
+    EXPECT_EQ(told("G18\nROT RPL=30\nR9=LENTOAX(IND,MAT,\"WCS\")").substr(0, 2), "1 ");
+    EXPECT_EQ(told("G18\nR9=LENTOAX(IND,MAT,\"QCS\")").substr(0, 2), "-1");
+}
+
+TEST(SinumerikFlow, AnAxisIsHandedToAChannel) {   // sinumerik_part3 7.14
+    EXPECT_EQ(run("AXTOCHAN(X,2)\nG0 Z5\nM30\n").errors, 0u);
+    EXPECT_NE(run("AXTOCHAN(Z,1,X,2)\nG0 X5\nM30\n").errors, 0u) << "it is the other one's";
+    EXPECT_EQ(run("AXTOCHAN(X,2)\nAXTOCHAN(X,1)\nG0 X5\nM30\n").errors, 0u);
+    for (const char* bad : {"AXTOCHAN(X,9)", "AXTOCHAN(X)", "AXTOCHAN(X,2,Z)", "AXTOCHAN(2,X)"}) EXPECT_NE(run(std::string(bad) + "\nM30\n").errors, 0u) << bad;
+}
+
+TEST(SinumerikFlow, TheLanguageOfTheScreensHasANumber) {   // sinumerik_part3 10
+    for (const auto& [tongue, number] : {std::pair{"en", "3"}, std::pair{"hu", "18"}, std::pair{"cs", "28"}, std::pair{"ru", "57"}}) {
+        Play how;
+        how.language = "sinumerik";
+        how.sets = {std::string("PT_DISPLAY_LANGUAGE=") + tongue};
+        EXPECT_EQ(last_value(play("R1=$AN_LANGUAGE_ON_HMI\nM30\n", how), "R1"), number);
+    }
 }
 
 }  // namespace
