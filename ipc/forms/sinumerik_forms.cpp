@@ -1,6 +1,6 @@
-// Forms of the language sinumerik: threads and taps (sinumerik_part2 10.10, 10.11). Its specification names the cycles CYCLE60 ... and says
-// nothing of their arguments, so there are no others. I and K are leads of X and Z, and nothing else chooses between a thread along Z and one
-// in the face, between a hole in the face and one in the side: two forms of one code each.
+// Forms of the language sinumerik: threads and taps (sinumerik_part2 10.10, 10.11), which are words. Calls with arguments in brackets (CYCLE81, HOLES1)
+// have none yet: block_text leaves a line with brackets alone. I and K are leads of X and Z, and nothing else chooses between a thread
+// along Z and one in the face, between a hole in the face and one in the side: two forms of one code each.
 #include "ipc/forms/forms.hpp"
 
 namespace polyturn::forms {
