@@ -164,8 +164,9 @@ void ChannelRunner::flag(const PathRecord& r) noexcept {
         case kFlagProgram: {
             if (r.mask < 1 || r.mask > kMaxChannels) break;
             Core::ProgramCall& call = core_.program_calls[r.mask - 1];
-            const auto from = static_cast<std::size_t>(r.value);
             const std::string_view piece = text_of(r);
+            if (!(r.value >= 0 && r.value < static_cast<double>(call.file.size()))) break;
+            const auto from = static_cast<std::size_t>(r.value);
             if (from == 0) call.file.fill(0);
             if (from + piece.size() < call.file.size()) std::copy(piece.begin(), piece.end(), call.file.begin() + static_cast<std::ptrdiff_t>(from));
             call.selected = r.plane[0] != 0;
