@@ -20,6 +20,7 @@ QString unitText(Unit unit) {
         case Unit::Degrees: case Unit::Rotary: case Unit::Thousandth: return QString::fromUtf8("°");
         case Unit::Milliseconds: return unitWord("ms");
         case Unit::Hundredths: return word("1/100 s");
+        case Unit::Seconds: return unitWord("s");
         case Unit::FeedRate: return word("feed");
         case Unit::Lead: return unitWord("mm/rev");
         case Unit::Tenths: return word("1/10 lead");
@@ -75,7 +76,7 @@ bool CycleFormPage::open(const QStringList& lines, int cursor, const forms::Dial
 
 void CycleFormPage::showList() {
     now_.reset();
-    table_->columns = {{word("Cycle"), 0.5}, {word("What it does"), 2.4}};
+    table_->columns = {{word("Cycle"), 0.6}, {word("What it does"), 2.3}};
     table_->choose(0);
     point();
     resizeEvent(nullptr);
@@ -104,7 +105,8 @@ void CycleFormPage::choose(int row) {
 
 QString CycleFormPage::code() const {
     const auto row = static_cast<std::size_t>(std::max(0, table_->row()));
-    return now_ ? fromView(now_->form->code) : row < list_.size() ? fromView(list_[row]->code) : QString();
+    const QString all = now_ ? fromView(now_->form->code) : row < list_.size() ? fromView(list_[row]->code) : QString();
+    return all.section(' ', -1);   // MCALL CYCLE82
 }
 
 int CycleFormPage::field() const { return now_ && table_->row() < static_cast<int>(now_->values.size()) ? table_->row() : -1; }

@@ -24,7 +24,7 @@ public:
     NumberPad& pad() { return *pad_; }
     const std::optional<forms::CycleBlock>& cycle() const { return now_; }
     bool choosing() const { return !now_; }
-    QString code() const;                                             // of the form, or of the cycle that is chosen in the list
+    QString code() const;                                             // of the form, or of the cycle that is chosen in the list; without MCALL
     void choose(int row);                                             // a cycle of the list: its form
     QString faultText(int field) const;                               // empty: the value is good
     QString hintText(int field) const;                                // what is good but will not do yet: a block that is not there

@@ -304,14 +304,29 @@
         <translation>Úhel na začátku k +Z</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Angle between two holes; 0: evenly spread</source>
+        <translation>Úhel mezi děrami; 0: rovnoměrně</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Angle it turns through</source>
         <translation>Úhel oblouku</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Angle of the first hole to the 1st axis</source>
+        <translation>Úhel první díry k 1. ose</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Angle of the infeed</source>
         <translation>Úhel přísuvu</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Angle of the line to the 1st axis</source>
+        <translation>Úhel přímky k 1. ose</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -494,6 +509,11 @@
         <translation>Dno díry Z, nebo konec zpětné dráhy</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Bottom of the hole, where no depth is told</source>
+        <translation>Dno díry, není-li zadána hloubka</translation>
+    </message>
+    <message>
         <location filename="../machine/tool_words.cpp"/>
         <source>Broken</source>
         <translation>Zlomený</translation>
@@ -552,6 +572,16 @@
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Centre from the start point Z</source>
         <translation>Střed od počátku Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Centre of the circle, 1st axis (X: radius)</source>
+        <translation>Střed kružnice, 1. osa (X: poloměr)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Centre of the circle, 2nd axis (X: radius)</source>
+        <translation>Střed kružnice, 2. osa (X: poloměr)</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -844,6 +874,11 @@
         <translation>Závisí na</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Depth below the surface, instead of the bottom</source>
+        <translation>Hloubka pod povrchem místo dna</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Depth of a peck</source>
         <translation>Hloubka kroku</translation>
@@ -974,6 +1009,26 @@
         <translation>Vrtání s lámáním třísky</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Drilling, centring (in G17 along Z)</source>
+        <translation>Vrtání, navrtávání (v G17 podél Z)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Drilling, centring behind each block that moves</source>
+        <translation>Vrtání, navrtávání za každým blokem s pohybem</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Drilling, counterboring (in G17 along Z)</source>
+        <translation>Vrtání, zahlubování (v G17 podél Z)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Drilling, counterboring behind each block that moves</source>
+        <translation>Vrtání, zahlubování za každým blokem s pohybem</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Drive fault</source>
         <translation>Porucha pohonu</translation>
@@ -997,6 +1052,11 @@
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Dwell at the bottom</source>
         <translation>Prodleva na dně</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Dwell at the bottom; negative: revolutions</source>
+        <translation>Prodleva na dně; záporná: otáčky</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -1300,6 +1360,16 @@
     </message>
     <message>
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Feed on the way in</source>
+        <translation>Posuv při cestě dovnitř</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Feed on the way out</source>
+        <translation>Posuv při cestě ven</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
         <source>Feed: lead times speed</source>
         <translation>Posuv: stoupání krát otáčky</translation>
     </message>
@@ -1399,9 +1469,19 @@
         <translation>Od</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>From hole to hole</source>
+        <translation>Od díry k díře</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>From rapid to feed (R level)</source>
         <translation>Přechod na posuv (úroveň R)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>From the start to the first hole</source>
+        <translation>Od počátku k první díře</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -2244,7 +2324,7 @@
         <translation>Č.</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/offsets.cpp"/>
         <source>Nobody has changed it since the store was begun.</source>
         <translation>Od založení úložiště ji nikdo nezměnil.</translation>
     </message>
@@ -2624,6 +2704,16 @@
         <translation>Místa</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Places of holes along a line</source>
+        <translation>Polohy děr na přímce</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Places of holes on a circle</source>
+        <translation>Polohy děr na kružnici</translation>
+    </message>
+    <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>Plain S means the counter spindle</source>
         <translation>Prosté S je protivřeteno</translation>
@@ -2774,6 +2864,11 @@
         <translation>Poloměr oblouku</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Radius of the circle of holes</source>
+        <translation>Poloměr kružnice děr</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Radius, commanded</source>
         <translation>Poloměr, požadovaný</translation>
@@ -2804,6 +2899,16 @@
         <translation>Připravený</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Reaming (in G17 along Z)</source>
+        <translation>Vystružování (v G17 podél Z)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Reaming behind each block that moves</source>
+        <translation>Vystružování za každým blokem s pohybem</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Record</source>
         <translation>Záznam</translation>
@@ -2832,6 +2937,11 @@
         <location filename="../screens/manual.cpp"/>
         <source>Reference all</source>
         <translation>Reference všech</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Reference plane: the surface</source>
+        <translation>Vztažná rovina: povrch</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -2959,6 +3069,11 @@
         <translation>Odjezd po každém řezu</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Retract plane</source>
+        <translation>Rovina návratu</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>Return %1</source>
         <translation>Návrat %1</translation>
@@ -3057,6 +3172,11 @@
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Safety distance</source>
         <translation>Bezpečná vzdálenost</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Safety distance before the surface</source>
+        <translation>Bezpečná vzdálenost před povrchem</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -3292,6 +3412,16 @@
         <location filename="../screens/overview.cpp"/>
         <source>Start all</source>
         <translation>Start všech</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Start of the line, 1st axis (X: radius)</source>
+        <translation>Počátek přímky, 1. osa (X: poloměr)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Start of the line, 2nd axis (X: radius)</source>
+        <translation>Počátek přímky, 2. osa (X: poloměr)</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>

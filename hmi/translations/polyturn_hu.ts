@@ -304,14 +304,29 @@
         <translation>Kezdeti szög a +Z-hez</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Angle between two holes; 0: evenly spread</source>
+        <translation>Szög két furat között; 0: egyenletesen</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Angle it turns through</source>
         <translation>Az ív szöge</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Angle of the first hole to the 1st axis</source>
+        <translation>Az első furat szöge az 1. tengelyhez</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Angle of the infeed</source>
         <translation>Fogásvétel szöge</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Angle of the line to the 1st axis</source>
+        <translation>A vonal szöge az 1. tengelyhez</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -494,6 +509,11 @@
         <translation>Furat alja Z, vagy a visszaút vége</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Bottom of the hole, where no depth is told</source>
+        <translation>Furat alja, ha nincs mélység megadva</translation>
+    </message>
+    <message>
         <location filename="../machine/tool_words.cpp"/>
         <source>Broken</source>
         <translation>Törött</translation>
@@ -552,6 +572,16 @@
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Centre from the start point Z</source>
         <translation>Középpont a kezdettől Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Centre of the circle, 1st axis (X: radius)</source>
+        <translation>Kör középpontja, 1. tengely (X: sugár)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Centre of the circle, 2nd axis (X: radius)</source>
+        <translation>Kör középpontja, 2. tengely (X: sugár)</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -844,6 +874,11 @@
         <translation>Mitől függ</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Depth below the surface, instead of the bottom</source>
+        <translation>Mélység a felület alatt, az alj helyett</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Depth of a peck</source>
         <translation>Lépés mélysége</translation>
@@ -974,6 +1009,26 @@
         <translation>Fúrás forgácstöréssel</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Drilling, centring (in G17 along Z)</source>
+        <translation>Fúrás, központfúrás (G17-ben Z mentén)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Drilling, centring behind each block that moves</source>
+        <translation>Fúrás, központfúrás minden mozgó mondat után</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Drilling, counterboring (in G17 along Z)</source>
+        <translation>Fúrás, süllyesztés (G17-ben Z mentén)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Drilling, counterboring behind each block that moves</source>
+        <translation>Fúrás, süllyesztés minden mozgó mondat után</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Drive fault</source>
         <translation>Hajtáshiba</translation>
@@ -997,6 +1052,11 @@
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Dwell at the bottom</source>
         <translation>Várakozás az alján</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Dwell at the bottom; negative: revolutions</source>
+        <translation>Várakozás az alján; negatív: fordulatok</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -1300,6 +1360,16 @@
     </message>
     <message>
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Feed on the way in</source>
+        <translation>Előtolás befelé</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Feed on the way out</source>
+        <translation>Előtolás kifelé</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
         <source>Feed: lead times speed</source>
         <translation>Előtolás: emelkedés × fordulatszám</translation>
     </message>
@@ -1399,9 +1469,19 @@
         <translation>Forrás</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>From hole to hole</source>
+        <translation>Furattól furatig</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>From rapid to feed (R level)</source>
         <translation>Gyorsból előtolásra (R szint)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>From the start to the first hole</source>
+        <translation>A kezdettől az első furatig</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -2244,7 +2324,7 @@
         <translation>Sz.</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/offsets.cpp"/>
         <source>Nobody has changed it since the store was begun.</source>
         <translation>A tároló kezdete óta senki sem változtatta.</translation>
     </message>
@@ -2624,6 +2704,16 @@
         <translation>Helyek</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Places of holes along a line</source>
+        <translation>Furatok helye egyenes mentén</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Places of holes on a circle</source>
+        <translation>Furatok helye körön</translation>
+    </message>
+    <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>Plain S means the counter spindle</source>
         <translation>A sima S az ellenorsó</translation>
@@ -2774,6 +2864,11 @@
         <translation>Az ív sugara</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Radius of the circle of holes</source>
+        <translation>A furatkör sugara</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Radius, commanded</source>
         <translation>Sugár, előírt</translation>
@@ -2804,6 +2899,16 @@
         <translation>Kész</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Reaming (in G17 along Z)</source>
+        <translation>Dörzsárazás (G17-ben Z mentén)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Reaming behind each block that moves</source>
+        <translation>Dörzsárazás minden mozgó mondat után</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Record</source>
         <translation>Rögzítés</translation>
@@ -2832,6 +2937,11 @@
         <location filename="../screens/manual.cpp"/>
         <source>Reference all</source>
         <translation>Mind referencia</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Reference plane: the surface</source>
+        <translation>Vonatkoztatási sík: a felület</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -2959,6 +3069,11 @@
         <translation>Kiemelés fogásonként</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Retract plane</source>
+        <translation>Visszahúzási sík</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>Return %1</source>
         <translation>Vissza %1</translation>
@@ -3057,6 +3172,11 @@
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Safety distance</source>
         <translation>Biztonsági távolság</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Safety distance before the surface</source>
+        <translation>Biztonsági távolság a felület előtt</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -3292,6 +3412,16 @@
         <location filename="../screens/overview.cpp"/>
         <source>Start all</source>
         <translation>Start mind</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Start of the line, 1st axis (X: radius)</source>
+        <translation>Vonal kezdete, 1. tengely (X: sugár)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Start of the line, 2nd axis (X: radius)</source>
+        <translation>Vonal kezdete, 2. tengely (X: sugár)</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>

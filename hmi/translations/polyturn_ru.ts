@@ -304,14 +304,29 @@
         <translation>Угол в начале к +Z</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Angle between two holes; 0: evenly spread</source>
+        <translation>Угол между отверстиями; 0: равномерно</translation>
+    </message>
+    <message>
         <location filename="../screens/contour_page.cpp"/>
         <source>Angle it turns through</source>
         <translation>Угол дуги</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Angle of the first hole to the 1st axis</source>
+        <translation>Угол первого отверстия к 1-й оси</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Angle of the infeed</source>
         <translation>Угол врезания</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Angle of the line to the 1st axis</source>
+        <translation>Угол прямой к 1-й оси</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -494,6 +509,11 @@
         <translation>Дно отверстия Z или конец обратного хода</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Bottom of the hole, where no depth is told</source>
+        <translation>Дно отверстия, если глубина не задана</translation>
+    </message>
+    <message>
         <location filename="../machine/tool_words.cpp"/>
         <source>Broken</source>
         <translation>Сломан</translation>
@@ -552,6 +572,16 @@
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Centre from the start point Z</source>
         <translation>Центр от начальной точки Z</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Centre of the circle, 1st axis (X: radius)</source>
+        <translation>Центр окружности, 1-я ось (X: радиус)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Centre of the circle, 2nd axis (X: radius)</source>
+        <translation>Центр окружности, 2-я ось (X: радиус)</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>
@@ -844,6 +874,11 @@
         <translation>Зависит от</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Depth below the surface, instead of the bottom</source>
+        <translation>Глубина от поверхности вместо дна</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>Depth of a peck</source>
         <translation>Глубина шага</translation>
@@ -974,6 +1009,26 @@
         <translation>Сверление с ломкой стружки</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Drilling, centring (in G17 along Z)</source>
+        <translation>Сверление, центрование (в G17 по Z)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Drilling, centring behind each block that moves</source>
+        <translation>Сверление, центрование после каждого кадра с движением</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Drilling, counterboring (in G17 along Z)</source>
+        <translation>Сверление, цекование (в G17 по Z)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Drilling, counterboring behind each block that moves</source>
+        <translation>Сверление, цекование после каждого кадра с движением</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Drive fault</source>
         <translation>Авария привода</translation>
@@ -997,6 +1052,11 @@
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Dwell at the bottom</source>
         <translation>Выдержка на дне</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Dwell at the bottom; negative: revolutions</source>
+        <translation>Выдержка на дне; отрицательная: обороты</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -1300,6 +1360,16 @@
     </message>
     <message>
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Feed on the way in</source>
+        <translation>Подача на пути внутрь</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Feed on the way out</source>
+        <translation>Подача на пути наружу</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
         <source>Feed: lead times speed</source>
         <translation>Подача: шаг, умноженный на обороты</translation>
     </message>
@@ -1399,9 +1469,19 @@
         <translation>От</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>From hole to hole</source>
+        <translation>От отверстия до отверстия</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
         <source>From rapid to feed (R level)</source>
         <translation>Переход на подачу (уровень R)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>From the start to the first hole</source>
+        <translation>От начала до первого отверстия</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -2244,7 +2324,7 @@
         <translation>№</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/offsets.cpp"/>
         <source>Nobody has changed it since the store was begun.</source>
         <translation>С начала хранилища никто его не менял.</translation>
     </message>
@@ -2624,6 +2704,16 @@
         <translation>Места</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Places of holes along a line</source>
+        <translation>Места отверстий по прямой</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Places of holes on a circle</source>
+        <translation>Места отверстий по окружности</translation>
+    </message>
+    <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>Plain S means the counter spindle</source>
         <translation>Простое S — противошпиндель</translation>
@@ -2774,6 +2864,11 @@
         <translation>Радиус дуги</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Radius of the circle of holes</source>
+        <translation>Радиус окружности отверстий</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Radius, commanded</source>
         <translation>Радиус, заданный</translation>
@@ -2804,6 +2899,16 @@
         <translation>Готов</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Reaming (in G17 along Z)</source>
+        <translation>Развёртывание (в G17 по Z)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Reaming behind each block that moves</source>
+        <translation>Развёртывание после каждого кадра с движением</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Record</source>
         <translation>Запись</translation>
@@ -2832,6 +2937,11 @@
         <location filename="../screens/manual.cpp"/>
         <source>Reference all</source>
         <translation>Все в ноль</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Reference plane: the surface</source>
+        <translation>Базовая плоскость: поверхность</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -2959,6 +3069,11 @@
         <translation>Отвод после каждого прохода</translation>
     </message>
     <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Retract plane</source>
+        <translation>Плоскость отвода</translation>
+    </message>
+    <message>
         <location filename="../screens/manual.cpp"/>
         <source>Return %1</source>
         <translation>Возврат %1</translation>
@@ -3057,6 +3172,11 @@
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
         <source>Safety distance</source>
         <translation>Безопасное расстояние</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Safety distance before the surface</source>
+        <translation>Безопасное расстояние до поверхности</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fagor_forms.cpp"/>
@@ -3292,6 +3412,16 @@
         <location filename="../screens/overview.cpp"/>
         <source>Start all</source>
         <translation>Пуск всех</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Start of the line, 1st axis (X: radius)</source>
+        <translation>Начало прямой, 1-я ось (X: радиус)</translation>
+    </message>
+    <message>
+        <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
+        <source>Start of the line, 2nd axis (X: radius)</source>
+        <translation>Начало прямой, 2-я ось (X: радиус)</translation>
     </message>
     <message>
         <location filename="../screens/contour_page.cpp"/>

@@ -75,7 +75,7 @@ void CyclePicture::paintEvent(QPaintEvent*) {
     pen(t.dim, px(1));
     for (const QPolygonF& line : scene_.detail) painter.drawPolyline(all(line));
     pen(t.dim, px(1), Qt::DashDotLine);
-    painter.drawLine(at({2, kCentre}), at({98, kCentre}));
+    if (!scene_.front) painter.drawLine(at({2, kCentre}), at({98, kCentre}));
     // The tool's way: rapid dashed, feed with arrows.
     for (const Scene::Path& path : scene_.paths) {
         pen(path.rapid ? t.warn : t.good, px(path.rapid ? 1 : 2), path.rapid ? Qt::DashLine : Qt::SolidLine);
@@ -87,7 +87,9 @@ void CyclePicture::paintEvent(QPaintEvent*) {
     const double d = 3.0 * scale;
     const QPointF tool = at(scene_.tool);
     QPainterPath insert;
-    if (scene_.drill) {
+    if (scene_.drill && scene_.front) {
+        insert.addEllipse(tool, d * 0.6, d * 0.6);
+    } else if (scene_.drill) {
         const QPointF along = scene_.across ? QPointF(0, -1) : QPointF(1, 0), aside(along.y(), along.x());
         insert.moveTo(tool), insert.lineTo(tool + along * d * 0.5 + aside * d * 0.6), insert.lineTo(tool + along * d * 2.4 + aside * d * 0.6);
         insert.lineTo(tool + along * d * 2.4 - aside * d * 0.6), insert.lineTo(tool + along * d * 0.5 - aside * d * 0.6);

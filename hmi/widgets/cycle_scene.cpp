@@ -374,6 +374,10 @@ Scene sceneOf(Picture picture) {
         case Picture::ArcTurning: return section(false, true);
         case Picture::ArcFacing: return section(true, true);
         case Picture::BarrelThread: return barrelThread();
+        case Picture::DrillPlanes: return planesOfHole(false);
+        case Picture::ReamPlanes: return planesOfHole(true);
+        case Picture::HoleRow: return rowOfHoles();
+        case Picture::HoleCircle: return circleOfHoles();
     }
     return {};
 }

@@ -28,8 +28,13 @@ struct Scene {
     QPointF tool;                         // where the tool stands when the cycle begins
     bool drill = false;                   // the tool is a drill, from above when `across`
     bool across = false;
+    bool front = false;                   // the part is seen from the front, the tool from behind: no centre line lies in the sheet
 };
 
 Scene sceneOf(forms::Picture picture);
+// cycle_scene_holes.cpp
+Scene planesOfHole(bool feed_back);
+Scene rowOfHoles();
+Scene circleOfHoles();
 
 }  // namespace polyturn::hmi

@@ -47,16 +47,20 @@ BlockText::BlockText(std::string line, Notation notation) : line_(std::move(line
 // One pass; what is neither word nor comment makes the block one that no form may touch.
 void BlockText::read() {
     words_.clear();
+    call_.reset();
     plain_ = true;
     if (notation_ == Notation::Sinumerik) read_names();
     else read_letters();
-    for (TextWord& word : words_) {
+    const auto take_value = [this](TextWord& word) {
         word.value = line_.substr(word.value_from, word.to - word.value_from);
         const auto number = plain_number(word.value);
         word.plain = number.has_value();
         word.number = number.value_or(0.0);
         word.has_point = word.plain && word.value.find('.') != std::string::npos;
-    }
+    };
+    for (TextWord& word : words_) take_value(word);
+    if (call_)
+        for (TextWord& argument : call_->arguments) take_value(argument);
 }
 
 void BlockText::read_letters() {
@@ -112,8 +116,8 @@ void BlockText::read_letters() {
     }
 }
 
-// N10 G33 Z=R1+2 K2 SF=180 LFON ;why so: a letter with its number, a name with = and a value, a command without one. What is called
-// or chosen (brackets behind a name, labels, strings) and a value of several parts with blanks between them are left alone.
+// N10 G33 Z=R1+2 K2 SF=180 LFON ;why so: a letter with its number, a name with = and a value, a command without one; or a call that stands
+// alone. What is chosen or told (labels, conditions, strings) and a value of several parts with blanks between them are left alone.
 void BlockText::read_names() {
     std::size_t i = 0;
     const std::size_t n = line_.size();
@@ -156,12 +160,50 @@ void BlockText::read_names() {
             if (i == word.value_from || (i < n && capital(line_[i]) == 'E')) return void(plain_ = false);   // 2EX3
         } else {
             word.address += line_.substr(behind_name, i - behind_name);
+            if (at < n && line_[at] == '(') return read_call(std::move(word.address), at);
             word.value_from = i;
         }
         word.to = i;
         if (i < n && (line_[i] == '(' || line_[i] == '[' || line_[i] == ':')) return void(plain_ = false);
         words_.push_back(std::move(word));
     }
+}
+
+// N10 MCALL CYCLE82(10, 0, 2, -20, , R1 + 2) ;why so: nothing else may stand in the block of a cycle.
+void BlockText::read_call(std::string name, std::size_t open) {
+    TextCall call{std::move(name), open, 0, {}};
+    for (const TextWord& word : words_) {
+        if (word.address == "MCALL" && call.name.find(' ') == std::string::npos) call.name.insert(0, "MCALL ");
+        else if (word.address != "N" || &word != &words_.front()) return void(plain_ = false);
+    }
+    const std::size_t n = line_.size();
+    int depth = 1;
+    std::size_t from = open + 1;
+    for (std::size_t i = from; depth > 0; ++i) {
+        if (i >= n || line_[i] == '"' || line_[i] == ';') return void(plain_ = false);
+        if (line_[i] == '(' || line_[i] == '[') ++depth;
+        if (line_[i] == ')' || line_[i] == ']') --depth;
+        if (depth > 1 || (depth == 1 && line_[i] != ',')) continue;
+        TextWord argument;
+        argument.from = argument.value_from = from;
+        argument.to = i;
+        while (argument.to > from && is_blank(line_[argument.to - 1])) --argument.to;
+        while (argument.value_from < argument.to && is_blank(line_[argument.value_from])) ++argument.value_from;
+        if (argument.value_from == argument.to && argument.to < i) ++argument.value_from, ++argument.to;   // behind one blank
+        call.arguments.push_back(std::move(argument));
+        from = i + 1;
+    }
+    if (line_[from - 1] != ')') return void(plain_ = false);
+    call.close = from - 1;
+    if (call.arguments.size() == 1 && call.arguments.front().value_from == call.arguments.front().to) call.arguments.clear();   // ()
+    while (from < n && is_blank(line_[from])) ++from;
+    plain_ = plain_ && (from == n || line_[from] == ';');
+    call_ = std::move(call);
+}
+
+const TextWord* BlockText::argument(std::size_t i) const {
+    if (!call_ || i >= call_->arguments.size() || call_->arguments[i].value.empty()) return nullptr;
+    return &call_->arguments[i];
 }
 
 const TextWord* BlockText::find(std::string_view address) const {
@@ -172,6 +214,7 @@ const TextWord* BlockText::find(std::string_view address) const {
 
 bool BlockText::has_code(std::string_view code) const {
     if (code.empty() || !plain_) return false;
+    if (call_) return call_->name == code;
     const auto number = plain_number(code.substr(1));
     for (const TextWord& word : words_)
         if (word.address == code.substr(0, 1) && word.plain && number && std::fabs(word.number - *number) < 1e-9) return true;
@@ -196,6 +239,34 @@ void BlockText::erase(std::string_view address) {
     if (from > 0 && is_blank(line_[from - 1])) --from;             // one blank goes with it
     else if (to < line_.size() && is_blank(line_[to])) ++to;
     line_.erase(from, to - from);
+    read();
+}
+
+void BlockText::set_argument(std::size_t i, const std::string& value) {
+    const auto& all = call_->arguments;
+    if (i < all.size()) {
+        line_.replace(all[i].value_from, all[i].to - all[i].value_from, value);
+    } else {
+        bool dense = all.size() > 1;                   // 10,0,2 goes on without blanks
+        for (std::size_t k = 1; k < all.size(); ++k) dense = dense && !is_blank(line_[all[k].from]);
+        std::string more;
+        for (std::size_t k = all.size(); k <= i; ++k) more += k == 0 ? "" : dense ? "," : ", ";
+        line_.insert(all.empty() ? call_->open + 1 : all.back().to, more + value);
+    }
+    read();
+}
+
+void BlockText::erase_argument(std::size_t i) {
+    if (!argument(i)) return;
+    const auto& all = call_->arguments;
+    if (i + 1 < all.size()) {
+        line_.erase(all[i].value_from, all[i].to - all[i].value_from);
+    } else {
+        std::size_t first = i;
+        while (first > 0 && all[first - 1].value.empty()) --first;
+        const std::size_t from = first == 0 ? call_->open + 1 : all[first].from - 1;   // the comma too
+        line_.erase(from, call_->close - from);
+    }
     read();
 }
 

@@ -42,6 +42,8 @@ std::string text_of(double value, const Field& field, const Dialect& dialect) {
     return number_text(value, decimals_of(field, dialect), is_family(dialect));
 }
 
+std::size_t place_of(const Form& form, const Field& field) { return static_cast<std::size_t>(&field - form.fields.data()); }
+
 // Fields that are parts of one word.
 long power(int digits) { return digits <= 0 ? 1 : 10 * power(digits - 1); }
 
@@ -54,11 +56,11 @@ int total_digits(const Form& form, const Field& of) {
 
 Value read_field(const BlockText& block, const Form& form, const Field& field, const Dialect& dialect) {
     Value value;
-    const TextWord* word = block.find(field.address);
+    const TextWord* word = form.is_call() ? block.argument(place_of(form, field)) : block.find(field.address);
     if (!word && !field.increment.empty() && dialect.speaks & (kFanucA | kSeries15A)) word = block.find(field.increment);
     if (!word) return value;
     value.set = true;
-    if (word->address != field.address) value.address = word->address;
+    if (!form.is_call() && word->address != field.address) value.address = word->address;
     if (!word->plain) {
         value.expression = word->value;
         return value;
@@ -99,11 +101,14 @@ bool is_first_part(const Form& form, std::size_t i) { return form.fields[i].digi
 std::string address_of(const Field& field, const Value& value) { return value.address.empty() ? std::string(field.address) : value.address; }
 
 std::string fresh_block(const Form& form, const CycleBlock& cycle, int block, const Dialect& dialect) {
-    BlockText line(std::string(form.code), notation_of(dialect));
+    BlockText line(std::string(form.code) + (form.is_call() ? "()" : ""), notation_of(dialect));
     for (std::size_t i = 0; i < form.fields.size(); ++i) {
         const Field& field = form.fields[i];
         if (field.block != block || !is_first_part(form, i)) continue;
-        if (const std::string text = word_text(form, cycle.values, i, dialect); !text.empty()) line.set(address_of(field, cycle.values[i]), text);
+        const std::string text = word_text(form, cycle.values, i, dialect);
+        if (text.empty()) continue;
+        if (form.is_call()) line.set_argument(i, text);
+        else line.set(address_of(field, cycle.values[i]), text);
     }
     return line.line();
 }
@@ -111,6 +116,12 @@ std::string fresh_block(const Form& form, const CycleBlock& cycle, int block, co
 bool any_set(const Form& form, const CycleBlock& cycle, int block) {
     for (std::size_t i = 0; i < form.fields.size(); ++i)
         if (form.fields[i].block == block && cycle.values[i].set) return true;
+    return false;
+}
+
+bool is_set(const CycleBlock& cycle, std::string_view address) {
+    for (std::size_t i = 0; i < cycle.values.size(); ++i)
+        if (cycle.form->fields[i].address == address && cycle.values[i].set) return true;
     return false;
 }
 
@@ -124,6 +135,12 @@ std::string changed_block(const std::string& line, const CycleBlock& before, con
         for (std::size_t k = 0; k < form.fields.size(); ++k)
             if (form.fields[k].address == field.address && form.fields[k].block == field.block) same = same && before.values[k] == now.values[k];
         if (same) continue;
+        if (form.is_call()) {
+            const std::string argument = word_text(form, now.values, i, dialect);
+            if (argument.empty()) text.erase_argument(i);
+            else text.set_argument(i, argument);
+            continue;
+        }
         const std::string address = address_of(field, now.values[i]);
         if (const std::string was = address_of(field, before.values[i]); was != address) text.erase(was);
         const std::string value = word_text(form, now.values, i, dialect);
@@ -139,7 +156,7 @@ int decimals_of(const Field& field, const Dialect& dialect) {
     if (field.whole()) return 0;
     switch (field.unit) {
         case Unit::FeedRate: case Unit::Lead: case Unit::Degrees: case Unit::Plain: case Unit::Speed: return 4;
-        case Unit::Thousandth: return 3;
+        case Unit::Thousandth: case Unit::Seconds: return 3;
         default: break;
     }
     return std::max(0, static_cast<int>(std::lround(-std::log10(dialect.increment))));
@@ -198,7 +215,7 @@ std::vector<FieldFault> check_cycle(const CycleBlock& cycle) {
         const Value& value = cycle.values[i];
         FieldFault fault;
         if (!value.set) {
-            if (field.needed) fault.kind = FieldFault::Missing;
+            if (field.needed && !is_set(cycle, field.unless)) fault.kind = FieldFault::Missing;
             if (field.digits)   // parts of one word stand together
                 for (std::size_t k = 0; k < cycle.values.size(); ++k)
                     if (cycle.form->fields[k].digits && cycle.form->fields[k].address == field.address && cycle.form->fields[k].block == field.block && cycle.values[k].set) fault.kind = FieldFault::Missing;

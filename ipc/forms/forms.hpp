@@ -5,6 +5,7 @@
 //
 // A form of one block has fields of block 0 only. Of several forms of a code, the block is that one's of which most words stand in it
 // (G33 with K: along Z, with I: in the face). Letters and codes are those of the language's own table of G codes; a test keeps them so.
+// The fields of a call are its arguments in brackets, in turn: CYCLE82(10, 0, 2, -20, , 0.5).
 #pragma once
 #include <cstdint>
 #include <limits>
@@ -25,7 +26,7 @@ enum class Unit : std::uint8_t {
     Degrees,       // a plain number
     Rotary,        // degrees of an axis
     Thousandth,    // degrees; written in thousandths without a point: Q90000
-    Milliseconds, Hundredths,   // of a second
+    Milliseconds, Hundredths, Seconds,   // Hundredths: of a second
     FeedRate,      // as G94, G95 say
     Lead,          // mm a revolution
     Tenths,        // of the lead
@@ -37,17 +38,19 @@ enum class Unit : std::uint8_t {
 enum class Mark : std::uint8_t {
     None, StartX, StartZ, EndX, EndZ, Depth, Retract, AllowanceX, AllowanceZ, ReliefX, ReliefZ, Count, Contour, Peck, Step, Aside, Taper, Lead, Chamfer,
     ToolAngle, ThreadDepth, FirstPass, LeastPass, StartAngle, RLevel, Bottom, Dwell, Feed, FinishFeed, Safety, CentreX, CentreZ, Place, RunIn, ArcRadius,
+    FeedBack, FirstHole,
 };
 
 enum class Picture : std::uint8_t {
     Roughing, FaceRoughing, Pattern, Finishing, PeckFace, Groove, GrooveFace, Thread, FaceThread, Turning, Facing, TurningThread,
     DrillFace, DrillSide, TapFace, TapSide, BoreFace, BoreSide, SectionTurning, SectionFacing, ArcTurning, ArcFacing, BarrelThread,
+    DrillPlanes, ReamPlanes, HoleRow, HoleCircle,
 };
 
 inline constexpr double kAny = std::numeric_limits<double>::max();
 
 struct Field {
-    std::string_view address;       // of its word: a letter, in sinumerik a name too ("SF")
+    std::string_view address;       // of its word: a letter, in sinumerik a name too ("SF"); of an argument: how it is called
     std::uint8_t block;             // 0 or 1
     Unit unit;
     Mark mark;
@@ -57,17 +60,19 @@ struct Field {
     std::string_view meaning;       // English; the HMI's languages have it too
     std::string_view increment = {};   // address of the same thing as a distance from where the tool stands (U beside X)
     std::uint8_t digit = 0, digits = 0;   // a part of a word: P021060 of G76 is three fields of two digits
+    std::string_view unless = {};   // address of what makes it unneeded (DPR beside DP)
     bool whole() const { return unit == Unit::Count || unit == Unit::Label || unit == Unit::Choice || unit == Unit::Milliseconds || unit == Unit::Hundredths || digits != 0; }
 };
 
 struct Form {
-    std::string_view code;          // "G71"
+    std::string_view code;          // "G71", "CYCLE82", "MCALL CYCLE82"
     std::uint16_t speaks;           // Speaks
     Picture picture;
     std::string_view title;         // English; translated
     std::span<const Field> fields;
     std::string_view second;        // of two blocks: letters that only the second one has; empty: one block
     bool two_blocks() const { return !second.empty(); }
+    bool is_call() const { return code.find_first_of("0123456789") > 1; }   // more than a letter
 };
 
 std::span<const Form> fanuc_forms();

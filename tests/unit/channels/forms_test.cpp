@@ -95,7 +95,32 @@ TEST(Forms, OfSinumerikTakeWhatTheCodesTake) {
         }
         EXPECT_TRUE(found) << row.name;
     }
-    EXPECT_EQ(seen, forms::sinumerik_forms().size());
+    const auto all = forms::sinumerik_forms();
+    EXPECT_EQ(seen, static_cast<unsigned>(std::count_if(all.begin(), all.end(), [](const Form& form) { return !form.is_call(); })));
+}
+
+// Calls: a field for each argument that the command takes, and what must be told is at least what it needs; what MCALL takes has a form with it too.
+TEST(Forms, OfSinumerikCallsTakeWhatTheCommandsTake) {
+    using namespace sinumerik;
+    std::size_t seen = 0;
+    for (const Command& command : program_commands()) {
+        const bool hole = command.name.starts_with("CYCLE") && command.name != "CYCLE800";
+        if (!hole && !command.name.starts_with("HOLES")) continue;
+        for (const std::string& code : hole ? std::vector<std::string>{std::string(command.name), "MCALL " + std::string(command.name)} : std::vector<std::string>{std::string(command.name)}) {
+            const Form* found = nullptr;
+            for (const Form& form : forms::sinumerik_forms())
+                if (form.code == code) found = &form;
+            ASSERT_TRUE(found) << code;
+            ++seen;
+            EXPECT_EQ(found->fields.size(), command.most) << code;
+            std::size_t told = 0;
+            for (std::size_t i = 0; i < found->fields.size(); ++i)
+                if (found->fields[i].needed) told = i + 1;
+            EXPECT_GE(told, command.least) << code;
+        }
+    }
+    const auto all = forms::sinumerik_forms();
+    EXPECT_EQ(seen, static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [](const Form& form) { return form.is_call(); })));
 }
 
 // The proposals, as one would write them: a start beside the part, a contour where the cycle wants one. How many forms were played.
@@ -108,7 +133,7 @@ int play_proposals(const forms::Dialect& dialect, const std::string& language, c
         const bool side = form.picture == Picture::Groove || form.picture == Picture::DrillSide || form.picture == Picture::TapSide || form.picture == Picture::BoreSide;
         const std::string x = form.picture == Picture::Pattern ? "60." : "46.", z = side ? "-10." : "3.";
         const bool by_revolution_g95 = language == "nct" || (dialect.speaks & (forms::kFanucB | forms::kSeries15B | forms::kFanucC | forms::kSeries15C)) != 0;
-        std::vector<std::string> lines{sinumerik ? "G18 G95 S1000 M3 F0.2" : fagor ? "G95 G97 S1000 M3 F0.2" : std::string(by_revolution_g95 ? "G95 G98" : "G99") + " G97 S1000 M3", "G0 X" + x + " Z" + z};
+        std::vector<std::string> lines{form.is_call() ? "G17 G95 S1000 M3 F0.2" : sinumerik ? "G18 G95 S1000 M3 F0.2" : fagor ? "G95 G97 S1000 M3 F0.2" : std::string(by_revolution_g95 ? "G95 G98" : "G99") + " G97 S1000 M3", "G0 X" + x + " Z" + z};
         if (fagor) lines.insert(lines.begin(), {"%1", "T1 D1"});
         const int at = static_cast<int>(lines.size());
         lines.push_back(fagor ? "G0 X80 Z20" : "G0 X80. Z20.");
@@ -130,7 +155,8 @@ int play_proposals(const forms::Dialect& dialect, const std::string& language, c
         how.sets = sets;
         const testing::Played played = testing::play(text, how);
         EXPECT_EQ(played.errors, 0u) << language << ' ' << form.code << "\n" << text << played.find({"\"alarm\""});
-        EXPECT_TRUE(sinumerik ? played.has({"\"move\"", "\"thread\""}) || played.has({"\"move\"", "\"linear\""}) : played.has({"\"move\"", "\"cycle\""})) << language << ' ' << form.code << "\n" << text;
+        if (form.code.starts_with("HOLES")) return;    // moves as any other: HolesAreDrilledWhereTheFormSays
+        EXPECT_TRUE(sinumerik && !form.is_call() ? played.has({"\"move\"", "\"thread\""}) || played.has({"\"move\"", "\"linear\""}) : played.has({"\"move\"", "\"cycle\""})) << language << ' ' << form.code << "\n" << text;
     });
     return played_forms;
 }
@@ -144,7 +170,46 @@ TEST(Forms, WhatFanucProposesRuns) {
 }
 TEST(Forms, WhatNctProposesRuns) { EXPECT_GT(play_proposals({forms::kNct, true, 0.001}, "nct", {}), 10); }
 TEST(Forms, WhatFagorProposesRuns) { EXPECT_GT(play_proposals({forms::kFagor, false, 0.001}, "fagor", {}), 10); }
-TEST(Forms, WhatSinumerikProposesRuns) { EXPECT_GT(play_proposals({forms::kSinumerik, false, 0.001}, "sinumerik", {}), 10); }
+const std::vector<std::string> kWithY{"N0002 A6=1", "N0100 A6=89", "N0103 A6=2"};   // G17 has a second axis
+TEST(Forms, WhatSinumerikProposesRuns) { EXPECT_GT(play_proposals({forms::kSinumerik, false, 0.001}, "sinumerik", kWithY), 10); }
+
+// The proposals together: a hole of the modal cycle at each place.
+TEST(Forms, HolesAreDrilledWhereTheFormSays) {
+    const forms::Dialect dialect{forms::kSinumerik, false, 0.001};
+    const auto proposal = [&](std::string_view code) {
+        std::vector<std::string> lines;
+        forms::each_form(dialect, [&](const Form& form) {
+            if (form.code == code) forms::apply_changes(lines, forms::write_cycle(lines, forms::CycleBlock{&form, {}, {-1, -1}}, forms::new_cycle(form), 0, dialect));
+        });
+        return lines.empty() ? std::string() : lines.front() + "\n";
+    };
+    const auto bottoms = [&](const std::string& pattern) {
+        testing::Play how;
+        how.language = "sinumerik";
+        how.sets = kWithY;
+        const testing::Played played = testing::play("G17 G95 DIAMOF S1000 M3 F0.2\nG0 X0 Y0 Z20\n" + proposal("MCALL CYCLE81") + pattern + "MCALL\nM30\n", how);
+        EXPECT_EQ(played.errors, 0u) << played.events;
+        std::vector<std::pair<double, double>> out;
+        for (const std::string& line : played.lines()) {
+            const auto at = [&](const char* key) { return std::stod(line.substr(line.find(key, line.find("\"pos\":")) + 4)); };
+            if (line.find("\"cycle\":\"CYCLE81\"") != std::string::npos && line.find("\"move\"") != std::string::npos && at("\"Z\":") == -15) out.emplace_back(at("\"X\":"), at("\"Y\":"));
+        }
+        return out;
+    };
+    const auto row = bottoms(proposal("HOLES1"));
+    ASSERT_EQ(row.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(row[i].first, 10.0 + 8.0 * static_cast<double>(i), 0.001);
+        EXPECT_NEAR(row[i].second, 0.0, 0.001);
+    }
+    const auto circle = bottoms(proposal("HOLES2"));
+    ASSERT_EQ(circle.size(), 6u);
+    for (std::size_t i = 0; i < 6; ++i) {
+        const double turned = static_cast<double>(i) * 60.0 / 180.0 * std::acos(-1.0);
+        EXPECT_NEAR(circle[i].first, 20 * std::cos(turned), 0.001);
+        EXPECT_NEAR(circle[i].second, 20 * std::sin(turned), 0.001);
+    }
+}
 
 }  // namespace
 }  // namespace polyturn::channels

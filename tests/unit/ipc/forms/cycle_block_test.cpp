@@ -66,7 +66,7 @@ RC_GTEST_PROP(CycleForms, WhatIsWrittenIsReadBack, ()) {
     for (int block : {0, 1})
         if (found->line[block] >= 0) {
             std::string& line = commented[static_cast<std::size_t>(found->line[block])];
-            line = "N70 " + line + (dialect.speaks == kFagor ? " ;why so" : dialect.speaks == kSinumerik ? " M8 ;why so" : " M8 (why so)");
+            line = "N70 " + line + (dialect.speaks == kFagor || form.is_call() ? " ;why so" : dialect.speaks == kSinumerik ? " M8 ;why so" : " M8 (why so)");
         }
     const auto again = read_cycle(commented, found->line[form.fields[i].block] >= 0 ? found->line[form.fields[i].block] : found->line[1], dialect);
     RC_ASSERT(again.has_value());
@@ -227,12 +227,65 @@ TEST(CycleForms, SinumerikTapsHaveTheirSpeedInABlockOfItsOwn) {
     EXPECT_EQ(fresh, (Lines{"G331 S500", "G331 Z-15 K1.5", "M30"}));
 }
 
-TEST(CycleForms, NoFormTouchesASinumerikCallOrASplitValue) {
+// The arguments of a call are told by their place; an empty one stays empty, at the end it is not written.
+TEST(CycleForms, SinumerikCallsHaveTheirValuesInBrackets) {
+    const Dialect dialect = dialect_of("sinumerik", 'A', false, false, 0.001);
+    const Lines lines{"N10 mcall Cycle82 ( 10,0 , 2, -20, , R1 * (2 + R[3,1]) ) ;why so", "CYCLE85(10,0,,-20,,,80)"};
+    const auto deep = read_cycle(lines, 0, dialect);
+    ASSERT_TRUE(deep);
+    EXPECT_EQ(deep->form->code, "MCALL CYCLE82");
+    const double expected[] = {10, 0, 2, -20};
+    for (std::size_t i = 0; i < std::size(expected); ++i) EXPECT_DOUBLE_EQ(deep->values[i].number, expected[i]) << i;
+    EXPECT_FALSE(deep->values[4].set);
+    EXPECT_EQ(deep->values[5].expression, "R1 * (2 + R[3,1])");
+    const auto changed = [&](const CycleBlock& before, const std::vector<std::pair<std::size_t, Value>>& values) {
+        CycleBlock now = before;
+        for (const auto& [i, value] : values) now.values[i] = value;
+        const auto changes = write_cycle(lines, before, now, 0, dialect);
+        return changes.size() == 1 ? changes[0].text : std::string("none");
+    };
+    const Value none;
+    EXPECT_EQ(changed(*deep, {{1, {true, -2.5, {}, {}}}}), "N10 mcall Cycle82 ( 10,-2.5 , 2, -20, , R1 * (2 + R[3,1]) ) ;why so");
+    EXPECT_EQ(changed(*deep, {{3, none}, {4, {true, 15, {}, {}}}}), "N10 mcall Cycle82 ( 10,0 , 2, , 15, R1 * (2 + R[3,1]) ) ;why so");
+    EXPECT_EQ(changed(*deep, {{5, none}}), "N10 mcall Cycle82 ( 10,0 , 2, -20) ;why so");
+    const auto ream = read_cycle(lines, 1, dialect);
+    ASSERT_TRUE(ream);
+    EXPECT_EQ(ream->form->code, "CYCLE85");
+    EXPECT_FALSE(ream->values[2].set || ream->values[5].set || ream->values[7].set);
+    EXPECT_DOUBLE_EQ(ream->values[6].number, 80);
+    EXPECT_EQ(changed(*ream, {{2, {true, 1, {}, {}}}, {7, {true, 200, {}, {}}}}), "CYCLE85(10,0,1,-20,,,80,200)");
+    EXPECT_EQ(changed(*ream, {{6, none}}), "CYCLE85(10,0,,-20)");
+}
+
+TEST(CycleForms, SinumerikCallsAreProposedAsOneWritesThem) {
+    const Dialect dialect = dialect_of("sinumerik", 'A', false, false, 0.001);
+    Lines fresh;
+    each_form(dialect, [&](const Form& form) {
+        if (form.is_call()) apply_changes(fresh, write_cycle(fresh, CycleBlock{&form, {}, {-1, -1}}, new_cycle(form), static_cast<int>(fresh.size()), dialect));
+    });
+    EXPECT_EQ(fresh, (Lines{"CYCLE81(10, 0, 2, -15)", "CYCLE82(10, 0, 2, -15, , 0.5)", "CYCLE85(10, 0, 2, -15)", "MCALL CYCLE81(10, 0, 2, -15)", "MCALL CYCLE82(10, 0, 2, -15, , 0.5)",
+                            "MCALL CYCLE85(10, 0, 2, -15)", "HOLES1(0, 0, 0, 10, 8, 3)", "HOLES2(0, 0, 20, 0, 0, 6)"}));
+}
+
+// DP or DPR: one of them is needed (CYCLE81).
+TEST(CycleForms, TheBottomOfAHoleIsToldByPlaceOrByDepth) {
+    const Dialect dialect = dialect_of("sinumerik", 'A', false, false, 0.001);
+    EXPECT_TRUE(is_good(check_cycle(*read_cycle({"CYCLE81(10, 0, 2, -15)"}, 0, dialect))));
+    EXPECT_TRUE(is_good(check_cycle(*read_cycle({"CYCLE81(10, 0, 2, , 15)"}, 0, dialect))));
+    const auto faults = check_cycle(*read_cycle({"CYCLE81(10, 0, 2)"}, 0, dialect));
+    EXPECT_EQ(faults[3].kind, FieldFault::Missing);
+    EXPECT_EQ(faults[4].kind, FieldFault::None);
+}
+
+TEST(CycleForms, NoFormTouchesASinumerikStatementOrASplitValue) {
     const Dialect dialect = dialect_of("sinumerik", 'A', false, false, 0.001);
     EXPECT_FALSE(read_cycle({"G33 Z=R1 + 2 K2"}, 0, dialect));
     EXPECT_FALSE(read_cycle({"G33 Z-20 K2EX1"}, 0, dialect));
     EXPECT_FALSE(read_cycle({"START: G33 Z-20 K2"}, 0, dialect));
     EXPECT_FALSE(read_cycle({"MSG(\"G33 Z-20 K2\")"}, 0, dialect));
+    for (const char* call : {"CYCLE83(10, 0, 2, -15)", "G0 CYCLE81(10, 0, 2, -15)", "CYCLE81(10, 0, 2, -15) M8", "CYCLE81(10, 0, 2, -15", "CYCLE81(10, 0, 2, -15 ;)", "CYCLE81(10, (0, 2), \"-15\")",
+                             "IF (R1 == 2) CYCLE81(10, 0, 2, -15)", "CYCLE81[10, 0, 2, -15]", "CYCLE81(10, 0, 2, -15]", ";CYCLE81(10, 0, 2, -15)", "CYCLE81 10", "CYCLE81", "MCALL"})
+        EXPECT_FALSE(read_cycle({call}, 0, dialect)) << call;
     EXPECT_FALSE(read_cycle({"IF R1 == 2 G33 Z-20 K2"}, 0, dialect));
     EXPECT_TRUE(read_cycle({"/1 N20 G33 Z=IC(-20) K2 F0.2 DIAMON"}, 0, dialect));
 }
