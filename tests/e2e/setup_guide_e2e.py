@@ -29,7 +29,11 @@ class SetupGuide(unittest.TestCase):
                 for k, name in enumerate(("tool.pgm", "shot_00.pgm", "shot_01.pgm", "shot_02.pgm", "shot_03.pgm")):
                     draw(pathlib.Path(folder) / name, insert(0.8, 0.1, 0.2), seed=k)
             environment = dict(os.environ, PATH=f"{POLYTURN.parent}:{os.environ['PATH']}", XDG_RUNTIME_DIR=folder, LC_ALL="C")
-            done = subprocess.run(["bash", "-c", script], cwd=folder, env=environment, capture_output=True, text=True, timeout=400)
+            try:
+                done = subprocess.run(["bash", "-c", script], cwd=folder, env=environment, capture_output=True, text=True, timeout=200)
+            except subprocess.TimeoutExpired as late:
+                log = pathlib.Path(folder) / "start.log"
+                self.fail(f"hangs\n{late.stdout.decode()}{late.stderr.decode()}\n--- start.log\n{log.read_text() if log.exists() else ''}")
         out = done.stdout + done.stderr
         self.assertEqual(done.returncode, 0, out)
         block = {int(n): words for n, words in re.findall(r"--- block (\d+)\n(.*?)(?=--- block|\Z)", done.stdout, re.S)}

@@ -116,6 +116,39 @@ TEST_F(Forms, ANewCycleComesFromTheList) {
     EXPECT_TRUE(editor().faults().empty()) << (editor().faults().empty() ? "" : editor().faults()[0].text.toStdString());
 }
 
+TEST_F(Forms, ACallInBracketsIsAFormToo) {
+    const QString holes = "G17 G95 S900 M3 F0.1\nMCALL CYCLE82(10, 0, 2, -20, , 0.5) ;why so\nHOLES2(0, 0, 20, 0, 0, 6)\nMCALL\nM30\n", place = folder.filePath("HOLES.MPF");
+    QFile file(place);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(holes.toUtf8());
+    file.close();
+    ASSERT_TRUE(editor().open(place, "sinumerik"));
+    CycleFormPage& form = editor().form();
+    const auto allFits = [&form] {
+        QTest::qWait(60);   // drawn with the next frame
+        for (Sheet* one : form.sheets())
+            for (const QString& text : one->shortened()) ADD_FAILURE() << text.toStdString();
+    };
+    cursor(1);
+    hand->soft("Cycle form");
+    ASSERT_TRUE(form.cycle());
+    EXPECT_EQ(form.cycle()->form->code, "MCALL CYCLE82");
+    EXPECT_EQ(form.code(), "CYCLE82") << "what help is about";
+    allFits();
+    hand->touchCell(form.table(), 3, 2);
+    hand->type("-25"), hand->key(Qt::Key_Return);
+    hand->soft("Write into the program");
+    EXPECT_EQ(text(), QString(holes).replace("-20", "-25"));
+    cursor(2);
+    hand->soft("Cycle form");
+    ASSERT_TRUE(form.cycle());
+    EXPECT_EQ(form.cycle()->form->picture, forms::Picture::HoleCircle);
+    allFits();
+    hand->soft("Another cycle");
+    form.table().choose(form.table().rows() - 1);     // the calls stand at the end of the list
+    allFits();
+}
+
 TEST_F(Forms, ADescribedContourOpensInAFreshPage) {
     ASSERT_TRUE(editor().open(QString(POLYTURN_SOURCE_DIR) + "/examples/programs/O0050.nc", "fanuc"));
     const int at = static_cast<int>(text().left(text().indexOf("(CONTOUR DIA")).count('\n'));
