@@ -45,6 +45,7 @@ void ChannelRunner::cycle_start() noexcept {
         return;
     }
     take_keys();   // machine lock of this very tick: it counts before the program runs, or not at all
+    if (resetting_ && at_rest()) finish_reset();   // a reset of this very tick, on a computer that is late: it comes first, as it was pressed
     if (const ShortText missing = missing_for_start(core_, start_view()); !missing.view().empty()) {
         core_.alarm(Alarm::NotReady, number_, missing.view());
         return;

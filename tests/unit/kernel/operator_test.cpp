@@ -99,6 +99,31 @@ TEST(Operator, ResetsToAnEmptyPathAndANewEpoch) {
     EXPECT_EQ(rig.state(1), ChannelState::Ended);
 }
 
+// A computer that is late hands over in one tick what was pressed one after the other.
+TEST(Operator, AStartBehindAResetOfTheSameTickCounts) {
+    TickRig rig;
+    rig.command(CommandKind::Reset, 1);
+    rig.start(1);
+    rig.run(1);
+    EXPECT_FALSE(rig.alarmed(Alarm::NotReady));
+    EXPECT_EQ(rig.state(1), ChannelState::Running);
+}
+
+TEST(Operator, AStartBehindAResetThatHasToBrakeIsRefused) {
+    TickRig rig;
+    rig.push(1, rig.line(1, {30, -60}, 50));
+    rig.start(1);
+    rig.run(200);
+    rig.command(CommandKind::FeedHold, 1);
+    rig.run(2);
+    rig.command(CommandKind::Reset, 1);
+    rig.run(1);
+    ASSERT_LT(rig.speed_of(2), 0);
+    rig.start(1);
+    rig.run(300);
+    EXPECT_EQ(rig.state(1), ChannelState::Reset);
+}
+
 TEST(Operator, StopsAfterEachBlockInSingleBlock) {
     TickRig rig;
     rig.command(CommandKind::SingleBlock, 1, 1);
