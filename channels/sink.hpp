@@ -178,6 +178,8 @@ struct Variable {
     double value = 0.0;             // NaN: empty
     std::int32_t persistent = -1;   // index into ChannelStore::variables; -1 it is not kept
     std::uint32_t channel = 0;      // of that store; 0: the own one
+    bool is_text = false;           // its value is `text`: a STRING, the name of an axis
+    std::string_view text{};
 };
 
 struct OffsetWrite {

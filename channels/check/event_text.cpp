@@ -264,7 +264,8 @@ void append_event(std::string& out, const EventScene& scene, const Wait& wait, c
 void append_event(std::string& out, const EventScene& scene, const Variable& variable, const BlockContext& at) {
     Object object(out, "variable", scene, &at);
     object.text("name", variable.name);
-    object.number("value", variable.value);
+    if (variable.is_text) object.text("value", variable.text);
+    else object.number("value", variable.value);
 }
 
 void append_event(std::string& out, const EventScene& scene, const OffsetWrite& offset, const BlockContext& at) {

@@ -24,7 +24,7 @@ void HeldCalls::make(Call& call, Sink& to) {
         void operator()(Aux& a) { a.text = call.text, a.name = call.second, to.aux(a, call.at); }
         void operator()(Spindle& s) { to.spindle(s, call.at); }
         void operator()(Wait& w) { w.marker = call.text, to.wait(w, call.at); }
-        void operator()(Variable& v) { v.name = call.text, to.variable(v, call.at); }
+        void operator()(Variable& v) { v.name = call.text, v.text = call.second, to.variable(v, call.at); }
         void operator()(OffsetWrite& o) { o.table = call.text, o.axis = call.second, o.zero_name = call.third, to.offset(o, call.at); }
         void operator()(ToolWrite& w) { w.field = call.text, w.text = call.second, to.tool_write(w, call.at); }
         void operator()(LifeGroup& g) { to.life_group(g, call.at); }

@@ -19,7 +19,7 @@ public:
     void aux(const Aux& a, const BlockContext& at) { calls_.push_back({a, own(at), std::string(a.text), std::string(a.name), {}}); }
     void spindle(const Spindle& s, const BlockContext& at) { calls_.push_back({s, own(at), {}, {}, {}}); }
     void wait(const Wait& w, const BlockContext& at) { calls_.push_back({w, own(at), std::string(w.marker), {}, {}}); }
-    void variable(const Variable& v, const BlockContext& at) { calls_.push_back({v, own(at), std::string(v.name), {}, {}}); }
+    void variable(const Variable& v, const BlockContext& at) { calls_.push_back({v, own(at), std::string(v.name), std::string(v.text), {}}); }
     void offset(const OffsetWrite& o, const BlockContext& at) {
         calls_.push_back({o, own(at), std::string(o.table), std::string(o.axis), std::string(o.zero_name)});
     }

@@ -27,7 +27,7 @@ bool Interpreter::p_preset(Call& c) {
         if (!axis_argument(c, k, name, place)) return false;
         if (!c.has(k + 1)) return fail(Alarm::ArgumentMissing, std::string(name), static_cast<double>(k + 2));
         const double value = c.number(k + 1) * (core_.view().axes[place].rotary ? 1.0 : active(13) == 3 ? 25.4 : 1.0);
-        core_.preset_by(static_cast<unsigned>(place), value - core_.machine_now(static_cast<unsigned>(place)));
+        core_.preset_by(static_cast<unsigned>(place), value - (core_.machine_now(static_cast<unsigned>(place)) - core_.path.preset[place]));   // an earlier one counts
     }
     state_changed_ = true;
     core_.mark_emitted();

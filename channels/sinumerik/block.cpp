@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "channels/sinumerik/interpreter.hpp"
+#include "ipc/params/registry.hpp"
+#include "ipc/params/table.hpp"
 
 namespace polyturn::channels::sinumerik {
 namespace {
@@ -52,6 +54,8 @@ bool Interpreter::check_block() {
     if (m + s + h + others > 10) return fail(Alarm::FunctionsTooMany, "M S H T D F");   // sinumerik_part2 14
     if (const GCode* frame = block_.coded[kFrameGroup]; frame && block_.codes.size() > 1 && (frame->number < 9 || frame->number > 14))
         return fail(Alarm::OwnBlockNeeded, std::string(frame->name));   // frame commands (sinumerik_part2 13.2)
+    if (const GCode* pole = block_.coded[kFrameGroup]; pole && pole->number >= 12 && pole->number <= 14 && (block_.coded[kMotion] || block_.coded[kOneShot]))
+        return fail(Alarm::OwnBlockNeeded, std::string(pole->name));   // sinumerik_part1 10.3
     const std::size_t other = block_.words.size() + block_.codes.size();
     for (const auto& [command, call] : block_.procedures)
         if (command->own_block && (other > 0 || block_.procedures.size() > 1)) return fail(Alarm::OwnBlockNeeded, std::string(command->name));
@@ -194,7 +198,7 @@ bool Interpreter::axis_target(const Word& word, AxisValues& target) {
         target[i] = now + way;
         return true;
     }
-    if (axis.rollover) {
+    if (axis.rollover && !modal_.curve) {   // a curve table has its values as they are written
         target[i] = core_.rollover_target(static_cast<unsigned>(word.axis), value, !incremental);
         return true;
     }
@@ -206,12 +210,21 @@ bool Interpreter::axis_target(const Word& word, AxisValues& target) {
     return true;
 }
 
+// An axis that has been released is taken by naming it where MD30552 says so (sinumerik_part3 7.14).
+bool Interpreter::has_axis(const Word& word) {
+    const AxisSet bit = AxisSet{1} << word.axis;
+    if (!(modal_.released & bit)) return true;
+    if (params::get(core_.view().table(), params::md30552, core_.view().axes[static_cast<std::size_t>(word.axis)].machine_axis + 1u) == 0) return fail_word(Alarm::AxisReleased, word, axis_name(word.axis));
+    modal_.released &= ~bit;
+    return true;
+}
+
 bool Interpreter::read_axis_words(AxisValues& target, AxisSet& named) {
     target = core_.path.programmed;
     named = 0;
     for (const Word& word : block_.words) {
         if (word.axis < 0 || word.address->name != "axis") continue;
-        if (modal_.released >> word.axis & 1u) return fail_word(Alarm::AxisReleased, word, axis_name(word.axis));
+        if (!has_axis(word)) return false;
         if (!axis_target(word, target)) return false;
         named |= 1u << word.axis;
     }

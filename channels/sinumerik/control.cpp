@@ -36,9 +36,9 @@ bool Interpreter::st_if() {
         const std::string_view name = cursor_.name_ahead();
         const Symbol symbol = find_symbol(upper(name));
         if (symbol.kind != Symbol::Kind::Statement || symbol.statement().act != &Interpreter::st_goto) return syntax(cursor_.at(), std::string(name));
-        if (!holds) return true;
-        statement_ = &symbol.statement();
         cursor_.advance(name.size());
+        if (!holds) return cursor_.at_end() && symbol.statement().name != "GOTOS" ? syntax(cursor_.at(), std::string(symbol.statement().name)) : true;
+        statement_ = &symbol.statement();
         return st_goto();
     }
     const Structure* structure = structure_needed();

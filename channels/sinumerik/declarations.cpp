@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::size_t kLongestName = 31;
 constexpr std::size_t kMostCells = 65536;
+constexpr double kLongestText = 255;   // what READ gives back (sinumerik_part3 7.16); 200 where no length is named (9.7)
 
 }  // namespace
 
@@ -25,7 +26,7 @@ bool Interpreter::parse_type(Type& type, std::size_t& length) {
             Value value;
             if (cursor_.eat(']')) return true;
             if (!expression(value)) return false;
-            if (!value.is_number() || value.number < 1 || value.number > 200) return fail_at(Alarm::ArrayIndexIllegal, from, word.size(), "STRING", value.number);
+            if (!value.is_number() || value.number < 1 || value.number > kLongestText) return fail_at(Alarm::ArrayIndexIllegal, from, word.size(), "STRING", value.number);
             length = static_cast<std::size_t>(value.number);
             return cursor_.eat(']') || syntax(cursor_.at(), "]");
         }

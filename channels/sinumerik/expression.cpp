@@ -213,6 +213,12 @@ bool Interpreter::named_value(Value& value) {
     if (!reference_ahead(reference)) return false;
     if (reference) {
         if (reference.whole && !reference.variable->dimensions.empty()) return fail_at(Alarm::ArrayIndexMissing, from, name.size(), word);
+        if (!reference.component.empty() && reference.variable->type == Type::String) {
+            std::size_t i = 0;
+            if (!character_of(reference, from, i)) return false;
+            value = Value::of_char(static_cast<unsigned char>(reference.cell().text[i]));
+            return true;
+        }
         if (!reference.component.empty()) {
             static const FrameValue kNone;
             return frame_component(word, reference.cell().frame ? *reference.cell().frame : kNone, reference.component, 0, value);

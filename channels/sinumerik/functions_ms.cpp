@@ -153,7 +153,10 @@ bool Interpreter::functions_after() {
         called_ = true;
         unsigned programs = 0;
         for (const Level& level : levels_) programs += !level.section;
-        if (programs > 1) return return_from_level();   // M2 and M30 of a subprogram are its end
+        if (programs > 1) {   // M2 and M30 of a subprogram are its end; of M17 the PLC hears, other than of RET (sinumerik_part3 7.15)
+            if (m == 17) m_to_plc(word, m);
+            return return_from_level();
+        }
         if (modal_.geo.open_line) return fail(Alarm::ContourLineOpen);
         if (modal_.geo.approach) return fail(Alarm::ApproachNoEnd);
         core_.mark_emitted();

@@ -158,5 +158,7 @@ bool Interpreter::motion_changes(const GCode& to) {
 }
 
 bool Interpreter::a_nothing(const Word&) { return true; }
+// TCARR=0, CUTMOD=0 at the head of a program: no holder that turns the tool. There is none that it could be turned by.
+bool Interpreter::a_no_holder(const Word& word) { return word.number() == 0 || fail_word(Alarm::NotBuilt, word, std::string(word.address->name)); }
 
 }  // namespace polyturn::channels::sinumerik

@@ -103,16 +103,14 @@ bool Interpreter::limit_speed(const Word& word, bool high) {
     });
 }
 
-// The point lies inside all limits that act: WALIMON those of G25, G26 in the basic system, WALCS its group's.
-bool Interpreter::within_areas(const AxisValues& target) {
+// A limit that acts and that the point violates: WALIMON those of G25, G26 in the basic system, WALCS its group's. `distance`
+// must be left to it on each axis.
+std::optional<Interpreter::AreaFault> Interpreter::area_fault(const AxisValues& target, const AxisValues& distance, double slack) {
     const GeoModal& geo = modal_.geo;
     const bool basic = active(28) == 1, group = active(60) > 1;
-    if (!basic && !group) return true;
+    if (!basic && !group) return std::nullopt;
     const MachineView& view = core_.view();
     const AxisValues basic_point = core_.framed(target), settable = programmable(target);
-    const auto outside = [&](std::size_t i, double value, double limit) {
-        return fail(Alarm::WorkingAreaLeft, view.axes[i].name, view.to_shown(static_cast<unsigned>(i), value), view.to_shown(static_cast<unsigned>(i), limit));
-    };
     for (unsigned i = 0; i < view.axis_count; ++i) {
         if (basic) {
             const double value = basic_point[i] + core_.path.zero[i];
@@ -121,17 +119,24 @@ bool Interpreter::within_areas(const AxisValues& target) {
             const double low = geo.area_low >> i & 1u ? geo.low[i] : settings_.area_low[view.axes[i].machine_axis];
             const PlaneRole role = view.axes[i].role;
             const bool round = settings_.area_with_radius && (role == PlaneRole::BasicX || role == PlaneRole::BasicY || role == PlaneRole::BasicZ);
-            const double reach = round ? std::fabs(core_.path.tool.nose_radius) : 0.0;   // MD21020
-            if (plus && value + reach > high + kOnLimit) return outside(i, value + reach, high);
-            if (minus && value - reach < low - kOnLimit) return outside(i, value - reach, low);
+            const double reach = (round ? std::fabs(core_.path.tool.nose_radius) : 0.0) + distance[i];   // MD21020
+            if (plus && value + reach > high + slack) return AreaFault{i, value + reach, high, true};
+            if (minus && value - reach < low - slack) return AreaFault{i, value - reach, low, false};
         }
         if (!group) continue;
         const AreaGroup& area = geo.areas[active(60) - 2];
         const double value = area.workpiece ? target[i] : settable[i];
-        if (area.plus >> i & 1u && value > area.high[i] + kOnLimit) return outside(i, value, area.high[i]);
-        if (area.minus >> i & 1u && value < area.low[i] - kOnLimit) return outside(i, value, area.low[i]);
+        if (area.plus >> i & 1u && value + distance[i] > area.high[i] + slack) return AreaFault{i, value, area.high[i], true};
+        if (area.minus >> i & 1u && value - distance[i] < area.low[i] - slack) return AreaFault{i, value, area.low[i], false};
     }
-    return true;
+    return std::nullopt;
+}
+
+bool Interpreter::within_areas(const AxisValues& target) {
+    const auto out = area_fault(target, {}, kOnLimit);
+    if (!out) return true;
+    const MachineView& view = core_.view();
+    return fail(Alarm::WorkingAreaLeft, view.axes[out->axis].name, view.to_shown(out->axis, out->value), view.to_shown(out->axis, out->limit));
 }
 
 // Between its ends an arc comes farthest where it is parallel to an axis; a turned frame has those places elsewhere: then it

@@ -366,9 +366,10 @@ bool Interpreter::parse_head(bool& skipped) {
         after.advance(name.size());
         if (after.peek() != ':') return true;
         const std::string word = upper(name);
+        after.eat(':');
+        if (find_symbol(word).kind == Symbol::Kind::Statement && is_digit(after.peek())) return true;   // GOTOF :20
         if (word != "ENDLABEL" && (find_symbol(word).kind != Symbol::Kind::None || is_digit(name[1]))) return fail_at(Alarm::NameReserved, cursor_.at(), name.size(), word);
         if (find_variable(word)) return fail_at(Alarm::NameTwice, cursor_.at(), name.size(), word);   // one name, one thing
-        after.eat(':');
         cursor_ = after;
     }
 }

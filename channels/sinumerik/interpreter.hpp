@@ -74,6 +74,7 @@ public:
     bool is_incremental(const Word& word) const;
     double length_mm(const Word& word, int place, bool incremental) const;    // true mm or degrees: unit and diameter undone
     bool axis_target(const Word& word, AxisValues& target);                   // where the axis word wants its axis
+    bool has_axis(const Word& word);                                          // it is not released, or comes back by itself
     bool read_axis_words(AxisValues& target, AxisSet& named);                 // from path.programmed
     AxisSet axis_words() const;                                               // axes with a word in this block
     int find_axis(std::string_view name) const;                               // place, kSpindleAxis + n, or -1
@@ -99,7 +100,7 @@ public:
 
     // --- addresses (settings_words.cpp, tools.cpp, spindles.cpp)
     bool a_feed(const Word&), a_feed_tooth(const Word&), a_override(const Word&), a_feed_radius(const Word&);
-    bool a_feed_limit(const Word&), a_axis_feed(const Word&), a_axis_diameter(const Word&), a_nothing(const Word&);
+    bool a_feed_limit(const Word&), a_axis_feed(const Word&), a_axis_diameter(const Word&), a_nothing(const Word&), a_no_holder(const Word&);
     bool a_cutting_speed(const Word&), a_surface_axis(const Word&), a_limit(const Word&), a_spindle_position(const Word&);
     bool a_fixed_stop(const Word&), a_stop_torque(const Word&), a_stop_window(const Word&);
     bool a_tool_length_offset(const Word&), a_tool_axis_offset(const Word&), a_tool_radius_offset(const Word&);
@@ -131,7 +132,7 @@ public:
     bool f_ctabpol(Call&), f_ctabfpol(Call&), f_ctabmpol(Call&);
     static int edge_of_d(const Tool& tool, int d);                          // 0: no edge has this D number
     bool f_getvarlim(Call&), f_getvardft(Call&), f_getvarphu(Call&), f_getvarap(Call&);   // variable_facts.cpp
-    bool f_getvartyp(Call&), f_stringis(Call&), f_isfile(Call&), f_calcdat(Call&);
+    bool f_getvartyp(Call&), f_stringis(Call&), f_isfile(Call&), f_calcdat(Call&), f_calcposi(Call&);
     bool p_preset(Call&), p_geometry_axes(Call&), p_axis_profile(Call&), p_overlay_off(Call&), p_axis_exchange(Call&);
     bool p_tool_of_spindle(Call&), p_lift_axes(Call&), p_feed_per_revolution(Call&), p_axis_per_revolution(Call&);
     bool f_crots(Call&), f_addframe(Call&);
@@ -139,7 +140,7 @@ public:
     bool geo_involute(const GCode&), g_grinding(const GCode&), g_tool_frame(const GCode&), geo_not_built(const GCode&);
     bool st_execstring(), st_setint(), st_synchronized();
     bool p_write(Call&), p_read(Call&), p_delete(Call&), p_file_size(Call&), p_file_facts(Call&);   // files.cpp
-    bool p_cancel(Call&), p_lock(Call&), p_unlock(Call&), p_action_reset(Call&), p_stop_reading_of(Call&);   // synchronized.cpp
+    bool p_cancel(Call&), p_lock(Call&), p_unlock(Call&), p_action_reset(Call&), p_stop_reading_of(Call&), p_cycle_steps(Call&);   // synchronized.cpp
     bool p_interrupts(Call&), p_without_effect(Call&), p_trail(Call&), p_wheel_speed(Call&), a_sum_offset(const Word&);
     bool p_msg(Call&), p_setal(Call&), p_stopre(Call&), p_setms(Call&), p_wait_marker(Call&), p_wait_end(Call&);
     bool p_init(Call&), p_start(Call&);   // program_start.cpp
@@ -185,6 +186,7 @@ private:
     bool write_system(const std::string& name, const std::vector<Value>& indices, Value value, const char* from, std::size_t length, const char* at);
     bool add_g(const GCode* code, const char* begin);
     bool turns_about_y() const;
+    bool to_interpolation_parameter(Word& word) const;
     bool read_value(Word& word);
     bool read_index(Word& word, const Address& address);
     bool add_word(Word word, const char* begin);
@@ -276,7 +278,14 @@ private:
     double thread_start() const;
     bool way_out(ThreadCall& call, const AxisValues& target);  // of a held thread: LFON
     bool barrel_arc(AxisValues& target, ArcCall& arc);
+    struct AreaFault {
+        unsigned axis = 0;
+        double value = 0.0, limit = 0.0;
+        bool upper = false;
+    };
+    std::optional<AreaFault> area_fault(const AxisValues& target, const AxisValues& distance, double slack);
     bool within_areas(const AxisValues& target);
+    int violated_limit(const AxisValues& point, const AxisValues& distance, unsigned kinds, double slack);   // travel_limits.cpp
     bool arc_within_areas(const AxisValues& target, const ArcCall& call);
     bool limit_speed(const Word& word, bool high);
     Frame frame_of(const FrameValue& value) const;
@@ -330,6 +339,7 @@ private:
     bool index_list(std::vector<Value>& indices);
     bool reference_ahead(Reference& reference);              // a variable at the cursor; null reference: none there
     bool element_of(const Variable& variable, const std::vector<Value>& indices, const char* at, std::size_t& element);
+    bool character_of(const Reference& reference, const char* at, std::size_t& i);
     Reference find_variable(std::string_view upper_name) const;
     bool assign(const Reference& reference, Value value, const char* at);
     bool assignment(const Reference& reference);             // behind the name: = value, = SET(...), = (..)
@@ -396,6 +406,7 @@ private:
     bool each_action(Call& c, const std::function<void(SynchronizedAction&)>& change);
     bool only_in_action(std::string_view name);
     static bool find_do(Cursor& at);
+    bool action_may_be_told();
     struct Polynomial {
         double low = 0, high = 0;
         std::array<double, 4> factors{};

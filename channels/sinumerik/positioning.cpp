@@ -116,7 +116,7 @@ bool Interpreter::position_axis(const Word& word) {
     if (axis_words() >> i & 1u) return fail_word(Alarm::AddressTwice, word, axis_name(word.axis));
     for (const Word& other : block_.words)
         if (&other != &word && positions(other.address->name) && other.axis == word.axis) return fail_word(Alarm::AddressTwice, word, axis_name(word.axis));
-    if (modal_.released >> i & 1u) return fail_word(Alarm::AxisReleased, word, axis_name(word.axis));
+    if (!has_axis(word)) return false;
     AxisValues target = core_.path.programmed;
     if (std::any_of(modal_.trails.begin(), modal_.trails.end(), [&](const Trail& one) { return one.leads == i; }))
         return fail_word(Alarm::NotBuilt, word, "TRAILON: " + std::string(word.address->name));

@@ -26,6 +26,7 @@ constexpr Address kAddressRows[] = {
     {"FL", Index::Axis, Use::Setting, &Interpreter::a_feed_limit, false, true},
     {"FA", Index::Spindle, Use::Setting, &Interpreter::a_axis_feed, false, true},
     {"AX", Index::Axis, Use::Block, nullptr, true, true},   // an axis word by a variable
+    {"IP", Index::Axis, Use::Block, nullptr, true, true},   // I J K by a variable
     {"POS", Index::Axis, Use::Setting, &Interpreter::a_nothing, true, true},    // driven beside the path: start_positioning()
     {"POSA", Index::Axis, Use::Setting, &Interpreter::a_nothing, true, true},
     {"POSP", Index::Axis, Use::Setting, &Interpreter::a_nothing, true, true},
@@ -38,9 +39,17 @@ constexpr Address kAddressRows[] = {
     {"ACC", Index::Spindle, Use::Setting, &Interpreter::a_axis_share, false, true},
     {"VELOLIM", Index::Spindle, Use::Setting, &Interpreter::a_axis_share, false, true},
     {"JERKLIM", Index::Axis, Use::Setting, &Interpreter::a_axis_share, false, true},
+    {"VELOLIMA", Index::Spindle, Use::Setting, &Interpreter::a_without_effect, false, true},   // of axes that follow: they keep the machine's limits
+    {"ACCLIMA", Index::Spindle, Use::Setting, &Interpreter::a_without_effect, false, true},
+    {"JERKLIMA", Index::Spindle, Use::Setting, &Interpreter::a_without_effect, false, true},
     {"CTOL", Index::None, Use::Setting, &Interpreter::a_without_effect, true},    // PT_PATH_TOL holds
     {"OTOL", Index::None, Use::Setting, &Interpreter::a_without_effect, true},
     {"STOLF", Index::None, Use::Setting, &Interpreter::a_without_effect, true},
+    {"STAT", Index::None, Use::Setting, &Interpreter::a_without_effect, false},   // no transformation here has several joints
+    {"TU", Index::None, Use::Setting, &Interpreter::a_without_effect, false},
+    {"SCPARA", Index::Axis, Use::Setting, &Interpreter::a_without_effect, false, true},
+    {"TCARR", Index::None, Use::Setting, &Interpreter::a_no_holder},
+    {"CUTMOD", Index::None, Use::Setting, &Interpreter::a_no_holder},
     {"ATOL", Index::Axis, Use::Setting, &Interpreter::a_without_effect, true, true},
     {"ST", Index::None, Use::Setting, &Interpreter::a_without_effect, false},     // no input changes the feed of a block here
     {"SR", Index::None, Use::Setting, &Interpreter::a_without_effect, false},

@@ -26,6 +26,7 @@ constexpr Command kCommandRows[] = {
     {"MAXVAL", true, 2, 2, "r", &I::f_maxval},
     {"BOUND", true, 3, 3, "r", &I::f_bound},
     {"CALCDAT", true, 3, 3, "vrv", &I::f_calcdat},
+    {"CALCPOSI", true, 4, 6, "vvvvrr", &I::f_calcposi},
     // texts
     {"ISNUMBER", true, 1, 1, "s", &I::f_isnumber},
     {"NUMBER", true, 1, 1, "s", &I::f_number},
@@ -156,6 +157,8 @@ constexpr Command kCommandRows[] = {
     {"UNLOCK", false, 1, 16, "r", &I::p_unlock},
     {"RESET", false, 1, 16, "r", &I::p_action_reset},
     {"STOPREOF", false, 0, 0, "", &I::p_stop_reading_of},
+    {"ICYCON", false, 0, 0, "", &I::p_cycle_steps},
+    {"ICYCOF", false, 0, 0, "", &I::p_cycle_steps},
     {"SYNFCT", false, 3, 3, "rwr", &I::p_synfct},
     {"RDISABLE", false, 0, 0, "", nullptr},
     {"DELDTG", false, 0, 1, "a", nullptr},

@@ -24,15 +24,23 @@ const Keyword* keyword(std::string_view name) {
     return nullptr;
 }
 
-// What may stand behind DO (1.4) and acts there.
+template <std::size_t n> bool among(const std::string_view (&names)[n], std::string_view name) { return std::find(std::begin(names), std::end(names), name) != std::end(names); }
+
+// What may stand behind DO: the + of column SA (1.4 and 3), and what other sections let stand there (FA with POS; FXS: part 2, 15.6).
 bool allowed(std::string_view address) {
-    static constexpr std::string_view kAddresses[] = {"M", "S", "H", "SPOS", "POS", "FA", "OVRA", "ACC"};
-    return std::find(std::begin(kAddresses), std::end(kAddresses), address) != std::end(kAddresses);
+    static constexpr std::string_view kAddresses[] = {"M", "S", "H", "SPOS", "POS", "FA", "OVRA", "ACC", "VELOLIMA", "ACCLIMA", "JERKLIMA", "FXS", "FXST", "FXSW"};
+    return among(kAddresses, address);
 }
 
 bool allowed_call(std::string_view procedure) {
-    static constexpr std::string_view kProcedures[] = {"LOCK", "UNLOCK", "RESET", "STOPREOF", "SETM", "CLEARM", "SETAL", "TRAILON", "TRAILOF", "SYNFCT"};
-    return std::find(std::begin(kProcedures), std::end(kProcedures), procedure) != std::end(kProcedures);
+    static constexpr std::string_view kProcedures[] = {"LOCK",    "UNLOCK",    "RESET",     "STOPREOF", "SETM",    "CLEARM",  "SETAL",   "TRAILON",  "TRAILOF",   "SYNFCT", "LEADON",
+                                                       "LEADOF",  "PRESETON",  "PRESETONS", "RELEASE",  "AXTOCHAN", "CTABLOCK", "CTABUNLOCK", "IPOBRKA", "ICYCON", "ICYCOF"};
+    return among(kProcedures, procedure);
+}
+
+bool allowed_function(std::string_view function) {
+    static constexpr std::string_view kFunctions[] = {"ABS", "SIN", "COS", "TAN", "ASIN", "ACOS", "ATAN2", "SQRT", "POT", "TRUNC", "ROUND", "ROUNDUP", "LN", "EXP", "MINVAL", "MAXVAL", "BOUND", "POSRANGE"};
+    return function.starts_with("CTAB") || among(kFunctions, function);
 }
 
 }  // namespace
@@ -47,6 +55,51 @@ bool Interpreter::find_do(Cursor& at) {
         at.advance(std::max<std::size_t>(name.size(), 1));
     }
     return false;
+}
+
+// What cannot be done is refused where it is told, not when its moment has come: by words of the block, those behind an operator
+// or within brackets are operands.
+bool Interpreter::action_may_be_told() {
+    unsigned brackets = 0;
+    bool text = false, operand = false;
+    for (Cursor part = cursor_; !part.at_end();) {
+        const char c = part.next_raw();
+        if (c == '"') text = !text;
+        const std::string word = text ? std::string() : upper(part.name_ahead());
+        if (word.empty()) {
+            if (!text && (c == '(' || c == '[')) ++brackets;
+            if (!text && (c == ')' || c == ']') && brackets > 0) --brackets;
+            if (!is_blank(c)) operand = !text && std::string_view("=<>+-*/,").find(c) != std::string_view::npos;
+            part.advance(1);
+            continue;
+        }
+        const bool numbered = word.size() > 1 && is_digit(word[1]);
+        const Symbol symbol = find_variable(word) ? Symbol{} : find_symbol(numbered ? word.substr(0, 1) : word);
+        const auto refuse = [&](Alarm alarm) { return fail_at(alarm, part.at(), word.size(), "DO " + word); };
+        operand = operand || brackets > 0;
+        if (numbered && word[0] == 'G') return refuse(Alarm::AddressIllegal);
+        if (operand) {
+            if (symbol.kind == Symbol::Kind::Command && symbol.command().function && !allowed_function(symbol.command().name)) return refuse(Alarm::AddressIllegal);
+        } else {
+            switch (symbol.kind) {
+                case Symbol::Kind::G:
+                case Symbol::Kind::Statement: return refuse(Alarm::AddressIllegal);
+                case Symbol::Kind::Reserved: return refuse(Alarm::NotBuilt);
+                case Symbol::Kind::Address:
+                    if (!allowed(symbol.address().name)) return refuse(Alarm::AddressIllegal);
+                    break;
+                case Symbol::Kind::Command:
+                    if (!symbol.command().act) return refuse(Alarm::NotBuilt);
+                    if (!allowed_call(symbol.command().name)) return refuse(Alarm::AddressIllegal);
+                    break;
+                default:
+                    if (const int axis = find_axis(numbered ? word.substr(0, 1) : word); axis >= 0 && axis < kSpindleAxis) return refuse(Alarm::AddressIllegal);   // it moves by POS
+            }
+        }
+        operand = symbol.kind == Symbol::Kind::Operator;
+        part.advance(word.size());
+    }
+    return true;
 }
 
 // A block that only tells what shall be done: it moves nothing and outputs nothing.
@@ -78,16 +131,7 @@ bool Interpreter::st_synchronized() {
     }
     action.action_at = static_cast<std::size_t>(cursor_.at() - cursor_.begin());
     if (cursor_.at_end()) return syntax(cursor_.at(), "DO");
-    for (Cursor part = cursor_; !part.at_end();) {   // what cannot be done is refused here, not when its moment has come
-        const std::string_view word = part.name_ahead();
-        const Symbol symbol = word.size() > 1 ? find_symbol(upper(word)) : Symbol{};
-        const bool unknown = symbol.kind == Symbol::Kind::Reserved || (symbol.kind == Symbol::Kind::Command && !symbol.command().act);
-        const bool procedure = symbol.kind == Symbol::Kind::Command && !symbol.command().function && !allowed_call(symbol.command().name);
-        const bool address = symbol.kind == Symbol::Kind::Address && !allowed(symbol.address().name) && symbol.address().name != "AC" && symbol.address().name != "IC";
-        if (unknown && word != "AC" && word != "IC" && word != "TRUE" && word != "FALSE") return fail_at(Alarm::NotBuilt, part.at(), word.size(), "DO " + std::string(word));
-        if (procedure || address || symbol.kind == Symbol::Kind::G) return fail_at(Alarm::NotBuilt, part.at(), word.size(), "DO " + std::string(word));
-        part.advance(std::max<std::size_t>(word.size(), 1));
-    }
+    if (!action_may_be_told()) return false;
     action.text = line_;
     action.line = core_.at.line;
     undo([this, before = actions_] { actions_ = before; });
@@ -193,6 +237,7 @@ bool Interpreter::p_cancel(Call& c) {
 bool Interpreter::p_lock(Call& c) { return only_in_action("LOCK") && each_action(c, [](SynchronizedAction& one) { one.locked = true; }); }
 bool Interpreter::p_unlock(Call& c) { return only_in_action("UNLOCK") && each_action(c, [](SynchronizedAction& one) { one.locked = false; }); }
 bool Interpreter::p_action_reset(Call& c) { return only_in_action("RESET") && each_action(c, [](SynchronizedAction&) {}); }   // of technology cycles
+bool Interpreter::p_cycle_steps(Call&) { return only_in_action(block_.procedures.front().first->name); }   // ICYCON, ICYCOF: of technology cycles
 bool Interpreter::p_stop_reading_of(Call&) { return only_in_action("STOPREOF") && (stop_reading(), true); }
 bool Interpreter::only_in_action(std::string_view name) { return in_action_ || fail(Alarm::AddressIllegal, std::string(name)); }
 

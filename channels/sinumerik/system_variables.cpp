@@ -100,6 +100,7 @@ bool Interpreter::system_value(Value& value) {
     }
     if (bool known = false; !feed_value(name, indices, from, length, value, known)) return false;
     else if (known) return true;
+    if (name == "$P_UIFRNUM") return value = Value::of_int(active(8) - 1.0), true;
     if (name == "$P_MSNUM") return value = Value::of_int(modal_.master_spindle), true;
     if (name == "$P_CHANNO") return value = Value::of_int(core_.view().channel), true;
     if (name == "$P_STACK") return value = Value::of_int(core_.at.stack_depth), true;
@@ -116,7 +117,7 @@ bool Interpreter::system_value(Value& value) {
         if (!need_fresh()) return false;
         const auto i = static_cast<std::size_t>(place(0));
         if (name == "$AA_IW") value = Value::of_real(shown(place(0), path.programmed[i]));
-        else value = Value::of_real(core_.machine_now(static_cast<unsigned>(i)));
+        else value = Value::of_real(core_.machine_now(static_cast<unsigned>(i)) - path.preset[i]);   // what PRESETON has called it (sinumerik_part3 7.1)
         return true;
     }
     if (name == "$AA_MM" || name == "$AA_MW") {   // where the probe of MEAS stopped the axis, before braking; else where it stands

@@ -67,7 +67,11 @@ bool Interpreter::reference_ahead(Reference& reference) {
     if (cursor_.peek() == '[' && (found.whole || found.variable->dimensions.empty())) {
         std::vector<Value> indices;
         if (!index_list(indices)) return false;
-        // STRING[i] means a character; a frame variable's components are the geometry's.
+        // TEXT[i] means a character; a frame variable's components are the geometry's.
+        if (found.variable->type == Type::String && indices.size() == found.variable->dimensions.size() + 1) {
+            found.component.assign(indices.end() - 1, indices.end());
+            indices.pop_back();
+        }
         if (found.variable->type == Type::Frame && indices.size() == found.variable->dimensions.size() + 2) {
             found.component.assign(indices.end() - 2, indices.end());
             indices.resize(indices.size() - 2);
@@ -106,6 +110,15 @@ bool Interpreter::element_of(const Variable& variable, const std::vector<Value>&
         if (!(index >= 0 && index < variable.dimensions[i])) return fail_at(Alarm::ArrayIndexIllegal, at, 1, variable.name, index);
         element = element * variable.dimensions[i] + static_cast<std::size_t>(index);
     }
+    return true;
+}
+
+// Which character TEXT[i] names; there must be one.
+bool Interpreter::character_of(const Reference& reference, const char* at, std::size_t& i) {
+    const Value& index = reference.component.front();
+    const std::string& text = reference.cell().text;
+    if (!index.is_number() || !(index.number >= 0 && std::nearbyint(index.number) < static_cast<double>(text.size()))) return fail_at(Alarm::ArrayIndexIllegal, at, 1, reference.variable->name, index.number);
+    i = static_cast<std::size_t>(std::nearbyint(index.number));
     return true;
 }
 
@@ -186,6 +199,15 @@ bool Interpreter::assignment(const Reference& reference) {
     }
     if (reference.whole && !reference.variable->dimensions.empty()) return fail_at(Alarm::ArrayIndexMissing, at, 1, reference.variable->name);
     Value value;
+    if (!reference.component.empty() && reference.variable->type == Type::String) {
+        std::size_t i = 0;
+        Value text = reference.cell();
+        if (!character_of(reference, at, i) || !expression(value)) return false;
+        if (!convert(value, Type::Char)) return fail_at(Alarm::ConversionImpossible, at, 1, reference.variable->name);
+        text.text[i] = static_cast<char>(value.number);
+        store(reference, std::move(text));
+        return true;
+    }
     if (!reference.component.empty()) {
         FrameValue frame = reference.cell().frame ? *reference.cell().frame : FrameValue{};
         if (!expression(value) || !change_frame_component(reference.variable->name, frame, reference.component, 0, value)) return false;
@@ -198,7 +220,9 @@ bool Interpreter::assignment(const Reference& reference) {
 void Interpreter::report_variable(const std::string& name, const Value& value) {
     if (name.starts_with("$TC_")) tell_tool(name, value);
     core_.mark_emitted();
-    core_.sink().variable({name, value.type <= Type::Real ? value.number : std::numeric_limits<double>::quiet_NaN(), -1}, core_.at);
+    channels::Variable told{name, value.is_number() ? value.number : std::numeric_limits<double>::quiet_NaN()};
+    if (value.type == Type::String || (value.type == Type::Axis && value.place() >= 0)) told.is_text = true, told.text = value.text;
+    core_.sink().variable(told, core_.at);
 }
 
 bool Interpreter::preset_variable(std::string_view name, double value) {

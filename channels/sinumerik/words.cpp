@@ -228,12 +228,15 @@ bool Interpreter::parse_named_word(const char* begin, std::string_view name, con
             if (cursor_.peek() == '[' && !read_index(word, *word.address)) return false;
             if (word.address->index == Address::Index::Axis && word.axis < 0) return fail_at(Alarm::AxisArgumentMissing, begin, name.size(), std::string(name));
             if (name == "AX") word.address = &kAxisAddress;
+            if (name == "IP" && !to_interpolation_parameter(word)) return fail_at(Alarm::AxisKindWrong, begin, name.size(), axis_name(word.axis));
             if (!word.address->valueless) return read_value(word) && add_word(std::move(word), begin);
             return add_word(std::move(word), begin);
         }
         case Symbol::Kind::Command: {
             const Command& command = symbol.command();
             if (!command.act) return fail_at(Alarm::NotBuilt, begin, name.size(), std::string(name));
+            // A value must go somewhere; these the manual lists as functions and as procedures (sinumerik_part3 14).
+            if (command.function && name != "DELDL" && name != "SETDNO" && name != "GETTENV") return syntax(begin, std::string(name));
             cursor_.advance(name.size());
             Call call;
             if (!read_arguments(command, call)) return false;
@@ -248,6 +251,20 @@ bool Interpreter::parse_named_word(const char* begin, std::string_view name, con
             return true;
         default: return fail_at(Alarm::NotBuilt, begin, name.size(), std::string(name));
     }
+}
+
+// IP[axis]: I, J or K by a variable, those of the geometry axes 1 to 3.
+bool Interpreter::to_interpolation_parameter(Word& word) const {
+    static constexpr std::string_view kNames[] = {"I", "J", "K"};
+    static constexpr PlaneRole kRoles[] = {PlaneRole::BasicX, PlaneRole::BasicY, PlaneRole::BasicZ};
+    const MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (word.axis < 0 || view.axes[static_cast<std::size_t>(word.axis)].role != kRoles[k]) continue;
+        word.address = &find_symbol(kNames[k]).address();
+        word.axis = -1;
+        return true;
+    }
+    return false;
 }
 
 bool Interpreter::turns_about_y() const {

@@ -48,6 +48,11 @@ TEST(CurveTables, RepeatThemselves) {
            {{"R1", "15"}, {"R2", "35"}, {"R3", "5"}, {"R4", "1"}, {"R5", "2"}, {"R6", "-1"}, {"R7", "0"}, {"R8", "1"}, {"R9", "2"}, {"R10", "1"}, {"R11", "2"}, {"R12", "1"}, {"R13", "0"}, {"R14", "37"}, {"R15", "37"}});
 }
 
+// The values of a roll-over axis are those that are written, not ways around.
+TEST(CurveTables, HaveRolloverAxesAsTheyAreWritten) {
+    expect(run("DEF REAL GG\nCTABDEF(C,Z,3,0)\nZ0 C0\nZ10 C20\nZ20 C10\nZ30 C400\nCTABEND\nR1=CTAB(15,3,GG) R2=CTAB(25,3,GG) R3=CTABTMAX(3)\nM30\n"), {{"R1", "15"}, {"R2", "205"}, {"R3", "400"}});
+}
+
 TEST(CurveTables, AreLockedAndDeleted) {
     expect(run(kTable + "CTABLOCK(3)\nR1=CTABISLOCK(3)\nCTABUNLOCK(3)\nR2=CTABISLOCK(3)\nR3=CTABFNO(\"SRAM\") R4=CTABSEG(\"SRAM\",\"L\") R5=CTABSEG(\"SRAM\",\"P\") R6=CTABSEG(\"XX\")\nCTABDEL(3)\nR7=CTABEXISTS(3) R8=CTABFNO(\"SRAM\")\nR9=CTABISLOCK(3)\nM30\n"),
            {{"R1", "1"}, {"R2", "0"}, {"R3", "99"}, {"R4", "4"}, {"R5", "0"}, {"R6", "-1"}, {"R7", "0"}, {"R8", "100"}, {"R9", "-1"}});

@@ -74,6 +74,7 @@ constexpr Row kRows[] = {
     {"STRINGIS(\"G1\")", "200"},
     {"STRINGIS(\"TRACON\")", "100"},
     {"STRINGIS(\"NOBODY\")", "0"},
+    {"$P_UIFRNUM", "0"},
 };
 
 TEST(SinumerikExpression, HasTheValueOfTheTable) {
@@ -107,6 +108,12 @@ constexpr Wrong kWrong[] = {
     {"TRAORI(1)", "14401", 0},
     {"WHEN TRUE DO DELDTG", "12140", 14},
     {"GOTOF NOWHERE", "14080", 0},
+    {"IF R1==5 GOTOF", "12080", 15},       // the condition does not hold: the mistake is one nevertheless
+    {"SIN(5)", "12080", 1},                // its value goes nowhere
+    {"MODAXVAL(C,5)", "12080", 1},
+    {"G0 X5 G111 Z0", "12080", 0},         // the pole has a block of its own (part 1, 10.3)
+    {"TCARR=2", "12140", 1},
+    {"IP[C]=2 G2 X5", "14092", 1},
     {"ENDIF", "12640", 0},
     {"DEF INT AB, AB", "12170", 13},
     {"DEF BOOL AB=X", "12240", 13},

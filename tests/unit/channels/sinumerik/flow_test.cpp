@@ -102,6 +102,35 @@ TEST(SinumerikFlow, SubprogramsTakeValuesAndReferencesAndReturnAnywhere) {
     EXPECT_EQ(last_value(played, "R9"), "2");
 }
 
+// A main block is named with its colon; of M17 the PLC hears, of RET it does not (sinumerik_part3 3, 7.15).
+TEST(SinumerikFlow, MainBlocksAreJumpedToAndEndsOfSubprogramsTold) {
+    const Played jumped = run("GOTOF :20\nR1=9\n:20 R2=1\nM30\n");
+    EXPECT_EQ(jumped.errors, 0u) << jumped.events;
+    EXPECT_EQ(last_value(jumped, "R1"), "none");
+    EXPECT_EQ(last_value(jumped, "R2"), "1");
+    Files files;
+    files.add("UPM.SPF", "R1=R1+1\nG0 X2 M17\n");
+    files.add("UPR.SPF", "R1=R1+1\nRET\n");
+    const Played called = run("UPM P2\nUPR\nM30\n", files.setup);
+    EXPECT_EQ(called.errors, 0u) << called.events;
+    unsigned told = 0;
+    for (const std::string& line : called.lines()) told += line.find("\"code\":\"M17\"") != std::string::npos;
+    EXPECT_EQ(told, 2u) << called.events;
+}
+
+// TEXT[i] is a character; texts and axes are reported as what they are.
+TEST(SinumerikFlow, TextsHaveCharactersAndAreReported) {
+    const Played played = run("DEF STRING[20] TT=\"POLYTURN\"\nDEF STRING[5] UU[2]\nDEF AXIS AA\nDEF CHAR CC\nTT[0]=\"H\"\nCC=TT[1]\nUU[1]=\"ABC\"\nUU[1,2]=\"X\"\nR1=TT[7]\nAA=AXNAME(\"Z\")\nM30\n");
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_EQ(last_value(played, "TT"), "\"HOLYTURN\"");
+    EXPECT_EQ(last_value(played, "UU[1]"), "\"ABX\"");
+    EXPECT_EQ(last_value(played, "CC"), "79");
+    EXPECT_EQ(last_value(played, "R1"), "78");
+    EXPECT_EQ(last_value(played, "AA"), "\"Z\"");
+    for (const char* bad : {"R1=TT[8]", "TT[8]=\"A\"", "R1=TT[-1]"}) EXPECT_EQ(run("DEF STRING[20] TT=\"POLYTURN\"\n" + std::string(bad) + "\nM30\n").errors, 1u) << bad;
+    EXPECT_EQ(run("DEF STRING[255] TT[3]\nM30\n").errors, 0u) << "READ gives that much back";
+}
+
 TEST(SinumerikFlow, ALiveValueStopsTheBlockBeforeItHasDoneAnything) {
     const Played played = run("G0 X10 Z5\nR1=R1+1 R2=$AA_IM[Z]\nM30\n");
     EXPECT_EQ(last_value(played, "R1"), "1");

@@ -42,6 +42,33 @@ TEST(SinumerikAxes, AReleasedAxisMovesAfterGetOnly) {
     EXPECT_EQ(count(refused, "is released"), 1u) << refused.events;
 }
 
+// MD30552 (sinumerik_part3 7.14): the axis comes back by being named.
+TEST(SinumerikAxes, AReleasedAxisMayComeBackByItself) {
+    Play how;
+    how.language = "sinumerik";
+    how.sets = {"MD30552 A2=1"};
+    const Played played = play("RELEASE(Z)\nG0 Z5\nRELEASE(Z)\nPOS[Z]=7\nM30\n", how);
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_EQ(count(played, "\"ev\":\"move\""), 2u) << played.events;
+    EXPECT_EQ(count(play("RELEASE(X)\nG0 X5\nM30\n", how), "is released"), 1u);
+}
+
+// PRESETON (7.1): where the axis stands is called by that value from now on, also by $AA_IM, and also when it is called again.
+TEST(SinumerikAxes, APresetAxisIsWhereTheProgramSays) {
+    const Played played = run("G0 Z10\nPRESETON(Z,100)\nPRESETON(Z,100)\nR1=$AA_IM[Z] R2=$AA_IW[Z]\nG0 Z=IC(5)\nR3=$AA_IM[Z]\nM30\n");
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_EQ(count(played, "\"name\":\"R1\",\"value\":100}"), 1u) << played.events;
+    EXPECT_EQ(count(played, "\"name\":\"R2\",\"value\":100}"), 1u) << played.events;
+    EXPECT_EQ(count(played, "\"name\":\"R3\",\"value\":105}"), 1u) << played.events;
+}
+
+// IP[axis] is I, J or K (3, 5.2).
+TEST(SinumerikAxes, InterpolationParametersByAVariable) {
+    const Played played = run("DEF AXIS WHICH=Z\nG18 G90 DIAMOF\nG0 X20 Z0\nG3 X30 Z-10 IP[X]=0 IP[WHICH]=-10 F100\nM30\n");
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_EQ(count(played, "\"radius\":10"), 1u) << played.events;
+}
+
 TEST(SinumerikAxes, NoAxisLeadsItself) {
     EXPECT_EQ(run("TRAILON(C,Z)\nTRAILOF(C)\nTRAILON(Z,C)\nM30\n").errors, 0u);
     EXPECT_EQ(run("TRAILON(C,Z)\nTRAILON(Z,C)\nM30\n").errors, 1u);

@@ -1,0 +1,41 @@
+// What may stand behind the DO of a synchronized action (sinumerik_part3 1.4 and column SA of 3).
+#include <gtest/gtest.h>
+
+#include "../play.hpp"
+
+namespace polyturn::channels::testing {
+namespace {
+
+// The condition never holds: what is wrong is told where the action stands.
+Played told(const std::string& action) {
+    Play how;
+    how.language = "sinumerik";
+    return play("FCTDEF(1,-5,50,0,1,0,0)\nDEF REAL OWN\nID=1 WHEN R90==1 DO " + action + "\nG0 X5\nM30\n", how);
+}
+
+TEST(SynchronizedActions, DoWhatTheListMarks) {
+    for (const char* action :
+         {"$AC_PARAM[0]=SIN(30)", "R1=ABS(-2)+LN(2) MOD ABS(3)", "R1=ATAN2(1,1)", "OWN=POT(2)", "R1=BOUND(1,5,7)", "M8", "M=QU(8)", "H5", "M3=3 S3=100", "SETM(1)", "CLEARM(1)", "ACC[X]=50",
+          "OVRA[C]=50", "POS[C]=AC(10) FA[C]=100", "SPOS=90", "SETAL(65000)", "PRESETON(C,5)", "PRESETONS(C,5)", "AXTOCHAN(C,1)", "RELEASE(C)", "TRAILON(C,Z,2)", "TRAILOF(C,Z)", "LEADOF(C,Z)",
+          "CTABLOCK(1)", "LOCK(2)", "UNLOCK(2)", "RESET(2)", "STOPREOF", "ICYCON", "ICYCOF", "VELOLIMA[C]=50", "ACCLIMA[C]=50", "JERKLIMA[C]=50", "FXS[X]=1 FXST[X]=10", "SYNFCT(1,R5,R6)", "R1=NOT TRUE"})
+        EXPECT_EQ(told(action).errors, 0u) << action << '\n' << told(action).events;
+}
+
+TEST(SynchronizedActions, RefuseEverythingElseWhereItIsTold) {
+    for (const char* action :
+         {"MSG(\"A\")", "DRFOF", "CANCEL(2)", "WAITM(1,2)", "G1 X5", "G01", "G54", "X5", "X=5", "F100", "T1", "D1", "L10", "STOPRE", "SETMS(2)", "TRANSMIT", "NEWCONF", "INIT(2,\"A\")", "TRANS Z5",
+          "POSA[C]=5", "GOTOF LB1", "IF R1==1 GOTOF L1", "RETB", "R1=STRLEN(\"AB\")", "R1=5+ISAXIS(1)", "R1=MODAXVAL(C,400)", "R1=GETVARTYP(\"R1\")", "SETDNO(1,1,1)", "CTABDEF(C,Z,1,0)", "FGROUP(X)",
+          "POS[C]=INDEX(\"AB\",\"B\")"})
+        EXPECT_EQ(told(action).errors, 1u) << action;
+}
+
+TEST(SynchronizedActions, HaveTheirOwnProcedures) {
+    for (const char* block : {"LOCK(1)", "RESET(1)", "ICYCON", "ICYCOF", "STOPREOF"}) {
+        Play how;
+        how.language = "sinumerik";
+        EXPECT_EQ(play(std::string(block) + "\nM30\n", how).errors, 1u) << block;
+    }
+}
+
+}  // namespace
+}  // namespace polyturn::channels::testing
