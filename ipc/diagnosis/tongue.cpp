@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <iterator>
 
+#include "ipc/diagnosis/details.hpp"
 #include "polyturn/alarm_tongues.hpp"
 
 namespace polyturn {
@@ -58,8 +61,10 @@ std::optional<Retold> retell(std::string_view number, Dialect dialect, std::stri
         const auto alarm = static_cast<Alarm>(id);
         if (alarm_number(alarm, dialect) != number) continue;
         std::string parts[3];
-        if (!read_parts(alarm_row(alarm).text, english, parts)) continue;
+        // A process tells it in the machine's language, which may be another one than the reader's.
+        if (std::none_of(std::begin(kTongues), std::end(kTongues), [&](Tongue told) { return read_parts(alarm_text(alarm, told).text, english, parts); })) continue;
         const TongueRow row = alarm_text(alarm, tongue);
+        parts[2] = detail_in(parts[2], tongue);
         Retold out{{}, row.remedy};
         for (std::size_t i = 0; i < row.text.size(); ++i) {
             const bool quotes = row.text[i] == '{' && i + 2 < row.text.size() && row.text[i + 2] == '}';
@@ -90,7 +95,7 @@ std::string text_in(const Diagnosis& diagnosis, Tongue tongue) {
     for (std::size_t i = 0; i < pattern.size(); ++i) {
         const bool quotes = pattern[i] == '{' && i + 2 < pattern.size() && pattern[i + 2] == '}';
         const char what = quotes ? pattern[i + 1] : '\0';
-        if (what == 'd') out += diagnosis.detail;
+        if (what == 'd') out += tongue == Tongue::English ? diagnosis.detail : detail_in(diagnosis.detail, tongue);
         else if (what == '0' || what == '1') out += fmt::format("{:.6g}", diagnosis.values[static_cast<std::size_t>(what - '0')]);
         else {
             out += pattern[i];

@@ -83,6 +83,17 @@ TEST(Tongue, TellsAnEnglishEventInAnotherLanguage) {
     EXPECT_FALSE(retell("PT0001", Dialect::Polyturn, "something else", Tongue::Russian));
 }
 
+// A controller that speaks Czech, read by somebody who reads Hungarian.
+TEST(Tongue, TellsFromEveryLanguage) {
+    const Diagnosis wrong{Alarm::StoreRequestBad, {}, {}, "G60"};
+    for (const Tongue from : kTongues)
+        for (const Tongue to : kTongues) {
+            const auto told = retell(alarm_number(wrong.alarm, Dialect::Polyturn), Dialect::Polyturn, text_in(wrong, from), to);
+            ASSERT_TRUE(told);
+            EXPECT_EQ(told->text, text_in(wrong, to));
+        }
+}
+
 TEST(Tongue, ReadsEveryTextOfTheCatalogueBack) {
     for (int id = 0; id < kAlarmCount; ++id) {
         Diagnosis diagnosis{static_cast<Alarm>(id), {}, {1.5, 2}, "some detail"};

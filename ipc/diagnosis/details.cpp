@@ -1,0 +1,204 @@
+#include "ipc/diagnosis/details.hpp"
+
+#include <array>
+
+namespace polyturn {
+namespace {
+
+constexpr auto kDetails = std::to_array<DetailRow>({
+    // requests to the store: offsets, zeros, history
+    {{"there is no such offset", "такого корректора нет", "taková korekce není", "nincs ilyen korrekció"}},
+    {{"{0}: there is no such offset", "{0}: такого корректора нет", "{0}: taková korekce není", "{0}: nincs ilyen korrekció"}},
+    {{"{0}: channel {1} has {2} (N1400)", "{0}: в канале {1} их {2} (N1400)", "{0}: kanál {1} jich má {2} (N1400)", "{0}: a(z) {1} csatornában {2} van (N1400)"}},
+    {{"{0}: geometry is the setter's", "{0}: геометрию меняет наладчик", "{0}: geometrii mění seřizovač", "{0}: a geometriát a beállító módosítja"}},
+    {{"{0}: tip directions are 0 to 9", "{0}: направления вершины — от 0 до 9", "{0}: směry špičky jsou 0 až 9", "{0}: a csúcsirány 0–9 lehet"}},
+    {{"tip directions are 0 to 9", "направления вершины — от 0 до 9", "směry špičky jsou 0 až 9", "a csúcsirány 0–9 lehet"}},
+    {{"{0}: wear is {1} mm at the most (N1415)", "{0}: износ не больше {1} мм (N1415)", "{0}: opotřebení je nejvýše {1} mm (N1415)", "{0}: a kopás legfeljebb {1} mm (N1415)"}},
+    {{"{0}: one entry changes wear by {1} mm at the most (PT_WEAR_STEP)", "{0}: за один ввод износ меняется не больше чем на {1} мм (PT_WEAR_STEP)", "{0}: jedno zadání změní opotřebení nejvýše o {1} mm (PT_WEAR_STEP)", "{0}: egy bevitel a kopást legfeljebb {1} mm-rel módosítja (PT_WEAR_STEP)"}},
+    {{"table {0}: geometry, wear or second", "таблица {0}: geometry, wear или second", "tabulka {0}: geometry, wear nebo second", "{0} táblázat: geometry, wear vagy second"}},
+    {{"table {0}: geometry or wear", "таблица {0}: geometry или wear", "tabulka {0}: geometry nebo wear", "{0} táblázat: geometry vagy wear"}},
+    {{"field {0}: X Y Z R or T", "поле {0}: X Y Z R или T", "pole {0}: X Y Z R nebo T", "{0} mező: X Y Z R vagy T"}},
+    {{"measuring needs a channel and X, Y or Z", "для измерения нужны канал и X, Y или Z", "k měření je třeba kanál a X, Y nebo Z", "a méréshez csatorna és X, Y vagy Z kell"}},
+    {{"channel L{0} does not exist", "канала L{0} нет", "kanál L{0} není", "L{0} csatorna nincs"}},
+    {{"channel L{0} has no axis {1}", "в канале L{0} нет оси {1}", "kanál L{0} nemá osu {1}", "az L{0} csatornának nincs {1} tengelye"}},
+    {{"channel L{0} has {1} offsets (N1400)", "в канале L{0} корректоров {1} (N1400)", "kanál L{0} má {1} korekcí (N1400)", "az L{0} csatornának {1} korrekciója van (N1400)"}},
+    {{"channel L{0}, workpiece", "канал L{0}, заготовка", "kanál L{0}, obrobek", "L{0} csatorna, munkadarab"}},
+    {{"channel L{0}, workpiece, axis {1}", "канал L{0}, заготовка, ось {1}", "kanál L{0}, obrobek, osa {1}", "L{0} csatorna, munkadarab, {1} tengely"}},
+    {{"channel L{0}, axis {1}", "канал L{0}, ось {1}", "kanál L{0}, osa {1}", "L{0} csatorna, {1} tengely"}},
+    {{"channel L{0}", "канал L{0}", "kanál L{0}", "L{0} csatorna"}},
+    {{"channels are 1 to 16", "каналы — от 1 до 16", "kanály jsou 1 až 16", "a csatornák száma 1–16"}},
+    {{"the kernel does not say where the axis stands", "ядро не говорит, где стоит ось", "jádro neříká, kde osa stojí", "a mag nem mondja meg, hol áll a tengely"}},
+    {{"the kernel does not say where the tool has touched", "ядро не говорит, где инструмент коснулся", "jádro neříká, kde se nástroj dotkl", "a mag nem mondja meg, hol érintett a szerszám"}},
+    {{"the kernel does not say where the workpiece was touched", "ядро не говорит, где коснулись заготовки", "jádro neříká, kde se dotklo obrobku", "a mag nem mondja meg, hol érintették a munkadarabot"}},
+    {{"there is no such zero offset", "такого смещения нуля нет", "takové posunutí nuly není", "nincs ilyen nullponteltolás"}},
+    {{"there is no zero offset {0}", "смещения нуля {0} нет", "posunutí nuly {0} není", "nincs {0} nullponteltolás"}},
+    {{"a zero offset of {0} mm", "смещение нуля {0} мм", "posunutí nuly {0} mm", "{0} mm-es nullponteltolás"}},
+    {{"the PLC has chosen offset {0} (N3016 ONS, CP_OFFSNO)", "ПЛК выбрал корректор {0} (N3016 ONS, CP_OFFSNO)", "PLC zvolilo korekci {0} (N3016 ONS, CP_OFFSNO)", "a PLC a(z) {0} korrekciót választotta (N3016 ONS, CP_OFFSNO)"}},
+    {{"G{0} is measured here (N3016 WPS)", "здесь измеряется G{0} (N3016 WPS)", "zde se měří G{0} (N3016 WPS)", "itt a G{0} mérése folyik (N3016 WPS)"}},
+    {{"offset is missing: the number of the probe's offset, 0 for none", "нет offset: номер корректора щупа, 0 — без него", "chybí offset: číslo korekce sondy, 0 znamená žádná", "hiányzik az offset: a tapintó korrekciójának száma, 0: nincs"}},
+    {{"the workpiece was touched in {0}", "заготовки коснулись по {0}", "obrobku se dotklo v {0}", "a munkadarabot {0} irányban érintették"}},
+    {{"the relative counter has no origin yet: offsets origin", "у относительного счётчика ещё нет начала: offsets origin", "relativní čítač ještě nemá počátek: offsets origin", "a relatív számlálónak még nincs kezdőpontja: offsets origin"}},
+    {{"this controller keeps no history", "эта система не ведёт истории", "tento řídicí systém nevede historii", "ez a vezérlés nem vezet előzményeket"}},
+    {{"this controller keeps no log of stops", "эта система не ведёт журнала простоев", "tento řídicí systém nevede deník stání", "ez a vezérlés nem vezet állásnaplót"}},
+    {{"there is nothing to take back", "нечего отменять", "není co vrátit", "nincs mit visszavonni"}},
+    {{"{0} is {1} now: something else has changed it since {2}", "{0} теперь {1}: с {2} это изменили иначе", "{0} je nyní {1}: od {2} to změnilo něco jiného", "{0} most {1}: {2} óta más módosította"}},
+    // requests in general
+    {{"no operation", "нет операции", "žádná operace", "nincs művelet"}},
+    {{"not a JSON object", "не объект JSON", "není objekt JSON", "nem JSON-objektum"}},
+    {{"fields are missing", "нет fields", "chybí fields", "hiányzik: fields"}},
+    {{"{0} is missing", "нет {0}", "chybí {0}", "hiányzik: {0}"}},
+    {{"{0}: not a whole number", "{0}: не целое число", "{0}: není celé číslo", "{0}: nem egész szám"}},
+    {{"{0}: not a number", "{0}: не число", "{0}: není číslo", "{0}: nem szám"}},
+    {{"{0} (operator)", "{0} (оператор)", "{0} (obsluha)", "{0} (kezelő)"}},
+    {{"{0} (setter)", "{0} (наладчик)", "{0} (seřizovač)", "{0} (beállító)"}},
+    {{"{0} (maker)", "{0} (изготовитель)", "{0} (výrobce)", "{0} (gyártó)"}},
+    {{"format {0}: csv, fanuc or sinumerik", "формат {0}: csv, fanuc или sinumerik", "formát {0}: csv, fanuc nebo sinumerik", "{0} formátum: csv, fanuc vagy sinumerik"}},
+    {{"there is no column {0}: this machine has {1} free ones (N2903)", "столбца {0} нет: у этого станка {1} свободных (N2903)", "sloupec {0} není: tento stroj má {1} volných (N2903)", "nincs {0} oszlop: ennek a gépnek {1} szabad oszlopa van (N2903)"}},
+    {{"there is no column {0}", "столбца {0} нет", "sloupec {0} není", "nincs {0} oszlop"}},
+    {{"offsets need a channel that exists", "для корректоров нужен существующий канал", "korekce potřebují existující kanál", "a korrekciókhoz létező csatorna kell"}},
+    {{"an import of more than {0} lines", "импорт длиннее {0} строк", "import delší než {0} řádků", "{0} sornál hosszabb import"}},
+    // backups, users
+    {{"no usable backup in {0}", "в {0} нет годной резервной копии", "v {0} není použitelná záloha", "nincs használható mentés itt: {0}"}},
+    {{"this controller keeps nothing, so there is nothing to back up", "эта система ничего не хранит, сохранять нечего", "tento řídicí systém nic neukládá, není co zálohovat", "ez a vezérlés semmit sem tárol, nincs mit menteni"}},
+    {{"file: a whole path is needed", "file: нужен полный путь", "file: je třeba celá cesta", "file: teljes elérési út kell"}},
+    {{"a password has {0} to {1} characters", "в пароле от {0} до {1} знаков", "heslo má {0} až {1} znaků", "a jelszó {0}–{1} karakter"}},
+    {{"the password cannot be hashed", "пароль нельзя зашифровать", "heslo nelze zašifrovat", "a jelszó nem titkosítható"}},
+    {{"level {0}: operator, setter or maker", "уровень {0}: operator, setter или maker", "úroveň {0}: operator, setter nebo maker", "{0} szint: operator, setter vagy maker"}},
+    {{"a name has 1 to 31 characters without blanks", "в имени от 1 до 31 знака без пробелов", "jméno má 1 až 31 znaků bez mezer", "a név 1–31 karakter, szóköz nélkül"}},
+    {{"the user {0} exists", "пользователь {0} уже есть", "uživatel {0} už existuje", "{0} felhasználó már van"}},
+    {{"there are {0} users already", "пользователей уже {0}", "uživatelů je už {0}", "már {0} felhasználó van"}},
+    {{"the first user must be a maker", "первый пользователь должен быть изготовителем", "první uživatel musí být výrobce", "az első felhasználó csak gyártó lehet"}},
+    {{"there is no user {0}", "пользователя {0} нет", "uživatel {0} není", "nincs {0} felhasználó"}},
+    {{"{0} is the only maker", "{0} — единственный изготовитель", "{0} je jediný výrobce", "{0} az egyetlen gyártó"}},
+    {{"user {0} of this computer is no user of the controller (users add NAME LEVEL uid={1})", "пользователь {0} этого компьютера не пользователь системы (users add NAME LEVEL uid={1})", "uživatel {0} tohoto počítače není uživatelem řídicího systému (users add NAME LEVEL uid={1})", "a számítógép {0} felhasználója nem felhasználója a vezérlésnek (users add NAME LEVEL uid={1})"}},
+    // measured parts, pallets, stops
+    {{"name: at most 60 characters", "name: не больше 60 знаков", "name: nejvýše 60 znaků", "name: legfeljebb 60 karakter"}},
+    {{"upper lies below lower", "верхнее отклонение ниже нижнего", "horní mez leží pod dolní", "a felső határ az alsó alatt van"}},
+    {{"dimensions are 1 to 999", "размеры — от 1 до 999", "rozměry jsou 1 až 999", "a méretek száma 1–999"}},
+    {{"there is no dimension {0}", "размера {0} нет", "rozměr {0} není", "nincs {0}. méret"}},
+    {{"dimension {0} exists", "размер {0} уже есть", "rozměr {0} už existuje", "a(z) {0}. méret már van"}},
+    {{"{0} is more than 10 mm from the nominal {1}: another dimension or unit?", "{0} дальше 10 мм от номинала {1}: другой размер или единица?", "{0} je víc než 10 mm od jmenovité hodnoty {1}: jiný rozměr nebo jednotka?", "{0} több mint 10 mm-re van a névleges {1} mérettől: más méret vagy mértékegység?"}},
+    {{"nothing was measured since the last correction", "после последней коррекции ничего не измерено", "od poslední korekce se nic neměřilo", "az utolsó korrekció óta nem volt mérés"}},
+    {{"a correction of {0} mm: at most {1}", "коррекция {0} мм: не больше {1}", "korekce {0} mm: nejvýše {1}", "{0} mm-es korrekció: legfeljebb {1}"}},
+    {{"dimension {0} names neither an offset nor a tool with one", "размер {0} не называет ни корректора, ни инструмента с ним", "rozměr {0} nejmenuje korekci ani nástroj, který ji má", "a(z) {0}. mérethez sem korrekció, sem azzal bíró szerszám nincs megadva"}},
+    {{"axis={0}: X, Y or Z", "axis={0}: X, Y или Z", "axis={0}: X, Y nebo Z", "axis={0}: X, Y vagy Z"}},
+    {{"program: the path is too long", "program: путь слишком длинный", "program: cesta je příliš dlouhá", "program: az elérési út túl hosszú"}},
+    {{"program {0}: 4 or 8 digits (N3300 PRI = 0)", "программа {0}: 4 или 8 цифр (N3300 PRI = 0)", "program {0}: 4 nebo 8 číslic (N3300 PRI = 0)", "{0} program: 4 vagy 8 számjegy (N3300 PRI = 0)"}},
+    {{"{0}: a whole number from 0 to {1}", "{0}: целое число от 0 до {1}", "{0}: celé číslo od 0 do {1}", "{0}: egész szám 0 és {1} között"}},
+    {{"pallet {0} stands in {1} too", "паллета {0} стоит и в {1}", "paleta {0} stojí i v {1}", "a(z) {0}. paletta itt is áll: {1}"}},
+    {{"this machine has no pallets (N3300 PAL)", "у этого станка нет паллет (N3300 PAL)", "tento stroj nemá palety (N3300 PAL)", "ennek a gépnek nincs palettája (N3300 PAL)"}},
+    {{"{0}: the table has {1} rows (N3300, N3301)", "{0}: в таблице {1} строк (N3300, N3301)", "{0}: tabulka má {1} řádků (N3300, N3301)", "{0}: a táblázatban {1} sor van (N3300, N3301)"}},
+    {{"there is no cause {0}", "причины {0} нет", "příčina {0} není", "nincs {0} ok"}},
+    // tools
+    {{"tool {0}: the table has {1} rows (N2902)", "инструмент {0}: в таблице {1} строк (N2902)", "nástroj {0}: tabulka má {1} řádků (N2902)", "{0}. szerszám: a táblázatban {1} sor van (N2902)"}},
+    {{"{0} tools (N2902)", "{0} инструментов (N2902)", "{0} nástrojů (N2902)", "{0} szerszám (N2902)"}},
+    {{"tool {0} exists", "инструмент {0} уже есть", "nástroj {0} už existuje", "a(z) {0}. szerszám már van"}},
+    {{"counter: not below 0", "counter: не меньше 0", "counter: ne pod 0", "counter: nem lehet 0 alatt"}},
+    {{"{0}: edges are D1 to D12, parameters DP1 to DP35", "{0}: кромки D1–D12, параметры DP1–DP35", "{0}: břity jsou D1 až D12, parametry DP1 až DP35", "{0}: az élek D1–D12, a paraméterek DP1–DP35"}},
+    {{"{0}: use tools load, unload or move", "{0}: для этого tools load, unload или move", "{0}: k tomu je tools load, unload nebo move", "{0}: erre a tools load, unload vagy move való"}},
+    {{"{0} holds tool {1}", "в {0} стоит инструмент {1}", "v {0} je nástroj {1}", "{0}: ott a(z) {1}. szerszám áll"}},
+    {{"{0} is locked", "{0}: место закрыто", "{0}: místo je zamčené", "{0}: a hely zárolt"}},
+    {{"tool {0} works in channel L{1}: it cannot be moved", "инструмент {0} работает в канале L{1}: его нельзя переместить", "nástroj {0} pracuje v kanálu L{1}: nelze ho přemístit", "a(z) {0}. szerszám az L{1} csatornában dolgozik: nem helyezhető át"}},
+    {{"tool {0} works in channel L{1}: it cannot be unloaded", "инструмент {0} работает в канале L{1}: его нельзя выгрузить", "nástroj {0} pracuje v kanálu L{1}: nelze ho vyjmout", "a(z) {0}. szerszám az L{1} csatornában dolgozik: nem vehető ki"}},
+    {{"tool {0} works in channel L{1}: it cannot be deleted", "инструмент {0} работает в канале L{1}: его нельзя удалить", "nástroj {0} pracuje v kanálu L{1}: nelze ho smazat", "a(z) {0}. szerszám az L{1} csatornában dolgozik: nem törölhető"}},
+    {{"several tools are called {0}: say the number", "инструментов с именем {0} несколько: укажите номер", "nástrojů jménem {0} je víc: udejte číslo", "több szerszám neve {0}: adja meg a számot"}},
+    {{"tool {0} stands nowhere: load it", "инструмент {0} нигде не стоит: загрузите его", "nástroj {0} nikde nestojí: vložte ho", "a(z) {0}. szerszám sehol sem áll: töltse be"}},
+    {{"tool {0} stands nowhere", "инструмент {0} нигде не стоит", "nástroj {0} nikde nestojí", "a(z) {0}. szerszám sehol sem áll"}},
+    {{"tool {0} stands in {1}: move or unload it", "инструмент {0} стоит в {1}: переместите или выгрузите его", "nástroj {0} stojí v {1}: přemístěte ho nebo vyjměte", "a(z) {0}. szerszám itt áll: {1}; helyezze át vagy vegye ki"}},
+    {{"magazine {0} has no free place for tool {1}", "в магазине {0} нет свободного места для инструмента {1}", "zásobník {0} nemá volné místo pro nástroj {1}", "a(z) {0}. tárban nincs szabad hely a(z) {1}. szerszámnak"}},
+    {{"tool {0} needs places of kind {1}, {2} is of kind {3}", "инструменту {0} нужны места вида {1}, {2} вида {3}", "nástroj {0} potřebuje místa druhu {1}, {2} je druhu {3}", "a(z) {0}. szerszámnak {1} fajtájú hely kell, {2} fajtája {3}"}},
+    {{"tool {0} needs {1} half places, the magazine has {2}", "инструменту {0} нужно {1} полумест, в магазине {2}", "nástroj {0} potřebuje {1} půlmíst, zásobník má {2}", "a(z) {0}. szerszámnak {1} félhely kell, a tárban {2} van"}},
+    {{"tool {0} in {1} would touch tool {2} in {3}", "инструмент {0} в {1} заденет инструмент {2} в {3}", "nástroj {0} v {1} by zavadil o nástroj {2} v {3}", "a(z) {0}. szerszám itt: {1} hozzáérne a(z) {2}. szerszámhoz itt: {3}"}},
+    {{"station {0} of channel L{1}", "позиция {0} канала L{1}", "pozice {0} kanálu L{1}", "az L{1} csatorna {0}. állomása"}},
+    {{"tool life group {0}", "группа стойкости {0}", "skupina trvanlivosti {0}", "{0}. éltartamcsoport"}},
+    // the presetter
+    {{"the frames do not show the same: tool, camera or light move", "кадры различаются: движется инструмент, камера или свет", "snímky se liší: hýbe se nástroj, kamera nebo světlo", "a képek eltérnek: a szerszám, a kamera vagy a fény mozog"}},
+    {{"the calibration is for pictures of {0} x {1} pixels", "калибровка для снимков {0} x {1} точек", "kalibrace je pro snímky {0} x {1} bodů", "a kalibrálás {0} x {1} képpontos képekhez való"}},
+    {{"what it shows is held by nothing: it is dirt, or it is cut off", "то, что видно, ничто не держит: это грязь, или снимок обрезан", "to, co je vidět, nic nedrží: je to nečistota, nebo je snímek uříznutý", "amit mutat, azt nem tartja semmi: szennyeződés, vagy le van vágva"}},
+    {{"polyturn-presetter is not here: it is built where OpenCV is installed", "polyturn-presetter здесь нет: он собирается там, где есть OpenCV", "polyturn-presetter tu není: sestaví se tam, kde je OpenCV", "a polyturn-presetter nincs itt: ott épül, ahol van OpenCV"}},
+    // what the kernel refuses
+    {{"the program waits for an answer to its dialogue", "программа ждёт ответа на свой вопрос", "program čeká na odpověď ve svém dialogu", "a program a párbeszédére vár választ"}},
+    {{"no dialogue of the program is open", "программа ничего не спрашивает", "program se na nic neptá", "a program nem kérdez semmit"}},
+    {{"too many answers at a time", "слишком много ответов сразу", "příliš mnoho odpovědí najednou", "túl sok válasz egyszerre"}},
+    {{"more than {0} answers at a time", "больше {0} ответов сразу", "víc než {0} odpovědí najednou", "{0} válasznál több egyszerre"}},
+    {{"a program is restarted at a block only in reset or after the end", "с кадра программа запускается только после сброса или конца", "od věty se program spouští jen po resetu nebo po konci", "mondatról a program csak alaphelyzetben vagy a vége után indítható"}},
+    {{"another program is selected only in reset or after the end", "другая программа выбирается только после сброса или конца", "jiný program se volí jen po resetu nebo po konci", "másik program csak alaphelyzetben vagy a vége után választható"}},
+    {{"a block is entered only in reset or after the end", "кадр вводится только после сброса или конца", "věta se zadává jen po resetu nebo po konci", "mondat csak alaphelyzetben vagy a vége után adható meg"}},
+    {{"axes were moved in the hold, and this block cannot go on from elsewhere (press return)", "на паузе оси сдвинули, а этот кадр не может продолжиться из другого места (возврат)", "v pozastavení se osy posunuly a tato věta nemůže pokračovat odjinud (návrat)", "felfüggesztésben a tengelyek elmozdultak, és ez a mondat máshonnan nem folytatható (visszatérés)"}},
+    {{"the program cannot be left in this block", "в этом кадре программу нельзя покинуть", "v této větě nelze program opustit", "ebben a mondatban a program nem hagyható el"}},
+    {{"the block in which the program is held cannot be read again", "кадр, на котором программа стоит, нельзя прочитать заново", "větu, ve které je program pozastaven, nelze číst znovu", "a mondat, amelyben a program áll, nem olvasható be újra"}},
+    {{"since the search for the block another sister has taken its place; restart again", "после поиска кадра его место заняла другая замена; запустите снова", "od hledání věty zaujal místo jiný náhradní nástroj; spusťte znovu", "a mondatkeresés óta másik testvérszerszám lépett a helyére; indítsa újra"}},
+    {{"the store does not run", "хранилище не работает", "úložiště neběží", "a tároló nem fut"}},
+    {{"the store does not answer", "хранилище не отвечает", "úložiště neodpovídá", "a tároló nem válaszol"}},
+    {{"the store has not yet taken what was written before", "хранилище ещё не приняло записанного раньше", "úložiště ještě nepřevzalo, co se zapsalo dříve", "a tároló még nem vette át a korábban írottakat"}},
+    {{"the spindle has become too fast for the axes", "шпиндель стал слишком быстрым для осей", "vřeteno je pro osy příliš rychlé", "az orsó túl gyors lett a tengelyeknek"}},
+    {{"not in this block", "не в этом кадре", "ne v této větě", "ebben a mondatban nem"}},
+    {{"the program is not held", "программа не на паузе", "program není pozastaven", "a program nincs felfüggesztve"}},
+    {{"the axes are not on the path that is to be driven back", "оси не на траектории, по которой нужно вернуться", "osy nejsou na dráze, po které se má jet zpět", "a tengelyek nincsenek a visszafelé bejárandó pályán"}},
+    {{"a thread of too many steps", "резьба из слишком многих шагов", "závit z příliš mnoha kroků", "túl sok lépésből álló menet"}},
+    {{"unknown kind", "неизвестный вид", "neznámý druh", "ismeretlen fajta"}},
+    {{"axes are moved in a hold when the path has come to rest in it", "на паузе оси двигают, когда движение в ней остановилось", "v pozastavení se osy posouvají, až se v něm dráha zastaví", "felfüggesztésben a tengelyek akkor mozgathatók, ha a pálya már megállt"}},
+    {{"the tool touches the setter: move it away", "инструмент касается датчика: отведите его", "nástroj se dotýká sondy: odjeďte s ním", "a szerszám a bemérőhöz ér: vigye el"}},
+    {{"the axis still moves", "ось ещё движется", "osa se ještě pohybuje", "a tengely még mozog"}},
+    {{"the axis is at the end of its stroke; the other direction is free", "ось в конце хода; в другую сторону свободно", "osa je na konci zdvihu; druhý směr je volný", "a tengely a löket végén áll; a másik irány szabad"}},
+    {{"the handwheel drives a program only after program_wheel", "маховик ведёт программу только после program_wheel", "kolečko vede program až po program_wheel", "a kézikerék csak a program_wheel után viszi a programot"}},
+    {{"the emergency stop circuit is open: turn the button back", "цепь аварийного останова разомкнута: отпустите кнопку", "obvod nouzového zastavení je rozpojený: uvolněte tlačítko", "a vészleállító kör nyitott: engedje vissza a gombot"}},
+    {{"the machine is not on", "станок не включён", "stroj není zapnut", "a gép nincs bekapcsolva"}},
+    {{"machine.compensation was not taken (params check says why)", "machine.compensation не принят (почему, скажет params check)", "machine.compensation se nepřevzal (proč, řekne params check)", "a machine.compensation átvétele elmaradt (az okát a params check mondja meg)"}},
+    {{"the machine has no folder for it", "у станка нет для этого папки", "stroj na to nemá složku", "a gépnek nincs ehhez mappája"}},
+    // what the supervisor refuses, and processes
+    {{"no program is selected", "программа не выбрана", "není zvolen program", "nincs kiválasztott program"}},
+    {{"two jobs at once: {0}", "два задания сразу: {0}", "dvě zakázky najednou: {0}", "két feladat egyszerre: {0}"}},
+    {{"the machine has no drive {0}", "у станка нет привода {0}", "stroj nemá pohon {0}", "a gépnek nincs {0} hajtása"}},
+    {{"the machine has no {0}", "у станка нет {0}", "stroj nemá {0}", "a gépnek nincs {0}"}},
+    {{"'{0}' is not of the form: {1}", "'{0}' не по образцу: {1}", "'{0}' nemá tvar: {1}", "'{0}' alakja nem: {1}"}},
+    {{"longer than {0} characters: {1}", "длиннее {0} знаков: {1}", "delší než {0} znaků: {1}", "{0} karakternél hosszabb: {1}"}},
+    {{"the line is too long: {0}", "строка слишком длинная: {0}", "řádek je příliš dlouhý: {0}", "a sor túl hosszú: {0}"}},
+    {{"an input is 0 or 1", "вход — 0 или 1", "vstup je 0 nebo 1", "egy bemenet 0 vagy 1"}},
+    {{"{0} is an input of the program: 0 or 1", "{0} — вход программы: 0 или 1", "{0} je vstup programu: 0 nebo 1", "{0} a program bemenete: 0 vagy 1"}},
+    {{"{0} is no value of {1}", "{0} — не значение {1}", "{0} není hodnota {1}", "{0} nem értéke ennek: {1}"}},
+    {{"a drive is set to fault, encoder, silent, dead, 'delay N' or 'loses N' (1 to 60 cycles) or ok", "приводу задают fault, encoder, silent, dead, 'delay N' или 'loses N' (от 1 до 60 циклов) или ok", "pohonu se zadává fault, encoder, silent, dead, 'delay N' nebo 'loses N' (1 až 60 cyklů) nebo ok", "a hajtásnak fault, encoder, silent, dead, 'delay N' vagy 'loses N' (1–60 ciklus) vagy ok adható"}},
+    {{"it gave no answer", "ответа нет", "neodpověděl", "nem válaszolt"}},
+    {{"too many programs ask at once", "спрашивают слишком многие программы сразу", "ptá se příliš mnoho programů najednou", "túl sok program kérdez egyszerre"}},
+    {{"the machine was started anew", "станок запущен заново", "stroj byl spuštěn znovu", "a gép újraindult"}},
+    {{"the process {0} died while it started", "процесс {0} завершился при запуске", "proces {0} skončil při spouštění", "a(z) {0} folyamat indulás közben leállt"}},
+    {{"{0} does not get ready", "{0} не становится готов", "{0} není připraven", "{0} nem készül el"}},
+    {{"stopped while it started", "остановлен при запуске", "zastaven při spouštění", "indulás közben leállították"}},
+    {{"the machine does not come to rest after its start", "после запуска станок не приходит в покой", "stroj se po spuštění neustálí", "a gép indulás után nem jut nyugalomba"}},
+    {{"its socket ({0})", "его сокет ({0})", "jeho soket ({0})", "a foglalata ({0})"}},
+    {{"its name is longer than {0} characters", "его имя длиннее {0} знаков", "jeho jméno je delší než {0} znaků", "a neve {0} karakternél hosszabb"}},
+});
+
+// The parts of `text` that stand for {0} to {3}; they match as little as they can. False: it does not read so.
+bool read_detail(std::string_view pattern, std::string_view text, std::string_view (&parts)[4]) {
+    const std::size_t open = pattern.find('{');
+    if (open == std::string_view::npos) return pattern == text;
+    if (text.substr(0, open) != pattern.substr(0, open)) return false;
+    const auto part = static_cast<std::size_t>(pattern[open + 1] - '0');
+    const std::string_view rest = pattern.substr(open + 3);
+    for (std::size_t end = open + 1; end <= text.size(); ++end)
+        if (read_detail(rest, text.substr(end), parts)) return parts[part] = text.substr(open, end - open), true;
+    return false;
+}
+
+}  // namespace
+
+std::span<const DetailRow> detail_rows() { return kDetails; }
+
+std::string detail_in(std::string_view told, Tongue tongue) {
+    for (const Tongue from : kTongues)
+        for (const DetailRow& row : kDetails) {
+            std::string_view parts[4];
+            if (!read_detail(row.in[static_cast<std::size_t>(from)], told, parts)) continue;
+            std::string out;
+            const std::string_view text = row.in[static_cast<std::size_t>(tongue)];
+            for (std::size_t i = 0; i < text.size(); ++i) {
+                if (text[i] == '{') out += parts[text[i + 1] - '0'], i += 2;
+                else out += text[i];
+            }
+            return out;
+        }
+    return std::string(told);
+}
+
+}  // namespace polyturn
