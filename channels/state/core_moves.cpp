@@ -61,6 +61,7 @@ bool Core::begin_move(const AxisValues& target, MoveKind kind) {
     }
     move_.kind = kind;
     move_.moved = moved;
+    move_.tap_turns = 0.0;   // of the tap before: only turn_with_move() makes another one
     if (moved & view_->own_programs && at.own_axis < 0) {
         const ChannelAxis& axis = view_->axes[static_cast<unsigned>(__builtin_ctz(moved & view_->own_programs))];
         return fail(Alarm::BesideRefused, axis.name[0], axis.name);
