@@ -47,7 +47,7 @@ bool Interpreter::feed_value(const std::string& name, const std::vector<Value>& 
         }
         if (what == "FZ") return value = Value::of_real(modal_.feed_revolution ? modal_.feed_per_tooth / feed_unit() : 0.0), true;
         if (what == "F_TYPE") {
-            const bool inch = active(13) == 3;
+            const bool inch = !metric_technology();
             const int type = !modal_.feed_revolution ? (inch ? 2 : 0) : modal_.feed_per_tooth > 0 ? (inch ? 33 : 11) : (inch ? 3 : 1);
             return value = Value::of_int(type), true;
         }
@@ -57,7 +57,7 @@ bool Interpreter::feed_value(const std::string& name, const std::vector<Value>& 
             const auto s = static_cast<std::size_t>(n);
             if (what == "GWPS") return value = Value::of_bool(modal_.wheel_speeds >> (s - 1) & 1u), true;
             const bool by_tool = modal_.cutting_speeds >> (s - 1) & 1u;
-            if (what == "SVC") value = Value::of_real(by_tool ? modal_.cutting_speed_m_min[s] / (active(13) == 3 ? 0.3048 : 1.0) : 0.0);
+            if (what == "SVC") value = Value::of_real(by_tool ? modal_.cutting_speed_m_min[s] / (metric_technology() ? 1.0 : 0.3048) : 0.0);
             else value = Value::of_int(by_tool ? 2 : 1);
             return true;
         }

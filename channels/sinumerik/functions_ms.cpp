@@ -60,14 +60,15 @@ bool Interpreter::spindle_words() {
                 if (word.address->name == "S") {
                     double value = word.number();
                     if (spindle) modal_.cutting_speeds &= ~(1u << (spindle - 1));   // SVC holds no more
+                    const bool taps = active(1) == 11 || active(1) == 12;   // G331 G332 count revolutions
+                    if (spindle == modal_.master_spindle && surface_speed_active() && !taps)   // the master spindle has changed under G96
+                        if (!core_.surface_speed(true) || !refresh_speed_limit()) return false;
                     if (core_.path.spindle.mode == SpindleModeCode::SurfaceSpeed && !metric_lengths()) value *= 0.3048;   // feet a minute
                     if (spindle && (modal_.wheel_speeds >> (spindle - 1) & 1u))   // GWPSON: m/s, feet a second
                         value *= (metric_lengths() ? 1.0 : 0.3048) * 60'000.0 / (2.0 * std::numbers::pi * modal_.wheel_radius_mm[spindle]);
                     if (spindle && (modal_.wheel_speeds >> (spindle - 1) & 1u) && modal_.wheel_most_rpm[spindle] > 0)
                         value = std::fmin(value, modal_.wheel_most_rpm[spindle]);
-                    if (core_.path.spindle.mode == SpindleModeCode::Rpm && value > 0 && core_.path.spindle.spindle)   // G25 S
-                        value = std::fmax(value, params::get(core_.view().table(), params::sd43210, core_.path.spindle.spindle));
-                    if (!core_.spindle_speed(value)) return false;
+                    if (!(core_.path.spindle.mode == SpindleModeCode::SurfaceSpeed ? core_.spindle_speed(value) : ask_speed(value))) return false;
                 } else {
                     const auto m = static_cast<std::int64_t>(word.number());
                     if (!core_.spindle_turn(m == 3 ? SpindleTurn::Cw : m == 4 ? SpindleTurn::Ccw : SpindleTurn::Stop)) return false;
@@ -111,7 +112,9 @@ bool Interpreter::functions_before() {
                     if (core_.path.spindle.spindle == 0) return fail_word(Alarm::SpindleMissing, word, "M");
                     std::uint32_t& closed = modal_.closed_spindles;
                     const std::uint32_t bit = 1u << (core_.path.spindle.spindle - 1);
-                    if (m == 70 && !(closed & bit)) close_spindle(false);
+                    if (m == 70) modal_.cutting_speeds &= ~bit;
+                    if (m == 70 && core_.frees_axis()) spindle_to_axis(), stop_reading();
+                    else if (m == 70 && !(closed & bit)) close_spindle(false);
                     if (m >= 40 && m <= 45) closed &= ~bit;
                     if (m != 19) return true;
                     closed |= bit;
@@ -190,33 +193,6 @@ void Interpreter::close_spindle(bool told, bool beside) {
     modal_.closed_spindles |= 1u << (now.spindle - 1);
 }
 
-// LIMS: the highest speed under G96 G961 G97; SD43230 keeps it. It may not be above G26's.
-bool Interpreter::a_limit(const Word& word) {
-    const unsigned feed = active(15);
-    const bool acts = feed != 8 && feed != 13;
-    return with_spindle(word.index > 0 ? static_cast<std::uint16_t>(word.index) : 0, [&] {
-        const double most = spindle_data("SD43220"), limit = most > 0 ? std::fmin(most, word.number()) : word.number();
-        keep_spindle_data("SD43230", word.number());
-        return !acts || core_.spindle_limit(limit);
-    });
-}
-
-// Setting data of the spindle that is meant now.
-double Interpreter::spindle_data(std::string_view name) const {
-    if (core_.path.spindle.spindle == 0) return 0.0;
-    const params::Row& row = *params::find(name);
-    return const_cast<Interpreter*>(this)->core_.view().table().numbers[row.first_slot + (core_.path.spindle.spindle - 1u) * row.array];
-}
-
-void Interpreter::keep_spindle_data(std::string_view name, double value) {
-    if (core_.path.spindle.spindle == 0) return;
-    const params::Row& row = *params::find(name);
-    const std::size_t slot = row.first_slot + (core_.path.spindle.spindle - 1u) * row.array;
-    params::Table& table = *core_.view().parameters;
-    undo([this, slot, before = table.numbers[slot]] { core_.view().parameters->numbers[slot] = before; });
-    table.numbers[slot] = value;
-}
-
 // SPOS, SPOSA: a plain value and DC go the short way, IC counts from where it stands.
 bool Interpreter::a_spindle_position(const Word& word) {
     unsigned count = 0;
@@ -226,7 +202,6 @@ bool Interpreter::a_spindle_position(const Word& word) {
     core_.position_beside(beside);
     const bool good = with_spindle(word.index > 0 ? static_cast<std::uint16_t>(word.index) : 0, [&] {
         if (core_.path.spindle.spindle == 0) return fail_word(Alarm::SpindleMissing, word, "SPOS");
-        if (core_.path.spindle.mode == SpindleModeCode::SurfaceSpeed) return fail_word(Alarm::CodesContradict, word, "SPOS, G96");
         const std::uint16_t spindle = core_.path.spindle.spindle;
         modal_.cutting_speeds &= ~(1u << (spindle - 1));
         const double angle = word.number();

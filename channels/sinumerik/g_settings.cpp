@@ -83,23 +83,18 @@ bool Interpreter::g_feed_type(const GCode& code) {
     }
     modal_.feed_revolution = kind == FeedKind::Revolution;
     if (code.number == 9 || code.number == 10) return true;            // G942 G952 leave the spindle as it is
+    activate(15, code.number);   // which limits act
     SpindleState& spindle = core_.path.spindle;
     if (is_surface(code.number)) {
-        if (!is_surface(before)) modal_.rpm_before_surface = spindle.rpm;
-        if (spindle.spindle && spindle.limit_rpm <= 0) {   // LIMS and G26 of an earlier program hold
-            double limit = params::get(core_.view().table(), params::sd43230, spindle.spindle);
-            const double most = params::get(core_.view().table(), params::sd43220, spindle.spindle);
-            if (most > 0 && (limit <= 0 || most < limit)) limit = most;
-            if (limit > 0 && !core_.spindle_limit(limit)) return false;
-        }
-        return core_.surface_speed(true);
+        if (spindle.spindle) modal_.cutting_speeds &= ~(1u << (spindle.spindle - 1));   // SVC ends (7.2 rule 6)
+        return core_.surface_speed(true) && refresh_speed();
     }
-    if (is_surface(before)) {
+    if (is_surface(before) && spindle.mode == SpindleModeCode::SurfaceSpeed) {
         if (!core_.surface_speed(false)) return false;
-        if (code.number <= 3 || code.number == 6) spindle.rpm = modal_.rpm_before_surface;   // G93 G94 G95: the last speed in revolutions
+        if (code.number <= 3 || code.number == 6) spindle.rpm = limited_speed(modal_.asked_rpm[spindle.spindle]);   // G93 G94 G95: the last speed in revolutions
+        else modal_.asked_rpm[spindle.spindle] = spindle.rpm;
     }
-    if (code.number == 8 || code.number == 13) return spindle.limit_rpm <= 0 || core_.spindle_limit(0.0);   // G971 G973: LIMS does not act
-    return true;
+    return refresh_speed();
 }
 
 bool Interpreter::feed_word(const Word& word) {
@@ -149,11 +144,11 @@ bool Interpreter::motion_changes(const GCode& to) {
     SpindleState& spindle = core_.path.spindle;
     if (after) {
         if (!core_.surface_speed(false)) return false;
-        spindle.rpm = 0.0;
+        spindle.rpm = modal_.asked_rpm[spindle.spindle] = 0.0;
         core_.forget_pending();
         return true;
     }
-    spindle.rpm = spindle.surface_m_min = 0.0;
+    spindle.rpm = spindle.surface_m_min = modal_.asked_rpm[spindle.spindle] = 0.0;
     return core_.surface_speed(true);
 }
 

@@ -95,14 +95,6 @@ void Interpreter::keep_axis_data(std::string_view name, std::size_t place, doubl
     table.numbers[slot] = value;
 }
 
-// G25 S, G26 S: limits of the spindle's speed, kept as setting data. The lower one binds the S words behind it.
-bool Interpreter::limit_speed(const Word& word, bool high) {
-    return with_spindle(word.index > 0 ? static_cast<std::uint16_t>(word.index) : 0, [&] {
-        keep_spindle_data(high ? "SD43220" : "SD43210", word.number());
-        return !high || (core_.spindle_limit(word.number()) && core_.commit_spindle());
-    });
-}
-
 // A limit that acts and that the point violates: WALIMON those of G25, G26 in the basic system, WALCS its group's. `distance`
 // must be left to it on each axis.
 std::optional<Interpreter::AreaFault> Interpreter::area_fault(const AxisValues& target, const AxisValues& distance, double slack) {

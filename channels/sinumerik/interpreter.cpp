@@ -7,7 +7,7 @@
 namespace polyturn::channels::sinumerik {
 namespace {
 
-constexpr std::size_t kLongestBlock = 512;   // with comment (sinumerik_part1 3.2)
+constexpr std::size_t kLongestBlock = 512;   // with comment and line feed (sinumerik_part1 3.2)
 constexpr unsigned kDeepestText = 16;         // EXECSTRING within EXECSTRING
 
 }  // namespace
@@ -218,7 +218,7 @@ Step Interpreter::read_block() {
     execute_.clear();
     of_channel_ = false;
     cursor_ = Cursor(line_);
-    if (line_.size() > kLongestBlock) return fail(Alarm::LineTooLong), fault(core_.fault());
+    if (line_.size() + 1 > kLongestBlock) return fail(Alarm::LineTooLong), fault(core_.fault());
     if (cursor_.at_end()) return Step::Continue;
     if (cursor_.peek() == '%') {   // the head of a file from an archive; the next one begins another program
         if (here_.offset == 0) return Step::Continue;
@@ -263,7 +263,7 @@ bool Interpreter::read_line() {
         reading_ = !statement_->act ? true : reading_;
         ok = statement_->act ? run_statement() : fail_at(Alarm::NotBuilt, cursor_.at() - first.size(), first.size(), std::string(statement_->name));
     } else {
-        ok = parse_words() && check_block() && managed_tool() && synchronized_actions();
+        ok = parse_words() && check_block() && spindles_to_axes() && managed_tool() && synchronized_actions();
         reading_ = false;
         if (ok) block_undo_.clear();
         ok = ok && act();

@@ -66,7 +66,9 @@ public:
     bool fail_word(Alarm alarm, const Word& word, std::string detail = {}, double v0 = 0.0, double v1 = 0.0);
     bool metric_lengths() const { return active(13) == 2 || active(13) == 4; }
     double unit() const { return metric_lengths() ? 1.0 : 25.4; }             // mm in a programmed length
-    double feed_unit() const { return active(13) == 3 ? 25.4 : 1.0; }         // G700
+    // G700 and G710 say what feeds and other technology count in; under G70 and G71 that is the basic system (sinumerik_part1 9.3.5).
+    bool metric_technology() const { return active(13) == 4 || (active(13) != 3 && settings_.metric_base); }
+    double feed_unit() const { return metric_technology() ? 1.0 : 25.4; }
     bool absolute() const { return active(14) == 1; }
     // Is the axis counted in diameters by an absolute word (incremental: by an incremental one)?
     bool counts_diameter(unsigned place, bool incremental) const;
@@ -221,7 +223,14 @@ private:
     double speed_of_tool(double m_min, double radius_mm, double most) const;
     bool refresh_cutting_speeds();
     double m19_position(std::uint16_t spindle) const;
+    bool surface_speed_active() const { return active(15) == 4 || active(15) == 7 || active(15) == 11; }   // G96 G961 G962
+    // of the spindle that is meant (speed_limits.cpp)
     double spindle_data(std::string_view name) const;
+    double highest_speed() const;
+    double limited_speed(double rpm) const;
+    bool ask_speed(double rpm);
+    bool refresh_speed_limit(bool said = false);
+    bool refresh_speed(bool said = false);
     void keep_axis_data(std::string_view name, std::size_t place, double value);
     void keep_spindle_data(std::string_view name, double value);
     bool tool_words();
@@ -242,6 +251,8 @@ private:
     bool spindle_share(const Word& word, double share);
     bool spindle_closed(std::uint16_t spindle) const { return modal_.closed_spindles >> (spindle - 1) & 1u; }
     void close_spindle(bool told, bool beside = false);                             // position control, by the PLC's M19
+    bool spindles_to_axes();                                                        // this block names an axis on such a spindle
+    void spindle_to_axis();
     bool with_spindle(std::uint16_t spindle, const std::function<bool()>& act);
 
     // geometry (geo_*.cpp)

@@ -47,7 +47,7 @@ struct Modal {
     double feed_per_tooth = 0.0;      // FZ; 0: F is in use
     double teeth = 0.0;               // $TC_DPNT of the active edge
     bool feed_revolution = false;     // what group 15 makes of F
-    double rpm_before_surface = 0.0;  // S before G96
+    std::array<double, kMaxSpindles + 1> asked_rpm{};   // S as programmed in revolutions, or the speed that G97 has kept
     std::array<std::uint8_t, kChannelAxes> axis_diameter{};   // DIAMONA and the like: as the numbers of group 29; 0: the channel's
     double path_override = 100, rapid_override = 100;   // OVR, OVRRAP, percent
     bool feed_group_set = false;      // FGROUP: F counts these axes

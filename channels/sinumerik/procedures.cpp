@@ -53,6 +53,11 @@ bool Interpreter::p_setms(Call& c) {
     const auto wanted = static_cast<std::uint16_t>(n);
     if (wanted == modal_.master_spindle) return true;
     SpindleState& now = core_.path.spindle;
+    if (now.mode == SpindleModeCode::SurfaceSpeed) {   // G96 is the master spindle's: the old one goes on as fast as it is, the new one waits for S
+        if (!core_.surface_speed(false)) return false;
+        modal_.asked_rpm[now.spindle] = now.rpm;
+        if (!core_.commit_spindle()) return false;
+    }
     modal_.spindles[now.spindle] = now;
     if (const auto kept = modal_.spindles.find(wanted); kept != modal_.spindles.end()) {
         now = kept->second;

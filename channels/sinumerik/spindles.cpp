@@ -14,16 +14,15 @@ bool Interpreter::a_cutting_speed(const Word& word) {
         if (const int number = edge_of_d(found->second, modal_.edge)) edge = &found->second.edges.at(number);
     const double radius = edge ? edge->dp[6] + edge->dp[15] + edge->sum[1][6] + edge->setup[1][6] : 0.0;
     if (radius <= 0) return fail_word(Alarm::ToolUnknown, word, "SVC: R = 0");
-    const unsigned group = active(15);
-    if (group == 4 || group == 7 || group == 11) return fail_word(Alarm::CodesContradict, word, "SVC, G96");
+    if (surface_speed_active()) return fail_word(Alarm::CodesContradict, word, "SVC, G96");
     double speed = word.number();
-    if (active(13) == 3) speed *= 0.3048;   // G700: feet a minute
+    if (!metric_technology()) speed *= 0.3048;   // feet a minute
     return with_spindle(word.index > 0 ? static_cast<std::uint16_t>(word.index) : 0, [&] {
         const std::uint16_t n = core_.path.spindle.spindle;
         if (n == 0 || spindle_closed(n)) return fail_word(n ? Alarm::CodesContradict : Alarm::SpindleMissing, word, "SVC, SPOS");
         modal_.cutting_speeds |= 1u << (n - 1);
         modal_.cutting_speed_m_min[n] = speed;
-        return core_.spindle_speed(speed_of_tool(speed, radius, found->second.max_velocity));
+        return ask_speed(speed_of_tool(speed, radius, found->second.max_velocity));
     });
 }
 
@@ -42,7 +41,7 @@ bool Interpreter::refresh_cutting_speeds() {
     const double most = found == tools_.end() ? 0.0 : found->second.max_velocity;
     for (std::uint16_t n = 1; n <= kMaxSpindles; ++n) {
         if (!(modal_.cutting_speeds >> (n - 1) & 1u)) continue;
-        if (!with_spindle(n, [&] { return core_.spindle_speed(speed_of_tool(modal_.cutting_speed_m_min[n], radius, most)) && core_.commit_spindle(); })) return false;
+        if (!with_spindle(n, [&] { return ask_speed(speed_of_tool(modal_.cutting_speed_m_min[n], radius, most)) && core_.commit_spindle(); })) return false;
     }
     return true;
 }
@@ -79,6 +78,44 @@ bool Interpreter::a_surface_axis(const Word& word) {
     const PlaneRole role = core_.view().axes[static_cast<std::size_t>(word.axis)].role;
     if (role != PlaneRole::BasicX && role != PlaneRole::BasicY && role != PlaneRole::BasicZ) return fail_word(Alarm::AxisKindWrong, word, axis_name(word.axis));
     return core_.surface_axis_is(word.axis);
+}
+
+// Naming an axis makes one of its spindle again that SPOS, M19 or a tap has put under position control (8.4): the spindle lets go of
+// the drive, and the block is read again where it is known at which angle the axis stands.
+bool Interpreter::spindles_to_axes() {
+    if (!modal_.closed_spindles || block_.coded[3]) return true;   // TRANS C moves nothing
+    const MachineView& view = core_.view();
+    AxisSet named = 0;
+    for (const Word& w : block_.words)
+        if (w.axis >= 0 && w.axis < kSpindleAxis && (w.address->name == "axis" || w.address->name.starts_with("POS"))) named |= 1u << w.axis;
+    if (named && core_.transformed() && core_.path.transformation.rotary_place() >= 0) named |= 1u << core_.path.transformation.rotary_place();
+    bool switched = false;
+    for (; named; named &= named - 1) {
+        const std::uint16_t spindle = view.machine.axis(view.axes[static_cast<std::size_t>(__builtin_ctz(named))].machine_axis + 1u).on_spindle;
+        if (spindle == 0 || !spindle_closed(spindle)) continue;
+        with_spindle(spindle, [this] { return spindle_to_axis(), true; });
+        switched = true;
+    }
+    if (switched) needs_barrier_ = true;
+    return !switched;
+}
+
+// By the PLC's M5, as where a turning spindle stops.
+void Interpreter::spindle_to_axis() {
+    SpindleState& now = core_.path.spindle;
+    now.turn = SpindleTurn::Stop;
+    modal_.closed_spindles &= ~(1u << (now.spindle - 1));
+    Spindle off;
+    off.spindle = now.spindle;
+    off.mode = SpindleModeCode::Off;
+    off.turn_changed = off.silent = true;
+    core_.mark_emitted();
+    core_.sink().spindle(off, core_.at);
+    Aux stop;
+    stop.value = 5;
+    stop.text = "M5";
+    stop.silent = stop.drained = true;
+    core_.sink().aux(stop, core_.at);
 }
 
 // SPCON, SPCOF: position control of a spindle; the drive of a spindle that follows a thread is always in it here.

@@ -87,7 +87,7 @@ bool Interpreter::system_value(Value& value) {
         const SpindleState state = spindle == path.spindle.spindle ? path.spindle : kept != modal_.spindles.end() ? kept->second : SpindleState{};
         if (name == "$P_SDIR") value = Value::of_int(state.turn == SpindleTurn::Cw ? 3 : state.turn == SpindleTurn::Ccw ? 4 : 5);
         else if (name == "$AA_S") value = Value::of_real(state.turn == SpindleTurn::Stop ? 0.0 : state.turn == SpindleTurn::Ccw ? -state.rpm : state.rpm);
-        else value = Value::of_real(state.mode == SpindleModeCode::SurfaceSpeed ? state.surface_m_min : state.rpm);
+        else value = Value::of_real(state.mode == SpindleModeCode::SurfaceSpeed ? state.surface_m_min : modal_.asked_rpm[static_cast<std::size_t>(spindle)]);
         return true;
     }
     if (name == "$P_TOOLNO") return value = Value::of_int(static_cast<double>(modal_.tool)), true;

@@ -39,6 +39,16 @@ class Spindles(Case):
         self.assertAlmostEqual(turns[inside[-1]] - min(turns[i] for i in inside[:3]), 0.0, delta=0.2, msg="and back again")
         self.assertGreater(max(turns[i] for i in inside) - turns[inside[0]], 11.0)
 
+    def test_a_feed_behind_a_rigid_tap_leaves_the_spindle_alone(self):
+        done, trace = self.run_program("G18 G90 G94\nG0 X0 Z5.\nS300\nG17 G84.2 Z-10. R2. F300.\nG80\nG1 Z12. F600.\nS200 M3\nG1 Z22.\nM5\nM30\n", "--set", "N1503 L1=2",
+                                       "--set", "N1508 S1=20", "--set", "N1532 S1=40")
+        self.assertEqual(done.alarms, [])
+        way = {e["line"]: (e["t"], e["end"]) for e in done.of("move", ch=1, kind="linear")}
+        self.assertAlmostEqual(way[8][1] - way[8][0], 1.0, delta=0.1, msg="10 mm at 600 mm/min")
+        turns = unwound(trace["S1.angle"])
+        still = [turns[i] for i, t in enumerate(trace["t"]) if way[6][0] + 0.2 <= t <= way[6][1]]
+        self.assertLess(max(still) - min(still), 0.1)
+
     def test_the_c_axis_is_the_spindle(self):
         done, trace = self.run_program("G18 G90 G94\nG0 C90.\nS400 M3\nG4 P1.\nM5\nG0 C270.\nG4 P0.2\nM30\n")
         self.assertEqual(done.alarms, [])
@@ -46,6 +56,18 @@ class Spindles(Case):
         at = {e["line"]: next(i for i, t in enumerate(trace["t"]) if t >= e["end"] + 0.005) for e in moves if e["line"] in (2, 6)}
         for line, angle in ((2, 90.0), (6, 270.0)):
             self.assertAlmostEqual(trace["S1.angle"][at[line]], angle, delta=0.3, msg=f"line {line}")
+
+    def test_naming_the_axis_takes_a_positioned_spindle_back(self):   # sinumerik part 1, 8.4: SPOS, M19, M70, a tap
+        program = self.write("POS.MPF", "G18 G90 G94 DIAMOF\nG0 X0 Z5\nSPOS=90\nG0 C45\nM19\nG0 C60\nS300 M3\nG4 F1\nM70\nG0 C200\n"
+                                        "G331 Z0 K1 S100\nG332 Z5 K1\nG0 C30\nR1=10 SPOS=10\nR1=R1+1 C=R1\nG4 F.1\nM30\n")
+        done = self.polyturn("run", "--virtual", "--language", "sinumerik", f"1={program}", "--trace", "trace.csv")
+        self.assertEqual((done.status, done.alarms), (0, []), done.said())
+        trace = read_trace(self.folder / "trace.csv")
+        turns = [e for e in done.of("move", kind="rapid") if e["line"] > 2]
+        self.assertEqual([e["pos"]["C"] for e in turns], [45, 60, 200, 30, 11], done.said())
+        for e in turns:
+            at = next(i for i, t in enumerate(trace["t"]) if t >= e["end"] + 0.005)
+            self.assertAlmostEqual(trace["S1.angle"][at], e["pos"]["C"], delta=0.5, msg=f"line {e['line']}")
 
     def test_gear_ranges_are_engaged_at_creep_speed(self):
         sets = ("PT_GEAR_RANGES S1=2", "PT_GEAR_TIME S1=0.5", "N0651 S1=900", "N0635 S1=1000", "N0658 S1=15", "N0659 S1=15", "N0667 S1=1500")
