@@ -3,10 +3,26 @@
 #include <algorithm>
 #include <utility>
 
+#include "ipc/image/beside_step.hpp"
 #include "ipc/image/interrupt_inputs.hpp"
 #include "kernel/cyclic/channel_runner.hpp"
 
 namespace polyturn::kernel {
+namespace {
+
+// Of a record that acts ahead of its place: what stands before it, the rest of the running block, has still to begin, and its events
+// are not out of date.
+void hand_over_event(Core& core, unsigned channel, const PathRecord& r) noexcept {
+    if (r.note == 0) return;
+    KernelEvent* event = core.log.claim(KernelEventKind::RecordBegin, channel, core.tick, 0);
+    if (!event) return;
+    event->note = r.note;
+    event->line = r.line;
+    event->code = kStepHandedOver;
+    core.log.put();
+}
+
+}  // namespace
 
 // The watched signals that are on: bit 0 the only one, or bit n INT<n+1>.
 std::uint32_t ChannelRunner::interrupt_signals() noexcept {
@@ -61,6 +77,7 @@ bool ChannelRunner::obey_ahead() noexcept {
         const PathRecord& r = record(ahead_);
         if (!(r.flags & kAtOnce) || r.epoch != epoch_) continue;
         if (writes_store(r) && !core_.store.has_room()) return false;
+        hand_over_event(core_, number_, r);
         report(KernelEventKind::RecordBegin, r, 0);
         execute_instant(r, 0);
         report(KernelEventKind::RecordEnd, r, 0);

@@ -34,7 +34,8 @@ public:
     // The channel's description of a block, a JSON object without t and end. Numbers grow within a channel; only a skip move is
     // described again when it has ended, with the point where that was, and is held back until then.
     void note(unsigned channel, std::uint64_t number, std::string_view text);
-    // It will begin later than what stands behind it: a step of a program that an axis runs beside the path.
+    // It begins later than what stands behind it, a step of a program that an axis runs beside the path, or earlier than what
+    // stands before it, a macro statement of an interrupt program that acts while the block is still driven.
     void hold(unsigned channel, std::uint64_t number);
     // The block began. Returns its text with t, for stimuli that wait for it; empty when there is no such note.
     std::string_view begin(unsigned channel, std::uint64_t number, double t_s);
