@@ -1,5 +1,6 @@
 // What a program leaves to the next one in its channel: #100 and on, #1 to #33 of the main program (F6001#6, #7 also over a
-// reset), the tool offset where F5003#6 or N1414#5 keep it, and with N1301 CLR the G groups that N1302 to N1306 keep (nct part 1 14.2).
+// reset), the outputs and timers (#1100 to #1133, #3001, #3002; fanuc_lathe 6.3.1, 6.10), the tool offset where F5003#6 or N1414#5
+// keep it, and with N1301 CLR the G groups that N1302 to N1306 keep (nct part 1 14.2).
 //
 // A program's end counts as a reset here: without CLR all groups begin as the machine was switched on.
 #include "channels/fanuc/b_memory.hpp"
@@ -25,12 +26,15 @@ struct Interpreter::Inherited {
     double pattern = 0;   // #5900: until another one is chosen
     std::array<std::vector<BStep>, 3> b_programs;   // registered ones stay
     VariableNames names;
+    std::uint32_t outputs = 0;
+    double outputs_wide = 0, timer_ms = 0, timer_h = 0;
     double parts = 0, parts_table = 0;   // #3901, and N2307 of the table: it follows a moment later, unless somebody has set it
 };
 
 std::any Interpreter::carry() const {
     auto& self = const_cast<Interpreter&>(*this);   // modal() ties references; they are only read here
-    return std::make_shared<Inherited>(Inherited{variables_.common(), variables_.levels().front(), values_of(self.modal()), modal_calls_, core_.path, core_.at.comp, pattern_, b_.programs, names_, parts_, settings_.parts_made});
+    return std::make_shared<Inherited>(Inherited{variables_.common(), variables_.levels().front(), values_of(self.modal()), modal_calls_, core_.path, core_.at.comp, pattern_, b_.programs, names_,
+                                                 outputs_, outputs_wide_, timer_ms_offset_, timer_h_offset_, parts_, settings_.parts_made});
 }
 
 // What was kept over power-off; a text that cannot be read leaves nothing, and is told.
@@ -53,6 +57,11 @@ void Interpreter::take_carry(const std::any& before, bool after_reset) {
     if (!after_reset && last.parts_table == settings_.parts_made) parts_ = last.parts;   // what was read ahead when it was reset has made no part
     b_.programs = last.b_programs;   // as new as what is kept over power-off, and there without a disk too
     names_ = last.names;
+    // What was read ahead when it was reset has written no output: those that are on say it themselves.
+    outputs_ = after_reset ? static_cast<std::uint32_t>(static_cast<std::int64_t>(core_.port().interface_value(1132))) : last.outputs;
+    outputs_wide_ = after_reset ? core_.port().interface_value(1133) : last.outputs_wide;
+    timer_ms_offset_ = last.timer_ms;
+    timer_h_offset_ = last.timer_h;
     if (!after_reset || settings_.keeps_common) variables_.take_common(last.common);
     if (!after_reset || settings_.keeps_locals) variables_.locals() = last.locals;
     if (settings_.keeps_offset) {

@@ -44,6 +44,11 @@ bool RunPort::single_block() { return (own().keys & kKeySingleBlock) != 0; }
 
 // #1000.. are the machine's inputs, #1100.. its outputs, one bit each.
 double RunPort::interface_value(std::int32_t variable) {
+    if (variable == 1132 || variable == 1133) {   // what programs have written so far
+        PlcInputs inputs;
+        while (!kernel_->plc_inputs.read(inputs)) {}
+        return inputs.signal[(variable == 1132 ? signals::cn_uout : signals::cn_uoutw)(channel_)];
+    }
     if (const auto given = given_variable("#" + std::to_string(variable))) return *given;
     if (variable >= 1000 && variable < 1000 + static_cast<std::int32_t>(kInputs) && variable < 1100) {
         PlcInputs inputs;

@@ -121,6 +121,16 @@ class Interrupt(Run):
         self.assertEqual(done.of("variable", name="#130")[-1]["value"], 400)
         self.assertEqual([m["n"] for m in done.of("move")], [10, 20, 30])
 
+    def test_type_two_begins_behind_the_last_motion_of_a_cycle_and_each_of_its_moves_is_told(self):
+        self.write("O8300.nc", "O8300\n#120=#120+1\nN77 G00 W-5.\nM99\n")
+        done = self.run_it("O1\nG98\n#120=0\nM96 P8300\nN10 G90 X40. Z-20. F600\nM97\nM30\n", ["F6003#2=1"], pulse((1.5, 1), (1.8, 0)))
+        self.assertEqual(done.status, 0, done.said())
+        self.assertEqual([(m["n"], m["pos"]["X"], m["pos"]["Z"]) for m in done.of("move")], [(10, 40, 0), (10, 40, -20), (10, 50, -20), (10, 50, 0), (77, 50, -5)])
+        self.assertAlmostEqual(done.of("variable", name="#120")[-1]["t"], 1.5, delta=0.1, msg="at once")
+        done = self.run_it("O1\nG98\n#120=0\nM96 P8300\nN10 G28 U-20. W-30.\nM97\nM30\n", ["F6003#2=1"], pulse((0.05, 1), (0.35, 0)))
+        self.assertEqual(done.status, 0, done.said())
+        self.assertEqual([(m["n"], m["pos"]["X"], m["pos"]["Z"]) for m in done.of("move")], [(10, 30, -30), (10, 0, 0), (77, 0, -5)])
+
     def test_type_one_breaks_the_block_off_and_loses_its_rest(self):
         self.write("O8300.nc", "O8300\n#121=#5042\nG00 U2.\nM99\n")
         done = self.run_it(MAIN, ["F6003#2=0"], pulse((2.0, 1), (2.3, 0)))
@@ -141,6 +151,19 @@ class Interrupt(Run):
         self.assertAlmostEqual(first["end"] - first["t"], 2.0, delta=0.05)
         self.assertAlmostEqual(rest["end"] - rest["t"], 3.0, delta=0.05)
         self.assertAlmostEqual(other["end"] - other["t"], 1.0, delta=0.01)
+
+
+class Reset(Run):
+    def test_outputs_outlive_it_as_they_were_executed_and_a_timer_goes_on(self):
+        # Behind N20 the program is read ahead: what it writes there has not happened when the reset comes (fanuc_lathe 6.3.1, 6.10).
+        self.write("O8300.nc", "O8300\nM99\n")
+        program = "O1\nG98\n#102=#3001\nIF[#1100EQ1]GOTO 10\n#3001=0\nN10 #100=#1100\n#101=#1133\n#1100=1\n#1133=-5\nN20 G01 X100. F600\n#1100=0\n#1133=7\nM30\n"
+        done = self.run_it(program, [], '[[at]]\nt = 2.0\npress = "reset L1"\n[[at]]\nt = 3.0\npress = "cycle_start L1"\n', ["CN_UOUT L1"])
+        self.assertEqual(done.status, 0, done.said())
+        value = {e["name"]: e["value"] for e in done.of("variable")}
+        self.assertEqual((value["#100"], value["#101"]), (1, -5), done.said())
+        self.assertAlmostEqual(value["#102"], 3000, delta=20, msg="set to 0 by the first program")
+        self.assertEqual([e["value"] for e in done.of("flag", name="CN_UOUT L1")], [1, 0], done.said())
 
 
 class PickedUpThread(LiveCase):
