@@ -1,5 +1,6 @@
 // Handlers of moves: G0 to G3, threads, G53, reference.
 #include <cmath>
+#include <limits>
 
 #include "channels/fanuc/feed_words.hpp"
 #include "channels/fanuc/interpreter.hpp"
@@ -15,8 +16,10 @@ bool Interpreter::g_linear(const GCode&) {
     const bool angle = angle_word() != nullptr;
     if (angle && settings_.mefi) return core_.fail(Alarm::AddressIllegal, 'A', "A");
     if (!axis_word_count_ && !angle) {
+        // I and K beside G40 only say how the contour would go on (fanuc_lathe 2.7).
+        const bool leaves = (coded_groups_ >> static_cast<unsigned>(GGroup::Comp) & 1u) && coded_[static_cast<std::size_t>(GGroup::Comp)]->act == &Interpreter::g_comp_off;
         for (const char letter : {'I', 'K', 'R'})
-            if (block_.has(letter)) return core_.fail(Alarm::CornerMoveMissing, letter);
+            if (block_.has(letter) && !(leaves && letter != 'R')) return core_.fail(Alarm::CornerMoveMissing, letter);
         return true;
     }
     AxisSet named = 0;
@@ -51,6 +54,10 @@ bool Interpreter::arc_words(ArcCall& call, bool& goes) {
         return call.radius <= 0 && !settings_.nct ? core_.fail(Alarm::ArcRadiusIllegal, 'R') : true;
     }
     if (!centre_words) return core_.fail(Alarm::ArcWithoutRadius, 'G');
+    // An end beside the arc is no alarm under compensation: the circle about the same centre through it counts there (fanuc_lathe 3.8).
+    // A contour of a cycle has no compensation yet.
+    const bool compensated = core_.compensating() && core_.at.comp != CompSide::Off && !core_.path.tool.nose_off && !reads_contour_;
+    if (compensated && !settings_.nct && !settings_.mefi) call.tolerance = std::numeric_limits<double>::infinity();
     static constexpr char kCentre[3][2] = {{'I', 'J'}, {'K', 'I'}, {'J', 'K'}};   // by plane: first, second axis
     static constexpr char kForeign[3] = {'K', 'J', 'I'};
     const auto plane = static_cast<std::size_t>(core_.path.plane);

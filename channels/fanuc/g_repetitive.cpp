@@ -271,9 +271,14 @@ bool Interpreter::g_finishing(const GCode& row) {
     return true;
 }
 
+// The way back is the cycle's own and no part of the contour: as in G90 the nose leaves the contour at its last normal, and compensation
+// begins again with the next block. As an element of the contour it would be an inner corner that most last blocks are too short for.
 bool Interpreter::end_finishing() {
     core_.at.cycle = finishing_.name;
-    if (!core_.rapid(finishing_.start)) return false;
+    core_.begin_cycle(Core::CycleMoves::Plain);
+    const bool driven = core_.rapid(finishing_.start);
+    core_.end_cycle();
+    if (!driven) return false;
     finishing_.active = false;
     source_->seek(finishing_.resume);
     jumped_ = true;

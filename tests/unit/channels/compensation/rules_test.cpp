@@ -86,6 +86,10 @@ const Row kCorners[] = {
     // Begin: along +Z below X18, n = (0, -1).
     {"acute, arc to line", "G0 X36 Z-30\nN10 G42 Z-10\nN20 G1 Z4\nN30 G3 X40 Z8 R5\nN40 G1 Z-10\nN50 G40 G0 X60",
      {{36, -30, -1, ""}, {34, -10, 10, ""}, {34, 4, 20, ""}, {38.8, 8.8, 30, ""}, {40.4, 9.4, 40, ""}, {42, 9, 40, ""}, {42, -10, 40, ""}, {60, -10, 50, ""}}},
+    // fanuc_lathe 3.8: the end (7, 25) is not on the arc about (5, 20), R5: the circle through it, R sqrt(29), counts there, and no alarm
+    // comes. N30 ends on it, 1 inside, and on X24: Z = 5 + sqrt((sqrt(29) - 1)^2 - 16) = 6.797128. N20 ends as at an arc without fault.
+    {"an arc that ends beside itself", "N10 G42 G0 Z20\nN20 G1 Z0\nN30 G2 X50 Z7 K5\nN40 G1 Z15\nN50 G40 G0 X10",
+     {{42, 20, 10, ""}, {42, 1.127017, 20, ""}, {48, 6.797128, 30, ""}, {48, 15, 40, ""}, {10, 15, 50, ""}}},
     // side change: old side X21, new side left of (0, 1): n = (-1, 0), Z-1. N30 ends with its own left normal.
     // G40 along -Z: cross((0,1),(-1,0)) = 1, left turn, nose left: inner.
     {"side change", "N10 G42 G0 Z20\nN20 G1 Z0\nN30 G41 X60\nN40 G40 G0 Z-20", {{42, 20, 10, ""}, {42, -1, 20, ""}, {60, -1, 30, ""}, {60, -20, 40, ""}}},
@@ -109,6 +113,8 @@ const Row kCancel[] = {
     {"near reversal", "N10 G42 G0 Z20\nN20 G1 Z0\nN30 G40 G0 Z20", {{42, 20, 10, ""}, {42, 0, 20, ""}, {40, 20, 30, ""}}},
     // no movement: normal there, taken back by the next block
     {"G40 alone", "N10 G42 G0 Z20\nN20 G1 Z0\nN30 G40\nN40 X60", {{42, 20, 10, ""}, {42, 0, 20, ""}, {60, 0, 40, ""}}},
+    {"G40 alone with I, K", "N10 G42 G0 Z20\nN20 G1 Z0\nN30 G40 I5 K0\nN40 X60", {{42, 20, 10, ""}, {42, 0, 20, ""}, {60, 0, 40, ""}}},
+    {"I, K where nothing is left to end", "N10 G1 Z20\nN20 G40 I5 K3\nN30 X60", {{40, 20, 10, ""}, {60, 20, 30, ""}}},
     // G40 I K: the contour would go on along (K, I) = (0, 5): as inner corner, (1, 1)
     {"with I, inner", "N10 G42 G0 Z20\nN20 G1 Z0\nN30 G40 G0 X60 Z20 I5", {{42, 20, 10, ""}, {42, 1, 20, ""}, {60, 20, 30, ""}}},
     // along (0, -5) it is outer: still the intersection, (-1, 1), then straight away
@@ -197,6 +203,16 @@ TEST(NoseCompensation, ACornerOfAMicrometreStays) {
     EXPECT_EQ(run.points.size(), 5u) << run.played.events;
     const NoseRun dropped = run_lathe("N10 G0 X49.7 Z10\nN20 G42 G1 X50 Z0\nN30 Z-20\nN40 G40 X60", {0.8, 0}, 60, 20, {"F5010=0.01"});
     EXPECT_EQ(dropped.points.size(), 4u) << dropped.played.events;
+}
+
+// G42 before G70: the contour's last block ends at its normal, the way back to where G70 was called is straight and plain. As an inner
+// corner of the contour it would turn N20 round (alarm 041).
+//     N5 to N10 is an outer corner of 90 degrees: (2, 31), then (1, 31).  N10 to N12 inner: (1, 21).  N12 to N14 inner: (-19, 21).
+//     N14 to N20 outer: (-19, 26).  N20 ends at (-30, 25) + (0, 1).
+TEST(NoseCompensation, LeavesTheContourOfG70AtItsNormal) {
+    expect_points({"G70", "N5 G42 G0 X60 Z2\nN6 G70 P10 Q20\nN30 G40 G0 X80 Z10\nM30\nN10 G0 X40\nN12 G1 Z-20\nN14 X50\nN20 Z-30",
+                   {{62, 2, 5, ""}, {62, 1, 5, ""}, {42, 1, 10, ""}, {42, -19, 12, ""}, {52, -19, 14, ""}, {52, -30, 20, ""}, {60, 2, 20, ""}, {80, 10, 30, ""}}},
+                  {}, 60, 20);
 }
 
 struct AlarmRow {
