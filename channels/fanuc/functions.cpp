@@ -31,7 +31,8 @@ bool acts_late(double code, const MachineConfig& machine) {
 bool Interpreter::is_draining(double code) const { return in_ranges(settings_.draining_m, code); }
 
 bool Interpreter::spindle_word() {
-    const Word& word = block_.word('S');
+    Word word = block_.word('S');
+    if (word.from_expression && !settings_.nct) word.value = whole_steps(word.value, 1.0);   // a whole number, as M (fanuc_lathe 6.1)
     const bool one_shot = (coded_groups_ >> static_cast<unsigned>(GGroup::OneShot)) & 1u;
     if (one_shot && coded_[static_cast<std::size_t>(GGroup::OneShot)]->act == &Interpreter::g_preset) {
         return core_.spindle_limit(word.value) && core_.commit_spindle();

@@ -495,6 +495,8 @@ void Interpreter::reload_settings() {
     settings_.system = system;
     core_.compensation_options(settings_.compensation);
     core_.shows = {settings_.shows_tool_vector, settings_.shows_nose};
+    expression_ = Expression(variables_, settings_.angle_positive, !settings_.nct && !settings_.mefi);   // F6004#0 may have changed
+    if (!settings_.nct && !settings_.mefi) expression_.names_from(names_);
 }
 
 bool Interpreter::barrier_fresh() { return fresh_; }

@@ -257,7 +257,13 @@ VariableStatus Interpreter::write_system(std::int64_t number, double value) {
     std::int32_t offset = 0;
     if (const OffsetRange* range = find_range(number, offset)) {
         if (offset > view.config().offset_count) return VariableStatus::Unknown;
-        write_offset(range->table, offset, range->field, (is_null(value) ? 0.0 : value) * (range->field == OffsetField::T ? 1.0 : unit_));
+        const bool tip = range->field == OffsetField::T;
+        const double given = is_null(value) ? 0.0 : value, cell = tip ? std::nearbyint(given) : given * unit_;
+        if (!settings_.nct && !(tip ? cell >= 0 && cell <= 9 : offset_value_good(range->table, cell))) {   // as G10 (fanuc_lathe 1.1, 1.8)
+            core_.fail(Alarm::OffsetValueIllegal, 0, {}, given);
+            return VariableStatus::Fault;
+        }
+        write_offset(range->table, offset, range->field, cell);
         return VariableStatus::Ok;
     }
     if (number >= 5201 && number < 5340) {

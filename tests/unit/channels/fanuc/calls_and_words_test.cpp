@@ -50,6 +50,7 @@ TEST(ParameterInput, TakesBitsAsBinaryDigits) {   // fanuc_lathe 7
 
 TEST(ParameterInput, GivesCellsOfTheCompensationTablesTheirValue) {   // fanuc_lathe 7: 1024 points, N10000 and on
     Play how;
+    EXPECT_TRUE(play("G10 L50\nN6004 R1\nG11\n#100=ASIN[-1]\nM30\n").has({R"("name":"#100","value":-90)"})) << "expressions too use it at once";
     EXPECT_EQ(play("G10 L50\nN10005 R-12\nN11023 R3\nG11\nM30\n").errors, 0u) << play("G10 L50\nN10005 R-12\nN11023 R3\nG11\nM30\n").events;
     EXPECT_TRUE(play("G10 L50\nN11024 R3\nG11\nM30\n").has({R"("number":"PT1064")"}));
     EXPECT_TRUE(play("G10 L50\nN10005 R1.5\nG11\nM30\n").has({R"("number":7,)"}));

@@ -53,6 +53,8 @@ TEST(MacroStatement, IsDiagnosedAtItsPlace) {
         {"#0=1", "116", 1, 1},
         {"#300=1", "115", 1, 1},
         {"#3000=7(CHUCK OPEN)", "3007", 1, 1},
+        {"#2301=10", "32", 1, 1},                       // offsets have the range of G10 (fanuc_lathe 1.1, 1.8)
+        {"#2701=1000", "32", 1, 1},
         {"END1", "124", 1, 1},
         {"DO4", "126", 1, 3},
         {"WHILE[1 EQ 0]DO1\nM30", "124", 1, 1},
