@@ -44,6 +44,10 @@ bool Interpreter::p_geometry_axes(Call& c) {
         const double n = c.number(k);
         std::size_t place = 0;
         if (!(n == 1 || n == 2 || n == 3)) return fail(Alarm::ValueOutOfRange, "GEOAX", n);
+        if (const PlaneRole role = kRoles[static_cast<std::size_t>(n) - 1]; c.has(k + 1) && c.value(k + 1).is_number() && c.number(k + 1) == 0) {   // no axis has this number
+            if (core_.view().axis_by_role(role) < 0) continue;
+            return fail(Alarm::NotBuilt, "GEOAX(" + std::to_string(static_cast<int>(n)) + ",0)");
+        }
         if (!axis_argument(c, k + 1, "GEOAX", place)) return false;
         if (core_.view().axes[place].role != kRoles[static_cast<std::size_t>(n) - 1]) return fail(Alarm::NotBuilt, "GEOAX(" + std::to_string(static_cast<int>(n)) + "," + axis_name(static_cast<int>(place)) + ")");
     }

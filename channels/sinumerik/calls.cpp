@@ -232,6 +232,25 @@ bool Interpreter::run_section(TextPosition from, std::uint64_t end, std::int64_t
     return true;
 }
 
+// CALL name BLOCK first TO last: this section of another program; behind it the end of that program is next.
+bool Interpreter::call_section(const std::string& name, const std::string& first, const std::string& last) {
+    if (!call_program(name, {}, 1, false)) return false;
+    const TextIndex& index = index_of(levels_.back().file);
+    const std::vector<TextPosition>* const begins = index.label(first);
+    const std::vector<TextPosition>* const ends = index.label(last);
+    const TextPosition* stop = nullptr;
+    if (begins && ends)
+        for (const TextPosition& place : *ends)
+            if (!stop && place.offset >= begins->front().offset) stop = &place;
+    if (!stop) return fail(Alarm::JumpTargetMissing, begins ? last : first);
+    std::string_view text;
+    source_->seek(*stop);
+    if (source_->next(text) != LineSource::Status::Line) return fail(Alarm::FileUnreadable);
+    const std::uint64_t end = source_->next_position().offset;
+    while (source_->next(text) == LineSource::Status::Line) {}
+    return run_section(begins->front(), end, 1, false);
+}
+
 // A jump out of a repeated section ends its repetitions.
 void Interpreter::leave_sections(std::uint64_t offset) {
     while (levels_.back().section && (offset < levels_.back().begin.offset || offset >= levels_.back().end)) levels_.pop_back();

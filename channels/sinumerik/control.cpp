@@ -37,7 +37,13 @@ bool Interpreter::st_if() {
         const Symbol symbol = find_symbol(upper(name));
         if (symbol.kind != Symbol::Kind::Statement || symbol.statement().act != &Interpreter::st_goto) return syntax(cursor_.at(), std::string(name));
         cursor_.advance(name.size());
-        if (!holds) return cursor_.at_end() && symbol.statement().name != "GOTOS" ? syntax(cursor_.at(), std::string(symbol.statement().name)) : true;
+        if (!holds) {   // its target is read nevertheless; another IF may stand behind it
+            std::string label;
+            if (symbol.statement().name != "GOTOS" && (cursor_.at_end() ? !syntax(cursor_.at(), std::string(symbol.statement().name)) : !jump_target(label))) return false;
+            if (upper(cursor_.name_ahead()) != "IF") return rest_must_be_empty();
+            cursor_.advance(2);
+            return st_if();
+        }
         statement_ = &symbol.statement();
         return st_goto();
     }

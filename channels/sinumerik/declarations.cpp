@@ -38,7 +38,8 @@ bool Interpreter::parse_type(Type& type, std::size_t& length) {
 bool Interpreter::declare(const std::string& name, std::shared_ptr<Variable> variable, const char* at) {
     if (name.size() > kLongestName) return fail_at(Alarm::NameTooLong, at, name.size(), name, kLongestName);
     // Two letters or _ begin a name; one letter alone is allowed where it is no address.
-    if (find_symbol(name).kind != Symbol::Kind::None || find_axis(name) >= 0 || (name.size() > 1 && is_digit(name[1]))) return fail_at(Alarm::NameReserved, at, name.size(), name);
+    const bool letter = name == "N" || name == "R";   // fixed addresses without a row (sinumerik_part3 5.1)
+    if (letter || find_symbol(name).kind != Symbol::Kind::None || find_axis(name) >= 0 || (name.size() > 1 && is_digit(name[1]))) return fail_at(Alarm::NameReserved, at, name.size(), name);
     const std::shared_ptr<Scope> in = of_channel_ ? channel_scope_ : scope();
     if (in->names.contains(name) || (!of_channel_ && scope()->names.contains(name))) return fail_at(Alarm::NameTwice, at, name.size(), name);
     undo([in, name] { in->names.erase(name); });
@@ -52,11 +53,14 @@ bool Interpreter::st_def() {
     double lower = 0, upper_limit = 0;
     int physical_unit = 0;
     of_channel_ = false;
-    if (const std::string word = upper(cursor_.name_ahead()); word == "CHAN") {
-        of_channel_ = true;
-        cursor_.advance(4);
-    } else if (word == "NCK" || word == "SYNR" || word == "SYNW" || word == "SYNRW") {
-        return fail_at(Alarm::NotBuilt, cursor_.at(), word.size(), "DEF " + word);
+    for (;;) {
+        // Variables are read and written in the order of the text, and made anew at each start: so SYNR SYNW SYNRW and INIPO INIRE INICF PRLOC hold.
+        static constexpr std::string_view kHold[] = {"CHAN", "SYNR", "SYNW", "SYNRW", "INIPO", "INIRE", "INICF", "PRLOC"};
+        const std::string word = upper(cursor_.name_ahead());
+        if (word == "NCK") return fail_at(Alarm::NotBuilt, cursor_.at(), word.size(), "DEF " + word);
+        if (std::find(std::begin(kHold), std::end(kHold), word) == std::end(kHold)) break;
+        of_channel_ = of_channel_ || word == "CHAN";
+        cursor_.advance(word.size());
     }
     Type type{};
     std::size_t length = 0;
@@ -268,13 +272,13 @@ bool Interpreter::st_call() {
         name = program_of_path(value.text);
     }
     if (upper(cursor_.name_ahead()) == "BLOCK") {
-        if (!name.empty()) return fail_at(Alarm::NotBuilt, cursor_.at(), 5, "CALL name BLOCK");
         cursor_.advance(5);
         std::string first, last;
         if (!jump_target(first)) return false;
         if (upper(cursor_.name_ahead()) != "TO") return syntax(cursor_.at(), "TO");
         cursor_.advance(2);
         if (!jump_target(last) || !rest_must_be_empty()) return false;
+        if (!name.empty()) return call_section(name, first, last);
         auto begin = find_label(first, -1);
         if (!begin) begin = find_label(first, 1);
         if (!begin) return fail(Alarm::JumpTargetMissing, first);

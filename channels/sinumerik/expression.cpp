@@ -273,6 +273,8 @@ bool Interpreter::apply(unsigned op, const char* at, Value& left, const Value& r
         int order = 0;
         if (both(left, right, Type::String)) {
             order = left.text.compare(right.text);
+        } else if ((left.type == Type::Char && right.type == Type::String) || (left.type == Type::String && right.type == Type::Char)) {   // TEXT[2]=="A"
+            order = to_text(left).compare(to_text(right));
         } else if (both(left, right, Type::Axis)) {
             order = left.number < right.number ? -1 : left.number > right.number;
             if (op != kEq && op != kNe) return wrong();

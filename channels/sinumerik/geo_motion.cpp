@@ -120,6 +120,7 @@ bool Interpreter::measuring_line(const AxisValues& target, const Word& probe) {
     if (input != 1 && input != 2) return fail_word(Alarm::ValueOutOfRange, probe, "MEAS", probe.number());
     if (has("FXS")) return fail_word(Alarm::CodesContradict, probe, "FXS, MEAS");
     if (core_.compensating()) return fail_word(Alarm::CompReference, probe);
+    modal_.measured_to = target;
     return core_.measure(target, input == 1 ? "1" : "2", probe.number() < 0);
 }
 

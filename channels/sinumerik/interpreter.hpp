@@ -53,6 +53,8 @@ public:
     bool may_resume_at(std::uint64_t serial) const override;
     bool offsets_changed() override;
     bool interrupt(std::uint64_t serial, bool within, unsigned input) override;
+    std::any carry() const override;
+    void take_carry(const std::any& before, bool after_reset) override;
 
     // --- what handlers need
     const Block& block() const { return block_; }
@@ -142,9 +144,9 @@ public:
     bool geo_involute(const GCode&), g_grinding(const GCode&), g_tool_frame(const GCode&), geo_not_built(const GCode&);
     bool st_execstring(), st_setint(), st_synchronized();
     bool p_write(Call&), p_read(Call&), p_delete(Call&), p_file_size(Call&), p_file_facts(Call&);   // files.cpp
-    bool p_cancel(Call&), p_lock(Call&), p_unlock(Call&), p_action_reset(Call&), p_stop_reading_of(Call&), p_cycle_steps(Call&);   // synchronized.cpp
+    bool p_cancel(Call&), p_lock(Call&), p_unlock(Call&), p_action_reset(Call&), p_stop_reading_of(Call&), p_cycle_steps(Call&), p_read_disable(Call&);   // synchronized.cpp
     bool p_interrupts(Call&), p_without_effect(Call&), p_trail(Call&), p_wheel_speed(Call&), a_sum_offset(const Word&);
-    bool p_msg(Call&), p_setal(Call&), p_stopre(Call&), p_setms(Call&), p_wait_marker(Call&), p_wait_end(Call&);
+    bool p_msg(Call&), p_setal(Call&), p_stopre(Call&), p_setms(Call&), p_master_holder(Call&), p_wait_marker(Call&), p_wait_end(Call&);
     bool p_init(Call&), p_start(Call&);   // program_start.cpp
     bool p_fctdef(Call&), p_synfct(Call&);   // polynomials.cpp
     bool p_swivel(Call&), p_axis_to_channel(Call&);
@@ -350,6 +352,7 @@ private:
     bool index_list(std::vector<Value>& indices);
     bool reference_ahead(Reference& reference);              // a variable at the cursor; null reference: none there
     bool element_of(const Variable& variable, const std::vector<Value>& indices, const char* at, std::size_t& element);
+    bool call_section(const std::string& name, const std::string& first, const std::string& last);
     bool character_of(const Reference& reference, const char* at, std::size_t& i);
     Reference find_variable(std::string_view upper_name) const;
     bool assign(const Reference& reference, Value value, const char* at);
@@ -418,6 +421,7 @@ private:
     bool only_in_action(std::string_view name);
     static bool find_do(Cursor& at);
     bool action_may_be_told();
+    bool machine_there();
     struct Polynomial {
         double low = 0, high = 0;
         std::array<double, 4> factors{};
@@ -432,6 +436,7 @@ private:
     bool text_of_file(const std::string& name, std::string& text);
     void change_file(const std::string& name, std::optional<std::string> text);
 
+    struct Left;   // carry.cpp
     // resume states (resume.cpp)
     struct ResumeState;
     void note_resume_point();

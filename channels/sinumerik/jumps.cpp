@@ -110,14 +110,15 @@ bool Interpreter::jump_to_label(const std::string& label, int direction, bool al
 
 bool Interpreter::st_goto() {
     const std::string word(statement_->name);
+    const auto ends_here = [this] { return upper(cursor_.name_ahead()) == "IF" || rest_must_be_empty(); };   // IF a GOTOF b IF c GOTOF d
     if (word == "GOTOS") {
-        if (!rest_must_be_empty()) return false;
+        if (!ends_here()) return false;
         while (levels_.back().section) levels_.pop_back();
         seek(levels_.back().begin);
         return true;
     }
     std::string label;
-    if (!jump_target(label) || !rest_must_be_empty()) return false;
+    if (!jump_target(label) || !ends_here()) return false;
     const int direction = word == "GOTOF" ? 1 : word == "GOTOB" ? -1 : 0;
     return jump_to_label(label, direction, word != "GOTOC");
 }

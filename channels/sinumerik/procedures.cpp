@@ -70,6 +70,13 @@ bool Interpreter::p_setms(Call& c) {
     return true;
 }
 
+// SETMTH(n): T means this holder. A channel has one turret here, whatever number MD20124 gives its holders.
+bool Interpreter::p_master_holder(Call& c) {
+    const auto holders = static_cast<double>(params::get(core_.view().table(), params::md20124, core_.view().channel));
+    const double n = c.number(0, 1.0);
+    return (n >= 1 && n <= std::fmax(holders, 1.0) && n == std::floor(n)) || fail(Alarm::ValueOutOfRange, "SETMTH", n);
+}
+
 // --- between channels
 
 // A channel by number or by its name (MD20000, here N0003).

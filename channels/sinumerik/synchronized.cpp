@@ -34,7 +34,7 @@ bool allowed(std::string_view address) {
 
 bool allowed_call(std::string_view procedure) {
     static constexpr std::string_view kProcedures[] = {"LOCK",    "UNLOCK",    "RESET",     "STOPREOF", "SETM",    "CLEARM",  "SETAL",   "TRAILON",  "TRAILOF",   "SYNFCT", "LEADON",
-                                                       "LEADOF",  "PRESETON",  "PRESETONS", "RELEASE",  "AXTOCHAN", "CTABLOCK", "CTABUNLOCK", "IPOBRKA", "ICYCON", "ICYCOF"};
+                                                       "LEADOF",  "PRESETON",  "PRESETONS", "RELEASE",  "AXTOCHAN", "CTABLOCK", "CTABUNLOCK", "IPOBRKA", "ICYCON", "ICYCOF", "RDISABLE"};
     return among(kProcedures, procedure);
 }
 
@@ -189,6 +189,8 @@ bool Interpreter::synchronized_actions() {
         return false;
     };
     in_action_ = true;
+    bool holds_reading = false;   // RDISABLE
+    const std::size_t own_undo = block_undo_.size();
     for (SynchronizedAction& action : next) {
         if (action.locked) continue;
         bool holds = true;
@@ -198,6 +200,7 @@ bool Interpreter::synchronized_actions() {
         if (action.when != When::Always && upper(cursor_.name_ahead()) != "DO") return in_action_ = false, syntax(cursor_.at(), "DO"), said_by(action);
         if (!action.is_due(holds)) continue;
         if (!read_action(action)) return in_action_ = false, said_by(action);
+        for (const auto& [command, call] : block_.procedures) holds_reading = holds_reading || command->name == "RDISABLE";
         due.emplace_back(&action, std::move(block_));
     }
     undo([this, before = actions_] { actions_ = before; });
@@ -209,6 +212,13 @@ bool Interpreter::synchronized_actions() {
     }
     in_action_ = false;
     reading_ = true;
+    if (holds_reading && machine_there()) {   // the block is read again behind a barrier; what the actions have done stays
+        block_undo_.resize(own_undo);
+        for (SynchronizedAction& one : actions_)
+            if (one.id == 0 && one.when != When::Always) one.looks = 0;
+        needs_barrier_ = true;
+        return false;
+    }
     std::erase_if(actions_, [](const SynchronizedAction& one) { return one.is_over(); });
     block_ = std::move(output);
     cursor_ = cursor;
@@ -237,6 +247,9 @@ bool Interpreter::p_cancel(Call& c) {
 bool Interpreter::p_lock(Call& c) { return only_in_action("LOCK") && each_action(c, [](SynchronizedAction& one) { one.locked = true; }); }
 bool Interpreter::p_unlock(Call& c) { return only_in_action("UNLOCK") && each_action(c, [](SynchronizedAction& one) { one.locked = false; }); }
 bool Interpreter::p_action_reset(Call& c) { return only_in_action("RESET") && each_action(c, [](SynchronizedAction&) {}); }   // of technology cycles
+// RDISABLE: the block behind is not read while the condition holds. Without a machine nothing would ever change it.
+bool Interpreter::p_read_disable(Call& c) { return only_in_action("RDISABLE") && (machine_there() || p_without_effect(c)); }
+bool Interpreter::machine_there() { return core_.view().axis_count > 0 && core_.port().axis_command(core_.view().axes[0].machine_axis).has_value(); }
 bool Interpreter::p_cycle_steps(Call&) { return only_in_action(block_.procedures.front().first->name); }   // ICYCON, ICYCOF: of technology cycles
 bool Interpreter::p_stop_reading_of(Call&) { return only_in_action("STOPREOF") && (stop_reading(), true); }
 bool Interpreter::only_in_action(std::string_view name) { return in_action_ || fail(Alarm::AddressIllegal, std::string(name)); }

@@ -47,7 +47,7 @@ bool Interpreter::is_system_variable(std::string_view name) const {
         "$P_MSNUM", "$P_CHANNO", "$P_PROG", "$P_LINENO", "$P_STACK", "$P_REPINF", "$P_ISTEST", "$P_SEARCH", "$P_AXN1", "$P_AXN2", "$P_AXN3", "$P_AD", "$P_DRYRUN",
         "$P_SVC", "$P_S_TYPE", "$P_GWPS", "$PA_FGROUP", "$PA_FGREF", "$P_FGROUP_MASK", "$AC_FGROUP_MASK", "$AA_FGROUP", "$AA_FGREF", "$AC_TOFF", "$AC_TOFFL", "$AC_TOFFR", "$AC_FZ", "$AC_F_TYPE", "$AC_SVC", "$AC_S_TYPE",
         "$P_APR", "$P_AEP", "$P_APDV", "$P_PFRAME", "$P_ACTFRAME", "$P_IFRAME", "$P_ACTBFRAME", "$P_BFRAME", "$P_CHBFRAME", "$P_GFRAME", "$P_GFR", "$AC_LIFTFAST", "$AA_ACC",
-        "$AA_IM", "$AA_IW", "$AA_MM", "$AA_MW", "$AC_MEA", "$AA_IB", "$AA_FXS", "$AA_S", "$AC_MARKER", "$AC_PARAM", "$AC_TIME", "$A_YEAR", "$A_MONTH", "$A_DAY", "$A_HOUR", "$A_MINUTE", "$A_SECOND", "$A_IN", "$A_OUT",
+        "$AA_IM", "$AA_IW", "$AA_MM", "$AA_MW", "$AC_MEA", "$AC_DELT", "$AA_DELT", "$AA_IB", "$AA_FXS", "$AA_S", "$AC_MARKER", "$AC_PARAM", "$AC_TIME", "$A_YEAR", "$A_MONTH", "$A_DAY", "$A_HOUR", "$A_MINUTE", "$A_SECOND", "$A_IN", "$A_OUT",
         "$AN_LANGUAGE_ON_HMI", "$P_ACTID", "$P_UIFR", "$P_UIFRNUM", "$P_NUM_SPINDLES"};
     for (const std::string_view known : kNames)
         if (known == name) return true;
@@ -131,6 +131,17 @@ bool Interpreter::system_value(Value& value) {
         else value = Value::of_real(core_.machine_now(static_cast<unsigned>(i)) + core_.framed(met)[i] - core_.framed(path.programmed)[i]);
         return true;
     }
+    if (name == "$AA_DELT" || name == "$AC_DELT") {   // what MEAS has deleted of the way (sinumerik_part3 8)
+        if (name == "$AA_DELT" && (place(0) < 0 || place(0) >= kSpindleAxis)) return fail_at(Alarm::AxisArgumentMissing, from, length, name);
+        if (!need_fresh()) return false;
+        double sum = 0.0;
+        for (unsigned k = 0; k < core_.view().axis_count; ++k) {
+            const double left = core_.measured() != 0 ? modal_.measured_to[k] - core_.skip_point(k) : 0.0;
+            sum += left * left;
+            if (name == "$AA_DELT" && place(0) == static_cast<int>(k)) return value = Value::of_real(shown(place(0), left)), true;
+        }
+        return value = Value::of_real(std::sqrt(sum)), true;
+    }
     if (name == "$AC_MEA") return need_fresh() && (value = Value::of_int(core_.measured() != 0), true);
     if (name == "$A_YEAR" || name == "$A_MONTH" || name == "$A_DAY" || name == "$A_HOUR" || name == "$A_MINUTE" || name == "$A_SECOND") {
         if (!need_fresh()) return false;
@@ -153,7 +164,9 @@ bool Interpreter::system_value(Value& value) {
         if (!need_fresh()) return false;
         const std::string key = name + "[" + to_text(Value::of_int(std::nearbyint(indices[0].number))) + "]";
         if (const auto found = written_system_.find(key); found != written_system_.end()) value = found->second;
-        else value = Value::of_real(core_.port().given_variable(key).value_or(0.0));
+        else if (const auto given = core_.port().given_variable(key)) value = Value::of_real(*given);
+        else if (const double n = indices[0].number; name == "$A_IN" && n >= 1 && n <= 32) value = Value::of_real(core_.port().interface_value(static_cast<std::int32_t>(999 + std::nearbyint(n))));   // as macros' #1000
+        else value = Value::of_real(0.0);
         if (name != "$AC_PARAM") value = name == "$AC_MARKER" ? Value::of_int(value.number) : Value::of_bool(value.number != 0);
         return true;
     }

@@ -42,14 +42,18 @@ int input_number(std::string_view words) {
 
 std::optional<ProgramInput> program_input(std::string_view words) {
     words = trimmed(words);
-    if (words.empty() || words[0] != '#') return std::nullopt;
     const auto blank = words.find_first_of(" \t");
-    const auto number = number_of(words.substr(1, blank == std::string_view::npos ? blank : blank - 1));
-    if (!number || *number < 1000 || *number > 1031 || *number != std::floor(*number)) return std::nullopt;
+    std::string_view name = words.substr(0, blank);
+    const bool indexed = name.starts_with("$A_IN[") && name.ends_with(']');   // sinumerik counts from 1
+    if (!indexed && !name.starts_with('#')) return std::nullopt;
+    name = indexed ? name.substr(6, name.size() - 7) : name.substr(1);
+    const double first = indexed ? 1 : 1000;
+    const auto number = number_of(name);
+    if (!number || *number < first || *number > first + 31 || *number != std::floor(*number)) return std::nullopt;
     const std::string scope = blank == std::string_view::npos ? "L1" : std::string(trimmed(words.substr(blank)));
     const auto signal = parse_signal("CP_UIN " + scope);
     if (!signal) return std::nullopt;
-    return ProgramInput{signal->slot(), static_cast<std::uint32_t>(*number) - 999};
+    return ProgramInput{signal->slot(), static_cast<std::uint32_t>(*number - first) + 1};
 }
 
 Result<std::vector<Command>> drive_fault(std::string_view whom, std::string_view value, const MachineConfig& machine) {

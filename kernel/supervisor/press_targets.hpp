@@ -16,7 +16,7 @@ std::optional<bool> on_off(std::string_view word);
 // "input 5", "I5", "SKIP", "XAE L2": the number of an input, -1 when it is none.
 int input_number(std::string_view words);
 
-// "#1000 L1" to "#1031 L1": an input of the program as macros name it, one bit of CP_UIN (from 1).
+// "#1000 L1" to "#1031 L1", "$A_IN[1] L1" to "$A_IN[32] L1": an input of the program as it names it, one bit of CP_UIN (from 1).
 struct ProgramInput {
     std::uint32_t slot = 0, bit = 0;
 };

@@ -200,6 +200,9 @@ TEST(Set, SignalsInputsDrivesParametersAndKeys) {
     EXPECT_EQ(command.kind, static_cast<std::uint32_t>(CommandKind::SetSignal));
     EXPECT_EQ(command.object, signals::cp_uin(2));
     EXPECT_EQ(command.channel, 4u);
+    command = one("$A_IN[32] L2=1");   // as sinumerik names them
+    EXPECT_EQ(command.object, signals::cp_uin(2));
+    EXPECT_EQ(command.channel, 32u);
     command = one("N0304 A1=5000");
     EXPECT_EQ(command.kind, static_cast<std::uint32_t>(CommandKind::SetParameter));
     EXPECT_STREQ(command.text.data(), "N0304 A1=5000");
@@ -211,7 +214,7 @@ TEST(Set, SignalsInputsDrivesParametersAndKeys) {
 TEST(Set, WhatIsWrongIsSaid) {
     const std::pair<const char*, Alarm> rows[] = {
         {"AP_SYNCR=1", Alarm::SignalScope},        {"AP_SYNCR L1=1", Alarm::SignalScope},  {"AP_SYNCR A97=1", Alarm::SignalScope},
-        {"#1000 L1=2", Alarm::PressArgument}, {"AP_SYNCR A3=2", Alarm::PressArgument},   {"NO_SUCH L1=1", Alarm::SignalUnknown}, {"AP_SYNCR A3", Alarm::PressArgument},
+        {"#1000 L1=2", Alarm::PressArgument}, {"$A_IN[1] L1=2", Alarm::PressArgument}, {"AP_SYNCR A3=2", Alarm::PressArgument},   {"NO_SUCH L1=1", Alarm::SignalUnknown}, {"AP_SYNCR A3", Alarm::PressArgument},
         {"drive A77=fault", Alarm::PressArgument}, {"drive A3=hot", Alarm::PressArgument}, {"input 3=5", Alarm::PressArgument},
         {"N0304 A1=fast", Alarm::ParamValue},
     };

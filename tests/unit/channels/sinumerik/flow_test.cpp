@@ -108,6 +108,11 @@ TEST(SinumerikFlow, MainBlocksAreJumpedToAndEndsOfSubprogramsTold) {
     EXPECT_EQ(jumped.errors, 0u) << jumped.events;
     EXPECT_EQ(last_value(jumped, "R1"), "none");
     EXPECT_EQ(last_value(jumped, "R2"), "1");
+    const Played either = run("LOOP1: R1=R1+1\nIF R1==1 GOTOB LOOP1 IF R1==2 GOTOF NEXT\nR2=9\nNEXT: R3=R1\nIF R1==7 GOTOF NEXT IF R1==8 GOTOS\nR4=1\nM30\n");
+    EXPECT_EQ(either.errors, 0u) << either.events;
+    EXPECT_EQ(last_value(either, "R2"), "none");
+    EXPECT_EQ(last_value(either, "R3"), "2");
+    EXPECT_EQ(last_value(either, "R4"), "1");
     Files files;
     files.add("UPM.SPF", "R1=R1+1\nG0 X2 M17\n");
     files.add("UPR.SPF", "R1=R1+1\nRET\n");
@@ -118,14 +123,26 @@ TEST(SinumerikFlow, MainBlocksAreJumpedToAndEndsOfSubprogramsTold) {
     EXPECT_EQ(told, 2u) << called.events;
 }
 
+// A section of another program; variables with their keywords (3: BLOCK, SYNR, INIRE).
+TEST(SinumerikFlow, SectionsOfOtherProgramsAreCalled) {
+    Files files;
+    files.add("PARTS.SPF", "PROC PARTS SAVE\nR1=99\nLBA: R2=R2+1\nG91\nLBB: R3=R3+10\nR4=99\nRET\n");
+    const Played played = run("G90\nDEF CHAN SYNR INT SHARED=4\nDEF INIRE REAL OWN=2\nFOR R9=1 TO 2\nCALL \"PARTS\" BLOCK LBA TO LBB\nENDFOR\nR5=$P_GG[14]\nR6=SHARED+OWN\nM30\n", files.setup);
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    const std::pair<const char*, const char*> rows[] = {{"R1", "none"}, {"R2", "2"}, {"R3", "20"}, {"R4", "none"}, {"R5", "1"}, {"R6", "6"}};
+    for (const auto& [name, value] : rows) EXPECT_EQ(last_value(played, name), value) << name << '\n' << played.events;
+    EXPECT_EQ(run("CALL \"PARTS\" BLOCK LBB TO LBA\nM30\n", files.setup).errors, 1u);
+    EXPECT_EQ(run("CALL \"PARTS\" BLOCK NIX TO LBA\nM30\n", files.setup).errors, 1u);
+}
+
 // TEXT[i] is a character; texts and axes are reported as what they are.
 TEST(SinumerikFlow, TextsHaveCharactersAndAreReported) {
-    const Played played = run("DEF STRING[20] TT=\"POLYTURN\"\nDEF STRING[5] UU[2]\nDEF AXIS AA\nDEF CHAR CC\nTT[0]=\"H\"\nCC=TT[1]\nUU[1]=\"ABC\"\nUU[1,2]=\"X\"\nR1=TT[7]\nAA=AXNAME(\"Z\")\nM30\n");
+    const Played played = run("DEF STRING[20] TT=\"POLYTURN\"\nDEF STRING[5] UU[2]\nDEF AXIS AA\nDEF CHAR CC\nTT[0]=\"H\"\nCC=TT[1]\nUU[1]=\"ABC\"\nUU[1,2]=\"X\"\nR1=TT[7]==\"N\"\nAA=AXNAME(\"Z\")\nM30\n");
     EXPECT_EQ(played.errors, 0u) << played.events;
     EXPECT_EQ(last_value(played, "TT"), "\"HOLYTURN\"");
     EXPECT_EQ(last_value(played, "UU[1]"), "\"ABX\"");
     EXPECT_EQ(last_value(played, "CC"), "79");
-    EXPECT_EQ(last_value(played, "R1"), "78");
+    EXPECT_EQ(last_value(played, "R1"), "1");
     EXPECT_EQ(last_value(played, "AA"), "\"Z\"");
     for (const char* bad : {"R1=TT[8]", "TT[8]=\"A\"", "R1=TT[-1]"}) EXPECT_EQ(run("DEF STRING[20] TT=\"POLYTURN\"\n" + std::string(bad) + "\nM30\n").errors, 1u) << bad;
     EXPECT_EQ(run("DEF STRING[255] TT[3]\nM30\n").errors, 0u) << "READ gives that much back";

@@ -62,6 +62,12 @@ TEST(SinumerikAxes, APresetAxisIsWhereTheProgramSays) {
     EXPECT_EQ(count(played, "\"name\":\"R3\",\"value\":105}"), 1u) << played.events;
 }
 
+// A lathe has no second geometry axis: to take it away changes nothing (7.2).
+TEST(SinumerikAxes, GeometryAxesAreThoseOfTheMachine) {
+    EXPECT_EQ(run("GEOAX()\nGEOAX(1,X,3,Z)\nGEOAX(2,0)\nM30\n").errors, 0u);
+    for (const char* bad : {"GEOAX(1,0)", "GEOAX(1,Z)", "GEOAX(4,X)", "GEOAX(1)"}) EXPECT_EQ(run(std::string(bad) + "\nM30\n").errors, 1u) << bad;
+}
+
 // IP[axis] is I, J or K (3, 5.2).
 TEST(SinumerikAxes, InterpolationParametersByAVariable) {
     const Played played = run("DEF AXIS WHICH=Z\nG18 G90 DIAMOF\nG0 X20 Z0\nG3 X30 Z-10 IP[X]=0 IP[WHICH]=-10 F100\nM30\n");

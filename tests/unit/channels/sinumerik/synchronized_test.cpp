@@ -17,7 +17,7 @@ TEST(SynchronizedActions, DoWhatTheListMarks) {
     for (const char* action :
          {"$AC_PARAM[0]=SIN(30)", "R1=ABS(-2)+LN(2) MOD ABS(3)", "R1=ATAN2(1,1)", "OWN=POT(2)", "R1=BOUND(1,5,7)", "M8", "M=QU(8)", "H5", "M3=3 S3=100", "SETM(1)", "CLEARM(1)", "ACC[X]=50",
           "OVRA[C]=50", "POS[C]=AC(10) FA[C]=100", "SPOS=90", "SETAL(65000)", "PRESETON(C,5)", "PRESETONS(C,5)", "AXTOCHAN(C,1)", "RELEASE(C)", "TRAILON(C,Z,2)", "TRAILOF(C,Z)", "LEADOF(C,Z)",
-          "CTABLOCK(1)", "LOCK(2)", "UNLOCK(2)", "RESET(2)", "STOPREOF", "ICYCON", "ICYCOF", "VELOLIMA[C]=50", "ACCLIMA[C]=50", "JERKLIMA[C]=50", "FXS[X]=1 FXST[X]=10", "SYNFCT(1,R5,R6)", "R1=NOT TRUE"})
+          "CTABLOCK(1)", "LOCK(2)", "UNLOCK(2)", "RESET(2)", "STOPREOF", "ICYCON", "ICYCOF", "VELOLIMA[C]=50", "ACCLIMA[C]=50", "JERKLIMA[C]=50", "FXS[X]=1 FXST[X]=10", "SYNFCT(1,R5,R6)", "R1=NOT TRUE", "RDISABLE"})
         EXPECT_EQ(told(action).errors, 0u) << action << '\n' << told(action).events;
 }
 
@@ -35,6 +35,17 @@ TEST(SynchronizedActions, HaveTheirOwnProcedures) {
         how.language = "sinumerik";
         EXPECT_EQ(play(std::string(block) + "\nM30\n", how).errors, 1u) << block;
     }
+}
+
+// Without a machine nothing would ever end what holds: check says so and reads on.
+TEST(SynchronizedActions, HoldNothingWithoutAMachine) {
+    Play how;
+    how.language = "sinumerik";
+    const Played played = play("ID=1 WHENEVER $A_IN[1]==0 DO RDISABLE\nG0 X5\nM30\n", how);
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_TRUE(played.has({"RDISABLE has no effect"})) << played.events;
+    EXPECT_TRUE(played.has({"\"ev\":\"move\""})) << played.events;
+    EXPECT_EQ(play("RDISABLE\nM30\n", how).errors, 1u) << "in a block of the program";
 }
 
 }  // namespace

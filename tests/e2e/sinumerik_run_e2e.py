@@ -1,0 +1,44 @@
+#!/usr/bin/env python3
+"""What a sinumerik program shows on the running machine only: inputs that change, reading that is held, what the next start finds."""
+import unittest
+
+from polyturn_runner import Case
+
+HEAD = "G18 G71 G90 G94 G500 DIAMOF\n"
+
+
+class SinumerikRun(Case):
+    def run_one(self, text, scenario, *options):
+        program = self.write("PART.MPF", text)
+        stimuli = self.write("scenario.toml", scenario)
+        done = self.polyturn("run", "--virtual", "--variables", "--language", "sinumerik", "--set", "N1000=0", *options, "--scenario", stimuli, f"1={program}")
+        self.assertEqual(done.status, 0, done.said())
+        return done
+
+    def test_an_input_lets_the_program_go_on(self):   # part 3, 8: RDISABLE
+        done = self.run_one(HEAD + "WHENEVER $A_IN[3]==0 DO RDISABLE\nG4 F1\nR1=$A_IN[3]\nG4 F0.5\nM30\n", '[[at]]\nt = 5.0\nset = "$A_IN[3] L1=1"\n')
+        at = {e["seconds"]: e["t"] for e in done.of("dwell")}
+        self.assertAlmostEqual(at[1], 5.0, delta=0.1, msg=done.said())
+        self.assertAlmostEqual(at[0.5], 6.0, delta=0.1, msg=done.said())
+        self.assertEqual([e["value"] for e in done.of("variable", name="R1")], [1])
+
+    def test_actions_go_on_while_reading_is_held(self):
+        done = self.run_one(HEAD + "$AC_MARKER[1]=0\nID=1 EVERY $A_IN[1]==1 DO M8\nID=2 WHENEVER $A_IN[2]==0 DO RDISABLE\nG4 F1\nM30\n",
+                            '[[at]]\nt = 1.0\nset = "$A_IN[1]=1"\n[[at]]\nt = 3.0\nset = "$A_IN[2]=1"\n')
+        self.assertAlmostEqual(done.of("aux", code="M8")[0]["t"], 1.0, delta=0.1, msg=done.said())
+        self.assertEqual(len(done.of("aux", code="M8")), 1)
+        self.assertAlmostEqual(done.of("dwell")[0]["t"], 3.0, delta=0.1, msg=done.said())
+
+    def test_the_next_start_finds_what_the_program_has_left(self):   # part 3, 2 and 11.5
+        again = '[[at]]\nwhen = { ev = "stop", reason = "M30" }\nafter = 0.5\npress = "cycle_start"\n'
+        text = HEAD.replace("G90 ", "") + "R1=$P_GG[14]\nR2=R2+1\nG91\nG4 F0.1\nM30\n"
+        for mode, value in ((0, 1), (1, 2)):
+            with self.subTest(mode):
+                done = self.run_one(text, again, "--set", f"MD20152[13]={mode}")
+                self.assertEqual([e["value"] for e in done.of("variable", name="R1")], [1, value], done.said())
+                self.assertEqual([e["value"] for e in done.of("variable", name="R2")], [1, 2])
+                self.assertEqual([e["count"] for e in done.of("part")], [1, 2])
+
+
+if __name__ == "__main__":
+    unittest.main()
