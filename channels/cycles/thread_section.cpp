@@ -52,7 +52,8 @@ public:
                 const bool last = k == depths.size();
                 const double depth = last ? std::fabs(t_->depth) : depths[k];
                 const bool straight = last && t_->finishing < 0;
-                const double aside = straight ? 0.0 : side_of(*t_, static_cast<int>(k) + 1) * depth * std::tan(std::fabs(t_->angle_deg) * std::numbers::pi / 180.0);
+                const bool again = last && t_->finishing == 0 && k > 0;   // L0: the previous pass once more, on its side (9.9.1)
+                const double aside = straight ? 0.0 : side_of(*t_, static_cast<int>(k) + (again ? 0 : 1)) * depth * std::tan(std::fabs(t_->angle_deg) * std::numbers::pi / 180.0);
                 if (!pass(depth, aside)) return false;
             }
         }
