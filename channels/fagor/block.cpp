@@ -10,6 +10,7 @@ namespace {
 constexpr std::size_t at(GGroup group) { return static_cast<std::size_t>(group); }
 constexpr std::uint32_t kAlways = letter_set("FSTDM");
 constexpr double kLargestNumber = 99'999.9999;   // of ±5.4
+constexpr double kLargestInch = 3'937.00787;    // of ±4.5 (part 1, 3.3)
 constexpr double kLargestProgram = 999'999;      // Q of a profile cycle has six digits
 
 }  // namespace
@@ -132,6 +133,9 @@ bool Interpreter::act() {
     };
     for (const GGroup group : {GGroup::Units, GGroup::XFormat, GGroup::Plane, GGroup::Distance, GGroup::Feed})
         if (!run(group)) return false;
+    for (unsigned i = 0; i < core_.view().axis_count; ++i)
+        if (axis_words_[i] && modal_.inch && !core_.view().axes[i].rotary && !coded(GGroup::Machine) && std::fabs(axis_words_[i]->value) > kLargestInch + 5e-6)
+            return fail_word(*axis_words_[i], Alarm::DigitsTooMany, std::string(1, axis_words_[i]->letter));
     const GCode* one_shot = coded_[at(GGroup::OneShot)];
     const GCode* cycle = coded_[at(GGroup::Cycle)];
     const bool own_words = (one_shot && one_shot->number != 4 && one_shot->number != 75 && one_shot->number != 76) || cycle;

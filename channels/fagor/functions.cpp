@@ -180,6 +180,7 @@ bool Interpreter::m_function(const Word& word, bool behind) {
     const auto code = static_cast<std::int32_t>(word.value);
     if (code == modal_.m_done) return true;
     const MEntry* entry = m_entry(code);
+    if (!entry && waits(code)) return true;
     if (code >= 41 && code <= 44) {
         const double speed = core_.path.spindle.rpm, most = settings_.gear_max[static_cast<std::size_t>(code - 41)];
         const bool same = modal_.gear == code - 40 && most > 0 && speed <= most;
@@ -233,6 +234,17 @@ bool Interpreter::m_function(const Word& word, bool behind) {
     else if (code >= 41 && code <= 44) set(code, kGears);
     else if (code == 6) set(code, 0);
     return true;
+}
+
+// The 8037 T has one channel and no waits of its own; beside others it waits for those of its group by the machine's codes, unless the
+// M table has the code (architecture 4, 12: channels of different languages wait for each other).
+bool Interpreter::waits(std::int32_t code) {
+    const MachineConfig& machine = core_.view().machine;
+    const std::uint32_t channels = machine.channels_of_group(machine.channel(core_.view().channel).group);
+    if (!machine.is_wait_code(code) || __builtin_popcount(channels) < 2) return false;
+    core_.mark_emitted();
+    core_.sink().wait({code, {}, channels, false}, core_.at);
+    return wants_barrier_ = true;
 }
 
 bool Interpreter::m_after() {

@@ -48,6 +48,7 @@ Point Interpreter::cycle_call_point() {
 
 bool Interpreter::begin_cycle_block() {
     unsigned p = 0, q = 0;
+    follow_spindle(false);
     return plane_places(p, q) && set_feed(core_.path.programmed);
 }
 
@@ -115,6 +116,7 @@ bool Interpreter::g_drilling(const GCode&) {
     hole.tap = kind == 0 ? cycles::AxialHole::Tap::Floating : kind == 1 ? cycles::AxialHole::Tap::Oriented : cycles::AxialHole::Tap::Turning;
     core_.signal("TAPPING", 1.0);
     core_.path.feed_path.scale = 1.0;   // no override acts on a tap
+    follow_spindle(true);
     modal_.m_states &= ~(1ull << 19);   // M19 has to search its mark again
     if (!cycles::tap_axial(core_, hole)) return false;
     core_.signal("TAPPING", 0.0);
@@ -169,6 +171,7 @@ bool Interpreter::g_threading(const GCode& row) {
         const double turn = core_.path.spindle.turn == SpindleTurn::Ccw ? -1.0 : 1.0;
         thread.spindle_deg = number('W') + turn * (along >= 0 ? 1.0 : -1.0) * 360.0 * (begin - measured) / thread.lead;
     }
+    follow_spindle(true);
     return cycles::cut_thread_section(core_, thread);
 }
 

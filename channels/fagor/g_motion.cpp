@@ -65,6 +65,12 @@ bool Interpreter::set_feed(const AxisValues& target) {
     return true;
 }
 
+// A thread or a tap turns at 100 %, whatever PRGSSO says (5.3; part 2, 9.6.3, 9.9.6); the next other move has its share again.
+void Interpreter::follow_spindle(bool thread) {
+    const double share = modal_.spindle_override_program;
+    spindles_.set(thread || share <= 0 ? 1.0 : share / 100.0, core_.at);
+}
+
 bool Interpreter::straight(const AxisValues& target, bool rapid) {
     if (rapid) return core_.rapid(target);
     return set_feed(target) && core_.linear(target);
@@ -88,6 +94,7 @@ bool Interpreter::begin_machine_block() {
 
 bool Interpreter::g_linear(const GCode& row) {
     AxisSet named = 0;
+    follow_spindle(false);
     if (!read_point(target_, &named)) return false;
     if (in_machine_) core_.suspend_for(named);
     slide(target_, named);
@@ -112,6 +119,7 @@ bool Interpreter::drive_line(const AxisValues& programmed, bool rapid) {
 bool Interpreter::g_arc(const GCode& row) {
     unsigned p = 0, q = 0;
     if (!plane_places(p, q)) return false;
+    follow_spindle(false);
     AxisValues target;
     AxisSet named = 0;
     const bool by_centre_angle = (row.number == 2 || row.number == 3) && has('Q');
@@ -269,6 +277,7 @@ bool Interpreter::g_thread(const GCode& row) {
             call.withdraw[slot++] = modal_.withdrawal[i];
         }
     }
+    follow_spindle(true);
     if (!core_.thread(target_, call)) return false;
     modal_.lead = lead;
     modal_.end_lead = std::sqrt(square);

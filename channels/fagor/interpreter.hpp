@@ -138,6 +138,7 @@ private:
     bool change_tool(std::int64_t tool, std::int64_t offset);
     void load_tool();
     bool m_function(const Word& word, bool behind);
+    bool waits(std::int32_t code);
     const MEntry* m_entry(double code) const;
     bool m_end(double code);
     bool spindle_gear(double code);
@@ -161,6 +162,7 @@ private:
     bool has_axes_beside(std::string_view letters) const;
     bool set_feed(const AxisValues& target);
     double largest_feed(const AxisValues& target) const;
+    void follow_spindle(bool thread);
     bool arc_centre(const AxisValues& target, bool absolute, double& cp, double& cq);
     bool drive_arc(const AxisValues& programmed, double cp, double cq, bool clockwise);
     bool begin_machine_block();
@@ -204,6 +206,7 @@ private:
 
     // statements (statements.cpp, assignments.cpp)
     Step statement_block();
+    bool axes_settle(const char* at, const char* end);
     enum class Flow : std::uint8_t { Done, NeedsBarrier, Fault };
     Flow run_statement(const char*& at, const char* end, bool inside_if);
     void tell_control(bool group_ends);
@@ -302,6 +305,8 @@ private:
     std::uint16_t probe_code_ = 75;
     std::uint64_t moves_at_touch_ = 0;            // no move since: the axes stand behind the touched point by
     AxisValues braked_mm_{};
+    std::uint64_t settled_moves_ = 0;             // no move since: the axes are quiet
+    unsigned quiet_looks_ = 0, settle_looks_ = 0;
     int inclined_place_ = -1, orthogonal_place_ = -1;
     std::optional<Diagnosis> definition_fault_;   // of a SUB of the main program
     bool interrupt_again_ = false;                // the block in which the program was left is read again

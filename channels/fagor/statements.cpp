@@ -29,8 +29,8 @@ const char* else_in(const char* at, const char* end) {
     return end;
 }
 
-// Does a value of the machine stand in the text? Then the machine must have come here before anything of it is done.
-bool mentions_live_value(const char* at, const char* end) {
+// Is there a variable in the text of which `is` holds?
+bool any_variable(const char* at, const char* end, auto&& is) {
     bool quoted = false;
     for (const char* p = at; p < end;) {
         if (*p == '"') quoted = !quoted;
@@ -40,10 +40,15 @@ bool mentions_live_value(const char* at, const char* end) {
         }
         const std::string_view name = letters_at(p, end);
         char axis = 0;
-        if (const VariableRow* row = find_variable(name, axis); row && row->live) return true;
+        if (const VariableRow* row = find_variable(name, axis); row && is(*row, axis)) return true;
         p += name.size();
     }
     return false;
+}
+
+// Does a value of the machine stand in the text? Then the machine must have come here before anything of it is done.
+bool mentions_live_value(const char* at, const char* end) {
+    return any_variable(at, end, [](const VariableRow& row, char) { return row.live; });
 }
 
 constexpr std::string_view kCustomizing[] = {"PAGE", "SYMBOL", "IB", "ODW", "DW", "DWH", "DWB", "SK", "WKEY", "WBUF", "SYSTEM"};
@@ -69,13 +74,37 @@ Interpreter::Flow Interpreter::evaluate(const char*& at, const char* end, double
 
 Interpreter::Flow Interpreter::target(const char*& at, const char* end, Target& to) { return flow_of(expression_.target(at, end, to)); }
 
+// A program that reads where an axis really is (POS, APOS) means where it has come to, not how it swings there behind a move: it is
+// waited for until the axis is quiet, a fifth of a second at most. What a probe has touched stands already.
+bool Interpreter::axes_settle(const char* at, const char* end) {
+    constexpr double kQuietMm = 3e-4;
+    constexpr unsigned kQuietLooks = 10, kMostLooks = 200;   // one look a tick
+    if (core_.moves() == settled_moves_ || core_.moves() == moves_at_touch_ || core_.reads_ahead()) return false;
+    bool reads = false, swings = false;
+    any_variable(at, end, [&](const VariableRow& row, char axis) {
+        if ((row.var != Var::Position && row.var != Var::PartPosition) || place_of(axis) < 0) return false;
+        const unsigned machine_axis = core_.view().axes[static_cast<std::size_t>(place_of(axis))].machine_axis;
+        const auto command = core_.port().axis_command(machine_axis), measured = core_.port().axis_measured(machine_axis);
+        reads = reads || (command && measured);
+        swings = swings || (command && measured && std::fabs(*command - *measured) > kQuietMm);
+        return false;
+    });
+    if (!reads) return false;
+    quiet_looks_ = swings ? 0 : quiet_looks_ + 1;
+    if (quiet_looks_ < kQuietLooks && ++settle_looks_ < kMostLooks) return true;
+    settled_moves_ = core_.moves();
+    quiet_looks_ = settle_looks_ = 0;
+    return false;
+}
+
 Step Interpreter::statement_block() {
     jumped_ = called_ = wants_barrier_ = false;
     repeats_ = block_.repeat;
     const std::uint64_t moves_before = core_.moves();
     const char* at = line_.data() + block_.statement;
     const char* const end = line_.data() + block_.statement_end;
-    Flow flow = !fresh_ && mentions_live_value(at, end) ? Flow::NeedsBarrier : run_statement(at, end, false);
+    const bool waits_for_machine = (!fresh_ && mentions_live_value(at, end)) || axes_settle(at, end);
+    Flow flow = waits_for_machine ? Flow::NeedsBarrier : run_statement(at, end, false);
     if (flow == Flow::Done) {
         blanks(at, end);
         if (at != end && !called_ && !jumped_) flow = flow_fault(Alarm::FagorStatement, at, static_cast<std::size_t>(end - at), std::string(at, end));

@@ -90,6 +90,28 @@ class Fagor(Case):
         angle = float(lines[-1].split(",")[lines[0].split(",").index("S1.angle")])
         self.assertAlmostEqual(angle % 360, 90, delta=0.5)
 
+    THREAD = f"{HEAD}S600 M3\nG04 K300\nG05 G00 X40 Z5\nX30\n"
+
+    def test_no_override_of_the_program_acts_on_a_thread(self):   # part 1, 5.3
+        done = self.run_program(f"(PRGSSO=50, PRGFRO=50)\n{self.THREAD}G33 Z-35 L2\nG00 X60\nG95 G01 Z-45 F2\nM30\n")
+        self.assertEqual(done.alarms, [], done.said())
+        self.assertAlmostEqual(sum(e["end"] - e["t"] for e in done.of("move", kind="thread")), 2.0, delta=0.15)
+        self.assertAlmostEqual(self.seconds(done, Z=-45), 10 / (2 * 300 / 60 * 0.5), delta=0.4)   # both act again
+
+    def test_a_real_position_is_read_when_the_axis_is_quiet(self):   # part 2, 11.2.7
+        done = self.run_program(f"{HEAD}G00 X40 Z10\n(P100=POSX, P101=APOSZ)\nG05 G01 Z-5 F2000\n(P102=POSZ)\n(IF (P102 EQ P102) P103=P102)\nM30\n")
+        values = {e["name"]: e["value"] for e in done.of("variable")}
+        for name, value in (("P100", 40), ("P101", 10), ("P102", -5), ("P103", -5)):
+            self.assertAlmostEqual(values[name], value, delta=0.001, msg=name)
+
+    def test_a_channel_waits_for_one_of_another_language(self):
+        first, second = self.write("1.nc", f"{HEAD}G01 X60 F600\nM501\nX50\nM30\n"), self.write("2.nc", "G0 X90.\nM501\nX80.\nM30\n")
+        done = self.polyturn("run", "--virtual", "--language", "1=fagor", "--language", "2=fanuc", "--set", "N1000=0", f"1={first}", f"2={second}")
+        self.assertEqual(done.status, 0, done.said())
+        self.assertEqual(len(done.of("wait", code=501)), 2, done.said())
+        begins = {(e["ch"], e["pos"]["X"]): e["t"] for e in done.of("move")}
+        self.assertAlmostEqual(begins[1, 50], begins[2, 80], delta=0.05)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -111,6 +111,7 @@ TEST(FagorBlock, RefusesByName) {
         {"G86 X30 Z0 Q30 R-20 I1 B0.2 C1 M0.1 K-10", Alarm::FagorCyclePair, "\"line\":1"},
         {"G88 X30 Z0 Q30 R-20 C2", Alarm::FagorGrooveDepth, "\"line\":1"},
         {"X100000", Alarm::DigitsTooMany, "\"line\":1"},                                                       // [3.3] 5.4
+        {"G70\nX3937.1", Alarm::DigitsTooMany, "\"line\":2"},                                                    // [3.3] inch 4.5
         {"XP2000", Alarm::FagorMakerParameter, "\"column\":2"},                                                // [part 2, 11.2.1]
         {"G68 X20 Z0 C2 S1 E2 Q123456", Alarm::SubprogramMissing, "P123456"},                                   // [part 2, 9.0.3] six digits
         {"G152\nG00 X50 Z-5\nG68 X20 Z0 C2 S1 E2\nM30\nN1 G01 Z-10\nN2 X30 Z-20", Alarm::FagorCyclePosition, "\"line\":3"},       // [part 2, 9.2]
