@@ -149,7 +149,8 @@ bool Interpreter::motion_changes(const GCode& to) {
         return true;
     }
     spindle.rpm = spindle.surface_m_min = modal_.asked_rpm[spindle.spindle] = 0.0;
-    return core_.surface_speed(true);
+    spindle.mode = SpindleModeCode::SurfaceSpeed;   // told with the S that must come before the spindle turns
+    return true;
 }
 
 bool Interpreter::a_nothing(const Word&) { return true; }

@@ -15,6 +15,7 @@ constexpr std::string_view kCentre[3][2] = {{"I", "J"}, {"K", "I"}, {"J", "K"}};
 // Every arc of the language comes by here; its centre is in workpiece coordinates.
 bool Interpreter::go_arc(const AxisValues& target, const ArcCall& call) {
     if (!arc_within_areas(target, call) || !leads_nobody(target)) return false;
+    if (!frame_keeps_circles()) return drawn_arc(target, call);
     const auto [p, q] = plane_places();
     if (bool taken = false; modal_.geo.approach) {
         if (!finish_approach(target, &call, taken)) return false;

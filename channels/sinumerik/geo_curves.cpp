@@ -1,4 +1,4 @@
-// Curves that are no arcs in a plane of the machine: involutes and circles that lie obliquely in space. They are made of
+// Curves that are no arcs in a plane of the machine: involutes, circles that lie obliquely in space, ellipses. They are made of
 // points so close together that the straight lines between them stay within kSagitta of the curve (sinumerik_part1 10.6.6, 10.8).
 #include <cmath>
 #include <numbers>
@@ -107,6 +107,55 @@ bool Interpreter::geo_involute(const GCode& code) {
         tangent[geometry_index(q)] = outwards * std::sin(angle);
         return go_curve(target, between, tangent);
     });
+}
+
+// Turned out of the planes of the machine (ROT X, sinumerik_part2 13.5), or an ellipse by two factors (13.7)?
+bool Interpreter::frame_keeps_circles() const {
+    if (!core_.path.framed) return true;
+    constexpr double kAlike = 1e-9;
+    static constexpr GeoAxis kAxes[3][2] = {{GeoAxis::X, GeoAxis::Y}, {GeoAxis::Z, GeoAxis::X}, {GeoAxis::Y, GeoAxis::Z}};
+    const auto& [first, second] = kAxes[static_cast<std::size_t>(core_.path.plane)];
+    const Point3 u = core_.path.frame.axis(first), v = core_.path.frame.axis(second);
+    const auto dot = [](const Point3& a, const Point3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+    const double size = dot(u, u);
+    if (std::fabs(size - dot(v, v)) > kAlike * size || std::fabs(dot(u, v)) > kAlike * size) return false;
+    double upright = 0.0;   // of the plane's normal along one axis of the machine
+    for (std::size_t k = 0; k < 3; ++k) upright = std::fmax(upright, std::fabs(u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3]));
+    return upright > (1 - kAlike) * size;
+}
+
+// An arc of the workpiece that is none of the machine's: its points go through the frame.
+bool Interpreter::drawn_arc(const AxisValues& target, const ArcCall& call) {
+    for (const std::string_view name : {"RND", "CHR", "CHF"})
+        if (const Word* w = word(name)) return fail_word(Alarm::NotBuilt, *w, std::string(name) + ", ROT, SCALE");
+    const auto places = plane_places();
+    const std::size_t p = places[0], q = places[1];
+    const AxisValues from = core_.path.programmed;
+    const double radius = std::hypot(from[p] - call.centre_p, from[q] - call.centre_q);
+    const double begin = std::atan2(from[q] - call.centre_q, from[p] - call.centre_p), sense = call.clockwise ? -1.0 : 1.0;
+    double sweep = std::fmod((std::atan2(target[q] - call.centre_q, target[p] - call.centre_p) - begin) * sense, kTurn);
+    if (sweep < 1e-9) sweep += kTurn;
+    sweep += kTurn * call.turns;
+    double largest = 1.0;   // the frame may magnify what lies between two points
+    for (const GeoAxis axis : {GeoAxis::X, GeoAxis::Y, GeoAxis::Z}) {
+        const Point3 image = core_.path.frame.axis(axis);
+        largest = std::fmax(largest, std::sqrt(image[0] * image[0] + image[1] * image[1] + image[2] * image[2]));
+    }
+    const auto count = static_cast<std::size_t>(std::ceil(sweep / std::sqrt(8 * kSagitta / (radius * largest))));
+    if (count > kMostPoints) return fail(Alarm::ValueOutOfRange, "TURN", call.turns);
+    std::vector<AxisValues> between;
+    for (std::size_t i = 1; i < count; ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(count), angle = begin + sense * sweep * share;
+        AxisValues point = from;
+        for (unsigned k = 0; k < core_.view().axis_count; ++k) point[k] += (target[k] - from[k]) * share;
+        point[p] = call.centre_p + radius * std::cos(angle);
+        point[q] = call.centre_q + radius * std::sin(angle);
+        between.push_back(point);
+    }
+    Point3 tangent{};
+    tangent[geometry_index(p)] = -sense * (target[q] - call.centre_q);
+    tangent[geometry_index(q)] = sense * (target[p] - call.centre_p);
+    return go_curve(target, between, tangent);
 }
 
 std::size_t Interpreter::geometry_index(std::size_t place) {

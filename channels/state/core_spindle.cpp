@@ -173,7 +173,7 @@ bool Core::commit_spindle() {
     told.limit = s.limit_rpm;
     if (s.mode == SpindleModeCode::SurfaceSpeed) {
         const int place = surface_axis();
-        if (s.surface_m_min <= 0) return fail(Alarm::SurfaceSpeedNone, 'G');
+        if (s.surface_m_min <= 0 && told.mode != SpindleModeCode::Off) return fail(Alarm::SurfaceSpeedNone, 'G');
         told.value = s.surface_m_min;
         told.css_axis = place;
         told.css_zero = surface_zero_told_ = surface_zero(place);
