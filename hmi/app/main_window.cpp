@@ -261,7 +261,7 @@ void MainWindow::composeRail(Writer& w) {
         w.fill(box, here ? t.mark : t.bar, px(8));
         if (here) w.fill(QRectF(box.left(), box.top() + px(8), px(4), box.height() - px(16)), t.accent, px(2));
         w.sign(QRectF(box.center().x() - px(13), box.top() + px(9), px(26), px(26)), screens_[i]->sign(), here ? t.accent : t.dim);
-        w.text(QRectF(box.left() + px(2), box.bottom() - px(31), box.width() - px(4), px(22)), screens_[i]->title(), lettering(13, here, Face::Condensed), here ? t.text : t.dim, Qt::AlignCenter);
+        w.text(QRectF(box.left() + px(5), box.bottom() - px(31), box.width() - px(6), px(22)), screens_[i]->title(), lettering(here ? 12.5 : 13, here, Face::Condensed), here ? t.text : t.dim, Qt::AlignCenter);
         w.text(QRectF(box.right() - px(17), box.top() + px(3), px(13), px(14)), QString::number((i + 1) % 10), lettering(11), t.faint, Qt::AlignRight | Qt::AlignVCenter);
         w.hit(box, static_cast<int>(i));
     }
@@ -281,7 +281,7 @@ void MainWindow::composeLock(Writer& w) {
     w.fill(QRectF(0, 0, width(), height()), t.window);
     w.sign(QRectF(width() / 2.0 - px(40), height() / 2.0 - px(110), px(80), px(80)), Sign::Lock, t.accent);
     w.text(QRectF(0, height() / 2.0 - px(10), width(), px(50)), word("Locked for cleaning"), lettering(30, true), t.text, Qt::AlignCenter);
-    w.text(QRectF(0, height() / 2.0 + px(40), width(), px(36)), word("Touches and keys do nothing. The machine goes on.") + "  " + QString::number((lockedUntil_ - QDateTime::currentMSecsSinceEpoch()) / 1000 + 1) + " s",
+    w.text(QRectF(0, height() / 2.0 + px(40), width(), px(36)), word("Touches and keys do nothing. The machine goes on.") + "  " + QString::number((lockedUntil_ - QDateTime::currentMSecsSinceEpoch()) / 1000 + 1) + " " + unitWord("s"),
            lettering(18), t.dim, Qt::AlignCenter);
 }
 

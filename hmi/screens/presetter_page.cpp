@@ -233,7 +233,7 @@ void PresetterPage::composeResult(Writer& w) {
     for (const char* name : {"X", "Z", "R"}) {
         w.text(QRectF(px(12), y, px(26), px(22)), name, lettering(15, true), t.dim);
         w.text(QRectF(px(40), y, wide * 0.4, px(22)), lengthText(answer_.value(name).toDouble(), 4), lettering(16, true), t.text, kRight);
-        w.text(QRectF(wide * 0.55, y, wide * 0.45 - px(12), px(22)), QString::fromUtf8("± %1 mm").arg(answer_.value(QString(name) + "_error").toDouble(), 0, 'f', 4), lettering(14), t.dim, kRight);
+        w.text(QRectF(wide * 0.55, y, wide * 0.45 - px(12), px(22)), QString::fromUtf8("± %1 %2").arg(answer_.value(QString(name) + "_error").toDouble(), 0, 'f', 4).arg(unitWord("mm")), lettering(14), t.dim, kRight);
         y += px(22);
     }
     w.text(QRectF(px(12), y, wide - px(24), px(22)), QString::fromUtf8("T %1     %2°").arg(answer_.value("T").toInt()).arg(answer_.value("included_deg").toDouble(), 0, 'f', 2), lettering(15), t.text);

@@ -340,10 +340,10 @@ void ScopePage::paintCircle(QPainter& p) {
         p.drawText(QRectF(box.left() + box.width() * 0.68, y + px(24), box.width() * 0.32, px(32)), Qt::AlignLeft | Qt::AlignVCenter, value);
         y += px(66);
     };
-    const auto micrometres = [](double mm) { return QString::fromUtf8("%1 µm").arg(mm * 1000, 0, 'f', 1); };
+    const auto micrometres = [](double mm) { return QString("%1 %2").arg(mm * 1000, 0, 'f', 1).arg(unitWord("µm")); };
     row(word("Circularity"), micrometres(round_->error()), t.text);
     row(word("Greatest, least deviation"), micrometres(round_->most) + QString::fromUtf8("  /  ") + micrometres(round_->least), t.text);
-    row(word("Radius, commanded"), QString("%1 mm").arg(round_->radius, 0, 'f', 4), t.text);
+    row(word("Radius, commanded"), QString("%1 %2").arg(round_->radius, 0, 'f', 4).arg(unitWord("mm")), t.text);
     row(word("One ring"), micrometres(greatest / 2), t.dim);
 }
 

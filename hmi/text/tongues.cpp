@@ -48,7 +48,7 @@ QString word(const char* english) {
     return at != g_known.end() ? at->second : g_known.emplace(english, QCoreApplication::translate("hmi", english)).first->second;
 }
 // Units of parameters.csv are collected with its groups; these stand elsewhere too, or only there.
-[[maybe_unused]] constexpr const char* kUnits[] = {WORD("mm"), WORD("mm/min"), WORD("mm/rev"), WORD("m/min"), WORD("1/min"), WORD("mm/s"), WORD("ms"), WORD("s"), WORD("min"), WORD("kB"), WORD("us"), WORD("mm/s2"), WORD("mm/s3")};
+[[maybe_unused]] constexpr const char* kUnits[] = {WORD("mm"), WORD("mm/min"), WORD("mm/rev"), WORD("m/min"), WORD("1/min"), WORD("mm/s"), WORD("ms"), WORD("s"), WORD("min"), WORD("kB"), WORD("us"), WORD("µm"), WORD("mm/s2"), WORD("mm/s3")};
 
 QString unitWord(std::string_view unit) {
     if (unit.empty()) return {};

@@ -3869,6 +3869,11 @@
         <translation>Tento počítač nemá %1</translation>
     </message>
     <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>This computer runs without systemd</source>
+        <translation>Tento počítač běží bez systemd</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>This folder cannot be read.</source>
         <translation>Tuto složku nelze číst.</translation>
@@ -5397,6 +5402,11 @@
         <location filename="../text/tongues.cpp"/>
         <source>us</source>
         <translation>µs</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>µm</source>
+        <translation>µm</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>

@@ -2011,7 +2011,7 @@
     <message>
         <location filename="../screens/job_views.cpp"/>
         <source>Longest wait: L%1 stands %2 s at M%3 (line %4). Work moved from the channel that comes last to L%1 saves up to this time.</source>
-        <translation>Самое долгое ожидание: L%1 стоит %2 с на M%3 (строка %4). Работа, переданная от опоздавшего канала каналу L%1, сбережёт до этого времени.</translation>
+        <translation>Самое долгое ожидание: L%1 стоит %2 с на M%3 (строка %4). Часть работы опаздывающего канала, отданная каналу L%1, сократит цикл не больше чем на это время.</translation>
     </message>
     <message>
         <location filename="../machine/requests.cpp"/>
@@ -3869,6 +3869,11 @@
         <translation>На этом компьютере нет %1</translation>
     </message>
     <message>
+        <location filename="../machine/computer_settings.cpp"/>
+        <source>This computer runs without systemd</source>
+        <translation>Этот компьютер работает без systemd</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>This folder cannot be read.</source>
         <translation>Эта папка не читается.</translation>
@@ -4296,12 +4301,12 @@
     <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Waits at %1 for %2, since %3</source>
-        <translation>Ждёт на %1 канал %2, уже %3</translation>
+        <translation>Ждёт у %1 канал %2, уже %3</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Waits at %1, all are there</source>
-        <translation>Ждёт на %1, все на месте</translation>
+        <translation>Ждёт у %1, все на месте</translation>
     </message>
     <message>
         <location filename="../machine/stop_book.cpp"/>
@@ -5397,6 +5402,11 @@
         <location filename="../text/tongues.cpp"/>
         <source>us</source>
         <translation>мкс</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>µm</source>
+        <translation>мкм</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
