@@ -6,7 +6,6 @@
 
 #include <QDateTime>
 #include <QFile>
-#include <QFileInfo>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QStandardPaths>
@@ -89,12 +88,12 @@ void ComputerSettings::run(const QString& program, const QStringList& arguments,
     auto* process = new QProcess(this);
     auto told = std::make_shared<bool>(false);
     ++running_;
-    const auto over = [this, process, program, told, taken = std::move(taken)](int status, const QString& why) {
+    const auto over = [this, process, told, taken = std::move(taken)](int status, const QString& why) {
         if (std::exchange(*told, true)) return;
         --running_;
         QString error = QString::fromLocal8Bit(process->readAllStandardError()).trimmed();
-        // Both say in a whole English sentence that they find no systemd (sd_booted(3): this folder); that is the one answer known before.
-        if (status != 0 && (program == "timedatectl" || program == "localectl") && !QFileInfo::exists("/run/systemd/system")) error = word("This computer runs without systemd");
+        // timedatectl and localectl never translate this sentence, and it is the one refusal that every computer without systemd gives.
+        if (error.contains("not been booted with systemd")) error = word("This computer runs without systemd");
         taken(status, QString::fromLocal8Bit(process->readAllStandardOutput()).trimmed(), error.isEmpty() ? why : error);
         process->deleteLater();
         if (changed) changed();

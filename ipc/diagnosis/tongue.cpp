@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iterator>
 
@@ -89,6 +90,9 @@ TongueRow alarm_text(Alarm alarm, Tongue tongue) {
     return row;
 }
 
+// A figure as people write it: block number 9000001, not 9e+06; six digits are enough for what was measured or computed.
+static std::string figure(double value) { return value == std::trunc(value) && std::abs(value) < 1e15 ? fmt::format("{:.0f}", value + 0.0) : fmt::format("{:.6g}", value); }
+
 std::string text_in(const Diagnosis& diagnosis, Tongue tongue) {
     const std::string_view pattern = alarm_text(diagnosis.alarm, tongue).text;
     std::string out;
@@ -96,7 +100,7 @@ std::string text_in(const Diagnosis& diagnosis, Tongue tongue) {
         const bool quotes = pattern[i] == '{' && i + 2 < pattern.size() && pattern[i + 2] == '}';
         const char what = quotes ? pattern[i + 1] : '\0';
         if (what == 'd') out += tongue == Tongue::English ? diagnosis.detail : detail_in(diagnosis.detail, tongue);
-        else if (what == '0' || what == '1') out += fmt::format("{:.6g}", diagnosis.values[static_cast<std::size_t>(what - '0')]);
+        else if (what == '0' || what == '1') out += figure(diagnosis.values[static_cast<std::size_t>(what - '0')]);
         else {
             out += pattern[i];
             continue;

@@ -122,6 +122,7 @@ TEST_F(PanelTasks, TheComputersSettingsAreChangedByItsProgramsOrRefusedInTheirWo
         file.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
     };
     program("timedatectl", "case \"$1\" in show) echo Timezone=Europe/Prague; echo NTP=yes;; set-time) echo 'Failed to set time: Automatic time synchronization is enabled' >&2; exit 1;; esac");
+    program("localectl", "echo \"System has not been booted with systemd as init system (PID 1). Can't operate.\" >&2; exit 1");
     program("nmcli", "echo 'Error: NetworkManager is not running.' >&2; exit 8");
     const QByteArray path = qgetenv("PATH");
     qputenv("PATH", folder.path().toUtf8() + ":/bin:/usr/bin");
@@ -134,6 +135,7 @@ TEST_F(PanelTasks, TheComputersSettingsAreChangedByItsProgramsOrRefusedInTheirWo
     EXPECT_EQ(page.computer().value(What::Zone), "Europe/Prague");
     EXPECT_EQ(page.computer().whyNot(What::Address), "Error: NetworkManager is not running.") << "said, in the system's words";
     EXPECT_FALSE(page.computer().whyNot(What::Wins1).isEmpty());
+    EXPECT_EQ(page.computer().whyNot(What::Layout), "This computer runs without systemd") << "a sentence that each such computer says is said in the reader's language";
     QTest::qWait(300);                           // the level has come
     hand.touchCell(page.table(), 1, 2), hand.key(Qt::Key_Return);
     ASSERT_TRUE(window->entry().isVisible());

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "ipc/diagnosis/diagnosis.hpp"
+#include "ipc/diagnosis/tongue.hpp"
 
 namespace polyturn {
 namespace {
@@ -31,6 +32,15 @@ TEST(Diagnosis, OfALineThatFillsScreensShowsWhatStandsAroundTheWord) {
     EXPECT_EQ(there.line.substr(there.mark, 3), "G99");
     EXPECT_EQ(there.line.substr(0, 2), e_acute);   // no half letters
     EXPECT_LE(printed(0, 0, line).line.size(), 240u);
+}
+
+TEST(Diagnosis, WritesItsFiguresAsPeopleDo) {
+    const auto says = [](double value) { return text_in({Alarm::GotoNumberIllegal, {}, {value, 0}, {}}, Tongue::English); };
+    EXPECT_EQ(says(9000001), "block number 9000001 cannot be a jump target");
+    EXPECT_EQ(says(-123456789012), "block number -123456789012 cannot be a jump target");
+    EXPECT_EQ(says(-0.0), "block number 0 cannot be a jump target");
+    EXPECT_EQ(says(2.5), "block number 2.5 cannot be a jump target");
+    EXPECT_EQ(says(1.0 / 3), "block number 0.333333 cannot be a jump target");
 }
 
 }  // namespace
