@@ -9,6 +9,7 @@
 #include "polyturn/parameter_handles.hpp"
 #include "toolmgmt/operations/backup_files.hpp"
 #include "toolmgmt/operations/operation.hpp"
+#include "toolmgmt/operations/upright.hpp"
 #include "toolmgmt/service.hpp"
 #include "toolmgmt/tools/tool_requests.hpp"
 
@@ -81,6 +82,7 @@ std::string Service::operate(const std::string& text, const StoreRequest& reques
         out.negative = own.touched < 0;
         out.setter = own.touched_at;
         if (out.axis >= 1 && out.axis <= kMaxAxes) out.at = status->axes[out.axis - 1].skip;
+        if (const AngularAxes axes = angular_of(values_.parameters, machine_, channel); axes.on) out.slide_at = status->axes[machine_.channel(channel).axes[axes.angular] - 1u].skip;
         out.plc_offset = plc->signal[PlcSignal{signals::cp_offsno}(channel)];
         return out;
     };

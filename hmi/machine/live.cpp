@@ -193,7 +193,7 @@ void Live::readChannel(unsigned number) {
     for (std::uint64_t at = status.record; at < head && at < status.record + 256; ++at) {
         const PathRecord& record = segment->path.slot(at);
         if (record.serial != first.serial || record.epoch != first.epoch || record.kind > static_cast<std::uint8_t>(RecordKind::Curve)) break;
-        if (record.transform) return;   // path coordinates are no axes
+        if (record.transform && !angular_[number - 1].on) return;   // path coordinates are no axes; those of an inclined slide are X and Z at right angles
         for (std::size_t i = 0; i < record.axis_count && i < kMaxPathAxes; ++i)
             for (std::size_t place = 0; place < config.axis_count; ++place)
                 if (config.axes[place] == record.axis[i] + 1) view.moves[place] = true, view.end[place] = record.end[i];
@@ -227,6 +227,16 @@ void Live::readNose(unsigned number, std::uint64_t newest) {
             for (std::size_t place = 0; place < config.axis_count; ++place)
                 if (config.axes[place] == record.axis[i] + 1) view.nose[place] += (1.0 - rest) * (record.nose[i] - view.nose[place]);
     }
+}
+
+double Live::toGo(unsigned channel, unsigned place) const {
+    const ChannelView& one = view(channel);
+    if (!one.moves[place]) return 0;
+    const auto stands = [&](unsigned at) { return status_->axes[config_->channel(channel).axes[at] - 1u].cmd; };
+    const AngularAxes& axes = angular_[channel - 1];
+    if (axes.on && place == axes.angular) return one.end[place] - axes.x_of(stands(place));
+    if (axes.on && place == axes.square) return one.end[place] - axes.z_of(stands(axes.angular), stands(place));
+    return one.end[place] - stands(place);
 }
 
 double Live::upright(unsigned channel, unsigned place, double machine) const {

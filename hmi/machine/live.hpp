@@ -23,7 +23,7 @@ struct ChannelView {
     bool rapid = false;                     // the running record is one of rapid
     BlockPicture picture{};
     std::array<bool, kChannelAxes> moves{}; // by place: the running block moves the axis
-    std::array<double, kChannelAxes> end{}; // and where to, machine coordinate
+    std::array<double, kChannelAxes> end{}; // and where to: machine coordinate, at right angles where the X slide is inclined
     std::array<double, kChannelAxes> nose{};   // by place: what compensation has added to the programmed point
 };
 
@@ -79,6 +79,8 @@ public:
     bool workpiece(unsigned channel, unsigned place, double machine, double& out) const;
     // The coordinate at right angles for that of the drive, where the X slide is inclined (fanuc_lathe 10.5); the same everywhere else.
     double upright(unsigned channel, unsigned place, double machine) const;
+    // What is left of the running block in an axis; 0 where it does not move it.
+    double toGo(unsigned channel, unsigned place) const;
     // Likewise, in the system that the program counts in, whatever absolute positions are to contain.
     bool fromZero(unsigned channel, unsigned place, double machine, double& out) const;
 

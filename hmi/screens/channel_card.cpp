@@ -72,7 +72,7 @@ private:
             const bool known = live_.workpiece(channel_, static_cast<unsigned>(place), at.act, workpiece);
             w_.text(QRectF(left_, y_, px(30), row), fromView(axis.name_text()), lettering(15, true), at.flags & kMoving ? t_.good : t_.text);
             w_.text(QRectF(left_ + px(30), y_, wide_ * 0.52 - px(30), row), spins ? kDash : known ? lengthText(shown(axis, workpiece), decimals) : referenced ? lengthText(machineShown(axis, at.act), decimals) : word("no ref."), lettering(15, true), referenced ? t_.text : t_.warn, kRight);
-            if (!spins) w_.text(QRectF(left_ + wide_ * 0.54, y_, wide_ * 0.46, row), view_.moves[place] ? lengthText(shown(axis, view_.end[place] - at.cmd), decimals) : QString(), lettering(13.5), t_.dim, kRight);
+            if (!spins) w_.text(QRectF(left_ + wide_ * 0.54, y_, wide_ * 0.46, row), view_.moves[place] ? lengthText(shown(axis, live_.toGo(channel_, static_cast<unsigned>(place))), decimals) : QString(), lettering(13.5), t_.dim, kRight);
             y_ += row;
         }
         const unsigned spindle = view_.known && view_.picture.spindle ? view_.picture.spindle : config_.default_spindle;
@@ -161,7 +161,7 @@ private:
             w_.text(QRectF(at[0], y_, wide[0], row), known ? lengthText(shown(axis, workpiece), decimals) : kDash, lettering(dense_ ? 16 : wide_ < px(330) ? 17 : 24, true), t_.text, kRight);
             const QFont small = lettering(wide_ < px(330) ? 12.5 : dense_ ? 13.5 : 16);
             w_.text(QRectF(at[1], y_, wide[1], row), referenced ? lengthText(machineShown(axis, now.act), decimals) : word("no ref."), small, referenced ? t_.text : t_.warn, kRight);
-            w_.text(QRectF(at[2], y_, wide[2], row), view_.moves[place] ? lengthText(shown(axis, view_.end[place] - now.cmd), decimals) : lengthText(0, decimals), small,
+            w_.text(QRectF(at[2], y_, wide[2], row), lengthText(shown(axis, live_.toGo(channel_, static_cast<unsigned>(place))), decimals), small,
                     view_.moves[place] ? t_.text : t_.faint, kRight);
             if (columns == 4) w_.text(QRectF(at[3], y_, wide[3], row), lengthText(now.error, decimals), small, t_.dim, kRight);
             y_ += row;

@@ -215,11 +215,21 @@ bool RoomBodies::placed(const Body& body, const Box& own, Vector at, const Turre
 RoomBodies::Vector tip_of(const Room& room, const MachineConfig& machine, unsigned channel, const std::array<double, kChannelAxes>& shift) noexcept {
     RoomBodies::Vector tip;
     const auto& own = machine.channel(channel);
+    const AxisConfig* along = find_axis(machine, channel, PlaneRole::BasicZ);
+    const auto z = along ? room.axes.find(along->number) : room.axes.end();
     for (std::size_t i = 0; i < own.axis_count; ++i) {
         const auto place = room.axes.find(own.axes[i]);
-        if (place == room.axes.end() || machine.axis(own.axes[i]).rotary) continue;
-        tip.x -= place->second.direction.x * shift[i];
-        tip.z -= place->second.direction.z * shift[i];
+        const AxisConfig& axis = machine.axis(own.axes[i]);
+        if (place == room.axes.end() || axis.rotary) continue;
+        RoomVector way = place->second.direction;
+        // An inclined X slide: programs and offsets count at right angles to Z.
+        if (axis.role == PlaneRole::BasicX && z != room.axes.end()) {
+            const RoomVector& of = z->second.direction;
+            const double part = way.x * of.x + way.z * of.z, x = way.x - part * of.x, length = std::hypot(x, way.z - part * of.z);
+            if (std::fabs(part) > 1e-6 && length > 1e-6) way.x = x / length, way.z = (way.z - part * of.z) / length;
+        }
+        tip.x -= way.x * shift[i];
+        tip.z -= way.z * shift[i];
     }
     return tip;
 }

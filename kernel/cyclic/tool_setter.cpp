@@ -29,8 +29,10 @@ void Machine::look_at_setters() noexcept {
             if (!came) continue;
             for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) {
                 if (!jogs_[a].active() || jog_address_[a] == 0 || core_.config.axes[jog_address_[a] - 1].channel != l + 1) continue;
-                // The drives latch their encoders the moment the signal comes.
-                core_.axes[a].skip = core_.sensors.position(core_.axes[a], a, core_.sensors.risen_part(input, core_.tick));
+                // The drives latch their encoders the moment the signal comes: those of the whole channel, for where the tip is at right
+                // angles follows from two axes where the X slide is inclined.
+                for (std::uint32_t b = 0; b < core_.config.axis_count; ++b)
+                    if (core_.config.axes[b].channel == l + 1) core_.axes[b].skip = core_.sensors.position(core_.axes[b], b, core_.sensors.risen_part(input, core_.tick));
                 setter.touched = static_cast<std::int32_t>(a + 1) * (jogs_[a].sign() < 0 ? -1 : 1);
                 setter.at = s + 1;
                 jogs_[a].stop();

@@ -13,6 +13,7 @@
 #include "toolmgmt/apply_request.hpp"
 #include "toolmgmt/operations/offset_rules.hpp"
 #include "toolmgmt/operations/operation.hpp"
+#include "toolmgmt/operations/upright.hpp"
 #include "toolmgmt/tools/tool_requests.hpp"
 
 namespace polyturn::toolmgmt {
@@ -75,7 +76,7 @@ bool position_now(Work& work, std::int64_t channel, int field, double& out, cons
     if (channel < 1 || channel > static_cast<std::int64_t>(kMaxChannels) || field > 2) return work.fault(Alarm::StoreRequestBad, "measuring needs a channel and X, Y or Z"), false;
     axis = find_axis(work.machine, static_cast<unsigned>(channel), kFields.substr(static_cast<std::size_t>(field), 1));
     if (!axis) return work.fault(Alarm::StoreRequestBad, "channel L" + std::to_string(channel) + " has no axis " + kFields[static_cast<std::size_t>(field)]), false;
-    const auto position = work.position ? work.position(axis->number) : std::nullopt;
+    const auto position = upright_position(work, static_cast<unsigned>(channel), *axis);
     if (!position) return work.fault(Alarm::StoreRequestBad, "the kernel does not say where the axis stands"), false;
     out = *position * (axis->diameter ? 2.0 : 1.0);
     return true;
@@ -154,7 +155,7 @@ Json touched(const Json& request, Work& work) {
     const Key key = offset_key(work, channel, number, which, static_cast<int>(field));
     const double* now = number_at(work.values, key);
     const double before = now ? *now : 0.0;
-    const double machine = touch->at * (axis.diameter ? 2.0 : 1.0), contact = contact_position(work, l, *touch, static_cast<int>(field));
+    const double machine = upright_touch(work, l, axis, *touch) * (axis.diameter ? 2.0 : 1.0), contact = contact_position(work, l, *touch, static_cast<int>(field));
     double other = 0;   // what the sum of geometry and wear has from the other table
     if (now) {
         const OffsetCell& cell = offset_cell(work, channel, number);

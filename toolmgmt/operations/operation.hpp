@@ -44,6 +44,7 @@ struct Touch {
     unsigned spindle() const { return workpiece() ? setter - 2 : setter; }
     double at = 0;             // machine coordinate, X as a radius
     std::int32_t plc_offset = 0;   // CP_OFFSNO
+    double slide_at = 0;       // an inclined X slide at that moment, its own coordinate
 };
 
 // One operation at work.

@@ -11,6 +11,7 @@
 #include "ipc/machine/work_zeros.hpp"
 #include "polyturn/parameter_handles.hpp"
 #include "toolmgmt/operations/offset_rules.hpp"
+#include "toolmgmt/operations/upright.hpp"
 #include "toolmgmt/tools/tool_requests.hpp"
 
 namespace polyturn::toolmgmt {
@@ -119,7 +120,7 @@ Json measure(const Json& request, Work& work) {
     const OffsetCell* cell = nullptr;
     const bool linear = axis->role == PlaneRole::BasicX || axis->role == PlaneRole::BasicY || axis->role == PlaneRole::BasicZ;
     if (linear && !offset_of(work, channel, number, field, length, &cell)) return {};
-    const auto position = work.position ? work.position(axis->number) : std::nullopt;
+    const auto position = upright_position(work, channel, *axis);
     if (!position) return work.fault(Alarm::StoreRequestBad, "the kernel does not say where the axis stands"), Json();
     const double machine = *position * (axis->diameter ? 2.0 : 1.0);
     return enter(work, channel, row, *axis, machine - length - value - external_of(work, channel, row, *axis), {{"machine", machine}, {"offset", number}});
@@ -168,7 +169,7 @@ Json touch(const Json& request, Work& work) {
     read_real(request, "value", value, work, false);
     const OffsetCell* cell = nullptr;
     if (!work.good() || !offset_of(work, channel, number, field, length, &cell)) return {};
-    const double unit = axis.diameter ? 2.0 : 1.0, machine = touch->at * unit;
+    const double unit = axis.diameter ? 2.0 : 1.0, machine = upright_touch(work, channel, axis, *touch) * unit;
     const bool to_middle = cell && (cell->tip == 0 || cell->tip == 9);
     const double side = to_middle ? (touch->negative ? -1.0 : 1.0) * (cell->geometry_r + cell->wear_r) * unit : 0.0;
     return enter(work, channel, row, axis, machine + side - length - value - external_of(work, channel, row, axis),

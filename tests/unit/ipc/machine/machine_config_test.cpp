@@ -7,6 +7,7 @@
 
 #include "ipc/machine/load_machine.hpp"
 #include "ipc/machine/room.hpp"
+#include "ipc/machine/room_bodies.hpp"
 #include "ipc/params/registry.hpp"
 
 namespace {
@@ -76,6 +77,19 @@ TEST(TwinTurret, HasARoomForItsParts) {
     EXPECT_EQ(room.turrets.size(), 2u);
     EXPECT_EQ(room.chucks.size(), 2u);
     EXPECT_EQ(room.axes.at(3).direction.x, -1.0);   // the lower turret comes from below
+}
+
+// The ram of the vertical lathe goes 30 degrees out of the level; what a tool is long counts at right angles (fanuc_lathe 10.5).
+TEST(VerticalInclined, TheTipOfATool) {
+    std::vector<Diagnosis> diagnoses;
+    const LoadedMachine loaded = load_machine_file(std::string(POLYTURN_SOURCE_DIR) + "/examples/machines/vertical-inclined");
+    const MachineConfig machine = derive_machine_config(*loaded.table);
+    const Room room = load_room(loaded.room_file, machine, diagnoses);
+    std::array<double, kChannelAxes> shift{};
+    shift[find_axis(machine, 1, PlaneRole::BasicX)->slot] = 40, shift[find_axis(machine, 1, PlaneRole::BasicZ)->slot] = 25;
+    const RoomBodies::Vector tip = tip_of(room, machine, 1, shift);
+    EXPECT_NEAR(tip.x, -40, 1e-6);
+    EXPECT_NEAR(tip.z, -25, 1e-6);
 }
 
 TEST(MachineConfig, TakesInchesAndMinutesToMillimetresAndSeconds) {

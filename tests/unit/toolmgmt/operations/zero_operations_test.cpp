@@ -119,5 +119,46 @@ TEST(WorkpieceSetter, RefusesWhatWasNotTouchedOrIsNotSaid) {
     EXPECT_FALSE(rig.touched({{"offset", 9}}));
 }
 
+// fanuc_lathe 10.5, X slide inclined by 30 degrees: it stands at 34.641 of its own and Z at -7.3205, which is X 30 (a radius), Z 10 at right angles.
+struct Inclined : Probe {
+    static constexpr double kSlide = 34.641016151377546, kRail = -7.320508075688772;
+    Inclined() {
+        set("F8210 L1=30"), set("F8200 L1=00000001");
+        position = [](unsigned axis) { return std::optional(axis == 1 ? kSlide : axis == 2 ? kRail : 0.0); };
+        values->channels[0].offsets[9] = {};
+    }
+};
+
+TEST(InclinedSlide, ZerosAndOffsetsAreMeasuredAtRightAngles) {
+    Inclined rig;
+    ASSERT_TRUE(rig.run({{"do", "zeros.measure"}, {"channel", 1}, {"zero", "G54"}, {"field", "X"}, {"value", 0}})) << rig.said();
+    EXPECT_NEAR(rig.answer["new"], 60, 1e-6);
+    ASSERT_TRUE(rig.run({{"do", "zeros.measure"}, {"channel", 1}, {"zero", "G54"}, {"field", "Z"}, {"value", 0}})) << rig.said();
+    EXPECT_NEAR(rig.answer["new"], 10, 1e-6);
+    ASSERT_TRUE(rig.run({{"do", "offsets.measure"}, {"channel", 1}, {"number", 5}, {"field", "Z"}, {"value", 2}, {"zero", "G55"}})) << rig.said();
+    EXPECT_NEAR(rig.answer["new"], 8, 1e-6);
+    ASSERT_TRUE(rig.run({{"do", "offsets.origin"}, {"channel", 1}})) << rig.said();
+    // The slide alone goes on by 10 of its own: 8.66025 in X (a radius) and 5 in Z.
+    rig.position = [](unsigned axis) { return std::optional(axis == 1 ? Inclined::kSlide + 10 : Inclined::kRail); };
+    ASSERT_TRUE(rig.run({{"do", "offsets.relative"}, {"channel", 1}, {"number", 6}, {"field", "X"}})) << rig.said();
+    EXPECT_NEAR(rig.answer["new"], 17.320508, 1e-5);
+    ASSERT_TRUE(rig.run({{"do", "offsets.relative"}, {"channel", 1}, {"number", 6}, {"field", "Z"}})) << rig.said();
+    EXPECT_NEAR(rig.answer["new"], 5, 1e-5);
+}
+
+TEST(InclinedSlide, SettersTellWhereTheTipWasAtRightAngles) {
+    Inclined rig;
+    rig.contact = {2, true, 3, Inclined::kRail, 0, Inclined::kSlide};   // Z has met the part; the slide stood
+    ASSERT_TRUE(rig.touched({{"zero", "G56"}, {"offset", 0}})) << rig.said();
+    EXPECT_NEAR(rig.zero("G56", 1), 10, 1e-6);
+    rig.contact = {1, true, 3, Inclined::kSlide, 0, Inclined::kSlide};
+    ASSERT_TRUE(rig.touched({{"zero", "G56"}, {"offset", 0}})) << rig.said();
+    EXPECT_NEAR(rig.zero("G56", 0), 60, 1e-6);
+    rig.set("N3012 L1=5"), rig.set("N0209 L1=4");                       // the setter's face, met in -Z
+    rig.contact = {2, true, 1, Inclined::kRail, 0, Inclined::kSlide};
+    ASSERT_TRUE(rig.run({{"do", "offsets.touch"}, {"channel", 1}, {"number", 7}})) << rig.said();
+    EXPECT_NEAR(rig.answer["new"], 6, 1e-6);
+}
+
 }  // namespace
 }  // namespace polyturn
