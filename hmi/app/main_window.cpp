@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QDateTime>
+#include <QFile>
 #include <algorithm>
 
 #include "hmi/widgets/table.hpp"
@@ -11,7 +12,7 @@ namespace polyturn::hmi {
 namespace {
 
 constexpr int kFrameMs = 16;
-constexpr qint64 kToldMs = 8'000, kLockMs = 30'000;
+constexpr qint64 kToldMs = 8'000, kLockMs = 30'000, kKeepMs = 1'000;
 enum TopHit { kHitAlarm, kHitTongue, kHitTheme, kHitLock, kHitHelp, kHitDialogue };
 
 Sign signOf(MachineStep step) {
@@ -30,6 +31,13 @@ QColor colourOf(MachineStep step) {
     const Theme& t = theme();
     if (step == MachineStep::Ready) return t.good;
     return step == MachineStep::EmergencyStop || step == MachineStep::Stopped ? t.bad : step == MachineStep::Off ? t.dim : t.warn;
+}
+
+bool writeKept(const QString& file, const std::map<QString, QString>& values) {
+    QSettings settings(file, QSettings::IniFormat);
+    for (const auto& [name, value] : values) settings.setValue(name, value);
+    settings.sync();
+    return settings.status() == QSettings::NoError;
 }
 
 }  // namespace
@@ -53,6 +61,10 @@ MainWindow::MainWindow(Choices choices)
     speak(tongue_of(language).value_or(tongue_of_environment()));
     desk_.channel = kept_ ? kept_->value("channel", 1).toUInt() : 1;
     desk_.folder = kept("folder", "");
+    if (kept_) {
+        desk_.draftFile = choices_.keptIn + ".draft";
+        if (QFile file(desk_.draftFile); file.open(QIODevice::ReadOnly)) desk_.draft = Draft::read(file.readAll());
+    }
     desk_.tell = [this](const QString& text, Told how) { tell(text, how); };
     desk_.keysChanged = [this] { if (ready_) showKeys(), rail_->refresh(); };
     desk_.show = [this](int number) { showScreen(number); };
@@ -87,7 +99,10 @@ MainWindow::MainWindow(Choices choices)
 }
 
 MainWindow::~MainWindow() {
-    keep();
+    if (kept_ && ready_) {
+        keeping_.forget();
+        writeKept(choices_.keptIn, keepsake());
+    }
     qApp->removeEventFilter(this);
 }
 
@@ -120,24 +135,29 @@ void MainWindow::showScreen(int number) {
     screen()->refresh();
     showKeys();
     top_->refresh(), rail_->refresh(), line_->refresh();
-    keep();
 }
 
-// What is on the screen now is there again after a restart.
+std::map<QString, QString> MainWindow::keepsake() const {
+    std::map<QString, QString> out{{"screen", screen()->name()}, {"theme", dark_ ? "dark" : "light"}, {"language", codeOf(spoken())}, {"channel", QString::number(desk_.channel)}, {"folder", desk_.folder}};
+    for (const Screen* one : screens_) out[QString("screens/") + one->name()] = one->state();
+    return out;
+}
+
+// What is on the screen now is there again after a restart, and after a crash, which says nothing before. Aside, for the disk may be slow.
 void MainWindow::keep() {
-    if (!kept_ || !ready_) return;
-    kept_->setValue("screen", screen()->name());
-    kept_->setValue("theme", dark_ ? "dark" : "light");
-    kept_->setValue("language", codeOf(spoken()));
-    kept_->setValue("channel", desk_.channel);
-    kept_->setValue("folder", desk_.folder);
-    for (const Screen* one : screens_) kept_->setValue(QString("screens/") + one->name(), one->state());
-    kept_->sync();
+    const qint64 now = QDateTime::currentMSecsSinceEpoch();
+    if (!kept_ || !ready_ || now < keepAt_) return;
+    keepAt_ = now + kKeepMs;
+    if (keeping_.busy() && !keeping_.take()) return;
+    std::map<QString, QString> values = keepsake();
+    if (values == keptLast_) return;
+    keptLast_ = values;
+    keeping_.start([file = choices_.keptIn, values = std::move(values)](const std::atomic<bool>& stop) { return !stop && writeKept(file, values); }, 0);
 }
 
 void MainWindow::setTongue(Tongue tongue) {
     std::vector<QString> states;
-    for (const Screen* one : screens_) states.push_back(one->state());
+    for (Screen* one : screens_) states.push_back(one->state()), one->leave();
     speak(tongue);
     alarms_.retold();
     ready_ = false;
@@ -184,6 +204,7 @@ void MainWindow::frame() {
     showKeys();
     top_->refresh(), line_->refresh();
     if (locked_) cover_->refresh();
+    keep();
 }
 
 void MainWindow::resizeEvent(QResizeEvent*) { layOut(); }

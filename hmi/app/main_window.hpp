@@ -5,10 +5,12 @@
 #include <QSettings>
 #include <QStackedWidget>
 #include <QTimer>
+#include <map>
 #include <memory>
 
 #include "hmi/app/dialogue_view.hpp"
 #include "hmi/app/help_view.hpp"
+#include "hmi/machine/aside.hpp"
 #include "hmi/widgets/soft_keys.hpp"
 #include "hmi/widgets/text_entry.hpp"
 
@@ -58,7 +60,8 @@ private:
     void composeLock(Writer& w);
     void topTouched(int number);
     void tell(const QString& text, Told how);
-    void keep();
+    std::map<QString, QString> keepsake() const;   // what a restart shows again
+    void keep();                           // aside, when it is another one than before
     void lock(bool on);
     void nextField();
     bool keyPressed(QKeyEvent* event);
@@ -67,7 +70,10 @@ private:
     void sayWhyEmpty() const;   // what every table says that has nothing to show
 
     Choices choices_;
-    std::unique_ptr<QSettings> kept_;
+    std::unique_ptr<QSettings> kept_;      // as it was found
+    std::map<QString, QString> keptLast_;
+    Aside<bool> keeping_;
+    qint64 keepAt_ = 0;
     Live live_;
     Requests requests_;
     AlarmBook alarms_;

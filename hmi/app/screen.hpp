@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hmi/machine/alarm_book.hpp"
+#include "hmi/machine/draft.hpp"
 #include "hmi/machine/live.hpp"
 #include "hmi/machine/requests.hpp"
 #include "hmi/text/tongues.hpp"
@@ -45,6 +46,8 @@ struct Desk {
     std::function<void(int)> show = {};                        // another screen, by its number
     std::function<void(TextQuestion)> ask = {};                // a text, by touch or keyboard
     QString folder = {};                                       // of the programs shown last
+    Draft draft = {};                                          // what an editor that is gone has left
+    QString draftFile = {};                                    // where it is kept; empty: nowhere
     void choose(unsigned wanted);                              // the channel, if there is such a one
 };
 
@@ -63,6 +66,7 @@ public:
     virtual bool typing() const { return false; }              // digits and letters belong to a field now
     virtual QString state() const { return {}; }               // where in the screen, to be kept
     virtual void restore(const QString&) {}
+    virtual void leave() {}                                    // it will be made anew: what state() does not hold goes to the desk
     virtual int pages() const { return 1; }                    // for pictures of all of it
     virtual void turnTo(int /*page*/) {}
     virtual HelpTopic help() const { return {"operator.md", title(), {}}; }   // of what is chosen

@@ -3,7 +3,7 @@
 #include <QFileInfo>
 #include <QJsonArray>
 
-#include "hmi/text/tongues.hpp"
+#include "hmi/text/retold.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -69,17 +69,8 @@ AlarmEntry AlarmBook::read(const QJsonObject& event) const {
     if (event.contains("file")) out.place = QFileInfo(event.value("file").toString()).fileName();
     if (event.contains("line")) out.place += QString(":%1").arg(event.value("line").toInt());
     // The event speaks English and the numbers of its control; the row that reads so is told in our language.
-    if (!out.number.isEmpty()) {
-        const std::string english = out.text.toStdString(), plain = out.number.toStdString();
-        const std::string padded = plain.size() < 3 ? std::string(3 - plain.size(), '0') + plain : plain;
-        for (const Dialect dialect : {Dialect::Polyturn, Dialect::Fanuc, Dialect::Nct, Dialect::Fagor, Dialect::Sinumerik, Dialect::Mefi})
-            for (const std::string& written : {plain, padded})
-                if (const auto found = retell(written, dialect, english, spoken())) {
-                    out.text = QString::fromStdString(found->text);
-                    out.remedy = fromView(found->remedy);
-                    return out;
-                }
-    }
+    const RetoldWords words = hmi::retold(out.number, out.text);
+    out.text = words.text, out.remedy = words.remedy;
     return out;
 }
 

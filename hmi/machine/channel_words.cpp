@@ -106,4 +106,15 @@ QString channelTitle(const Live& live, unsigned channel) {
     return name.isEmpty() || name == number ? number : number + "  " + name;
 }
 
+QString zeroTitle(const QString& name) { return name == "external" ? word("External") : name == "shift" ? word("Work shift") : name; }
+
+QString cellTitle(const QString& what) {
+    const QStringList part = what.split(' ');
+    if (part.size() == 3) return QString("%1  %2  %3").arg(part[0], zeroTitle(part[1]), part[2]);
+    if (part.size() != 5 || part[1] != "offset") return what;
+    const bool wear = part[3] == "wear";
+    const QString field = part[4] == "R" ? (wear ? word("Wear R") : word("Radius")) : part[4] == "T" ? word("Tip") : QString("%1 %2").arg(wear ? word("Wear") : word("Geom."), part[4]);
+    return QString("%1  %2 %3  %4").arg(part[0], word("Offset"), part[2], field);
+}
+
 }  // namespace polyturn::hmi

@@ -29,4 +29,8 @@ double shown(const AxisConfig& axis, double trueValue);
 unsigned decimalsOf(const MachineConfig& machine, const AxisConfig& axis);
 QString channelTitle(const Live& live, unsigned channel);   // «L1», or with its name
 
+// What the store calls «L1 offset 3 wear X» and «L1 G54 Z», as the tables of offsets and zeros do.
+QString cellTitle(const QString& what);
+QString zeroTitle(const QString& name);   // of a system of zeros, as a user reads it
+
 }  // namespace polyturn::hmi

@@ -8,6 +8,7 @@
 #include <QTimer>
 #include <cmath>
 
+#include "hmi/text/retold.hpp"
 #include "hmi/text/tongues.hpp"
 
 namespace polyturn::hmi {
@@ -15,13 +16,6 @@ namespace {
 
 constexpr std::size_t kMostBlocks = 200'000;
 constexpr double kOtherZero = 0.01;   // mm: what the zero must have moved by; less is wear or rounding
-
-QString tell(QString english, const QString& number) {
-    const std::string plain = number.toStdString(), text = english.toStdString();
-    for (const Dialect dialect : {Dialect::Polyturn, Dialect::Fanuc, Dialect::Nct, Dialect::Fagor, Dialect::Sinumerik, Dialect::Mefi})
-        if (const auto found = retell(plain, dialect, text, spoken())) return QString::fromStdString(found->text);
-    return english;
-}
 
 }  // namespace
 
@@ -70,7 +64,7 @@ void DryRun::take(const QByteArray& line) {
         const QJsonValue number = event.value("number");
         const QString written = number.isDouble() ? QString::number(number.toInt()) : number.toString();
         const QString place = at.line ? QString("%1:%2").arg(QFileInfo(event.value("file").toString()).fileName()).arg(at.line) : QString();
-        faults_.push_back({channel, event.value("severity").toString() != "warning", written, tell(event.value("text").toString(), written), place, at});
+        faults_.push_back({channel, event.value("severity").toString() != "warning", written, retold(written, event.value("text").toString()).text, place, at});
         return;
     }
     if (channel == 0) return;

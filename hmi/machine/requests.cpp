@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstring>
 
+#include "hmi/text/retold.hpp"
 #include "hmi/text/tongues.hpp"
 
 namespace polyturn::hmi {
@@ -128,10 +129,15 @@ void Requests::answer(const QByteArray& line) {
     out.object = QJsonDocument::fromJson(line).object();
     out.ok = out.object.value("ok").toBool();
     if (!out.ok) {
-        out.text = out.object.value("text").toString();
-        out.remedy = out.object.value("remedy").toString();
+        const auto words = [](const QJsonObject& from) {
+            RetoldWords told = retold(from.value("number").toString(), from.value("text").toString());
+            if (!told.found) told.remedy = from.value("remedy").toString();
+            return told;
+        };
+        const RetoldWords refusal = words(out.object);
+        out.text = refusal.text, out.remedy = refusal.remedy;
         for (const auto& one : out.object.value("faults").toArray())
-            if (const QString text = one.toObject().value("text").toString(); text != out.text) out.text += "\n" + text;
+            if (const QString text = words(one.toObject()).text; text != refusal.text) out.text += "\n" + text;
         if (out.text.isEmpty()) out.text = word("The controller refused.");
     }
     if (first.done) first.done(out);

@@ -4,6 +4,7 @@
 #include <QJsonObject>
 #include <algorithm>
 
+#include "hmi/text/retold.hpp"
 #include "hmi/text/tongues.hpp"
 
 namespace polyturn::hmi {
@@ -81,12 +82,7 @@ StopWords stopWords(const QString& cause) {
 
 QString stopDetail(const StopEntry& stop) {
     if (stop.number.isEmpty()) return stop.detail;
-    const std::string english = stop.detail.toStdString(), plain = stop.number.toStdString();
-    const std::string padded = plain.size() < 3 ? std::string(3 - plain.size(), '0') + plain : plain;
-    for (const Dialect dialect : {Dialect::Polyturn, Dialect::Fanuc, Dialect::Nct, Dialect::Fagor, Dialect::Sinumerik, Dialect::Mefi})
-        for (const std::string& written : {plain, padded})
-            if (const auto found = retell(written, dialect, english, spoken())) return stop.number + "  " + QString::fromStdString(found->text);
-    return stop.number + "  " + stop.detail;
+    return stop.number + "  " + retold(stop.number, stop.detail).text;
 }
 
 }  // namespace polyturn::hmi

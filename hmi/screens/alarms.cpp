@@ -27,8 +27,10 @@ Alarms::Alarms(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), table_(ne
 }
 
 void Alarms::restore(const QString& state) {
-    const int page = state.toInt();
-    if (page >= 0 && page <= static_cast<int>(Page::Stops)) showPage(static_cast<Page>(page));
+    const int page = state.section(' ', 0, 0).toInt();
+    if (page < 0 || page > static_cast<int>(Page::Stops)) return;
+    showPage(static_cast<Page>(page));
+    table_->choose(state.section(' ', 1, 1).toInt());
 }
 
 std::vector<Sheet*> Alarms::sheets() {

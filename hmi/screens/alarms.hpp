@@ -15,7 +15,7 @@ public:
     std::vector<SoftKey> keys() override;
     void refresh() override;
     bool key(QKeyEvent* event) override;
-    QString state() const override { return QString::number(static_cast<int>(page_)); }
+    QString state() const override { return QString("%1 %2").arg(static_cast<int>(page_)).arg(table_->row()); }
     void restore(const QString& state) override;
     std::vector<Sheet*> sheets() override;
     void rebuilt() override { stops_->rebuilt(); }

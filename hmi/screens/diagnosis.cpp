@@ -24,12 +24,15 @@ Diagnosis::Diagnosis(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), tab
 
 void Diagnosis::rebuilt() {
     scope_->rebuilt();
-    showPage(page_);
+    restore(state());                            // of the machine that there is now, at the same place
 }
 
 void Diagnosis::restore(const QString& state) {
-    const int page = state.toInt();
-    if (page >= 0 && page <= static_cast<int>(Page::Scope)) showPage(static_cast<Page>(page));
+    const int page = state.section(' ', 0, 0).toInt();
+    if (page < 0 || page > static_cast<int>(Page::Scope)) return;
+    showPage(static_cast<Page>(page));
+    if (page_ == Page::Signals || page_ == Page::Variables) find(state.section(' ', 2));
+    if (page_ != Page::Scope) table_->choose(state.section(' ', 1, 1).toInt());
 }
 
 // The circularity plot is the eighth page of pictures.

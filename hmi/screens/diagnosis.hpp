@@ -18,7 +18,7 @@ public:
     void rebuilt() override;
     bool key(QKeyEvent* event) override;
     bool typing() const override { return page_ == Page::Signals || page_ == Page::Variables || page_ == Page::Scope; }
-    QString state() const override { return QString::number(static_cast<int>(page_)); }
+    QString state() const override { return QString("%1 %2 %3").arg(static_cast<int>(page_)).arg(table_->row()).arg(search_); }
     void restore(const QString& state) override;
     std::vector<Sheet*> sheets() override;
     int pages() const override { return 8; }

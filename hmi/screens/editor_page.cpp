@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QElapsedTimer>
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QKeyEvent>
@@ -13,44 +14,63 @@
 #include "hmi/screens/contour_page.hpp"
 #include "hmi/screens/cycle_form_page.hpp"
 
-#include "ipc/diagnosis/tongue.hpp"
+#include "hmi/text/retold.hpp"
 
 namespace polyturn::hmi {
 namespace {
 
 constexpr int kPauseMs = 500;                      // no letter for so long: it is checked
-constexpr qint64 kMostBytes = 4'000'000;
+constexpr qint64 kMostBytes = 4'000'000;           // is edited at once
+constexpr qint64 kPartBytes = 2'000'000;           // of a longer program
+constexpr qsizetype kFillLetters = 8'192;          // put into the editor at a time
+constexpr int kFillMs = 8;                         // of a frame
 
-QString told(const QString& english, const QString& number) {
-    for (const Dialect dialect : {Dialect::Polyturn, Dialect::Fanuc, Dialect::Nct, Dialect::Fagor, Dialect::Sinumerik, Dialect::Mefi})
-        if (const auto found = retell(number.toStdString(), dialect, english.toStdString(), spoken())) return QString::fromStdString(found->text);
-    return english;
+struct ColourRule {
+    QRegularExpression expression;
+    QColor Theme::*colour;
+    bool bold;
+};
+
+// Later rules win: comments and texts last.
+const std::vector<ColourRule>& colourRules() {
+    static const std::vector<ColourRule> rules = [] {
+        std::vector<ColourRule> out;
+        const auto add = [&](const char* pattern, QColor Theme::*colour, bool bold) { out.push_back({QRegularExpression(pattern, QRegularExpression::CaseInsensitiveOption), colour, bold}); };
+        add("(?:^|(?<=[\\sA-Z0-9.]))[+-]?\\d*\\.?\\d+", &Theme::text, false);
+        add("\\b(?:IF|GOTO|THEN|WHILE|DO|END|ELSE|ENDIF|ENDWHILE|FOR|ENDFOR|LOOP|ENDLOOP|REPEAT|UNTIL|CASE|DEF|PROC|RET|CALL|STOPRE|MSG|AND|OR|XOR|MOD|EQ|NE|GT|LT|GE|LE|SIN|COS|TAN|ATAN|SQRT|ABS|ROUND|FIX|FUP)\\b", &Theme::wait, true);
+        add("(?:#\\d+|#\\[|\\bR\\d+\\s*(?==)|\\$[A-Z_]+\\w*|\\bP\\d+\\s*(?==))", &Theme::wait, false);
+        add("(?:^|(?<=[^A-Z_$]))G\\s*\\d+(?:\\.\\d+)?", &Theme::accent, true);
+        add("(?:^|(?<=[^A-Z_$]))M\\s*\\d+", &Theme::good, true);
+        add("(?:^|(?<=[^A-Z_$]))[TSDH]\\s*=?\\s*\\d+", &Theme::warn, false);
+        add("^\\s*/?\\d?\\s*N\\d+", &Theme::dim, false);
+        add("^\\s*(?:O\\d+|:\\d+|%.*)", &Theme::dim, true);
+        return out;
+    }();
+    return rules;
 }
+
+class Coloured : public QTextBlockUserData {};     // a line that has its colours
 
 }  // namespace
 
+void ProgramColours::see(int first, int last) {
+    first_ = first, last_ = last;
+    for (QTextBlock block = document()->findBlockByNumber(first); block.isValid() && block.blockNumber() <= last; block = block.next())
+        if (!block.userData()) rehighlightBlock(block);
+}
+
 void ProgramColours::highlightBlock(const QString& text) {
+    const int line = currentBlock().blockNumber();
+    if (!currentBlockUserData()) {
+        if (line < first_ || line > last_) return;
+        setCurrentBlockUserData(new Coloured);
+    }
     const Theme& t = theme();
-    struct Rule {
-        const char* pattern;
-        QColor colour;
-        bool bold;
-    };
-    // Later rules win: comments and texts last.
-    const Rule rules[] = {{"(?:^|(?<=[\\sA-Z0-9.]))[+-]?\\d*\\.?\\d+", t.text, false},
-                          {"\\b(?:IF|GOTO|THEN|WHILE|DO|END|ELSE|ENDIF|ENDWHILE|FOR|ENDFOR|LOOP|ENDLOOP|REPEAT|UNTIL|CASE|DEF|PROC|RET|CALL|STOPRE|MSG|AND|OR|XOR|MOD|EQ|NE|GT|LT|GE|LE|SIN|COS|TAN|ATAN|SQRT|ABS|ROUND|FIX|FUP)\\b", t.wait, true},
-                          {"(?:#\\d+|#\\[|\\bR\\d+\\s*(?==)|\\$[A-Z_]+\\w*|\\bP\\d+\\s*(?==))", t.wait, false},
-                          {"(?:^|(?<=[^A-Z_$]))G\\s*\\d+(?:\\.\\d+)?", t.accent, true},
-                          {"(?:^|(?<=[^A-Z_$]))M\\s*\\d+", t.good, true},
-                          {"(?:^|(?<=[^A-Z_$]))[TSDH]\\s*=?\\s*\\d+", t.warn, false},
-                          {"^\\s*/?\\d?\\s*N\\d+", t.dim, false},
-                          {"^\\s*(?:O\\d+|:\\d+|%.*)", t.dim, true}};
-    for (const Rule& rule : rules) {
+    for (const ColourRule& rule : colourRules()) {
         QTextCharFormat format;
-        format.setForeground(rule.colour);
+        format.setForeground(t.*rule.colour);
         if (rule.bold) format.setFontWeight(QFont::Bold);
-        const QRegularExpression expression(rule.pattern, QRegularExpression::CaseInsensitiveOption);
-        for (auto found = expression.globalMatch(text); found.hasNext();) {
+        for (auto found = rule.expression.globalMatch(text); found.hasNext();) {
             const auto one = found.next();
             setFormat(static_cast<int>(one.capturedStart()), static_cast<int>(one.capturedLength()), format);
         }
@@ -58,7 +78,8 @@ void ProgramColours::highlightBlock(const QString& text) {
     QTextCharFormat comment;
     comment.setForeground(t.faint);
     comment.setFontItalic(true);
-    const QRegularExpression quiet(language_ == "sinumerik" || language_ == "fagor" ? ";.*$|\"[^\"]*\"" : "\\([^)]*\\)?");
+    static const QRegularExpression kSemicolon(";.*$|\"[^\"]*\""), kBrackets("\\([^)]*\\)?");
+    const QRegularExpression& quiet = language_ == "sinumerik" || language_ == "fagor" ? kSemicolon : kBrackets;
     for (auto found = quiet.globalMatch(text); found.hasNext();) {
         const auto one = found.next();
         setFormat(static_cast<int>(one.capturedStart()), static_cast<int>(one.capturedLength()), comment);
@@ -83,6 +104,12 @@ EditorPage::EditorPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(des
         const Theme& t = theme();
         w.fill(QRectF(0, 0, line_->width(), line_->height()), t.window);
         w.fill(QRectF(0, px(4), line_->width(), line_->height() - px(4)), t.card, px(6));
+        if (!filling_.isEmpty()) {
+            w.sign(QRectF(px(10), px(11), px(22), px(22)), Sign::Wait, t.wait);
+            w.data(QRectF(px(42), px(4), line_->width() - px(300), line_->height() - px(4)), word("%1 is being opened").arg(QFileInfo(wanted_).fileName()), lettering(15), t.text);
+            w.bar(QRectF(line_->width() - px(240), px(20), px(220), px(8)), static_cast<double>(filled_) / static_cast<double>(filling_.size()), t.wait, t.raised);
+            return;
+        }
         if (opening() || saving()) {
             const qint64 all = progress_->all, done = progress_->done;
             w.sign(QRectF(px(10), px(11), px(22), px(22)), Sign::Wait, t.wait);
@@ -96,7 +123,13 @@ EditorPage::EditorPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(des
         for (const Fault& one : faults_)
             if (!shown || (one.line == here && shown->line != here)) shown = &one;
         const QRectF place(line_->width() - px(200), px(4), px(190), line_->height() - px(4));
-        w.text(place, word("line %1, column %2").arg(here).arg(edit_->textCursor().positionInBlock() + 1), lettering(14), t.dim, Qt::AlignRight | Qt::AlignVCenter);
+        w.text(place, word("line %1, column %2").arg(here + part_.line).arg(edit_->textCursor().positionInBlock() + 1), lettering(14), t.dim, Qt::AlignRight | Qt::AlignVCenter);
+        if (!part_.whole()) {
+            w.sign(QRectF(px(10), px(11), px(22), px(22)), Sign::Note, t.accent);
+            w.data(QRectF(px(42), px(4), place.left() - px(52), line_->height() - px(4)),
+                   word("A part of a long program: lines %1 to %2, %3 % of it. «Check, waits» looks for faults in all of it.").arg(part_.line + 1).arg(part_.line + edit_->document()->blockCount()).arg(100.0 * static_cast<double>(part_.to - part_.from) / static_cast<double>(std::max<qint64>(1, part_.all)), 0, 'f', 1), lettering(15), t.text);
+            return;
+        }
         const Sign sign = !failure_.isEmpty() ? Sign::Warning : checking() ? Sign::Wait : !shown ? Sign::Good : shown->error ? Sign::Alarm : Sign::Warning;
         const QColor colour = !failure_.isEmpty() ? t.warn : checking() ? t.wait : !shown ? t.good : shown->error ? t.bad : t.warn;
         w.sign(QRectF(px(10), px(11), px(22), px(22)), sign, colour);
@@ -117,18 +150,22 @@ std::vector<Sheet*> EditorPage::sheets() {
     return keyboard_ ? std::vector<Sheet*>{line_, pad_} : std::vector<Sheet*>{line_};
 }
 
-bool EditorPage::open(const QString& file, const QString& language) {
+bool EditorPage::open(const QString& file, const QString& language) { return open(file, language, 0, 0); }
+
+bool EditorPage::open(const QString& file, const QString& language, qint64 at, int position) {
     if (writing_.busy()) return desk_.tell(word("The last program is still being written."), Told::Refused), false;
     wanted_ = file;
-    file_.clear(), canonical_.clear();
+    file_.clear(), canonical_.clear(), filling_.clear();
     language_ = language;
+    position_ = position, typed_ = false;
     faults_.clear(), failure_.clear();
     edit_->clear();
     edit_->document()->setModified(false);
     edit_->setReadOnly(true);
     show(nullptr);
+    keepDraft({});
     progress_ = std::make_shared<FileProgress>();
-    reading_.start([file, progress = progress_](const std::atomic<bool>& stop) { return readText(file, kMostBytes, *progress, stop); });
+    reading_.start([file, at, progress = progress_](const std::atomic<bool>& stop) { return readPart(file, kMostBytes, kPartBytes, at, *progress, stop); });
     if (const auto read = reading_.take()) return opened(*read);
     line_->refresh();
     if (desk_.keysChanged) desk_.keysChanged();
@@ -142,20 +179,97 @@ bool EditorPage::opened(const FileText& read) {
         else if (read.kind != FileText::Kind::Stopped) desk_.tell(word("It cannot be shown."), Told::Refused);
         return false;
     }
-    colours_ = std::make_unique<ProgramColours>(edit_->document(), language_);
-    edit_->setPlainText(read.text);
-    edit_->document()->setModified(false);
-    file_ = wanted_, canonical_ = read.path;
-    refresh();
-    edit_->setFocus();
-    check();
-    if (desk_.keysChanged) desk_.keysChanged();
+    canonical_ = read.path, part_ = read.part, dos_ = read.dos;
+    begin(read.text);
     return true;
 }
 
+void EditorPage::begin(const QString& text) {
+    colours_.reset();
+    edit_->clear();
+    colours_ = std::make_unique<ProgramColours>(edit_->document(), language_);
+    edit_->document()->setUndoRedoEnabled(false);
+    edit_->setReadOnly(true);
+    filling_ = text, filled_ = 0;
+    if (text.isEmpty()) return filled();
+    fill();
+}
+
+void EditorPage::fill() {
+    QElapsedTimer time;
+    time.start();
+    QTextCursor end(edit_->document());
+    while (filled_ < filling_.size() && time.elapsed() < kFillMs) {
+        const qsizetype to = std::min(filled_ + kFillLetters, filling_.size());
+        end.movePosition(QTextCursor::End);
+        end.insertText(filling_.mid(filled_, to - filled_));
+        filled_ = to;
+    }
+    if (filled_ == filling_.size()) filled();
+    else line_->refresh();
+}
+
+void EditorPage::filled() {
+    filling_.clear();
+    QTextCursor cursor(edit_->document());
+    cursor.setPosition(std::clamp(position_, 0, std::max(0, edit_->document()->characterCount() - 1)));
+    edit_->setTextCursor(cursor);
+    if (position_ > 0) edit_->centerCursor();
+    edit_->document()->setUndoRedoEnabled(true);
+    edit_->document()->setModified(typed_);
+    edit_->setReadOnly(false);
+    file_ = wanted_;
+    refresh();
+    if (!over_) edit_->setFocus();
+    check();
+    if (desk_.keysChanged) desk_.keysChanged();
+}
+
+// Where a part ends the next one begins; of the one before only its size is known.
+void EditorPage::otherPart(qint64 at) {
+    const QString file = file_, language = language_;
+    open(file, language, std::clamp<qint64>(at, 0, part_.all - 1), 0);
+}
+
+QByteArray EditorPage::bytes() const {
+    QString text = edit_->toPlainText();
+    if (dos_) text.replace("\n", "\r\n");
+    return text.toUtf8();
+}
+
+Draft EditorPage::draft() const {
+    Draft out;
+    if (file_.isEmpty() || !changed()) return out;
+    out.file = file_, out.canonical = canonical_, out.language = language_, out.text = edit_->toPlainText();
+    out.part = part_, out.dos = dos_, out.position = edit_->textCursor().position();
+    return out;
+}
+
+void EditorPage::openDraft(const Draft& draft) {
+    reading_.forget();
+    wanted_ = draft.file, canonical_ = draft.canonical, language_ = draft.language;
+    part_ = draft.part, dos_ = draft.dos, position_ = draft.position, typed_ = true, kept_ = true;
+    file_.clear(), faults_.clear(), failure_.clear();
+    show(nullptr);
+    begin(draft.text);
+}
+
+// Empty: there is none any more. Aside, for the disk may be slow; the next one comes with the next letters.
+void EditorPage::keepDraft(const QByteArray& bytes) {
+    if (desk_.draftFile.isEmpty() || (bytes.isEmpty() && !kept_)) return;
+    kept_ = !bytes.isEmpty();
+    keeping_.start([file = desk_.draftFile, bytes](const std::atomic<bool>& stop) {
+        FileProgress progress;
+        return bytes.isEmpty() ? QFile::remove(file) : writeWhole(file, bytes, progress, stop).ok();
+    }, 0);
+}
+
 void EditorPage::stop() {
-    if (reading_.busy()) {
+    if (opening()) {
         reading_.forget();                         // whatever it waits for, it waits alone
+        filling_.clear();
+        edit_->clear();
+        edit_->document()->setUndoRedoEnabled(true);
         edit_->setReadOnly(false);
         if (onNotOpened) onNotOpened();
     } else if (writing_.busy()) {
@@ -169,15 +283,20 @@ void EditorPage::save() {
     if (writing_.busy() || file_.isEmpty()) return;
     savedRevision_ = edit_->document()->revision();
     progress_ = std::make_shared<FileProgress>();
-    writing_.start([file = file_, bytes = edit_->toPlainText().toUtf8(), progress = progress_](const std::atomic<bool>& stop) { return writeWhole(file, bytes, *progress, stop); });
+    writing_.start([file = file_, bytes = bytes(), part = part_, progress = progress_](const std::atomic<bool>& stop) {
+        Saved out{{}, part};
+        out.outcome = writePart(file, bytes, out.part, *progress, stop);
+        return out;
+    });
     take();
     if (desk_.keysChanged) desk_.keysChanged();
 }
 
 // What has been typed since the saving began is not saved.
-void EditorPage::saved(const FileOutcome& outcome) {
-    if (!outcome.ok()) return desk_.tell(word("Cannot be written: %1").arg(outcome.what), Told::Refused);
-    if (edit_->document()->revision() == savedRevision_) edit_->document()->setModified(false);
+void EditorPage::saved(const Saved& done) {
+    if (!done.outcome.ok()) return desk_.tell(word("Cannot be written: %1").arg(done.outcome.what), Told::Refused);
+    part_ = done.part;
+    if (edit_->document()->revision() == savedRevision_) edit_->document()->setModified(false), keepDraft({});
     desk_.tell(word("Saved: %1").arg(QFileInfo(file_).fileName()), Told::Good);
 }
 
@@ -186,7 +305,10 @@ void EditorPage::take() {
     if (const auto read = reading_.take()) {
         any = true;
         if (!opened(*read) && onNotOpened) onNotOpened();
+    } else if (!filling_.isEmpty()) {
+        fill();
     }
+    if (keeping_.busy()) (void)keeping_.take();
     if (const auto done = writing_.take()) any = true, saved(*done);
     if (const auto copy = copying_.take()) any = true, startCheck(*copy);
     (void)dropping_.take();
@@ -197,10 +319,12 @@ void EditorPage::take() {
 void EditorPage::check() {
     if (file_.isEmpty()) return;
     if (process_ || copying_.busy()) return wait_.start(kPauseMs);    // the one that runs ends first
+    if (changed()) keepDraft(draft().written());
+    if (!part_.whole()) return line_->refresh();   // half a program has faults that it has not
     const QFileInfo info(file_);                   // the path alone: nothing asks the disk
     const QString name = QString("/.check-%1-%2").arg(QCoreApplication::applicationPid()).arg(info.fileName());
     const QStringList places{info.absolutePath() + name, QDir::tempPath() + name};
-    copying_.start([places, bytes = edit_->toPlainText().toUtf8()](const std::atomic<bool>& stop) {
+    copying_.start([places, bytes = bytes()](const std::atomic<bool>& stop) {
         for (const QString& place : places) {
             QFile copy(place);
             const bool written = copy.open(QIODevice::WriteOnly) && copy.write(bytes) == bytes.size();
@@ -248,7 +372,7 @@ void EditorPage::finish() {
         if (event.value("ev").toString() != "alarm" || faults_.size() >= 200) continue;
         const bool own = QFileInfo(event.value("file").toString()).fileName() == name;
         const QString number = event.value("number").isString() ? event.value("number").toString() : QString::number(event.value("number").toInt());
-        Fault fault{own ? event.value("line").toInt() : 0, event.value("column").toInt(), event.value("severity").toString() != "warning", number, told(event.value("text").toString(), number)};
+        Fault fault{own ? event.value("line").toInt() : 0, event.value("column").toInt(), event.value("severity").toString() != "warning", number, retold(number, event.value("text").toString()).text};
         if (!own && event.contains("file")) fault.text = QString("%1:%2  ").arg(QFileInfo(event.value("file").toString()).fileName()).arg(event.value("line").toInt()) + fault.text;
         faults_.push_back(fault);
     }
@@ -302,7 +426,10 @@ void EditorPage::refresh() {
         colours.setColor(QPalette::Base, t.card), colours.setColor(QPalette::Text, t.text), colours.setColor(QPalette::Highlight, t.accent), colours.setColor(QPalette::HighlightedText, t.onAccent);
         edit_->setPalette(colours);
         edit_->setFont(lettering(17, false, Face::Program));
-        if (colours_) colours_->rehighlight();
+    }
+    if (colours_) {
+        const QWidget* seen = edit_->viewport();
+        colours_->see(edit_->cursorForPosition({0, 0}).blockNumber(), edit_->cursorForPosition({0, seen->height() - 1}).blockNumber());
     }
     for (Sheet* one : sheets()) one->refresh();
 }
@@ -398,9 +525,14 @@ void EditorPage::addKeys(std::vector<SoftKey>& keys) {
     keys.push_back({word("Save"), [this] { save(); }, Sign::Good, changed(), false, false, runs ? word("It runs now: press again") : QString()});
     keys.push_back({word("Undo"), [this] { edit_->undo(); }, Sign::Left, edit_->document()->isUndoAvailable()});
     keys.push_back({word("Redo"), [this] { edit_->redo(); }, Sign::Right, edit_->document()->isRedoAvailable()});
-    keys.push_back({word("Next fault"), [this] { goToFault(1); }, Sign::Warning, faults});
+    if (part_.whole()) {
+        keys.push_back({word("Next fault"), [this] { goToFault(1); }, Sign::Warning, faults});
+    } else {
+        keys.push_back({word("Part before"), [this] { otherPart(part_.from - kPartBytes); }, Sign::Up, part_.from > 0 && !changed()});
+        keys.push_back({word("Next part"), [this] { otherPart(part_.to); }, Sign::Down, part_.to < part_.all && !changed()});
+    }
     keys.push_back({word("Cycle form"), [this] { openForm(); }, Sign::Tools, true});
-    keys.push_back({word("Contour"), [this] { openContour(); }, Sign::Graphics, true});
+    if (part_.whole()) keys.push_back({word("Contour"), [this] { openContour(); }, Sign::Graphics, true});
     keys.push_back({word("Keyboard"), [this] { keyboard_ = !keyboard_, layOut(); }, Sign::Key, true, keyboard_});
 }
 

@@ -1,5 +1,8 @@
 // A program as text: the words of its language in colours, faults under the text as one types (`polyturn check` beside the machine), saved
 // whole or not at all. The machine goes on with the program that it has read.
+//
+// Nothing here takes longer than a part of a frame, however long the program is: it is read aside, put into the editor piece by piece, and
+// coloured where it is seen. Of a program of more than some megabytes a part is edited at a time; saving puts it back into its place.
 #pragma once
 #include <QJsonObject>
 #include <QPlainTextEdit>
@@ -19,16 +22,18 @@ class ContourPage;
 class CycleFormPage;
 class EditorOverlay;
 
-// Comments, block numbers, G and M words, tools, variables, words of the language, numbers.
+// Comments, block numbers, G and M words, tools, variables, words of the language, numbers. A line gets its colours when it is seen.
 class ProgramColours : public QSyntaxHighlighter {
 public:
     ProgramColours(QTextDocument* document, QString language) : QSyntaxHighlighter(document), language_(std::move(language)) {}
+    void see(int first, int last);                 // these lines are on the screen now
 
 protected:
     void highlightBlock(const QString& text) override;
 
 private:
     QString language_;
+    int first_ = 0, last_ = -1;
 };
 
 class EditorPage : public QWidget {
@@ -37,13 +42,17 @@ public:
     ~EditorPage() override;
     // Read aside: what takes longer than a frame shows how far it is and can be stopped. False: it cannot be opened, as has been told.
     bool open(const QString& file, const QString& language);
-    bool opening() const { return reading_.busy(); }
+    bool open(const QString& file, const QString& language, qint64 at, int position);   // that part, with the cursor there
+    bool opening() const { return reading_.busy() || !filling_.isEmpty(); }
     bool saving() const { return writing_.busy(); }
     void stop();                                   // the reading or writing
     void follow() { take(); }                      // each frame, shown or not
     std::function<void()> onNotOpened;             // what was being read is no text, or was stopped
     bool changed() const { return edit_->document()->isModified(); }
     const QString& file() const { return file_; }
+    const FilePart& part() const { return part_; } // of the file: that is edited
+    Draft draft() const;
+    void openDraft(const Draft& draft);            // as if it had been typed just now
     const QString& language() const { return language_; }
     void refresh();
     void addKeys(std::vector<SoftKey>& keys);
@@ -71,11 +80,21 @@ protected:
     void resizeEvent(QResizeEvent*) override;
 
 private:
+    struct Saved {
+        FileOutcome outcome;
+        FilePart part;                             // where it stands now
+    };
     void layOut();
     void check();
     void take();                                   // what workers have done
     bool opened(const FileText& read);
-    void saved(const FileOutcome& outcome);
+    void begin(const QString& text);               // to put it into the editor
+    void fill();                                   // as much of it as a frame has time for
+    void filled();
+    void otherPart(qint64 at);
+    QByteArray bytes() const;                      // the text as the file has it
+    void keepDraft(const QByteArray& bytes);
+    void saved(const Saved& done);
     void startCheck(const QString& copy);
     void drop(const QString& copy);                // removes it, aside
     void finish();
@@ -101,7 +120,15 @@ private:
     QString failure_;
     QString wanted_, canonical_;                   // what is being read; the open file without links
     Aside<FileText> reading_;
-    Aside<FileOutcome> writing_;
+    Aside<Saved> writing_;
+    QString filling_;                              // what is being put into the editor; empty: nothing
+    qsizetype filled_ = 0;                         // so much of it is there
+    int position_ = 0;                             // of the cursor, then
+    bool typed_ = false;                           // it is no file's: not saved yet
+    FilePart part_;
+    bool dos_ = false;
+    Aside<bool> keeping_;                          // the draft
+    bool kept_ = false;                            // one is on the disk
     Aside<QString> copying_;                       // for the check
     Aside<bool> dropping_;
     std::shared_ptr<FileProgress> progress_ = std::make_shared<FileProgress>();

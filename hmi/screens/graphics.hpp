@@ -26,6 +26,9 @@ public:
     void refresh() override;
     void rebuilt() override;
     bool key(QKeyEvent* event) override;
+    QString state() const override { return machine_ ? "machine" : "part"; }
+    void restore(const QString& state) override { look(state == "machine"); }
+    HelpTopic help() const override { return {"operator.md", "Graphics:", {}}; }
     int pages() const override { return 3; }   // the part, the whole machine, a dry run
     void turnTo(int page) override;
     bool busy() const override { return dry_ && dryRun_.running(); }

@@ -7,6 +7,7 @@
 
 #include "hmi/screens/graphics.hpp"
 #include "hmi/screens/graphics_look.hpp"
+#include "hmi/widgets/painted.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -152,7 +153,7 @@ void Graphics::drawBody(QPainter& p, const ShownBody& body) {
     p.setPen(Qt::NoPen), p.setBrush(paper);
     p.drawRoundedRect(label, px(4), px(4));
     p.setPen(body.held ? t.bad : carrier ? colour : t.text);
-    p.drawText(label, Qt::AlignCenter, text);
+    paintWords(p, label, Qt::AlignCenter, text);
 }
 
 // What moves, over the picture, where something has changed.
@@ -187,7 +188,7 @@ void Graphics::paintEvent(QPaintEvent* event) {
         p.setPen(Qt::NoPen), p.setBrush(paper);
         p.drawRoundedRect(label, px(3), px(3));
         p.setPen(t.text);
-        p.drawText(label, Qt::AlignCenter, text);
+        paintWords(p, label, Qt::AlignCenter, text);
     }
 }
 
@@ -232,7 +233,7 @@ void Graphics::drawStrokes(QPainter& p, const QRectF& area) {
         p.setPen(Qt::NoPen), p.setBrush(paper);
         p.drawRoundedRect(label, px(3), px(3));
         p.setPen(colour);
-        p.drawText(label, Qt::AlignCenter, text);
+        paintWords(p, label, Qt::AlignCenter, text);
         return label.right() + px(4);
     };
     double next[2] = {0, 0};
@@ -284,8 +285,12 @@ void Graphics::drawRoom() {
     paper.setAlpha(225);
     const QRectF written = p.boundingRect(foot, Qt::AlignLeft | Qt::AlignBottom, left);
     p.fillRect(written.adjusted(-px(4), 0, px(4), 0), paper);   // frames may end there
-    p.drawText(foot, Qt::AlignLeft | Qt::AlignBottom, left);
-    if (!scene.stock.any()) p.drawText(foot, Qt::AlignRight | Qt::AlignBottom, word("No job names the stock of the running program"));
+    paintWords(p, foot, Qt::AlignLeft | Qt::AlignBottom, left);
+    if (scene.stock.any()) return;
+    const QString none = word("No job names the stock of the running program");
+    const QRectF right = p.boundingRect(foot, Qt::AlignRight | Qt::AlignBottom, none);
+    const bool above = right.left() < written.right() + px(16);   // no room beside it: a line higher
+    paintWords(p, above ? foot.adjusted(0, 0, 0, -right.height() - px(2)) : foot, Qt::AlignRight | Qt::AlignBottom, none);
 }
 
 }  // namespace polyturn::hmi

@@ -1,4 +1,5 @@
 // The synchronised view and the timeline of a job (see Programs).
+#include <QDateTime>
 #include <algorithm>
 #include <cmath>
 
@@ -11,66 +12,17 @@ namespace {
 
 constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
 
-// One row of the synchronised view: a block of each channel beside those of the others, or a wait that joins some of them.
-struct Row {
-    std::map<unsigned, RunLine> lines;
-    const RunWait* wait = nullptr;
-    std::vector<unsigned> here;      // channels that come to it
-};
-
-// The rows: between two meetings blocks stand beside each other as they come, a meeting waits for all of its channels.
-std::vector<Row> align(const std::map<unsigned, RunChannel>& channels) {
-    struct At {
-        const RunChannel* channel;
-        std::size_t block = 0, wait = 0;
-    };
-    std::map<unsigned, At> at;
-    for (const auto& [number, channel] : channels) at[number] = {&channel};
-    std::vector<Row> rows;
-    for (bool any = true; any && rows.size() < 5'000;) {
-        any = false;
-        Row row;
-        for (auto& [number, now] : at) {
-            const std::size_t until = now.wait < now.channel->waits.size() ? now.channel->waits[now.wait].before : now.channel->blocks.size();
-            // the wait's own block is shown by the bridge
-            const bool own = now.wait < now.channel->waits.size();
-            if (now.block + (own ? 1 : 0) < until) row.lines[number] = now.channel->blocks[now.block++], any = true;
-        }
-        if (any) {
-            rows.push_back(std::move(row));
-            continue;
-        }
-        // Everybody stands at a wait or is at the end: the first meeting that is complete opens; without one, the first that waits is shown alone.
-        const RunWait* open = nullptr;
-        const RunWait* stuck = nullptr;
-        for (const auto& [number, now] : at) {
-            if (now.wait >= now.channel->waits.size()) continue;
-            const RunWait& wait = now.channel->waits[now.wait];
-            if (!stuck) stuck = &wait;
-            const bool complete = std::all_of(wait.channels.begin(), wait.channels.end(), [&](unsigned other) {
-                const auto found = at.find(other);
-                return found != at.end() && found->second.wait < found->second.channel->waits.size() && found->second.channel->waits[found->second.wait].code == wait.code;
-            });
-            if (complete && !open) open = &wait;
-        }
-        const RunWait* bridge = open ? open : stuck;
-        if (!bridge) break;
-        row.wait = bridge;
-        for (auto& [number, now] : at) {
-            if (now.wait >= now.channel->waits.size()) continue;
-            const RunWait& wait = now.channel->waits[now.wait];
-            if (&wait != bridge && !(open && wait.code == bridge->code && wait.channels == bridge->channels)) continue;
-            row.here.push_back(number);
-            now.block = wait.before;
-            ++now.wait;
-        }
-        any = true;
-        rows.push_back(std::move(row));
-    }
-    return rows;
-}
+constexpr qint64 kAlignEveryMs = 250;     // while the run goes on
 
 }  // namespace
+
+// Anew when the run has told more; of a long program not with each frame.
+void Programs::alignJob() {
+    const qint64 now = QDateTime::currentMSecsSinceEpoch();
+    if (alignedVersion_ == dry_.version() || (dry_.running() && now < alignAt_)) return;
+    alignedVersion_ = dry_.version(), alignAt_ = now + kAlignEveryMs;
+    aligned_.build(dry_.channels());
+}
 
 void Programs::composeTogether(Writer& w) {
     const Theme& t = theme();
@@ -91,7 +43,8 @@ void Programs::composeTogether(Writer& w) {
         if (x > 0) w.line(QPointF(x, px(6)), QPointF(x, high - foot - px(14)), t.edge, 1);
         x += each;
     }
-    const std::vector<Row> rows = align(channels);
+    alignJob();
+    const auto& rows = aligned_.rows();
     const int visible = static_cast<int>((high - foot - head - px(12)) / row);
     scroll_ = std::clamp(scroll_, 0, std::max(0, static_cast<int>(rows.size()) - visible));
     const auto faultAt = [&](const RunLine& line) {   // an error rather than a warning; nullptr: neither
@@ -101,27 +54,33 @@ void Programs::composeTogether(Writer& w) {
         return found;
     };
     for (int i = 0; i < visible && scroll_ + i < static_cast<int>(rows.size()); ++i) {
-        const Row& one = rows[static_cast<std::size_t>(scroll_ + i)];
+        const AlignedJob::Row& one = rows[static_cast<std::size_t>(scroll_ + i)];
         const double y = head + i * row;
-        if (one.wait) {
-            const bool all = one.here.size() == one.wait->channels.size();
+        if (const RunWait* wait = aligned_.wait(channels, one)) {
+            std::vector<unsigned> here;
+            for (const auto& [number, channel] : channels)
+                if (one.comes(number)) here.push_back(number);
+            const bool all = here.size() == wait->channels.size();
             const QColor colour = all ? t.wait : t.bad;
             double from = wide, to = 0;
-            for (const unsigned number : one.here) from = std::min(from, left[number]), to = std::max(to, left[number] + each);
+            for (const unsigned number : here) from = std::min(from, left[number]), to = std::max(to, left[number] + each);
             w.fill(QRectF(from + px(8), y + px(2), to - from - px(16), row - px(4)), t.mark, px(9));
             w.frame(QRectF(from + px(8), y + px(2), to - from - px(16), row - px(4)), colour, px(9), px(1.5));
             QStringList missing;
-            for (const unsigned number : one.wait->channels)
-                if (std::find(one.here.begin(), one.here.end(), number) == one.here.end()) missing << QString("L%1").arg(number);
+            for (const unsigned number : wait->channels)
+                if (!one.comes(number)) missing << QString("L%1").arg(number);
             // In each channel's own column, so that no sign lies between columns where a word stands.
-            for (const unsigned number : one.here) {
+            for (const unsigned number : here) {
                 w.sign(QRectF(left[number] + px(56), y + px(5), px(14), px(14)), all ? Sign::Wait : Sign::Alarm, colour);
-                const QString absent = all || number != one.here.front() ? QString() : "   " + word("never comes: %1").arg(missing.join(' '));
-                w.text(QRectF(left[number] + px(78), y, each - px(90), row), QString("M%1").arg(one.wait->code) + absent, lettering(14.5, true), colour);
+                const QString absent = all || number != here.front() ? QString() : "   " + word("never comes: %1").arg(missing.join(' '));
+                w.text(QRectF(left[number] + px(78), y, each - px(90), row), QString("M%1").arg(wait->code) + absent, lettering(14.5, true), colour);
             }
             continue;
         }
-        for (const auto& [number, line] : one.lines) {
+        for (const auto& [number, channel] : channels) {
+            const RunLine* has = aligned_.line(channels, one, number);
+            if (!has) continue;
+            const RunLine& line = *has;
             const RunFault* fault = faultAt(line);
             const bool bad = fault != nullptr;
             const QColor colour = !bad ? t.text : fault->error ? t.bad : t.warn;

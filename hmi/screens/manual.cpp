@@ -34,8 +34,9 @@ Manual::Manual(Desk& desk) : Screen(desk), axes_(new FreeSheet(this)), side_(new
 }
 
 void Manual::restore(const QString& state) {
-    const int step = state.toInt();
+    const int step = state.section(' ', 0, 0).toInt();
     if (step >= 0 && step < static_cast<int>(kSteps.size())) step_ = step;
+    showHand(state.section(' ', 1, 1) == "1");
 }
 
 void Manual::tellHeld() {

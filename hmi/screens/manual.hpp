@@ -19,7 +19,7 @@ public:
     bool key(QKeyEvent* event) override;
     bool keyReleased(QKeyEvent* event) override;
     bool typing() const override { return typing_; }
-    QString state() const override { return QString::number(step_); }
+    QString state() const override { return QString("%1 %2").arg(step_).arg(handShown_ ? 1 : 0); }
     void restore(const QString& state) override;
     std::vector<Sheet*> sheets() override;
     int pages() const override { return 2; }

@@ -33,11 +33,6 @@ double cellValue(const OffsetCell& cell, char field) {
         default: return 0;
     }
 }
-const char* zeroTitle(const std::string& name) {
-    if (name == "external") return WORD("External");
-    if (name == "shift") return WORD("Work shift");
-    return nullptr;
-}
 
 }  // namespace
 
@@ -132,11 +127,7 @@ void Offsets::build() {
         const bool active = view.known && (zeros_ ? p.zero_row == static_cast<std::int32_t>(zeroRows_[static_cast<std::size_t>(row)]) : p.geometry == row + 1 || p.wear == row + 1);
         if (column == 0) {
             QString name = QString::number(row + 1);
-            if (zeros_) {
-                const std::string own = work_zero_name(zeroRows_[static_cast<std::size_t>(row)]);
-                const char* title = zeroTitle(own);
-                name = title ? word(title) : QString::fromStdString(own);
-            }
+            if (zeros_) name = zeroTitle(QString::fromStdString(work_zero_name(zeroRows_[static_cast<std::size_t>(row)])));
             return {name, active ? t.good : t.dim, active ? Sign::Run : Sign::None, active};
         }
         const auto value = valueAt(row, column);
@@ -163,8 +154,7 @@ std::optional<Offsets::Value> Offsets::valueAt(int row, int column) const {
         const AxisConfig& axis = live.config().axis(config.axes[static_cast<std::size_t>(out.place)]);
         const QString name = QString::fromStdString(work_zero_name(zero)), axisName = fromView(axis.name_text());
         out.words = QString("zero L%1 %2 %3").arg(channel).arg(name, axisName);
-        const char* title = zeroTitle(name.toStdString());
-        out.title = QString("L%1  %2  %3").arg(channel).arg(title ? word(title) : name, axisName);
+        out.title = QString("L%1  %2  %3").arg(channel).arg(zeroTitle(name), axisName);
         out.present = store.zeros[zero * kChannelAxes + static_cast<std::size_t>(out.place)];
         out.decimals = decimalsOf(live.config(), axis);
         out.angle = axis.rotary;
@@ -223,17 +213,28 @@ void Offsets::entered(const Value& value, const Answer& answer) {
     askHistory(), refresh();
 }
 
-// The store knows by axis and direction what was touched; of an offset only its number and table are said, of a zero its name.
+// Whose length counts when a workpiece is touched: the probe's, that the channel works with now; 0: none.
+int Offsets::probe() const {
+    const ChannelView& view = desk_.live.view(desk_.channel);
+    return view.known ? std::max<int>(0, static_cast<int>(view.picture.geometry)) : 0;
+}
+
+// The store knows by axis and direction what was touched; of an offset only its number and table are said, of a zero its name, the probe
+// and what the surface is to be.
 void Offsets::touched() {
     const auto value = chosen();
     if (!value) return;
     const QStringList words = value->words.split(' ');   // «offset L1 3 wear X», «zero L1 G54 Z»
     QJsonObject request{{"do", zeros_ ? "zeros.touch" : "offsets.touch"}, {"channel", static_cast<int>(desk_.channel)}};
-    if (zeros_) request.insert("zero", words[2]);
-    else request.insert("number", words[2].toInt()), request.insert("table", words[3]);
+    if (zeros_) {
+        request.insert("zero", words[2]);
+        if (!params::bit(desk_.live.table(), params::n3016_tool_wp_setter_config, desk_.channel, 0)) request.insert("offset", probe());   // else the PLC says it
+        if (const auto typed = pad_->entry()) request.insert("value", typed->value);
+        pad_->clear();
+    } else request.insert("number", words[2].toInt()), request.insert("table", words[3]);
     desk_.requests.store(request, [this, decimals = value->decimals](const Answer& answer) {
         const auto number = [&](const char* name) { return lengthText(answer.object.value(name).toDouble(), decimals); };
-        if (answer.ok) desk_.tell(QString::fromUtf8("%1: %2 → %3").arg(answer.object.value("what").toString(), number("old"), number("new")), Told::Good);
+        if (answer.ok) desk_.tell(QString::fromUtf8("%1: %2 → %3").arg(cellTitle(answer.object.value("what").toString()), number("old"), number("new")), Told::Good);
         askHistory(), refresh();
     });
 }
@@ -386,7 +387,8 @@ std::vector<SoftKey> Offsets::keys() {
                               {word("Measured parts"), [this] { showParts(true); }, Sign::Parameters, true, partsShown_},
                               {}};
     if (partsShown_) return parts_->addKeys(keys), keys;
-    keys.back() = {zeros_ ? word("Workpiece setter") : word("Tool setter"), [this] { touched(); }, Sign::None, desk_.live.connected() && value.has_value(), false, false, word("Enters what was touched: press again")};
+    const QString asks = !zeros_ ? word("Enters what was touched: press again") : probe() ? word("Probe is offset %1: press again").arg(probe()) : word("Without a probe offset: press again");
+    keys.back() = {zeros_ ? word("Workpiece setter") : word("Tool setter"), [this] { touched(); }, Sign::None, desk_.live.connected() && value.has_value(), false, false, asks};
     if (empty && !zeros_) keys.push_back({word("Relative input"), [this] { relativeInput(); }, Sign::None, desk_.live.connected() && placed, false, false, word("Enters the relative counter: press again")});
     else keys.push_back({word("Input"), [this] { enter(false); }, Sign::None, ready});
     keys.push_back({word("+ Input"), [this] { enter(true); }, Sign::None, ready});

@@ -60,6 +60,7 @@ private:
     void undo();
     void measure();
     void zeroHere();
+    int probe() const;
     void touched();                // takes what the tool setter or the workpiece setter has answered
     void relativeZero();           // the relative counter begins to count here
     void relativeInput();          // and what it says goes into the offset

@@ -75,7 +75,7 @@ HelpTopic Overview::help() const {
     const QString page = language == "sinumerik" ? "reference_sinumerik.md" : language == "fagor" ? "reference_fagor.md" : "reference_fanuc.md";
     const QString codes = QString::fromUtf8(view.picture.codes.data(), static_cast<int>(::strnlen(view.picture.codes.data(), view.picture.codes.size())));
     if (!view.known || codes.isEmpty()) return {"operator.md", "Overview:", {}};
-    return {page, codes.section(' ', 0, 0), {}};
+    return {page, codes.section(' ', 0, 0), {}, true};
 }
 
 std::vector<SoftKey> Overview::keys() {

@@ -123,13 +123,13 @@ Parameters::Parameters(Desk& desk)
 }
 
 void Parameters::restore(const QString& state) {
-    const int bar = static_cast<int>(state.indexOf('|'));
-    if (bar < 0) return;
+    if (state.count('|') < 2) return;
     if (page_ != Page::List) showPage(Page::List);
-    group_ = std::clamp(state.left(bar).toInt(), 0, static_cast<int>(names_.size()) - 1);
-    search_ = state.mid(bar + 1);
+    group_ = std::clamp(state.section('|', 0, 0).toInt(), 0, static_cast<int>(names_.size()) - 1);
+    search_ = state.section('|', 2);
     groups_->choose(group_);
     search();
+    table_->choose(state.section('|', 1, 1).toInt());
 }
 
 // The instances that the machine has.

@@ -21,10 +21,14 @@ public:
     const char* name() const override { return "parameters"; }
     std::vector<SoftKey> keys() override;
     void refresh() override;
-    void rebuilt() override { file_.reset(), readFile(), search(); }
+    void rebuilt() override {
+        const int row = table_->row();
+        file_.reset(), readFile(), search();
+        table_->choose(row);
+    }
     bool key(QKeyEvent* event) override;
     bool typing() const override { return true; }
-    QString state() const override { return QString("%1|%2").arg(group_).arg(search_); }
+    QString state() const override { return QString("%1|%2|%3").arg(group_).arg(table_->row()).arg(search_); }
     void restore(const QString& state) override;
     HelpTopic help() const override;
     std::vector<Sheet*> sheets() override;

@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "hmi/machine/channel_words.hpp"
+#include "hmi/widgets/painted.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -201,7 +202,7 @@ void PresetterPage::paintEvent(QPaintEvent*) {
     if (picture_.isNull()) {
         p.setPen(t.dim);
         p.setFont(lettering(15));
-        p.drawText(room_, Qt::AlignCenter | Qt::TextWordWrap, word("Choose a picture of the tool's shadow"));
+        paintWords(p, room_, Qt::AlignCenter | Qt::TextWordWrap, word("Choose a picture of the tool's shadow"));
         return;
     }
     const QRectF inside = QRectF(room_).adjusted(px(10), px(10), -px(10), -px(10));
@@ -243,10 +244,8 @@ void PresetterPage::composeResult(Writer& w) {
     y += px(22);
     for (const auto& one : answer_.value("entries").toArray()) {
         const QJsonObject entry = one.toObject();
-        const QStringList what = entry.value("what").toString().split(' ');   // «L1 offset 3 geometry X», as the store and its history call it
-        const QString letter = what.last(), field = letter == "R" ? word("Radius") : letter == "T" ? word("Tip") : QString("%1 %2").arg(word("Geom."), letter);
-        const unsigned decimals = letter == "T" ? 0 : 4;
-        const QString title = what.size() == 5 ? QString("%1  %2 %3  %4").arg(what[0], word("Offset"), what[2], field) : entry.value("what").toString();
+        const QString what = entry.value("what").toString(), title = cellTitle(what);
+        const unsigned decimals = what.endsWith(" T") ? 0 : 4;
         w.data(QRectF(px(12), y, wide - px(24), px(20)), QString::fromUtf8("%1: %2 → %3").arg(title, lengthText(entry.value("old").toDouble(), decimals), lengthText(entry.value("new").toDouble(), decimals)), lettering(13.5, false, Face::Condensed), t.text);
         y += px(20);
     }

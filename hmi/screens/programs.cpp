@@ -5,6 +5,7 @@
 #include <QProcess>
 #include <QTextBlock>
 #include <algorithm>
+#include <utility>
 
 #include "hmi/machine/channel_words.hpp"
 #include "hmi/machine/code_help.hpp"
@@ -40,11 +41,26 @@ Programs::Programs(Desk& desk)
     files_->readFolder(desk_.folder);
 }
 
+// Page and what is chosen in the folder; of the editor its program, language, part and the cursor's place.
+QString Programs::state() const {
+    QStringList out{QString::number(static_cast<int>(page_)), files_->chosenPath().isEmpty() ? desk_.folder + "/." : files_->chosenPath()};
+    if (!editor_->file().isEmpty()) out << editor_->file() << editor_->language() << QString::number(editor_->part().from) << QString::number(editor_->edit().textCursor().position());
+    return out.join('|');
+}
+
+// A draft comes back on whatever page: what has been typed is not lost.
 void Programs::restore(const QString& state) {
-    const QStringList parts = state.split('|');
-    if (parts.size() != 2) return;
+    QStringList parts = state.split('|');
+    if (parts.size() < 2) parts = {"0", {}};
     if (parts[1].startsWith('/')) files_->readFolder(parts[1].section('/', 0, -2) + "/", parts[1].section('/', -1));
-    if (parts[0].toInt() == static_cast<int>(Page::Restart)) show(Page::Restart);   // the others would start processes
+    const auto page = static_cast<Page>(parts[0].toInt());
+    if (const Draft draft = std::exchange(desk_.draft, {}); !draft.file.isEmpty()) {
+        editor_->openDraft(draft);
+        if (page == Page::Edit) show(Page::Edit);
+    } else if (page == Page::Edit && parts.size() == 6 && editor_->open(parts[2], parts[3], parts[4].toLongLong(), parts[5].toInt())) {
+        show(Page::Edit);
+    }
+    if (page == Page::Restart) show(Page::Restart);   // the others would begin a dry run
 }
 
 void Programs::select() {
@@ -113,6 +129,7 @@ HelpTopic Programs::help() const {
 void Programs::show(Page page) {
     page_ = page;
     scroll_ = 0;
+    timeVersion_ = ~0ull;
     layOut();
     refresh();
 }
@@ -180,7 +197,10 @@ void Programs::refresh() {
     if (page_ == Page::Edit) editor_->refresh();
     if (page_ == Page::Compare) compare_->refresh();
     files_->refresh();   // a transfer goes on behind the other pages
-    for (Sheet* one : sheets()) one->refresh();
+    for (Sheet* one : sheets()) {
+        if (one == view_ && page_ == Page::Time && std::exchange(timeVersion_, dry_.version()) == dry_.version()) continue;   // a hundred thousand moves: written when there are others
+        one->refresh();
+    }
 }
 
 std::vector<SoftKey> Programs::keys() {
@@ -214,7 +234,8 @@ std::vector<SoftKey> Programs::keys() {
         if (desk_.keysChanged) desk_.keysChanged();
     }, Sign::Stop});
     else if (page_ == Page::Files && files_->job()) keys.push_back({word("Print setup sheet"), [this] { print(); }, Sign::Programs, true});
-    else if (page_ == Page::Files) keys.push_back({word("Edit"), [this] { edit(); }, Sign::Programs, file && !job});
+    else if (page_ == Page::Files) keys.push_back({word("Edit"), [this] { edit(); }, Sign::Programs, file && !job, false, false,
+                                                   editor_->changed() && editor_->file() != files_->chosenPath() ? word("Unsaved text goes: press again") : QString()});
     if (page_ == Page::Files) keys.push_back({word("Copy, delete ..."), [this] { files_->showMenu(true); }, Sign::Right});
     if (page_ == Page::Edit) {
         if (editor_->opening()) keys.clear();

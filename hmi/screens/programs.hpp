@@ -4,8 +4,9 @@
 #include <QFileInfo>
 
 #include "hmi/app/screen.hpp"
-#include "hmi/machine/file_work.hpp"
+#include "hmi/machine/aligned_job.hpp"
 #include "hmi/machine/dry_run.hpp"
+#include "hmi/machine/file_work.hpp"
 #include "hmi/machine/program_text.hpp"
 #include "hmi/screens/compare_page.hpp"
 #include "hmi/screens/editor_page.hpp"
@@ -25,8 +26,9 @@ public:
     void refresh() override;
     void follow() override { restart_->follow(), editor_->follow(), takePrint(); }
     bool key(QKeyEvent* event) override;
-    QString state() const override { return QString::number(static_cast<int>(page_)) + "|" + (files_->chosenPath().isEmpty() ? desk_.folder + "/." : files_->chosenPath()); }
+    QString state() const override;
     void restore(const QString& state) override;
+    void leave() override { desk_.draft = editor_->draft(); }
     std::vector<Sheet*> sheets() override;
     int pages() const override { return files_->job() || (page_ != Page::Files && page_ != Page::Restart) ? 9 : 1; }
     HelpTopic help() const override;
@@ -52,6 +54,7 @@ private:
     void composeTogether(Writer& w);
     void composeTime(Writer& w);
     void composeFaults(Writer& w, const QRectF& box);
+    void alignJob();
     void show(Page page);
     void look(DryRun::How how);
 
@@ -66,6 +69,9 @@ private:
     Aside<FileOutcome> printing_;            // the setup sheet
     QString printed_;
     DryRun dry_;
+    AlignedJob aligned_;
+    std::uint64_t alignedVersion_ = ~0ull, timeVersion_ = ~0ull;   // of the run: that they show
+    qint64 alignAt_ = 0;
     int scroll_ = 0;
 };
 

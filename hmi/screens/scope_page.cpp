@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "hmi/machine/tool_words.hpp"
+#include "hmi/widgets/painted.hpp"
 #include "ipc/image/signal_tongue.hpp"
 
 namespace polyturn::hmi {
@@ -272,7 +273,7 @@ void ScopePage::paintTraces(QPainter& p) {
     const auto& samples = record_.samples();
     if (samples.empty()) {
         p.setPen(t.dim), p.setFont(lettering(16));
-        p.drawText(box, Qt::AlignCenter | Qt::TextWordWrap, word("No trace is chosen: Enter on a line, or touch it twice"));
+        paintWords(p, box, Qt::AlignCenter | Qt::TextWordWrap, word("No trace is chosen: Enter on a line, or touch it twice"));
         return;
     }
     const double window = windowTicks(), end = static_cast<double>(samples.back().tick);
@@ -312,7 +313,7 @@ void ScopePage::paintCircle(QPainter& p) {
     const QRectF box = QRectF(room_).adjusted(px(12), px(12), -px(12), -px(12));
     if (!round_) {
         p.setPen(t.dim), p.setFont(lettering(16));
-        p.drawText(box, Qt::AlignCenter | Qt::TextWordWrap, word("No circle has been driven since the record began: drive at least three quarters of one in L%1").arg(desk_.channel));
+        paintWords(p, box, Qt::AlignCenter | Qt::TextWordWrap, word("No circle has been driven since the record began: drive at least three quarters of one in L%1").arg(desk_.channel));
         return;
     }
     const double radius = std::min(box.width() * 0.6, box.height()) * 0.40, greatest = std::max({std::abs(round_->most), std::abs(round_->least), 1e-7}), enlarged = radius / 6 / greatest;
@@ -335,9 +336,9 @@ void ScopePage::paintCircle(QPainter& p) {
     double y = box.top() + px(30);
     const auto row = [&](const QString& title, const QString& value, const QColor& colour) {
         p.setPen(t.dim), p.setFont(lettering(15));
-        p.drawText(QRectF(box.left() + box.width() * 0.68, y, box.width() * 0.32, px(24)), Qt::AlignLeft | Qt::AlignVCenter, title);
+        paintWords(p, QRectF(box.left() + box.width() * 0.68, y, box.width() * 0.32, px(24)), Qt::AlignLeft | Qt::AlignVCenter, title);
         p.setPen(colour), p.setFont(lettering(21, true));
-        p.drawText(QRectF(box.left() + box.width() * 0.68, y + px(24), box.width() * 0.32, px(32)), Qt::AlignLeft | Qt::AlignVCenter, value);
+        paintWords(p, QRectF(box.left() + box.width() * 0.68, y + px(24), box.width() * 0.32, px(32)), Qt::AlignLeft | Qt::AlignVCenter, value);
         y += px(66);
     };
     const auto micrometres = [](double mm) { return QString("%1 %2").arg(mm * 1000, 0, 'f', 1).arg(unitWord("µm")); };

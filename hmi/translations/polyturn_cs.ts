@@ -35,6 +35,11 @@
     </message>
     <message>
         <location filename="../screens/editor_page.cpp"/>
+        <source>%1 is being opened</source>
+        <translation>%1 se otevírá</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
         <source>%1 is being read: the place answers slowly</source>
         <translation>%1 se čte: místo odpovídá pomalu</translation>
     </message>
@@ -197,6 +202,11 @@
         <location filename="../screens/manual.cpp"/>
         <source>A block by hand (MDI)</source>
         <translation>Blok ručně (MDI)</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>A part of a long program: lines %1 to %2, %3 % of it. «Check, waits» looks for faults in all of it.</source>
+        <translation>Část dlouhého programu: řádky %1 až %2, %3 % z něj. «Kontrola, čekání» prohlédne celý program.</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -1224,7 +1234,7 @@
         <translation>Export</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../machine/channel_words.cpp"/>
         <source>External</source>
         <translation>Externí</translation>
     </message>
@@ -1499,7 +1509,7 @@
         <translation>Brána</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../machine/channel_words.cpp"/>
         <source>Geom.</source>
         <translation>Geom.</translation>
     </message>
@@ -2214,6 +2224,11 @@
         <translation>Další chyba</translation>
     </message>
     <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Next part</source>
+        <translation>Další část</translation>
+    </message>
+    <message>
         <location filename="../screens/compare_page.cpp"/>
         <source>Next place</source>
         <translation>Další místo</translation>
@@ -2434,7 +2449,7 @@
         <translation>OK</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../machine/channel_words.cpp"/>
         <source>Offset</source>
         <translation>Korekce</translation>
     </message>
@@ -2597,6 +2612,11 @@
         <location filename="../screens/parameters.cpp"/>
         <source>Parameters</source>
         <translation>Parametry</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Part before</source>
+        <translation>Předchozí část</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -2774,6 +2794,11 @@
         <translation>Vytištěno: %1</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Probe is offset %1: press again</source>
+        <translation>Sonda: korekce %1, ještě jednou</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Process</source>
         <translation>Proces</translation>
@@ -2854,7 +2879,7 @@
         <translation>Dát sem</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../machine/channel_words.cpp"/>
         <source>Radius</source>
         <translation>Rádius</translation>
     </message>
@@ -4014,7 +4039,7 @@
         <translation>Časovače a čítače</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../machine/channel_words.cpp"/>
         <source>Tip</source>
         <translation>Břit</translation>
     </message>
@@ -4234,6 +4259,11 @@
         <translation>Vyjmout</translation>
     </message>
     <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Unsaved text goes: press again</source>
+        <translation>Neuložené zmizí: ještě jednou</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>Up</source>
         <translation>Nahoru</translation>
@@ -4344,7 +4374,7 @@
         <translation>Návrat nebo vůle kroku</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../machine/channel_words.cpp"/>
         <source>Wear</source>
         <translation>Opotř.</translation>
     </message>
@@ -4354,7 +4384,7 @@
         <translation>Opotřebení %1 mm: znovu</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../machine/channel_words.cpp"/>
         <source>Wear R</source>
         <translation>Opotř. R</translation>
     </message>
@@ -4434,6 +4464,11 @@
         <translation>Bez zobrazovacího serveru rozhoduje klávesnice</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Without a probe offset: press again</source>
+        <translation>Bez korekce sondy: ještě jednou</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Without effect:</source>
         <translation>Bez účinku:</translation>
@@ -4449,7 +4484,7 @@
         <translation>Ruční práce</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../machine/channel_words.cpp"/>
         <source>Work shift</source>
         <translation>Posunutí</translation>
     </message>

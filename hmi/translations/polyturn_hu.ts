@@ -35,6 +35,11 @@
     </message>
     <message>
         <location filename="../screens/editor_page.cpp"/>
+        <source>%1 is being opened</source>
+        <translation>%1 megnyitása</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
         <source>%1 is being read: the place answers slowly</source>
         <translation>%1 olvasása folyik: a hely lassan válaszol</translation>
     </message>
@@ -197,6 +202,11 @@
         <location filename="../screens/manual.cpp"/>
         <source>A block by hand (MDI)</source>
         <translation>Mondat kézzel (MDI)</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>A part of a long program: lines %1 to %2, %3 % of it. «Check, waits» looks for faults in all of it.</source>
+        <translation>Egy hosszú program része: %1–%2. sor, a program %3 %-a. Az «Ellenőrzés, várakozások» az egészet átnézi.</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -1224,7 +1234,7 @@
         <translation>Exportálás</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../machine/channel_words.cpp"/>
         <source>External</source>
         <translation>Külső</translation>
     </message>
@@ -1499,7 +1509,7 @@
         <translation>Átjáró</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../machine/channel_words.cpp"/>
         <source>Geom.</source>
         <translation>Geom.</translation>
     </message>
@@ -2214,6 +2224,11 @@
         <translation>Következő hiba</translation>
     </message>
     <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Next part</source>
+        <translation>Következő rész</translation>
+    </message>
+    <message>
         <location filename="../screens/compare_page.cpp"/>
         <source>Next place</source>
         <translation>Következő hely</translation>
@@ -2434,7 +2449,7 @@
         <translation>OK</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../machine/channel_words.cpp"/>
         <source>Offset</source>
         <translation>Korrekció</translation>
     </message>
@@ -2597,6 +2612,11 @@
         <location filename="../screens/parameters.cpp"/>
         <source>Parameters</source>
         <translation>Paraméterek</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Part before</source>
+        <translation>Előző rész</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -2774,6 +2794,11 @@
         <translation>Kinyomtatva: %1</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Probe is offset %1: press again</source>
+        <translation>Tapintó: %1. korrekció, újra</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Process</source>
         <translation>Folyamat</translation>
@@ -2854,7 +2879,7 @@
         <translation>Ide tenni</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../machine/channel_words.cpp"/>
         <source>Radius</source>
         <translation>Sugár</translation>
     </message>
@@ -4014,7 +4039,7 @@
         <translation>Időzítők, számlálók</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../machine/channel_words.cpp"/>
         <source>Tip</source>
         <translation>Csúcs</translation>
     </message>
@@ -4234,6 +4259,11 @@
         <translation>Kivétel</translation>
     </message>
     <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Unsaved text goes: press again</source>
+        <translation>A nem mentett elvész: újra</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>Up</source>
         <translation>Fel</translation>
@@ -4344,7 +4374,7 @@
         <translation>Lépés visszahúzása vagy hézaga</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../machine/channel_words.cpp"/>
         <source>Wear</source>
         <translation>Kopás</translation>
     </message>
@@ -4354,7 +4384,7 @@
         <translation>Kopás %1 mm: nyomja újra</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../machine/channel_words.cpp"/>
         <source>Wear R</source>
         <translation>Kopás R</translation>
     </message>
@@ -4434,6 +4464,11 @@
         <translation>Megjelenítő kiszolgáló nélkül a billentyűzet dönt</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Without a probe offset: press again</source>
+        <translation>Tapintókorrekció nélkül: újra</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Without effect:</source>
         <translation>Hatás nélkül:</translation>
@@ -4449,7 +4484,7 @@
         <translation>Kézi munka</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../machine/channel_words.cpp"/>
         <source>Work shift</source>
         <translation>Eltolás</translation>
     </message>

@@ -35,6 +35,11 @@
     </message>
     <message>
         <location filename="../screens/editor_page.cpp"/>
+        <source>%1 is being opened</source>
+        <translation>%1 открывается</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
         <source>%1 is being read: the place answers slowly</source>
         <translation>%1 читается: место отвечает медленно</translation>
     </message>
@@ -197,6 +202,11 @@
         <location filename="../screens/manual.cpp"/>
         <source>A block by hand (MDI)</source>
         <translation>Кадр вручную (РВД)</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>A part of a long program: lines %1 to %2, %3 % of it. «Check, waits» looks for faults in all of it.</source>
+        <translation>Часть длинной программы: строки %1–%2, %3 % её. «Проверка, ожидания» проверяет всю программу.</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -1224,7 +1234,7 @@
         <translation>Экспорт</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../machine/channel_words.cpp"/>
         <source>External</source>
         <translation>Внешний</translation>
     </message>
@@ -1499,7 +1509,7 @@
         <translation>Шлюз</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../machine/channel_words.cpp"/>
         <source>Geom.</source>
         <translation>Геом.</translation>
     </message>
@@ -2214,6 +2224,11 @@
         <translation>Следующая ошибка</translation>
     </message>
     <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Next part</source>
+        <translation>Следующая часть</translation>
+    </message>
+    <message>
         <location filename="../screens/compare_page.cpp"/>
         <source>Next place</source>
         <translation>Следующее место</translation>
@@ -2434,7 +2449,7 @@
         <translation>ОК</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../machine/channel_words.cpp"/>
         <source>Offset</source>
         <translation>Корректор</translation>
     </message>
@@ -2597,6 +2612,11 @@
         <location filename="../screens/parameters.cpp"/>
         <source>Parameters</source>
         <translation>Параметры</translation>
+    </message>
+    <message>
+        <location filename="../screens/editor_page.cpp"/>
+        <source>Part before</source>
+        <translation>Предыдущая часть</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -2774,6 +2794,11 @@
         <translation>Напечатано: %1</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Probe is offset %1: press again</source>
+        <translation>Щуп: корректор %1, ещё раз</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Process</source>
         <translation>Процесс</translation>
@@ -2854,7 +2879,7 @@
         <translation>Поставить сюда</translation>
     </message>
     <message>
-        <location filename="../screens/contour_page.cpp"/>
+        <location filename="../machine/channel_words.cpp"/>
         <source>Radius</source>
         <translation>Радиус</translation>
     </message>
@@ -4014,7 +4039,7 @@
         <translation>Таймеры и счётчики</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../machine/channel_words.cpp"/>
         <source>Tip</source>
         <translation>Вершина</translation>
     </message>
@@ -4234,6 +4259,11 @@
         <translation>Извлечь</translation>
     </message>
     <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Unsaved text goes: press again</source>
+        <translation>Несохранённое пропадёт: ещё раз</translation>
+    </message>
+    <message>
         <location filename="../screens/files_page.cpp"/>
         <source>Up</source>
         <translation>Вверх</translation>
@@ -4344,7 +4374,7 @@
         <translation>Отвод или зазор шага</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../machine/channel_words.cpp"/>
         <source>Wear</source>
         <translation>Износ</translation>
     </message>
@@ -4354,7 +4384,7 @@
         <translation>Износ %1 мм: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../machine/channel_words.cpp"/>
         <source>Wear R</source>
         <translation>Износ R</translation>
     </message>
@@ -4434,6 +4464,11 @@
         <translation>Без сервера дисплея решает сама клавиатура</translation>
     </message>
     <message>
+        <location filename="../screens/offsets.cpp"/>
+        <source>Without a probe offset: press again</source>
+        <translation>Без корректора щупа: ещё раз</translation>
+    </message>
+    <message>
         <location filename="../screens/parameters.cpp"/>
         <source>Without effect:</source>
         <translation>Не действует:</translation>
@@ -4449,7 +4484,7 @@
         <translation>Работа вручную</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../machine/channel_words.cpp"/>
         <source>Work shift</source>
         <translation>Сдвиг</translation>
     </message>

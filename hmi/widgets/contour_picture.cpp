@@ -5,6 +5,7 @@
 #include <QPainterPath>
 #include <cmath>
 
+#include "hmi/widgets/painted.hpp"
 #include "hmi/widgets/theme.hpp"
 
 namespace polyturn::hmi {
@@ -85,7 +86,7 @@ void ContourPicture::paintEvent(QPaintEvent*) {
         path.addRoundedRect(box, px(5), px(5));
         painter.fillPath(path, behind);
         painter.setPen(colour);
-        painter.drawText(box, Qt::AlignCenter, text);
+        paintWords(painter, box, Qt::AlignCenter, text);
     };
     // Axes through the zero.
     pen(t.edge, px(1), Qt::DashDotLine);

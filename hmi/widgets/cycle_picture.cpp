@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hmi/text/tongues.hpp"
+#include "hmi/widgets/painted.hpp"
 #include "hmi/widgets/theme.hpp"
 
 namespace polyturn::hmi {
@@ -155,7 +156,7 @@ void CyclePicture::paintEvent(QPaintEvent*) {
         painter.fillPath(plate, behind);
         painter.setFont(font);
         painter.setPen(chosen ? t.onAccent : t.dim);
-        painter.drawText(box, Qt::AlignCenter, label);
+        paintWords(painter, box, Qt::AlignCenter, label);
     };
     const auto fields = form_->fields;
     const forms::Mark wanted = field_ >= 0 && field_ < static_cast<int>(fields.size()) ? fields[static_cast<std::size_t>(field_)].mark : forms::Mark::None;

@@ -63,6 +63,7 @@ class Sheet : public QWidget {
 public:
     explicit Sheet(QWidget* parent = nullptr);
     void refresh();   // composes, and repaints what has changed
+    const std::vector<Item>& items() const { return items_; }   // for tests: what is written
     std::vector<QString> shortened() const;   // fixed words that do not fit
     std::vector<QString> fixedWords() const;  // that are no data: they stand in the language of the screens
     std::vector<QString> overlapping() const; // words that are written over others, or beyond the sheet

@@ -114,6 +114,53 @@ TEST(Screens, ShowTheSameAfterARestart) {
     window.setDark(true);
 }
 
+// Killed: nobody says goodbye. What a restart finds is what was kept while it ran.
+TEST(Screens, ShowTheSameAfterACrash) {
+    QTemporaryDir folder;
+    Choices choices = nobody();
+    choices.language.clear(), choices.theme.clear();
+    choices.keptIn = folder.filePath("hmi.ini");
+    MainWindow killed(choices);
+    killed.show();
+    killed.setTongue(Tongue::Hungarian);
+    const auto show = [](MainWindow& window, const char* name) {
+        for (std::size_t i = 0; i < window.screens().size(); ++i)
+            if (QString(window.screens()[i]->name()) == name) window.showScreen(static_cast<int>(i));
+    };
+    QTest::qWait(1'500);
+    show(killed, "diagnosis");
+    killed.screen()->turnTo(1);                  // within the screen: no other screen is shown behind it
+    show(killed, "manual");
+    killed.screen()->turnTo(1);
+    const QString page = killed.screen()->state();
+    QTest::qWait(2'500);
+    {
+        MainWindow again(choices);
+        EXPECT_STREQ(again.screen()->name(), "manual");
+        EXPECT_EQ(again.screen()->state(), page);
+        EXPECT_EQ(spoken(), Tongue::Hungarian);
+        show(again, "diagnosis");
+        EXPECT_TRUE(again.screen()->state().startsWith("1 ")) << again.screen()->state().toStdString();
+    }
+    killed.setTongue(Tongue::English);
+}
+
+// A list of a million rows asks for those that are seen.
+TEST(Tables, OfAMillionRowsAreScrolledWithinAFrame) {
+    Table table(nullptr);
+    table.resize(800, 600);
+    table.columns = {{"No.", 1}, {"Text", 4}};
+    int asked = 0;
+    table.rows = [] { return 1'000'000; };
+    table.cell = [&](int row, int) -> Table::Cell { return ++asked, Table::Cell{QString::number(row)}; };
+    for (const Qt::Key key : {Qt::Key_End, Qt::Key_PageUp, Qt::Key_Home, Qt::Key_PageDown}) {
+        QKeyEvent event(QEvent::KeyPress, key, Qt::NoModifier);
+        table.key(&event);
+    }
+    EXPECT_EQ(table.row(), table.visibleRows());
+    EXPECT_LE(asked, 4 * 2 * (table.visibleRows() + 1));
+}
+
 // A second press confirms the key that was pressed first, not another one that has come to its place.
 TEST(SoftKeys, AreAskedForOneByOne) {
     SoftKeyBar bar(nullptr);

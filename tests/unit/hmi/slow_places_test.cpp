@@ -9,6 +9,7 @@
 #include <condition_variable>
 #include <fcntl.h>
 #include <mutex>
+#include <time.h>
 
 #include "hmi/machine/setup_sheet.hpp"
 #include "hmi/screens/programs.hpp"
@@ -61,6 +62,23 @@ struct Beats {
         timer.setInterval(5);
         QObject::connect(&timer, &QTimer::timeout, [this] { ++count; });
         timer.start();
+    }
+};
+
+// The longest turn of this thread: time of the processor between two looks, so that a computer that is busy with others does not count.
+struct LongestTurn {
+    QTimer timer;
+    double last = now(), longest = 0;
+    LongestTurn() {
+        timer.setInterval(4);
+        QObject::connect(&timer, &QTimer::timeout, [this] { look(); });
+        timer.start();
+    }
+    void look() { longest = std::max(longest, now() - last), last = now(); }
+    static double now() {
+        timespec time{};
+        ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+        return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
     }
 };
 
@@ -189,6 +207,167 @@ TEST_F(SlowPlaces, TheSetupSheetIsWrittenBesideAndCanBeStopped) {
     hand->soft("Print setup sheet");
     ASSERT_TRUE(waitFor([&] { return QFile::exists(folder.filePath("part-setup.pdf")); }, 10));
     EXPECT_EQ(read("part-setup.pdf").left(5), "%PDF-");
+}
+
+// Four megabytes at once: put in piece by piece, coloured where it is seen.
+TEST_F(SlowPlaces, ALongProgramStopsNoScreen) {
+    QByteArray text;
+    for (int line = 0; text.size() < 3'900'000; ++line) text += QString("N%1 G1 X%2 Z-%3 F0.25 (pass)\n").arg(line).arg(line % 500 / 7.0, 0, 'f', 3).arg(line % 311 / 3.0, 0, 'f', 3).toUtf8();
+    write("long.nc", text);
+    hand->soft("Edit");
+    ASSERT_TRUE(waitFor([&] { return !editor().opening() && !editor().checking(); }, 20));
+    LongestTurn turn;
+    ASSERT_TRUE(editor().open(folder.filePath("long.nc"), "fanuc"));
+    ASSERT_TRUE(waitFor([&] { return !editor().opening(); }, 60));
+    QTest::qWait(100);
+    turn.look();
+    EXPECT_LT(turn.longest, kLongest_ms);
+    EXPECT_EQ(editor().edit().document()->characterCount(), text.size() + 1);
+    EXPECT_EQ(editor().edit().textCursor().position(), 0);
+    EXPECT_FALSE(editor().changed());
+    EXPECT_FALSE(editor().edit().document()->isUndoAvailable());
+    const auto coloured = [&](const QTextBlock& block) { return !block.layout()->formats().isEmpty(); };
+    EXPECT_TRUE(coloured(editor().edit().document()->firstBlock()));
+    turn.longest = 0;
+    editor().edit().moveCursor(QTextCursor::End);
+    QTest::qWait(200);
+    EXPECT_TRUE(coloured(editor().edit().document()->lastBlock().previous()));
+    QTest::keyClicks(&editor().edit(), "M30");
+    QTest::qWait(1'500);                         // it is kept, and copied to be checked
+    turn.look();
+    EXPECT_LT(turn.longest, kLongest_ms);
+    EXPECT_TRUE(editor().changed());
+    EXPECT_EQ(editor().edit().toPlainText().toUtf8(), text + "M30");
+}
+
+// A program of a die from CAM: a part of it is edited at a time and goes back to its place.
+TEST_F(SlowPlaces, OfTwoHundredMegabytesAPartIsEdited) {
+    constexpr qint64 kLine = 32, kAll = 200'000'000 / kLine * kLine;
+    {
+        QFile file(folder.filePath("die.nc"));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        QByteArray piece;
+        for (qint64 line = 0; line * kLine < kAll; ++line) {
+            char one[48];
+            std::snprintf(one, sizeof one, "N%08lld G1 X%09.4f Z-8.125\n", static_cast<long long>(line), static_cast<double>(line % 9999) / 7);
+            piece.append(one, kLine);
+            if (piece.size() >= 1 << 20) file.write(piece), piece.clear();
+        }
+        file.write(piece);
+    }
+    ASSERT_EQ(QFileInfo(folder.filePath("die.nc")).size(), kAll);
+    hand->soft("Edit");
+    ASSERT_TRUE(waitFor([&] { return !editor().opening() && !editor().checking(); }, 20));
+    LongestTurn turn;
+    ASSERT_TRUE(editor().open(folder.filePath("die.nc"), "fanuc"));
+    ASSERT_TRUE(waitFor([&] { return !editor().opening(); }, 60));
+    EXPECT_FALSE(editor().part().whole());
+    QTest::qWait(60);
+    EXPECT_TRUE(offered("Next part"));
+    EXPECT_FALSE(offered("Part before"));
+    const auto firstLine = [&] { return editor().edit().document()->firstBlock().text(); };
+    EXPECT_TRUE(firstLine().startsWith("N00000000 "));
+    const qint64 ends = editor().part().to;
+    EXPECT_EQ(ends % kLine, 0);
+    // In the middle of it, as after a restart.
+    ASSERT_TRUE(editor().open(folder.filePath("die.nc"), "fanuc", 100'000'007, 0));
+    ASSERT_TRUE(waitFor([&] { return !editor().opening(); }, 60));
+    EXPECT_EQ(editor().part().line, 100'000'007 / kLine);
+    EXPECT_TRUE(firstLine().startsWith(QString("N%1 ").arg(100'000'007 / kLine, 8, 10, QChar('0')))) << firstLine().toStdString();
+    const FilePart before = editor().part();
+    editor().edit().moveCursor(QTextCursor::Start);
+    editor().edit().insertPlainText("(HERE)\n");
+    QTest::qWait(60);
+    EXPECT_FALSE(offered("Next part")) << "what has been typed would be lost";
+    editor().save();
+    ASSERT_TRUE(waitFor([&] { return !editor().saving(); }, 60));
+    EXPECT_FALSE(editor().changed());
+    turn.look();
+    EXPECT_LT(turn.longest, kLongest_ms);
+    QFile file(folder.filePath("die.nc"));
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_EQ(file.size(), kAll + 7);
+    const auto at = [&](qint64 place) { return file.seek(place), file.read(10); };
+    const auto name = [&](qint64 line) { return QString("N%1 ").arg(line, 8, 10, QChar('0')).toUtf8(); };
+    EXPECT_EQ(at(before.from - kLine), name(before.line - 1));
+    EXPECT_EQ(at(before.from).left(7), "(HERE)\n");
+    EXPECT_EQ(at(before.from + 7), name(before.line));
+    EXPECT_EQ(at(before.to + 7), name(before.to / kLine));
+    EXPECT_EQ(at(kAll + 7 - kLine), name(kAll / kLine - 1));
+    // Somebody else has written it meanwhile: then its parts are no longer where they were.
+    editor().edit().insertPlainText("(TWO)\n");
+    write("die.nc", "O1\nM30\n");
+    editor().save();
+    ASSERT_TRUE(waitFor([&] { return !editor().saving(); }, 60));
+    EXPECT_TRUE(editor().changed());
+    EXPECT_EQ(read("die.nc"), "O1\nM30\n");
+}
+
+TEST_F(SlowPlaces, LinesOfAnotherSystemKeepTheirEnds) {
+    write("dos.nc", "O1\r\nN10 G0 X1.\r\nM30\r\n");
+    ASSERT_TRUE(editor().open(folder.filePath("dos.nc"), "fanuc"));
+    ASSERT_TRUE(waitFor([&] { return !editor().opening(); }, 5));
+    editor().edit().insertPlainText("(NEW)\n");
+    editor().save();
+    ASSERT_TRUE(waitFor([&] { return !editor().saving(); }, 5));
+    EXPECT_EQ(read("dos.nc"), "(NEW)\r\nO1\r\nN10 G0 X1.\r\nM30\r\n");
+    EXPECT_TRUE(waitFor([&] { return !editor().checking(); }, 20));
+}
+
+// Another language, another theme, a crash, another program: what has been typed and not saved is still there.
+TEST_F(SlowPlaces, WhatIsTypedIsNotLost) {
+    Choices choices;
+    choices.instance = "hmi-test-nobody", choices.keptIn = folder.filePath("kept.ini");
+    write("b.nc", "O2\nM30\n");
+    const auto programsOf = [](MainWindow& one) -> Programs& {
+        for (Screen* screen : one.screens())
+            if (auto* found = dynamic_cast<Programs*>(screen)) return *found;
+        throw std::runtime_error("no such screen");
+    };
+    const auto open = [](MainWindow& one, EditorPage& page) { return waitFor([&] { return one.frame(), !page.opening() && !page.file().isEmpty() && !page.checking(); }, 20); };
+    MainWindow killed(choices);
+    killed.resize(1280, 800);
+    killed.show();
+    killed.showScreen(2);
+    programsOf(killed).filesPage().readFolder(folder.path(), "a.nc");
+    ASSERT_TRUE(waitFor([&] { return programsOf(killed).filesPage().chosen() && programsOf(killed).filesPage().chosen()->name == "a.nc"; }, 5));
+    Operator other(killed);
+    other.soft("Edit");
+    ASSERT_TRUE(open(killed, programsOf(killed).editor()));
+    programsOf(killed).editor().edit().insertPlainText("(TYPED)\n");
+    other.key(Qt::Key_F11);                      // Russian
+    other.key(Qt::Key_F12);
+    ASSERT_TRUE(open(killed, programsOf(killed).editor()));
+    EXPECT_TRUE(programsOf(killed).editor().isVisible()) << "the editor is still what is shown";
+    EXPECT_EQ(programsOf(killed).editor().edit().toPlainText(), "(TYPED)\nO1\nN10 G0 X1.\nM30\n");
+    EXPECT_TRUE(programsOf(killed).editor().changed());
+    killed.setTongue(Tongue::English);
+    ASSERT_TRUE(open(killed, programsOf(killed).editor()));
+    QTest::qWait(2'500);
+    {
+        MainWindow again(choices);
+        again.resize(1280, 800);
+        again.show();
+        EditorPage& page = programsOf(again).editor();
+        ASSERT_TRUE(open(again, page));
+        EXPECT_TRUE(page.isVisible());
+        EXPECT_EQ(page.edit().toPlainText(), "(TYPED)\nO1\nN10 G0 X1.\nM30\n");
+        EXPECT_TRUE(page.changed());
+        // Another program is opened only when it is said twice.
+        Operator third(again);
+        third.soft("Files");
+        programsOf(again).filesPage().readFolder(folder.path(), "b.nc");
+        ASSERT_TRUE(waitFor([&] { return programsOf(again).filesPage().chosen() && programsOf(again).filesPage().chosen()->name == "b.nc"; }, 5));
+        third.soft("Edit");
+        QTest::qWait(100);
+        EXPECT_TRUE(page.changed());
+        EXPECT_TRUE(page.file().endsWith("a.nc"));
+        page.save();
+        ASSERT_TRUE(waitFor([&] { return !page.saving() && !page.changed(); }, 5));
+        EXPECT_EQ(read("a.nc"), "(TYPED)\nO1\nN10 G0 X1.\nM30\n");
+        QTest::qWait(300);
+    }
+    EXPECT_FALSE(QFile::exists(choices.keptIn + ".draft")) << "saved: there is nothing to come back";
 }
 
 TEST(WholeFiles, AreReplacedWholeAndKeepWhatMayBeDoneWithThem) {

@@ -1,0 +1,14 @@
+// What the controller has told with a number (an alarm of the log, a refusal, a fault of a check), in the language of the screens: its
+// processes speak the machine's language, logs speak English.
+#pragma once
+#include <QString>
+
+namespace polyturn::hmi {
+
+struct RetoldWords {
+    QString text, remedy;
+    bool found = false;      // no row of that number reads so: the text is as it was
+};
+RetoldWords retold(const QString& number, const QString& text);
+
+}  // namespace polyturn::hmi

@@ -1,0 +1,26 @@
+#include "hmi/widgets/painted.hpp"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <utility>
+
+namespace polyturn::hmi {
+namespace {
+
+PaintedWords& paintedListener() {
+    static PaintedWords one;
+    return one;
+}
+
+}  // namespace
+
+void hearPaintedWords(PaintedWords listener) { paintedListener() = std::move(listener); }
+
+void paintWords(QPainter& painter, const QRectF& box, int flags, const QString& text) {
+    painter.drawText(box, flags, text);
+    if (!paintedListener()) return;
+    const QRectF needed = QFontMetricsF(painter.font()).boundingRect(box, flags, text);
+    paintedListener()(text, needed.width() <= box.width() + 1.5 && needed.height() <= box.height() + 1.5);
+}
+
+}  // namespace polyturn::hmi
