@@ -122,6 +122,7 @@ bool Interpreter::motion() {
     }
     if (!code) return true;
     if (!code->act) return fail(Alarm::NotBuilt, std::string(code->name));
+    if (code->group == kMotion && code->number > 2 && deletes_way()) return fail(Alarm::NotBuilt, "DELDTG: " + std::string(code->name));   // straight ways only
     if (modal_.curve && (code->group != 1 || code->number > 2)) return fail(Alarm::CodesContradict, "CTABDEF, " + std::string(code->name));   // straight segments only
     const bool thread = code->group == 1 && ((code->number >= 10 && code->number <= 12) || code->number >= 16);
     const bool other = modal_.feed_spindle && modal_.feed_revolution && code->group == 1 && !thread;   // FPR

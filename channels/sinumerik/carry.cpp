@@ -1,5 +1,5 @@
 // What a program leaves to the next one in its channel: R parameters (sinumerik_part3 11.5), the G commands that MD20152 keeps (2),
-// static synchronized actions (8), texts that WRITE has made, tool environments, curve tables, the parts of frames that the store
+// static synchronized actions (8), outputs, texts that WRITE has made, tool environments, curve tables, the parts of frames that the store
 // does not keep, the count of parts. Everything else begins as the machine data say.
 #include <algorithm>
 #include <iterator>
@@ -16,6 +16,7 @@ struct Interpreter::Left {
     std::map<std::string, CalendarTime, std::less<>> times;
     std::map<std::string, std::array<double, 3>, std::less<>> environments;
     CurveTables tables;
+    std::map<std::string, Value, std::less<>> outputs;   // $A_OUT
     std::map<int, FrameValue> settable, grinding;
     double parts = 0;
 };
@@ -29,6 +30,8 @@ std::any Interpreter::carry() const {
     left->times = written_at_;
     left->environments = tool_environments_;
     left->tables = curve_tables_;
+    for (const auto& [name, value] : written_system_)
+        if (name.starts_with("$A_OUT[")) left->outputs[name] = value;
     left->settable = settable_parts_;
     left->grinding = grinding_frames_;
     left->parts = parts_;
@@ -45,6 +48,7 @@ void Interpreter::take_carry(const std::any& before, bool) {
     written_at_ = last.times;
     tool_environments_ = last.environments;
     curve_tables_ = last.tables;
+    written_system_.insert(last.outputs.begin(), last.outputs.end());
     settable_parts_ = last.settable;
     grinding_frames_ = last.grinding;
     parts_ = last.parts;

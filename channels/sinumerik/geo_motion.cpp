@@ -88,7 +88,8 @@ bool Interpreter::corner_words(bool contour) {
 
 bool Interpreter::go_line(const AxisValues& wanted, bool rapid) {
     if (modal_.curve) return curve_point(wanted);
-    const AxisValues target = modal_.trails.empty() ? wanted : trailed(wanted);
+    AxisValues target = modal_.trails.empty() ? wanted : trailed(wanted);
+    if (!cut_way(target)) return false;
     if (!within_areas(target)) return false;
     if (bool taken = false; modal_.geo.approach) {
         if (!finish_approach(target, nullptr, taken)) return false;
@@ -121,6 +122,7 @@ bool Interpreter::measuring_line(const AxisValues& target, const Word& probe) {
     if (has("FXS")) return fail_word(Alarm::CodesContradict, probe, "FXS, MEAS");
     if (core_.compensating()) return fail_word(Alarm::CompReference, probe);
     modal_.measured_to = target;
+    modal_.way_cut = false;
     return core_.measure(target, input == 1 ? "1" : "2", probe.number() < 0);
 }
 

@@ -144,7 +144,7 @@ public:
     bool geo_involute(const GCode&), g_grinding(const GCode&), g_tool_frame(const GCode&), geo_not_built(const GCode&);
     bool st_execstring(), st_setint(), st_synchronized();
     bool p_write(Call&), p_read(Call&), p_delete(Call&), p_file_size(Call&), p_file_facts(Call&);   // files.cpp
-    bool p_cancel(Call&), p_lock(Call&), p_unlock(Call&), p_action_reset(Call&), p_stop_reading_of(Call&), p_cycle_steps(Call&), p_read_disable(Call&);   // synchronized.cpp
+    bool p_cancel(Call&), p_lock(Call&), p_unlock(Call&), p_action_reset(Call&), p_stop_reading_of(Call&), p_cycle_steps(Call&), p_read_disable(Call&), p_delete_way(Call&);   // synchronized.cpp
     bool p_interrupts(Call&), p_without_effect(Call&), p_trail(Call&), p_wheel_speed(Call&), a_sum_offset(const Word&);
     bool p_msg(Call&), p_setal(Call&), p_stopre(Call&), p_setms(Call&), p_master_holder(Call&), p_wait_marker(Call&), p_wait_end(Call&);
     bool p_init(Call&), p_start(Call&);   // program_start.cpp
@@ -422,8 +422,12 @@ private:
     bool each_action(Call& c, const std::function<void(SynchronizedAction&)>& change);
     bool only_in_action(std::string_view name);
     static bool find_do(Cursor& at);
-    bool action_may_be_told();
+    bool action_may_be_told(bool& deletes_way);
+    bool asks_positions_only(Cursor condition, std::size_t end);                // delete_way.cpp
+    bool way_deleted_ = false;                                   // the way of this block: DELDTG is due before it begins
+    bool deletes_way() const, holds_at(const SynchronizedAction& action, const AxisValues& point, bool& holds), cut_way(AxisValues& target);
     bool machine_there();
+    void tell_outputs();
     struct Polynomial {
         double low = 0, high = 0;
         std::array<double, 4> factors{};

@@ -62,6 +62,8 @@ struct Modal {
     ToolLengths toff{};               // TOFFL, TOFF, TOFFR
     bool toff_by_axis = false;
     std::array<double, 3> length_mm{};          // of the active edge, L1 to L3
+    AxisValues way_left{};                      // what DELDTG has deleted
+    bool way_cut = false;                       // it was the last one that did, not MEAS
     AxisValues measured_to{};                   // end of the last block with MEAS: $AA_DELT is what is left to it
     AxisValues pending_zero{}, pending_tool{};  // how far changes of zero and tool have shifted the programmed number
     std::uint16_t master_spindle = 0;

@@ -161,7 +161,7 @@ constexpr Command kCommandRows[] = {
     {"ICYCOF", false, 0, 0, "", &I::p_cycle_steps},
     {"SYNFCT", false, 3, 3, "rwr", &I::p_synfct},
     {"RDISABLE", false, 0, 0, "", &I::p_read_disable},
-    {"DELDTG", false, 0, 1, "a", nullptr},
+    {"DELDTG", false, 0, 1, "a", &I::p_delete_way},
     {"DELAYFSTON", false, 0, 0, "", &I::p_without_effect},
     {"DELAYFSTOF", false, 0, 0, "", &I::p_without_effect},
     {"CYCLE81", false, 4, 5, "r", &I::p_cycle81, true},

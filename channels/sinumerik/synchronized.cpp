@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "channels/sinumerik/interpreter.hpp"
 
@@ -34,7 +35,7 @@ bool allowed(std::string_view address) {
 
 bool allowed_call(std::string_view procedure) {
     static constexpr std::string_view kProcedures[] = {"LOCK",    "UNLOCK",    "RESET",     "STOPREOF", "SETM",    "CLEARM",  "SETAL",   "TRAILON",  "TRAILOF",   "SYNFCT", "LEADON",
-                                                       "LEADOF",  "PRESETON",  "PRESETONS", "RELEASE",  "AXTOCHAN", "CTABLOCK", "CTABUNLOCK", "IPOBRKA", "ICYCON", "ICYCOF", "RDISABLE"};
+                                                       "LEADOF",  "PRESETON",  "PRESETONS", "RELEASE",  "AXTOCHAN", "CTABLOCK", "CTABUNLOCK", "IPOBRKA", "ICYCON", "ICYCOF", "RDISABLE", "DELDTG"};
     return among(kProcedures, procedure);
 }
 
@@ -59,7 +60,7 @@ bool Interpreter::find_do(Cursor& at) {
 
 // What cannot be done is refused where it is told, not when its moment has come: by words of the block, those behind an operator
 // or within brackets are operands.
-bool Interpreter::action_may_be_told() {
+bool Interpreter::action_may_be_told(bool& deletes_way) {
     unsigned brackets = 0;
     bool text = false, operand = false;
     for (Cursor part = cursor_; !part.at_end();) {
@@ -91,6 +92,12 @@ bool Interpreter::action_may_be_told() {
                 case Symbol::Kind::Command:
                     if (!symbol.command().act) return refuse(Alarm::NotBuilt);
                     if (!allowed_call(symbol.command().name)) return refuse(Alarm::AddressIllegal);
+                    if (word == "DELDTG") {
+                        Cursor behind = part;
+                        behind.advance(word.size());
+                        if (behind.eat('(') && behind.peek() != ')') return refuse(Alarm::NotBuilt);   // of one positioning axis
+                        deletes_way = true;
+                    }
                     break;
                 default:
                     if (const int axis = find_axis(numbered ? word.substr(0, 1) : word); axis >= 0 && axis < kSpindleAxis) return refuse(Alarm::AddressIllegal);   // it moves by POS
@@ -131,7 +138,12 @@ bool Interpreter::st_synchronized() {
     }
     action.action_at = static_cast<std::size_t>(cursor_.at() - cursor_.begin());
     if (cursor_.at_end()) return syntax(cursor_.at(), "DO");
-    if (!action_may_be_told()) return false;
+    if (!action_may_be_told(action.deletes_way)) return false;
+    if (action.deletes_way && row->when != When::Always) {
+        Cursor asked(line_);
+        asked.advance(action.condition_at);
+        if (!asks_positions_only(asked, action.action_at - 2)) return false;   // up to DO
+    }
     action.text = line_;
     action.line = core_.at.line;
     undo([this, before = actions_] { actions_ = before; });
@@ -175,6 +187,7 @@ bool Interpreter::do_action() {
 // Before an output block acts, its words are read: every condition is looked at, then all that is due is read and done. A
 // condition that needs a live value brings the block behind a barrier; nothing has happened until then.
 bool Interpreter::synchronized_actions() {
+    way_deleted_ = false;
     if (actions_.empty() || (block_.words.empty() && block_.codes.empty())) return true;
     Block output = std::move(block_);
     const Cursor cursor = cursor_;
@@ -198,8 +211,10 @@ bool Interpreter::synchronized_actions() {
         cursor_.advance(action.condition_at);
         if (action.when != When::Always && !condition(holds)) return in_action_ = false, said_by(action);
         if (action.when != When::Always && upper(cursor_.name_ahead()) != "DO") return in_action_ = false, syntax(cursor_.at(), "DO"), said_by(action);
-        if (!action.is_due(holds)) continue;
+        const bool at_its_end = std::exchange(action.has_cut, false);   // its DELDTG is done, the rest of it is due
+        if (!action.is_due(holds || at_its_end)) continue;
         if (!read_action(action)) return in_action_ = false, said_by(action);
+        if (action.deletes_way && !at_its_end && (action.id != 0 || action.looks < 2)) way_deleted_ = true;   // not behind its own block
         for (const auto& [command, call] : block_.procedures) holds_reading = holds_reading || command->name == "RDISABLE";
         due.emplace_back(&action, std::move(block_));
     }
@@ -247,6 +262,7 @@ bool Interpreter::p_cancel(Call& c) {
 bool Interpreter::p_lock(Call& c) { return only_in_action("LOCK") && each_action(c, [](SynchronizedAction& one) { one.locked = true; }); }
 bool Interpreter::p_unlock(Call& c) { return only_in_action("UNLOCK") && each_action(c, [](SynchronizedAction& one) { one.locked = false; }); }
 bool Interpreter::p_action_reset(Call& c) { return only_in_action("RESET") && each_action(c, [](SynchronizedAction&) {}); }   // of technology cycles
+bool Interpreter::p_delete_way(Call&) { return only_in_action("DELDTG"); }   // cut_way() does it
 // RDISABLE: the block behind is not read while the condition holds. Without a machine nothing would ever change it.
 bool Interpreter::p_read_disable(Call& c) { return only_in_action("RDISABLE") && (machine_there() || p_without_effect(c)); }
 bool Interpreter::machine_there() { return core_.view().axis_count > 0 && core_.port().axis_command(core_.view().axes[0].machine_axis).has_value(); }

@@ -20,6 +20,8 @@ struct SynchronizedAction {
     std::string text;                // the line
     std::size_t condition_at = 0, action_at = 0;   // bytes
     std::uint32_t line = 0;
+    bool deletes_way = false;        // DELDTG: looked at along the way, too
+    bool has_cut = false;            // a way ended where its condition began to hold: so it holds there
     bool locked = false;             // LOCK
     bool held_before = false;        // the condition, when it was looked at last
     bool began = false;              // From: it has held once; Once: it is done

@@ -131,12 +131,12 @@ bool Interpreter::system_value(Value& value) {
         else value = Value::of_real(core_.machine_now(static_cast<unsigned>(i)) + core_.framed(met)[i] - core_.framed(path.programmed)[i]);
         return true;
     }
-    if (name == "$AA_DELT" || name == "$AC_DELT") {   // what MEAS has deleted of the way (sinumerik_part3 8)
+    if (name == "$AA_DELT" || name == "$AC_DELT") {   // what DELDTG or MEAS has deleted of the way (sinumerik_part3 8)
         if (name == "$AA_DELT" && (place(0) < 0 || place(0) >= kSpindleAxis)) return fail_at(Alarm::AxisArgumentMissing, from, length, name);
         if (!need_fresh()) return false;
         double sum = 0.0;
         for (unsigned k = 0; k < core_.view().axis_count; ++k) {
-            const double left = core_.measured() != 0 ? modal_.measured_to[k] - core_.skip_point(k) : 0.0;
+            const double left = modal_.way_cut ? modal_.way_left[k] : core_.measured() != 0 ? modal_.measured_to[k] - core_.skip_point(k) : 0.0;
             sum += left * left;
             if (name == "$AA_DELT" && place(0) == static_cast<int>(k)) return value = Value::of_real(shown(place(0), left)), true;
         }

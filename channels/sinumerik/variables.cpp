@@ -219,10 +219,19 @@ bool Interpreter::assignment(const Reference& reference) {
 
 void Interpreter::report_variable(const std::string& name, const Value& value) {
     if (name.starts_with("$TC_")) tell_tool(name, value);
+    if (name.starts_with("$A_OUT[")) tell_outputs();
     core_.mark_emitted();
     channels::Variable told{name, value.is_number() ? value.number : std::numeric_limits<double>::quiet_NaN()};
     if (value.type == Type::String || (value.type == Type::Axis && value.place() >= 0)) told.is_text = true, told.text = value.text;
     core_.sink().variable(told, core_.at);
+}
+
+// $A_OUT[1] to $A_OUT[32]: the bits of the register that macros write as #1100 and on.
+void Interpreter::tell_outputs() {
+    std::uint32_t bits = 0;
+    for (unsigned n = 1; n <= 32; ++n)
+        if (const auto written = written_system_.find("$A_OUT[" + std::to_string(n) + "]"); written != written_system_.end() && written->second.number != 0) bits |= 1u << (n - 1);
+    core_.signal("CN_UOUT", bits);
 }
 
 bool Interpreter::preset_variable(std::string_view name, double value) {

@@ -29,6 +29,10 @@ class SinumerikRun(Case):
         self.assertEqual(len(done.of("aux", code="M8")), 1)
         self.assertAlmostEqual(done.of("dwell")[0]["t"], 3.0, delta=0.1, msg=done.said())
 
+    def test_outputs_reach_the_machine_and_stay(self):
+        done = self.run_one(HEAD + "R1=R1+1\n$A_OUT[R1]=1\nG4 F1\nIF R1==2\n$A_OUT[1]=0\nENDIF\nM30\n", '[[at]]\nwhen = { ev = "stop", reason = "M30" }\nafter = 0.5\npress = "cycle_start"\n', "--watch", "CN_UOUT L1")
+        self.assertEqual([e["value"] for e in done.of("flag", name="CN_UOUT L1")], [1, 3, 2], done.said())
+
     def test_the_next_start_finds_what_the_program_has_left(self):   # part 3, 2 and 11.5
         again = '[[at]]\nwhen = { ev = "stop", reason = "M30" }\nafter = 0.5\npress = "cycle_start"\n'
         text = HEAD.replace("G90 ", "") + "R1=$P_GG[14]\nR2=R2+1\nG91\nG4 F0.1\nM30\n"

@@ -106,7 +106,8 @@ constexpr Wrong kWrong[] = {
     {"G0 G1", "12070", 4},
     {"G999", "12470", 1},
     {"TRAORI(1)", "14401", 0},
-    {"WHEN TRUE DO DELDTG", "12140", 14},
+    {"WHEN TRUE DO DELDTG(X)", "12140", 14},
+    {"WHEN $A_IN[1]==1 DO DELDTG", "12140", 7},
     {"GOTOF NOWHERE", "14080", 0},
     {"IF R1==5 GOTOF", "12080", 15},       // the condition does not hold: the mistake is one nevertheless
     {"SIN(5)", "12080", 1},                // its value goes nowhere

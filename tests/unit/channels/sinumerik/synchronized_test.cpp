@@ -17,7 +17,7 @@ TEST(SynchronizedActions, DoWhatTheListMarks) {
     for (const char* action :
          {"$AC_PARAM[0]=SIN(30)", "R1=ABS(-2)+LN(2) MOD ABS(3)", "R1=ATAN2(1,1)", "OWN=POT(2)", "R1=BOUND(1,5,7)", "M8", "M=QU(8)", "H5", "M3=3 S3=100", "SETM(1)", "CLEARM(1)", "ACC[X]=50",
           "OVRA[C]=50", "POS[C]=AC(10) FA[C]=100", "SPOS=90", "SETAL(65000)", "PRESETON(C,5)", "PRESETONS(C,5)", "AXTOCHAN(C,1)", "RELEASE(C)", "TRAILON(C,Z,2)", "TRAILOF(C,Z)", "LEADOF(C,Z)",
-          "CTABLOCK(1)", "LOCK(2)", "UNLOCK(2)", "RESET(2)", "STOPREOF", "ICYCON", "ICYCOF", "VELOLIMA[C]=50", "ACCLIMA[C]=50", "JERKLIMA[C]=50", "FXS[X]=1 FXST[X]=10", "SYNFCT(1,R5,R6)", "R1=NOT TRUE", "RDISABLE"})
+          "CTABLOCK(1)", "LOCK(2)", "UNLOCK(2)", "RESET(2)", "STOPREOF", "ICYCON", "ICYCOF", "VELOLIMA[C]=50", "ACCLIMA[C]=50", "JERKLIMA[C]=50", "FXS[X]=1 FXST[X]=10", "SYNFCT(1,R5,R6)", "R1=NOT TRUE", "RDISABLE", "DELDTG"})
         EXPECT_EQ(told(action).errors, 0u) << action << '\n' << told(action).events;
 }
 
@@ -35,6 +35,31 @@ TEST(SynchronizedActions, HaveTheirOwnProcedures) {
         how.language = "sinumerik";
         EXPECT_EQ(play(std::string(block) + "\nM30\n", how).errors, 1u) << block;
     }
+}
+
+// A straight way ends where the condition begins to hold (8); what is left of it is in $AC_DELT and $AA_DELT.
+TEST(SynchronizedActions, DeleteTheRestOfAWay) {
+    Play how;
+    how.language = "sinumerik";
+    const auto moves = [](const Played& played) {
+        std::string ends;
+        for (const std::string& line : played.lines())
+            if (const auto at = line.find("\"pos\":{"); at != std::string::npos) ends += line.substr(at + 6, line.find(",\"C\"", at) - at - 6) + " ";
+        return ends;
+    };
+    const std::string head = "G18 G90 G94 DIAMON F100\nG0 X20 Z0\n";
+    Played played = play(head + "WHEN $AA_IW[Z]<=-20 DO DELDTG M8\nG1 X60 Z-40\nR1=$AC_DELT R2=$AA_DELT[Z] R3=$AA_DELT[X]\nG1 Z-50\nM30\n", how);
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_EQ(moves(played), "{\"X\":20,\"Z\":0 {\"X\":40,\"Z\":-20 {\"X\":40,\"Z\":-50 ") << "for the next block only";
+    for (const char* part : {"\"name\":\"R1\",\"value\":22.36068}", "\"name\":\"R2\",\"value\":-20}", "\"name\":\"R3\",\"value\":20}"}) EXPECT_TRUE(played.has({part})) << part << played.events;   // 10 mm of radius, 20 mm
+    EXPECT_TRUE(played.has({"\"code\":\"M8\""})) << played.events;
+    played = play(head + "R5=-15\nID=1 EVERY $AA_IM[Z]<R5 DO DELDTG\nG1 Z-10\nG1 Z-30\nG1 Z-40\nG0 Z0\nG1 Z-20\nCANCEL(1)\nG1 Z-25\nM30\n", how);
+    EXPECT_EQ(moves(played), "{\"X\":20,\"Z\":0 {\"X\":20,\"Z\":-10 {\"X\":20,\"Z\":-15 {\"X\":20,\"Z\":-40 {\"X\":20,\"Z\":0 {\"X\":20,\"Z\":-15 {\"X\":20,\"Z\":-25 ") << played.events;
+    played = play(head + "ID=1 WHENEVER $AA_IW[Z]<-10 DO DELDTG\nG1 Z-30\nG1 Z-12\nG1 Z-5\nM30\n", how);
+    EXPECT_EQ(moves(played), "{\"X\":20,\"Z\":0 {\"X\":20,\"Z\":-10 ") << "it holds where it has ended";
+    played = play(head + "ID=1 WHENEVER $AA_IW[Z]<-10 DO DELDTG\nLOCK1: G1 Z-5\nM30\n", how);
+    EXPECT_EQ(moves(played), "{\"X\":20,\"Z\":0 {\"X\":20,\"Z\":-5 ");
+    for (const char* bad : {"WHEN TRUE DO DELDTG(Z)\nG1 Z-5", "WHEN $A_IN[1]==1 DO DELDTG\nG1 Z-5", "WHEN $AA_IW[Z]<-3 DO DELDTG\nG2 X30 Z-5 CR=5", "DELDTG"}) EXPECT_EQ(play(head + bad + "\nM30\n", how).errors, 1u) << bad;
 }
 
 // Without a machine nothing would ever end what holds: check says so and reads on.
