@@ -16,7 +16,17 @@
 namespace polyturn::kernel {
 namespace {
 constexpr double kComesToRestS = 1.0;   // an axis that its path has just left may take so long to stand
+constexpr double kBesideStandingRevS = 1e-3;
+
+// A feed per revolution of a spindle that stands would wait for ever. As on the path, the PLC may still be writing SP_ROT: some of its
+// cycles of grace.
+bool waits_for_standing_spindle(const Core& core, Core::BesideWish& wish, bool holds) noexcept {
+    const bool known = wish.spindle >= 1 && wish.spindle <= kMaxSpindles;
+    const bool turns = known && (core.spindles[wish.spindle - 1].command() != 0.0 || std::fabs(core.spindle_rev_s[wish.spindle - 1]) >= kBesideStandingRevS);
+    if (!wish.per_turn || turns || holds) wish.since = core.tick;
+    return core.tick - wish.since > 3 * core.config.plc_cycle_ticks;
 }
+}  // namespace
 
 bool Machine::start_beside(std::uint32_t a, const Core::BesideWish& wish) noexcept {
     AxisUnit& axis = core_.axes[a];
@@ -93,6 +103,8 @@ void Machine::run_beside() noexcept {
             const std::uint32_t l = beside_[a].channel;
             const bool ended = beside_[a].own && core_.signals.plc(signals::ap_paxrst(a + 1)) != 0;
             const bool over = l ? !channels_[l - 1]->program_runs() || channels_[l - 1]->breaks_off_beside() || ended : !asked;
+            if (!over && l && jogs_[a].active() && waits_for_standing_spindle(core_, beside_[a], channels_[l - 1]->holds_beside()))
+                channels_[l - 1]->fault(Alarm::SpindleStands, name_of('S', beside_[a].spindle ? beside_[a].spindle - 1u : 0u).view(), 0);
             if (over) jogs_[a].stop();
             else if (jogs_[a].active()) jogs_[a].limit_speed(beside_speed(a));
             end_beside(a);

@@ -63,6 +63,11 @@ class BAxis(Run):
         [own] = done.of("move", line=6)
         self.assertAlmostEqual(own["end"] - own["t"], 3.0, delta=0.1)
 
+    def test_a_feed_per_revolution_of_a_spindle_that_stands_is_an_alarm(self):
+        done = self.run_it("O1\nG98\nG101\nG99 G01 B20. F.5\nG100\nM81\nM30\n", B_AXIS)
+        self.assertEqual(done.status, 1, done.said())
+        self.assertEqual([a["number"] for a in done.of("alarm")], ["PT0520"], done.said())
+
 
 def pulse(*moments):
     return "".join(f'[[at]]\nt = {t}\nset = "UINT L1={value}"\n' for t, value in moments)
