@@ -53,6 +53,11 @@ void Compensator::ensure_halt(const BlockContext& at) {
     pump();
 }
 
+void Compensator::halt_before_held(const BlockContext& at) {
+    ready_.barrier(at);
+    pump();
+}
+
 void Compensator::select(int side) {
     cancel_ = false;
     selected_ = true;

@@ -65,6 +65,8 @@ public:
     bool holds() const { return held_ || !ready_.empty() || look_back_.holds(); }
     bool holds_moves_back();   // of the path, behind the call that the machine must come to
     void ensure_halt(const BlockContext& at);
+    // What has been delivered is executed first; the held block stays held.
+    void halt_before_held(const BlockContext& at);
     Vec displacement() const { return displacement_; }   // of the axes from what is programmed; nothing is held
     bool displaced() const { return displacement_.p != 0 || displacement_.q != 0; }
 

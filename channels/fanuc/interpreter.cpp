@@ -122,7 +122,10 @@ Result<void> Interpreter::start(FileId main) {
 }
 
 void Interpreter::barrier_done() {
-    if (!core_.barrier_passed()) return;   // compensation has read on: the program is ahead of this barrier
+    if (!core_.barrier_passed()) {   // compensation has read on: the program is ahead of this barrier
+        inputs_fresh_ = reread_;
+        return;
+    }
     fresh_ = true;
     core_.refresh_limits();
     for (unsigned i = 0; i < core_.view().axis_count; ++i)
@@ -234,6 +237,17 @@ Step Interpreter::step() {
 }
 
 // The corner before it stays without its next block.
+// A statement waits for a live value. Under compensation it is evaluated as soon as it is read (fanuc_lathe 6.13, 3.12): inputs and clocks
+// as they are at the end of the block before the held one. Where the axes are is known only when the held block has ended too.
+void Interpreter::read_value_barrier() {
+    reread_ = true;
+    line_left_ = false;
+    if (!core_.holds_block() || inputs_fresh_ || settings_.nct || settings_.mefi) return live_value_barrier();
+    core_.at.statement = true;
+    core_.barrier_before_held();
+    core_.at.statement = false;
+}
+
 void Interpreter::live_value_barrier() {
     if (core_.holds_block())
         core_.sink().alarm({Alarm::CompCornerCut, {files_->path(frames_.back().file), core_.at.line, 0, 0}, {}, {}}, core_.at);
@@ -244,6 +258,7 @@ void Interpreter::live_value_barrier() {
 
 Step Interpreter::read_block() {
     if (!reread_) {
+        inputs_fresh_ = false;
         core_.at.serial = ++serial_;
         if (keep_states_) note_resume_point();
     }
@@ -290,9 +305,7 @@ Step Interpreter::read_block() {
             }
             return fault_at(Alarm::CharacterUnknown, static_cast<std::uint32_t>(scanner_.stopped_at() + 1), 1, "%");
         case ScanStop::NeedsBarrier:
-            reread_ = true;
-            line_left_ = false;
-            live_value_barrier();
+            read_value_barrier();
             return Step::AtBarrier;
         case ScanStop::Fault:
             if (has_pending_fault_) return fault(pending_fault_);
@@ -504,7 +517,7 @@ bool Interpreter::barrier_fresh() { return fresh_; }
 // A variable of all channels is a live value: another program may have written it.
 VariableStatus Interpreter::shared_variable(std::int64_t number, bool write, double& value) {
     double* const outside = core_.port().shared_variables();
-    if (!write && !fresh_) return VariableStatus::NeedsBarrier;
+    if (!write && !fresh_ && !inputs_fresh_) return VariableStatus::NeedsBarrier;
     double& cell = outside ? outside[number - 100] : (*core_.view().shared)[static_cast<std::size_t>(number - 100)];
     if (write) {
         variables_.note_cell(cell);

@@ -129,6 +129,7 @@ private:
     // reading and flow (interpreter.cpp)
     Step read_block();
     void live_value_barrier();
+    void read_value_barrier();
     void look_at_synchronous_axes();
     Step fault(Fault fault);
     const Word* word_at_fault(Alarm alarm) const;
@@ -365,6 +366,7 @@ private:
     bool wants_barrier_ = false, ended_ = false, jumped_ = false, called_ = false;
     bool reread_ = false;             // the block stands before a barrier and is read again behind it
     bool fresh_ = false;              // live values are those of the barrier just passed
+    bool inputs_fresh_ = false;       // those of them that may be read while a block is held for its corner
     std::string kept_line_;
     Fault pending_fault_;
     bool has_pending_fault_ = false;

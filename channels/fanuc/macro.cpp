@@ -116,9 +116,7 @@ Step Interpreter::macro_statement(std::size_t from) {
         }
     }
     if (flow == Flow::NeedsBarrier) {
-        reread_ = true;
-        line_left_ = false;
-        live_value_barrier();
+        read_value_barrier();
         return Step::AtBarrier;
     }
     if (flow == Flow::Fault) return fault(core_.fault());
@@ -343,7 +341,7 @@ Interpreter::Flow Interpreter::assignment(const char*& at, const char* end) {
     blanks(at, end);
     if (at == end || *at != '=') return flow_fault(Alarm::MacroFormat, at == end ? begin : at, "= is missing");
     ++at;
-    if ((number == 3001 || number == 3002) && !fresh_) return Flow::NeedsBarrier;   // a clock is set when the machine has come here
+    if ((number == 3001 || number == 3002) && !fresh_ && !inputs_fresh_) return Flow::NeedsBarrier;   // a clock is set when the machine has come here
     double value = 0.0;
     if (const Flow flow = evaluate(at, end, value); flow != Flow::Done) return flow;
     const std::string_view comment = comment_text(at, end);

@@ -150,7 +150,7 @@ VariableStatus Interpreter::read_system(std::int64_t number, double& value) {
         return VariableStatus::Ok;
     }
     if (number >= 5061 && number < 5061 + static_cast<std::int64_t>(view.axis_count)) {
-        if (!fresh_) return VariableStatus::NeedsBarrier;
+        if (!fresh_ && !inputs_fresh_) return VariableStatus::NeedsBarrier;
         const unsigned i = place_of(5061);
         AxisValues all = core_.path.machine;
         for (unsigned k = 0; k < view.axis_count; ++k)
@@ -199,7 +199,7 @@ VariableStatus Interpreter::read_system(std::int64_t number, double& value) {
     const bool interface_input = (number >= 1000 && number <= 1035) || (number >= 1100 && number <= 1135);
     const bool clock = number == 3001 || number == 3002 || number == 3011 || number == 3012;
     if (!interface_input && !clock) return VariableStatus::Unknown;
-    if (!fresh_ && (number < 1100 || number > 1133)) return VariableStatus::NeedsBarrier;
+    if (!fresh_ && !inputs_fresh_ && (number < 1100 || number > 1133)) return VariableStatus::NeedsBarrier;
     if (number >= 1100 && number <= 1131) {
         value = outputs_ >> (number - 1100) & 1u;
         return VariableStatus::Ok;

@@ -289,6 +289,7 @@ public:
     bool end_compensated_block(bool counts, bool wants_barrier, bool program_ends);
     bool compensation_failed();                           // false: fault()
     bool holds_block() const;                             // it waits for the next one
+    void barrier_before_held();                           // a barrier behind what has been delivered; what is held stays held
     bool halted() const;                                  // what was delivered last must be executed first
     bool barrier_passed();                                // true: nothing is held, Core stands where the machine stands
     // Around the moves of a cycle that compensation must leave alone: as programmed, or shifted by the present vector.

@@ -175,6 +175,8 @@ bool Core::compensation_failed() {
 
 bool Core::holds_block() const { return reads_ahead() && (comp_->holds_block() || (staged_ && stage_->holding())); }
 
+void Core::barrier_before_held() { comp_->halt_before_held(at); }
+
 bool Core::halted() const { return comp_->halted(); }
 
 bool Core::barrier_passed() {

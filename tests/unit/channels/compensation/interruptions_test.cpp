@@ -89,10 +89,25 @@ TEST(NoseCompensation, WaitsForAnOffsetNumber) {
                   {{50, 30}, {50, 20}, {50, 1}, {60, 1}, {60, 20}});
 }
 
-// A value of the machine stops the reading: the block before it ends at its normal, with a warning.
-TEST(NoseCompensation, EndsTheHeldBlockBeforeALiveValue) {
-    EXPECT_TRUE(after_begin("#100=#1000\nN30 X60\nN40 G40 G0 Z20").played.has({"PT1307", "\"severity\":\"warning\""}));
-    expect_points(after_begin("#100=#1000\nN30 X60\nN40 G40 G0 Z20"), {{42, 20}, {42, 0}, {60, 1}, {60, 20}});
+// Where the axes are is known when they are there: the block before it ends at its normal, with a warning.
+TEST(NoseCompensation, EndsTheHeldBlockBeforeALivePosition) {
+    for (const char* reads : {"#100=#5041", "#100=#5021", "#100=#1000+#5041", "IF[#5042GT90]GOTO30"}) {
+        SCOPED_TRACE(reads);
+        const NoseRun run = after_begin(std::string(reads) + "\nN30 X60\nN40 G40 G0 Z20");
+        EXPECT_TRUE(run.played.has({"PT1307", "\"severity\":\"warning\""}));
+        expect_points(run, {{42, 20}, {42, 0}, {60, 1}, {60, 20}});
+    }
+}
+
+// Inputs, clocks, the place of the last skip: read ahead as any macro statement is, and the corner stays (fanuc_lathe 6.13, 3.12).
+TEST(NoseCompensation, ReadsInputsAheadOfTheCorner) {
+    for (const char* reads : {"#100=#1000", "#100=#1032", "#100=#3001", "#100=#3011", "#100=#5061", "IF[#1000EQ1]GOTO99", "#3001=0", "#100=#1000\n#101=#1001"}) {
+        SCOPED_TRACE(reads);
+        const NoseRun run = after_begin(std::string(reads) + "\nN30 X60\nN40 G40 G0 Z20");
+        EXPECT_FALSE(run.played.has({"PT1307"})) << run.played.events;
+        expect_points(run, {{42, 20}, {42, 1}, {60, 1}, {60, 20}});
+    }
+    expect_points(after_begin("N30 X[60+#1000]\nN40 G40 G0 Z20"), {{42, 20}, {42, 1}, {60, 1}, {60, 20}});
 }
 
 // A wait, a stop and functions between two blocks leave the corner alone; the program goes on behind the stop.
