@@ -52,7 +52,7 @@ Ceilings of_thread(const PathRecord& r, const PathLimits& limits, bool rapid, co
     if (bend > 0) c.v = std::min(c.v, std::sqrt(1 / bend));
     if (twist > 0) c.v = std::min(c.v, std::cbrt(1 / twist));
     c.v = std::min(c.v * kSampling, kFastest);
-    if (rapid && r.feed > 0) c.v = std::min(c.v, r.feed);
+    if (r.feed > 0 && (rapid || static_cast<FeedMode>(r.feed_mode) == FeedMode::Thread)) c.v = std::min(c.v, r.feed);   // a share of rapid, or what its spindle asks for
     const double v2 = c.v * c.v, v3 = v2 * c.v;
     const auto each = [&](auto&& use) {
         for (std::size_t n = 0; n < samples.count; ++n)

@@ -51,17 +51,6 @@ void fill_piece(const Blend& blend, const BlendPiece& piece, PathRecord& r) {
     for (std::size_t c = 0; c < 6; ++c) r.shape[curve_shape::kParameter + c] = piece.parameter[c];
 }
 
-// What the program wants; how fast its spindle turns is not known here, so a usual speed is taken.
-double wanted_speed(const PathRecord& r) {
-    constexpr double kUsualRevS = 1000.0 / 60;
-    switch (static_cast<FeedMode>(r.feed_mode)) {
-        case FeedMode::PerMinute: return r.feed > 0 ? r.feed : 1.0;
-        case FeedMode::PerRevolution: return r.feed > 0 ? r.feed * kUsualRevS : 1.0;
-        case FeedMode::Thread: return r.lead > 0 ? r.lead * kUsualRevS : 1.0;
-        default: return std::numeric_limits<double>::infinity();
-    }
-}
-
 // No faster than feed override (200 %) can ask for: a blend for more would gain nothing.
 double useful_speed(const PathRecord& r, double ceiling) {
     constexpr double kMostOverride = 2;
@@ -164,6 +153,20 @@ bool PathMaker::must_stop(const PathRecord& a, const PathRecord& b) const {
     return has(a, kSkipMove) || has(b, kSkipMove);
 }
 
+// What the program wants; how fast its spindle turns is not known here but for threads, so a usual speed is taken.
+double PathMaker::wanted_speed(const PathRecord& r) const {
+    constexpr double kUsualRevS = 1000.0 / 60;
+    switch (static_cast<FeedMode>(r.feed_mode)) {
+        case FeedMode::PerMinute: return r.feed > 0 ? r.feed : 1.0;
+        case FeedMode::PerRevolution: return r.feed > 0 ? r.feed * kUsualRevS : 1.0;
+        case FeedMode::Thread: {
+            const double lead = std::max(r.lead, std::sqrt(std::max(0.0, r.lead * r.lead + 2 * r.lead_change * r.length)));
+            return lead > 0 ? lead * (thread_rev_s_ > 0 ? thread_rev_s_ : kUsualRevS) : 1.0;
+        }
+        default: return std::numeric_limits<double>::infinity();
+    }
+}
+
 // N0422: how far from its end a rapid move is when, braking, all its axes have come below their share of rapid traverse.
 double PathMaker::overlap_way(const Kept& of) const {
     double speed = of.ceilings.v;
@@ -195,9 +198,11 @@ void PathMaker::join(Kept& a, Kept& b) {
     }
     constexpr double kNoRule = std::numeric_limits<double>::infinity();
     Ceilings rules{kNoRule, kNoRule, kNoRule};
+    const bool threads = has(a.move, kThread) && has(b.move, kThread);
     if (junction == Junction::Blended) {
-        if (!overlap) apply_junction_rules(blend_.sides, blend_.angle, *limits_, rules);   // N0306 to N0309 speak of feeds
+        if (!overlap && !threads) apply_junction_rules(blend_.sides, blend_.angle, *limits_, rules);   // N0306 to N0309 speak of feeds
         if (blend_.angle > kStopMayBeFaster && stop_is_faster(a, b, rules)) junction = Junction::Stop;
+        else if (threads) rules.v = widen_for_thread(a, b);
     }
     if (junction != Junction::Blended) {
         put_part(a, a.move.length, true, junction == Junction::Stop);
@@ -227,10 +232,10 @@ void PathMaker::put_part(Kept& of, double to, bool last, bool stop) {
     out_->commit();
 }
 
-// Time lost at the junction against driving through at full speed, by a blend or by a stop. Braking from V to w in time T
-// takes (V + w)/2 T of the path, so each side loses T (V - w) / (2 V); a blend also its own length at its own speed.
-bool PathMaker::stop_is_faster(const Kept& a, const Kept& b, const Ceilings& rules) {
-    double through = rules.v, length = 0;
+// How fast blend_ between the two can be driven, and how long it is.
+double PathMaker::through_blend(const Kept& a, const Kept& b, double& length) {
+    double through = std::numeric_limits<double>::infinity();
+    length = 0;
     PathRecord& r = scratch_;
     for (std::size_t n = 0; n < blend_.count; ++n) {
         r.flags = (n < blend_.first_half ? a : b).move.flags;
@@ -238,6 +243,29 @@ bool PathMaker::stop_is_faster(const Kept& a, const Kept& b, const Ceilings& rul
         through = std::min(through, ceilings_of(r, *limits_).v);
         length += r.length;
     }
+    return through;
+}
+
+// Where the tolerance leaves the corner between two threads too slow for the spindle, the blend becomes as long as its speed needs: with
+// room to spare, for what the bend takes of the axes there is missing where the thread begins and ends (ceilings.hpp). How fast it is driven at most.
+double PathMaker::widen_for_thread(const Kept& a, const Kept& b) {
+    constexpr double kSpare = 1.6, kOvershoot = 1.2;   // a spindle swings about its speed
+    const double turning = std::max(wanted_speed(a.move), wanted_speed(b.move));
+    double length = 0;
+    if (through_blend(a, b, length) < kSpare * turning) {
+        const Blend narrow = blend_;
+        PathLimits wide = *limits_;
+        wide.tolerance = 2.0 * (a.move.length + b.move.length);
+        if (make_blend(a.move, 0.5 * a.move.length, b.move, 0.5 * b.move.length, kSpare * turning, wide, blend_) != Junction::Blended) blend_ = narrow;
+    }
+    return thread_rev_s_ > 0 ? kOvershoot * turning : std::numeric_limits<double>::infinity();
+}
+
+// Time lost at the junction against driving through at full speed, by a blend or by a stop. Braking from V to w in time T
+// takes (V + w)/2 T of the path, so each side loses T (V - w) / (2 V); a blend also its own length at its own speed.
+bool PathMaker::stop_is_faster(const Kept& a, const Kept& b, const Ceilings& rules) {
+    double length = 0;
+    const double through = std::min(rules.v, through_blend(a, b, length));
     double by_stop = 0, by_blend = 0;
     for (const Kept* side : {&a, &b}) {
         const Ceilings& c = side->ceilings;
@@ -262,7 +290,9 @@ void PathMaker::put_pieces(Kept& of, const Blend& blend, std::size_t first, std:
         if (last && n + 1 == end) r.flags |= end_flag(r);
         fill_piece(blend, blend.piece[n], r);
         for (std::size_t k = 0; k < r.axis_count; ++k) r.nose[k] = nose_of(of.move, r.axis[k]);
+        if (has(r, kThread) && std::isfinite(rules.v)) r.feed = rules.v;
         Ceilings own = ceilings_of(r, *limits_);
+        r.feed = of.move.feed;
         own.v = std::min(own.v, rules.v), own.soften(rules.a);
         store(own, r);
         out_->commit();

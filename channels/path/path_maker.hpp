@@ -11,7 +11,8 @@
 // A stop instead of a blend: where it is faster (a sharp corner within 5 um is passed at about 1 mm/s), asked for (G9, G61), tolerance 0, a turn of more than 160 degrees, more than kMaxCurveAxes in
 // the corner, one side measured in degrees and the other in millimetres, a rapid move on either side unless N0421 ROL (two rapid
 // moves then overlap as far as N0422 says, whatever the tolerance), a
-// thread begins or ends, the record between needs one.
+// thread begins or ends, the record between needs one. Where threads are joined the spindle leads: it does not slow down for a corner,
+// so the corner is rounded as far as its speed asks for, beyond the tolerance if it must (fagor_8037t part 1, 6.11: joined with G05).
 #pragma once
 #include <deque>
 
@@ -43,6 +44,9 @@ public:
     double length_of_next();
     void add_move();
 
+    // Revolutions a second of the spindle that the threads behind this follow; 0: not known.
+    void thread_turns(double rev_s) { thread_rev_s_ = rev_s; }
+
     // Something that is no motion. `stops`: the path comes to rest before it.
     void add_event(const PathRecord& record, bool stops);
 
@@ -66,6 +70,9 @@ private:
     bool must_stop(const PathRecord& a, const PathRecord& b) const;
     double overlap_way(const Kept& of) const;
     bool stop_is_faster(const Kept& a, const Kept& b, const Ceilings& rules);
+    double through_blend(const Kept& a, const Kept& b, double& length);
+    double wanted_speed(const PathRecord& r) const;
+    double widen_for_thread(const Kept& a, const Kept& b);
     void put_part(Kept& of, double to, bool last, bool stop);
     void put_pieces(Kept& of, const Blend& blend, std::size_t first, std::size_t end, const Ceilings& rules, bool last);
     void put_between(std::uint64_t up_to);
@@ -83,6 +90,7 @@ private:
     std::deque<Kept> chain_;        // moves that are not wholly out; more than one only in a run of short lines
     Kept coming_;
     std::uint64_t number_ = 0;
+    double thread_rev_s_ = 0;
     bool running_ = false;          // spline_ has begun
     std::uint64_t run_number_ = 0;  // of the run's first line
     SplineRun spline_;

@@ -204,6 +204,7 @@ void RecordSink::add(const Move& move, const BlockContext& at, bool told, std::u
     if (move.kind == MoveKind::Thread) {
         r.flags |= kThread | kOverrideLocked;
         if (move.thread_chained) r.flags |= kThreadChained;
+        maker_->thread_turns(move.tap_rpm / 60);
         r.feed_mode = static_cast<std::uint8_t>(FeedMode::Thread);
         r.lead = move.lead_path;
         r.lead_change = move.lead > 0 ? move.lead_change * move.lead_path / move.lead : 0;

@@ -87,7 +87,8 @@ bool Core::thread(const AxisValues& target, const ThreadCall& call) {
     const double end_square = call.lead * call.lead + 2.0 * call.lead_change * longest;
     if (call.lead_change != 0 && end_square <= 0) return fail(Alarm::LeadRunsOut, 'K');
     const double steepest = call.lead_change > 0 ? std::sqrt(end_square) / call.lead : 1.0;
-    if (const double rpm = spindle_rpm_at(nearest_x); rpm > 0) {
+    const double rpm = spindle_rpm_at(nearest_x);
+    if (rpm > 0) {
         double most = rpm;
         int slow = -1;
         for (unsigned i = 0; i < view_->axis_count; ++i) {
@@ -98,6 +99,7 @@ bool Core::thread(const AxisValues& target, const ThreadCall& call) {
         if (slow >= 0) return fail(Alarm::ThreadTooFast, 'F', std::string(view_->axes[static_cast<unsigned>(slow)].name), std::floor(most));
     }
     move_.thread_chained = path.after_thread;
+    move_.tap_rpm = rpm;   // corners between joined threads are rounded for this speed
     move_.feed_mode = FeedMode::Thread;
     move_.feed = 0.0;
     move_.spindle = path.spindle.spindle;

@@ -92,6 +92,19 @@ class Fagor(Case):
 
     THREAD = f"{HEAD}S600 M3\nG04 K300\nG05 G00 X40 Z5\nX30\n"
 
+    def test_joined_threads_go_round_their_corner_at_the_speed_of_the_spindle(self):   # part 1, 6.11
+        done = self.run_program(f"{self.THREAD}G33 Z-35 L2\nX50 Z-65 L2\nG00 X60\nM30\n", "--trace", "trace.csv")
+        self.assertEqual(done.alarms, [], done.said())
+        self.assertAlmostEqual(sum(e["end"] - e["t"] for e in done.of("move", kind="thread")), 35 * 0.1, delta=0.2)   # 70 mm, 2 mm a turn of 0.1 s
+        header, *rows = (self.folder / "trace.csv").read_text().splitlines()
+        x, z = header.split(",").index("A1.cmd"), header.split(",").index("A2.cmd")
+        at = [(float(row.split(",")[x]), float(row.split(",")[z])) for row in rows]
+        nearest = min((px - 15) ** 2 + (pz + 35) ** 2 for px, pz in at) ** 0.5
+        self.assertLess(nearest, 0.3, "the corner is rounded, not cut off")
+        cut = [(px, pz) for px, pz in at if -63 < pz < 4]
+        for (x0, z0), (x1, z1), (x2, z2) in zip(cut, cut[1:], cut[2:]):   # no axis jumps: 1 ms ticks
+            self.assertLess(abs(x2 - 2 * x1 + x0), 0.005, f"X at Z{z1}")
+
     def test_no_override_of_the_program_acts_on_a_thread(self):   # part 1, 5.3
         done = self.run_program(f"(PRGSSO=50, PRGFRO=50)\n{self.THREAD}G33 Z-35 L2\nG00 X60\nG95 G01 Z-45 F2\nM30\n")
         self.assertEqual(done.alarms, [], done.said())

@@ -103,6 +103,41 @@ TEST(PathMaker, StopsWhereItMust) {
     }
 }
 
+// fagor_8037t part 1, 6.11: the spindle leads, so the corner is rounded as far as its speed asks for; what the bend leaves is there to start with.
+TEST(PathMaker, JoinedThreadsGoRoundTheirCornerAtTheSpeedOfTheSpindle) {
+    const PathLimits limits = easy_limits();
+    const auto threads = [&](double turns) {
+        return made(limits, [&](Program& p) {
+            const auto thread = [&](Point to, std::uint32_t flags) {
+                PathRecord& r = p.begin(RecordKind::Line);
+                r.feed_mode = static_cast<std::uint8_t>(FeedMode::Thread);
+                r.feed = 0;
+                r.lead = 2;
+                r.flags = kThread | flags;
+                r.end = {to.x, to.z};
+                p.at = to;
+                p.maker.thread_turns(turns);
+                p.maker.add_move();
+            };
+            thread({0, -40}, 0);
+            thread({10, -70}, kThreadChained);   // 18.4 degrees
+        });
+    };
+    for (const double turns : {2.0, 10.0, 20.0}) {
+        SCOPED_TRACE(turns);
+        const auto records = threads(turns);
+        ASSERT_GT(records.size(), 2u);
+        expect_smooth(records);
+        double far = 0;
+        for (const PathRecord& r : records) {
+            EXPECT_GE(r.v_max, 2 * turns);
+            EXPECT_GT(r.a_max, 300) << "of 2000";
+            far = std::max(far, to_segment({r.end[0], r.end[1]}, {0, 0}, {0, -40}) < 1e-9 ? 0.0 : std::min(to_segment({r.end[0], r.end[1]}, {0, 0}, {0, -40}), to_segment({r.end[0], r.end[1]}, {0, -40}, {10, -70})));
+        }
+        EXPECT_LT(far, turns <= 10 ? 0.1 : 0.4);
+    }
+}
+
 // N1337 PCH; must be 0 where rapid moves overlap (nct_parameters_part1 6.4, 14.4).
 TEST(PathMaker, RapidMovesEndInPositionWherePchAsksForIt) {
     const auto flags = [](bool asked, bool overlaps) {
