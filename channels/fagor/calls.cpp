@@ -118,6 +118,7 @@ bool Interpreter::jump_to(std::int64_t label) {
         if (frames_.back().file != file) return core_.fail(Alarm::SequenceNumberMissing, 0, std::to_string(label));
     }
     source_->seek(*found);
+    fresh_ = false;   // a loop asks the machine anew each time
     jumped_ = true;
     return true;
 }

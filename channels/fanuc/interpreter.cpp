@@ -372,6 +372,7 @@ bool Interpreter::jump_to(std::int64_t number) {
 }
 
 void Interpreter::go_to(TextPosition position) {
+    if (position.offset <= source_->position().offset) fresh_ = false;   // a loop asks the machine anew each time
     source_->seek(position);
     jumped_ = true;
     line_left_ = false;

@@ -187,6 +187,7 @@ Interpreter::Flow Interpreter::run_statement(const char*& at, const char* end) {
         const Loop loop = loops_[found - 1];
         loops_.resize(found - 1);   // loops inside were left by a jump
         source_->seek(loop.at);
+        fresh_ = false;   // the condition is asked of the machine anew
         jumped_ = true;
         line_left_ = false;
         return Flow::Done;

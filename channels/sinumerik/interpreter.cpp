@@ -149,6 +149,7 @@ bool Interpreter::need_fresh() {
 }
 
 void Interpreter::seek(TextPosition to) {
+    if (to.offset <= here_.offset) fresh_ = false;   // a loop asks the machine anew each time
     source_->seek(to);
     jumped_ = true;
 }
@@ -177,6 +178,7 @@ Step Interpreter::read_block() {
             state_changed_ = true;
             if (section.repeats > 0) {
                 --section.repeats;
+                fresh_ = false;
                 source_->seek(section.begin);
             } else {
                 source_->seek(section.resume);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What of the fanuc language shows only while the machine runs: programs of the B axis, interrupt macros, a thread that is
-picked up again. Real processes, virtual time."""
+"""What of the fanuc language shows only while the machine runs: loops that wait for an input, programs of the B axis, interrupt
+macros, a thread that is picked up again. Real processes, virtual time."""
 import unittest
 
 from polyturn_runner import Case, LiveCase, read_trace
@@ -20,6 +20,15 @@ class Run(Case):
             arguments += ["--trace", self.folder / "trace.csv"]
         done = self.polyturn(*arguments, self.write("O0001.nc", program))
         return done
+
+
+class Inputs(Run):
+    def test_a_loop_waits_for_an_input(self):
+        for loop in ("WHILE[#1000EQ0]DO1\nEND1\n", "N10 IF[#1000EQ0]GOTO10\n"):
+            with self.subTest(loop):
+                done = self.run_it("O1\n" + loop + "G04 X1.\nM30\n", scenario='[[at]]\nt = 2.0\nset = "#1000 L1=1"\n')
+                self.assertEqual(done.status, 0, done.said())
+                self.assertAlmostEqual(done.of("dwell")[0]["t"], 2.0, delta=0.1, msg=done.said())
 
 
 class BAxis(Run):

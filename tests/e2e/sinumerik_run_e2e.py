@@ -22,6 +22,12 @@ class SinumerikRun(Case):
         self.assertAlmostEqual(at[0.5], 6.0, delta=0.1, msg=done.said())
         self.assertEqual([e["value"] for e in done.of("variable", name="R1")], [1])
 
+    def test_a_loop_waits_for_an_input(self):
+        for loop in ("LB: IF $A_IN[2]==0 GOTOB LB\n", "WHILE $A_IN[2]==0\nENDWHILE\n", "REPEAT\nUNTIL $A_IN[2]==1\n"):
+            with self.subTest(loop):
+                done = self.run_one(HEAD + loop + "G4 F1\nM30\n", '[[at]]\nt = 2.0\nset = "$A_IN[2] L1=1"\n')
+                self.assertAlmostEqual(done.of("dwell")[0]["t"], 2.0, delta=0.1, msg=done.said())
+
     def test_actions_go_on_while_reading_is_held(self):
         done = self.run_one(HEAD + "$AC_MARKER[1]=0\nID=1 EVERY $A_IN[1]==1 DO M8\nID=2 WHENEVER $A_IN[2]==0 DO RDISABLE\nG4 F1\nM30\n",
                             '[[at]]\nt = 1.0\nset = "$A_IN[1]=1"\n[[at]]\nt = 3.0\nset = "$A_IN[2]=1"\n')
