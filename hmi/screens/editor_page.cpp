@@ -2,7 +2,6 @@
 
 #include <QCoreApplication>
 #include <QDir>
-#include <QElapsedTimer>
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QKeyEvent>
@@ -13,78 +12,14 @@
 
 #include "hmi/screens/contour_page.hpp"
 #include "hmi/screens/cycle_form_page.hpp"
-
 #include "hmi/text/retold.hpp"
 
 namespace polyturn::hmi {
 namespace {
 
 constexpr int kPauseMs = 500;                      // no letter for so long: it is checked
-constexpr qint64 kMostBytes = 4'000'000;           // is edited at once
-constexpr qint64 kPartBytes = 2'000'000;           // of a longer program
-constexpr qsizetype kFillLetters = 8'192;          // put into the editor at a time
-constexpr int kFillMs = 8;                         // of a frame
-
-struct ColourRule {
-    QRegularExpression expression;
-    QColor Theme::*colour;
-    bool bold;
-};
-
-// Later rules win: comments and texts last.
-const std::vector<ColourRule>& colourRules() {
-    static const std::vector<ColourRule> rules = [] {
-        std::vector<ColourRule> out;
-        const auto add = [&](const char* pattern, QColor Theme::*colour, bool bold) { out.push_back({QRegularExpression(pattern, QRegularExpression::CaseInsensitiveOption), colour, bold}); };
-        add("(?:^|(?<=[\\sA-Z0-9.]))[+-]?\\d*\\.?\\d+", &Theme::text, false);
-        add("\\b(?:IF|GOTO|THEN|WHILE|DO|END|ELSE|ENDIF|ENDWHILE|FOR|ENDFOR|LOOP|ENDLOOP|REPEAT|UNTIL|CASE|DEF|PROC|RET|CALL|STOPRE|MSG|AND|OR|XOR|MOD|EQ|NE|GT|LT|GE|LE|SIN|COS|TAN|ATAN|SQRT|ABS|ROUND|FIX|FUP)\\b", &Theme::wait, true);
-        add("(?:#\\d+|#\\[|\\bR\\d+\\s*(?==)|\\$[A-Z_]+\\w*|\\bP\\d+\\s*(?==))", &Theme::wait, false);
-        add("(?:^|(?<=[^A-Z_$]))G\\s*\\d+(?:\\.\\d+)?", &Theme::accent, true);
-        add("(?:^|(?<=[^A-Z_$]))M\\s*\\d+", &Theme::good, true);
-        add("(?:^|(?<=[^A-Z_$]))[TSDH]\\s*=?\\s*\\d+", &Theme::warn, false);
-        add("^\\s*/?\\d?\\s*N\\d+", &Theme::dim, false);
-        add("^\\s*(?:O\\d+|:\\d+|%.*)", &Theme::dim, true);
-        return out;
-    }();
-    return rules;
-}
-
-class Coloured : public QTextBlockUserData {};     // a line that has its colours
 
 }  // namespace
-
-void ProgramColours::see(int first, int last) {
-    first_ = first, last_ = last;
-    for (QTextBlock block = document()->findBlockByNumber(first); block.isValid() && block.blockNumber() <= last; block = block.next())
-        if (!block.userData()) rehighlightBlock(block);
-}
-
-void ProgramColours::highlightBlock(const QString& text) {
-    const int line = currentBlock().blockNumber();
-    if (!currentBlockUserData()) {
-        if (line < first_ || line > last_) return;
-        setCurrentBlockUserData(new Coloured);
-    }
-    const Theme& t = theme();
-    for (const ColourRule& rule : colourRules()) {
-        QTextCharFormat format;
-        format.setForeground(t.*rule.colour);
-        if (rule.bold) format.setFontWeight(QFont::Bold);
-        for (auto found = rule.expression.globalMatch(text); found.hasNext();) {
-            const auto one = found.next();
-            setFormat(static_cast<int>(one.capturedStart()), static_cast<int>(one.capturedLength()), format);
-        }
-    }
-    QTextCharFormat comment;
-    comment.setForeground(t.faint);
-    comment.setFontItalic(true);
-    static const QRegularExpression kSemicolon(";.*$|\"[^\"]*\""), kBrackets("\\([^)]*\\)?");
-    const QRegularExpression& quiet = language_ == "sinumerik" || language_ == "fagor" ? kSemicolon : kBrackets;
-    for (auto found = quiet.globalMatch(text); found.hasNext();) {
-        const auto one = found.next();
-        setFormat(static_cast<int>(one.capturedStart()), static_cast<int>(one.capturedLength()), comment);
-    }
-}
 
 EditorPage::EditorPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), edit_(new QPlainTextEdit(this)), line_(new FreeSheet(this)), pad_(new TextPad(this)), form_(new CycleFormPage(desk, this)), contour_(new ContourPage(desk, this)) {
     for (EditorOverlay* one : {static_cast<EditorOverlay*>(form_), static_cast<EditorOverlay*>(contour_)}) layOver(one);
@@ -148,171 +83,6 @@ EditorPage::~EditorPage() {
 std::vector<Sheet*> EditorPage::sheets() {
     if (over_) return over_->sheets();
     return keyboard_ ? std::vector<Sheet*>{line_, pad_} : std::vector<Sheet*>{line_};
-}
-
-bool EditorPage::open(const QString& file, const QString& language) { return open(file, language, 0, 0); }
-
-bool EditorPage::open(const QString& file, const QString& language, qint64 at, int position) {
-    if (writing_.busy()) return desk_.tell(word("The last program is still being written."), Told::Refused), false;
-    wanted_ = file;
-    file_.clear(), canonical_.clear(), filling_.clear();
-    language_ = language;
-    position_ = position, typed_ = false;
-    faults_.clear(), failure_.clear();
-    edit_->clear();
-    edit_->document()->setModified(false);
-    edit_->setReadOnly(true);
-    show(nullptr);
-    keepDraft({});
-    progress_ = std::make_shared<FileProgress>();
-    reading_.start([file, at, progress = progress_](const std::atomic<bool>& stop) { return readPart(file, kMostBytes, kPartBytes, at, *progress, stop); });
-    if (const auto read = reading_.take()) return opened(*read);
-    line_->refresh();
-    if (desk_.keysChanged) desk_.keysChanged();
-    return true;
-}
-
-bool EditorPage::opened(const FileText& read) {
-    edit_->setReadOnly(false);
-    if (read.kind != FileText::Kind::Read) {
-        if (read.kind == FileText::Kind::NoText) desk_.tell(word("It is no text in UTF-8: it cannot be edited without a loss."), Told::Refused);
-        else if (read.kind != FileText::Kind::Stopped) desk_.tell(word("It cannot be shown."), Told::Refused);
-        return false;
-    }
-    canonical_ = read.path, part_ = read.part, dos_ = read.dos;
-    begin(read.text);
-    return true;
-}
-
-void EditorPage::begin(const QString& text) {
-    colours_.reset();
-    edit_->clear();
-    colours_ = std::make_unique<ProgramColours>(edit_->document(), language_);
-    edit_->document()->setUndoRedoEnabled(false);
-    edit_->setReadOnly(true);
-    filling_ = text, filled_ = 0;
-    if (text.isEmpty()) return filled();
-    fill();
-}
-
-void EditorPage::fill() {
-    QElapsedTimer time;
-    time.start();
-    QTextCursor end(edit_->document());
-    while (filled_ < filling_.size() && time.elapsed() < kFillMs) {
-        const qsizetype to = std::min(filled_ + kFillLetters, filling_.size());
-        end.movePosition(QTextCursor::End);
-        end.insertText(filling_.mid(filled_, to - filled_));
-        filled_ = to;
-    }
-    if (filled_ == filling_.size()) filled();
-    else line_->refresh();
-}
-
-void EditorPage::filled() {
-    filling_.clear();
-    QTextCursor cursor(edit_->document());
-    cursor.setPosition(std::clamp(position_, 0, std::max(0, edit_->document()->characterCount() - 1)));
-    edit_->setTextCursor(cursor);
-    if (position_ > 0) edit_->centerCursor();
-    edit_->document()->setUndoRedoEnabled(true);
-    edit_->document()->setModified(typed_);
-    edit_->setReadOnly(false);
-    file_ = wanted_;
-    refresh();
-    if (!over_) edit_->setFocus();
-    check();
-    if (desk_.keysChanged) desk_.keysChanged();
-}
-
-// Where a part ends the next one begins; of the one before only its size is known.
-void EditorPage::otherPart(qint64 at) {
-    const QString file = file_, language = language_;
-    open(file, language, std::clamp<qint64>(at, 0, part_.all - 1), 0);
-}
-
-QByteArray EditorPage::bytes() const {
-    QString text = edit_->toPlainText();
-    if (dos_) text.replace("\n", "\r\n");
-    return text.toUtf8();
-}
-
-Draft EditorPage::draft() const {
-    Draft out;
-    if (file_.isEmpty() || !changed()) return out;
-    out.file = file_, out.canonical = canonical_, out.language = language_, out.text = edit_->toPlainText();
-    out.part = part_, out.dos = dos_, out.position = edit_->textCursor().position();
-    return out;
-}
-
-void EditorPage::openDraft(const Draft& draft) {
-    reading_.forget();
-    wanted_ = draft.file, canonical_ = draft.canonical, language_ = draft.language;
-    part_ = draft.part, dos_ = draft.dos, position_ = draft.position, typed_ = true, kept_ = true;
-    file_.clear(), faults_.clear(), failure_.clear();
-    show(nullptr);
-    begin(draft.text);
-}
-
-// Empty: there is none any more. Aside, for the disk may be slow; the next one comes with the next letters.
-void EditorPage::keepDraft(const QByteArray& bytes) {
-    if (desk_.draftFile.isEmpty() || (bytes.isEmpty() && !kept_)) return;
-    kept_ = !bytes.isEmpty();
-    keeping_.start([file = desk_.draftFile, bytes](const std::atomic<bool>& stop) {
-        FileProgress progress;
-        return bytes.isEmpty() ? QFile::remove(file) : writeWhole(file, bytes, progress, stop).ok();
-    }, 0);
-}
-
-void EditorPage::stop() {
-    if (opening()) {
-        reading_.forget();                         // whatever it waits for, it waits alone
-        filling_.clear();
-        edit_->clear();
-        edit_->document()->setUndoRedoEnabled(true);
-        edit_->setReadOnly(false);
-        if (onNotOpened) onNotOpened();
-    } else if (writing_.busy()) {
-        writing_.forget();                         // the file that was there stays, unless its last piece has been written
-        desk_.tell(word("Not saved: stopped. The file is as it was."), Told::Refused);
-    }
-    if (desk_.keysChanged) desk_.keysChanged();
-}
-
-void EditorPage::save() {
-    if (writing_.busy() || file_.isEmpty()) return;
-    savedRevision_ = edit_->document()->revision();
-    progress_ = std::make_shared<FileProgress>();
-    writing_.start([file = file_, bytes = bytes(), part = part_, progress = progress_](const std::atomic<bool>& stop) {
-        Saved out{{}, part};
-        out.outcome = writePart(file, bytes, out.part, *progress, stop);
-        return out;
-    });
-    take();
-    if (desk_.keysChanged) desk_.keysChanged();
-}
-
-// What has been typed since the saving began is not saved.
-void EditorPage::saved(const Saved& done) {
-    if (!done.outcome.ok()) return desk_.tell(word("Cannot be written: %1").arg(done.outcome.what), Told::Refused);
-    part_ = done.part;
-    if (edit_->document()->revision() == savedRevision_) edit_->document()->setModified(false), keepDraft({});
-    desk_.tell(word("Saved: %1").arg(QFileInfo(file_).fileName()), Told::Good);
-}
-
-void EditorPage::take() {
-    bool any = false;
-    if (const auto read = reading_.take()) {
-        any = true;
-        if (!opened(*read) && onNotOpened) onNotOpened();
-    } else if (!filling_.isEmpty()) {
-        fill();
-    }
-    if (keeping_.busy()) (void)keeping_.take();
-    if (const auto done = writing_.take()) any = true, saved(*done);
-    if (const auto copy = copying_.take()) any = true, startCheck(*copy);
-    (void)dropping_.take();
-    if (any && desk_.keysChanged) desk_.keysChanged();
 }
 
 // A copy beside the program, so that its subprograms are found; elsewhere when nothing may be written there.

@@ -6,12 +6,12 @@
 #pragma once
 #include <QJsonObject>
 #include <QPlainTextEdit>
-#include <QSyntaxHighlighter>
 #include <memory>
 
 #include "hmi/app/screen.hpp"
 #include "hmi/machine/aside.hpp"
 #include "hmi/machine/file_text.hpp"
+#include "hmi/screens/program_colours.hpp"
 #include "hmi/widgets/text_pad.hpp"
 
 class QProcess;
@@ -21,20 +21,6 @@ namespace polyturn::hmi {
 class ContourPage;
 class CycleFormPage;
 class EditorOverlay;
-
-// Comments, block numbers, G and M words, tools, variables, words of the language, numbers. A line gets its colours when it is seen.
-class ProgramColours : public QSyntaxHighlighter {
-public:
-    ProgramColours(QTextDocument* document, QString language) : QSyntaxHighlighter(document), language_(std::move(language)) {}
-    void see(int first, int last);                 // these lines are on the screen now
-
-protected:
-    void highlightBlock(const QString& text) override;
-
-private:
-    QString language_;
-    int first_ = 0, last_ = -1;
-};
 
 class EditorPage : public QWidget {
 public:
@@ -125,6 +111,7 @@ private:
     qsizetype filled_ = 0;                         // so much of it is there
     int position_ = 0;                             // of the cursor, then
     bool typed_ = false;                           // it is no file's: not saved yet
+    static constexpr qint64 kPartBytes = 2'000'000;   // of a program that is too long to be edited at once
     FilePart part_;
     bool dos_ = false;
     Aside<bool> keeping_;                          // the draft

@@ -2,6 +2,8 @@
 // F3104 DAL and DAC say (fanuc_lathe 2.1).
 #include <QFile>
 
+#include "hmi/screens/offsets.hpp"
+#include "ipc/machine/work_zeros.hpp"
 #include "tests/unit/hmi/tasks.hpp"
 
 namespace polyturn::hmi {
@@ -65,9 +67,75 @@ TEST_F(Positions, AreAtRightAnglesWhereTheSlideIsInclined) {
     EXPECT_TRUE(waitFor([&] { return stands(0, 34.641) && stands(1, -7.321); }, 5)) << live().status().axes[0].act << " " << live().status().axes[1].act;
     EXPECT_NEAR(shownAt(0), 30.0, 2e-3);
     EXPECT_NEAR(shownAt(1), 10.0, 3e-3);   // of two axes
+    // What is left of a block that has been stopped on its way, and what is there, are together where it ends: X 10 (a radius), Z 10.
+    runTo({}, "O77\nG40 G98\nG0 X60. Z10.\nM0\nG1 X20. F200.\nM30\n");
+    ASSERT_FALSE(HasFatalFailure());
+    ASSERT_TRUE(g_controller->press("cycle_start L1"));
+    ASSERT_TRUE(waitFor([&] { return shownAt(0) < 28; }, 20));
+    ASSERT_TRUE(g_controller->press("feed_hold L1"));
+    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Held && !(live().status().axes[0].flags & kMoving); }, 10));
+    QTest::qWait(300);
+    EXPECT_LT(live().toGo(1, 0), -1);
+    EXPECT_NEAR(shownAt(0) + live().toGo(1, 0), 10.0, 5e-3);
+    EXPECT_NEAR(shownAt(1) + live().toGo(1, 1), 10.0, 5e-3);
     g_controller->press("reset");
     ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Reset; }));
+    // The keys of the screen: the zero of X is to be here, and the tool that stands here measures 40 in Z.
+    Operator hand(*window);
+    hand.screen("offsets");
+    hand.soft("Work zeros");
+    Offsets& offsets = screenOf<Offsets>();
+    hand.touchCell(offsets.table(), 3, 1);       // external, G54, G55, G56: X
+    hand.soft("Zero here"), hand.soft("Zero here");
+    double x = 0;
+    ASSERT_TRUE(live().fromZero(1, 0, live().status().axes[0].act, x));
+    const double upright = x + live().view(1).picture.shift[0];
+    EXPECT_TRUE(waitFor([&] { return std::abs(live().store(1).zeros[3 * kChannelAxes] - 2 * upright) < 5e-3; }, 10)) << live().store(1).zeros[3 * kChannelAxes] << " is not " << 2 * upright;
+    EXPECT_GT(std::abs(2 * upright - 2 * live().status().axes[0].act), 1) << "the slide itself stands elsewhere";
     ASSERT_TRUE(g_controller->run({"params", "set", "F8200 L1=00000000", "--instance", g_controller->name}));
+}
+
+// The keys of both setters write what was touched; the workpiece setter counts the offset of the probe that is in use, and what has been typed
+// is what the surface is to be.
+TEST_F(Positions, SettersAreReadByTheirKeys) {
+    const auto run = [&](const QStringList& words) { return g_controller->run(QStringList(words) << "--instance" << g_controller->name); };
+    ASSERT_TRUE(run({"params", "set", "N3012 L1=5", "N0209 L1=12.5", "N0319 L1=600", "N3014 L1=6"}));
+    ASSERT_TRUE(run({"offsets", "set", "L1", "9", "geometry", "X=40", "Z=30", "R=0", "T=3"}));
+    ASSERT_TRUE(g_controller->press("mode L1=mdi"));
+    ASSERT_TRUE(g_controller->press("mdi L1 T0909"));
+    ASSERT_TRUE(waitFor([&] { return live().view(1).known && live().view(1).picture.geometry == 9; }, 30)) << live().view(1).picture.geometry;
+    ASSERT_TRUE(waitFor([&] { return state(1) != ChannelState::Running && live().plc(signals::cp_turretopen(1)) == 0; }, 30));
+    ASSERT_TRUE(g_controller->press("mode L1=jog"));
+    ASSERT_TRUE(waitFor([&] { return static_cast<ChannelMode>(live().channel(1).mode) == ChannelMode::Jog; }, 10));
+    ASSERT_TRUE(run({"set", "CP_TMEAS L1=1"}));
+    const auto touch = [&](int input) {
+        ASSERT_TRUE(g_controller->press("jog A2- 3s"));
+        ASSERT_TRUE(waitFor([&] { return (live().status().axes[1].flags & kMoving) != 0; }, 10));
+        ASSERT_TRUE(run({"set", QString("input %1=1").arg(input)}));
+        ASSERT_TRUE(waitFor([&] { return live().channel(1).touched == -2 && live().channel(1).touched_at == (input == 5 ? 1u : 3u); }, 10));
+        ASSERT_TRUE(run({"release", QString("input %1").arg(input)}));
+        ASSERT_TRUE(waitFor([&] { return !(live().status().axes[1].flags & kMoving); }, 10));
+    };
+    Operator hand(*window);
+    hand.screen("offsets");
+    Offsets& offsets = screenOf<Offsets>();
+    touch(6);
+    hand.soft("Work zeros");
+    hand.touchCell(offsets.table(), 2, 2);       // external, G54, G55: Z
+    hand.type("3");
+    hand.soft("Workpiece setter");
+    hand.soft("Workpiece setter");
+    const double zero = live().status().axes[1].skip - 30 - 3;
+    EXPECT_TRUE(waitFor([&] { return std::abs(live().store(1).zeros[2 * kChannelAxes + 1] - zero) < 1e-3; }, 10)) << live().store(1).zeros[2 * kChannelAxes + 1] << " is not " << zero;
+    touch(5);
+    hand.soft("Tool offsets");
+    hand.touchCell(offsets.table(), 10, 2);      // offset 11
+    hand.soft("Tool setter");
+    hand.soft("Tool setter");
+    const double length = live().status().axes[1].skip - 12.5;
+    EXPECT_TRUE(waitFor([&] { return std::abs(live().store(1).offsets[11].geometry[2] - length) < 1e-3; }, 10)) << live().store(1).offsets[11].geometry[2] << " is not " << length;
+    ASSERT_TRUE(run({"release", "CP_TMEAS L1"}));
+    ASSERT_TRUE(g_controller->press("mode L1=auto"));
 }
 
 }  // namespace

@@ -45,6 +45,19 @@ TEST(ToolSetter, TheAxisStopsWhereTheToolTouchesItAndTheContactIsKept) {
     EXPECT_NEAR(now.axes[1].skip, -10.25, 1e-6);
 }
 
+// Where the tip is at right angles follows from X and Z where the slide is inclined: both are told, of the same moment.
+TEST(ToolSetter, TheOtherAxesOfTheChannelAreLatchedWithIt) {
+    Setter s;
+    s.rig.command(CommandKind::Jog, 1, -0.2, 0, 1);
+    s.rig.run(1500);
+    const double stands = s.rig.position(1);
+    ASSERT_LT(stands, -0.1);
+    s.jog(-10);
+    s.rig.run(3500);
+    ASSERT_EQ(s.status().channels[0].touched, -2);
+    EXPECT_NEAR(s.status().axes[0].skip, stands, 1e-6);
+}
+
 TEST(ToolSetter, FurtherIntoItNoKeyMovesTheAxisAwayEveryKeyDoes) {
     Setter s;
     s.jog(-10);
