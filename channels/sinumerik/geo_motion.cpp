@@ -332,6 +332,7 @@ bool Interpreter::a_geometry(const Word& word) {
         if (word.number() < 0 || word.number() >= 360) return fail_word(Alarm::ValueOutOfRange, word, "SF", word.number());
         geo.thread_angle = word.number();
     } else if (name == "DILF") {
+        if (word.number() < 0) return fail_word(Alarm::NegativeSign, word, "DILF");   // a distance: ALF has the direction
         geo.lift_mm = word.number() * unit();
     } else if (name == "ALF") {
         if (word.number() < 0 || word.number() > 8 || word.number() != std::floor(word.number())) return fail_word(Alarm::ValueOutOfRange, word, "ALF", word.number());

@@ -146,6 +146,7 @@ public:
     bool p_write(Call&), p_read(Call&), p_delete(Call&), p_file_size(Call&), p_file_facts(Call&);   // files.cpp
     bool p_cancel(Call&), p_lock(Call&), p_unlock(Call&), p_action_reset(Call&), p_stop_reading_of(Call&), p_cycle_steps(Call&), p_read_disable(Call&), p_delete_way(Call&);   // synchronized.cpp
     bool p_interrupts(Call&), p_without_effect(Call&), p_trail(Call&), p_wheel_speed(Call&), a_sum_offset(const Word&);
+    bool told_when(const Call& c, std::string_view name);
     bool p_msg(Call&), p_setal(Call&), p_stopre(Call&), p_setms(Call&), p_master_holder(Call&), p_wait_marker(Call&), p_wait_end(Call&);
     bool p_init(Call&), p_start(Call&);   // program_start.cpp
     bool p_fctdef(Call&), p_synfct(Call&);   // polynomials.cpp

@@ -8,7 +8,14 @@ namespace polyturn::channels::sinumerik {
 
 bool Interpreter::p_nothing(Call&) { return true; }
 
+// The second argument of MSG and WRTPR: 0 with the next block, 1 in a block of its own (sinumerik_part2 15.1); here the same.
+bool Interpreter::told_when(const Call& c, std::string_view name) {
+    if (!c.has(1) || c.number(1) == 0 || c.number(1) == 1) return true;
+    return fail(Alarm::ValueOutOfRange, std::string(name), c.number(1));
+}
+
 bool Interpreter::p_msg(Call& c) {
+    if (!told_when(c, "MSG")) return false;
     message_ = c.has(0) ? to_text(c.value(0)) : std::string();
     if (message_.size() > 124) return fail(Alarm::TextTooLong, "MSG", 124);
     core_.mark_emitted();
@@ -18,6 +25,7 @@ bool Interpreter::p_msg(Call& c) {
 
 // WRTPR: a text for the operator panel's log (progProtText); it moves nothing and is shown as a message.
 bool Interpreter::p_wrtpr(Call& c) {
+    if (!told_when(c, "WRTPR")) return false;
     const std::string text = to_text(c.value(0));
     if (text.size() > 128) return fail(Alarm::TextTooLong, "WRTPR", 128);
     core_.mark_emitted();

@@ -36,6 +36,12 @@ TEST(SinumerikSpindles, CuttingSpeedOfAToolFollowsTheTool) {
     EXPECT_EQ(count(played, "\"name\":\"R2\",\"value\":1"), 1u) << played.events;
 }
 
+// What the specification gives a range: MSG and WRTPR in the next block or in their own (part 2, 15.1), the distance of DILF (10.10.4).
+TEST(SinumerikSpindles, ValuesOutOfRangeAreRefused) {
+    EXPECT_EQ(run("MSG(\"A\",0)\nMSG(\"B\",1)\nWRTPR(\"C\",1)\nDILF=2\nM30\n").errors, 0u);
+    for (const char* bad : {"MSG(\"A\",2)", "WRTPR(\"A\",-1)", "DILF=-1"}) EXPECT_EQ(run(std::string(bad) + "\nM30\n").errors, 1u) << bad;
+}
+
 TEST(SinumerikAxes, AReleasedAxisMovesAfterGetOnly) {
     EXPECT_EQ(run("RELEASE(Z)\nG0 X5\nGET(Z)\nG0 Z5\nM30\n").errors, 0u);
     const Played refused = run("RELEASE(Z)\nG0 Z5\nM30\n");
