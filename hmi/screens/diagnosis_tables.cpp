@@ -197,7 +197,8 @@ void Diagnosis::fillProcesses() {
     table_->cell = [processes](int row, int column) -> Table::Cell {
         const Live::Process& one = (*processes)[static_cast<std::size_t>(row)];
         const Theme& t = theme();
-        if (column == 0) return {QString::fromStdString(one.name), t.text, Sign::None, true};
+        const QString name = QString::fromStdString(one.name);   // of its program; of a channel's, which channel it is
+        if (column == 0) return {name.startsWith("channel ") ? word("Channel") + name.mid(7) : name, t.text, Sign::None, true};
         if (column == 1) return {one.pid > 0 ? QString::number(one.pid) : QString(), t.dim};
         switch (one.state) {
             case ProcessState::Running: return {word("Runs"), t.good, Sign::Run};

@@ -46,7 +46,7 @@ public:
     int pages() const override { return kPages + std::max(0, static_cast<int>(magazines().size()) - 1) + 1; }   // the other magazines, what the presetter proposes
     bool busy() const override { return page_ == Page::Presetter && presetter_->busy(); }
     HelpTopic help() const override {
-        static constexpr const char* kFind[] = {"2. Enter tools and load them", "2. Enter tools and load them", "4. Set the life", "pallet", "Measure in the presetter"};
+        static constexpr const char* kFind[] = {"2. Enter tools and load them", "2. Enter tools and load them", "4. Set the life", "Pallets", "Measure in the presetter"};
         return {"setup.md", kFind[static_cast<std::size_t>(page_)], {}};
     }
     void turnTo(int page) override;

@@ -42,6 +42,15 @@ constexpr auto kDetails = std::to_array<DetailRow>({
     {{"this controller keeps no log of stops", "эта система не ведёт журнала простоев", "tento řídicí systém nevede deník stání", "ez a vezérlés nem vezet állásnaplót"}},
     {{"there is nothing to take back", "нечего отменять", "není co vrátit", "nincs mit visszavonni"}},
     {{"{0} is {1} now: something else has changed it since {2}", "{0} теперь {1}: с {2} это изменили иначе", "{0} je nyní {1}: od {2} to změnilo něco jiného", "{0} most {1}: {2} óta más módosította"}},
+    // what the operating system says of a file
+    {{"No such file or directory", "такого файла или папки нет", "takový soubor ani složka neexistuje", "nincs ilyen fájl vagy mappa"}},
+    {{"Permission denied", "нет прав доступа", "přístup odepřen", "a hozzáférés megtagadva"}},
+    {{"Is a directory", "это папка", "je to složka", "ez mappa"}},
+    {{"Not a directory", "это не папка", "není to složka", "ez nem mappa"}},
+    {{"No space left on device", "на диске нет места", "na disku není místo", "a lemezen nincs hely"}},
+    {{"Read-only file system", "диск только для чтения", "disk je jen pro čtení", "a lemez csak olvasható"}},
+    {{"Input/output error", "ошибка ввода-вывода", "chyba vstupu nebo výstupu", "be- vagy kiviteli hiba"}},
+    {{"Stale file handle", "файл тем временем изменили", "soubor mezitím někdo změnil", "a fájlt közben megváltoztatták"}},
     // requests in general
     {{"no operation", "нет операции", "žádná operace", "nincs művelet"}},
     {{"not a JSON object", "не объект JSON", "není objekt JSON", "nem JSON-objektum"}},
