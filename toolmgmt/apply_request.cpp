@@ -48,9 +48,9 @@ Result<Applied> set_offset(const StoreRequest& request, Origin origin, const Mac
     if (origin == Origin::Operator) {
         if (request.number > channel.offset_count)
             return refused("offset " + std::to_string(request.number) + ": channel L" + std::to_string(request.channel) + " has " + std::to_string(channel.offset_count) + " (N1400)");
-        // N1415: 0 stands for one millimetre (part 1, 15.1).
+        // N1415: 0 stands for one millimetre, or 0.394 inch (part 1, 15.1).
         const double stated = params::get(values.parameters, params::n1415_max_amount_of_wear_comp, channel.number) * channel.length_unit_mm();
-        const double most = stated > 0 ? stated : 1.0;
+        const double most = stated > 0 ? stated : channel.length_unit_mm() > 1.0 ? 0.394 * channel.length_unit_mm() : 1.0;
         if (table == OffsetTable::Wear && field != OffsetField::T && std::abs(request.value) > most)
             return refused(describe(key) + "=" + shortest_text(request.value) + ": wear is " + shortest_text(most) + " mm at the most (N1415)");
         const double step = params::get(values.parameters, params::pt_wear_step, channel.number) * channel.length_unit_mm();

@@ -79,7 +79,8 @@ bool Interpreter::offset_value_good(OffsetTable table, double shown) {
         if (core_.view().axes[0].increment < 0.0005) limit = inch_ ? 99.99999 * 25.4 : 999.9999;
     } else if (table == OffsetTable::Wear) {
         const double most = params::get(t, params::n1415_max_amount_of_wear_comp, l);
-        limit = most > 0 ? most * (params::bit(t, params::n0104_unit_of_measure, l, 0) ? 25.4 : 1.0) : inch_ ? 0.394 * 25.4 : 1.0;
+        const bool inch_machine = params::bit(t, params::n0104_unit_of_measure, l, 0);   // 1.3: the unit of the machine, whatever the program counts in
+        limit = most > 0 ? most * (inch_machine ? 25.4 : 1.0) : inch_machine ? 0.394 * 25.4 : 1.0;
     }
     return std::fabs(shown) <= limit + 1e-9;
 }

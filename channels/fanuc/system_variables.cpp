@@ -125,6 +125,12 @@ VariableStatus Interpreter::read_system(std::int64_t number, double& value) {
         const double plain = core_.unframed(point)[i];
         return plain + (settings_.positions_with_length ? path.shift[i] : 0.0);
     };
+    // Behind a barrier the path has ended: an axis stands where the path has brought it, however much its loop still lags in
+    // that tick. Only an interrupt program that runs beside the path asks while the axes move.
+    const auto where = [&](std::uint8_t machine_axis) {
+        const auto rests = interruption_.running ? std::nullopt : port.axis_taken_over(machine_axis);
+        return rests ? rests : port.axis_position(machine_axis);
+    };
     const auto shown = [&](unsigned i, double true_value) { return view.to_shown(i, true_value) * (view.axes[i].rotary ? 1.0 : programmed_unit); };
     if (number >= 5001 && number < 5001 + static_cast<std::int64_t>(view.axis_count)) {
         const AxisValues& end = interruption_.running && interruption_.shows_end ? interruption_.end : core_.path.programmed;
@@ -137,15 +143,15 @@ VariableStatus Interpreter::read_system(std::int64_t number, double& value) {
         if (!fresh_) return VariableStatus::NeedsBarrier;
         const unsigned i = place_of(machine_now ? 5021 : 5041);
         const ChannelAxis& axis = view.axes[i];
-        const auto measured = port.axis_position(axis.machine_axis);
-        const double machine = measured ? axis.from_drive(*measured) : core_.path.machine[i];
+        const auto now = where(axis.machine_axis);
+        const double machine = now ? axis.from_drive(*now) : core_.path.machine[i];
         if (machine_now) {
             value = shown(i, axis.to_drive(machine) + port.axis_added(axis.machine_axis));
             return VariableStatus::Ok;
         }
         AxisValues all = core_.path.machine;
         for (unsigned k = 0; k < view.axis_count; ++k)
-            if (const auto there = port.axis_position(view.axes[k].machine_axis)) all[k] = view.axes[k].from_drive(*there);
+            if (const auto there = where(view.axes[k].machine_axis)) all[k] = view.axes[k].from_drive(*there);
         value = shown(i, work_position(all, i));
         return VariableStatus::Ok;
     }
@@ -259,7 +265,7 @@ VariableStatus Interpreter::write_system(std::int64_t number, double value) {
         if (offset > view.config().offset_count) return VariableStatus::Unknown;
         const bool tip = range->field == OffsetField::T;
         const double given = is_null(value) ? 0.0 : value, cell = tip ? std::nearbyint(given) : given * unit_;
-        if (!settings_.nct && !(tip ? cell >= 0 && cell <= 9 : offset_value_good(range->table, cell))) {   // as G10 (fanuc_lathe 1.1, 1.8)
+        if (!(tip ? cell >= 0 && cell <= 9 : offset_value_good(range->table, cell))) {   // as G10 (fanuc_lathe 1.1, 1.8; nct N1415)
             core_.fail(Alarm::OffsetValueIllegal, 0, {}, given);
             return VariableStatus::Fault;
         }

@@ -36,6 +36,20 @@ class Parameters(Case):
         return [event["code"] for event in done.of("aux", ch=1)]
 
 
+class Values(Parameters):
+    def test_a_position_that_is_read_behind_a_move_is_its_end(self):
+        done = self.run_nct("G94 G90 G1 Z20. F3000.\n#100=#5042\n#101=#5022\nG0 X60.\n#102=#5041\nM30\n", options=("--variables",))
+        value = {e["name"]: e["value"] for e in done.of("variable")}
+        self.assertEqual([value[f"#{n}"] for n in (100, 101, 102)], [20, 20, 60], "not what the loop still lags behind")
+
+    def test_channels_of_a_check_see_the_offsets_they_share(self):
+        first = self.write("O0001.nc", "G10 L10 P3 X10. Z4.\nG10 L10 P5 X10. Z4.\nM510 P12\nM30\n")
+        second = self.write("O0002.nc", "M510 P12\nT0303\nG0 X20. Z1.\nT0505\nX21. Z1.\nM30\n")
+        done = self.polyturn("check", "--language", "nct", "--set", "N1412=4", "--set", "N1414 L2=0", "--set", "N1413 L2=2", f"1={first}", f"2={second}")
+        self.assertEqual(done.status, 0, done.said())
+        self.assertEqual([(m["machine"]["X"], m["machine"]["Z"]) for m in done.of("move", ch=2)], [(15, 5), (10.5, 1)])
+
+
 class Functions(Parameters):
     def test_m_codes_of_one_group_contradict_and_the_valid_one_is_shown(self):
         group = ("N1341 L1=51", "N1357 L1=53")

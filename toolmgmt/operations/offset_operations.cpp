@@ -39,9 +39,9 @@ bool enter_offset(Work& work, std::int32_t channel, std::int32_t number, int tab
     if (table != 1 && work.caller.level < UserLevel::Setter) return refuse(Alarm::LevelTooLow, "geometry is the setter's");
     if (field == 4 && (value < 0 || value > 9 || value != std::trunc(value))) return refuse(Alarm::StoreRequestBad, "tip directions are 0 to 9");
     if (table == 1 && field != 4) {
-        // N1415: 0 stands for one millimetre (part 1, 15.1).
+        // N1415: 0 stands for one millimetre, or 0.394 inch (part 1, 15.1).
         const double stated = params::get(work.values.parameters, params::n1415_max_amount_of_wear_comp, config.number) * config.length_unit_mm();
-        const double most = stated > 0 ? stated : 1.0;
+        const double most = stated > 0 ? stated : config.length_unit_mm() > 1.0 ? 0.394 * config.length_unit_mm() : 1.0;
         if (std::abs(value) > most) return refuse(Alarm::StoreRequestBad, "wear is " + shortest_text(most) + " mm at the most (N1415)");
         const double step = params::get(work.values.parameters, params::pt_wear_step, config.number) * config.length_unit_mm();
         if (step > 0 && std::abs(value - *now) > step * (1 + 1e-9)) return refuse(Alarm::StoreRequestBad, "one entry changes wear by " + shortest_text(step) + " mm at the most (PT_WEAR_STEP)");
