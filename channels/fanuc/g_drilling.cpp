@@ -71,6 +71,7 @@ void Interpreter::fine_way(cycles::Drilling& hole) {
 bool Interpreter::begin_rigid_tap(cycles::Drilling& hole, bool left_hand) {
     const Settings::Tapping& tapping = settings_.tapping;
     hole.rigid = tapping.orients || tapping.code > 0;   // otherwise nothing closes the spindle's loop: it turns, the axis follows
+    if (tapping.orients && !can_orient(core_.path.spindle.spindle)) return false;
     if (hole.rigid) {
         const double rpm = core_.path.spindle.rpm, feed = core_.path.feed;
         const bool per_revolution = core_.path.feed_mode == FeedMode::PerRevolution;
@@ -168,7 +169,12 @@ bool Interpreter::run_drilling() {
             hole.dwells = dwell_word;
             break;
         case 850: hole.way_out = cycles::Drilling::Way::Feed; bore_out(hole); hole.dwells = dwell_word && !series15_drills(settings_, core_.view()); break;
-        case 861: hole.way_out = cycles::Drilling::Way::Fine; fine_way(hole); hole.dwells = dwell_word; break;
+        case 861:
+            if (!can_orient(core_.path.spindle.spindle)) return false;
+            hole.way_out = cycles::Drilling::Way::Fine;
+            fine_way(hole);
+            hole.dwells = dwell_word;
+            break;
         case 860: hole.way_out = cycles::Drilling::Way::StopRapid; hole.dwells = dwell_word; break;
         case 890: hole.way_out = cycles::Drilling::Way::Feed; hole.dwells = dwell_word; bore_out(hole); break;
         default: return core_.fail(Alarm::NotBuilt, 'G', std::string(row.name));

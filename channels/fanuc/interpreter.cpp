@@ -97,6 +97,8 @@ Result<void> Interpreter::start(FileId main) {
     line_left_ = tape_begun_ = blocks_begun_ = ended_ = reread_ = false;
     managed_serial_ = 0;
     fresh_ = true;   // cycle start is a barrier
+    // Without a machine nobody but the program can have closed a spindle's loop.
+    turned_.fill({core_.port().axis_command(core_.view().axes[0].machine_axis) ? SpindleLoop::Unknown : SpindleLoop::Open, 0.0});
     program_number_ = 0;
     measuring_ = {};
     barrier_fault_.reset();

@@ -206,6 +206,18 @@ private:
     bool wait_code(const Word& word);
     bool code_calls(bool& called);
     bool function_code(const Word& word, bool late);
+    unsigned spindle_of_codes() const;
+    const Settings::Indexing* indexing_of(double code) const;
+    void note_loop(double code);
+    bool can_orient(unsigned spindle);
+    bool turn_spindle(unsigned spindle, double degrees, bool incremental, double rpm = 0);
+    // What the program knows of a spindle's position loop: at its start nothing, unless nobody else can have closed it.
+    enum class SpindleLoop : std::uint8_t { Unknown, Open, Closed };
+    struct TurnedSpindle {
+        SpindleLoop loop = SpindleLoop::Unknown;
+        double angle_deg = 0;
+    };
+    std::array<TurnedSpindle, kMaxSpindles + 1> turned_{};
     bool sub_call(bool external);
     std::string_view text_of(const Word& word) const { return line_.substr(word.column - 1u, word.length); }
 

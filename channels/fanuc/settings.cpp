@@ -24,13 +24,11 @@ void common_settings(Settings& s, const Table& t, unsigned l) {
         const auto high = static_cast<double>(get(t, nth(n1325_m_gr_high_suppr_b1, n), l));
         if (high > 0) s.draining_m.emplace_back(low, high);
     }
-    if (const auto spindle = static_cast<unsigned>(get(t, n0604_default_spindle, l)); spindle >= 1 && spindle <= kMaxSpindles) {
-        s.index_angle = static_cast<double>(get(t, n0822_basic_angle_of_spnd_pos, spindle));
-        s.index_negative = bit(t, n0607_spindle_config, spindle, 7);
-        if (s.index_angle > 0 && !bit(t, n0607_spindle_config, spindle, 3)) {
-            s.index_first = static_cast<double>(get(t, n0820_start_m_of_spnd_pos, spindle));
-            s.index_count = static_cast<double>(get(t, n0821_no_of_m_code_for_spnd_pos, spindle));
-        }
+    for (unsigned spindle = 1; spindle <= kMaxSpindles; ++spindle) {
+        const auto first = static_cast<double>(get(t, n0820_start_m_of_spnd_pos, spindle));
+        const auto angle = static_cast<double>(get(t, n0822_basic_angle_of_spnd_pos, spindle));
+        if (first <= 0 || angle <= 0 || !bit(t, n0607_spindle_config, spindle, 0) || bit(t, n0607_spindle_config, spindle, 3)) continue;
+        s.indexing.push_back({spindle, first, static_cast<double>(get(t, n0821_no_of_m_code_for_spnd_pos, spindle)), bit(t, n0607_spindle_config, spindle, 7) ? -angle : angle});
     }
     for (unsigned spindle = 1; spindle <= kMaxSpindles; ++spindle) {
         const auto second = get(t, n0605_spindle_name2, spindle), third = get(t, n0606_spindle_name3, spindle);

@@ -101,8 +101,11 @@ struct Settings {
     std::array<double, 3> measure_rapid{}, measure_range{};   // X Y Z: mm before and around the target
     int measure_input = 0;               // nct: N3002
     bool measure_to_wear = false, measure_added = true;
-    double index_first = 0, index_count = 0, index_angle = 0;   // N0820 to N0822 of the channel's spindle
-    bool index_negative = false;        // N0607 IDS
+    struct Indexing {
+        unsigned spindle = 0;
+        double first = 0, count = 0, angle = 0;   // N0820 to N0822; the angle with the sign of N0607 IDS
+    };
+    std::vector<Indexing> indexing;      // spindles that M codes turn by angles
     double surface_speed = 0;            // N0686: G96 until S; 0: S must be programmed
     double parts_made = 0, parts_wanted = 0;   // N2307, N2308: #3901, #3902
     double part_code = 0;                // N2305: M code that counts a part; 0: M2 and M30

@@ -91,10 +91,10 @@ bool Core::spindle_position(double degrees, SpindleApproach approach) { return s
 
 bool Core::spindle_angle(unsigned spindle, double degrees, bool incremental, double feed_rpm) {
     position_feed_rpm_ = feed_rpm;
-    const auto meant = path.spindle.spindle;
+    const SpindleState meant = path.spindle;
     path.spindle.spindle = static_cast<decltype(path.spindle.spindle)>(spindle);
     const bool done = incremental ? spindle_to(path.spindle.angle_deg + degrees, SpindleApproach::Incremental, degrees) : spindle_to(degrees, SpindleApproach::Shortest, 0.0);
-    path.spindle.spindle = meant;
+    if (spindle != meant.spindle) path.spindle = meant;   // the channel's own spindle goes on turning
     position_feed_rpm_ = 0;
     return done;
 }
