@@ -58,8 +58,8 @@ fanuc::Settings nct_settings(const Table& t, unsigned l) {
         s.measure_rapid[n] = get(t, kRapid.begin()[n], l) * unit;
         s.measure_range[n] = get(t, kRange.begin()[n], l) * unit;
     }
-    s.feed_per_minute = get(t, n0300_default_f_g94, l);
-    s.feed_per_revolution = get(t, n0301_default_f_g95, l);
+    s.feed_per_minute = get(t, n0300_default_f_g94, l) * unit;
+    s.feed_per_revolution = get(t, n0301_default_f_g95, l) * unit;
     s.surface_speed = static_cast<double>(get(t, n0686_default_surf_speed, l)) * (bit(t, n0104_unit_of_measure, l, 0) ? 0.3048 : 1.0);
     if (const auto first = get(t, n1702_write_prt_low, l); first >= 500) s.protected_first = first, s.protected_last = get(t, n1703_write_prt_hig, l);
     const bool mill = get(t, n0001_control_type, l) == 1;
