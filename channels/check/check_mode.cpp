@@ -5,13 +5,16 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 
 #include "channels/check/check_port.hpp"
 #include "channels/check/event_text.hpp"
 #include "channels/preset.hpp"
 #include "ipc/machine/apply_setup.hpp"
+#include "ipc/path/stroke_zones.hpp"
 
 namespace polyturn::channels {
 namespace {
@@ -56,14 +59,59 @@ void place_axes(Core& core, const text::ChannelSetup& setup) {
     core.start_at_machine(machine);
 }
 
+// How many offsets the channels of this one's kind share; the one whose table they are in shares them as well.
+unsigned offsets_in_common(const MachineView& view) {
+    return static_cast<unsigned>(view.config().kind == ChannelKind::Mill ? params::get(view.table(), params::n1401_no_of_common_tool_offsets_m)
+                                                                         : params::get(view.table(), params::n1412_no_of_common_tool_offsets_t));
+}
+
+// What the interpreters of one check have in common, mapped from a file that the caller has made.
+class SharedCells {
+public:
+    explicit SharedCells(const std::string& path) {
+        if (path.empty()) return;
+        const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+        if (file < 0) return;
+        void* const at = ::ftruncate(file, static_cast<off_t>(kBytes)) != 0 ? MAP_FAILED : ::mmap(nullptr, kBytes, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+        if (at != MAP_FAILED) cells_ = static_cast<double*>(at);
+        ::close(file);
+    }
+    ~SharedCells() { if (cells_) ::munmap(cells_, kBytes); }
+    SharedCells(const SharedCells&) = delete;
+    SharedCells& operator=(const SharedCells&) = delete;
+    double* cells() const { return cells_; }
+    // Offset n as the last one wrote it that shares it (N1401, N1412).
+    void put(std::size_t n, const OffsetCell& cell) const {
+        if (n >= kMaxOffsets) return;
+        char* const at = place(n);
+        std::memcpy(at + sizeof(double), &cell, sizeof cell);
+        std::memset(at, 1, 1);
+    }
+    void take(ChannelStore& store, unsigned count) const {
+        for (std::size_t n = 1; n <= count && n < kMaxOffsets && n < store.offsets.size(); ++n)
+            if (const char* const at = place(n); *at) std::memcpy(static_cast<void*>(&store.offsets[n]), at + sizeof(double), sizeof(OffsetCell));
+    }
+
+private:
+    static constexpr std::size_t kMaxOffsets = 1000, kOffsetBytes = sizeof(double) + sizeof(OffsetCell);   // written or not; the cell
+    static constexpr std::size_t kVariableBytes = 900 * sizeof(double), kBytes = kVariableBytes + kMaxOffsets * kOffsetBytes;
+    char* place(std::size_t n) const { return reinterpret_cast<char*>(cells_) + kVariableBytes + n * kOffsetBytes; }
+    double* cells_ = nullptr;
+};
+
 // Remembers whether the next thing to do is to wait for the others, and shows skip moves to the port.
 class WaitWatch final : public ForwardingSink {
 public:
-    WaitWatch(Sink& next, CheckPort& port, const MachineView& view) : ForwardingSink(&next), port_(&port), view_(&view) {}
+    WaitWatch(Sink& next, CheckPort& port, const MachineView& view, const SharedCells& shared)
+        : ForwardingSink(&next), port_(&port), view_(&view), shared_(&shared), common_(offsets_in_common(view)) {}
     bool waiting = false;
+    const Core* core = nullptr;            // of the program that is read
+    std::optional<Diagnosis> stroke_end;   // a move came to the end of a stroke: nothing is driven behind it
     void move(const Move& m, const BlockContext& at) override {
+        if (stroke_end) return;
         if (m.kind != MoveKind::Skip) {
             next_->move(m, at);
+            watch_stroke(m);
             return;
         }
         // The event shows the point that the signal leaves, as a run of the machine would.
@@ -76,33 +124,56 @@ public:
             stopped.machine[i] = *end;
         }
         next_->move(stopped, at);
+        watch_stroke(stopped);
     }
     void wait(const Wait& w, const BlockContext& at) override { waiting = waiting || w.act == Wait::Act::Meet, next_->wait(w, at); }
+    void offset(const OffsetWrite& o, const BlockContext& at) override {
+        if (shared_->cells() && !o.work && o.number >= 1 && static_cast<unsigned>(o.number) <= common_) shared_->put(static_cast<std::size_t>(o.number), view_->store->offsets[static_cast<std::size_t>(o.number)]);
+        next_->offset(o, at);
+    }
+    // The others have had their turn.
+    void take_common() const {
+        if (shared_->cells()) shared_->take(*view_->store, common_);
+    }
 
 private:
+    // The machine stops where a move would leave its stroke (nct_parameters_part1 11.4), also where nothing was checked before.
+    void watch_stroke(const Move& m) {
+        if (!core || core->path.transformation.active()) return;
+        StrokeZones zones;
+        zones.count = view_->axis_count;
+        StrokeFlags flags;
+        flags.second_off = core->path.stroke2_off;
+        bool any = false;
+        for (unsigned i = 0; i < view_->axis_count; ++i) {
+            if (!view_->axes[i].stroke.any()) continue;
+            zones.axes[i] = zone_of(view_->axes[i].stroke, view_->stroke, flags);
+            any = true;
+        }
+        if (!any) return;
+        const bool arc = m.kind == MoveKind::ArcCw || m.kind == MoveKind::ArcCcw;
+        constexpr int kChords = 48;
+        AxisValues from = m.machine_start;
+        for (int k = 1, pieces = arc ? kChords : 1; k <= pieces && !stroke_end; ++k) {
+            AxisValues to = m.machine;
+            if (k < pieces) {
+                const double share = static_cast<double>(k) / pieces;
+                for (unsigned i = 0; i < view_->axis_count; ++i) to[i] = m.machine_start[i] + share * (m.machine[i] - m.machine_start[i]);
+                const double first = std::atan2(m.machine_start[m.plane_q] - m.centre_q, m.machine_start[m.plane_p] - m.centre_p) + share * m.sweep;
+                to[m.plane_p] = m.centre_p + m.radius * std::cos(first);
+                to[m.plane_q] = m.centre_q + m.radius * std::sin(first);
+            }
+            StrokeFault fault;
+            if (free_part(zones, from.data(), to.data(), fault) < 1.0)
+                stroke_end = Diagnosis{Alarm::StrokeLimit, {}, {fault.limit}, "A" + std::to_string(view_->axes[fault.axis].machine_axis + 1)};
+            from = to;
+        }
+    }
+
     CheckPort* port_;
     const MachineView* view_;
-};
-
-// Cells that the interpreters of one check have in common, mapped from a file that the caller has made.
-class SharedCells {
-public:
-    explicit SharedCells(const std::string& path) {
-        if (path.empty()) return;
-        const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
-        if (file < 0) return;
-        void* const at = ::mmap(nullptr, kBytes, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
-        if (at != MAP_FAILED) cells_ = static_cast<double*>(at);
-        ::close(file);
-    }
-    ~SharedCells() { if (cells_) ::munmap(cells_, kBytes); }
-    SharedCells(const SharedCells&) = delete;
-    SharedCells& operator=(const SharedCells&) = delete;
-    double* cells() const { return cells_; }
-
-private:
-    static constexpr std::size_t kBytes = 900 * sizeof(double);
-    double* cells_ = nullptr;
+    const SharedCells* shared_;
+    unsigned common_;
 };
 
 bool ask_to_go_on() {
@@ -159,20 +230,27 @@ int run_check(const CheckOptions& options, std::FILE* out) {
     CheckPort port(setup, options.channel, options.alone);
     const SharedCells shared(options.shared);
     port.share(shared.cells());
-    WaitWatch sink(events, port, view);
+    WaitWatch sink(events, port, view, shared);
     const std::unique_ptr<Language> interpreter = make_language(language, view, sink, port, files);
     if (!interpreter) return refuse({Alarm::NotBuilt, {options.program, 0, 0, 0}, {}, "the language " + language}, scene, printer);
     if (const auto started = interpreter->start(*main); !started) return refuse(started.diagnosis(), scene, printer);
     place_axes(interpreter->core(), own);
+    sink.core = &interpreter->core();
     preset(*interpreter, own);
 
     if (shared.cells() && !ask_to_go_on()) return 0;   // the programs take turns
+    sink.take_common();
 
     // A loop of the program that causes nothing would keep the check for ever.
     std::uint64_t silent = 0;
     std::size_t printed = 0;
     for (;;) {
         const Step step = interpreter->step();
+        if (sink.stroke_end) {
+            sink.stroke_end->place = {options.program, interpreter->core().at.line, 0, 0};
+            events.alarm(*sink.stroke_end, interpreter->core().at);
+            break;
+        }
         silent = printer.text.size() == printed ? silent + 1 : 0;
         printer.flush_large();
         printed = printer.text.size();
@@ -186,6 +264,7 @@ int run_check(const CheckOptions& options, std::FILE* out) {
             sink.waiting = false;
             printer.flush();
             if (!ask_to_go_on()) break;   // nobody is there who could release it
+            sink.take_common();
         }
         if (step == Step::AtBarrier) interpreter->barrier_done();
     }

@@ -57,7 +57,7 @@ struct Interpreter {
         start = scanned = buffer.size();
         return true;
     }
-    // With variables in common the order counts: it goes on when it is read next, the others stand meanwhile.
+    // With variables or offsets in common the order counts: it goes on when it is read next, the others stand meanwhile.
     void go() {
         if (in_turn) due = true;
         else send();
@@ -76,7 +76,7 @@ public:
         : options_(options), plan_(std::move(plan)), not_waited_for_(std::move(not_waited_for)) {}
 
     int run() {
-        if (plan_.programs.size() > 1 && shares_variables()) make_shared_cells();
+        if (plan_.programs.size() > 1 && shares_values()) make_shared_cells();
         for (const auto& [channel, program] : plan_.programs)
             if (!begin(channel, program)) return 2;
         interleave();
@@ -90,13 +90,14 @@ public:
     }
 
 private:
-    bool shares_variables() const {
-        bool any = params::get(*plan_.table, params::n1700_no_of_common_100) > 0 || params::get(*plan_.table, params::n1701_no_of_common_500) > 0;
+    bool shares_values() const {
+        bool any = params::get(*plan_.table, params::n1700_no_of_common_100) > 0 || params::get(*plan_.table, params::n1701_no_of_common_500) > 0 ||
+                   params::get(*plan_.table, params::n1401_no_of_common_tool_offsets_m) > 0 || params::get(*plan_.table, params::n1412_no_of_common_tool_offsets_t) > 0;
         for (const auto& [channel, program] : plan_.programs)
             any = any || params::get(*plan_.table, params::f6036, channel) > 0 || params::get(*plan_.table, params::f6037, channel) > 0;
         return any;
     }
-    // Empty variables (NaN) in a file without a name, which the interpreters map.
+    // Empty variables (NaN) in a file without a name, which the interpreters map and lengthen by the offsets.
     void make_shared_cells() {
         const int file = memfd_create("polyturn-variables", MFD_CLOEXEC);
         if (file < 0) return;
