@@ -1,5 +1,6 @@
 // Codes and switches of a channel: ranges of M codes that end before they begin, groups that share a code, position switches.
 #include <string>
+#include <string_view>
 
 #include "ipc/machine/config_report.hpp"
 
@@ -8,7 +9,7 @@ namespace {
 
 using namespace params;
 
-constexpr unsigned kMGroups = 16, kSuppressRanges = 8, kSwitches = 32, kAuxLetters = 3;
+constexpr unsigned kMGroups = 16, kSuppressRanges = 8, kSwitches = 32, kAuxLetters = 3, kCallingLetters = 4;
 
 // N1341 to N1372: two codes of one group in a block are refused, so no code may be in two groups.
 void check_groups(Report& report, unsigned l) {
@@ -45,6 +46,25 @@ void check_letters(Report& report, unsigned l) {
         }
 }
 
+// part 2, 18.4: the letters that can call a program; the others have a meaning in the block itself.
+void check_calling_letters(Report& report, unsigned l) {
+    constexpr std::string_view kMayCall = "DEFHIJKQRUVWXYZ";
+    for (unsigned n = 1; n <= kCallingLetters; ++n) {
+        const auto letter = nth(n1747_ascii_code_subp1, n);
+        const auto code = get(report.table, letter, l);
+        if (code != 0 && (code < 'A' || code > 'Z' || kMayCall.find(static_cast<char>(code)) == std::string_view::npos))
+            report.add(Alarm::ParamRange, report.line(letter, l) + ": not one of " + std::string(kMayCall));
+    }
+}
+
+// part 2, 18.1: what a program may not write lies within #500 to #999.
+void check_protected_variables(Report& report, unsigned l) {
+    const auto low = get(report.table, n1702_write_prt_low, l), high = get(report.table, n1703_write_prt_hig, l);
+    if (low == 0 && high == 0) return;
+    if (low < 500) report.add(Alarm::ParamRange, report.line(n1702_write_prt_low, l) + ": outside #500 to #999");
+    else if (low > high) report.add(Alarm::ParamRange, report.line(n1702_write_prt_low, l) + " above " + report.line(n1703_write_prt_hig, l));
+}
+
 }  // namespace
 
 void check_codes(Report& report) {
@@ -53,6 +73,8 @@ void check_codes(Report& report) {
         check_groups(report, c.number);
         check_suppression(report, c.number);
         check_letters(report, c.number);
+        check_calling_letters(report, c.number);
+        check_protected_variables(report, c.number);
     }
     for (const SpindleConfig& s : report.machine.spindles)
         if (s.exists() && get(report.table, n0689_spindle_m_low, s.number) > get(report.table, n0690_spindle_m_high, s.number))

@@ -54,6 +54,10 @@ const Row kRows[] = {
     {{"N1413 L1=2", "N2923 L1=5"}, Alarm::ParamRange, "N2923 L1=5"},
     {{"N1413 L1=2", "N1414#1 L1=1", "N2923 L1=55"}, Alarm::ParamRange, "N2923 L1=55"},
     {{"N0682 S1=9.5"}, Alarm::ParamRange, "N0682 S1=9.5"},
+    {{"N1747 L1=71", "N1751 L1=3000"}, Alarm::ParamRange, "N1747 L1=71"},   // G: part 2, 18.4
+    {{"N1750 L2=80"}, Alarm::ParamRange, "N1750 L2=80"},                    // P
+    {{"N1702 L1=400", "N1703 L1=410"}, Alarm::ParamRange, "N1702 L1=400"},
+    {{"N1702 L1=510", "N1703 L1=505"}, Alarm::ParamRange, "N1702 L1=510"},
     {{"N5000=Simulation"}, Alarm::ParamRange, "N5000=Simulation"},
     {{"N0304 A1=0"}, Alarm::ConfigMotionLimit, "N0304 A1=0"},
     {{"N0305 A1=0"}, Alarm::ConfigMotionLimit, "N0305 A1=0"},
