@@ -15,12 +15,13 @@ namespace p = params;
 namespace {
 
 constexpr double kEver = std::numeric_limits<double>::infinity();
+constexpr std::int32_t kFirstSpindlePlace = 10;   // magazine number of S1; below it are chains, matrices and turrets (part 2, 30.2)
 
 std::string_view name_of(const ToolRow& row) { return {row.name.data(), ::strnlen(row.name.data(), row.name.size())}; }
 
 bool searched(const p::Table& t, unsigned channel, std::int32_t magazine) {
     if (magazine <= 0) return false;
-    if (magazine >= 10) return magazine / 10 == tool_spindle(t, channel);
+    if (magazine >= kFirstSpindlePlace) return magazine / 10 == tool_spindle(t, channel);
     for (unsigned l = 1; l <= kMaxChannels; ++l)
         if (turret_of(t, l).magazine == magazine) return l == channel;
     return magazine <= 4 && p::bit(t, p::n2901_search_config, channel, static_cast<unsigned>(magazine) + 1);
@@ -131,6 +132,9 @@ ToolAnswer find_tool(const StoreValues& values, const ToolPlaceTable& places, co
         const auto pot = static_cast<std::int32_t>(location ? whole : whole % 10'000);
         if (location && whole == 0) return empty_place(0, 0);
         const ToolPlace* place = find_place(places, magazine, pot);
+        // Where no magazine is described (N2905 to N2921) the PLC alone knows its places.
+        const bool described = places.count != 0 && places.places[0].magazine < kFirstSpindlePlace;
+        if (!place && !location && !described) return empty_place(magazine, pot);
         if (!place) return refused(Alarm::ToolPlaceUnknown, place_name(magazine, pot));
         if (place->tool == 0) return empty_place(magazine, pot);
         if (!location) return found(values, question, place->tool);

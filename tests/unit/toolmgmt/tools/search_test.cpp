@@ -75,6 +75,15 @@ TEST(TCall, NamesAPlaceByFourAndFourDigits) {
     EXPECT_EQ(rig.found(ToolCallBy::Place, 20013), minus(Alarm::ToolPlaceUnknown));
 }
 
+TEST(TCall, NamesAnyPlaceWhereNoMagazineIsDescribed) {
+    ToolRig rig;
+    for (const char* line : {"PT_TURRET_MAGAZINE L1=0", "PT_TURRET_MAGAZINE L2=0"}) rig.set(line);
+    const ToolAnswer there = rig.call(ToolCallBy::Place, 123456);
+    EXPECT_LT(there.alarm, 0);
+    EXPECT_EQ(there.magazine, 12);
+    EXPECT_EQ(there.pot, 3456);
+}
+
 TEST(TCall, IsTheStationWhereNobodyUsesTypeNumbers) {
     ToolRig rig;
     const int tool = rig.add({{"name", "ROUGH"}}, 1, 7);
