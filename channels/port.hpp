@@ -42,7 +42,7 @@ public:
     // Where a skip move ended; nothing: the signal did not come, the move went to its end.
     virtual std::optional<double> axis_at_skip(unsigned machine_axis) = 0;
     // Keys of the operator.
-    virtual bool block_skip(unsigned number) = 0;   // 1..9
+    virtual bool block_skip(unsigned number) = 0;   // 1..10
     virtual bool optional_stop() = 0;
     virtual bool single_block() = 0;
     // Interface inputs and outputs of the program (#1000.., #1100..).

@@ -229,6 +229,7 @@ struct DialoguePage;
 struct Stop {
     StopReason reason = StopReason::M00;
     const DialoguePage* page = nullptr;   // Dialogue: what is asked
+    bool asked = true;                    // false: an M01 whose key was off when it was read; whether it stops is seen when the machine comes to it
 };
 
 class Sink {

@@ -45,7 +45,7 @@ public:
     void wait(const Wait& w, const BlockContext& at) override { if (w.act != Wait::Act::Arrive) put(w, at); }
     void variable(const Variable& v, const BlockContext& at) override { if (variables_) put(v, at); }
     void offset(const OffsetWrite& o, const BlockContext& at) override { put(o, at); }
-    void stop(const Stop& s, const BlockContext& at) override { put(s, at); }
+    void stop(const Stop& s, const BlockContext& at) override { if (s.asked) put(s, at); }
     void alarm(const Diagnosis& d, const BlockContext& at) override { errors_ += d.severity() == Severity::Error; put(d, at); }
     void message(std::string_view text, const BlockContext& at) override { append_message_event(*text_, scene_, text, at); end(); }
     void part(double count, const BlockContext& at) override { append_part_event(*text_, scene_, count, at); end(); }

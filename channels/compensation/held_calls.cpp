@@ -4,7 +4,7 @@ namespace polyturn::channels::compensation {
 
 bool HeldCalls::halts(const Call& call) {
     if (const Aux* aux = std::get_if<Aux>(&call.what)) return aux->drained;
-    if (const Stop* stop = std::get_if<Stop>(&call.what)) return stop->reason == StopReason::M00 || stop->reason == StopReason::M01;
+    if (const Stop* stop = std::get_if<Stop>(&call.what)) return stop->asked && (stop->reason == StopReason::M00 || stop->reason == StopReason::M01);
     if (const Wait* wait = std::get_if<Wait>(&call.what)) return wait->act != Wait::Act::Arrive;
     return std::holds_alternative<Barrier>(call.what);
 }

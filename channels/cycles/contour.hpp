@@ -50,7 +50,7 @@ public:
     void alarm(const Diagnosis& diagnosis, const BlockContext& at) override;
     void wait(const Wait&, const BlockContext& at) override { foreign = at; }
     void stop(const Stop& stop, const BlockContext& at) override {   // an end of the program tells the reader by itself
-        if (stop.reason == StopReason::M00 || stop.reason == StopReason::M01) foreign = at;
+        if (stop.asked && (stop.reason == StopReason::M00 || stop.reason == StopReason::M01)) foreign = at;
     }
     void barrier(const BlockContext& at) override { foreign = at; }
     void offset(const OffsetWrite&, const BlockContext& at) override { foreign = at; }

@@ -285,7 +285,10 @@ bool Interpreter::m_after() {
     switch (code) {
         case 0:
         case 1:
-            if (code == 1 && !core_.port().optional_stop()) return true;
+            if (code == 1 && !core_.port().optional_stop()) {
+                core_.sink().stop({StopReason::M01, nullptr, false}, core_.at);
+                return true;
+            }
             core_.mark_emitted();
             core_.sink().stop({code == 0 ? StopReason::M00 : StopReason::M01}, core_.at);
             wants_barrier_ = true;

@@ -301,8 +301,9 @@ void RecordSink::stop(const Stop& stop, const BlockContext& at) {
     const bool asks = stop.reason == StopReason::Dialogue;
     if (asks && stop.page && show_dialogue_) show_dialogue_(*stop.page);
     if (!asks && stop.reason != StopReason::M00 && stop.reason != StopReason::M01 && stop.reason != StopReason::Restart && stop.reason != StopReason::Alarm) await(under_way_, at);
-    PathRecord r = event(RecordKind::Stop, at, note([&](Sink& sink) { sink.stop(stop, at); }));
+    PathRecord r = event(RecordKind::Stop, at, note([&](Sink& sink) { sink.stop({stop.reason, stop.page}, at); }));
     r.code = static_cast<std::int32_t>(stop.reason);
+    if (!stop.asked) return push(r, true, false);   // the key may come while the machine drives what stands before it
     const bool goes_on = asks || stop.reason == StopReason::M00 || stop.reason == StopReason::M01;
     if (stop.reason == StopReason::Restart) return push(r, true, false);   // the interpreter reads on behind it
     if (!goes_on && more_parts_) r.kind = code_of(RecordKind::Barrier);   // reported, but the machine goes on with the next part

@@ -38,7 +38,7 @@ std::optional<double> RunPort::axis_at_skip(unsigned machine_axis) {
     return status_->axes[machine_axis].skip - axis_added(machine_axis);
 }
 
-bool RunPort::block_skip(unsigned number) { return number >= 1 && number <= 9 && (own().keys & (kKeyBlockSkip1 << (number - 1))) != 0; }
+bool RunPort::block_skip(unsigned number) { return number >= 1 && number <= 10 && (own().keys & (kKeyBlockSkip1 << (number - 1))) != 0; }
 bool RunPort::optional_stop() { return (own().keys & kKeyOptionalStop) != 0; }
 bool RunPort::single_block() { return (own().keys & kKeySingleBlock) != 0; }
 

@@ -147,7 +147,10 @@ bool Interpreter::functions_after() {
         if (!m_number(word, m, spindle)) return false;
         if (!ends_block(m)) continue;
         if (m == 0 || m == 1) {
-            if (m == 1 && !core_.port().optional_stop()) continue;
+            if (m == 1 && !core_.port().optional_stop()) {
+                core_.sink().stop({StopReason::M01, nullptr, false}, core_.at);
+                continue;
+            }
             core_.mark_emitted();
             core_.sink().stop({m == 0 ? StopReason::M00 : StopReason::M01}, core_.at);
             stop_reading();

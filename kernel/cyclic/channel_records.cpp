@@ -331,9 +331,9 @@ bool ChannelRunner::arrive(const PathRecord& r) noexcept {
 }
 
 bool ChannelRunner::stop(const PathRecord& r) noexcept {
+    if (passes_stop(r) && phase_ != Phase::Stopped) return true;
     ends_with_part_ = false;   // the program stops by itself
     const auto reason = static_cast<StopReason>(r.code);
-    if (reason == StopReason::M01 && !(keys & kKeyOptionalStop)) return true;
     if (phase_ == Phase::Stopped) return std::exchange(continue_, false);
     switch (reason) {
         case StopReason::M00:

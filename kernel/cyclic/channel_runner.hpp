@@ -193,6 +193,7 @@ private:
     bool stop(const PathRecord& r) noexcept;
     void finished(const PathRecord& r, std::uint64_t index, double offset_s) noexcept;
     void begin_record(const PathRecord& r, double offset_s) noexcept;
+    bool passes_stop(const PathRecord& r) const noexcept;
     void take_keys() noexcept;
     void drive() noexcept;
     void settle() noexcept;

@@ -71,7 +71,7 @@ void Machine::run_command(const Command& c) noexcept {
         case CommandKind::OptionalStop: key(kKeyOptionalStop); break;
         case CommandKind::DryRun: key(kKeyDryRun); break;
         case CommandKind::MachineLock: key(kKeyMachineLock); break;
-        case CommandKind::BlockSkip: key(c.flags ? kKeyBlockSkip1 << (std::min<std::uint32_t>(c.flags, 9) - 1) : 0x1FFu * kKeyBlockSkip1); break;
+        case CommandKind::BlockSkip: key(c.flags ? kKeyBlockSkip1 << (std::min<std::uint32_t>(c.flags, 10) - 1) : 0x3FFu * kKeyBlockSkip1); break;
         case CommandKind::IgnoreWaits:
             for (std::uint32_t l = 1; l <= kMaxChannels; ++l)
                 if (c.channel == 0 || c.channel == l) {

@@ -247,7 +247,7 @@ private:
             return true;
         }
         const auto number = number_of(value);
-        if (!number || *number != std::floor(*number) || std::abs(*number) > 9) return false;
+        if (!number || *number != std::floor(*number) || std::abs(*number) > 10) return false;
         command.flags = static_cast<std::uint32_t>(std::abs(*number));
         command.value = *number > 0 ? 1.0 : 0.0;
         return true;
