@@ -13,7 +13,7 @@
 //   FeedOverride, RapidOverride   channel, value: 1 is 100 %
 //   SpindleOverride               object: spindle (0 all), value: 1 is 100 %
 //   SingleBlock, OptionalStop, DryRun, MachineLock, IgnoreWaits, Retrace, RapidKey, Superpose   channel, value: 1 on, 0 off
-//   BlockSkip                     channel, flags: level 1..9 (0 every level), value: 1 on, 0 off
+//   BlockSkip                     channel, flags: level 1..10 (0 every level), value: 1 on, 0 off
 //   SetSignal, ReleaseSignal      object: slot, flags: 0 written by the NC, 1 by the PLC; value; channel: 0 the whole signal, else bit channel - 1 of it
 //   SetInput                      object: number of the input, value: 0 or 1; flags 1: given back to sensors and PLC
 //   DriveFault                    object: axis (flags 0) or spindle (flags 1), value: 1 fault, 2 fault of its encoder, 0 gone
