@@ -6,6 +6,7 @@
 #include <QScrollBar>
 #include <QScroller>
 #include <QTextBlock>
+#include <utility>
 
 #include "ipc/text/machine_path.hpp"
 
@@ -57,10 +58,16 @@ void HelpView::load(const QString& file, const QString& find, bool code) {
     colours.setColor(QPalette::Base, t.card), colours.setColor(QPalette::Text, t.text), colours.setColor(QPalette::Link, t.accent);
     text_->setPalette(colours);
     text_->setFont(lettering(16));
-    text_->document()->setBaseUrl(QUrl::fromLocalFile(where + "/"));
-    text_->document()->setDocumentMargin(px(18));
     text_->setSearchPaths({where});
-    text_->setMarkdown(markdown);
+    // A document that is shown already lays a table out again for each of its rows: the list of codes would take a minute.
+    auto* document = new QTextDocument(text_);
+    document->setUndoRedoEnabled(false);
+    document->setDefaultFont(lettering(16));
+    document->setBaseUrl(QUrl::fromLocalFile(where + "/"));
+    document->setDocumentMargin(px(18));
+    document->setMarkdown(markdown);
+    text_->setDocument(document);
+    delete std::exchange(document_, document);
     text_->moveCursor(QTextCursor::Start);
     if (!find.isEmpty() && lead == 0 && text_->find(find, code ? QTextDocument::FindWholeWords | QTextDocument::FindCaseSensitively : QTextDocument::FindFlags())) {
         const QRect at = text_->cursorRect();      // the place on top

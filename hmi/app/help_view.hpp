@@ -23,6 +23,7 @@ private:
     void load(const QString& file, const QString& find, bool code = false);
     FreeSheet* head_;
     QTextBrowser* text_;
+    QTextDocument* document_ = nullptr;            // what text_ shows
     QString page_, intro_;
 };
 

@@ -11,6 +11,7 @@
 #include <mutex>
 #include <time.h>
 
+#include "hmi/app/help_view.hpp"
 #include "hmi/machine/setup_sheet.hpp"
 #include "hmi/screens/programs.hpp"
 #include "tests/unit/hmi/controller.hpp"
@@ -368,6 +369,24 @@ TEST_F(SlowPlaces, WhatIsTypedIsNotLost) {
         QTest::qWait(300);
     }
     EXPECT_FALSE(QFile::exists(choices.keptIn + ".draft")) << "saved: there is nothing to come back";
+}
+
+// Tables of all codes of a language are the longest: laid out row by row they took a minute of the processor.
+TEST(HelpPages, OpenAtOnce) {
+    HelpView help(nullptr);
+    help.resize(1280, 800);
+    help.show();
+    const QStringList pages = QDir(HelpView::folder()).entryList({"*.md"}, QDir::Files);
+    ASSERT_GE(pages.size(), 8);
+    for (const QString& page : pages) {
+        HelpTopic topic;
+        topic.page = page;
+        const double before = LongestTurn::now();
+        help.open(topic);
+        help.grab();
+        EXPECT_LT(LongestTurn::now() - before, 1000) << page.toStdString();
+        EXPECT_GT(help.text().document()->characterCount(), 200) << page.toStdString();
+    }
 }
 
 TEST(WholeFiles, AreReplacedWholeAndKeepWhatMayBeDoneWithThem) {
