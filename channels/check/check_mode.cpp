@@ -107,11 +107,12 @@ public:
     bool waiting = false;
     const Core* core = nullptr;            // of the program that is read
     std::optional<Diagnosis> stroke_end;   // a move came to the end of a stroke: nothing is driven behind it
+    BlockContext stroke_at;                // of that move: under compensation an earlier block than the one that is read
     void move(const Move& m, const BlockContext& at) override {
         if (stroke_end) return;
         if (m.kind != MoveKind::Skip) {
             next_->move(m, at);
-            watch_stroke(m);
+            watch_stroke(m, at);
             return;
         }
         // The event shows the point that the signal leaves, as a run of the machine would.
@@ -124,7 +125,7 @@ public:
             stopped.machine[i] = *end;
         }
         next_->move(stopped, at);
-        watch_stroke(stopped);
+        watch_stroke(stopped, at);
     }
     void wait(const Wait& w, const BlockContext& at) override { waiting = waiting || w.act == Wait::Act::Meet, next_->wait(w, at); }
     void offset(const OffsetWrite& o, const BlockContext& at) override {
@@ -138,7 +139,7 @@ public:
 
 private:
     // The machine stops where a move would leave its stroke (nct_parameters_part1 11.4), also where nothing was checked before.
-    void watch_stroke(const Move& m) {
+    void watch_stroke(const Move& m, const BlockContext& at) {
         if (!core || core->path.transformation.active()) return;
         StrokeZones zones;
         zones.count = view_->axis_count;
@@ -165,7 +166,7 @@ private:
             }
             StrokeFault fault;
             if (free_part(zones, from.data(), to.data(), fault) < 1.0)
-                stroke_end = Diagnosis{Alarm::StrokeLimit, {}, {fault.limit}, "A" + std::to_string(view_->axes[fault.axis].machine_axis + 1)};
+                stroke_at = at, stroke_at.cycle = {}, stroke_at.tool = {}, stroke_end = Diagnosis{Alarm::StrokeLimit, {}, {fault.limit}, "A" + std::to_string(view_->axes[fault.axis].machine_axis + 1)};
             from = to;
         }
     }
@@ -247,8 +248,8 @@ int run_check(const CheckOptions& options, std::FILE* out) {
     for (;;) {
         const Step step = interpreter->step();
         if (sink.stroke_end) {
-            sink.stroke_end->place = {options.program, interpreter->core().at.line, 0, 0};
-            events.alarm(*sink.stroke_end, interpreter->core().at);
+            sink.stroke_end->place = {files.path(sink.stroke_at.file), sink.stroke_at.line, 0, 0};
+            events.alarm(*sink.stroke_end, sink.stroke_at);
             break;
         }
         silent = printer.text.size() == printed ? silent + 1 : 0;

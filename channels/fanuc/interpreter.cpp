@@ -238,7 +238,6 @@ Step Interpreter::step() {
     return read_block();
 }
 
-// The corner before it stays without its next block.
 // A statement waits for a live value. Under compensation it is evaluated as soon as it is read (fanuc_lathe 6.13, 3.12): inputs and clocks
 // as they are at the end of the block before the held one. Where the axes are is known only when the held block has ended too.
 void Interpreter::read_value_barrier() {
@@ -250,6 +249,7 @@ void Interpreter::read_value_barrier() {
     core_.at.statement = false;
 }
 
+// The corner before it stays without its next block.
 void Interpreter::live_value_barrier() {
     if (core_.holds_block())
         core_.sink().alarm({Alarm::CompCornerCut, {files_->path(frames_.back().file), core_.at.line, 0, 0}, {}, {}}, core_.at);

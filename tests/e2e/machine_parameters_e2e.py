@@ -301,5 +301,17 @@ class Plc(Parameters):
         self.assertEqual(stations(self.run_nct("T0303\nM30\n", "N1274=00000001", options=store)), [2, 3], "and is at the first one again")
 
 
+class EndOfAStrokeInCheck(Case):
+    def test_the_alarm_names_the_subprogram_whose_move_leaves_the_stroke(self):   # nct_parameters_part1 11.4
+        self.write("O0200.nc", "O200\nG1 Z-10. F500\nG1 Z-5000.\nG1 Z0\nM99\n")
+        done = self.polyturn("check", "--language", "nct", "--set", "N1001 L1=0", self.write("a.nc", "G94 G0 X50. Z0.\nM98 P200\nM30\n"))
+        self.assertEqual(done.status, 1, done.said())
+        alarm, = done.of("alarm", number="PT0533")
+        self.assertTrue(alarm["file"].endswith("O0200.nc"))
+        self.assertEqual(alarm["line"], 3)
+        self.assertIn("O0200.nc:3: alarm PT0533", done.said())
+        self.assertEqual(done.of("move")[-1]["line"], 3, "nothing is driven behind it")
+
+
 if __name__ == "__main__":
     unittest.main()
