@@ -6,7 +6,7 @@ namespace polyturn::toolmgmt {
 namespace {
 
 // Some years of a machine that stops every few minutes.
-constexpr const char* kPrune = "DELETE FROM stops WHERE utc < (SELECT utc FROM stops ORDER BY utc DESC LIMIT 1 OFFSET 100000)";
+constexpr const char* kPruneStops = "DELETE FROM stops WHERE utc < (SELECT utc FROM stops ORDER BY utc DESC LIMIT 1 OFFSET 100000)";
 
 }  // namespace
 
@@ -19,7 +19,7 @@ Result<void> Database::note_stop(const Stop& stop) {
         row.bind(5, std::string_view(stop.detail)).bind(6, std::string_view(stop.program)).bind(7, std::int64_t{stop.line}).bind(8, stop.seconds);
         if (!row.run()) return parts_->fault(Alarm::StoreWrite);
     }
-    if (!run(parts_->db, kPrune) || !transaction.commit()) return parts_->fault(Alarm::StoreWrite);
+    if (!run(parts_->db, kPruneStops) || !transaction.commit()) return parts_->fault(Alarm::StoreWrite);
     return {};
 }
 

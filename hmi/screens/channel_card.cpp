@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "hmi/machine/channel_words.hpp"
+#include "hmi/widgets/number_cells.hpp"
 
 namespace polyturn::hmi {
 namespace {
 
-constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
 const QString kDash = QString::fromUtf8("–");
 
 // A turning axis is somewhere within its turn, however often it has turned.

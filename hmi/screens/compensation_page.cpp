@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "hmi/machine/channel_words.hpp"
+#include "hmi/widgets/number_cells.hpp"
 
 namespace polyturn::hmi {
 namespace {
 
-constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
 using Kind = CompensationCurve::Kind;
 
 double largest(const CompensationCurve& curve) {

@@ -7,11 +7,11 @@
 #include <algorithm>
 
 #include "hmi/machine/setup_sheet.hpp"
+#include "hmi/widgets/number_cells.hpp"
 
 namespace polyturn::hmi {
 namespace {
 
-constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
 constexpr qint64 kPreviewBytes = 1 << 16;
 
 QString mounts() {

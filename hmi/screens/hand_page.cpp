@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "hmi/machine/tool_words.hpp"
+#include "hmi/widgets/number_cells.hpp"
 
 namespace polyturn::hmi {
 namespace {
 
-constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
 constexpr double kClicksATurn = 100, kTurn = 6.283185307179586;
 constexpr std::array<int, 3> kFactors{1, 10, 100};
 constexpr long kHandSpeed = 300;       // 1/min, where no program has said another

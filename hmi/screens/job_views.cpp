@@ -6,11 +6,10 @@
 #include "hmi/machine/channel_words.hpp"
 #include "hmi/machine/critical_path.hpp"
 #include "hmi/screens/programs.hpp"
+#include "hmi/widgets/number_cells.hpp"
 
 namespace polyturn::hmi {
 namespace {
-
-constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
 
 constexpr qint64 kAlignEveryMs = 250;     // while the run goes on
 

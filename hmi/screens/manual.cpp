@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "hmi/machine/channel_words.hpp"
+#include "hmi/widgets/number_cells.hpp"
 
 namespace polyturn::hmi {
 namespace {
 
-constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
 constexpr std::array<const char*, 6> kSteps{"", "0.001", "0.01", "0.1", "1", "10"};
 constexpr int kTellMs = 120;
 constexpr const char* kHeldFor = "0.35s";   // when nothing is told any more, the axis stops after this

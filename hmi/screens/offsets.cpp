@@ -6,12 +6,12 @@
 
 #include "hmi/machine/channel_words.hpp"
 #include "hmi/screens/channel_keys.hpp"
+#include "hmi/widgets/number_cells.hpp"
 #include "ipc/machine/work_zeros.hpp"
 
 namespace polyturn::hmi {
 namespace {
 
-constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
 constexpr std::size_t kMostZeros = 48;   // of G54.1 P
 
 PlaneRole roleOf(char letter) { return letter == 'X' ? PlaneRole::BasicX : letter == 'Y' ? PlaneRole::BasicY : PlaneRole::BasicZ; }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hmi/widgets/number_cells.hpp"
 #include "ipc/machine/load_machine.hpp"
 #include "ipc/params/tongue.hpp"
 #include "ipc/params/unit.hpp"
@@ -13,7 +14,6 @@
 namespace polyturn::hmi {
 namespace {
 
-constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
 constexpr int kBitHits = 1;       // + number of the bit
 constexpr int kTextHit = 100;
 

@@ -7,11 +7,11 @@
 
 #include "hmi/machine/channel_words.hpp"
 #include "hmi/machine/tool_words.hpp"
+#include "hmi/widgets/number_cells.hpp"
 
 namespace polyturn::hmi {
 namespace {
 
-constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
 constexpr int kNameHit = 1;
 
 QString signedText(double value) { return (value > 0 ? "+" : "") + lengthText(value, 3); }

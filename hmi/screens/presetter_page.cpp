@@ -11,12 +11,11 @@
 #include <algorithm>
 
 #include "hmi/machine/channel_words.hpp"
+#include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/painted.hpp"
 
 namespace polyturn::hmi {
 namespace {
-
-constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
 
 // Where dark and bright meet, half way between the darkest and the brightest pixel: rows, then columns, so that slopes of any angle count.
 std::vector<QPoint> outlineOf(const QImage& image) {

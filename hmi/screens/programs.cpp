@@ -12,16 +12,11 @@
 #include "hmi/machine/setup_sheet.hpp"
 #include "hmi/screens/contour_page.hpp"
 #include "hmi/screens/cycle_form_page.hpp"
+#include "hmi/widgets/number_cells.hpp"
 #include "ipc/text/job.hpp"
 #include "ipc/text/machine_path.hpp"
 
 namespace polyturn::hmi {
-namespace {
-
-constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
-
-}  // namespace
-
 Programs::Programs(Desk& desk)
     : Screen(desk), head_(new FreeSheet(this)), view_(new FreeSheet(this)), files_(new FilesPage(desk, this)), compare_(new ComparePage(desk, this)), restart_(new RestartPage(desk, this)), editor_(new EditorPage(desk, this)) {
     setFocusPolicy(Qt::StrongFocus);

@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "hmi/machine/channel_words.hpp"
+#include "hmi/widgets/number_cells.hpp"
 
 namespace polyturn::hmi {
 namespace {
 
-constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
 enum Column { kChannel, kProgram, kStood, kTool, kWanted };
 
 QString blockText(std::int64_t block) { return block < 0 ? QString::fromUtf8("–") : QString("N%1").arg(block); }

@@ -10,13 +10,13 @@
 #include <cmath>
 
 #include "hmi/machine/tool_words.hpp"
+#include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/painted.hpp"
 #include "ipc/image/signal_tongue.hpp"
 
 namespace polyturn::hmi {
 namespace {
 
-constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
 constexpr std::array<double, 9> kSeconds{0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50};
 constexpr qint64 kPaintMs = 50;
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "hmi/machine/channel_words.hpp"
+#include "hmi/widgets/number_cells.hpp"
 
 namespace polyturn::hmi {
 namespace {
 
-constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
 constexpr int kPeriods[] = {1, 8, 24, 168};   // hours
 constexpr std::size_t kMostChannels = 6;      // in the picture over the period
 

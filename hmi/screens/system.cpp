@@ -7,10 +7,11 @@
 #include <QStandardPaths>
 #include <algorithm>
 
+#include "hmi/widgets/number_cells.hpp"
+
 namespace polyturn::hmi {
 namespace {
 
-constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
 constexpr const char* kLevels[] = {"operator", "setter", "maker"};
 enum FormHit { kNameHit = 1, kPasswordHit };
 

@@ -4,10 +4,11 @@
 #include <QMouseEvent>
 #include <algorithm>
 
+#include "hmi/widgets/number_cells.hpp"
+
 namespace polyturn::hmi {
 namespace {
 
-constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
 constexpr int kFilterHit = 900, kSearchHit = 901;
 
 }  // namespace

@@ -2,12 +2,11 @@
 #include <cmath>
 
 #include "hmi/screens/tools.hpp"
+#include "hmi/widgets/number_cells.hpp"
 #include "ipc/machine/tool_fields.hpp"
 
 namespace polyturn::hmi {
 namespace {
-
-constexpr int kRight = Qt::AlignRight | Qt::AlignVCenter;
 
 // A column of the tool table as it is shown; of the others the command line tells (tools fields).
 struct Shown {

@@ -30,16 +30,16 @@ constexpr Column kColumns[] = {
     {"offset", 1, 999, 0, false},    {"factor", -10, 10, 1, false}, {"limit", 0, 10, 0.05, false}, {"share", 0, 100, 100, false}, {"average", 1, 20, 1, false},
 };
 
-Key key_of(std::int32_t number, std::string name) { return {Kind::Dimension, 0, number, 0, std::move(name)}; }
+Key dimension_key(std::int32_t number, std::string name) { return {Kind::Dimension, 0, number, 0, std::move(name)}; }
 double value_of(const StoreValues& values, std::int32_t number, const char* name, double otherwise) {
-    const Cell* cell = values.cell(key_of(number, name));
+    const Cell* cell = values.cell(dimension_key(number, name));
     return cell && !cell->is_text ? cell->number : otherwise;
 }
 std::string text_of(const StoreValues& values, std::int32_t number, const char* name) {
-    const Cell* cell = values.cell(key_of(number, name));
+    const Cell* cell = values.cell(dimension_key(number, name));
     return cell ? cell->text : std::string();
 }
-bool exists(const StoreValues& values, std::int32_t number) { return values.cell(key_of(number, "nominal")) != nullptr; }
+bool exists(const StoreValues& values, std::int32_t number) { return values.cell(dimension_key(number, "nominal")) != nullptr; }
 
 std::vector<double> deviations(const StoreValues& values, std::int32_t number) {
     std::vector<double> out;
@@ -106,7 +106,7 @@ bool read_fields(Work& work, const Json& request, std::int32_t number, bool fres
             const std::string text = read_text(fields, name.c_str());
             if (name == "axis" && text != "X" && text != "Y" && text != "Z") work.fault(Alarm::StoreRequestBad, "axis=" + text + ": X, Y or Z", 0, name);
             else if (text.size() > 60) work.fault(Alarm::StoreRequestBad, "name: at most 60 characters", 0, name);
-            else set_text(work.values, key_of(number, name), text, work.changes);
+            else set_text(work.values, dimension_key(number, name), text, work.changes);
             continue;
         }
         const auto* column = std::find_if(std::begin(kColumns), std::end(kColumns), [&, wanted = name](const Column& c) { return wanted == c.name; });
@@ -114,7 +114,7 @@ bool read_fields(Work& work, const Json& request, std::int32_t number, bool fres
         if (column == std::end(kColumns)) work.fault(Alarm::StoreRequestBad, "there is no column " + name, 0, name);
         else if (read_real(fields, name.c_str(), real, work)) {
             if (real < column->least || real > column->most) work.fault(Alarm::StoreRequestBad, name + "=" + shortest_text(real) + ": " + shortest_text(column->least) + " to " + shortest_text(column->most), 0, name);
-            else set_value(work.values, key_of(number, name), real, work.changes);
+            else set_value(work.values, dimension_key(number, name), real, work.changes);
         }
     }
     if (fresh)
@@ -125,8 +125,8 @@ bool read_fields(Work& work, const Json& request, std::int32_t number, bool fres
 }
 
 void forget(Work& work, std::int32_t number) {
-    for (int i = 0; i < kKept; ++i) set_value(work.values, key_of(number, "m" + std::to_string(i)), std::nan(""), work.changes);
-    set_value(work.values, key_of(number, "count"), std::nan(""), work.changes);
+    for (int i = 0; i < kKept; ++i) set_value(work.values, dimension_key(number, "m" + std::to_string(i)), std::nan(""), work.changes);
+    set_value(work.values, dimension_key(number, "count"), std::nan(""), work.changes);
 }
 
 }  // namespace
@@ -153,8 +153,8 @@ Json part_operation(std::string_view what, const Json& request, Work& work) {
     if (what == "set") {
         read_fields(work, request, number, false);
     } else if (what == "delete") {
-        for (const Column& column : kColumns) set_value(values, key_of(number, column.name), std::nan(""), work.changes);
-        for (const char* name : {"name", "axis"}) set_text(values, key_of(number, name), {}, work.changes);
+        for (const Column& column : kColumns) set_value(values, dimension_key(number, column.name), std::nan(""), work.changes);
+        for (const char* name : {"name", "axis"}) set_text(values, dimension_key(number, name), {}, work.changes);
         forget(work, number);
         return {{"dimension", number}};
     } else if (what == "measure") {
@@ -163,8 +163,8 @@ Json part_operation(std::string_view what, const Json& request, Work& work) {
         const double nominal = value_of(values, number, "nominal", 0);
         if (std::fabs(value - nominal) > 10.0) return work.fault(Alarm::StoreRequestBad, shortest_text(value) + " is more than 10 mm from the nominal " + shortest_text(nominal) + ": another dimension or unit?"), Json();
         const double count = value_of(values, number, "count", 0);
-        set_value(values, key_of(number, "m" + std::to_string(static_cast<int>(count) % kKept)), value, work.changes);
-        set_value(values, key_of(number, "count"), count + 1, work.changes);
+        set_value(values, dimension_key(number, "m" + std::to_string(static_cast<int>(count) % kKept)), value, work.changes);
+        set_value(values, dimension_key(number, "count"), count + 1, work.changes);
     } else if (what == "accept") {
         const Json now = dimension(values, number);
         double correction = now.value("proposal", 0.0);
