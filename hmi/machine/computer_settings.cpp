@@ -14,6 +14,7 @@
 #include <bit>
 
 #include "hmi/text/tongues.hpp"
+#include "ipc/diagnosis/details.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -94,6 +95,7 @@ void ComputerSettings::run(const QString& program, const QStringList& arguments,
         QString error = QString::fromLocal8Bit(process->readAllStandardError()).trimmed();
         // timedatectl and localectl never translate this sentence, and it is the one refusal that every computer without systemd gives.
         if (error.contains("not been booted with systemd")) error = word("This computer runs without systemd");
+        else error = QString::fromStdString(detail_in(error.toStdString(), spoken()));
         taken(status, QString::fromLocal8Bit(process->readAllStandardOutput()).trimmed(), error.isEmpty() ? why : error);
         process->deleteLater();
         if (changed) changed();
@@ -101,6 +103,9 @@ void ComputerSettings::run(const QString& program, const QStringList& arguments,
     connect(process, &QProcess::finished, this, [over](int status, QProcess::ExitStatus how) { over(how == QProcess::NormalExit ? status : 1, word("The program was broken off")); });
     connect(process, &QProcess::errorOccurred, this, [over, program](QProcess::ProcessError error) { if (error == QProcess::FailedToStart) over(127, word("This computer has no %1").arg(program)); });
     QTimer::singleShot(kPatience_ms, process, [process] { process->kill(); });
+    QProcessEnvironment plain = QProcessEnvironment::systemEnvironment();
+    plain.insert("LC_ALL", "C.UTF-8");   // details.cpp knows what they say in English
+    process->setProcessEnvironment(plain);
     process->start(program, arguments);   // what asks for a password finds nobody and refuses
     process->closeWriteChannel();
 }

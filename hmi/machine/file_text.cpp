@@ -21,8 +21,6 @@ std::function<void()>& hang() {
     return one;
 }
 
-FileOutcome failed(const QString& path) { return {FileOutcome::Kind::Failed, QFileInfo(path).fileName() + ": " + QString::fromLocal8Bit(std::strerror(errno)), 0}; }
-
 // The bytes as text; NoText where they would not come back the same. Lines that end in two ways stay as they are.
 void takeProgramBytes(FileText& out, const QByteArray& bytes) {
     out.text = QString::fromUtf8(bytes);
@@ -116,13 +114,13 @@ FileOutcome writePart(const QString& path, const QByteArray& bytes, FilePart& of
     const QByteArray part = QFile::encodeName(info.absolutePath() + "/." + info.fileName() + QString(".part%1").arg(::getpid()));
     struct stat before {};
     const bool existed = ::stat(QFile::encodeName(target).constData(), &before) == 0;
-    if (existed && ::access(QFile::encodeName(target).constData(), W_OK) != 0) return failed(path);   // protected: renaming over it would go around that
+    if (existed && ::access(QFile::encodeName(target).constData(), W_OK) != 0) return failedFile(path);   // protected: renaming over it would go around that
     QFile rest(target);
     if (!of.whole() && (!rest.open(QIODevice::ReadOnly) || before.st_size != of.all || writtenNs(before) != of.written_ns))
-        return {FileOutcome::Kind::Failed, info.fileName() + ": " + QString::fromLocal8Bit(std::strerror(ESTALE)), 0};
+        return failedFile(info.filePath(), ESTALE);
     progress.all = of.from + bytes.size() + (of.all - of.to);
     const int fd = ::open(part.constData(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-    if (fd < 0) return failed(path);
+    if (fd < 0) return failedFile(path);
     const auto giveUp = [&](FileOutcome why) { return ::close(fd), ::unlink(part.constData()), why; };
     // In pieces; what it says ends the writing.
     const auto put = [&](const char* from, qint64 count) -> std::optional<FileOutcome> {
@@ -131,17 +129,17 @@ FileOutcome writePart(const QString& path, const QByteArray& bytes, FilePart& of
             if (stop) return FileOutcome{FileOutcome::Kind::Stopped, info.fileName(), 0};
             const auto wrote = ::write(fd, from + at, static_cast<std::size_t>(std::min(kPiece, count - at)));
             if (wrote < 0 && errno == EINTR) continue;
-            if (wrote <= 0) return failed(path);
+            if (wrote <= 0) return failedFile(path);
             at += wrote;
             progress.done += wrote;
         }
         return std::nullopt;
     };
     const auto copy = [&](qint64 from, qint64 to) -> std::optional<FileOutcome> {
-        if (from < to && !rest.seek(from)) return failed(path);
+        if (from < to && !rest.seek(from)) return failedFile(path);
         while (from < to) {
             const QByteArray piece = rest.read(std::min(kPiece, to - from));
-            if (piece.isEmpty()) return failed(path);
+            if (piece.isEmpty()) return failedFile(path);
             if (const auto ended = put(piece.constData(), piece.size())) return ended;
             from += piece.size();
         }
@@ -152,12 +150,12 @@ FileOutcome writePart(const QString& path, const QByteArray& bytes, FilePart& of
     if (!ended) ended = copy(of.to, of.all);
     if (ended) return giveUp(*ended);
     if (existed) (void)::fchmod(fd, before.st_mode & 07777);
-    if (::fsync(fd) != 0) return giveUp(failed(path));
+    if (::fsync(fd) != 0) return giveUp(failedFile(path));
     if (stop) return giveUp({FileOutcome::Kind::Stopped, info.fileName(), 0});
     struct stat after {};
     const bool told = ::fstat(fd, &after) == 0;
     if (::close(fd) != 0 || std::rename(part.constData(), QFile::encodeName(target).constData()) != 0) {
-        const FileOutcome why = failed(path);
+        const FileOutcome why = failedFile(path);
         ::unlink(part.constData());
         return why;
     }

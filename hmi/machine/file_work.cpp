@@ -14,6 +14,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "hmi/text/tongues.hpp"
+#include "ipc/diagnosis/os_errors.hpp"
 #include "ipc/text/job.hpp"
 #include "ipc/text/replace_file.hpp"
 
@@ -24,7 +26,6 @@ constexpr qint64 kPiece = 1 << 18;
 const QString kLevels = QStringLiteral(".polyturn-levels");   // lines LEVEL NAME, beside the files
 
 QByteArray path8(const QString& path) { return QFile::encodeName(path); }
-FileOutcome failed(const QString& path, int error = errno) { return {FileOutcome::Kind::Failed, QFileInfo(path).fileName() + ": " + QString::fromLocal8Bit(std::strerror(error)), 0}; }
 
 std::vector<std::pair<QString, int>> levelsIn(const QString& folder) {
     std::vector<std::pair<QString, int>> out;
@@ -64,50 +65,50 @@ FileOutcome transferFile(const QString& from, const QString& to, FileProgress& p
     const QString part = target.absolutePath() + "/." + target.fileName() + QString(".part%1").arg(::getpid());
     const auto giveUp = [&](FileOutcome why) { return ::unlink(path8(part).constData()), why; };
     const Handle in{::open(path8(from).constData(), O_RDONLY | O_CLOEXEC)};
-    if (in.fd < 0) return failed(from);
+    if (in.fd < 0) return failedFile(from);
     struct stat about {};
     ::fstat(in.fd, &about);
     QCryptographicHash sent(QCryptographicHash::Sha256), arrived(QCryptographicHash::Sha256);
     QByteArray piece(kPiece, Qt::Uninitialized);
     {
         const Handle out{::open(path8(part).constData(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)};
-        if (out.fd < 0) return failed(to);
+        if (out.fd < 0) return failedFile(to);
         for (;;) {
             if (stop) return giveUp({FileOutcome::Kind::Stopped, target.fileName(), 0});
             const auto got = ::read(in.fd, piece.data(), kPiece);
             if (got < 0 && errno == EINTR) continue;
-            if (got < 0) return giveUp(failed(from));
+            if (got < 0) return giveUp(failedFile(from));
             if (got == 0) break;
             sent.addData(QByteArrayView(piece.constData(), got));
             for (ssize_t at = 0; at < got;) {
                 const auto wrote = ::write(out.fd, piece.constData() + at, static_cast<std::size_t>(got - at));
                 if (wrote < 0 && errno == EINTR) continue;
-                if (wrote <= 0) return giveUp(failed(to));
+                if (wrote <= 0) return giveUp(failedFile(to));
                 at += wrote;
             }
             progress.done += got;
         }
         const timespec times[2] = {about.st_atim, about.st_mtim};
         ::futimens(out.fd, times);
-        if (::fsync(out.fd) != 0) return giveUp(failed(to));
+        if (::fsync(out.fd) != 0) return giveUp(failedFile(to));
         ::posix_fadvise(out.fd, 0, 0, POSIX_FADV_DONTNEED);   // what is read back comes from the medium, where the system allows it
     }
     if (written) written(part);
     {
         const Handle back{::open(path8(part).constData(), O_RDONLY | O_CLOEXEC)};
-        if (back.fd < 0) return giveUp(failed(to));
+        if (back.fd < 0) return giveUp(failedFile(to));
         for (;;) {
             if (stop) return giveUp({FileOutcome::Kind::Stopped, target.fileName(), 0});
             const auto got = ::read(back.fd, piece.data(), kPiece);
             if (got < 0 && errno == EINTR) continue;
-            if (got < 0) return giveUp(failed(to));
+            if (got < 0) return giveUp(failedFile(to));
             if (got == 0) break;
             arrived.addData(QByteArrayView(piece.constData(), got));
             progress.done += got;
         }
     }
     if (sent.result() != arrived.result()) return giveUp({FileOutcome::Kind::Differs, target.fileName(), 0});
-    if (std::rename(path8(part).constData(), path8(to).constData()) != 0) return giveUp(failed(to));
+    if (std::rename(path8(part).constData(), path8(to).constData()) != 0) return giveUp(failedFile(to));
     const Handle folder{::open(path8(target.absolutePath()).constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
     if (folder.fd >= 0) ::fsync(folder.fd);
     ++progress.files;
@@ -117,7 +118,7 @@ FileOutcome transferFile(const QString& from, const QString& to, FileProgress& p
 FileOutcome transferAny(const QString& from, const QString& to, FileProgress& progress, const std::atomic<bool>& stop, const std::function<void(const QString&)>& written) {
     const QFileInfo info(from);
     if (!info.isDir()) return transferFile(from, to, progress, stop, written);
-    if (!QDir().mkpath(to)) return failed(to);
+    if (!QDir().mkpath(to)) return failedFile(to);
     FileOutcome out{FileOutcome::Kind::Done, QFileInfo(to).fileName(), 0};
     for (const QFileInfo& one : QDir(from).entryInfoList(QDir::AllEntries | QDir::NoDotAndDotDot)) {
         if (stop) return {FileOutcome::Kind::Stopped, one.fileName(), out.files};
@@ -143,6 +144,10 @@ QString protectedIn(const QString& path, int level, const std::atomic<bool>& sto
 }
 
 }  // namespace
+
+FileOutcome failedFile(const QString& path, int error) { return {FileOutcome::Kind::Failed, QFileInfo(path).fileName() + ": " + QString::fromStdString(os_error(error, Tongue::English)), 0}; }
+
+QString FileOutcome::told() const { return kind == Kind::Failed ? QString::fromStdString(os_errors_in(what.toStdString(), spoken())) : what; }
 
 FolderList listFolder(const QString& folder) {
     FolderList out;
@@ -224,17 +229,17 @@ bool keepPlace(const QString& name_of_file, const QString& name, const QString& 
 
 FileOutcome transfer(const QString& from, const QString& to, FileProgress& progress, const std::atomic<bool>& stop, const std::function<void(const QString&)>& written) {
     const QString source = QFileInfo(from).absoluteFilePath(), target = QFileInfo(to).absoluteFilePath();
-    if (!QFileInfo::exists(source)) return failed(from, ENOENT);
-    if (source == target || target.startsWith(source + "/")) return failed(to, EINVAL);   // a folder into itself would never end
+    if (!QFileInfo::exists(source)) return failedFile(from, ENOENT);
+    if (source == target || target.startsWith(source + "/")) return failedFile(to, EINVAL);   // a folder into itself would never end
     measure(source, progress, stop);
     return transferAny(source, target, progress, stop, written);
 }
 
 FileOutcome removeAll(const QString& path, int level, const std::atomic<bool>& stop) {
-    if (const QString found = protectedIn(path, level, stop); !found.isEmpty()) return {stop ? FileOutcome::Kind::Stopped : FileOutcome::Kind::Failed, found + ": " + QString::fromLocal8Bit(std::strerror(EPERM)), 0};
+    if (const QString found = protectedIn(path, level, stop); !found.isEmpty()) return {stop ? FileOutcome::Kind::Stopped : FileOutcome::Kind::Failed, found + ": " + QString::fromStdString(os_error(EPERM, Tongue::English)), 0};
     const QFileInfo info(path);
     const bool good = info.isDir() && !info.isSymLink() ? QDir(path).removeRecursively() : ::unlink(path8(path).constData()) == 0;
-    if (!good) return failed(path);
+    if (!good) return failedFile(path);
     keepLevel(path, 0);
     return {FileOutcome::Kind::Done, info.fileName(), 1};
 }
@@ -242,28 +247,28 @@ FileOutcome removeAll(const QString& path, int level, const std::atomic<bool>& s
 FileOutcome rename(const QString& path, const QString& name) {
     const QFileInfo info(path);
     const QString to = QDir(info.absolutePath()).filePath(name);
-    if (name.isEmpty() || name.contains('/') || name == "." || name == "..") return failed(name, EINVAL);
-    if (QFileInfo::exists(to)) return failed(to, EEXIST);
+    if (name.isEmpty() || name.contains('/') || name == "." || name == "..") return failedFile(name, EINVAL);
+    if (QFileInfo::exists(to)) return failedFile(to, EEXIST);
     const int level = levelOf(path);
-    if (std::rename(path8(path).constData(), path8(to).constData()) != 0) return failed(path);
+    if (std::rename(path8(path).constData(), path8(to).constData()) != 0) return failedFile(path);
     if (level) keepLevel(path, 0), keepLevel(to, level);
     return {FileOutcome::Kind::Done, name, 1};
 }
 
 FileOutcome makeFolder(const QString& path) {
-    if (::mkdir(path8(path).constData(), 0777) != 0) return failed(path);
+    if (::mkdir(path8(path).constData(), 0777) != 0) return failedFile(path);
     return {FileOutcome::Kind::Done, QFileInfo(path).fileName(), 1};
 }
 
 FileOutcome protect(const QString& path, bool readOnly, int level) {
     struct stat about {};
-    if (::stat(path8(path).constData(), &about) != 0) return failed(path);
+    if (::stat(path8(path).constData(), &about) != 0) return failedFile(path);
     const mode_t writing = S_IWUSR | S_IWGRP | S_IWOTH;
     const mode_t mode = readOnly ? about.st_mode & ~writing : about.st_mode | S_IWUSR;
-    if (::chmod(path8(path).constData(), mode & 07777) != 0) return failed(path);
+    if (::chmod(path8(path).constData(), mode & 07777) != 0) return failedFile(path);
     ::stat(path8(path).constData(), &about);
-    if (((about.st_mode & S_IWUSR) == 0) != readOnly) return failed(path, ENOTSUP);   // a file system without such a flag
-    if (levelOf(path) != level && !keepLevel(path, level)) return failed(path);
+    if (((about.st_mode & S_IWUSR) == 0) != readOnly) return failedFile(path, ENOTSUP);   // a file system without such a flag
+    if (levelOf(path) != level && !keepLevel(path, level)) return failedFile(path);
     return {FileOutcome::Kind::Done, QFileInfo(path).fileName(), 1};
 }
 

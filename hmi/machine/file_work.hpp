@@ -7,6 +7,7 @@
 #include <QString>
 #include <QStringList>
 #include <atomic>
+#include <cerrno>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -50,7 +51,9 @@ struct FileOutcome {
     QString what;                     // the file, and why
     int files = 0;
     bool ok() const { return kind == Kind::Done; }
+    QString told() const;             // `what` in the language of the screens: workers write it in English
 };
+FileOutcome failedFile(const QString& path, int error = errno);
 // A file or a folder with all that is in it. Each file is written beside its place, read back and compared by SHA-256, then renamed: what
 // breaks off leaves the file that was there before. `written`: for tests, called with the name of the file before it is read back.
 FileOutcome transfer(const QString& from, const QString& to, FileProgress& progress, const std::atomic<bool>& stop, const std::function<void(const QString&)>& written = {});

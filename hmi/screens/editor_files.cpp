@@ -161,7 +161,7 @@ void EditorPage::save() {
 
 // What has been typed since the saving began is not saved.
 void EditorPage::saved(const Saved& done) {
-    if (!done.outcome.ok()) return desk_.tell(word("Cannot be written: %1").arg(done.outcome.what), Told::Refused);
+    if (!done.outcome.ok()) return desk_.tell(word("Cannot be written: %1").arg(done.outcome.told()), Told::Refused);
     part_ = done.part;
     if (edit_->document()->revision() == savedRevision_) edit_->document()->setModified(false), keepDraft({});
     desk_.tell(word("Saved: %1").arg(QFileInfo(file_).fileName()), Told::Good);

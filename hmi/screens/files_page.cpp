@@ -102,7 +102,7 @@ void FilesPage::take() {
         outcome_ = std::move(*done), told_ = true;
         const QString what = outcome_.kind == FileOutcome::Kind::Stopped ? word("Stopped: %1").arg(outcome_.what)
                              : outcome_.kind == FileOutcome::Kind::Differs ? word("The copy of %1 was not what had been sent; what was there before stands").arg(outcome_.what)
-                             : outcome_.ok() ? doing_ + ": " + outcome_.what : word("Not done: %1").arg(outcome_.what);
+                             : outcome_.ok() ? doing_ + ": " + outcome_.what : word("Not done: %1").arg(outcome_.told());
         desk_.tell(what, outcome_.ok() ? Told::Good : Told::Refused);
         readFolder(desk_.folder, outcome_.ok() && !placesShown_ ? outcome_.what : chosen() ? chosen()->name : QString());
         if (desk_.keysChanged) desk_.keysChanged();
@@ -313,7 +313,7 @@ void FilesPage::composeState(Writer& w) {
     }
     const bool good = outcome_.ok();
     if (told_) w.sign(QRectF(px(14), high / 2 - px(10), px(20), px(20)), good ? Sign::Good : Sign::Alarm, good ? t.good : t.bad);
-    w.data(QRectF(px(44), 0, wide - px(58), high), told_ ? (good ? doing_ + ": " : QString()) + outcome_.what + (good && outcome_.files > 1 ? "  " + word("files: %1").arg(outcome_.files) : QString()) : taken_.isEmpty() ? word("«Take» chooses what is copied or compared") : word("Taken: %1").arg(taken), lettering(15), told_ && !good ? t.bad : t.text);
+    w.data(QRectF(px(44), 0, wide - px(58), high), told_ ? (good ? doing_ + ": " : QString()) + outcome_.told() + (good && outcome_.files > 1 ? "  " + word("files: %1").arg(outcome_.files) : QString()) : taken_.isEmpty() ? word("«Take» chooses what is copied or compared") : word("Taken: %1").arg(taken), lettering(15), told_ && !good ? t.bad : t.text);
 }
 
 void FilesPage::start(const QString& what, std::function<FileOutcome(const std::atomic<bool>&)> work) {

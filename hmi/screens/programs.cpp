@@ -84,7 +84,7 @@ void Programs::takePrint() {
     const auto done = printing_.take();
     if (!done) return;
     if (desk_.keysChanged) desk_.keysChanged();
-    if (!done->ok()) return desk_.tell(word("Cannot be written: %1").arg(done->what), Told::Refused);
+    if (!done->ok()) return desk_.tell(word("Cannot be written: %1").arg(done->told()), Told::Refused);
     const bool printer = QProcess::startDetached("lp", {printed_});
     desk_.tell(printer ? word("Printed: %1").arg(QFileInfo(printed_).fileName()) : word("Saved: %1").arg(QFileInfo(printed_).fileName()), Told::Good);
 }

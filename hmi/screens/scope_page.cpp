@@ -219,7 +219,7 @@ void ScopePage::save() {
 void ScopePage::takeExport() {
     const auto done = writing_.take();
     if (!done) return;
-    if (!done->ok()) return desk_.tell(word("Cannot be written: %1").arg(done->what), Told::Refused);
+    if (!done->ok()) return desk_.tell(word("Cannot be written: %1").arg(done->told()), Told::Refused);
     exported_ = exporting_;
     desk_.tell(word("Saved: %1").arg(exporting_), Told::Good);
 }

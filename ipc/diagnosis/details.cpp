@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "ipc/diagnosis/os_errors.hpp"
+
 namespace polyturn {
 namespace {
 
@@ -42,15 +44,37 @@ constexpr auto kDetails = std::to_array<DetailRow>({
     {{"this controller keeps no log of stops", "эта система не ведёт журнала простоев", "tento řídicí systém nevede deník stání", "ez a vezérlés nem vezet állásnaplót"}},
     {{"there is nothing to take back", "нечего отменять", "není co vrátit", "nincs mit visszavonni"}},
     {{"{0} is {1} now: something else has changed it since {2}", "{0} теперь {1}: с {2} это изменили иначе", "{0} je nyní {1}: od {2} to změnilo něco jiného", "{0} most {1}: {2} óta más módosította"}},
-    // what the operating system says of a file
-    {{"No such file or directory", "такого файла или папки нет", "takový soubor ani složka neexistuje", "nincs ilyen fájl vagy mappa"}},
-    {{"Permission denied", "нет прав доступа", "přístup odepřen", "a hozzáférés megtagadva"}},
-    {{"Is a directory", "это папка", "je to složka", "ez mappa"}},
-    {{"Not a directory", "это не папка", "není to složka", "ez nem mappa"}},
-    {{"No space left on device", "на диске нет места", "na disku není místo", "a lemezen nincs hely"}},
-    {{"Read-only file system", "диск только для чтения", "disk je jen pro čtení", "a lemez csak olvasható"}},
-    {{"Input/output error", "ошибка ввода-вывода", "chyba vstupu nebo výstupu", "be- vagy kiviteli hiba"}},
-    {{"Stale file handle", "файл тем временем изменили", "soubor mezitím někdo změnil", "a fájlt közben megváltoztatták"}},
+    // what the store's file says (SQLite), and files of the presetter and of channels
+    {{"unable to open database file", "файл хранилища не открыть", "soubor úložiště nelze otevřít", "a tároló fájlja nem nyitható meg"}},
+    {{"{0} (unable to open database file)", "{0} (файл не открыть)", "{0} (soubor nelze otevřít)", "{0} (a fájl nem nyitható meg)"}},
+    {{"{0} (unable to open database: {1})", "{0} (файл не открыть: {1})", "{0} (soubor nelze otevřít: {1})", "{0} (a fájl nem nyitható meg: {1})"}},
+    {{"{0} (database or disk is full)", "{0} (диск полон)", "{0} (disk je plný)", "{0} (a lemez megtelt)"}},
+    {{"{0} (disk I/O error)", "{0} (ошибка диска)", "{0} (chyba disku)", "{0} (lemezhiba)"}},
+    {{"{0} (database is locked)", "{0} (файл занят другой программой)", "{0} (soubor používá jiný program)", "{0} (a fájlt másik program használja)"}},
+    {{"{0} (attempt to write a readonly database)", "{0} (файл только для чтения)", "{0} (soubor je jen pro čtení)", "{0} (a fájl csak olvasható)"}},
+    {{"{0} (file is not a database)", "{0} (это не резервная копия)", "{0} (není to záloha)", "{0} (ez nem mentés)"}},
+    {{"{0} (output file already exists)", "{0} (такой файл уже есть)", "{0} (soubor už existuje)", "{0} (a fájl már létezik)"}},
+    {{"{0} (it cannot be brought to the disk)", "{0} (на диск не записывается)", "{0} (nelze zapsat na disk)", "{0} (nem írható a lemezre)"}},
+    {{"{0} (it is a folder)", "{0} (это папка)", "{0} (je to složka)", "{0} (ez mappa)"}},
+    {{"{0} (no answer)", "{0} (ответа нет)", "{0} (neodpovídá)", "{0} (nem válaszol)"}},
+    {{"{0} (it takes nothing more)", "{0} (больше ничего не принимает)", "{0} (nic dalšího nepřijímá)", "{0} (nem fogad többet)"}},
+    {{"it is a folder", "это папка", "je to složka", "ez mappa"}},
+    {{"reading failed", "чтение прервалось", "čtení se nezdařilo", "az olvasás nem sikerült"}},
+    {{"it is larger than {0} MB", "он больше {0} МБ", "je větší než {0} MB", "nagyobb, mint {0} MB"}},
+    {{"a zero byte at offset {0}", "нулевой байт на месте {0}", "nulový bajt na místě {0}", "nulla bájt a(z) {0}. helyen"}},
+    // what the computer says of its date, its network, its keyboard (timedatectl, nmcli, localectl)
+    {{"Access denied", "нет прав", "přístup odepřen", "hozzáférés megtagadva"}},
+    {{"Interactive authentication required.", "нужны права администратора компьютера", "jsou třeba práva správce počítače", "a számítógép rendszergazdájának joga kell"}},
+    {{"NTP not supported", "времени из сети здесь нет", "čas ze sítě tu není", "itt nincs hálózati idő"}},
+    {{"Automatic time synchronization is enabled", "время приходит из сети", "čas přichází ze sítě", "az idő a hálózatról jön"}},
+    {{"Failed to connect to bus: {0}", "службы компьютера не отвечают: {0}", "služby počítače neodpovídají: {0}", "a számítógép szolgáltatásai nem válaszolnak: {0}"}},
+    {{"Failed to query server: {0}", "служба времени не отвечает: {0}", "služba času neodpovídá: {0}", "az időszolgáltatás nem válaszol: {0}"}},
+    {{"Failed to set time: {0}", "время не установлено: {0}", "čas se nenastavil: {0}", "az idő nincs beállítva: {0}"}},
+    {{"Failed to set time zone: {0}", "часовой пояс не установлен: {0}", "časové pásmo se nenastavilo: {0}", "az időzóna nincs beállítva: {0}"}},
+    {{"Failed to set ntp: {0}", "время из сети не включено: {0}", "čas ze sítě se nezapnul: {0}", "a hálózati idő nincs bekapcsolva: {0}"}},
+    {{"Failed to set keymap: {0}", "раскладка не установлена: {0}", "rozložení se nenastavilo: {0}", "a kiosztás nincs beállítva: {0}"}},
+    {{"Error: NetworkManager is not running.", "служба сети не работает", "služba sítě neběží", "a hálózati szolgáltatás nem fut"}},
+    {{"Error: Connection activation failed: {0}", "соединение не установилось: {0}", "spojení se nenavázalo: {0}", "a kapcsolat nem jött létre: {0}"}},
     // requests in general
     {{"no operation", "нет операции", "žádná operace", "nincs művelet"}},
     {{"not a JSON object", "не объект JSON", "není objekt JSON", "nem JSON-objektum"}},
@@ -190,6 +214,14 @@ bool read_detail(std::string_view pattern, std::string_view text, std::string_vi
     return false;
 }
 
+// A part that is a detail itself, or quotes the operating system.
+std::string detail_part(std::string_view told, Tongue tongue) {
+    for (const DetailRow& row : kDetails)
+        for (const Tongue from : kTongues)
+            if (row.in[static_cast<std::size_t>(from)] == told) return std::string(row.in[static_cast<std::size_t>(tongue)]);
+    return os_errors_in(told, tongue);
+}
+
 }  // namespace
 
 std::span<const DetailRow> detail_rows() { return kDetails; }
@@ -202,12 +234,12 @@ std::string detail_in(std::string_view told, Tongue tongue) {
             std::string out;
             const std::string_view text = row.in[static_cast<std::size_t>(tongue)];
             for (std::size_t i = 0; i < text.size(); ++i) {
-                if (text[i] == '{') out += parts[text[i + 1] - '0'], i += 2;
+                if (text[i] == '{') out += detail_part(parts[text[i + 1] - '0'], tongue), i += 2;
                 else out += text[i];
             }
             return out;
         }
-    return std::string(told);
+    return os_errors_in(told, tongue);
 }
 
 }  // namespace polyturn

@@ -1,6 +1,6 @@
 // What a diagnosis says of the very case ({d} of its row: why a request is refused, what is missing), in the language of the reader. The
 // processes write it in English, with names and numbers in it; the rows of details.cpp say how that reads elsewhere. What has no row (names,
-// paths, words of a program) stays as it is.
+// paths, words of a program) stays as it is; what the operating system says in it has a table of its own (os_errors.hpp).
 #pragma once
 #include <span>
 #include <string>

@@ -80,6 +80,28 @@ TEST(Transfer, TakesAFolderWithAllThatIsInItButNotIntoItself) {
     EXPECT_FALSE(QFileInfo::exists(folder.filePath("copy")));
 }
 
+// What the operating system refuses is told in the language of the screens.
+TEST(Transfer, IsRefusedInTheReadersLanguage) {
+    QTemporaryDir folder;
+    QDir(folder.path()).mkpath("sub");
+    write(folder.filePath("a.nc"), "A\n");
+    FileProgress progress;
+    const std::pair<FileOutcome, QString> kRefused[] = {
+        {transfer("/nowhere/at/all.nc", folder.filePath("c.nc"), progress, kGo), "all.nc: такого файла или папки нет"},
+        {transfer(folder.filePath("sub"), folder.filePath("sub/in"), progress, kGo), "in: так нельзя"},
+        {rename(folder.filePath("a.nc"), "sub"), "sub: такой файл уже есть"},
+        {makeFolder(folder.filePath("a.nc/b")), "b: это не папка"},
+    };
+    for (const auto& [outcome, told] : kRefused) {
+        speak(Tongue::Russian);
+        EXPECT_EQ(outcome.told(), told);
+        speak(Tongue::Hungarian);
+        EXPECT_FALSE(outcome.told().contains(QRegularExpression("[\u0400-\u04FF]")) || outcome.told() == outcome.what) << outcome.told().toStdString();
+    }
+    speak(Tongue::English);
+    EXPECT_EQ(kRefused[0].first.told(), "all.nc: No such file or directory");
+}
+
 TEST(Protection, HoldsAgainstDeletingAndNamesWhoMay) {
     QTemporaryDir folder;
     QDir(folder.path()).mkpath("job");
