@@ -252,6 +252,15 @@ Dialect JobPlan::dialect(unsigned channel) const {
     return channel >= 1 && channel <= kMaxChannels ? dialect_of(language_of(*table, channel)) : Dialect::Polyturn;
 }
 
+// A channel that speaks Fagor shows the axis as its own parameters say, where they say something (fagor_8037t_part1.md 3.5).
+bool JobPlan::shows_diameter(unsigned channel, const AxisConfig& axis) const {
+    if (dialect(channel) == Dialect::Fagor) {
+        if (const auto diameter = params::get(*table, params::fg_diam, axis.number); diameter >= 0) return diameter != 0;
+        if (const auto format = params::get(*table, params::fg_dformat, axis.number); format >= 0) return format >= 4;
+    }
+    return axis.diameter;
+}
+
 std::vector<std::string> JobPlan::machine_arguments() const {
     std::vector<std::string> out;
     const auto add = [&](const char* option, const std::string& value) { out.push_back(option), out.push_back(value); };

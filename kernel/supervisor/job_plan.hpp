@@ -36,6 +36,8 @@ struct JobPlan {
     std::vector<int> memory_files;  // of files that were put together here
 
     Dialect dialect(unsigned channel) const;
+    // Whether the setup gives this axis of the channel as a diameter, as the display shows it (cli.md 2).
+    bool shows_diameter(unsigned channel, const AxisConfig& axis) const;
     JobPlan() = default;
     JobPlan(JobPlan&&) noexcept;
     JobPlan& operator=(JobPlan&&) = delete;

@@ -169,7 +169,7 @@ void RunSession::send_start() {
         command.flags = watched.side | (watched.is_double ? kSlotOfDouble : 0u);
         send_at(command, 0.0);
     }
-    for (const Command& sensor : sensor_commands(plan_.setup, *plan_.machine)) send_at(sensor, 0.0);
+    for (const Command& sensor : sensor_commands(plan_)) send_at(sensor, 0.0);
     for (const auto& [channel, setup] : plan_.setup.channels) {
         const text::KeySetup& keys = setup.keys;
         if (keys.single_block) send_at(make(CommandKind::SingleBlock, channel, 1), 0.0);

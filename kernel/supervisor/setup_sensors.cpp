@@ -20,9 +20,10 @@ unsigned spindle_number(std::string_view name, const MachineConfig& machine) {
 
 }  // namespace
 
-std::vector<Command> sensor_commands(const text::Setup& setup, const MachineConfig& machine) {
+std::vector<Command> sensor_commands(const JobPlan& plan) {
+    const MachineConfig& machine = *plan.machine;
     std::vector<Command> out;
-    for (const auto& [number, channel] : setup.channels)
+    for (const auto& [number, channel] : plan.setup.channels)
         for (const text::SensorSetup& sensor : channel.sensors) {
             const AxisConfig* axis = find_axis(machine, number, sensor.axis);
             const auto input = input_by_name(sensor.input, number);
@@ -33,7 +34,7 @@ std::vector<Command> sensor_commands(const text::Setup& setup, const MachineConf
             command.object = axis ? axis->number : static_cast<std::uint32_t>(kMaxAxes + spindle);
             command.flags = *input;
             command.channel = sensor.direction > 0 ? 1 : sensor.direction < 0 ? 2 : 0;
-            command.value = axis && axis->diameter ? sensor.at / 2.0 : sensor.at;
+            command.value = axis && plan.shows_diameter(number, *axis) ? sensor.at / 2.0 : sensor.at;
             out.push_back(command);
         }
     return out;

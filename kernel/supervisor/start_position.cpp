@@ -37,7 +37,7 @@ void set_start_positions(const JobPlan& plan, RunOptions& options) {
         const AxisConfig* axis = find_axis(*plan.machine, channel, name);
         if (!axis) return;
         options.start_known[axis->number - 1u] = 1;
-        options.start_position[axis->number - 1u] = axis->diameter ? shown / 2.0 : shown;
+        options.start_position[axis->number - 1u] = plan.shows_diameter(channel, *axis) ? shown / 2.0 : shown;
     };
     for (const auto& [number, channel] : plan.setup.channels) {
         for (const auto& [axis, value] : channel.machine) put(number, axis, value);

@@ -30,6 +30,8 @@ CASES = [
      "G98\nN10 G0 X130. Z30. T0303\nN20 G36 X60.\nN40 G0 X80. Z40. T0303\nM30\n"),
     ("skip", "fanuc", ["F5002#4=1"], "[channel.1]\npos = { X = 100.0, Z = 50.0 }\n[[channel.1.sensor]]\ninput = \"SKIP\"\naxis = \"Z\"\nat = 20.0\ndirection = \"-\"\n",
      "G98\nG31 Z0 F120\n#101=#5062\nG0 Z60.\nM30\n"),
+    ("a radius by Fagor's format", "fagor", ["FG.DFORMAT X=0"], "[channel.1]\nmachine = { X = 123.0, Z = 45.0 }\n", "G00 G91 X-10 Z5\nG90 Z2\nM30\n"),
+    ("a radius by Fagor's state", "fagor", ["FG.DIAM X=0"], "[channel.1]\nmachine = { X = 123.0, Z = 45.0 }\n", "G00 G91 X-10 Z5\nG90 Z2\nM30\n"),
     ("skip without a signal", "fanuc", [], "[channel.1]\npos = { X = 100.0, Z = 50.0 }\n", "G98\nG31 Z40. F300\n#101=#5062\nG0 Z60.\nM30\n"),
 ]
 TOLERANCE = 0.003   # mm, of what a simulated encoder measured: one count of 4096 a turn, latched between two ticks
