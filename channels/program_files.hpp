@@ -35,6 +35,7 @@ public:
     std::optional<FileId> find_number(std::int64_t number);
     // Likewise, and files of the folders whose name is the number with this extension (fagor: 000611.PIT).
     std::optional<FileId> find_number(std::int64_t number, std::string_view extension);
+    std::size_t library_count() const { return library_.size(); }
     // All library files, then all files of the folders with this extension, in the order of their names.
     std::size_t memory_count(std::string_view extension);
     std::optional<FileId> memory_file(std::string_view extension, std::size_t index);

@@ -1,4 +1,6 @@
 // Labels, subroutines, programs, and the frames in which they run.
+#include <algorithm>
+
 #include "channels/fagor/interpreter.hpp"
 
 namespace polyturn::channels::fagor {
@@ -82,17 +84,34 @@ std::optional<FileId> Interpreter::find_program(std::int64_t number) {
     return files_->find_number(number, ".PIT");
 }
 
+std::optional<TextPosition> Interpreter::subroutine_in(FileId file, std::int64_t number) {
+    LineSource& source = files_->source(file);
+    const TextPosition back = source.next_position();
+    source.seek({0, 1});
+    std::string_view line;
+    std::optional<TextPosition> found;
+    while (!found && source.next(line) == LineSource::Status::Line)
+        if (subroutine_number(statement_of(line)) == number) found = source.next_position();
+    source.seek(back);
+    return found;
+}
+
+// Two programs that were loaded define it (part 2, 12.5: no two in the memory). What only lies in a folder is not loaded.
+bool Interpreter::defined_twice(std::int64_t number, FileId known) {
+    if (!looked_twice_.insert(number).second) return false;
+    const std::size_t loaded = std::min(files_->library_count(), files_->memory_count(".PIT"));
+    for (std::size_t i = 0; i < loaded; ++i) {
+        const auto other = files_->memory_file(".PIT", i);
+        if (other && files_->path(*other) != files_->path(known) && subroutine_in(*other, number)) return true;
+    }
+    return false;
+}
+
 bool Interpreter::find_subroutine(std::int64_t number, FileId& file, TextPosition& begin) {
     const auto look = [&](FileId in) {
-        LineSource& source = files_->source(in);
-        const TextPosition back = source.next_position();
-        source.seek({0, 1});
-        std::string_view line;
-        bool found = false;
-        while (!found && source.next(line) == LineSource::Status::Line) found = subroutine_number(statement_of(line)) == number;
-        if (found) file = in, begin = source.next_position();
-        source.seek(back);
-        return found;
+        const auto at = subroutine_in(in, number);
+        if (at) file = in, begin = *at;
+        return at.has_value();
     };
     if (const auto known = subroutines_.find(number); known != subroutines_.end()) {
         file = known->second.first;
@@ -144,6 +163,7 @@ bool Interpreter::call_subroutine(std::int64_t number, CallFrame frame, const Lo
     FileId file = 0;
     TextPosition begin;
     if (!find_subroutine(number, file, begin)) return core_.fail(Alarm::SubprogramMissing, 0, "SUB " + std::to_string(number));
+    if (defined_twice(number, file)) return core_.fail(Alarm::FagorSubroutineTwice, 0, std::to_string(number));
     if (number >= kMakerFirst) {
         if (!attribute_of(file, 'O')) return core_.fail(Alarm::FagorMakerSubroutine, 0, std::to_string(number));
         if (!frames_.back().maker) return core_.fail(Alarm::FagorMakerCall, 0, std::to_string(number));

@@ -12,6 +12,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -102,6 +103,8 @@ private:
     // calls (calls.cpp)
     std::optional<TextPosition> find_label(FileId file, std::int64_t label);
     bool find_subroutine(std::int64_t number, FileId& file, TextPosition& begin);
+    std::optional<TextPosition> subroutine_in(FileId file, std::int64_t number);
+    bool defined_twice(std::int64_t number, FileId known);
     std::optional<FileId> find_program(std::int64_t number);
     bool jump_to(std::int64_t label);
     bool call_subroutine(std::int64_t number, CallFrame frame, const LocalSet* arguments);
@@ -324,6 +327,7 @@ private:
     std::string message_;
     std::map<std::pair<FileId, std::int64_t>, TextPosition> labels_;
     std::map<std::int64_t, std::pair<FileId, TextPosition>> subroutines_;
+    std::set<std::int64_t> looked_twice_;   // by defined_twice()
     std::deque<std::shared_ptr<const std::string>> texts_;   // of written programs that were run: their files read them
     std::map<const std::string*, FileId> text_files_;
     std::array<std::int8_t, 26> place_{};         // axis letter -> place; -1 none

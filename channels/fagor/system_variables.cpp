@@ -6,6 +6,10 @@
 #include "ipc/machine/work_zeros.hpp"
 
 namespace polyturn::channels::fagor {
+namespace {
+constexpr double kPanelMost = 120.0;   // %, the end of the feed switch (part 1, 5.2)
+}
+
 Access Interpreter::variable_fault(Alarm alarm, std::string detail, double v0, double v1) {
     core_.fail(alarm, 0, std::move(detail), v0, v1);
     ExpressionFault told;
@@ -210,7 +214,7 @@ Access Interpreter::read_feed_or_spindle(const Target& target, double& value) {
         case Var::FeedProgram: value = from_length_plain(modal_.feed_minute); break;
         case Var::FeedRev: case Var::FeedRevProgram: value = from_length_plain(modal_.feed_revolution); break;
         case Var::FeedInverse: value = modal_.feed_inverse; break;
-        case Var::Override: value = modal_.override_program > 0 ? modal_.override_program : std::fmin(panel, settings_.override_max); break;
+        case Var::Override: value = modal_.override_program > 0 ? modal_.override_program : std::fmin(std::fmin(panel, kPanelMost), settings_.override_max); break;
         case Var::OverrideProgram: value = modal_.override_program; break;
         case Var::OverridePanel: value = panel; break;
         case Var::SpindleOverridePanel: value = spindle_panel; break;

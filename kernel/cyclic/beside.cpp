@@ -65,7 +65,7 @@ double Machine::beside_speed(std::uint32_t a) const noexcept {
         const ChannelRunner& runner = *channels_[wish.channel - 1];
         if (runner.holds_beside()) return 0.0;
         v *= runner.wheel_share();
-        v *= wish.speed > 0 ? runner.feed_override : runner.rapid_override;
+        v *= wish.speed > 0 ? runner.feed_factor() : runner.rapid_override;
     }
     if (core_.signals.plc(signals::cp_setup(config.channel))) v = std::fmin(v, config.setup_feed);
     if (!core_.axes[a].referenced && config.reference.rapid > 0) v = std::fmin(v, config.reference.rapid);

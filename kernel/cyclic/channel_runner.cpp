@@ -251,7 +251,7 @@ void ChannelRunner::settle() noexcept {
 // What holds and slows every path of this channel.
 PathInput ChannelRunner::path_input() noexcept {
     PathInput input;
-    input.feed_override = (keys & kKeyRapid) ? feed_override * core_.config.channels[index_].rapid_key_factor : feed_override;   // N0313
+    input.feed_override = (keys & kKeyRapid) ? feed_factor() * core_.config.channels[index_].rapid_key_factor : feed_factor();   // N0313
     input.rapid_override = rapid_override;
     if (core_.config.channels[index_].feed_override_in_rapid) input.rapid_override *= std::min(feed_override, 1.0);
     input.speed_ceiling = setup_ceiling();

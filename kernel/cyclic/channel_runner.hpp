@@ -7,6 +7,7 @@
 // A tick: supply() shows the planner what is visible (at most the horizon: PT_HORIZON), run() executes what stands at a
 // boundary, drives the path, reports what began and ended. Waits are released by the machine between the channels' runs.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdlib>
@@ -85,7 +86,9 @@ public:
     void interrupt() noexcept;
     void fault(Alarm number, std::string_view detail, double value) noexcept { raise(number, detail, value); }
     void emergency() noexcept;      // forget the path: the axes brake by themselves
-    double feed_override = 1, rapid_override = 1;
+    double feed_override = 1, rapid_override = 1;   // as the switches stand
+    // What the feed is driven with.
+    double feed_factor() const noexcept { return std::min(feed_override, core_.config.channels[index_].feed_override_max); }
     std::uint32_t pressed_keys = 0; // ChannelKey, by the operator
     std::uint32_t keys = 0;         // ChannelKey as they act: the operator's and those that the PLC's marks hold
 

@@ -50,6 +50,21 @@ class Fagor(Case):
         self.assertAlmostEqual(self.seconds(done, X=90), (20**2 + 5**2) ** 0.5 / 5, delta=0.1)
         self.assertAlmostEqual(self.seconds(done, X=80), 2.5, delta=0.1)
 
+    def test_the_panel_ends_at_its_switch_and_at_maxfovr(self):   # part 1, 5.2
+        for most, seconds in (("100", 5.0), ("80", 6.25), ("255", 4.17)):
+            with self.subTest(most):
+                done = self.run_program(f"{HEAD}(P100=FRO,P101=CNCFRO)\nG01 Z0 F600\nM30\n", "--set", f"FG.MAXFOVR={most}", scenario='[[at]]\nt = 0.0\npress = "feed_override L1=150"\n')
+                self.assertAlmostEqual(self.seconds(done, Z=0), seconds, delta=0.1)
+
+    def test_two_loaded_programs_do_not_define_one_subroutine(self):   # part 2, 12.5
+        for name in ("701", "702"):
+            self.write(f"000{name}.PIT", f"%A,MX,\n(SUB 5)\n(P100={name})\n(RET)\n")
+        loaded = '[channel.1]\npos = { X = 100.0, Z = 50.0 }\nsubprograms = ["000701.PIT", "000702.PIT"]\n'
+        done = self.run_program(f"{HEAD}(CALL 5)\nX90\nM30\n", setup=loaded, status=1)
+        self.assertIn("subroutine 5 is defined twice", done.said())
+        self.assertEqual(done.of("move"), [])
+        self.run_program(f"{HEAD}(CALL 5)\nX90\nM30\n", setup=loaded.replace(', "000702.PIT"', ""))   # beside the program it is not loaded
+
     def test_a_tap_turns_back_at_once(self):   # part 2, 9.6.2
         done = self.run_program("G18 G71 G90 G151 G95\nG00 X60 Z20 F1 S300 M3\nG83 X0 Z0 I6 B0 D4\nM30\n")
         self.assertEqual(done.alarms, [])
