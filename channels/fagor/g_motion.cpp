@@ -71,8 +71,20 @@ void Interpreter::follow_spindle(bool thread) {
     spindles_.set(thread || share <= 0 ? 1.0 : share / 100.0, core_.at);
 }
 
+// All that moves are axes that are positioned only: "always G00" (3.7). With others they arrive together (6.2).
+bool Interpreter::only_positions(const AxisValues& target) const {
+    bool any = false;
+    for (unsigned i = 0; i < const_cast<Interpreter*>(this)->core_.view().axis_count; ++i) {
+        if (target[i] == core_.path.programmed[i]) continue;
+        const int type = get_axis_type(i);
+        if (type != 1 && type < 3) return false;
+        any = true;
+    }
+    return any;
+}
+
 bool Interpreter::straight(const AxisValues& target, bool rapid) {
-    if (rapid) return core_.rapid(target);
+    if (rapid || only_positions(target)) return core_.rapid(target);
     return set_feed(target) && core_.linear(target);
 }
 

@@ -162,6 +162,7 @@ private:
     bool read_point_without_polar(AxisValues& target);
     void thread_way(const AxisValues& target, double& length, double& along) const;
     int get_axis_type(unsigned place) const;
+    bool only_positions(const AxisValues& target) const;
     bool has_axes_beside(std::string_view letters) const;
     bool set_feed(const AxisValues& target);
     double largest_feed(const AxisValues& target) const;
