@@ -313,8 +313,9 @@ bool Machine::idle() noexcept {
     }
     for (std::uint32_t s = 0; s < core_.config.spindle_count; ++s)
         if (core_.spindles[s].exists() && !core_.spindles[s].settled()) return false;
+    // What follows a turning spindle (a gear box that stays closed) moves for ever.
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
-        if (core_.axes[a].exists() && (core_.axes[a].moving() || (jogs_[a].active() && !(core_.axes[a].beside && jogs_[a].stands())) || overlays_[a].jog.active() || core_.beside[a].asked || to_reference_[a] || core_.home_wish[a])) return false;
+        if (core_.axes[a].exists() && ((core_.axes[a].moving() && !spindle_couplings_.follows(a)) || (jogs_[a].active() && !(core_.axes[a].beside && jogs_[a].stands())) || overlays_[a].jog.active() || core_.beside[a].asked || to_reference_[a] || core_.home_wish[a])) return false;
     const double quiet_s = static_cast<double>(plc_.quiet_ticks()) * core_.config.tick_s;
     return !plc_.present() ? !handshake || plc_.dead() : quiet_s >= (handshake ? kHandshakeQuietS : kPlcQuietS);
 }

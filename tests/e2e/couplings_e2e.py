@@ -86,6 +86,18 @@ class GearBox(Coupled):
         self.assertAlmostEqual(kept["A1.cmd"][-1], 50.0, places=3, msg="RCE 0: nothing is retracted, it stays closed")
         self.assertGreater(gone["A1.cmd"][-1], 50.001, "RCE 1: it goes N1804 away (the run ends with the reset), then it opens")
 
+    def test_the_plc_takes_it_out_of_the_work(self):   # nct part 2, 19: CP_EGBRRQ
+        self.write("s.toml", '[[at]]\nt = 6.0\nset = "CP_EGBRRQ L1=1"\n')
+        axes = ("N0002 A7=1", "N0100 A7=66", "N0106 A7=2", "N0900 A7=8", "N1801 L1=1", "N1802 L1=7", "N1804 A1=15", "N1805 L1=1200")
+        text = "G18 G90 G94\nG0 Z5. X100.\nS60 M3\nG4 P3.\nG81.8 T20 L1\nG1 Z-15. F100.\nG80.8\nM30\n"
+        for opens in (0, 1):
+            with self.subTest(RCE=opens):
+                done, trace = self.run_program("nct", text, *sets(*axes, f"N1800 L1={opens}"), "--scenario", "s.toml", status=1)
+                self.assertIn("PT0687", [str(a["number"]) for a in done.alarms], done.said())
+                self.assertAlmostEqual(trace["A1.cmd"][-1], 65.0, places=3, msg="N1804 away")
+                self.assertGreater(abs(trace["S1.speed"][-1]), 50, "it turns on")
+                self.assertEqual(abs(trace["A7.cmd"][-1] - trace["A7.cmd"][-2]) > 1e-6, not opens, "RCE 0: the gear stays closed, and the run ends all the same")
+
     def test_what_is_missing_is_named(self):
         for lines, block in ((("N1802 L1=5", "N0817 S3=66"), "G81.8 T20"), (("N1801 L1=3", "N0817 S3=66"), "G81.8 T20"), (self.AXES, "G81.8 T0"), (self.AXES, "G81.8 T20 L0"),
                              (self.AXES, "G81.8 T20 P30."), (self.AXES[:2] + ("N0817 S3=66",), "G81.8 T20 Q2. P30.")):
