@@ -71,6 +71,7 @@ struct Move {
     std::uint8_t skip_input = 0;    // Skip: number of the input; 0 it has a name only
     std::string_view skip_name;     // Skip: name of the input (SKIP, XAE) or its number
     bool skip_release = false;      // Skip: ends when the signal goes
+    bool skip_passes = false;       // Skip: where the signal comes is told, and the move goes on to its end
     double skip_torque = 0.0;       // Skip: ends where something resists with so many thousandths of the rated torque; kTorqueOfPlc
                                     // as the PLC allows; 0 it does not
     std::uint16_t spindle = 0;      // machine spindle (from 1) of feed per revolution and thread; 0 none
@@ -144,6 +145,7 @@ struct Spindle {
     double value = 0.0;             // 1/min, m/min or degrees
     SpindleTurn turn = SpindleTurn::Stop;
     double limit = 0.0;             // 1/min; 0 none
+    double least = 0.0;             // SurfaceSpeed: 1/min; 0 the machine's
     SpindleApproach approach = SpindleApproach::Shortest;   // Position
     double way = 0.0;               // Position, Incremental: degrees; `value` is where it leads
     double feed_rpm = 0.0;          // Position: how fast; 0: in rapid

@@ -118,7 +118,7 @@ public:
         // The event shows the point that the signal leaves, as a run of the machine would.
         port_->skip_move(m, *view_);
         Move stopped = m;
-        for (unsigned i = 0; i < view_->axis_count; ++i) {
+        for (unsigned i = 0; i < view_->axis_count && !m.skip_passes; ++i) {
             const auto end = port_->axis_at_skip(view_->axes[i].machine_axis);
             if (!end) continue;
             stopped.pos[i] += *end - m.machine[i];

@@ -191,7 +191,7 @@ void RecordSink::add(const Move& move, const BlockContext& at, bool told, std::u
     if (move.kind == MoveKind::Rapid && move.speed_limit > 0) r.feed = move.speed_limit / 60;
     if (move.kind == MoveKind::Reference) r.flags |= kReference;
     if (move.kind == MoveKind::Skip) {
-        r.flags |= kSkipMove | (move.skip_release ? std::uint32_t{kSkipRelease} : 0u);
+        r.flags |= kSkipMove | (move.skip_release ? std::uint32_t{kSkipRelease} : 0u) | (move.skip_passes ? std::uint32_t{kFlying} : 0u);   // kFlying: it does not brake
         const auto input = move.skip_name.empty() ? std::optional<std::uint32_t>(move.skip_input) : input_by_name(move.skip_name, view_->channel);
         r.code = input ? static_cast<std::int32_t>(*input) : -1;   // a signal that does not exist never comes
         if (move.skip_torque != 0) {
@@ -227,7 +227,7 @@ void RecordSink::add(const Move& move, const BlockContext& at, bool told, std::u
     if (at.comp != CompSide::Off) r.flags |= kCompensated;
     if (maker_->length_of_next() > 0) {
         r.note = told ? note_move(move, at) : number;
-        if (move.kind == MoveKind::Skip && r.note) skip_ = {r.note, move, at, std::string(at.tool.name), std::string(at.cycle), std::string(move.skip_name)};
+        if (move.kind == MoveKind::Skip && !move.skip_passes && r.note) skip_ = {r.note, move, at, std::string(at.tool.name), std::string(at.cycle), std::string(move.skip_name)};
         maker_->add_move();
         drained_ = false;
     }

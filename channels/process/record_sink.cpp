@@ -114,6 +114,7 @@ void RecordSink::spindle(const Spindle& spindle, const BlockContext& at) {
     if (spindle.css_axis >= 0) {
         r.axis[0] = view_->axes[static_cast<std::size_t>(spindle.css_axis)].machine_axis;
         r.shape[1] = spindle.css_zero;
+        r.shape[2] = spindle.least;
     }
     if (spindle.mode == SpindleModeCode::Position) {
         r.plane[0] = static_cast<std::uint8_t>(spindle.approach);

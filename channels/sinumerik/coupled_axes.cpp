@@ -15,21 +15,14 @@ bool Interpreter::p_trail(Call& c) {
     if (has_leader && !axis_argument(c, 1, name, leads)) return false;
     std::vector<Trail>& trails = modal_.trails;
     const bool by_table = name.starts_with("LEAD");
-    const auto is_meant = [&](const Trail& one) { return one.follows == follows && (!has_leader || one.leads == leads) && (one.table != nullptr) == by_table; };
+    const auto is_meant = [&](const Trail& one) { return one.follows == follows && (!has_leader || one.leads == leads) && (one.table != nullptr) == by_table && !one.gear; };
     if (name == "TRAILOF" || name == "LEADOF") {
         std::erase_if(trails, is_meant);
         return true;
     }
     if (!has_leader) return fail(Alarm::AxisArgumentMissing, std::string(name));
     if (core_.compensating()) return fail(Alarm::AxisExchangeIllegal, axis_name(static_cast<int>(follows)));
-    // Nothing may lead itself, by whatever way.
-    AxisSet reached = 1u << leads;
-    for (bool again = true; again;) {
-        again = false;
-        for (const Trail& one : trails)
-            if ((reached >> one.follows & 1u) && !(reached >> one.leads & 1u)) reached |= 1u << one.leads, again = true;
-    }
-    if (reached >> follows & 1u) return fail(Alarm::CodesContradict, std::string(name) + "(" + axis_name(static_cast<int>(follows)) + "," + axis_name(static_cast<int>(leads)) + ")");
+    if (leads_itself(follows, leads)) return fail(Alarm::CodesContradict, std::string(name) + "(" + axis_name(static_cast<int>(follows)) + "," + axis_name(static_cast<int>(leads)) + ")");
     Trail made{follows, leads, c.number(2, 1.0)};
     if (by_table) {
         const auto found = curve_tables_.find(static_cast<int>(c.number(2)));
@@ -41,6 +34,17 @@ bool Interpreter::p_trail(Call& c) {
     std::erase_if(trails, is_meant);
     trails.push_back(std::move(made));
     return true;
+}
+
+// Nothing may lead itself, by whatever way.
+bool Interpreter::leads_itself(std::size_t follows, std::size_t leads) const {
+    AxisSet reached = 1u << leads;
+    for (bool again = true; again;) {
+        again = false;
+        for (const Trail& one : modal_.trails)
+            if ((reached >> one.follows & 1u) && !(reached >> one.leads & 1u)) reached |= 1u << one.leads, again = true;
+    }
+    return (reached >> follows & 1u) != 0;
 }
 
 bool Interpreter::is_coupled(int table) const {
@@ -95,7 +99,7 @@ bool Interpreter::bends_on_the_way(const AxisValues& wanted, std::vector<AxisVal
 // An arc, a thread or a curve to `target`: an axis that leads may not take part.
 bool Interpreter::leads_nobody(const AxisValues& target) {
     for (const Trail& one : modal_.trails)
-        if (target[one.leads] != core_.path.programmed[one.leads]) return fail(Alarm::NotBuilt, std::string(one.table ? "LEADON: " : "TRAILON: ") + axis_name(static_cast<int>(one.leads)) + " G2 G3 G33");
+        if (target[one.leads] != core_.path.programmed[one.leads]) return fail(Alarm::NotBuilt, std::string(one.table ? "LEADON: " : one.gear ? "EGON: " : "TRAILON: ") + axis_name(static_cast<int>(one.leads)) + " G2 G3 G33");
     return true;
 }
 

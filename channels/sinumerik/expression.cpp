@@ -247,6 +247,11 @@ bool Interpreter::named_value(Value& value) {
         return true;
     }
     if (symbol.kind == Symbol::Kind::Reserved) return fail_at(Alarm::NotBuilt, from, name.size(), word);
+    if (const auto absent = std::string_view("XYZ").find(word); word.size() == 1 && absent != std::string_view::npos) {   // frames turn about it
+        cursor_.advance(name.size());
+        value = Value::of_axis(kAbsentAxis - static_cast<int>(absent), word);
+        return true;
+    }
     return fail_at(Alarm::NameUnknown, from, name.size(), word);
 }
 

@@ -165,6 +165,7 @@ bool Interpreter::functions_after() {
         }
         if (modal_.geo.open_line) return fail(Alarm::ContourLineOpen);
         if (modal_.geo.approach) return fail(Alarm::ApproachNoEnd);
+        if (modal_.curve) return fail(Alarm::StructureNesting, "CTABDEF");
         core_.mark_emitted();
         core_.sink().part(++parts_, core_.at);
         finish(m == 2 ? StopReason::M02 : StopReason::M30);   // M17 of a main program acts as M30

@@ -40,8 +40,7 @@ bool Interpreter::geo_comp_kind(const GCode& code) {   // group 22: CUT2DD CUT2D
     return true;
 }
 
-// Does the frame turn the working plane out of a plane of the machine? Then CUT2D and CUT2DF would differ, and compensation
-// follows neither.
+// Does the frame turn the working plane out of a plane of the machine? Then CUT2D and CUT2DF differ (11.6).
 bool Interpreter::tilted() {
     if (!core_.path.framed) return false;
     static constexpr std::size_t kApplicate[] = {2, 1, 0};
@@ -70,7 +69,9 @@ bool Interpreter::geo_compensation(const GCode& code) {
         return core_.compensation_off(0.0, 0.0);
     }
     if (arc && !core_.compensating()) return fail(Alarm::CompArcStartEnd);
-    if (tilted()) return fail(Alarm::SubframeRotates, std::string(code.name));
+    const bool in_frame = kind == 2 || kind == 10;   // CUT2DF CUT2DFD; CUT2D stays in the plane of the machine
+    if (in_frame && tilted() && !core_.frame_inclines()) return fail(Alarm::SubframeRotates, std::string(code.name));
+    core_.lie_in_frame(in_frame, true);
     if (!update_compensation()) return false;
     return core_.compensation(code.number == 2 ? CompSide::Left : CompSide::Right);
 }

@@ -124,6 +124,13 @@ bool Interpreter::frame_keeps_circles() const {
     return upright > (1 - kAlike) * size;
 }
 
+// An arc in a plane that the frame inclines, which has an element at an end or is compensated: those know circles.
+bool Interpreter::arc_lies_inclined() const {
+    if (!core_.frame_inclines()) return false;
+    if (core_.inclined() || (!core_.reads_ahead() && modal_.geo.rounding > 0)) return true;
+    return !core_.reads_ahead() && (word("RND") || word("CHR") || word("CHF"));
+}
+
 // An arc of the workpiece that is none of the machine's: its points go through the frame.
 bool Interpreter::drawn_arc(const AxisValues& target, const ArcCall& call) {
     for (const std::string_view name : {"RND", "CHR", "CHF"})

@@ -12,6 +12,9 @@ std::array<int, 3> geometry(const MachineView& view) {
     return {view.axis_by_role(PlaneRole::BasicX), view.axis_by_role(PlaneRole::BasicY), view.axis_by_role(PlaneRole::BasicZ)};
 }
 
+// Rotation about X, Y or Z, whether the channel has that axis or not.
+double& turn_about(FrameValue& value, const std::array<int, 3>& geo, std::size_t k) { return geo[k] < 0 ? value.absent_deg[k] : value.rotation_deg[static_cast<std::size_t>(geo[k])]; }
+
 // X''Y'Z: about Z, then the new Y, then the new X. Euler (MD10600): about Z, then the new X, then the new Z by the angle of Y (13.2).
 Frame turned(const Point3& degrees, bool euler) {
     if (euler) return Frame::rotation(GeoAxis::Z, degrees[2]) * Frame::rotation(GeoAxis::X, degrees[0]) * Frame::rotation(GeoAxis::Z, degrees[1]);
@@ -39,7 +42,10 @@ Frame Interpreter::frame_of(const FrameValue& value) const {
     Point3 shift{}, degrees{}, factor{1, 1, 1};
     Frame f;
     for (std::size_t k = 0; k < 3; ++k) {
-        if (geo[k] < 0) continue;
+        if (geo[k] < 0) {
+            degrees[k] = value.absent_deg[k];
+            continue;
+        }
         const auto i = static_cast<std::size_t>(geo[k]);
         shift[k] = value.coarse_mm[i] + value.fine_mm[i];
         degrees[k] = value.rotation_deg[i];
@@ -71,8 +77,7 @@ FrameValue Interpreter::components_of(const Frame& frame, const FrameValue& like
         value.fine_mm[i] = frame.shift[k] - like.coarse_mm[i];
     }
     const Point3 degrees = angles_of(m, settings_.euler_angles);
-    for (std::size_t k = 0; k < 3; ++k)
-        if (geo[k] >= 0) value.rotation_deg[static_cast<std::size_t>(geo[k])] = degrees[k];
+    for (std::size_t k = 0; k < 3; ++k) turn_about(value, geo, k) = degrees[k];
     for (unsigned i = 0; i < view.axis_count; ++i) {
         if (static_cast<int>(i) == geo[0] || static_cast<int>(i) == geo[1] || static_cast<int>(i) == geo[2]) continue;
         value.fine_mm[i] = frame.offset[i] - like.coarse_mm[i];
@@ -103,7 +108,7 @@ bool Interpreter::frame_words(const GCode& code, FrameValue& value, std::optiona
         if (axis_words()) return fail_word(Alarm::CodesContradict, *rpl, "RPL, X Y Z");
         const std::size_t upright = kApplicate[static_cast<std::size_t>(core_.path.plane)];
         if (std::fabs(rpl->number()) > 360) return fail_word(Alarm::ValueOutOfRange, *rpl, "RPL", rpl->number());
-        if (geo[upright] >= 0) value.rotation_deg[static_cast<std::size_t>(geo[upright])] = rpl->number();
+        turn_about(value, geo, upright) = rpl->number();
         about = Frame::rotation(static_cast<GeoAxis>(upright), rpl->number());   // a lathe has no Y, and turns about it
     }
     for (const Word& w : block_.words) {
@@ -160,7 +165,7 @@ void Interpreter::mirror_by_reference(FrameValue& said) const {
     for (std::size_t k = 0; k < 3; ++k) {
         if (k == reference || geo[k] < 0 || geo[reference] < 0 || !(said.mirrored >> geo[k] & 1u)) continue;
         said.mirrored ^= 1u << geo[k] | 1u << geo[reference];
-        if (const int third = geo[3 - k - reference]; third >= 0) said.rotation_deg[static_cast<std::size_t>(third)] += 180.0;
+        turn_about(said, geo, 3 - k - reference) += 180.0;
     }
 }
 
@@ -258,7 +263,7 @@ bool Interpreter::chain_frames(Value& left, const Value& right) {
     FrameValue like = a;
     like.mirrored ^= b.mirrored;
     FrameValue sum = components_of(frame_of(a) * frame_of(b), like);
-    bool plain = true;   // coarse and fine stay apart where nothing turns or scales them
+    bool plain = a.absent_deg == std::array<double, 3>{};   // coarse and fine stay apart where nothing turns or scales them
     for (unsigned i = 0; i < core_.view().axis_count; ++i)
         plain = plain && a.rotation_deg[i] == 0 && (a.scale[i] == 0 || a.scale[i] == 1) && !(a.mirrored >> i & 1u);
     for (std::size_t i = 0; i < sum.fine_mm.size(); ++i) {
@@ -279,6 +284,11 @@ bool Interpreter::f_frame(Call& call, std::string_view name) {
     for (std::size_t k = 0; k < call.arguments.size(); ++k) {
         if (!call.has(k)) return fail(Alarm::ArgumentCountIllegal, std::string(name), static_cast<double>(k));
         const int place = call.value(k).place();
+        if (name == "CROT" && call.value(k).type == Type::Axis && place <= kAbsentAxis) {
+            if (!call.has(k + 1)) return fail(Alarm::ArgumentCountIllegal, std::string(name), static_cast<double>(k));
+            value.absent_deg[static_cast<std::size_t>(kAbsentAxis - place)] = call.number(++k);
+            continue;
+        }
         if (place < 0 || static_cast<unsigned>(place) >= core_.view().axis_count) return fail(Alarm::AxisKindWrong, call.value(k).text);
         const auto i = static_cast<std::size_t>(place);
         if (name == "CMIRROR") {
@@ -310,7 +320,7 @@ bool Interpreter::f_crots(Call& call) {
         if (!call.has(k) || !call.has(k + 1)) return fail(Alarm::ArgumentCountIllegal, "CROTS", static_cast<double>(k));
         bool found = false;
         for (std::size_t g = 0; g < 3; ++g)
-            if (geo[g] == call.value(k).place()) angles[g] = call.number(k + 1), found = true;
+            if (call.value(k).place() == (geo[g] < 0 ? kAbsentAxis - static_cast<int>(g) : geo[g])) angles[g] = call.number(k + 1), found = true;
         if (!found) return fail(Alarm::AxisKindWrong, call.value(k).text);
     }
     Frame frame;
@@ -319,13 +329,17 @@ bool Interpreter::f_crots(Call& call) {
     return true;
 }
 
-// ADDFRAME(frame, "$P_PFRAME"): what was the whole chain before is now that chain with the frame behind it.
+// ADDFRAME(frame, "$P_PFRAME", "$P_UIFR[1]"): what was the whole chain before is now that chain with the frame behind it.
 bool Interpreter::f_addframe(Call& call) {
     static const FrameValue kNone;
     const Frame added = frame_of(call.value(0).frame ? *call.value(0).frame : kNone);
     const std::string target = upper(call.value(1).text);
     GeoModal& geo = modal_.geo;
     const auto answer = [&](int code) { return call.result = Value::of_int(code), true; };
+    if (int number = 0; names_settable(target, number)) {
+        if (number >= settings_.frames) return answer(2);
+        return add_to_settable(number, added) && answer(0);
+    }
     if (target != "$P_PFRAME" && target != "$P_ACTBFRAME" && target != "$P_BFRAME") return answer(target.starts_with("$P_") ? 2 : 1);
     const GeoModal before = geo;
     undo([this, before] {
@@ -353,10 +367,8 @@ bool Interpreter::f_crpl(Call& call) {   // CRPL(0|1|2|3, angle): the active pla
     const int which = static_cast<int>(call.number(0));
     if (which < 0 || which > 3) return fail(Alarm::ValueOutOfRange, "CRPL", which);
     const int upright = kApplicate[which == 0 ? static_cast<std::size_t>(core_.path.plane) : static_cast<std::size_t>(which - 1)];
-    const int place = geometry(core_.view())[static_cast<std::size_t>(upright)];
-    if (place < 0) return fail(Alarm::FrameAxisMissing, std::string(1, "XYZ"[upright]));
     FrameValue value;
-    value.rotation_deg[static_cast<std::size_t>(place)] = call.number(1);
+    turn_about(value, geometry(core_.view()), static_cast<std::size_t>(upright)) = call.number(1);
     call.result = Value::of_frame(value);
     return true;
 }

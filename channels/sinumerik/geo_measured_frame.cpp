@@ -54,8 +54,7 @@ bool Interpreter::f_meaframe(Call& call) {
     static constexpr PlaneRole kRoles[] = {PlaneRole::BasicX, PlaneRole::BasicY, PlaneRole::BasicZ};
     for (std::size_t k = 0; k < 3; ++k) {
         const int place = core_.view().axis_by_role(kRoles[k]);
-        const bool turned = std::fabs(frame.linear[(k + 1) % 3][(k + 2) % 3]) > 1e-9;
-        if (place < 0 && (turned || std::fabs(frame.shift[k]) > 1e-9)) return fail(Alarm::FrameAxisMissing, std::string(1, "XYZ"[k]));
+        if (place < 0 && std::fabs(frame.shift[k]) > 1e-9) return fail(Alarm::FrameAxisMissing, std::string(1, "XYZ"[k]));
         if (place < 0) continue;
         const auto i = static_cast<std::size_t>(place);
         value.coarse_mm[i] = value.fine_mm[i], value.fine_mm[i] = 0;   // as CTRANS says it

@@ -89,21 +89,23 @@ bool Interpreter::corner_words(bool contour) {
 bool Interpreter::go_line(const AxisValues& wanted, bool rapid) {
     if (modal_.curve) return curve_point(wanted);
     AxisValues target = modal_.trails.empty() ? wanted : trailed(wanted);
-    if (!cut_way(target)) return false;
+    if (!cut_way(target) || !tangential_line(target)) return false;
     if (!within_areas(target)) return false;
     if (bool taken = false; modal_.geo.approach) {
         if (!finish_approach(target, nullptr, taken)) return false;
         if (taken) return true;
     }
     const AxisValues from = core_.path.programmed;
-    if (const Word* probe = word("MEAS")) return measuring_line(target, *probe);
-    if (const Word* probe = word("MEASA")) {   // MEASA[axis]=(mode, event): the axis alone moves, so its way to go is the path's
-        Word event = *probe;
-        if (probe->number() != 1 || probe->further.size() != 1) return fail_word(Alarm::NotBuilt, *probe, "MEASA: mode, events");
-        if (probe->axis < 0 || axis_words() != AxisSet{1} << probe->axis) return fail_word(Alarm::NotBuilt, *probe, "MEASA");
-        event.value = probe->further.front();
-        return measuring_line(target, event);
-    }
+    for (const std::string_view name : {"MEAS", "MEAW"})
+        if (const Word* probe = word(name)) return measuring_line(target, *probe, name == "MEAW");
+    for (const std::string_view name : {"MEASA", "MEAWA"})
+        if (const Word* probe = word(name)) {   // MEASA[axis]=(mode, event): the axis alone moves, so its way to go is the path's
+            Word event = *probe;
+            if (probe->number() != 1 || probe->further.size() != 1) return fail_word(Alarm::NotBuilt, *probe, std::string(name) + ": mode, events");
+            if (probe->axis < 0 || axis_words() != AxisSet{1} << probe->axis) return fail_word(Alarm::NotBuilt, *probe, std::string(name));
+            event.value = probe->further.front();
+            return measuring_line(target, event, name == "MEAWA");
+        }
     if (!corner_words(true)) return false;
     std::vector<AxisValues> bends;
     if (!modal_.trails.empty() && !bends_on_the_way(wanted, bends)) return false;
@@ -115,15 +117,17 @@ bool Interpreter::go_line(const AxisValues& wanted, bool rapid) {
     return true;
 }
 
-// MEAS=1, 2, MEASA: the probe's signal comes and ends the move; -1, -2: it goes (sinumerik_part3 5.3).
-bool Interpreter::measuring_line(const AxisValues& target, const Word& probe) {
+// MEAS=1, 2, MEASA: the probe's signal comes and ends the move; -1, -2: it goes (sinumerik_part3 5.3). MEAW, MEAWA: no way is
+// deleted, the move goes on to its end.
+bool Interpreter::measuring_line(const AxisValues& target, const Word& probe, bool passes) {
     const double input = std::fabs(probe.number());
-    if (input != 1 && input != 2) return fail_word(Alarm::ValueOutOfRange, probe, "MEAS", probe.number());
-    if (has("FXS")) return fail_word(Alarm::CodesContradict, probe, "FXS, MEAS");
+    if (input != 1 && input != 2) return fail_word(Alarm::ValueOutOfRange, probe, std::string(probe.address->name), probe.number());
+    if (has("FXS")) return fail_word(Alarm::CodesContradict, probe, "FXS, " + std::string(probe.address->name));
     if (core_.compensating()) return fail_word(Alarm::CompReference, probe);
     modal_.measured_to = target;
-    modal_.way_cut = false;
-    return core_.measure(target, input == 1 ? "1" : "2", probe.number() < 0);
+    modal_.way_cut = passes;
+    if (passes) modal_.way_left = {};
+    return core_.measure(target, input == 1 ? "1" : "2", probe.number() < 0, passes);
 }
 
 void Interpreter::note_tangent(const AxisValues& from, const AxisValues& to) {

@@ -9,7 +9,7 @@ constexpr GCode kCodes[] = {
     // name, group, number, modal, delivery state, handler, addresses it reads
     // group 1: Modal motion commands
     {"G0", 1, 1, true, false, &Interpreter::geo_motion, "axes AP RP RND CHF CHR FRC ANG"},
-    {"G1", 1, 2, true, true, &Interpreter::geo_motion, "axes AP RP RND CHF CHR FRC ANG MEAS MEASA"},
+    {"G1", 1, 2, true, true, &Interpreter::geo_motion, "axes AP RP RND CHF CHR FRC ANG MEAS MEASA MEAW MEAWA"},
     {"G2", 1, 3, true, false, &Interpreter::geo_arc, "axes I J K CR AR TURN AP RP RND CHF CHR FRC"},
     {"G3", 1, 4, true, false, &Interpreter::geo_arc, "axes I J K CR AR TURN AP RP RND CHF CHR FRC"},
     {"CIP", 1, 5, true, false, &Interpreter::geo_cip, "axes I1 J1 K1 TURN RND CHF CHR FRC"},
@@ -147,7 +147,9 @@ constexpr Address kAddresses[] = {
     {"DISR", Index::None, Use::Block}, {"DISCL", Index::None, Use::Block}, {"DISRP", Index::None, Use::Block}, {"FAD", Index::None, Use::Block},
     {"DISC", Index::None, Use::Setting, &Interpreter::a_geometry}, {"OFFN", Index::None, Use::Setting, &Interpreter::a_geometry}, {"FP", Index::None, Use::Block},
     {"MEAS", Index::None, Use::Block},
+    {"MEAW", Index::None, Use::Block},
     {"MEASA", Index::Axis, Use::Block, nullptr, true, true},
+    {"MEAWA", Index::Axis, Use::Block, nullptr, true, true},
     {"DILF", Index::None, Use::Setting, &Interpreter::a_geometry}, {"ALF", Index::None, Use::Setting, &Interpreter::a_geometry, false},
 };
 

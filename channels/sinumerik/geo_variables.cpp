@@ -10,10 +10,13 @@ constexpr std::string_view kArea = "$P_WORKAREA_CS_";
 
 }  // namespace
 
-// TR coarse, FI fine translation, RT rotation, SC scale.
+// TR coarse, FI fine translation, RT rotation, SC scale; MI is a bit. Behind the places of the axes: those that the channel does
+// not have, which know a rotation only.
 double& Interpreter::frame_part(FrameValue& frame, std::size_t place, const std::string& part, bool& known) {
     static double nothing = 0.0;
     known = true;
+    if (part == "RT" && place >= kChannelAxes) return frame.absent_deg[place - kChannelAxes];
+    if (place >= kChannelAxes) return known = false, nothing;
     if (part == "TR") return frame.coarse_mm[place];
     if (part == "FI") return frame.fine_mm[place];
     if (part == "RT") return frame.rotation_deg[place];
@@ -36,18 +39,7 @@ bool Interpreter::geometry_value(const std::string& name, const std::vector<Valu
         return value = Value::of_real(core_.view().axes[i].rotary ? mm : mm / unit()), true;
     }
     if (name == "$P_PFRAME" || name == "$P_ACTFRAME") {
-        if (indices.empty()) return value = Value::of_frame(geo.frame), true;
-        const int place = indices[0].type == Type::Axis ? indices[0].place() : -1;
-        if (place < 0 || place >= static_cast<int>(core_.view().axis_count) || indices.size() != 2) return fail(Alarm::ArrayIndexIllegal, name);
-        const auto i = static_cast<std::size_t>(place);
-        const std::string part = upper(indices[1].text);
-        if (part == "MI") return value = Value::of_bool(geo.frame.mirrored >> i & 1u), true;
-        bool good = false;
-        double number = frame_part(geo.frame, i, part, good);
-        if (!good) return fail(Alarm::ArrayIndexIllegal, part);
-        if (part == "SC" && number == 0) number = 1.0;
-        if ((part == "TR" || part == "FI") && !core_.view().axes[i].rotary) number /= unit();
-        return value = Value::of_real(number), true;
+        return frame_component(name, geo.frame, indices, 0, value);
     }
     if (name.starts_with(kArea)) {
         const std::string part = name.substr(kArea.size());
@@ -75,24 +67,7 @@ bool Interpreter::write_geometry(const std::string& name, const std::vector<Valu
     GeoModal& geo = modal_.geo;
     if (name == "$P_PFRAME") {
         FrameValue frame = geo.frame;
-        if (indices.empty()) {
-            if (value.type != Type::Frame) return fail(Alarm::ConversionImpossible, name);
-            frame = value.frame ? *value.frame : FrameValue{};
-        } else {
-            const int place = indices[0].type == Type::Axis ? indices[0].place() : -1;
-            if (place < 0 || place >= static_cast<int>(core_.view().axis_count) || indices.size() != 2) return fail(Alarm::ArrayIndexIllegal, name);
-            const auto i = static_cast<std::size_t>(place);
-            const std::string part = upper(indices[1].text);
-            if (part == "MI") {
-                frame.mirrored = value.is_true() ? frame.mirrored | 1u << i : frame.mirrored & ~(1u << i);
-            } else {
-                bool good = false;
-                double& cell = frame_part(frame, i, part, good);
-                if (!good) return fail(Alarm::ArrayIndexIllegal, part);
-                const bool length = (part == "TR" || part == "FI") && !core_.view().axes[i].rotary;
-                cell = value.number * (length ? unit() : 1.0);
-            }
-        }
+        if (!change_frame_component(name, frame, indices, 0, value)) return false;
         const GeoModal before = geo;
         const AxisValues pending = modal_.pending_zero;
         if (!set_programmable_frame(frame)) return false;

@@ -18,6 +18,7 @@ Interpreter::Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles
     r_->dimensions = {static_cast<unsigned>(settings_.r_parameters)};
     r_->cells.assign(static_cast<std::size_t>(settings_.r_parameters), Value::of_real(0.0));
     core_.wait_for_spindle(true);
+    core_.lie_in_frame(false, true);
     reset_modal();
 }
 

@@ -150,7 +150,8 @@ public:
     bool p_msg(Call&), p_setal(Call&), p_stopre(Call&), p_setms(Call&), p_master_holder(Call&), p_wait_marker(Call&), p_wait_end(Call&);
     bool p_init(Call&), p_start(Call&);   // program_start.cpp
     bool p_fctdef(Call&), p_synfct(Call&);   // polynomials.cpp
-    bool p_swivel(Call&), p_axis_to_channel(Call&);
+    bool p_swivel(Call&), p_axis_to_channel(Call&), p_tangential(Call&);
+    bool p_gear_define(Call&), p_gear_on(Call&), p_gear_off(Call&);
     bool p_cycle81(Call&), p_cycle82(Call&), p_cycle85(Call&), p_holes(Call&);   // drilling_cycles.cpp
     bool p_set_marker(Call&), p_nothing(Call&), p_fgroup(Call&), p_diamchan(Call&);
     bool p_reset_monitoring(Call& c);
@@ -265,12 +266,17 @@ private:
     bool corner_words(bool contour);
     AxisValues trailed(AxisValues target) const;               // TRAILON
     bool leads_nobody(const AxisValues& target);
+    bool leads_itself(std::size_t follows, std::size_t leads) const;
+    bool gear_is_on(std::size_t follows) const;
+    double from_said(std::size_t place, double value) const;
+    bool turn_to_tangent(const AxisValues& direction);
+    bool tangential_line(AxisValues& target), tangential_arc(AxisValues& target, const ArcCall& call);
     bool bends_on_the_way(const AxisValues& wanted, std::vector<AxisValues>& bends);   // LEADON
     double shown_by_table(std::size_t place, double mm) const;
     bool is_coupled(int table) const;
     bool go_line(const AxisValues& target, bool rapid);
     bool go_arc(const AxisValues& target, const ArcCall& call);
-    bool measuring_line(const AxisValues& target, const Word& probe);
+    bool measuring_line(const AxisValues& target, const Word& probe, bool passes);
     void note_tangent(const AxisValues& from, const AxisValues& to);
     bool polar_ahead() const;
     bool polar_target(AxisValues& target);
@@ -286,7 +292,8 @@ private:
     bool arc_by_words(bool clockwise, AxisValues target, AxisSet named);
     bool go_curve(const AxisValues& target, const std::vector<AxisValues>& between, const Point3& tangent);
     bool oblique_circle(const Point3& a, const Point3& b, const Point3& c, const AxisValues& target, std::int32_t turns);
-    bool frame_keeps_circles() const;                          // an arc of the plane is one of the machine too
+    bool frame_keeps_circles() const;
+    bool arc_lies_inclined() const;                          // an arc of the plane is one of the machine too
     bool drawn_arc(const AxisValues& target, const ArcCall& call);
     std::size_t geometry_index(std::size_t place);             // 0 X, 1 Y, 2 Z
     bool arc_through(const Point3& a, const Point3& b, const Point3& c, const AxisValues& target);
@@ -313,6 +320,8 @@ private:
     void choose_settable(int number, std::int32_t row);
     FrameValue settable_frame(int number);
     bool set_settable_frame(int number, const FrameValue& value);
+    bool names_settable(const std::string& text, int& number) const;
+    bool add_to_settable(int number, const Frame& added);
     bool frame_number(const std::string& name, const std::vector<Value>& indices, int most, int& number);
     bool component_named(const std::string& name, const std::vector<Value>& indices, std::size_t first, std::size_t& place, std::string& part);
     bool frame_component(const std::string& name, const FrameValue& frame, const std::vector<Value>& indices, std::size_t first, Value& value);

@@ -30,6 +30,15 @@ struct Trail {
     double factor = 1.0;
     int number = 0;                                // of the table
     std::shared_ptr<const CurveTable> table = {};  // null: TRAILON
+    bool gear = false;                             // EGON
+};
+
+// TANG: the rotary axis that points along the path of two others.
+struct Tangential {
+    int follows = -1;                              // -1: none
+    std::array<std::size_t, 2> leads{};
+    double factor = 1.0, offset_deg = 0.0;
+    bool on = false;                               // TANGON
 };
 
 // COUPDEF: turns of the following spindle for turns of the leading one.
@@ -79,7 +88,9 @@ struct Modal {
     std::array<std::uint16_t, kChannelAxes> axis_feed_spindle{};  // of that spindle
     AxisSet released = 0;             // RELEASE
     AxisValues stop_torque{}, stop_window{};   // FXST percent, FXSW mm or degrees; 0: the parameters'
-    std::vector<Trail> trails;        // TRAILON
+    std::vector<Trail> trails;        // TRAILON, LEADON, EGON
+    std::array<AxisSet, kChannelAxes> gear_leaders{};   // EGDEF: of the axis at that place; 0 none
+    Tangential tangential;
     std::map<std::uint32_t, SpindleRatio> couplings;   // COUPDEF, by 100 * following + leading spindle
     std::uint32_t coupled_spindles = 0;  // bit n: spindle n follows (COUPON)
     bool corner_feed_stale = false;   // FRCM belongs to another feed type

@@ -4,6 +4,7 @@
 //
 // The shift of a settable frame lies in the store, where operators enter it, and acts as Core's zero. What else a program
 // gives a frame (fine shift, rotation, scale, mirror) it keeps for its own run.
+#include <charconv>
 #include <cmath>
 
 #include "channels/sinumerik/interpreter.hpp"
@@ -113,6 +114,36 @@ bool Interpreter::set_settable_frame(int number, const FrameValue& value) {
     return true;
 }
 
+// "$P_UIFR[3]", or "$P_IFRAME" for the active one.
+bool Interpreter::names_settable(const std::string& text, int& number) const {
+    constexpr std::string_view kArray = "$P_UIFR[";
+    if (text == "$P_IFRAME") return number = static_cast<int>(modal_.active[8]) - 1, true;
+    if (!text.starts_with(kArray) || !text.ends_with(']')) return false;
+    const char* const end = text.data() + text.size() - 1;
+    const auto [behind, wrong] = std::from_chars(text.data() + kArray.size(), end, number);
+    return wrong == std::errc{} && behind == end && number >= 0;
+}
+
+// The frame is put so into a settable one that the whole chain is what it was with the frame behind it; an active one acts at once.
+bool Interpreter::add_to_settable(int number, const Frame& added) {
+    const bool acts = number == static_cast<int>(modal_.active[8]) - 1;
+    const auto row = row_of(number);
+    if (acts && row) {   // when it is taken back the store is as it was already
+        undo([this, number, place = static_cast<std::int32_t>(*row), pending = modal_.pending_zero] {
+            choose_settable(number, place);
+            modal_.pending_zero = pending;
+        });
+    }
+    Frame inner = modal_.geo.exact;
+    if (const auto own = grinding_frames_.find(static_cast<int>(modal_.active[64]) - 1); own != grinding_frames_.end()) inner = frame_of(own->second) * inner;
+    const FrameValue had = settable_frame(number);
+    FrameValue value = components_of(frame_of(had) * inner * added * inner.inverse(), had);
+    for (std::size_t i = 0; i < value.fine_mm.size(); ++i) value.coarse_mm[i] += value.fine_mm[i] - had.fine_mm[i], value.fine_mm[i] = had.fine_mm[i];
+    if (!set_settable_frame(number, value)) return false;
+    if (acts && row) choose_settable(number, static_cast<std::int32_t>(*row));
+    return true;
+}
+
 // The number of the frame that the first index names.
 bool Interpreter::frame_number(const std::string& name, const std::vector<Value>& indices, int most, int& number) {
     const double n = indices.empty() || !indices[0].is_number() ? -1 : indices[0].number;
@@ -163,9 +194,14 @@ bool Interpreter::change_frame_component(const std::string& name, FrameValue& fr
 bool Interpreter::component_named(const std::string& name, const std::vector<Value>& indices, std::size_t first, std::size_t& place, std::string& part) {
     if (indices.size() != first + 2) return fail(Alarm::ArrayIndexMissing, name);
     const int axis = indices[first].type == Type::Axis ? indices[first].place() : -1;
+    part = upper(indices[first + 1].text);
+    if (indices[first].type == Type::Axis && axis <= kAbsentAxis) {   // frame_part()
+        if (part != "RT") return fail(Alarm::AxisArgumentMissing, name);
+        place = kChannelAxes + static_cast<std::size_t>(kAbsentAxis - axis);
+        return true;
+    }
     if (axis < 0 || axis >= static_cast<int>(core_.view().axis_count)) return fail(Alarm::AxisArgumentMissing, name);
     place = static_cast<std::size_t>(axis);
-    part = upper(indices[first + 1].text);
     return true;
 }
 

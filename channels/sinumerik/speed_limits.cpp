@@ -48,7 +48,8 @@ bool Interpreter::ask_speed(double rpm) {
 // `said`: the block names a limit. A speed in revolutions is limited here, so that the machine need not hear of the rest.
 bool Interpreter::refresh_speed_limit(bool said) {
     SpindleState& spindle = core_.path.spindle;
-    const double most = highest_speed();
+    const double most = highest_speed(), least = spindle.spindle == 0 ? 0.0 : spindle_data("SD43210");
+    if (least != spindle.least_rpm && !core_.spindle_least(least)) return false;
     if (spindle.spindle == 0 || most == spindle.limit_rpm) return true;
     if (said || spindle.mode == SpindleModeCode::SurfaceSpeed) return core_.spindle_limit(most);
     spindle.limit_rpm = most;

@@ -13,6 +13,8 @@ enum class Type : std::uint8_t { Bool, Char, Int, Real, String, Axis, Frame };
 
 // An AXIS value counts the axes of the channel by their places; behind them stand its spindles.
 inline constexpr int kSpindleAxis = 1000;   // spindle n is kSpindleAxis + n
+// X, Y or Z of a channel that has no such axis: kAbsentAxis - 0, 1, 2. Frames turn about it, nothing else takes it.
+inline constexpr int kAbsentAxis = -2;
 
 struct Value {
     Type type = Type::Int;

@@ -343,7 +343,7 @@ bool Interpreter::read_value(Word& word) {
                 }
     }
     word.has_value = true;
-    const bool list = word.address->name == "POSP" || word.address->name == "MEASA";
+    const bool list = word.address->name == "POSP" || word.address->name == "MEASA" || word.address->name == "MEAWA";
     if (!list || word.mode != Mode::Plain || !cursor_.eat('(')) return expression(word.value);
     // (end, part, mode): values that belong together
     const std::string_view first = cursor_.name_ahead();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "channels/state/factor_sink.hpp"   // likewise
+#include "channels/state/inclined_sink.hpp"
 #include "channels/state/route_sink.hpp"
 #include "channels/state/tip_control.hpp"
 #include "channels/state/transform_sink.hpp"

@@ -37,6 +37,7 @@ enum class Plane : std::uint8_t { XY, ZX, YZ };   // G17 G18 G19: first axis, se
 
 namespace compensation { class Compensator; }
 class FactorSink;
+class InclinedSink;
 class RouteSink;
 class TransformSink;
 
@@ -67,6 +68,7 @@ struct SpindleState {
     double rpm = 0.0;                       // last S in G97
     double surface_m_min = 0.0;             // last S in G96
     double limit_rpm = 0.0;                 // 0: none
+    double least_rpm = 0.0;                 // of surface speed; 0: the machine's
     double angle_deg = 0.0;                 // of a positioned spindle
 };
 
@@ -228,6 +230,10 @@ public:
     AxisValues framed(const AxisValues& programmed) const;      // frame(programmed)
     AxisValues unframed(const AxisValues& point) const;         // programmed
     AxisValues framed_now() const;                              // where the tool stands, in the system around the frame
+    // Compensation that begins from now on, and corner elements, lie in the plane of a frame that inclines it; else in the machine's.
+    void lie_in_frame(bool compensation, bool corners) { comp_in_frame_ = compensation, corners_in_frame_ = corners; }
+    bool frame_inclines() const;                                // into a plane that is none of the machine's, in which circles stay circles
+    bool inclined() const { return inclined_; }                 // what reads ahead works in such a plane
     // The plane's directions outside the frame turn the other way: it mirrors, and the sides of the path change places.
     bool frame_mirrors_plane() const;
 
@@ -248,8 +254,8 @@ public:
     void meet_stop(AxisSet which) { stops_ = which; }
     AxisSet meets_stop() const { return stops_; }
     AxisSet stops_met() const { return stops_met_; }     // stand at a stop and press
-    // A skip move whose end is taken at the next barrier without a further call.
-    bool measure(const AxisValues& target, std::string_view input, bool release) { return measure_due_ = true, skip(target, 0.0, path.feed_mode, input, release); }
+    // A skip move whose end is taken at the next barrier without a further call. passes: it goes on to its end all the same.
+    bool measure(const AxisValues& target, std::string_view input, bool release, bool passes = false);
     bool stop_alone(const AxisValues& target, double feed) { return skip_due_ = true, fixed_stop(target, feed, FeedMode::PerMinute, true); }
     // --- beside the path (core_beside.cpp)
     // The axis goes to its target with its own feed (mm/min or deg/min, 0 rapid; per_turn: mm a revolution of `spindle`) and nobody waits.
@@ -262,7 +268,7 @@ public:
     AxisSet skip_moved() const { return skip_moved_; }    // axes of the last skip move
     AxisSet take_skip();    // axes stand where the signal stopped them; the set of those that ended before their target
     // Programmed coordinate at which the signal came (the axes brake behind it): for measuring.
-    AxisSet measured() const { return measured_; }   // axes that measure() has stopped before their end
+    AxisSet measured() const { return measured_; }   // axes whose signal in measure() came before their end
     double skip_point(unsigned place) const { return skip_point_[place]; }
     bool machine_rapid(const AxisValues& machine, AxisSet which);      // G53
     void suspend_for(AxisSet which) { if (compensating_) suspend_compensation(which); }   // the next move leaves compensation
@@ -323,6 +329,7 @@ public:
     bool surface_speed(bool on);
     bool surface_axis_is(int place);                      // the axis that constant surface speed looks at from now on
     bool spindle_limit(double rpm);
+    bool spindle_least(double rpm);                       // surface speed turns it no slower
     // Until switched off, positions are told beside the path: nobody waits for them (SPOSA).
     void position_beside(bool on) { spindle_beside_ = on; }
     bool spindle_position(double degrees, SpindleApproach approach = SpindleApproach::Shortest);
@@ -364,7 +371,7 @@ private:
     bool zones_allow(const Move& move);
     void deliver();
     bool stage_corners();
-    void chain();
+    void chain(bool in_frame);
     template <class Told> void tell_comp(Told&& told);
     void tell_nose();
     void select_side();
@@ -394,6 +401,12 @@ private:
     double behind_factors(unsigned place, double machine, double offset) const;
     Frame frame_before_factors() const;
     void take_factors_off();
+    bool inclined_plane(Frame& plane) const;
+    Sink& incline(bool wanted);
+    void take_incline_off();
+    void incline_arc(ArcCall& call, const AxisValues& target, unsigned p, unsigned q) const;
+    AxisValues behind_incline(AxisValues machine) const;
+    double displaced_along(unsigned place, double p, double q) const;
     const AxisValues& move_end() const { return factors_off_ ? real_end_ : move_.machine; }
     Point3 geo_of(const AxisValues& values) const;
     void put_geo(AxisValues& values, const Point3& point) const;
@@ -409,7 +422,9 @@ private:
     std::unique_ptr<RouteSink> routes_;     // while an address has another axis' drive
     std::array<double, 2> transformation_offsets_{};   // centre_offsets() when it was switched on
     std::unique_ptr<FactorSink> factors_;   // in front of the following once an axis has had a factor
-    bool factors_off_ = false;              // move_ is what it is before the factors
+    std::unique_ptr<InclinedSink> incline_; // in front of out_ while what reads ahead lies in an inclined plane
+    bool inclined_ = false, comp_in_frame_ = false, corners_in_frame_ = false;
+    bool factors_off_ = false;              // move_ is what it is before the factors, or inside the inclined plane
     AxisValues real_end_{};                 // where it ends then
     std::unique_ptr<TransformSink> transforms_;   // in front of it once a transformation has been on
     Port* port_;
@@ -436,7 +451,7 @@ private:
     AxisSet home_due_ = 0;                  // they find their reference points before it, and go to home_then_ behind it
     AxisValues home_then_{};
     AxisSet stops_ = 0, stops_met_ = 0;     // meet_stop(); and those that met it
-    bool skip_due_ = false, measure_due_ = false;
+    bool skip_due_ = false, measure_due_ = false, skip_passes_ = false;
     AxisSet measured_ = 0;
     double surface_zero_told_ = 0.0;
     AxisSet skip_moved_ = 0;

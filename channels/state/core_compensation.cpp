@@ -2,6 +2,7 @@
 #include "channels/compensation/compensator.hpp"
 #include "channels/state/core.hpp"
 #include "channels/state/factor_sink.hpp"
+#include "channels/state/inclined_sink.hpp"
 #include "channels/state/route_sink.hpp"
 #include "channels/state/transform_sink.hpp"
 
@@ -41,7 +42,8 @@ bool Core::compensation(CompSide side) {
     if (p < 0 || q < 0) return fail(Alarm::PlaneAxisMissing, 'G');
     if (tip_outside_its_plane(path)) return fail(Alarm::CompTipPlane, 'G', {}, path.tool.tip);
     if (!compensating_) {
-        chain();
+        if (reads_ahead() && inclined_ != (comp_in_frame_ && frame_inclines())) return fail(Alarm::SubframeRotates, 'G', "G41, G42");   // a corner lies in the other plane
+        chain(comp_in_frame_);
         tell_comp([p, q, options = comp_options_](compensation::Compensator& comp) {
             if (comp.off()) comp.configure(static_cast<unsigned>(p), static_cast<unsigned>(q), options);
         });
@@ -59,11 +61,11 @@ void Core::select_side() {
 }
 
 // Both stages are put into the way, or are there already.
-void Core::chain() {
+void Core::chain(bool in_frame) {
     if (reads_ahead()) return;
     if (!comp_) comp_ = std::make_unique<compensation::Compensator>();
     if (factors_) factors_->start(path.machine);
-    comp_->open(*out_, 0, 1, comp_options_);
+    comp_->open(incline(in_frame), 0, 1, comp_options_);
     sink_ = comp_.get();
 }
 
@@ -72,7 +74,7 @@ bool Core::stage_corners() {
     plane_axes(p, q);
     if (p < 0 || q < 0) return fail(Alarm::PlaneAxisMissing);
     if (!staged_) {
-        chain();
+        chain(corners_in_frame_);
         if (!stage_) stage_ = std::make_unique<corners::CornerStage>();
         stage_->open(*comp_);
         sink_ = stage_.get();
@@ -111,7 +113,7 @@ bool Core::compensation_off(double wish_p, double wish_q) {
 void Core::compensation_reset() {
     at.comp = comp_side_ = CompSide::Off;
     sink_ = out_;
-    compensating_ = staged_ = false;
+    compensating_ = staged_ = inclined_ = false;
     comp_.reset();
     stage_.reset();
 }
@@ -153,7 +155,7 @@ bool Core::end_compensated_block(bool counts, bool wants_barrier, bool program_e
     }
     if (!staged_ && comp_->closed()) {
         sink_ = out_;
-        compensating_ = false;
+        compensating_ = inclined_ = false;
     }
     return true;
 }
@@ -198,6 +200,7 @@ double Core::machine_now(unsigned i) const {
     if (!compensating_) return path.machine[i];
     plane_axes(p, q);
     const Vec d = comp_->displacement();
+    if (inclined_) return path.machine[i] + displaced_along(i, d.p, d.q);
     const double f = path.factored ? path.factor[i] : 1.0;
     return path.machine[i] + f * (static_cast<int>(i) == p ? d.p : static_cast<int>(i) == q ? d.q : 0.0);
 }

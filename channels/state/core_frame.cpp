@@ -92,7 +92,7 @@ void Core::set_zeros(const Zeros& zeros) {
 }
 
 bool Core::frame_mirrors_plane() const {
-    if (!path.framed) return false;
+    if (!path.framed || inclined_) return false;   // inside an inclined plane its axes run as the program's do
     static constexpr std::size_t kPlane[3][2] = {{0, 1}, {2, 0}, {1, 2}};   // XY ZX YZ
     const auto [p, q] = kPlane[static_cast<std::size_t>(path.plane)];
     const auto& m = path.frame.linear;

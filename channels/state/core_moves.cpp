@@ -130,6 +130,7 @@ bool Core::zones_allow(const Move& move) {
 
 void Core::deliver() {
     take_factors_off();
+    take_incline_off();
     move_.exact_stop = (exact_once_ || path.exact_stop_mode) && !path.exact_stop_off;
     move_.in_position = move_.exact_stop;
     move_.override_locked = path.override_locked;
@@ -345,6 +346,14 @@ bool Core::skip(const AxisValues& target, double feed, FeedMode mode, std::strin
     return true;
 }
 
+bool Core::measure(const AxisValues& target, std::string_view input, bool release, bool passes) {
+    measure_due_ = true;
+    move_.skip_passes = skip_passes_ = passes;
+    const bool good = skip(target, 0.0, path.feed_mode, input, release);
+    move_.skip_passes = false;
+    return good;
+}
+
 bool Core::fixed_stop(const AxisValues& target, double feed, FeedMode mode, bool must_come, std::string_view input) {
     stops_ = 0;
     move_.fixed_stop = true;
@@ -356,6 +365,7 @@ bool Core::fixed_stop(const AxisValues& target, double feed, FeedMode mode, bool
 
 AxisSet Core::take_skip() {
     AxisSet early = 0, came = 0;
+    const bool passes = std::exchange(skip_passes_, false);
     skip_point_ = path.programmed;
     // All axes first: behind a transformation a programmed coordinate depends on several of them.
     for (AxisSet left = skip_moved_; left; left &= left - 1) {
@@ -371,6 +381,7 @@ AxisSet Core::take_skip() {
     for (AxisSet left = came; left; left &= left - 1) {
         const auto i = static_cast<unsigned>(__builtin_ctz(left));
         if (const auto rests = port_->axis_command(view_->axes[i].machine_axis)) take_machine(i, *rests);
+        else if (passes) take_machine(i, view_->axes[i].to_drive(skip_target_[i]));
     }
     return early;
 }
@@ -421,10 +432,12 @@ bool Core::arc(const AxisValues& target, const ArcCall& programmed) {
     if (pi < 0 || qi < 0) return fail(Alarm::PlaneAxisMissing);
     auto p = static_cast<unsigned>(pi), q = static_cast<unsigned>(qi);
     ArcCall call = programmed;
-    if (path.framed && !frame_arc(call, target, p, q)) return false;
+    if (inclined_) incline_arc(call, target, p, q);
+    else if (path.framed && !frame_arc(call, target, p, q)) return false;
     bool moves = false;
     if (!begin_move(target, call.clockwise ? MoveKind::ArcCw : MoveKind::ArcCcw)) return false;
     take_factors_off();
+    take_incline_off();
     if (!shape_arc(call, p, q, moves)) return false;
     if (!moves) {
         accept(target);
@@ -486,7 +499,8 @@ bool Core::shape_arc(ArcCall call, unsigned p, unsigned q, bool& moves) {
         extreme[p] = cp + (k & 1 ? 0.0 : (k & 2 ? -rs : rs));
         extreme[q] = cq + (k & 1 ? (k & 2 ? -rs : rs) : 0.0);
         AxisValues real = extreme;
-        if (factors_off_)
+        if (inclined_) real = behind_incline(extreme);
+        else if (factors_off_)
             for (unsigned i = 0; i < view_->axis_count; ++i) real[i] = i == p ? behind_factors(p, extreme[p], to_machine_p) : i == q ? behind_factors(q, extreme[q], to_machine_q) : real_end_[i];
         if (!within_stroke(real, (1u << p) | (1u << q))) {
             fault_.alarm = Alarm::MirrorOfStroke;

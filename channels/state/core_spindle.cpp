@@ -79,6 +79,13 @@ bool Core::surface_speed(bool on) {
     return true;
 }
 
+bool Core::spindle_least(double rpm) {
+    if (path.spindle.spindle == 0) return fail(Alarm::SpindleMissing, 'S');
+    path.spindle.least_rpm = rpm;
+    limit_changed_ = limit_changed_ || path.spindle.mode == SpindleModeCode::SurfaceSpeed;
+    return true;
+}
+
 bool Core::spindle_limit(double rpm) {
     if (path.spindle.spindle == 0) return fail(Alarm::SpindleMissing, 'S');
     if (rpm < 0) return fail(Alarm::NegativeSign, 'S', "S");
@@ -171,6 +178,7 @@ bool Core::commit_spindle() {
     told.mode = turn_changed_ && s.turn == SpindleTurn::Stop ? SpindleModeCode::Off : s.mode;
     told.turn = s.turn;
     told.limit = s.limit_rpm;
+    told.least = s.least_rpm;
     if (s.mode == SpindleModeCode::SurfaceSpeed) {
         const int place = surface_axis();
         if (s.surface_m_min <= 0 && told.mode != SpindleModeCode::Off) return fail(Alarm::SurfaceSpeedNone, 'G');
@@ -200,6 +208,7 @@ void Core::refresh_surface_zero() {
     told.mode = s.mode;
     told.turn = s.turn;
     told.limit = s.limit_rpm;
+    told.least = s.least_rpm;
     told.value = s.surface_m_min;
     told.css_axis = place;
     told.css_zero = surface_zero_told_ = surface_zero(place);

@@ -469,7 +469,7 @@ void ChannelRunner::spindle_mode(const PathRecord& r) noexcept {
         case SpindleModeCode::Off: spindle.demand_speed(0.0); break;
         case SpindleModeCode::Limit: spindle.limit_surface_speed(r.shape[0] > 0 ? r.shape[0] : r.value); break;
         case SpindleModeCode::SurfaceSpeed:
-            spindle.demand_surface_speed(r.value, r.shape[0], core_.config.channels[index_].surface_speed_min_rpm, r.axis[0], r.shape[1]);
+            spindle.demand_surface_speed(r.value, r.shape[0], std::max(core_.config.channels[index_].surface_speed_min_rpm, r.shape[2]), r.axis[0], r.shape[1]);
             break;
         case SpindleModeCode::Couple:
         case SpindleModeCode::Uncouple:

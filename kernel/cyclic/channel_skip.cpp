@@ -6,7 +6,7 @@ namespace {
 constexpr std::uint16_t kFullTorque = 1000;
 }  // namespace
 
-// A skip move (G31) ends where its signal comes: the path brakes, what is left of the record is dropped, and the channel,
+// A skip move (G31; with kFlying it only remembers the place) ends where its signal comes: the path brakes, what is left of the record is dropped, and the channel,
 // which stands at the barrier behind it, goes on from where the axes are.
 bool ChannelRunner::skip_signal() noexcept {
     if (cursor_ >= planner_->next_record()) return allow_torque(nullptr), false;
@@ -29,8 +29,10 @@ bool ChannelRunner::skip_signal() noexcept {
     }
     if (!by_input) return skipping_;
     const bool release = (r.flags & kSkipRelease) != 0;
-    if (!skipping_ && core_.signals.input(static_cast<std::size_t>(r.code)) != release) {
-        skipping_ = skipped_ = true;
+    const bool passes = (r.flags & kFlying) != 0;   // measured on the way: the path goes on to its end
+    if (!skipping_ && !(passes && skipped_) && core_.signals.input(static_cast<std::size_t>(r.code)) != release) {
+        skipped_ = true;
+        skipping_ = !passes;
         // The drives latch their encoders the moment the signal comes: a part of a tick ago, if a sensor says so.
         const double part = release ? 0.0 : core_.sensors.risen_part(static_cast<std::size_t>(r.code), core_.tick);
         for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) core_.axes[a].skip = core_.sensors.position(core_.axes[a], a, part);

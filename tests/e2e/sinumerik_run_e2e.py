@@ -49,6 +49,22 @@ class SinumerikRun(Case):
                 self.assertEqual([e["value"] for e in done.of("variable", name="R2")], [1, 2])
                 self.assertEqual([e["count"] for e in done.of("part")], [1, 2])
 
+    def test_a_probe_is_passed(self):   # part 3, 5.3: MEAW measures without deleting the way
+        setup = self.write("setup.toml", '[channel.1]\npos = { X = 20.0, Z = 0.0 }\nsensor = [{ input = "1", axis = "Z", at = -20.0, direction = "-" }]\n')
+        done = self.run_one(HEAD + "N10 MEAW=1 G1 Z-50 F600\nR1=$AC_MEA[1] R2=$AA_MW[Z] R3=$AA_DELT[Z]\nN20 MEAS=1 Z-60\nN30 Z0\nM30\n", "", "--setup", setup)
+        self.assertAlmostEqual(done.of("move", n=10)[0]["pos"]["Z"], -50, delta=1e-6, msg=done.said())
+        self.assertAlmostEqual(done.of("move", n=10)[0]["end"], 5.0, delta=0.3)
+        self.assertEqual([e["value"] for e in done.of("variable", name="R1")], [1])
+        self.assertAlmostEqual(done.of("variable", name="R2")[0]["value"], -20, delta=0.01)
+        self.assertEqual([e["value"] for e in done.of("variable", name="R3")], [0])
+
+    def test_surface_speed_keeps_to_the_lower_limit(self):   # part 1, 7.5: G25 S
+        setup = self.write("setup.toml", "[channel.1]\npos = { X = 100.0, Z = 0.0 }\n")   # radius 100: G96 S30 would be 48 a minute
+        done = self.run_one(HEAD + "G25 S200\nG96 S30 M3\nG4 F3\nN10 G1 Z-10 F0.5\nG25 S400\nG4 F3\nN20 Z0\nM30\n", "", "--setup", setup)
+        for n, seconds in ((10, 6.0), (20, 3.0)):
+            move = done.of("move", n=n)[0]
+            self.assertAlmostEqual(move["end"] - move["t"], seconds, delta=0.3, msg=done.said())
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -90,6 +90,7 @@ constexpr auto kLeftOut = std::to_array<LeftOut>({
     {"FagorTangential", "fagor: G37 to G39"},
     {"FagorZoneEntered", "fagor: G122"},
     {"FagorZoneLeft", "fagor: G122"},
+    {"SubframeRotates", "sinumerik: corners and compensation in a plane that a frame inclines"},
 });
 
 TEST(GoldenPrograms, HaveEveryAlarmThatAProgramCanCause) {
