@@ -46,6 +46,7 @@ void take_axis(MachineView& view, unsigned place, const AxisConfig& from) {
     to.machine_axis = to.home_axis = static_cast<std::uint8_t>(from.number - 1);
     to.role = from.role;
     to.diameter = from.diameter;
+    to.offset_diameter = from.offset_diameter;
     to.rotary = from.rotary;
     to.rollover = from.rollover;
     to.rollover_shortest = from.rollover_shortest;

@@ -35,6 +35,7 @@ struct ChannelAxis {
     }
     PlaneRole role = PlaneRole::None;
     bool diameter = false, rotary = false, hypothetical = false;
+    bool offset_diameter = false;   // what a tool offset of the axis is in its table, whatever programs and displays count in (F5004 #1)
     bool turns = false;             // it is a rotary axis, though a transformation may have it count millimetres (rotary is false then)
     bool rolls_over = false;        // likewise
     bool named_y = false;           // and is programmed as Y
@@ -71,10 +72,13 @@ struct MachineView {
     const params::Table& table() const { return *parameters; }
     int axis_by_role(PlaneRole role) const;          // place; -1 none
     int axis_by_name(std::string_view name) const;   // place; -1 none
-    // True millimetres from what the offset table or a screen shows on that axis.
+    // True millimetres from what a screen or a table of zeros shows on that axis.
     double from_shown(unsigned place, double value) const { return axes[place].diameter ? value * 0.5 : value; }
     double from_table(unsigned place, double value) const { return tables_in_radius ? value : from_shown(place, value); }
     double to_shown(unsigned place, double value) const { return axes[place].diameter ? value * 2.0 : value; }
+    // Tool offsets of the tables.
+    double from_offset(unsigned place, double value) const { return axes[place].offset_diameter ? value * 0.5 : value; }
+    double to_offset(unsigned place, double value) const { return axes[place].offset_diameter ? value * 2.0 : value; }
 };
 
 // N1401, N1412: how many offsets, from number 1 on, all channels of this one's kind have in common, and in whose table.

@@ -207,8 +207,12 @@ bool Interpreter::g10_parameter_block() {
         if (!binary) return core_.fail(Alarm::ParameterInputIllegal, 'R', name + " takes eight digits of 0 and 1");
         line += fmt::format("={:08.0f}", value);
     } else {
-        line += fmt::format("={}", value);
+        // fanuc: no point in R; lengths and angles count increments, as on the control's own parameter screen.
+        const bool increments = !settings_.nct && row->type == params::Type::Real && (row->unit == "mm" || row->unit == "deg" || row->unit == "mm|deg");
+        const auto place = row->scope == params::Scope::Axis ? static_cast<std::size_t>(block_.value('P') - 1) : std::size_t{0};
+        line += fmt::format("={}", increments ? value * view.axes[place].increment : value);
     }
+    if (number == 1322 || (settings_.nct && number >= 1000 && number <= 1009)) wants_barrier_ = true;   // ends of the stroke: as with G22 both sides must mean the same
     return give_parameter(line, 'R');
 }
 
@@ -221,7 +225,12 @@ bool Interpreter::give_parameter(const std::string& line, char letter) {
     core_.mark_emitted();
     core_.sink().parameter(line, core_.at);
     MachineView& view = core_.view();
-    for (unsigned i = 0; i < view.axis_count; ++i) view.axes[i].stroke = read_axis_stroke(view.table(), view.axes[i].machine_axis + 1u);
+    const MachineConfig derived = derive_machine_config(view.table());
+    for (unsigned i = 0; i < view.axis_count; ++i) {
+        ChannelAxis& axis = view.axes[i];
+        axis.stroke = read_axis_stroke(view.table(), axis.machine_axis + 1u);
+        axis.offset_diameter = derived.axis(axis.machine_axis + 1u).offset_diameter;
+    }
     view.stroke = read_channel_stroke(view.table(), view.channel);
     reload_settings();
     return true;
@@ -246,6 +255,8 @@ bool Interpreter::stroke_limits() {
         const double most = limit(greater), least = limit(smaller);
         if (most <= least) return core_.fail(Alarm::CycleValueIllegal, greater, std::string(1, greater), block_.value(greater));
         const unsigned a = axis.machine_axis + 1u;
+        // Where F1322 holds instead of N1006 it takes the corner too.
+        if (params::get(view.table(), params::f1322, a) != 0 && !give_parameter(fmt::format("F1322 A{}=0", a), greater)) return false;
         if (!give_parameter(fmt::format("N1006 A{}={}", a, most), greater) || !give_parameter(fmt::format("N1007 A{}={}", a, least), smaller)) return false;
         if (!params::bit(view.table(), params::n1000_range_enable, a, 1) && !give_parameter(fmt::format("N1000#1 A{}=1", a), greater)) return false;
     }

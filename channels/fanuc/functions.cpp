@@ -129,13 +129,13 @@ bool Interpreter::apply_tool_offsets() {
         const int place = view.axis_by_role(kRoles[k]);
         if (place < 0) continue;
         const auto i = static_cast<unsigned>(place);
-        const double g = state.geometry && !settings_.offsets_by_g ? view.from_shown(i, geometry.geometry[k] + second_geometry(k, geometry)) : 0.0;
-        const double w = state.wear && !settings_.offsets_by_g ? view.from_shown(i, wear.wear[k]) : 0.0;
+        const double g = state.geometry && !settings_.offsets_by_g ? view.from_offset(i, geometry.geometry[k] + second_geometry(k, geometry)) : 0.0;
+        const double w = state.wear && !settings_.offsets_by_g ? view.from_offset(i, wear.wear[k]) : 0.0;
         (code.geometry_travels ? vector : shift)[i] += g;
         (code.wear_travels ? vector : shift)[i] += w;
         if (length_.number) {
             const OffsetCell& cell = view.store->offsets[static_cast<std::size_t>(length_.number)];
-            if (length_.turning) shift[i] += view.from_shown(i, cell.geometry[k] + cell.wear[k] + second_geometry(k, cell));
+            if (length_.turning) shift[i] += view.from_offset(i, cell.geometry[k] + cell.wear[k] + second_geometry(k, cell));
             else if (length_.axes >> i & 1u) shift[i] += length_.sign * (cell.geometry[2] + cell.wear[2]);   // a milling tool's length
         }
     }

@@ -133,8 +133,8 @@ Step Interpreter::finish_skip() {
     const ToolState& tool = core_.path.tool;
     const bool centre = !settings_.nct && (tool.tip == 0 || tool.tip == 9);
     const double ahead = centre ? std::copysign(tool.nose_radius, static_cast<double>(core_.path.last_way[done.place])) : 0.0;
-    const double shown = view.to_shown(done.place, difference + ahead);
-    write_offset(table, number, field, settings_.measure_added ? before + shown : before - shown);
+    const double change = view.to_offset(done.place, difference + ahead);
+    write_offset(table, number, field, settings_.measure_added ? before + change : before - change);
     core_.end_block();
     fresh_ = false;
     return Step::Continue;

@@ -70,6 +70,7 @@ Settings fanuc_settings(const Table& t, unsigned l) {
     s.tool.zero_cancels_geometry = bit(t, f5002, l, 5);
     s.tool.with_next_move = bit(t, f5002, l, 6);
     s.tool.tip_from_wear = bit(t, f5002, l, 7);
+    s.needs_end_code = !bit(t, f3404, l, 6);
     s.stops_at_macros = bit(t, f6000, l, 5);
     s.drill_axis_by_plane = bit(t, f5101, l, 0);
     s.peck_full = bit(t, f5101, l, 2);

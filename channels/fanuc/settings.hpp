@@ -41,6 +41,7 @@ struct Settings {
     bool mefi = false;                   // whole words only: no macros, no calls, no increments by letter
     std::int32_t priority_zero_row = kZeroG54Row;   // zero that is in force at the start of a program
     bool point_means_nothing = false;    // F3401#0: numbers without a point are whole millimetres
+    bool needs_end_code = false;         // F3404#6 = 0: % is no end of a program
     bool series15 = false;               // F0001#1: program format of series 10/11/15
     ToolCode tool;
     compensation::Options compensation;

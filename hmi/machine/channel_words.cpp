@@ -95,6 +95,8 @@ QString lengthText(double value, unsigned decimals) {
     return out.startsWith('-') && out.toDouble() == 0.0 ? out.mid(1) : out;   // no -0.000
 }
 
+double inTable(const AxisConfig& axis, double trueValue) { return axis.offset_diameter && !axis.rotary ? 2 * trueValue : trueValue; }
+
 double shown(const AxisConfig& axis, double trueValue) { return axis.diameter && !axis.rotary ? 2 * trueValue : trueValue; }
 
 unsigned decimalsOf(const MachineConfig& machine, const AxisConfig& axis) {

@@ -26,6 +26,8 @@ QString timeText(double seconds);                           // 1:02:03, 2:03
 QString lengthText(double value, unsigned decimals);
 // As displays show an axis: X as a diameter on a diameter axis.
 double shown(const AxisConfig& axis, double trueValue);
+// As the offset tables hold it: a diameter where offsets of the axis are diameters.
+double inTable(const AxisConfig& axis, double trueValue);
 unsigned decimalsOf(const MachineConfig& machine, const AxisConfig& axis);
 QString channelTitle(const Live& live, unsigned channel);   // «L1», or with its name
 

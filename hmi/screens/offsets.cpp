@@ -188,7 +188,7 @@ bool Offsets::appliedNow(const Value& value, double& applied, double& sum) const
     }
     if (p.geometry <= 0 && p.wear <= 0) return false;
     const std::size_t field = axis.role == PlaneRole::BasicX ? 0 : axis.role == PlaneRole::BasicY ? 1 : 2;
-    applied = shown(axis, p.tool_shift[place]);
+    applied = inTable(axis, p.tool_shift[place]);
     sum = (p.geometry > 0 ? store.offsets[static_cast<std::size_t>(p.geometry)].geometry[field] : 0.0) + (p.wear > 0 ? store.offsets[static_cast<std::size_t>(p.wear)].wear[field] : 0.0);
     return true;
 }
@@ -301,7 +301,7 @@ void Offsets::measure() {
     const std::size_t field = axis.role == PlaneRole::BasicX ? 0 : axis.role == PlaneRole::BasicY ? 1 : 2;
     const double wear = store.offsets[static_cast<std::size_t>(table_->row()) + 1].wear[field];
     pad_->clear();
-    put(*value, machine - zero - typed->value - wear);
+    put(*value, inTable(axis, (machine - zero - typed->value) / shown(axis, 1)) - wear);
 }
 
 // What stands at the tool's tip is to be called so in this zero: its value follows from where the axis is.

@@ -80,6 +80,7 @@ AxisConfig axis_config(const Table& t, unsigned a, const MachineConfig& machine)
     x.role = role == 4 ? PlaneRole::None : static_cast<PlaneRole>(role);
     x.rotary = bit(t, n0106_axis_properties, a, 1);
     x.diameter = bit(t, n0106_axis_properties, a, 0) && !x.rotary;
+    x.offset_diameter = x.diameter && !(assigned && bit(t, f5004, static_cast<unsigned>(owner), 1));
     x.indexed = bit(t, n0106_axis_properties, a, 3);
     x.measured_only = !assigned || bit(t, n0106_axis_properties, a, 4);
     x.hypothetical = bit(t, n0106_axis_properties, a, 7);

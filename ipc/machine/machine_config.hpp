@@ -53,6 +53,7 @@ struct AxisConfig {
     char name[4];               // N0100..N0102, zero-ended; empty: programs cannot name it
     PlaneRole role;
     bool diameter;              // N0106 #0: programmed and shown as a diameter
+    bool offset_diameter;       // and so are its tool offsets in the tables (F5004 #1 ORC); what a table means outlasts its language
     bool rotary;                // N0106 #1
     bool indexed;               // N0106 #3
     bool measured_only;         // N0106 #4 or N0002 = 99: never commanded

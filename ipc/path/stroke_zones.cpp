@@ -30,6 +30,7 @@ AxisStroke read_axis_stroke(const params::Table& t, unsigned a) noexcept {
     s.a = {get(t, n1003_range1a_negative, a) * unit, get(t, n1002_range1a_positive, a) * unit};
     s.b = {get(t, n1005_range1b_negative, a) * unit, get(t, n1004_range1b_positive, a) * unit};
     s.second = {get(t, n1007_range2_negative, a) * unit, get(t, n1006_range2_positive, a) * unit};
+    if (const double fanuc = get(t, f1322, a); fanuc != 0) s.second.high = fanuc;   // millimetres, as all parameters F
     s.third = {get(t, n1009_range3_negative, a) * unit, get(t, n1008_range3_positive, a) * unit};
     return s;
 }

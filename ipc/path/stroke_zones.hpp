@@ -21,7 +21,7 @@ struct StrokeInterval {
     double low = 0, high = 0;
 };
 
-// N1000, N1002 to N1009 of an axis.
+// N1000, N1002 to N1009 of an axis, and F1322 where it is used.
 struct AxisStroke {
     bool range1 = false, range2 = false, range3 = false;
     StrokeInterval a, b, second, third;

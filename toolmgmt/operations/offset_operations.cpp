@@ -71,7 +71,10 @@ bool read_target(const Json& request, Work& work, Target& out) {
     return work.good();
 }
 
-// Where the axis stands, as the offset table shows it.
+// Offsets of the axis are radii in the table while positions are diameters (F5004 #1): the share of a shown length that is entered.
+double table_share(const AxisConfig& axis) { return axis.diameter && !axis.offset_diameter ? 0.5 : 1.0; }
+
+// Where the axis stands, as it is displayed.
 bool position_now(Work& work, std::int64_t channel, int field, double& out, const AxisConfig*& axis) {
     if (channel < 1 || channel > static_cast<std::int64_t>(kMaxChannels) || field > 2) return work.fault(Alarm::StoreRequestBad, "measuring needs a channel and X, Y or Z"), false;
     axis = find_axis(work.machine, static_cast<unsigned>(channel), kFields.substr(static_cast<std::size_t>(field), 1));
@@ -110,7 +113,7 @@ Json measure(const Json& request, Work& work) {
     const double before = now ? *now : 0.0;
     // Wear stays what it is: what is measured is the sum of both.
     const double wear = target.table == 0 && now ? offset_cell(work, target.channel, target.number).wear[static_cast<std::size_t>(target.field)] : 0.0;
-    const double fresh = position - zero - value - wear;
+    const double fresh = (position - zero - value) * table_share(*axis) - wear;
     enter_offset(work, static_cast<std::int32_t>(target.channel), key.number, target.table, target.field, std::round(fresh * 1e6) / 1e6);
     return {{"what", describe(key)}, {"machine", position}, {"zero", zero}, {"old", before}, {"new", std::round(fresh * 1e6) / 1e6}, {"difference", std::round((fresh - before) * 1e6) / 1e6}};
 }
@@ -161,7 +164,7 @@ Json touched(const Json& request, Work& work) {
         const OffsetCell& cell = offset_cell(work, channel, number);
         other = which ? cell.geometry[field] : cell.wear[field];
     }
-    const double fresh = std::round((machine - contact - other) * 1e6) / 1e6;
+    const double fresh = std::round(((machine - contact) * table_share(axis) - other) * 1e6) / 1e6;
     enter_offset(work, static_cast<std::int32_t>(channel), key.number, which, static_cast<int>(field), fresh);
     return {{"what", describe(key)}, {"machine", machine}, {"contact", contact}, {"setter", touch->spindle()}, {"old", before}, {"new", fresh}, {"difference", std::round((fresh - before) * 1e6) / 1e6}};
 }
@@ -185,7 +188,7 @@ Json preset(const Json& request, Work& work) {
                 work.fault(Alarm::StoreRequestBad, "channel L" + std::to_string(channel) + " has no axis " + name, 0, name);
                 continue;
             }
-            if (axis->diameter) value *= 2;
+            if (axis->offset_diameter) value *= 2;
             value = std::round(value * 1e4) / 1e4;
         }
         const Key key = offset_key(work, channel, number, 0, field);
@@ -220,7 +223,7 @@ Json relative(const Json& request, Work& work) {
     if (!read_target(request, work, target) || !position_now(work, target.channel, target.field, position, axis)) return {};
     const Cell* from = work.values.cell({Kind::Setting, static_cast<std::int32_t>(target.channel), target.field, 0, "relative origin"});
     if (!from) return work.fault(Alarm::StoreRequestBad, "the relative counter has no origin yet: offsets origin"), Json();
-    const double value = std::round((position - from->number) * 1e6) / 1e6;
+    const double value = std::round((position - from->number) * table_share(*axis) * 1e6) / 1e6;
     enter_offset(work, static_cast<std::int32_t>(target.channel), static_cast<std::int32_t>(target.number), target.table, target.field, value);
     return {{"new", value}, {"machine", position}, {"origin", from->number}};
 }

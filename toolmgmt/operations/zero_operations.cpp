@@ -89,14 +89,14 @@ Json set(const Json& request, Work& work) {
     return enter(work, channel, row, *axis, value);
 }
 
-// What the tool of this offset takes from the axis; 0 for no offset.
-bool offset_of(Work& work, unsigned channel, std::int64_t number, std::size_t field, double& out, const OffsetCell** cell) {
+// What the tool of this offset takes from the axis, as positions are displayed; 0 for no offset.
+bool offset_of(Work& work, unsigned channel, std::int64_t number, const AxisConfig& axis, std::size_t field, double& out, const OffsetCell** cell) {
     out = 0, *cell = nullptr;
     if (number == 0) return true;
     if (number < 0 || number > work.machine.channel(channel).offset_count)
         return work.fault(Alarm::StoreRequestBad, "channel L" + std::to_string(channel) + " has " + std::to_string(work.machine.channel(channel).offset_count) + " offsets (N1400)", 0, "offset"), false;
     const OffsetCell& found = offset_cell(work, channel, number);
-    out = found.geometry[field] + found.wear[field];
+    out = (found.geometry[field] + found.wear[field]) * (axis.diameter && !axis.offset_diameter ? 2.0 : 1.0);   // F5004 #1
     *cell = &found;
     return true;
 }
@@ -119,7 +119,7 @@ Json measure(const Json& request, Work& work) {
     const auto field = kAxes.find(axis->role == PlaneRole::BasicX ? 'X' : axis->role == PlaneRole::BasicY ? 'Y' : 'Z');
     const OffsetCell* cell = nullptr;
     const bool linear = axis->role == PlaneRole::BasicX || axis->role == PlaneRole::BasicY || axis->role == PlaneRole::BasicZ;
-    if (linear && !offset_of(work, channel, number, field, length, &cell)) return {};
+    if (linear && !offset_of(work, channel, number, *axis, field, length, &cell)) return {};
     const auto position = upright_position(work, channel, *axis);
     if (!position) return work.fault(Alarm::StoreRequestBad, "the kernel does not say where the axis stands"), Json();
     const double machine = *position * (axis->diameter ? 2.0 : 1.0);
@@ -168,7 +168,7 @@ Json touch(const Json& request, Work& work) {
         return work.fault(Alarm::StoreRequestBad, "the workpiece was touched in " + std::string(axis.name_text()), 0, "field"), Json();
     read_real(request, "value", value, work, false);
     const OffsetCell* cell = nullptr;
-    if (!work.good() || !offset_of(work, channel, number, field, length, &cell)) return {};
+    if (!work.good() || !offset_of(work, channel, number, axis, field, length, &cell)) return {};
     const double unit = axis.diameter ? 2.0 : 1.0, machine = upright_touch(work, channel, axis, *touch) * unit;
     const bool to_middle = cell && (cell->tip == 0 || cell->tip == 9);
     const double side = to_middle ? (touch->negative ? -1.0 : 1.0) * (cell->geometry_r + cell->wear_r) * unit : 0.0;

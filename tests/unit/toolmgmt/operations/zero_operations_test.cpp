@@ -57,6 +57,33 @@ TEST(Zeros, FollowFromASurfaceTheTipStandsAt) {
     EXPECT_FALSE(rig.run({{"do", "zeros.measure"}, {"channel", 1}, {"field", "Z"}, {"value", 0}, {"offset", 99}}));
 }
 
+// fanuc_lathe 1.1: 5004#1 ORC = 1, the tables hold radii of X while positions and zeros are diameters.
+TEST(OffsetsInRadii, AreMeasuredSoAndCountAsDiametersInZeros) {
+    Probe rig;
+    rig.set("F5004#1 L1=1");
+    rig.machine = derive_machine_config(rig.values->parameters);
+    rig.position = [](unsigned axis) { return std::optional(axis == 1 ? 60.0 : 200.0); };
+    // The probe's 40 are a radius now: 120 - 80 - 50.
+    ASSERT_TRUE(rig.run({{"do", "zeros.measure"}, {"channel", 1}, {"zero", "G54"}, {"field", "X"}, {"value", 50}, {"offset", 9}})) << rig.said();
+    EXPECT_EQ(rig.answer["new"], -10);
+    // Offset 5 has 0.25 of wear: (120 - 30) / 2 - 0.25; and Z is what it is.
+    rig.values->channels[0].offsets[5].wear[0] = 0.25;
+    ASSERT_TRUE(rig.run({{"do", "offsets.measure"}, {"channel", 1}, {"number", 5}, {"field", "X"}, {"value", 30}, {"zero", "G55"}})) << rig.said();
+    EXPECT_EQ(rig.answer["new"], 44.75);
+    ASSERT_TRUE(rig.run({{"do", "offsets.measure"}, {"channel", 1}, {"number", 5}, {"field", "Z"}, {"value", 30}, {"zero", "G55"}})) << rig.said();
+    EXPECT_EQ(rig.answer["new"], 170);
+    ASSERT_TRUE(rig.run({{"do", "offsets.origin"}, {"channel", 1}})) << rig.said();
+    rig.position = [](unsigned axis) { return std::optional(axis == 1 ? 63.0 : 200.0); };
+    ASSERT_TRUE(rig.run({{"do", "offsets.relative"}, {"channel", 1}, {"number", 6}, {"field", "X"}})) << rig.said();
+    EXPECT_EQ(rig.answer["new"], 3);
+    ASSERT_TRUE(rig.run({{"do", "offsets.preset"}, {"channel", 1}, {"number", 7}, {"X", 12.5}, {"Z", 3}})) << rig.said();   // a radius, as presetters measure
+    EXPECT_EQ(rig.values->channels[0].offsets[7].geometry[0], 12.5);
+    rig.set("N3012 L1=5"), rig.set("N0205 L1=20");   // the setter's side, met in -X: a diameter, as all positions
+    rig.contact = {1, true, 1, 35.0, 0};
+    ASSERT_TRUE(rig.run({{"do", "offsets.touch"}, {"channel", 1}, {"number", 8}})) << rig.said();
+    EXPECT_EQ(rig.answer["new"], 25);   // (70 - 20) / 2
+}
+
 TEST(WorkpieceSetter, GivesTheZeroOfTheSurfaceThatWasTouched) {
     Probe rig;
     // The ball's middle was at 12.5 - 30.1 from the zero's view and its side is 1 mm further on: the surface, which is to be 0.
