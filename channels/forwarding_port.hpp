@@ -21,6 +21,8 @@ public:
     bool measuring_input(std::string_view name, const MachineView& view, const std::array<double, kChannelAxes>& machine) override { return next_->measuring_input(name, view, machine); }
     CalendarTime clock() override { return next_->clock(); }
     double running_ms() override { return next_->running_ms(); }
+    double lamp_ms() override { return next_->lamp_ms(); }
+    bool angular_correction_off() override { return next_->angular_correction_off(); }
     bool print(const MachineView& view, std::string_view bytes, bool control) override { return next_->print(view, bytes, control); }
     bool keep(std::string_view name, std::string_view text) override { return next_->keep(name, text); }
     std::string kept(std::string_view name) override { return next_->kept(name); }

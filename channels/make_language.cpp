@@ -29,13 +29,29 @@ struct AngularWorld {
 class AngularInterpreter final : private AngularWorld, public fanuc::Interpreter {
 public:
     AngularInterpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles& files, const AngularAxes& axes, bool usable)
-        : AngularWorld(view, sink, port, axes), fanuc::Interpreter(view, sink_of, port_of, files, &fanuc::fanuc_settings), usable_(usable) {}
+        : AngularWorld(view, sink, port, axes), fanuc::Interpreter(view, sink_of, port_of, files, &fanuc::fanuc_settings), view_(&view), machine_(&port), axes_(axes), usable_(usable) {}
     Result<void> start(FileId main) override {
         if (!usable_) return Diagnosis{Alarm::AngularAngle, {}, {}, {}};
+        look_at_correction();
         return fanuc::Interpreter::start(main);
+    }
+    void barrier_done() override {
+        look_at_correction();
+        fanuc::Interpreter::barrier_done();
     }
 
 private:
+    // NOZAGC (fanuc_lathe 10.5): Z keeps what it has been moved by until now; switched off again, Z is where both slides stand.
+    void look_at_correction() {
+        if (!axes_.on || machine_->angular_correction_off() == axes_.uncorrected) return;
+        axes_.uncorrected = !axes_.uncorrected;
+        axes_.kept = axes_.uncorrected ? axes_.x_of(machine_->axis_command(view_->axes[axes_.angular].machine_axis).value_or(0.0)) * axes_.tangent : 0.0;
+        sink_of.follow(axes_);
+        port_of.follow(axes_);
+    }
+    const MachineView* view_;
+    Port* machine_;
+    AngularAxes axes_;
     bool usable_;
 };
 

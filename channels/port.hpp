@@ -53,6 +53,9 @@ public:
     virtual bool measuring_input(std::string_view /*name*/, const MachineView&, const std::array<double, kChannelAxes>& /*machine*/) { return false; }
     virtual CalendarTime clock() = 0;
     virtual double running_ms() = 0;                // #3001
+    virtual double lamp_ms() = 0;                   // #3002: how long the cycle start lamp has been lit
+    // NOZAGC: the X slide is inclined, and what it does shall not move Z.
+    virtual bool angular_correction_off() { return false; }
     // What a program sends to an external device (DPRNT, BPRNT): bytes; `control`: signs around a transmission.
     // False: they cannot be kept.
     virtual bool print(const MachineView&, std::string_view /*bytes*/, bool /*control*/) { return true; }

@@ -24,6 +24,7 @@ public:
     std::optional<double> given_variable(std::string_view name) override;
     CalendarTime clock() override;
     double running_ms() override { return 0.0; }
+    double lamp_ms() override { return 0.0; }
     StrokeFlags stroke_flags(unsigned) override { return {}; }
     double* shared_variables() override { return shared_; }
     void share(double* cells) { shared_ = cells; }

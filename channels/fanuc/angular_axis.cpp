@@ -28,4 +28,10 @@ void AngularSink::move(const Move& m, const BlockContext& at) {
     next_->move(real, at);
 }
 
+void AngularSink::follow(const AngularAxes& axes) {
+    axes_ = axes;
+    kinematics_.value[1] = axes.uncorrected ? 1.0 : 0.0;
+    kinematics_.value[2] = axes.kept;
+}
+
 }  // namespace polyturn::channels::fanuc

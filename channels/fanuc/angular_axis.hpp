@@ -23,6 +23,7 @@ public:
         kinematics_.sign.fill(1.0);
     }
     void move(const Move& m, const BlockContext& at) override;
+    void follow(const AngularAxes& axes);   // at a barrier
 
 private:
     Port* port_;
@@ -40,6 +41,7 @@ public:
     std::optional<double> axis_taken_over(unsigned a) override { return turned(a, [this](unsigned k) { return next_->axis_taken_over(k); }); }
     std::optional<double> axis_measured(unsigned a) override { return turned(a, [this](unsigned k) { return next_->axis_measured(k); }); }
     std::optional<double> axis_position(unsigned a) override { return turned(a, [this](unsigned k) { return next_->axis_position(k); }); }
+    void follow(const AngularAxes& axes) { axes_ = axes; }   // at a barrier
     std::optional<double> axis_at_skip(unsigned a) override { return turned(a, [this](unsigned k) { return next_->axis_at_skip(k); }); }
 
 private:

@@ -228,7 +228,7 @@ VariableStatus Interpreter::read_system(std::int64_t number, double& value) {
     const CalendarTime now = port.clock();
     switch (number) {
         case 3001: value = std::fmod(port.running_ms() + timer_ms_offset_, 2147483648.0); break;
-        case 3002: value = std::fmod(port.running_ms() / 3'600'000.0 + timer_h_offset_, 9544.371767); break;
+        case 3002: value = std::fmod(port.lamp_ms() / 3'600'000.0 + timer_h_offset_, 9544.371767); break;
         case 3011: value = now.year * 10000.0 + now.month * 100 + now.day; break;
         default: value = now.hour * 10000.0 + now.minute * 100 + now.second; break;
     }
@@ -300,7 +300,7 @@ VariableStatus Interpreter::write_system(std::int64_t number, double value) {
     }
     switch (number) {
         case 3001: timer_ms_offset_ = plain - core_.port().running_ms(); return VariableStatus::Ok;
-        case 3002: timer_h_offset_ = plain - core_.port().running_ms() / 3'600'000.0; return VariableStatus::Ok;
+        case 3002: timer_h_offset_ = plain - core_.port().lamp_ms() / 3'600'000.0; return VariableStatus::Ok;
         case 3003:
             if (plain < 0 || plain > 3) return value_fault(number, plain);
             single_block_off_ = (static_cast<int>(plain) & 1) != 0;

@@ -99,6 +99,8 @@ double RunPort::running_ms() {
     return static_cast<double>(status_->tick) * static_cast<double>(kernel_->tick_ns.load(std::memory_order_relaxed)) * 1e-6;
 }
 
+bool RunPort::angular_correction_off() { return plc_->signal[signals::nozagc(channel_)] != 0; }
+
 bool RunPort::diameter_inverted(unsigned machine_axis) { return plc_->signal[signals::ap_diarad(machine_axis + 1)] != 0; }
 
 unsigned RunPort::synchronous_master(unsigned machine_axis) { return static_cast<unsigned>(status_->axes[machine_axis].master); }

@@ -36,6 +36,8 @@ public:
     std::optional<double> given_variable(std::string_view name) override;
     CalendarTime clock() override;
     double running_ms() override;
+    double lamp_ms() override { return own().lit_s * 1e3; }
+    bool angular_correction_off() override;
     bool axis_referenced(unsigned machine_axis) override { return pretended_ || (status_->axes[machine_axis].flags & (kReferenced | kExists)) != kExists; }
     StrokeFlags stroke_flags(unsigned machine_axis) override;
     bool diameter_inverted(unsigned machine_axis) override;

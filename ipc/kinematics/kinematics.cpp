@@ -58,7 +58,7 @@ bool map(const Kinematics& k, const Branch& branch, const std::array<T, kMaxRole
         case KinematicsKind::Inclined: {
             const T x = path[0] - T(k.centre[0]);
             axes[0] = T(k.centre[0]) + x * T(1.0 / std::cos(k.value[0]));
-            axes[1] = path[1] - x * T(std::tan(k.value[0]));
+            axes[1] = path[1] - (k.value[1] != 0 ? T(k.value[2]) : x * T(std::tan(k.value[0])));
             return true;
         }
         case KinematicsKind::FiveAxis: {
@@ -116,7 +116,7 @@ void to_path(const Kinematics& k, const RoleValues& axes, RoleValues& path) noex
         case KinematicsKind::Inclined: {
             const double x = (axes[0] - k.centre[0]) * std::cos(k.value[0]);
             path[0] = k.centre[0] + x;
-            path[1] = axes[1] + x * std::tan(k.value[0]);
+            path[1] = axes[1] + (k.value[1] != 0 ? k.value[2] : x * std::tan(k.value[0]));
             return;
         }
         case KinematicsKind::FiveAxis: {

@@ -17,6 +17,7 @@
 //   Inclined   roles: inclined axis X, square axis Z, angle a = value[0] (rad) between X and the perpendicular of Z
 //              (fagor part 2 13, fanuc 10.5)
 //                  X' = X / cos a      Z' = Z - X tan a                                                                  (3)
+//              value[1] not 0: X does not move Z: Z' = Z - value[2]
 //   FiveAxis   roles: X Y Z and two rotary axes: five_axis.hpp.                                                        (4)
 #pragma once
 #include "ipc/kinematics/jet.hpp"

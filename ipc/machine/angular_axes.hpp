@@ -14,14 +14,16 @@ struct AngularAxes {
     bool on = false;
     unsigned angular = 0, square = 1;   // places in the channel
     double cosine = 1.0, tangent = 0.0, radians = 0.0;
+    bool uncorrected = false;           // NOZAGC: Z keeps the correction that it had, whatever X does
+    double kept = 0.0;                  // that correction, mm
 
     template <class Values> void to_machine(Values& values) const {
         const double x = values[angular];
-        values[square] -= x * tangent;
+        values[square] -= uncorrected ? kept : x * tangent;
         values[angular] = x / cosine;
     }
     double x_of(double real) const { return real * cosine; }
-    double z_of(double real_x, double real_z) const { return real_z + real_x * cosine * tangent; }
+    double z_of(double real_x, double real_z) const { return real_z + (uncorrected ? kept : real_x * cosine * tangent); }
 };
 
 // F8200 and on; x and z are the places of the basic axes of the channel's planes (-1: none), which F8211 and F8212 may replace.

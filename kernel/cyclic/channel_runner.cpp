@@ -226,6 +226,7 @@ void ChannelRunner::run() noexcept {
     settle();
     watch_production();
     if (program_runs()) cycle_s_ += core_.config.tick_s;
+    if (start_lamp()) lit_s_ += core_.config.tick_s;
     if (moving_) (moving_rapid_ ? rapid_s_ : cutting_s_) += core_.config.tick_s;
     if (state_ == ChannelState::Waiting) waiting_s_ += core_.config.tick_s;
     const auto& tail = core_.image.path_tail[index_].tail;
@@ -482,10 +483,13 @@ void ChannelRunner::publish(ChannelStatus& status) noexcept {
     status.cycles = cycles_;
     status.last_cycle_s = last_cycle_s_;
     status.mean_cycle_s = cycles_ ? cycles_s_ / cycles_ : 0.0;
+    status.lit_s = lit_s_;
     status.restart = static_cast<std::uint32_t>(restart_);
     core_.signals.set_nc(signals::cn_state(number_), static_cast<std::int32_t>(state_));
     core_.signals.set_nc(signals::cn_run(number_), state_ == ChannelState::Running || state_ == ChannelState::Waiting);
     core_.signals.set_nc(signals::cn_hold(number_), hold_);
+    core_.signals.set_nc(signals::stl(number_), start_lamp());
+    core_.signals.set_nc(signals::den(number_), distribution_ended());
     core_.signals.set_nc(signals::cn_wtng(number_), arrival.here);
     core_.signals.set_nc(signals::cn_alarm(number_), alarm_);
     core_.signals.set_nc(signals::cn_reset(number_), resets_);

@@ -124,6 +124,10 @@ public:
     bool silent_too_long() const noexcept;
     bool can_go_on() const noexcept;  // something of it moves, counts down or waits for an answer
     bool operates() const noexcept { return mode_ == ChannelMode::Auto && (state_ == ChannelState::Running || state_ == ChannelState::Waiting); }
+    // fanuc_lathe 6.3.3: the lamp is out from feed hold and in a single block stop, and lit while tools and pallets are changed.
+    bool start_lamp() const noexcept { return (state_ == ChannelState::Running || state_ == ChannelState::Waiting) && !hold_; }
+    // fanuc_lathe 6.3.4: nothing of the block is under way but the code that the PLC has; not where nobody waits for its end.
+    bool distribution_ended() const noexcept { return phase_ == Phase::Handshake && !unfinished_ && at_rest(); }
     bool cuts() const noexcept { return operates() && moving_ && !moving_rapid_; }
     std::uint32_t number() const noexcept { return number_; }
     bool path_moves() const noexcept { return moving_; }
@@ -366,6 +370,7 @@ private:
     std::uint32_t parts_ = 0;
     double warm_up_s_ = 0;                 // of cycle time after which the program ends with its part; 0: none
     double cutting_s_ = 0, rapid_s_ = 0, waiting_s_ = 0, cycle_s_ = 0;
+    double lit_s_ = 0;                     // the cycle start lamp, since power-on
     // Parts, or runs of programs that count none: how many since a program was selected, how long.
     double part_from_s_ = 0, last_cycle_s_ = 0, cycles_s_ = 0;
     std::uint32_t cycles_ = 0, start_missing_ = 0;

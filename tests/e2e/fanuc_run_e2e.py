@@ -167,6 +167,82 @@ class Interrupt(Run):
         self.assertAlmostEqual(other["end"] - other["t"], 1.0, delta=0.01)
 
 
+HOLD = '[[at]]\nt = 1.0\npress = "feed_hold L1"\n[[at]]\nt = 3.0\npress = "cycle_start L1"\n'
+
+
+class Signals(Run):
+    def setUp(self):
+        super().setUp()
+        self.write("O8300.nc", "O8300\nM99\n")
+
+    def told(self, done, name):
+        return [(e["value"], round(e["t"], 1)) for e in done.of("flag", name=name)]
+
+    def test_the_start_lamp_is_out_while_feed_hold_is_on(self):
+        done = self.run_it("O1\nG98\nG01 Z-40. F600\nM30\n", scenario=HOLD, watch=["STL L1"])
+        self.assertEqual(done.status, 0, done.said())
+        self.assertEqual(self.told(done, "STL L1"), [(1, 0.0), (0, 1.0), (1, 3.0)], done.said())   # the run ends with the program
+
+    def test_the_hour_timer_stands_while_feed_hold_is_on(self):   # fanuc_lathe 6.3.3: 4 s of cutting, 2 s of hold
+        done = self.run_it("O1\nG98\n#3002=0\n#3001=0\nG01 Z-40. F600\n#101=#3001\n#100=#3002*3600\nM30\n", scenario=HOLD)
+        self.assertEqual(done.status, 0, done.said())
+        value = {e["name"]: e["value"] for e in done.of("variable")}
+        self.assertAlmostEqual(value["#101"], 6000, delta=200, msg=done.said())
+        self.assertAlmostEqual(value["#100"], value["#101"] / 1000 - 2.0, delta=0.1, msg=done.said())
+
+    def test_it_stands_at_single_block_stops_and_runs_while_a_tool_is_changed(self):
+        scenario = '[[at]]\nt = 0.0\npress = "single_block L1=on"\n' + "".join(f'[[at]]\nt = {t}\npress = "cycle_start L1"\n' for t in (2.0, 4.0))
+        done = self.run_it("O1\n#3002=0\nT0303\nG04 X1.\n#100=#3002*3600\nM30\n", scenario=scenario, watch=["STL L1"])
+        self.assertEqual(done.status, 0, done.said())
+        lit, since = 0.0, None
+        read = done.of("variable", name="#100")[0]
+        for e in done.of("flag", name="STL L1"):
+            if e["value"] and e["t"] < read["t"]:
+                since = e["t"]
+            elif since is not None:
+                lit, since = lit + min(e["t"], read["t"]) - since, None
+        self.assertAlmostEqual(read["value"], lit, delta=0.05, msg=done.said())
+        self.assertGreater(lit, 1.0)
+        self.assertLess(lit, read["t"] - 1.5, "it stood between the blocks")
+
+    def test_distribution_ends_behind_the_move_and_is_silent_where_nobody_waits(self):
+        done = self.run_it("O1\nG98\nG01 Z-10. F600 M5\nM30\n", watch=["DEN L1"])
+        self.assertEqual(done.status, 0, done.said())
+        [cut] = done.of("move")
+        changes = done.of("flag", name="DEN L1")
+        self.assertEqual([e["value"] for e in changes][:2], [1, 0], done.said())
+        self.assertGreaterEqual(changes[0]["t"], cut["end"] - 1e-6, "not before the move of its block is over")
+        done = self.run_it("O1\nG98\n#3003=2\nG01 Z-10. F600 M5\nG01 Z-20.\n#3003=0\nG04 X1.\nM9\nM30\n", watch=["DEN L1"])
+        self.assertEqual(done.status, 0, done.said())
+        [rest] = done.of("dwell")
+        changes = done.of("flag", name="DEN L1")
+        self.assertTrue(changes and changes[0]["t"] >= rest["end"] - 1e-6, "#3003=2: no signal for M5\n" + done.said())
+
+    def test_nozagc_leaves_z_where_it_is(self):   # fanuc_lathe 10.5: real X = X / cos 30; Z follows by X tan 30 only without the signal
+        tangent, cosine = 0.5773503, 0.8660254
+
+        def run(scenario):
+            done = self.run_it("O1\nG98\nG00 X60. Z1.\nG00 X50. Z0\nG04 X.2\nG01 X30. F600\nM0\nG01 X40.\nG04 X.2\nM30\n", ["F8200#0 L1=1", "F8210 L1=30"], scenario, trace=True)
+            self.assertEqual(done.status, 0, done.said())
+            moves = done.of("move")[1:]
+            self.assertEqual([(m["pos"]["X"], round(m["pos"]["Z"], 4)) for m in moves], [(50, 0), (30, 0), (40, 0)], done.said())
+            trace = read_trace(self.folder / "trace.csv")
+            at = [next(i for i, t in enumerate(trace["t"]) if t >= m["end"] + 0.01) for m in moves]
+            for i, x in zip(at, (25, 15, 20)):
+                self.assertAlmostEqual(trace["A1.cmd"][i], x / cosine, places=3)
+            return [trace["A2.cmd"][at[k + 1]] - trace["A2.cmd"][at[k]] for k in (0, 1)]
+
+        off = run("")
+        self.assertAlmostEqual(off[0], 10 * tangent, places=3)
+        self.assertAlmostEqual(off[1], -5 * tangent, places=3)
+        on = run('[[at]]\nt = 0.0\nset = "NOZAGC L1=1"\n')
+        self.assertAlmostEqual(on[0], 0, places=3)
+        self.assertAlmostEqual(on[1], 0, places=3)
+        later = run('[[at]]\nwhen = { ev = "stop", reason = "M00" }\nset = "NOZAGC L1=1"\n')
+        self.assertAlmostEqual(later[0], 10 * tangent, places=3)
+        self.assertAlmostEqual(later[1], 0, places=3)
+
+
 class Reset(Run):
     def test_outputs_outlive_it_as_they_were_executed_and_a_timer_goes_on(self):
         # Behind N20 the program is read ahead: what it writes there has not happened when the reset comes (fanuc_lathe 6.3.1, 6.10).

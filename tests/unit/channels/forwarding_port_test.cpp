@@ -22,6 +22,8 @@ struct Machine final : Port {
     std::optional<double> given_variable(std::string_view) override { return 7.0; }
     CalendarTime clock() override { return {2026, 1, 2, 3, 4, 5}; }
     double running_ms() override { return 8.0; }
+    double lamp_ms() override { return 9.0; }
+    bool angular_correction_off() override { return true; }
     bool keep(std::string_view name, std::string_view text) override { return kept_ = std::string(name) + "=" + std::string(text), false; }
     std::string kept(std::string_view) override { return kept_; }
     bool second_geometry(unsigned axis) override { return axis == 1; }
@@ -53,6 +55,8 @@ TEST(ForwardingPort, AsksTheNextOneEverything) {
     EXPECT_EQ(port.given_variable("#1"), 7.0);
     EXPECT_EQ(port.clock().day, 2);
     EXPECT_EQ(port.running_ms(), 8.0);
+    EXPECT_EQ(port.lamp_ms(), 9.0);
+    EXPECT_TRUE(port.angular_correction_off());
     EXPECT_FALSE(port.keep("a", "b"));
     EXPECT_EQ(port.kept("a"), "a=b");
     EXPECT_TRUE(port.second_geometry(1) && !port.axis_referenced(0) && port.stroke_flags(0).first_off && port.diameter_inverted(0));
