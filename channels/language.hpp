@@ -62,6 +62,8 @@ public:
     // What the program leaves to the one that is started next in this channel; taken behind start().
     virtual std::any carry() const { return {}; }
     virtual void take_carry(const std::any& /*before*/, bool /*after_reset*/) {}
+    // The tool offset in use is gone behind a reset, or else behind the end that the program has come to.
+    virtual bool loses_offset(bool /*by_reset*/) const { return false; }
     // The machine was interrupted by a signal that the program has enabled, and stands. `serial`: the first block of which
     // not everything is executed, 0 when there is none; `within`: it has begun. The interrupt program comes next.
     // False: this language, or this block, cannot be interrupted.

@@ -179,7 +179,22 @@ bool open_loop(Core& core) {
     return turn(core, SpindleTurn::Stop);
 }
 
+// The edge points away from the wall that it leaves.
+bool orient_beside(Core& core, const Drilling& hole) {
+    if (!core.spindle_position(0.0) || !core.commit_spindle()) return false;
+    core.aux('M', 19, "M19", false);
+    return aside(core, hole, 1.0);
+}
+
+bool bore_back(Core& core, const Drilling& hole) {
+    const SpindleTurn in = core.path.spindle.turn;
+    if (!orient_beside(core, hole) || !to(core, hole, hole.r_level, true) || !aside(core, hole, -1.0) || !turn(core, in)) return false;
+    if (!to(core, hole, hole.bottom, false) || (hole.dwells && !core.dwell(hole.dwell, hole.dwell_revolutions))) return false;
+    return orient_beside(core, hole) && to(core, hole, hole.initial, true) && aside(core, hole, -1.0) && turn(core, in);
+}
+
 bool drill_hole(Core& core, const Drilling& hole) {
+    if (hole.way_out == Drilling::Way::Back) return bore_back(core, hole);
     if (!to(core, hole, hole.r_level, true)) return false;
     if (hole.rigid && !close_loop(core, hole)) return false;
     const SpindleTurn in = core.path.spindle.turn;
@@ -200,9 +215,8 @@ bool drill_hole(Core& core, const Drilling& hole) {
             if (!to(core, hole, hole.to_r_level ? hole.r_level : hole.initial, true)) return false;
             return turn(core, in);
         case Drilling::Way::Fine:
-            if (!core.spindle_position(0.0) || !core.commit_spindle()) return false;
-            core.aux('M', 19, "M19", false);
-            return aside(core, hole, 1.0) && to(core, hole, hole.to_r_level ? hole.r_level : hole.initial, true) && aside(core, hole, -1.0) && turn(core, in);
+            return orient_beside(core, hole) && to(core, hole, hole.to_r_level ? hole.r_level : hole.initial, true) && aside(core, hole, -1.0) && turn(core, in);
+        case Drilling::Way::Back: break;   // bore_back()
         case Drilling::Way::Tap:
             if (!out_of_thread(core, hole, hole.r_level, hole.out_factor)) return false;
             if (hole.dwells && hole.dwells_at_r && !core.dwell(hole.dwell, hole.dwell_revolutions)) return false;

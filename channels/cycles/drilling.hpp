@@ -20,8 +20,10 @@ struct Drilling {
     double dwell = 0.0;             // seconds, or revolutions
     bool dwell_revolutions = false;
     bool dwells_at_r = true;        // Tap: there too
-    enum class Way : std::uint8_t { Rapid, Feed, StopRapid, Tap, Fine } way_out = Way::Rapid;
-    AxisValues aside{};             // Fine: from the wall, with the spindle oriented, on the way out; and back above
+    // Back: boring from behind. Beside the wall, with the spindle oriented, through the hole to the R level below it; there the spindle
+    // turns and cuts up to `bottom`; then beside the wall out to the initial level.
+    enum class Way : std::uint8_t { Rapid, Feed, StopRapid, Tap, Fine, Back } way_out = Way::Rapid;
+    AxisValues aside{};             // Fine, Back: from the wall, with the spindle oriented, on the way out; and back above
     double way_out_factor = 1.0;    // of the feed
     bool left_hand = false;         // Tap: turns anticlockwise on the way in
     bool to_r_level = false;        // ends at the R level

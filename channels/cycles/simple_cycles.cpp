@@ -19,6 +19,10 @@ bool find_places(Core& core, Places& places) {
     return true;
 }
 
+// What the nose adds to the ends of an oblique cut must leave the ways to and from it their directions (fanuc_lathe 3.20; 3.14, first
+// criterion). Not a number: no such place exists, the cut runs along the axis on which its ends would move.
+bool turns_back(double way, double added) { return !(way * (way + added) >= 0); }
+
 // Each leg is driven so that the imaginary tip runs on it; only an oblique cut is shifted to its equidistant.
 class CompensatedCycle {
 public:
@@ -43,6 +47,7 @@ bool turning(Core& core, const SimpleCycle& cycle) {
     const CompensatedCycle nose(core, Core::CycleMoves::Plain);
     if (cycle.taper != 0) {
         const double shift = core.cut_shift(point, end, at.x, start);
+        if (turns_back(point[at.x] - start[at.x], shift) || turns_back(end[at.x] - start[at.x], shift)) return core.fail(Alarm::CompCycleOvercut, 'R');
         point[at.x] += shift;
         end[at.x] += shift;
     }
@@ -63,6 +68,7 @@ bool facing(Core& core, const SimpleCycle& cycle) {
     const CompensatedCycle nose(core, Core::CycleMoves::Plain);
     if (cycle.taper != 0) {
         const double shift = core.cut_shift(point, end, at.z, start);
+        if (turns_back(point[at.z] - start[at.z], shift) || turns_back(end[at.z] - start[at.z], shift)) return core.fail(Alarm::CompCycleOvercut, 'R');
         point[at.z] += shift;
         end[at.z] += shift;
     }

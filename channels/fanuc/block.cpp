@@ -92,13 +92,17 @@ bool Interpreter::classify() {
 
 // A milling channel calls three drilling cycles by the numbers that a lathe needs for turning (N1503#0, N1611#0).
 std::uint32_t Interpreter::drilling_name(std::uint32_t tenths) const {
+    constexpr std::uint32_t kNoCode = 9999;
+    if (settings_.milling_drills && (tenths == 1830 || tenths == 1840 || tenths == 1860)) return kNoCode;   // aliases of the codes that have moved
     if (settings_.nct && (tenths == 1830 || tenths == 1840 || tenths == 1860)) return (tenths - 1000) + 1;   // G183 is G83.1 (nct part 2 17.4)
     if (!settings_.milling_drills) return tenths;
+    if (tenths == 831 || tenths == 841 || tenths == 861) return kNoCode;   // CSM = 0: these cycles have the numbers below, and no others (nct part 1 16.2)
     return tenths == 730 ? 831 : tenths == 740 ? 841 : tenths == 760 ? 861 : tenths;
 }
 
 // Every word must have a taker: a word that nobody uses is a mistake of the program.
 bool Interpreter::check_words() {
+    if (!polygon_alone()) return false;
     std::uint32_t taken = kAlways;
     for (std::uint32_t left = coded_groups_; left; left &= left - 1) {
         const GCode* row = coded_[static_cast<std::size_t>(__builtin_ctz(left))];
@@ -349,6 +353,7 @@ bool Interpreter::axis_word(const Word& word, AxisValues& target, AxisSet& named
     const auto [place, incremental] = axis_of(word);
     const auto i = static_cast<std::size_t>(place);
     const ChannelAxis& axis = core_.view().axes[i];
+    if (polygon_on_ && turns_polygon(static_cast<unsigned>(place))) return core_.fail(Alarm::PolygonAxisMoved, word.address, std::string(axis.name));
     double value = length(word, place) * (axis.diameter ? 0.5 : 1.0);
     const Transformation& transformation = core_.path.transformation;
     if (transformation.degrees && transformation.rotary_place() == place) value /= unit_ * transformation.degrees_per_mm();   // an angle

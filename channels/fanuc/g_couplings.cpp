@@ -20,8 +20,22 @@ bool Interpreter::polygon_follower(std::uint8_t& follower) {
     return true;
 }
 
+bool Interpreter::turns_polygon(unsigned place) const {
+    const MachineView& view = const_cast<Core&>(core_).view();
+    return polygon_on_ && !settings_.nct && p::get(view.table(), p::f7610, view.channel) == static_cast<std::int64_t>(place) + 1;
+}
+
+// fanuc_lathe 10.1: G50.2 stands in a block of its own; alarm 219 of the control says the same of G51.2.
+bool Interpreter::polygon_alone() {
+    if (settings_.nct || !(coded_groups_ >> static_cast<unsigned>(GGroup::OneShot) & 1u)) return true;
+    const GCode* row = coded_[static_cast<std::size_t>(GGroup::OneShot)];
+    if (row->act != &Interpreter::g_polygon && row->act != &Interpreter::g_polygon_off) return true;
+    return g_count_ == 1 && !axis_word_count_ && !m_count_ && !block_.has('S') && !block_.has('T') && !block_.has('F') ? true : core_.fail(Alarm::PolygonNotAlone, 'G');
+}
+
 bool Interpreter::g_polygon(const GCode&) {
     if (polygon_on_) return core_.fail(Alarm::PolygonTwice, 'G');
+    if (balance_on_) return core_.fail(Alarm::PolygonBalance, 'G');
     const auto ratio = [&](char letter, bool negative, double& out) {
         out = block_.has(letter) ? block_.value(letter) : 0.0;
         const double size = negative ? std::fabs(out) : out;

@@ -57,7 +57,10 @@ void Interpreter::bore_out(cycles::Drilling& hole) {
     hole.way_out_factor = settings_.nct && block_.has('I') && block_.value('I') > 0 ? block_.value('I') / 100.0 : settings_.bore_out_factor;
 }
 
-// nct G86.1 (G76 of a milling channel): I, J, K lead the tool from the wall, in the plane across the hole, as increments.
+// G87 of a milling channel needs the orientation of the spindle (nct part 1 8.2, ORI): it bores from behind. A lathe drills its side.
+bool Interpreter::bores_back(const GCode& row) { return settings_.nct && row.tenths == 870 && core_.view().config().kind == ChannelKind::Mill; }
+
+// nct G86.1 (G76 of a milling channel) and G87: I, J, K lead the tool from the wall, in the plane across the hole, as increments.
 void Interpreter::fine_way(cycles::Drilling& hole) {
     constexpr PlaneRole kRoles[] = {PlaneRole::BasicX, PlaneRole::BasicY, PlaneRole::BasicZ};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -149,8 +152,17 @@ bool Interpreter::run_drilling() {
     switch (row.tenths) {
         case 810: break;
         case 820: hole.dwells = dwell_word; break;
-        case 830:
         case 870:
+            if (bores_back(row)) {
+                if (!can_orient(core_.path.spindle.spindle)) return false;
+                hole.way_out = cycles::Drilling::Way::Back;
+                fine_way(hole);
+                hole.dwells = dwell_word;
+                break;
+            }
+            if (block_.has('I') || block_.has('J')) return core_.fail(Alarm::AddressIllegal, block_.has('I') ? 'I' : 'J', block_.has('I') ? "I" : "J");
+            [[fallthrough]];
+        case 830:
         case 831:
             hole.peck = drill_.q;
             hole.dwells = dwell_word;

@@ -95,6 +95,8 @@ bool Interpreter::g_mirror(const GCode& row) {
 bool Interpreter::g_turret_mirror(const GCode&) {
     if (params::get(core_.view().table(), params::pt_balance, core_.view().channel) != 0) {
         if (core_.reads_ahead()) return core_.fail(Alarm::TransformPlace, 'G', "G41 G42");
+        if (polygon_on_) return core_.fail(Alarm::PolygonBalance, 'G');
+        balance_on_ = true;
         core_.signal("BALANCE", 1);
         return wants_barrier_ = true;
     }
@@ -105,6 +107,7 @@ bool Interpreter::g_turret_mirror(const GCode&) {
 
 bool Interpreter::g_rotation(const GCode& row) {
     if (row.tenths == 690 && params::get(core_.view().table(), params::pt_balance, core_.view().channel) != 0) {
+        balance_on_ = false;
         core_.signal("BALANCE", 0);
         wants_barrier_ = true;
     }

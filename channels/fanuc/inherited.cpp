@@ -2,7 +2,8 @@
 // reset), the outputs and timers (#1100 to #1133, #3001, #3002; fanuc_lathe 6.3.1, 6.10), the tool offset where F5003#6 or N1414#5
 // keep it, and with N1301 CLR the G groups that N1302 to N1306 keep (nct part 1 14.2).
 //
-// A program's end counts as a reset here: without CLR all groups begin as the machine was switched on.
+// A program's end counts as a reset here: without CLR all groups begin as the machine was switched on. But only the reset itself and
+// M02, M30 (which reset and rewind) cancel the tool offset (fanuc_lathe 1.6): what T calls by hand is in use for what comes next.
 #include "channels/fanuc/b_memory.hpp"
 #include "channels/fanuc/resume_state.hpp"
 
@@ -28,13 +29,14 @@ struct Interpreter::Inherited {
     VariableNames names;
     std::uint32_t outputs = 0;
     double outputs_wide = 0, timer_ms = 0, timer_h = 0;
+    bool by_code = false;   // M02 or M30 has ended it
     double parts = 0, parts_table = 0;   // #3901, and N2307 of the table: it follows a moment later, unless somebody has set it
 };
 
 std::any Interpreter::carry() const {
     auto& self = const_cast<Interpreter&>(*this);   // modal() ties references; they are only read here
     return std::make_shared<Inherited>(Inherited{variables_.common(), variables_.levels().front(), values_of(self.modal()), modal_calls_, core_.path, core_.at.comp, pattern_, b_.programs, names_,
-                                                 outputs_, outputs_wide_, timer_ms_offset_, timer_h_offset_, parts_, settings_.parts_made});
+                                                 outputs_, outputs_wide_, timer_ms_offset_, timer_h_offset_, ended_by_code_, parts_, settings_.parts_made});
 }
 
 // What was kept over power-off; a text that cannot be read leaves nothing, and is told.
@@ -64,7 +66,7 @@ void Interpreter::take_carry(const std::any& before, bool after_reset) {
     timer_h_offset_ = last.timer_h;
     if (!after_reset || settings_.keeps_common) variables_.take_common(last.common);
     if (!after_reset || settings_.keeps_locals) variables_.locals() = last.locals;
-    if (settings_.keeps_offset) {
+    if (settings_.keeps_offset || (!settings_.mefi && !after_reset && !last.by_code)) {
         core_.path.tool = last.path.tool;
         core_.at.tool = core_.path.tool.ref;
         if (apply_tool_offsets()) core_.take_wanted();   // the machine stands with it already

@@ -94,7 +94,7 @@ Result<void> Interpreter::start(FileId main) {
     frames_.push_back(std::move(frame));
     source_ = &files_->source(main);
     source_->seek({0, 1});
-    line_left_ = tape_begun_ = blocks_begun_ = ended_ = reread_ = false;
+    line_left_ = tape_begun_ = blocks_begun_ = ended_ = ended_by_code_ = reread_ = false;
     managed_serial_ = 0;
     fresh_ = true;   // cycle start is a barrier
     // Without a machine nobody but the program can have closed a spindle's loop.
@@ -114,7 +114,7 @@ Result<void> Interpreter::start(FileId main) {
     points_.clear();
     variables_.undo().clear();
     state_changed_ = true;
-    polygon_on_ = false;   // a reset has ended it
+    polygon_on_ = balance_on_ = false;   // a reset has ended them
     dialogue_ = {};
     core_.refresh_limits();
     if (settings_.mefi) core_.path.zero_row = settings_.priority_zero_row;
@@ -153,6 +153,10 @@ Step Interpreter::fault_at(Alarm alarm, std::uint32_t column, std::uint32_t leng
     Diagnosis diagnosis;
     diagnosis.alarm = alarm;
     diagnosis.place = {files_->path(frames_.back().file), fault_line_ ? fault_line_ : source_->position().line, column ? character_column(line_, column) : 0, length};
+    if (!column && diagnosis.alarm != Alarm::FileUnreadable && diagnosis.alarm != Alarm::LineTooLong) {   // another line than the one at hand is at fault
+        const LinePlace place = place_in_file(frames_.back().file, diagnosis.place.line, 0);
+        diagnosis.place.column = place.column, diagnosis.place.length = place.length;
+    }
     diagnosis.values = {v0, v1};
     diagnosis.detail = std::move(detail);
     core_.sink().alarm(diagnosis, core_.at);
@@ -169,6 +173,10 @@ Step Interpreter::fault(Fault fault) {
     }
     if (fault.block) {   // an earlier block of the program
         const BlockContext& at = *fault.block;
+        if (!fault.column) {
+            const LinePlace place = place_in_file(at.file, at.line, fault.letter);
+            fault.column = place.column, fault.length = place.length;
+        }
         core_.sink().alarm({fault.alarm, {files_->path(at.file), at.line, fault.column, fault.length}, {fault.value0, fault.value1}, std::move(fault.detail)}, at);
         ended_ = true;
         return Step::Failed;
@@ -209,6 +217,7 @@ void Interpreter::finish(StopReason reason) {
     core_.mark_emitted();
     core_.sink().stop({reason}, core_.at);
     ended_ = true;
+    ended_by_code_ = reason != StopReason::End;
 }
 
 Step Interpreter::end_of_text() {
@@ -303,6 +312,7 @@ Step Interpreter::read_block() {
             }
             if (block_.count == 0) {
                 tape_begun_ = false;
+                if (settings_.needs_end_code && frames_.size() == 1) return fault_at(Alarm::ProgramEndMissing, static_cast<std::uint32_t>(scanner_.stopped_at() + 1), 1);
                 return end_of_text();
             }
             return fault_at(Alarm::CharacterUnknown, static_cast<std::uint32_t>(scanner_.stopped_at() + 1), 1, "%");

@@ -18,6 +18,7 @@
 #include "channels/fanuc/modal_state.hpp"
 #include "channels/fanuc/settings.hpp"
 #include "channels/fanuc/expression.hpp"
+#include "channels/fanuc/fault_place.hpp"
 #include "channels/fanuc/block_index.hpp"
 #include "channels/fanuc/jump_memory.hpp"
 #include "channels/fanuc/variables.hpp"
@@ -54,6 +55,7 @@ public:
     void interrupt_arrived() override;
     std::any carry() const override;
     void take_carry(const std::any& before, bool after_reset) override;
+    bool loses_offset(bool by_reset) const override { return !settings_.mefi && !settings_.keeps_offset && (by_reset || ended_by_code_); }
     const Settings& settings() const { return settings_; }
 
     // --- handlers of g_codes.cpp
@@ -67,6 +69,8 @@ public:
     bool g_stroke_area(const GCode&);
     bool g_polygon(const GCode&);        // g_couplings.cpp
     bool g_polygon_off(const GCode&);
+    bool polygon_alone();
+    bool turns_polygon(unsigned place) const;
     bool g_gear(const GCode&);
     bool g_gear_off(const GCode&);
     bool gear_block() const { return coded_groups_ >> static_cast<unsigned>(GGroup::OneShot) & 1u && coded_[static_cast<std::size_t>(GGroup::OneShot)]->tenths == 818; }
@@ -134,6 +138,7 @@ private:
     Step fault(Fault fault);
     const Word* word_at_fault(Alarm alarm) const;
     Step fault_at(Alarm alarm, std::uint32_t column, std::uint32_t length, std::string detail = {}, double v0 = 0, double v1 = 0);
+    LinePlace place_in_file(FileId file, std::uint32_t wanted, char letter);   // fault_place.cpp
     Step end_of_text();
     void finish(StopReason reason);
     void clear_modal();
@@ -265,6 +270,7 @@ private:
     bool begin_rigid_tap(cycles::Drilling& hole, bool left_hand);
     void bore_out(cycles::Drilling& hole);
     void fine_way(cycles::Drilling& hole);
+    bool bores_back(const GCode& row);
     bool run_drilling();
     int drilling_axis();
 
@@ -358,6 +364,7 @@ private:
     std::size_t column_ = 0;          // next byte of line_ to read
     bool line_left_ = false;          // line_ holds a further block
     bool tape_begun_ = false;         // a % was read
+    bool ended_by_code_ = false;      // by M02 or M30
     bool blocks_begun_ = false;       // of the running program text
     std::int64_t program_number_ = 0; // O of the running program
 

@@ -50,7 +50,7 @@ struct ModalState {
     double timer_ms_offset_ = 0, timer_h_offset_ = 0;   // #3001, #3002 as the program has set them
     bool printing_ = false;           // between POPEN and PCLOS
     bool print_blanks_ = false;
-    bool polygon_on_ = false;
+    bool polygon_on_ = false, balance_on_ = false;
     bool single_block_off_ = false, no_finish_wait_ = false;   // #3003
     int automatic_control_ = 0;       // #3004
 };

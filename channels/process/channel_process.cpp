@@ -275,6 +275,7 @@ void ChannelProcess::end_program(StopReason reason) {
         return;
     }
     sink_->finish(reason);
+    if (!held_run_ && ring_->pushed() > 0 && run_->loses_offset(false)) pictures_.offset_lost(own_->path.slot(ring_->last_index()).serial, true);
     state_ = State::Idle;
 }
 
@@ -289,7 +290,7 @@ void ChannelProcess::reset(const ChannelEvent& event) {
     ring_->resume();
     if (held_run_) run_ = std::move(held_run_);
     if (run_) carried_ = run_->carry();
-    if (const std::uint64_t pushed = ring_->pushed(); run_ && run_->loses_offset() && pushed > 0) pictures_.offset_lost(own_->path.slot(std::min(event.record, pushed - 1)).serial);
+    if (const std::uint64_t pushed = ring_->pushed(); run_ && run_->loses_offset(true) && pushed > 0) pictures_.offset_lost(own_->path.slot(std::min(event.record, pushed - 1)).serial);
     run_.reset();
     after_reset_ = true;
     state_ = State::Idle;

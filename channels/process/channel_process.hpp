@@ -56,7 +56,7 @@ public:
     virtual bool resume_at(std::uint64_t /*serial*/) { return false; }
     virtual bool offsets_changed() { return true; }
     virtual bool starts_away() const { return false; }
-    virtual bool loses_offset() const { return false; }   // a reset cancels the tool offset
+    virtual bool loses_offset(bool /*by_reset*/) const { return false; }   // see Language
     virtual void start_away(const AxisValues& /*by*/) {}
     virtual BlockContext at() const { return {}; }                 // the block that was interpreted last
     virtual const Core* core() const { return nullptr; }           // what holds behind that block

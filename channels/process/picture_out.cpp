@@ -76,7 +76,7 @@ void PictureOut::look(const Core& core, const std::string& codes) {
     push_picture(*own_, now);
 }
 
-void PictureOut::offset_lost(std::uint64_t serial) {
+void PictureOut::offset_lost(std::uint64_t serial, bool at_end) {
     BlockPicture now{};
     if (!find_picture(*own_, serial, now)) return;
     for (std::size_t i = 0; i < kChannelAxes; ++i) now.shift[i] -= now.tool_shift[i];
@@ -86,6 +86,7 @@ void PictureOut::offset_lost(std::uint64_t serial) {
     now.tip = 0;
     now.nose_radius = 0.0;
     now.flags &= ~(kPictureCompLeft | kPictureCompRight);
+    if (at_end) now.serial = serial;
     any_ = false;   // what the next program begins with is told anew
     push_picture(*own_, now);   // the newest of those that may be meant
 }

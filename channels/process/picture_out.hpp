@@ -18,8 +18,9 @@ public:
     void begin();
     // Behind a block; codes as Language::active_codes() writes them.
     void look(const Core& core, const std::string& codes);
-    // A reset has cancelled the tool offset while the block `serial` ran: what is shown from here on is counted without it.
-    void offset_lost(std::uint64_t serial);
+    // A reset has cancelled the tool offset while the block `serial` ran: what is shown from here on is counted without it. So has
+    // the program's end, which is that block: then not before it.
+    void offset_lost(std::uint64_t serial, bool at_end = false);
 
 private:
     ChannelSegment* own_;

@@ -3,8 +3,6 @@
 #include <filesystem>
 
 #include "channels/check/event_text.hpp"
-#include "channels/fanuc/settings.hpp"
-#include "channels/nct/settings.hpp"
 #include "channels/process/channel_process.hpp"
 #include "channels/preset.hpp"
 #include "channels/program_files.hpp"
@@ -55,11 +53,7 @@ public:
     bool may_resume_at(std::uint64_t serial) const override { return language_->may_resume_at(serial); }
     bool resume_at(std::uint64_t serial) override { return language_->resume_at(serial); }
     bool starts_away() const override { return language_ && language_->starts_away(); }
-    bool loses_offset() const override {   // fanuc_lathe 1.6, nct part 1 15.5
-        if (name_ == "fanuc") return !fanuc::fanuc_settings(view_->table(), view_->channel).keeps_offset;
-        if (name_ == "nct") return !nct::nct_settings(view_->table(), view_->channel).keeps_offset;
-        return false;
-    }
+    bool loses_offset(bool by_reset) const override { return language_ && language_->loses_offset(by_reset); }
     void start_away(const AxisValues& by) override { language_->start_away(by); }
     bool offsets_changed() override { return language_->offsets_changed(); }
     BlockContext at() const override { return language_->core().at; }

@@ -1,4 +1,7 @@
 // Nose-radius compensation as the channel's state sees it: when it stands between Core and the sink, and which nose cuts.
+#include <cmath>
+#include <limits>
+
 #include "channels/compensation/compensator.hpp"
 #include "channels/state/core.hpp"
 #include "channels/state/factor_sink.hpp"
@@ -249,7 +252,7 @@ double Core::cut_shift(const AxisValues& a, const AxisValues& b, unsigned along,
         const AxisValues there = around(ahead);
         share = compensation::dot(n, {there[i] - from[i], there[k] - from[k]});
     }
-    if (std::fabs(share) < 1e-6) return 0.0;
+    if (std::fabs(share) < 1e-6) return std::numeric_limits<double>::quiet_NaN();
     const bool tip = path.plane == Plane::ZX && tool.tip >= 0 && tool.tip <= 9;
     return (std::fabs(tool.nose_radius + tool.allowance) + std::fabs(tool.nose_radius) * compensation::dot(tip ? tip_of(comp_options_, tool.tip) : Vec{}, n)) / share;
 }

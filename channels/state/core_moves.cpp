@@ -83,6 +83,10 @@ bool Core::within_stroke(const AxisValues& machine, AxisSet moved) {
     if (!on_machine(drives)) return true;   // TransformSink says what is wrong with it
     if (routes_)
         for (unsigned i = 0; i < view_->axis_count; ++i) drives[i] = view_->axes[i].to_drive(machine[i]);
+    for (AxisSet left = moved; left; left &= left - 1) {   // what a superimposed master has added counts (nct part 2 22.5)
+        const auto i = static_cast<unsigned>(__builtin_ctz(left));
+        drives[i] += port_->axis_added(view_->axes[i].machine_axis);
+    }
     if (!forbidden(zones_, drives.data(), moved, out)) return true;
     const ChannelAxis& axis = view_->axes[out.axis];
     return fail(Alarm::StrokeExceeded, axis.name[0], std::string(axis.name), view_->to_shown(out.axis, drives[out.axis]), view_->to_shown(out.axis, out.limit));

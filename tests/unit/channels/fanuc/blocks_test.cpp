@@ -153,7 +153,7 @@ TEST(FanucBlock, IsDiagnosedAtItsLineAndColumn) {
         {"M520 P13", R"("PT1037")", 1, 6},                // no channel 3
         {"M520 P2", R"("PT1038")", 1, 6},
         {"G65 A1.", "76", 1, 1},
-        {"%\nO1\nG0 X1.", "5010", 3, 0},                  // no closing %
+        {"%\nO1\nG0 X1.", "5010", 3, 1},                  // no closing %
     };
     for (const FaultRow& row : rows) expect_fault(row);
 }

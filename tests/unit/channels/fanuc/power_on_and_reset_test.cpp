@@ -126,6 +126,36 @@ TEST(NctReset, EachBitOfN1302ToN1306KeepsItsGroup) {
     }
 }
 
+// fanuc_lathe 1.6: the reset cancels the offset, and M30 does (it resets and rewinds); a T entered by hand ends with its text and stays.
+TEST(ToolOffset, IsInUseBehindATextThatEndsWithoutM30) {
+    struct Row { const char* first; bool reset, kept; };
+    for (const Row& row : {Row{"T0303\n", false, true}, Row{"T0303\n", true, false}, Row{"T0303\nM30\n", false, false}, Row{"T0303\nM2\n", false, false}, Row{"T0303\nM99\n", false, true}}) {
+        SCOPED_TRACE(row.first);
+        const auto table = lathe({});
+        text::Setup setup;
+        Played played;
+        std::any left;
+        for (const char* program : {row.first, "G0 Z5.\nM30\n"}) {
+            MachineView view = make_machine_view(*table, 1);
+            view.store->offsets[3].geometry = {0, 0, 7};
+            ProgramFiles files;
+            played.events.clear();
+            EventSink sink({&view, &files, Dialect::Fanuc}, played.events, true, '\n');
+            CheckPort port(setup, 1, true);
+            const auto main = files.open_text(program, "test.nc");
+            const auto language = make_language("fanuc", view, sink, port, files);
+            EXPECT_TRUE(language->start(*main).ok());
+            language->core().start_at_machine(view.start);
+            if (left.has_value()) language->take_carry(left, row.reset);
+            run_to_end(*language);
+            left = language->carry();
+            EXPECT_EQ(language->loses_offset(false), std::string_view(program).find("M30") != std::string_view::npos || std::string_view(program).find("M2\n") != std::string_view::npos);
+            EXPECT_TRUE(language->loses_offset(true));
+        }
+        EXPECT_TRUE(played.has({row.kept ? "\"machine\":{\"X\":0,\"Z\":12" : "\"machine\":{\"X\":0,\"Z\":5"})) << played.events;
+    }
+}
+
 // Exact stop tells no event: seen in the state. Macros are seen by their call.
 TEST(NctReset, C15KeepsExactStopAndC12ModalCalls) {
     for (const bool keeps : {false, true}) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "channels/forwarding_port.hpp"
 #include "core_rig.hpp"
 
 namespace polyturn::channels::testing {
@@ -80,6 +81,31 @@ TEST(Routes, LimitsAreThoseOfTheBorrowedDrive) {
     EXPECT_TRUE(rig.line(59, 0));
     EXPECT_FALSE(rig.line(61, 0));
     EXPECT_EQ(rig.core->fault().alarm, Alarm::StrokeExceeded);
+}
+
+// nct part 2 22.5: limits are checked on the machine position with what the master has added: here Z is 100 further on.
+TEST(Superimposed, TheLimitCountsFromWhereTheMasterHasBroughtTheAxis) {
+    struct Added final : ForwardingPort {
+        Added(Port& next, unsigned axis) : ForwardingPort(next), axis_(axis) {}
+        double axis_added(unsigned machine_axis) override { return machine_axis == axis_ ? 100.0 : 0.0; }
+        unsigned axis_;
+    };
+    CoreRig rig;
+    Added port(rig.port, rig.view.axes[rig.z].machine_axis);
+    Core core(rig.view, rig.sink, port);
+    core.start_at_machine({});
+    core.path.feed = 100.0;
+    ChannelAxis& axis = rig.view.axes[rig.z];
+    axis.stroke.range1 = true, axis.stroke.a = {-60, 150};
+    rig.view.stroke.before_move = true;
+    core.refresh_limits();
+    AxisValues target = core.path.programmed;
+    target[rig.z] = -150;
+    EXPECT_TRUE(core.linear(target));
+    target[rig.z] = 51;
+    EXPECT_FALSE(core.linear(target));
+    EXPECT_EQ(core.fault().alarm, Alarm::StrokeExceeded);
+    EXPECT_DOUBLE_EQ(core.fault().value0, 151);
 }
 
 TEST(Routes, GoingHomeEndsAllOfIt) {
