@@ -263,7 +263,7 @@ bool Interpreter::g_home(const GCode&) {
         const auto i = static_cast<std::size_t>(place);
         if (modal_.inclined && (place == inclined_place_ || place == orthogonal_place_)) set_inclined(0);
         AxisValues machine = core_.path.machine;
-        machine[i] = view.axes[i].reference_mm[0] + params::get(view.table(), params::fg_refvalue, view.axes[i].machine_axis + 1u);
+        machine[i] = view.axes[i].reference_mm[0];
         if (!core_.reference(machine, 1u << i, MoveKind::Reference)) return false;
     }
     wants_barrier_ = wants_barrier_ || core_.due_at_barrier();   // an axis finds its reference point

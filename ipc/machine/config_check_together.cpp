@@ -15,16 +15,14 @@ constexpr double kMostRounds = 62;   // bits of an encoder of which rounds are c
 
 bool digit_or_capital(std::int64_t code) { return (code >= '0' && code <= '9') || (code >= 'A' && code <= 'Z'); }
 
-// 3.4 to 3.7.
+// 3.4 to 3.7. DIA of a rotary axis and REN of a linear one say nothing (3.4, 3.5): a line without scope sets them everywhere.
 void check_axis_kind(Report& report, unsigned a) {
     const AxisConfig& axis = report.machine.axis(a);
     const auto is = [&](unsigned n) { return bit(report.table, n0106_axis_properties, a, n); };
     const std::string properties = report.line(n0106_axis_properties, a);
     const auto wrong = [&](std::string detail) { report.add(Alarm::ConfigIndex, std::move(detail)); };
-    if (is(0) && is(1)) wrong(properties + ": a rotary axis has no diameter");
     if (is(4) && is(7)) wrong(properties + ": virtual and hypothetical; one has an encoder only, the other nothing at all");
     if (is(4) && get(report.table, n0503_axis_output_address, a) != 0) wrong(properties + " is virtual, but " + report.line(n0503_axis_output_address, a));
-    if (!is(1) && bit(report.table, n0107_rollover_control, a, 0)) wrong(report.line(n0107_rollover_control, a) + ": only a rotary axis rolls over, " + properties);
     if (!is(1) && get(report.table, n0217_polar_intp_comp_amount, a) != 0) wrong(report.line(n0217_polar_intp_comp_amount, a) + ": belongs to the rotary axis, " + properties);
     const bool own_table = bit(report.table, n2500_pitch_comp_contr, a, 3);   // its period is N2510
     if (is(2) && !own_table && get(report.table, n0109_peramount, a) <= 0) report.add(Alarm::ConfigIndex, properties + " is periodic with " + report.line(n0109_peramount, a));

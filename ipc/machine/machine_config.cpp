@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "ipc/machine/reference_position.hpp"
+
 namespace polyturn {
 namespace {
 
@@ -92,7 +94,7 @@ AxisConfig axis_config(const Table& t, unsigned a, const MachineConfig& machine)
 
     const double unit = x.rotary || !assigned ? 1.0 : machine.channel(x.channel).length_unit_mm();
     x.index_step_mm = get(t, n0110_indexing_amount, a) * unit;
-    x.reference_mm = {get(t, n0200_reference_position1, a) * unit, get(t, n0201_reference_position2, a) * unit,
+    x.reference_mm = {reference_position(t, a) * unit, get(t, n0201_reference_position2, a) * unit,
                       get(t, n0202_reference_position3, a) * unit, get(t, n0203_reference_position4, a) * unit};
     x.limits = axis_limits(t, a, unit);
     x.stroke = {bit(t, n1000_range_enable, a, 0), get(t, n1002_range1a_positive, a) * unit, get(t, n1003_range1a_negative, a) * unit,
@@ -138,15 +140,6 @@ void assign_slots(MachineConfig& machine) noexcept {
     }
 }
 
-// MEFI constants 80 to 85: where the channel's first to sixth axis stands when it has been referenced. 0: N0200 says it.
-void take_mefi_references(MachineConfig& machine, const Table& t) noexcept {
-    for (AxisConfig& x : machine.axes) {
-        if (!x.exists() || x.channel == 0 || x.name[0] == 0 || x.slot >= 6) continue;
-        const double unit = x.rotary ? 1.0 : machine.channel(x.channel).length_unit_mm();
-        if (const double xr = get(t, nth(mefi_80, x.slot + 1u), x.channel); xr != 0) x.reference_mm[0] = xr * unit;
-    }
-}
-
 // A C axis and its spindle are one motor: they carry the same output address (part 1, 7.1).
 void find_shared_drives(MachineConfig& machine, const Table& t) noexcept {
     for (AxisConfig& x : machine.axes) {
@@ -177,7 +170,6 @@ MachineConfig derive_machine_config(const Table& table) noexcept {
     for (unsigned a = 1; a <= kMaxAxes; ++a) m.axes[a - 1] = axis_config(table, a, m);
     for (unsigned s = 1; s <= kMaxSpindles; ++s) m.spindles[s - 1] = spindle_config(table, s);
     assign_slots(m);
-    take_mefi_references(m, table);
     find_shared_drives(m, table);
     m.channel_count = count_and_last(m.channels, m.last_channel);
     m.axis_count = count_and_last(m.axes, m.last_axis);

@@ -38,7 +38,7 @@ AxisConfig read_axis(const p::Table& t, unsigned a) {
     axis.channel = assigned >= 1 && assigned <= static_cast<std::int64_t>(kMaxChannels) ? static_cast<std::uint32_t>(assigned) : 0;
     axis.exists = axis.channel != 0 && !hypothetical;
     axis.rotary = p::bit(t, p::n0106_axis_properties, a, 1);
-    axis.diameter = p::bit(t, p::n0106_axis_properties, a, 0);
+    axis.diameter = p::bit(t, p::n0106_axis_properties, a, 0) && !axis.rotary;
     // Parameters are in the machine's unit (1.3): inch only for linear axes of a channel with IND.
     const bool inch = axis.channel && !axis.rotary && p::bit(t, p::n0104_unit_of_measure, axis.channel, 0);
     const double unit = inch ? kMmPerInch : 1.0;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ipc/machine/reference_position.hpp"
+
 namespace polyturn::kernel {
 
 ServoConfig read_servo(const params::Table& t, unsigned a, double unit) noexcept {
@@ -90,7 +92,7 @@ ReferenceConfig read_reference(const params::Table& t, unsigned a, double unit) 
     r.pulse_distance = get(t, n0904_zerodis, a) * unit;
     r.periods = static_cast<double>(get(t, n0905_basdist, a));
     r.shift = get(t, n0906_reference_shift, a) * unit;
-    r.position = get(t, n0200_reference_position1, a) * unit;
+    r.position = reference_position(t, a) * unit;
     r.encoder_zero = get(t, n0907_endat_machine_reference, a) * unit;
     if (r.absolute && !r.floating) r.encoder_bits = static_cast<unsigned>(get(t, n0524_endat_resolution, a));
     r.keeps_rounds = bit(t, n0900_reference_type, a, 6);

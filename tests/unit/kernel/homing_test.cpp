@@ -115,6 +115,20 @@ TEST(Homing, ThePulseMustLieInTheMiddleHalfBehindTheSwitch) {
     EXPECT_TRUE(moved.axis().referenced);
 }
 
+TEST(Homing, AMefiConstantSaysWhereItStands) {   // mefi_cnc8x6.md 4.1: the position memory is loaded with XR
+    Bench b(0x83, [](Table& t) { params::put(t, params::mefi_80, 30.5, 1); });
+    b.decsw(1);
+    b.press();
+    b.rig.run_until_idle();
+    EXPECT_TRUE(b.axis().referenced);
+    EXPECT_NEAR(b.rig.position(1), 30.5, 0.1);
+    Bench fagor(0x83, [](Table& t) { params::put(t, params::fg_refvalue, 7, 1); });   // REFVALUE beside N0200
+    fagor.decsw(1);
+    fagor.press();
+    fagor.rig.run_until_idle();
+    EXPECT_NEAR(fagor.rig.position(1), 19, 0.1);
+}
+
 TEST(Homing, WithGosThePulseIsSoughtFromTheSwitchOnAndNoWindowIsChecked) {
     Bench b(0x83);
     b.decsw(1);

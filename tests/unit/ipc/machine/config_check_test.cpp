@@ -107,10 +107,8 @@ const Row kRows[] = {
     {{"N0817 S3=65", "N0817 S4=65"}, Alarm::ConfigSpindleName, "N0817 S4=65"},
     {{"N0421#0 L1=1", "N1337#0 L1=1"}, Alarm::ConfigRapidOverlap, "N0421 L1"},
     // Kinds of axes that exclude each other: part 1, 3.4 to 3.7, 4.4.
-    {{"N0106 A5=00000011"}, Alarm::ConfigIndex, "N0106 A5"},
     {{"N0106 A2=10010000", "N0503 A2=0"}, Alarm::ConfigIndex, "N0106 A2"},
     {{"N0106 A2=00010000"}, Alarm::ConfigIndex, "N0503 A2=2"},
-    {{"N0107 A2=1"}, Alarm::ConfigIndex, "N0107 A2"},
     {{"N0217 A2=0.5"}, Alarm::ConfigIndex, "N0217 A2=0.5"},
     {{"N0106#2 A2=1", "N0109 A2=0"}, Alarm::ConfigIndex, "N0109 A2=0"},
     {{"N0106#3 A5=1", "N0110 A5=5", "N0516 A5=2.5"}, Alarm::ConfigIndex, "N0516 A5=2.5"},
@@ -192,6 +190,7 @@ TEST(MachineCheck, LetsPassWhatTheSpecificationAllows) {
         {"N0106 A6=10000010", "N0400 A6=0", "N0503 A6=1"},     // hypothetical: no drive of its own
         {"N1000 A2=0", "N1002 A2=-900"},                       // a range that is not watched
         {"N0604 L2=0", "N0687 L2=0"},                          // none
+        {"N0106#0=1", "N0107=1"},                              // of every axis: DIA counts for linear ones, REN for rotary ones (part 1, 3.4, 3.5)
         {"N3106 L1=1", "N3107 L1=2", "N3205 L1=4", "N3206 L1=20", "N1413 L1=3", "N2923 L1=555", "N0682 S1=10"},   // at what they may be
         {"N2500 A5=5", "N2501 A5=10", "N2502 A5=10000", "N2503 A5=10000", "N2504 A5=10036", "N2506 A5=360"},
     };
