@@ -92,7 +92,8 @@ QString timeText(double seconds) {
 QString lengthText(double value, unsigned decimals) {
     if (!std::isfinite(value)) return QString::fromUtf8("–");
     const QString out = QString::number(value, 'f', static_cast<int>(decimals));
-    return out.startsWith('-') && out.toDouble() == 0.0 ? out.mid(1) : out;   // no -0.000
+    const auto counts = [](QChar c) { return c >= '1' && c <= '9'; };
+    return out.startsWith('-') && std::none_of(out.begin(), out.end(), counts) ? out.mid(1) : out;   // no -0.000
 }
 
 double inTable(const AxisConfig& axis, double trueValue) { return axis.offset_diameter && !axis.rotary ? 2 * trueValue : trueValue; }

@@ -55,7 +55,7 @@ void CuttingScene::add(unsigned channel, double z, double x, bool rapid) {
     if (trail.open) {
         const TrailPoint& last = trail.points.back();
         if (std::hypot(z - last.z, x - last.x) < kLeastWay) return;
-        if (!rapid) stock.cut((last.z - zero_.z) * zero_.sense, std::abs(last.x - zero_.x), (z - zero_.z) * zero_.sense, std::abs(x - zero_.x)), cut = true;
+        if (!rapid) stock.cut((last.z - zero_.z) * zero_.sense, std::abs(last.x - zero_.x), (z - zero_.z) * zero_.sense, std::abs(x - zero_.x)), cut = cut || stock.any();
     }
     trail.points.push_back({z, x, rapid, !trail.open});
     if (trail.points.size() > kMostPoints) trail.points.pop_front(), trail.drawn -= trail.drawn > 0;

@@ -21,6 +21,7 @@ constexpr double kSlowest = 1, kFastest = 64;
 
 Graphics::Graphics(Desk& desk) : Screen(desk), head_(new FreeSheet(this)) {
     setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_OpaquePaintEvent);
     head_->onCompose = [this](Writer& w) {
         const Theme& t = theme();
         w.fill(QRectF(0, 0, head_->width(), head_->height()), t.window);
@@ -287,19 +288,7 @@ void Graphics::turnTo(int page) {
 }
 
 void Graphics::refresh() {
-    if (dry_) {
-        // Carriers of the run, not of the machine: its axes were set when it was played; those it does not move stand where they are.
-        std::vector<ShownBody> before = std::move(bodies_);
-        bodies_ = room_.bodies(now_);
-        for (const ShownBody& one : before) update(bodyBox(one).toAlignedRect());
-    } else {
-        const std::vector<ShownBody> before = std::move(bodies_);
-        bodies_ = room_.bodies(now_);
-        for (std::size_t i = 0; i < bodies_.size(); ++i) {
-            const bool same = i < before.size() && before[i].at.x == bodies_[i].at.x && before[i].at.z == bodies_[i].at.z && before[i].inWork == bodies_[i].inWork && before[i].held == bodies_[i].held;
-            if (!same) update(bodyBox(bodies_[i]).toAlignedRect() | (i < before.size() ? bodyBox(before[i]).toAlignedRect() : QRect()));
-        }
-    }
+    bodies_ = room_.bodies(now_);   // of a run: its axes were set when it was played; those it does not move stand where they are
     head_->refresh();
     if (std::vector<ShownStroke> strokes = shownStrokes(desk_.live, room_, now_); !(strokes == strokes_)) strokes_ = std::move(strokes), redraw_ = true;
     CuttingScene& scene = shown();
@@ -313,17 +302,18 @@ void Graphics::refresh() {
         picture_.setDevicePixelRatio(ratio);
         measure();
         drawRoom();
+        takeLooks();
         update(0, head_->height(), width(), height() - head_->height());
         return;
     }
-    // What has been added since the last frame, and the tips where they were and where they are.
+    // What has been added since the last frame, and what moves, where it was and where it is.
+    QRegion changed = takeLooks();
     QPainter p(&picture_);
     p.setRenderHint(QPainter::Antialiasing);
     p.setClipRect(QRectF(px(8), head_->height(), width() - px(16), height() - head_->height() - px(8)));
-    for (auto& [channel, trail] : scene.trails) {
-        if (trail.drawn == trail.points.size()) continue;
-        update((drawTrail(p, channel, trail) | tipBox(trail)).adjusted(-px(40), -px(40), px(40), px(40)).toAlignedRect());
-    }
+    for (auto& [channel, trail] : scene.trails)
+        if (trail.drawn != trail.points.size()) changed |= drawTrail(p, channel, trail).toAlignedRect();
+    if (!changed.isEmpty()) update(changed);
 }
 
 std::vector<SoftKey> Graphics::keys() {

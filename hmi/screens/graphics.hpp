@@ -6,6 +6,7 @@
 #include <QElapsedTimer>
 #include <QPixmap>
 #include <QPointF>
+#include <QRegion>
 #include <memory>
 
 #include "hmi/app/screen.hpp"
@@ -65,17 +66,44 @@ private:
     void playTo(double seconds);
     void look(bool machine);
     void turnPage(double z, double x);     // the picture moves by parts of its size
+    // What is drawn of a body and of a tip: two that are equal are the same pixels.
+    struct BodyLook {
+        struct Filled {
+            QRectF box;
+            int opacity = 0;
+            bool operator==(const Filled&) const = default;
+        };
+        std::vector<Filled> boxes;
+        QColor colour, ink;
+        bool carrier = false, hatched = false, broken = false, held = false;
+        QRectF seat, label;                // null: none
+        QPointF from, to;                  // of the tool, where it has no box; equal: none
+        QString text;
+        bool operator==(const BodyLook&) const = default;
+        double pen() const;
+        QRegion pixels() const;
+        QRegion differing(const BodyLook& before) const;   // all pixels that may be other ones
+    };
+    struct TipLook {
+        QPointF at;
+        double side = 1;
+        QRectF label;
+        QString text;
+        bool operator==(const TipLook&) const = default;
+        QRect pixels() const;
+    };
     // graphics_picture.cpp
     QPointF place(double z, double x) const;
     QRectF boxOf(const RoomBodies::Box& box) const;
     void measure();                        // what place() works with
     void drawRoom();                       // the whole picture but for what moves
     void drawPart(QPainter& p);
-    void drawBody(QPainter& p, const ShownBody& body);
+    BodyLook lookOf(const ShownBody& body) const;
+    TipLook lookOf(unsigned channel, const Trail& trail) const;
+    QRegion takeLooks();                   // as everything stands now; what must be painted again
+    void drawBody(QPainter& p, const BodyLook& body);
     void drawStrokes(QPainter& p, const QRectF& area);
-    QRectF bodyBox(const ShownBody& body) const;
     QRectF drawTrail(QPainter& p, unsigned channel, Trail& trail);   // what is new in it; its place
-    QRectF tipBox(const Trail& trail) const;
     double aside(unsigned channel) const;  // to which side of the spindle axis its tip is drawn: 1 up, -1 down
     QString nameOf(const ShownBody& body) const;
 
@@ -100,6 +128,8 @@ private:
     std::map<unsigned, Played> dryAt_;
     QElapsedTimer clock_;
     QPixmap picture_;
+    std::vector<BodyLook> bodyLooks_;
+    std::map<unsigned, TipLook> tipLooks_;
     bool redraw_ = true;
     double zoom_ = 1;
     QPointF moved_, drag_, centre_, origin_;   // moved_: parts of the picture

@@ -8,6 +8,7 @@
 #include "hmi/screens/graphics.hpp"
 #include "hmi/screens/graphics_look.hpp"
 #include "hmi/widgets/painted.hpp"
+#include "hmi/widgets/set_words.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -66,20 +67,6 @@ QString Graphics::nameOf(const ShownBody& body) const {
     return word("Turret L%1").arg(body.number);
 }
 
-QRectF Graphics::tipBox(const Trail& trail) const {
-    if (trail.points.empty()) return {};
-    return QRectF(place(trail.points.back().z, trail.points.back().x), QSizeF(0, 0)).adjusted(-px(20), -px(44), px(110), px(44));
-}
-
-// Everything that drawBody() may touch.
-QRectF Graphics::bodyBox(const ShownBody& body) const {
-    QRectF box(place(body.at.z, body.at.x), QSizeF(1, 1));
-    for (const auto& one : body.boxes) box |= boxOf(one).normalized();
-    if (body.tipKnown) box |= QRectF(place(body.tip.z, body.tip.x), QSizeF(1, 1));
-    if (body.reach > 0) box |= QRectF(place(body.at.z - body.reach * 2, body.at.x + body.reach * 2.5), place(body.at.z + body.reach * 2, body.at.x - body.reach * 2.5));
-    return box.adjusted(-px(130), -px(30), px(220), px(30));
-}
-
 // From the last point that is in the picture on.
 QRectF Graphics::drawTrail(QPainter& p, unsigned channel, Trail& trail) {
     if (trail.points.empty()) return {};
@@ -103,92 +90,166 @@ QRectF Graphics::drawTrail(QPainter& p, unsigned channel, Trail& trail) {
     return (cut.boundingRect() | rapid.boundingRect()).adjusted(-px(4), -px(4), px(4), px(4));
 }
 
-// What is guarded has a whole outline, what is only drawn a broken one; a zone of N1900 to N1914 is hatched; what protection holds is red and says so.
-void Graphics::drawBody(QPainter& p, const ShownBody& body) {
-    const Theme& t = theme();
-    const bool carrier = body.kind == RoomBodies::Kind::Carrier;
-    const QColor colour = body.held ? t.bad : carrier ? colourOf(body.number) : t.dim;
-    QColor filled = colour;
-    filled.setAlpha(body.barrier ? 70 : 48);
-    const QPen pen(colour, body.held ? px(3) : px(1.6), body.guarded || body.barrier ? Qt::SolidLine : Qt::DashLine);
-    QRectF all;
-    p.setPen(pen);
-    const auto draw = [&](const QRectF& box, const QBrush& brush) { p.setBrush(brush), p.drawRoundedRect(box, px(2), px(2)), all |= box; };
-    for (const auto& one : body.boxes) {
-        const bool works = carrier && one.station != 0 && one.station == body.inWork;
-        QColor own = filled;
-        if (works) own.setAlpha(130);
-        draw(boxOf(one).normalized(), QBrush(own, body.barrier ? Qt::BDiagPattern : Qt::SolidPattern));
+double Graphics::BodyLook::pen() const { return held ? px(3) : px(1.6); }
+
+QRegion Graphics::BodyLook::pixels() const {
+    QRegion out;
+    const auto margin = static_cast<int>(pen()) + 2;
+    for (const Filled& one : boxes) out |= one.box.toAlignedRect().adjusted(-margin, -margin, margin, margin);
+    if (!seat.isNull()) out |= seat.toAlignedRect().adjusted(-margin, -margin, margin, margin);
+    if (from != to) out |= QRectF(from, to).normalized().toAlignedRect().adjusted(-px(4), -px(4), px(4), px(4));
+    if (!label.isNull()) out |= label.toAlignedRect().adjusted(-1, -1, 1, 1);
+    return out;
+}
+
+// A box that has moved by little is filled as before in its middle: there is nothing to paint again.
+QRegion Graphics::BodyLook::differing(const BodyLook& before) const {
+    if (*this == before) return {};
+    if (colour != before.colour || ink != before.ink || hatched != before.hatched || broken != before.broken || held != before.held || boxes.size() != before.boxes.size()) return pixels() | before.pixels();
+    const auto margin = static_cast<int>(pen()) + px(2) + 2;   // the line and its round corners
+    BodyLook now = *this, then = before;
+    QRegion out;
+    now.boxes.clear(), then.boxes.clear();
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (boxes[i] == before.boxes[i]) continue;
+        const QRect a = boxes[i].box.toAlignedRect(), b = before.boxes[i].box.toAlignedRect();
+        QRegion own = QRegion(a.adjusted(-margin, -margin, margin, margin)) | b.adjusted(-margin, -margin, margin, margin);
+        if (boxes[i].opacity == before.boxes[i].opacity) own -= a.adjusted(margin, margin, -margin, -margin) & b.adjusted(margin, margin, -margin, -margin);
+        out |= own;
     }
-    if (carrier && body.boxes.empty() && body.reach > 0) {
+    if (seat == before.seat) now.seat = then.seat = {};
+    if (from == before.from && to == before.to) now.from = now.to = then.from = then.to = {};
+    if (label == before.label && text == before.text) now.label = then.label = {};
+    return out | now.pixels() | then.pixels();
+}
+
+// What is guarded has a whole outline, what is only drawn a broken one; a zone of N1900 to N1914 is hatched; what protection holds is red and says so.
+Graphics::BodyLook Graphics::lookOf(const ShownBody& body) const {
+    const Theme& t = theme();
+    BodyLook out;
+    out.carrier = body.kind == RoomBodies::Kind::Carrier, out.hatched = body.barrier, out.broken = !body.guarded && !body.barrier, out.held = body.held;
+    out.colour = body.held ? t.bad : out.carrier ? colourOf(body.number) : t.dim;
+    out.ink = body.held ? t.bad : out.carrier ? out.colour : t.text;
+    const int filled = body.barrier ? 70 : 48;
+    QRectF all;
+    const auto add = [&](const QRectF& box, int opacity) { out.boxes.push_back({box, opacity}), all |= box; };
+    bool drawn = false;
+    for (const auto& one : body.boxes) {
+        const bool inWork = one.station != 0 && one.station == body.inWork;
+        drawn |= inWork;
+        add(boxOf(one).normalized(), out.carrier && inWork ? 130 : filled);
+    }
+    if (out.carrier && body.boxes.empty() && body.reach > 0) {
         // Only its axis and its seats are known: a disc, seen from the side, behind the seat in work.
         const double axis = body.axisAt, wide = body.reach * kSketchWide;
         const double a = axis + body.outwards * body.reach, b = axis - body.outwards * body.reach;
         const QRectF disc = body.alongX ? QRectF(place(body.at.z, body.at.x + std::max(a, b)), place(body.at.z + wide, body.at.x + std::min(a, b)))
                                         : QRectF(place(body.at.z + std::min(a, b), body.at.x + wide), place(body.at.z + std::max(a, b), body.at.x));
-        draw(disc.normalized(), filled);
+        add(disc.normalized(), filled);
     }
-    if (carrier) {
+    if (out.carrier) {
         const QPointF seat = place(body.at.z, body.at.x);
-        p.setPen(QPen(colour, px(1.6)));
-        p.setBrush(Qt::NoBrush);
-        p.drawEllipse(seat, px(5), px(5));
-        all |= QRectF(seat, QSizeF(0, 0)).adjusted(-px(5), -px(5), px(5), px(5));
-        bool drawn = false;
-        for (const auto& one : body.boxes) drawn |= one.station != 0 && one.station == body.inWork;
-        if (body.tipKnown && !drawn) p.setPen(QPen(colour, px(4), Qt::SolidLine, Qt::RoundCap)), p.drawLine(seat, place(body.tip.z, body.tip.x));
+        out.seat = QRectF(seat, QSizeF(0, 0)).adjusted(-px(5), -px(5), px(5), px(5));
+        all |= out.seat;
+        if (body.tipKnown && !drawn) out.from = seat, out.to = place(body.tip.z, body.tip.x);
     }
-    if (all.isEmpty()) return;
     const QRectF area(px(8), head_->height(), width() - px(16), height() - head_->height() - px(8)), seen = all.intersected(area);
-    if (seen.isEmpty()) return;
-    QString text = nameOf(body);
-    if (body.held) text += "  " + word("held by protection");
-    p.setFont(lettering(13.5, true));
-    const QFontMetricsF metrics(p.font());
-    const double wide = metrics.horizontalAdvance(text) + px(12), high = metrics.height() + px(2);
-    QRectF label(std::clamp(seen.center().x() - wide / 2, area.left() + px(4), area.right() - wide - px(4)), 0, wide, high);
-    label.moveTop(carrier && aside(body.number) < 0 ? seen.bottom() - high - px(4) : seen.top() + px(4));
-    QColor paper = t.card;
+    if (all.isEmpty() || seen.isEmpty()) return out;
+    out.text = nameOf(body);
+    if (body.held) out.text += "  " + word("held by protection");
+    const QFont font = lettering(13.5, true);
+    const double wide = wordsWidth(out.text, font) + px(12), high = QFontMetricsF(font).height() + px(2);
+    out.label = QRectF(std::clamp(seen.center().x() - wide / 2, area.left() + px(4), area.right() - wide - px(4)), 0, wide, high);
+    out.label.moveTop(out.carrier && aside(body.number) < 0 ? seen.bottom() - high - px(4) : seen.top() + px(4));
+    return out;
+}
+
+void Graphics::drawBody(QPainter& p, const BodyLook& body) {
+    for (const auto& [box, opacity] : body.boxes) {
+        QColor filled = body.colour;
+        filled.setAlpha(opacity);
+        p.setPen(QPen(body.colour, body.pen(), body.broken ? Qt::DashLine : Qt::SolidLine)), p.setBrush(QBrush(filled, body.hatched ? Qt::BDiagPattern : Qt::SolidPattern));
+        p.drawRoundedRect(box, px(2), px(2));
+    }
+    if (!body.seat.isNull()) {
+        p.setPen(QPen(body.colour, px(1.6)));
+        p.setBrush(Qt::NoBrush);
+        p.drawEllipse(body.seat);
+    }
+    if (body.from != body.to) p.setPen(QPen(body.colour, px(4), Qt::SolidLine, Qt::RoundCap)), p.drawLine(body.from, body.to);
+    if (body.label.isNull()) return;
+    QColor paper = theme().card;
     paper.setAlpha(225);
     p.setPen(Qt::NoPen), p.setBrush(paper);
-    p.drawRoundedRect(label, px(4), px(4));
-    p.setPen(body.held ? t.bad : carrier ? colour : t.text);
-    paintWords(p, label, Qt::AlignCenter, text);
+    p.drawRoundedRect(body.label, px(4), px(4));
+    p.setPen(body.ink), p.setFont(lettering(13.5, true));
+    paintWords(p, body.label, Qt::AlignCenter, body.text);
+}
+
+Graphics::TipLook Graphics::lookOf(unsigned channel, const Trail& trail) const {
+    TipLook out;
+    out.at = place(trail.points.back().z, trail.points.back().x), out.side = aside(channel);
+    const ChannelView& view = desk_.live.view(channel);
+    const std::int64_t tool = dry_ ? static_cast<std::int64_t>(now_.turrets[channel - 1].station) : view.known ? view.picture.tool : 0;
+    out.text = tool > 0 ? QString("L%1 T%2").arg(channel).arg(tool) : QString("L%1").arg(channel);
+    const QFont font = lettering(15, true);
+    out.label = QRectF(0, 0, wordsWidth(out.text, font) + px(10), QFontMetricsF(font).height());
+    out.label.moveCenter(out.at + QPointF(px(20) + out.label.width() / 2, out.side * px(16)));   // on the side where no tool is
+    return out;
+}
+
+QRect Graphics::TipLook::pixels() const {
+    const double size = px(13);
+    return (QRectF(at, at + QPointF(size, -side * size)).normalized() | label).toAlignedRect().adjusted(-2, -2, 2, 2);
+}
+
+QRegion Graphics::takeLooks() {
+    QRegion out;
+    std::vector<BodyLook> bodies;
+    for (const bool carriers : {false, true})   // carriers are drawn over what stands
+        for (const ShownBody& body : bodies_)
+            if ((body.kind == RoomBodies::Kind::Carrier) == carriers) bodies.push_back(lookOf(body));
+    for (std::size_t i = 0; i < std::max(bodies.size(), bodyLooks_.size()); ++i)
+        out |= i >= bodies.size() ? bodyLooks_[i].pixels() : i >= bodyLooks_.size() ? bodies[i].pixels() : bodies[i].differing(bodyLooks_[i]);
+    bodyLooks_ = std::move(bodies);
+    std::map<unsigned, TipLook> tips;
+    for (const auto& [channel, trail] : shown().trails)
+        if (!trail.points.empty()) tips.emplace(channel, lookOf(channel, trail));
+    for (const auto& [channel, tip] : tips)
+        if (const auto before = tipLooks_.find(channel); before == tipLooks_.end() || !(before->second == tip)) out |= tip.pixels();
+    for (const auto& [channel, tip] : tipLooks_)
+        if (const auto now = tips.find(channel); now == tips.end() || !(now->second == tip)) out |= tip.pixels();
+    tipLooks_ = std::move(tips);
+    return out;
 }
 
 // What moves, over the picture, where something has changed.
 void Graphics::paintEvent(QPaintEvent* event) {
     const Theme& t = theme();
+    const QRegion& region = event->region();
     QPainter p(this);
-    p.setClipRegion(event->region());
     p.setRenderHint(QPainter::Antialiasing);
     if (picture_.isNull()) return p.fillRect(rect(), t.window);
-    p.drawPixmap(0, 0, picture_);
-    p.setClipRegion(event->region().intersected(QRect(px(8), head_->height(), width() - px(16), height() - head_->height() - px(8))));
-    for (const bool carriers : {false, true})
-        for (const ShownBody& body : bodies_)
-            if ((body.kind == RoomBodies::Kind::Carrier) == carriers && event->region().intersects(bodyBox(body).toAlignedRect())) drawBody(p, body);
-    for (const auto& [channel, trail] : shown().trails) {
-        if (trail.points.empty() || !event->region().intersects(tipBox(trail).toAlignedRect())) continue;
-        const double side = aside(channel), size = px(13);
-        const QPointF tip = place(trail.points.back().z, trail.points.back().x);
+    const double ratio = picture_.devicePixelRatio();
+    for (const QRect& one : region) {   // one by one: a large piece under a clip of many would go through all of it
+        p.setClipRect(one);
+        p.drawPixmap(one, picture_, QRectF(one.x() * ratio, one.y() * ratio, one.width() * ratio, one.height() * ratio).toAlignedRect());
+    }
+    p.setClipRegion(region.intersected(QRect(px(8), head_->height(), width() - px(16), height() - head_->height() - px(8))));
+    for (const BodyLook& body : bodyLooks_)
+        if (region.intersects(body.pixels().boundingRect())) drawBody(p, body);
+    for (const auto& [channel, tip] : tipLooks_) {
+        if (!region.intersects(tip.pixels())) continue;
+        const double size = px(13);
         p.setPen(QPen(t.window, 1));
         p.setBrush(colourOf(channel));
-        p.drawPolygon(QPolygonF({tip, tip + QPointF(size * 0.35, -side * size), tip + QPointF(size, -side * size * 0.35)}));
-        p.setFont(lettering(15, true));
-        const unsigned station = now_.turrets[channel - 1].station;
-        const ChannelView& view = desk_.live.view(channel);
-        const std::int64_t tool = dry_ ? static_cast<std::int64_t>(station) : view.known ? view.picture.tool : 0;
-        const QString text = tool > 0 ? QString("L%1 T%2").arg(channel).arg(tool) : QString("L%1").arg(channel);
-        const QFontMetricsF metrics(p.font());
-        QRectF label(0, 0, metrics.horizontalAdvance(text) + px(10), metrics.height());
-        label.moveCenter(tip + QPointF(px(20) + label.width() / 2, side * px(16)));   // on the side where no tool is
+        p.drawPolygon(QPolygonF({tip.at, tip.at + QPointF(size * 0.35, -tip.side * size), tip.at + QPointF(size, -tip.side * size * 0.35)}));
         QColor paper = t.card;
         paper.setAlpha(215);
         p.setPen(Qt::NoPen), p.setBrush(paper);
-        p.drawRoundedRect(label, px(3), px(3));
-        p.setPen(t.text);
-        paintWords(p, label, Qt::AlignCenter, text);
+        p.drawRoundedRect(tip.label, px(3), px(3));
+        p.setPen(t.text), p.setFont(lettering(15, true));
+        paintWords(p, tip.label, Qt::AlignCenter, tip.text);
     }
 }
 

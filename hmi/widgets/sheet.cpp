@@ -10,6 +10,8 @@
 #include <cmath>
 #include <map>
 
+#include "hmi/widgets/set_words.hpp"
+
 namespace polyturn::hmi {
 namespace {
 
@@ -24,73 +26,114 @@ public:
         if (glyphs.size() != all.size() || advances.size() != all.size()) return;
         for (int i = 0; i < all.size(); ++i) glyph_[all[i].unicode()] = glyphs[i], advance_[all[i].unicode()] = advances[i].x(), has_[all[i].unicode()] = true;
     }
-    // False: there is more in it than a number, or it does not fit.
-    bool paint(QPainter& p, const Item& item) const {
-        if (item.text.size() > 24) return false;
+    // Negative: there is more in it than a number, or it does not fit.
+    double width(const Item& item) const {
+        if (item.text.size() > kMost) return -1;
         double width = 0;
         for (const QChar c : item.text) {
-            if (c.unicode() >= has_.size() || !has_[c.unicode()]) return false;
+            if (c.unicode() >= has_.size() || !has_[c.unicode()]) return -1;
             width += advance_[c.unicode()];
         }
-        if (width > item.box.width() + 0.5) return false;
-        QList<quint32> glyphs;
-        QList<QPointF> places;
-        glyphs.reserve(item.text.size()), places.reserve(item.text.size());
-        double x = 0;
-        for (const QChar c : item.text) glyphs << glyph_[c.unicode()], places << QPointF(x, 0), x += advance_[c.unicode()];
-        QGlyphRun run;
-        run.setRawFont(raw_), run.setGlyphIndexes(glyphs), run.setPositions(places);
+        return width > item.box.width() + 0.5 ? -1 : width;
+    }
+    // Where it begins: left, and its line.
+    QPointF begin(const Item& item, double width) const {
         const double left = item.align & Qt::AlignRight ? item.box.right() - width : item.align & Qt::AlignHCenter ? item.box.center().x() - width / 2 : item.box.left();
         const double high = raw_.ascent() + raw_.descent();
         const double top = item.align & Qt::AlignTop ? item.box.top() : item.align & Qt::AlignBottom ? item.box.bottom() - high : item.box.center().y() - high / 2;
-        p.drawGlyphRun(QPointF(std::round(left), std::round(top + raw_.ascent())), run);
-        return true;
+        return {std::round(left), std::round(top + raw_.ascent())};
+    }
+    // What of it has ink in the area.
+    void paint(QPainter& p, const Item& item, double width, const QRect& area) const {
+        const QPointF at = begin(item, width);
+        if (at.y() + raw_.descent() + 1 < area.top() || at.y() - raw_.ascent() - 1 > area.bottom() + 1) return;
+        std::array<quint32, kMost> glyphs;
+        std::array<QPointF, kMost> places;
+        const double aside = beside(item);
+        double x = 0;
+        int count = 0;
+        for (const QChar c : item.text) {
+            const double advance = advance_[c.unicode()];
+            if (at.x() + x + advance + aside >= area.left() && at.x() + x - aside <= area.right() + 1) glyphs[static_cast<std::size_t>(count)] = glyph_[c.unicode()], places[static_cast<std::size_t>(count++)] = QPointF(x, 0);
+            x += advance;
+        }
+        if (count == 0) return;
+        QGlyphRun run;
+        run.setRawFont(raw_), run.setRawData(glyphs.data(), places.data(), count);
+        p.drawGlyphRun(at, run);
+    }
+    // What is other ink when one number stands where another one stood: from the first digit that differs on.
+    QRectF changed(const Item& before, double widthBefore, const Item& now, double widthNow) const {
+        const QPointF a = begin(before, widthBefore), b = begin(now, widthNow);
+        double from = std::min(a.x(), b.x());
+        if (a == b)
+            for (qsizetype i = 0; i < std::min(before.text.size(), now.text.size()) && before.text[i] == now.text[i]; ++i) from += advance_[now.text[i].unicode()];
+        const double margin = beside(now);
+        return QRectF(QPointF(from - margin, std::min(a.y(), b.y()) - raw_.ascent() - 1), QPointF(std::max(a.x() + widthBefore, b.x() + widthNow) + margin, std::max(a.y(), b.y()) + raw_.descent() + 1));
     }
 
 private:
+    static constexpr int kMost = 24;
+    static double beside(const Item& item) { return item.font.pixelSize() / 8.0 + 2; }   // ink beyond the advance
     QRawFont raw_;
     std::array<quint32, 128> glyph_{};
     std::array<double, 128> advance_{};
     std::array<bool, 128> has_{};
 };
 
-bool paintNumber(QPainter& p, const Item& item) {
-    if (item.text.isEmpty()) return true;
+// Null: it does not begin like a number.
+const NumberGlyphs* numberGlyphs(const Item& item) {
+    if (item.text.isEmpty()) return nullptr;
     const QChar first = item.text[0];
-    if (!first.isDigit() && first != '-' && first != '+' && first != '.') return false;
+    if (!first.isDigit() && first != '-' && first != '+' && first != '.') return nullptr;
     static std::map<std::tuple<int, int, QString>, NumberGlyphs> made;
     const std::tuple<int, int, QString> key{item.font.pixelSize(), item.font.weight(), item.font.family()};
     auto at = made.find(key);
     if (at == made.end()) at = made.emplace(key, NumberGlyphs(item.font)).first;
-    return at->second.paint(p, item);
+    return &at->second;
 }
 
 bool fits(const Item& item) {
-    // No letter is wider than its font is high, but for some signs.
-    if (!item.wraps && item.text.size() * item.font.pixelSize() * 1.1 <= item.box.width()) return true;
-    const QFontMetricsF metrics(item.font);
-    if (item.wraps) return metrics.boundingRect(item.box, item.align | Qt::TextWordWrap, item.text).height() <= item.box.height() + 1.5;
-    return metrics.horizontalAdvance(item.text) <= item.box.width() + 0.5;
+    if (item.wraps) return QFontMetricsF(item.font).boundingRect(item.box, item.align | Qt::TextWordWrap, item.text).height() <= item.box.height() + 1.5;
+    return setWords(item.text, item.font, item.box.width(), false).fits;
 }
 
-void paint(QPainter& p, const Item& item) {
+// All of the area lies where a rounded box has its full width or its full height: no corner is in it.
+bool inside(const QRectF& box, double radius, const QRectF& area) { return box.adjusted(radius, 0, -radius, 0).contains(area) || box.adjusted(0, radius, 0, -radius).contains(area); }
+
+// Nothing below it is seen there.
+bool hides(const Item& item, const QRectF& area) { return item.kind == Item::Kind::Fill && item.colour.alpha() == 255 && inside(item.box, item.value, area); }
+
+// In an area that is clipped already.
+void paint(QPainter& p, const Item& item, const QRect& area) {
     switch (item.kind) {
-        case Item::Kind::Text:
+        case Item::Kind::Text: {
             p.setPen(item.colour);
-            p.setFont(item.font);
-            if (item.wraps) p.drawText(item.box, item.align | Qt::TextWordWrap, item.text);
-            else if (paintNumber(p, item)) break;
-            else if (fits(item)) p.drawText(item.box, item.align | Qt::TextSingleLine, item.text);
-            else p.drawText(item.box, item.align | Qt::TextSingleLine, QFontMetricsF(item.font).elidedText(item.text, Qt::ElideRight, item.box.width()));
+            if (!item.wraps)
+                if (const NumberGlyphs* glyphs = numberGlyphs(item))
+                    if (const double width = glyphs->width(item); width >= 0) {
+                        glyphs->paint(p, item, width, area);
+                        break;
+                    }
+            if (item.text.isEmpty()) break;
+            const SetWords& words = setWords(item.text, item.font, item.box.width(), item.wraps);
+            if (wordsBox(item.box, item.align, words).adjusted(-item.font.pixelSize(), -3, item.font.pixelSize(), 3).intersects(area)) paintSetWords(p, item.box, item.align, item.text, item.font, item.wraps);
             break;
+        }
         case Item::Kind::Fill:
-            p.setPen(Qt::NoPen);
-            p.setBrush(item.colour);
-            if (item.value > 0) p.drawRoundedRect(item.box, item.value, item.value);
-            else p.fillRect(item.box, item.colour);
+            if (item.value <= 0) {
+                p.fillRect(item.box, item.colour);
+            } else if (inside(item.box, item.value, area)) {
+                p.fillRect(area, item.colour);
+            } else {
+                p.setPen(Qt::NoPen);
+                p.setBrush(item.colour);
+                p.drawRoundedRect(item.box, item.value, item.value);
+            }
             break;
         case Item::Kind::Frame: {
             const double width = item.align;
+            if (inside(item.box.adjusted(width, width, -width, -width), item.value, area)) break;
             p.setPen(QPen(item.colour, width));
             p.setBrush(Qt::NoBrush);
             p.drawRoundedRect(item.box.adjusted(width / 2, width / 2, -width / 2, -width / 2), item.value, item.value);
@@ -116,6 +159,23 @@ void paint(QPainter& p, const Item& item) {
 }
 
 QRect covered(const Item& item) { return item.box.normalized().adjusted(-2, -2, 2, 2).toAlignedRect(); }
+
+// As covered(), and rather too much; asked for each item and each area.
+bool mayTouch(const Item& item, const QRect& area) {
+    const double x0 = item.box.x(), x1 = x0 + item.box.width(), y0 = item.box.y(), y1 = y0 + item.box.height();
+    return std::min(x0, x1) - 3 <= area.right() + 1 && std::max(x0, x1) + 3 >= area.left() && std::min(y0, y1) - 3 <= area.bottom() + 1 && std::max(y0, y1) + 3 >= area.top();
+}
+
+// What must be painted again: of a number the digits that differ, else all of both.
+QRect differing(const Item& before, const Item& now) {
+    const QRect all = covered(before) | covered(now);
+    if (before.kind != Item::Kind::Text || now.kind != Item::Kind::Text || before.wraps || now.wraps || before.colour != now.colour || before.box != now.box || before.align != now.align || before.font != now.font) return all;
+    const NumberGlyphs *a = numberGlyphs(before), *b = numberGlyphs(now);
+    if (!a || a != b) return all;
+    const double widthBefore = a->width(before), widthNow = a->width(now);
+    if (widthBefore < 0 || widthNow < 0) return all;
+    return a->changed(before, widthBefore, now, widthNow).toAlignedRect();
+}
 
 }  // namespace
 
@@ -178,20 +238,27 @@ void Sheet::refresh() {
     if (next_.size() != items_.size()) {
         update();
     } else {
+        QRegion changed;
         for (std::size_t i = 0; i < next_.size(); ++i)
-            if (!(next_[i] == items_[i])) update(covered(next_[i]) | covered(items_[i]));
+            if (!(next_[i] == items_[i])) changed |= differing(items_[i], next_[i]);
+        if (!changed.isEmpty()) update(changed);
     }
     items_.swap(next_);
 }
 
+// Rectangle by rectangle: a clip of many is slow, and one lies mostly within a single area, so that what is below needs no painting.
 void Sheet::paintEvent(QPaintEvent* event) {
     QPainter p(this);
     p.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
-    const QRegion region = event->region();
-    p.setClipRegion(region);
-    for (const QRect& one : region) p.fillRect(one, theme().window);
-    for (const Item& item : items_)
-        if (region.intersects(covered(item))) paint(p, item);
+    for (const QRect& one : event->region()) {
+        p.setClipRect(one);
+        std::size_t from = items_.size();
+        while (from > 0 && !hides(items_[from - 1], one)) --from;
+        if (from == 0) p.fillRect(one, theme().window);
+        else --from;
+        for (; from < items_.size(); ++from)
+            if (mayTouch(items_[from], one)) paint(p, items_[from], one);
+    }
 }
 
 void Sheet::resizeEvent(QResizeEvent*) { refresh(); }

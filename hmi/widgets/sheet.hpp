@@ -12,11 +12,13 @@
 
 namespace polyturn::hmi {
 
+inline const QFont kPlainFont;   // copied: making one asks the application for its own each time
+
 struct Item {
     enum class Kind : std::uint8_t { Text, Fill, Frame, Sign, Bar, Line } kind = Kind::Text;
     QRectF box;
     QString text;
-    QFont font;
+    QFont font = kPlainFont;
     QColor colour, second;
     int align = Qt::AlignLeft | Qt::AlignVCenter;
     double value = 0.0;        // Bar: part that is full; Fill, Frame: radius of the corners; Line: width

@@ -161,5 +161,52 @@ TEST_F(GraphicsTasks, ADryRunIsPlayedBesideTheMachine) {
     EXPECT_GT(screen.scene().trails.size(), 0u) << "the machine's own paths are still there";
 }
 
+// What is asked to be painted again, over the picture of before, is what is painted anew: bodies, tips, labels and paths leave nothing behind.
+TEST_F(GraphicsTasks, NoStalePixelIsLeftBehindWhatMoves) {
+    Graphics& screen = screenOf<Graphics>();
+    window->showScreen(6);
+    ASSERT_TRUE(g_controller->press("reference all"));
+    startJob();
+    ASSERT_TRUE(waitFor([&] { return screen.bodies().size() >= 4 && !screen.scene().trails.empty(); }, 20));
+    struct Watch : QObject {
+        QRegion asked;
+        bool eventFilter(QObject*, QEvent* event) override {
+            if (event->type() == QEvent::Paint) asked |= static_cast<QPaintEvent*>(event)->region();
+            return false;
+        }
+    } watch;
+    const auto picture = [&](QImage& into, const QRegion& region) { screen.render(&into, region.boundingRect().topLeft(), region, QWidget::RenderFlags()); };
+    for (const char* view : {"part", "machine"}) {
+        screen.restore(view);
+        window->frame();
+        QCoreApplication::sendPostedEvents();
+        QImage shown(screen.size(), QImage::Format_RGB32);
+        shown.fill(Qt::black);
+        picture(shown, screen.rect());
+        screen.installEventFilter(&watch);
+        int few = 0, changed = 0;
+        for (int step = 0; step < 60; ++step) {
+            watch.asked = {};
+            ::usleep(40'000);
+            window->frame();                       // no other frame comes between this picture and that
+            QCoreApplication::sendPostedEvents();
+            const QRegion asked = watch.asked;     // rendering is painting too
+            QImage anew(screen.size(), QImage::Format_RGB32);
+            anew.fill(Qt::black);
+            picture(anew, screen.rect());
+            changed += anew != shown;
+            if (!asked.isEmpty()) picture(shown, asked);
+            int area = 0;
+            for (const QRect& one : asked) area += one.width() * one.height();
+            few += area > 0 && area < screen.width() * screen.height() / 4;
+            ASSERT_EQ(shown, anew) << view << ", step " << step;
+        }
+        screen.removeEventFilter(&watch);
+        EXPECT_GT(changed, 20) << view << ": something moves";
+        EXPECT_GT(few, 20) << view << ": and only that is painted";
+    }
+    g_controller->press("reset");
+}
+
 }  // namespace
 }  // namespace polyturn::hmi

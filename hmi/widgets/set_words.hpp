@@ -1,0 +1,35 @@
+// Words that are set (shaped, broken into lines, shortened) once and painted many times: the same pixels as QPainter::drawText, which
+// shapes them anew each time (tests/unit/hmi/set_words_test.cpp compares both). What changes with each frame are numbers, and those
+// need no shaping (sheet.cpp).
+#pragma once
+#include <QFont>
+#include <QGlyphRun>
+#include <QList>
+#include <QRectF>
+#include <QString>
+
+class QPainter;
+
+namespace polyturn::hmi {
+
+struct SetWords {
+    struct Line {
+        double advance = 0;        // as it is aligned
+        QList<QGlyphRun> glyphs;   // from the place of the first line on
+    };
+    QList<Line> lines;
+    double width = 0, height = 0;
+    bool fits = true;              // in the width it was set for; else shortened
+};
+
+// Of a font, for a box that is so wide; wraps: on several lines. Good until the next call.
+const SetWords& setWords(const QString& text, const QFont& font, double wide, bool wraps);
+// Where they stand in a box.
+QRectF wordsBox(const QRectF& box, int align, const SetWords& words);
+void paintSetLines(QPainter& painter, const QRectF& box, int align, const SetWords& words);
+// With the painter's pen. align: Qt::Alignment. Without wrapping, what does not fit is shortened.
+void paintSetWords(QPainter& painter, const QRectF& box, int align, const QString& text, const QFont& font, bool wraps = false);
+// How wide a line is.
+double wordsWidth(const QString& text, const QFont& font);
+
+}  // namespace polyturn::hmi
