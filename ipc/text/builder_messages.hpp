@@ -4,6 +4,8 @@
 //
 //   number,en,ru,cs,hu,cause,remedy
 //   101,"hydraulics too hot","...","...","...","the cooler is dirty","Clean the cooler."
+//
+// and, where cause and remedy are translated too: cause in ru, cs, hu, remedy in ru, cs, hu.
 #pragma once
 #include <array>
 #include <map>
@@ -18,12 +20,12 @@ namespace polyturn::text {
 enum class MessageLanguage : unsigned char { English, Russian, Czech, Hungarian };
 
 struct BuilderMessage {
-    std::array<std::string, 4> text;   // by MessageLanguage; empty: English serves
-    std::string cause, remedy;
-    std::string_view in(MessageLanguage language) const {
-        const std::string& own = text[static_cast<std::size_t>(language)];
-        return own.empty() ? text[0] : own;
+    std::array<std::string, 4> text, cause, remedy;   // by MessageLanguage; empty: English serves
+    static std::string_view own(const std::array<std::string, 4>& words, MessageLanguage language) {
+        const std::string& one = words[static_cast<std::size_t>(language)];
+        return one.empty() ? words[0] : one;
     }
+    std::string_view in(MessageLanguage language) const { return own(text, language); }
 };
 
 class BuilderMessages {
@@ -33,8 +35,8 @@ public:
     std::vector<Diagnosis> add_file(const std::string& path);
     std::vector<Diagnosis> add(std::string_view content, const std::string& name);
     const BuilderMessage* find(int number) const;
-    // ": text. Cause: ... Remedy": behind the number in an alarm; empty for a number that nobody explains.
-    std::string explain(int number, MessageLanguage language = MessageLanguage::English) const;
+    // ": text; cause: ... Remedy": behind the number in an alarm; empty for a number that nobody explains.
+    std::string explain(int number, MessageLanguage language = MessageLanguage::English, bool remedy = true) const;
 
 private:
     std::map<int, BuilderMessage> messages_;

@@ -51,6 +51,7 @@ void tell_words(const std::string& words) { std::fwrite(words.data(), 1, words.s
 StartSession::StartSession(const StartOptions& options, LoadedMachine machine, RequestServer server)
     : options_(options), loaded_(std::move(machine)), machine_(derive_machine_config(*loaded_.table)), server_(std::move(server)) {
     choose_tongue(params::get_text(*loaded_.table, params::pt_display_language));
+    for (const Diagnosis& wrong : messages_.add_file((std::filesystem::path(loaded_.params_file).parent_path() / "messages.csv").string())) print_diagnosis(wrong, Dialect::Polyturn);
 }
 
 Dialect StartSession::dialect(unsigned channel) const {
@@ -178,15 +179,31 @@ void StartSession::take(const KernelEvent& event) {
             diagnosis.values[0] = event.value;
             diagnosis.detail = event.text.data();
             diagnosis.place.line = event.line;
+            const bool builders = diagnosis.alarm == Alarm::BuilderMessage || diagnosis.alarm == Alarm::BuilderNote;
+            const int number = static_cast<int>(event.value);
+            if (builders) diagnosis.detail = messages_.explain(number, static_cast<text::MessageLanguage>(tongue_now()));
             print_diagnosis(diagnosis, dialect(event.channel));
+            if (builders) diagnosis.detail = messages_.explain(number);   // logs are English
             std::string words = alarm_event(diagnosis, dialect(event.channel), event.channel, t_s);
             words.pop_back();
+            if (builders && messages_.find(number) && words.back() == '}') words.insert(words.size() - 1, ",\"builder\":" + builder_words(number));
             note_alarm(std::move(words), dialect(event.channel), false);
             break;
         }
         default:
             break;
     }
+}
+
+// The machine builder's message in every language: the screens show it in theirs, whichever the controller speaks.
+std::string StartSession::builder_words(int number) const {
+    static constexpr const char* kCodes[] = {"en", "ru", "cs", "hu"};
+    Json out{{"told", messages_.explain(number)}};
+    for (std::size_t i = 0; i < std::size(kCodes); ++i) {
+        const auto language = static_cast<text::MessageLanguage>(i);
+        out[kCodes[i]] = {{"text", messages_.explain(number, language, false)}, {"remedy", text::BuilderMessage::own(messages_.find(number)->remedy, language)}};
+    }
+    return out.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 // The wall's time, and how many resets its channel has had: an alarm stands until the next one.

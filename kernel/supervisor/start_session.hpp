@@ -9,6 +9,7 @@
 
 #include "ipc/machine/load_machine.hpp"
 #include "ipc/machine/machine_config.hpp"
+#include "ipc/text/builder_messages.hpp"
 #include "kernel/supervisor/access.hpp"
 #include "kernel/supervisor/controller.hpp"
 #include "kernel/supervisor/event_joiner.hpp"
@@ -31,6 +32,7 @@ private:
     void drain();
     void take(const KernelEvent& event);
     std::string with_when(std::string event_text) const;
+    std::string builder_words(int number) const;
     void note_alarm(std::string event_text, Dialect dialect, bool tell);
     void process_died(std::size_t slot, int status);
     void revive();
@@ -62,6 +64,7 @@ private:
 
     const StartOptions& options_;
     LoadedMachine loaded_;
+    text::BuilderMessages messages_;
     MachineConfig machine_;
     RequestServer server_;
     std::unique_ptr<Controller> controller_;

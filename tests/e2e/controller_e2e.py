@@ -51,6 +51,23 @@ class Controller(LiveCase):
             self.wait_for(lambda: abs(at() - 50) < 0.005, 5, "the slide to come to rest at 50")   # the program ends before it does
             self.stop(signal.SIGKILL)      # what it had in memory stays there
 
+    def test_a_message_of_the_machines_builder_is_told_with_its_words(self):
+        self.start()
+        self.press("machine_on")
+        self.press("mode", "L1=mdi")
+        self.press("mdi", "L1", "G97", "M3", "S500")
+        self.wait_for(lambda: abs(self.status()["spindles"][0]["speed"]) > 100, 10, "the spindle to turn")
+
+        def told():
+            self.polyturn("press", "--instance", self.name, "mdi", "L1", "M11")   # the spindle's block may not have ended yet
+            time.sleep(0.5)
+            return [a for a in json.loads(self.polyturn("alarms", "--json", "--instance", self.name).out) if a.get("number") == "PT0539"]
+        self.wait_for(told, 15, "the message of the PLC")
+        alarm = told()[0]
+        self.assertIn("the chuck must not open while the spindle turns; cause: M11 before the spindle was stopped. Program M5 before M11.", alarm["text"])
+        self.assertIn("патрон нельзя открыть при вращении шпинделя", alarm["builder"]["ru"]["text"])
+        self.assertEqual(alarm["builder"]["cs"]["remedy"], "Naprogramujte M5 před M11.")
+
     def test_a_parameter_is_on_disk_when_set_returns(self):
         self.start()
         done = self.polyturn("params", "set", "N1600 L1=2.75", "--instance", self.name)

@@ -13,8 +13,11 @@ TEST(BuilderMessages, OfTheBuiltInPlcHaveFourLanguagesCauseAndRemedy) {
         const BuilderMessage* message = messages.find(number);
         ASSERT_NE(message, nullptr);
         for (const std::string& text : message->text) EXPECT_FALSE(text.empty());
-        EXPECT_FALSE(message->cause.empty());
-        EXPECT_FALSE(message->remedy.empty());
+        for (const auto* all : {&message->cause, &message->remedy})
+            for (std::size_t i = 0; i < all->size(); ++i) {
+                EXPECT_FALSE((*all)[i].empty()) << i;
+                if (i) { EXPECT_NE((*all)[i], (*all)[0]); }
+            }
     }
     EXPECT_EQ(messages.find(15), nullptr);
     EXPECT_EQ(messages.explain(15), "");
@@ -25,6 +28,9 @@ TEST(BuilderMessages, OfAFileReplaceAndAdd) {
     EXPECT_TRUE(messages.add("number,en,ru,cs,hu,cause,remedy\n3,\"no pocket, no tool\",,,,,Load it.\n# remark\n101,hot,,horko,,,\n", "m.csv").empty());
     EXPECT_EQ(messages.explain(3), ": no pocket, no tool. Load it.");
     EXPECT_EQ(messages.find(101)->in(MessageLanguage::Czech), "horko");
+    EXPECT_TRUE(messages.add("102,cold,,zima,,frost,Heat it.,,mráz,,,Zatopte.,\n", "m.csv").empty());
+    EXPECT_EQ(messages.explain(102, MessageLanguage::Czech), ": zima; příčina: mráz. Zatopte.");
+    EXPECT_EQ(messages.explain(102, MessageLanguage::Russian, false), ": cold; причина: frost");
     EXPECT_EQ(messages.find(101)->in(MessageLanguage::Hungarian), "hot") << "what is not translated is said in English";
 }
 
