@@ -6,11 +6,16 @@
 #include <QScrollBar>
 #include <QScroller>
 #include <QTextBlock>
+#include <QTextDocumentFragment>
+#include <QTextTable>
 #include <utility>
 
 #include "ipc/text/machine_path.hpp"
 
 namespace polyturn::hmi {
+namespace {
+constexpr int kFirstSlices = 2;   // laid out at once: what is seen first
+}
 
 // Beside the machines in a build tree, below /usr/share/doc where it is installed.
 QString HelpView::folder() {
@@ -40,6 +45,7 @@ HelpView::HelpView(QWidget* parent) : QWidget(parent), head_(new FreeSheet(this)
         const QString file = QFileInfo(url.path()).fileName();
         if (file.endsWith(".md")) intro_.clear(), load(file, {});
     });
+    QObject::connect(&turn_, &QTimer::timeout, this, [this] { layNext(); });
     QScroller::grabGesture(text_->viewport(), QScroller::LeftMouseButtonGesture);
     hide();
 }
@@ -59,21 +65,93 @@ void HelpView::load(const QString& file, const QString& find, bool code) {
     text_->setPalette(colours);
     text_->setFont(lettering(16));
     text_->setSearchPaths({where});
-    // A document that is shown already lays a table out again for each of its rows: the list of codes would take a minute.
-    auto* document = new QTextDocument(text_);
-    document->setUndoRedoEnabled(false);
-    document->setDefaultFont(lettering(16));
-    document->setBaseUrl(QUrl::fromLocalFile(where + "/"));
-    document->setDocumentMargin(px(18));
-    document->setMarkdown(markdown);
-    text_->setDocument(document);
-    delete std::exchange(document_, document);
-    text_->moveCursor(QTextCursor::Start);
-    if (!find.isEmpty() && lead == 0 && text_->find(find, code ? QTextDocument::FindWholeWords | QTextDocument::FindCaseSensitively : QTextDocument::FindFlags())) {
+    slices_ = sliceHelp(markdown);
+    const int found = lead == 0 ? sliceWith(slices_, find, code) : -1;
+    begin(static_cast<std::size_t>(std::max(0, found)));
+    if (found >= 0 && text_->find(find, code ? QTextDocument::FindWholeWords | QTextDocument::FindCaseSensitively : QTextDocument::FindFlags())) {
         const QRect at = text_->cursorRect();      // the place on top
         text_->verticalScrollBar()->setValue(text_->verticalScrollBar()->value() + at.top() - px(12));
     }
     head_->refresh();
+}
+
+void HelpView::begin(std::size_t slice) {
+    turn_.stop(), painting_.forget();
+    toEnd_ = false;
+    auto* document = new QTextDocument(text_);
+    document->setUndoRedoEnabled(false);
+    document->setDefaultFont(lettering(16));
+    document->setBaseUrl(QUrl::fromLocalFile(folder() + "/"));
+    document->setDocumentMargin(px(18));
+    text_->setDocument(document);
+    delete std::exchange(document_, document);
+    begin_ = end_ = std::min(slice, slices_.size());
+    for (int i = 0; i < kFirstSlices && end_ < slices_.size() && pictureReady(end_); ++i) lay(end_, false);
+    text_->moveCursor(QTextCursor::Start);
+    if (!complete()) turn_.start(0);
+}
+
+// What is seen is filled first, then what stands above it, then the rest.
+void HelpView::layNext() {
+    QScrollBar* bar = text_->verticalScrollBar();
+    const bool filled = bar->maximum() - bar->value() > text_->height();
+    const bool above = begin_ > 0 && (filled || end_ == slices_.size());
+    const std::size_t next = above ? begin_ - 1 : end_;
+    if (next < slices_.size() && !pictureReady(next)) return;
+    if (next < slices_.size()) lay(next, above);
+    if (!complete()) return;
+    turn_.stop();
+    if (toEnd_) bar->setValue(bar->maximum());
+    toEnd_ = false;
+}
+
+// Reading one takes longer than a turn may: aside. Without a file there is nothing to wait for.
+bool HelpView::pictureReady(std::size_t slice) {
+    const QString& file = slices_[slice].picture;
+    const QUrl url(file);
+    if (file.isEmpty() || document_->resource(QTextDocument::ImageResource, url).isValid()) return true;
+    if (auto image = painting_.take()) {
+        document_->addResource(QTextDocument::ImageResource, url, image->isNull() ? QImage(1, 1, QImage::Format_RGB32) : *image);
+        return true;
+    }
+    if (!painting_.busy()) painting_.start([path = folder() + "/" + file](const std::atomic<bool>&) { return QImage(path); }, 0);
+    return false;
+}
+
+void HelpView::lay(std::size_t slice, bool above) {
+    const HelpSlice& own = slices_[slice];
+    QTextDocument made;
+    made.setUndoRedoEnabled(false);
+    made.setDefaultFont(lettering(16));
+    made.setMarkdown(own.markdown, QTextDocument::MarkdownFeatures(QTextDocument::MarkdownDialectGitHub) | QTextDocument::MarkdownNoHTML);   // «M98 <PROFILE>» is no tag that swallows what follows
+    for (QTextFrame* frame : made.rootFrame()->childFrames()) {
+        auto* table = qobject_cast<QTextTable*>(frame);
+        if (!table || own.shares.empty()) continue;
+        if (own.goesOn && table->rows() > 1) table->removeRows(0, 1);
+        QTextTableFormat format = table->format();
+        QList<QTextLength> widths;
+        for (int c = 0; c < table->columns(); ++c) widths << QTextLength(QTextLength::PercentageLength, c < static_cast<int>(own.shares.size()) ? own.shares[static_cast<std::size_t>(c)] : 5);
+        format.setColumnWidthConstraints(widths), format.setWidth(QTextLength(QTextLength::PercentageLength, 100));
+        if (own.goesOn) format.setHeaderRowCount(0);
+        table->setFormat(format);
+    }
+    QScrollBar* bar = text_->verticalScrollBar();
+    const double before = document_->size().height();
+    const int stood = bar->value();
+    QTextCursor at(document_);
+    at.beginEditBlock();
+    if (!above) {
+        at.movePosition(QTextCursor::End);
+        if (!document_->isEmpty() && !own.goesOn) at.insertBlock(QTextBlockFormat(), QTextCharFormat());
+    }
+    at.insertFragment(QTextDocumentFragment(&made));
+    at.endEditBlock();
+    if (above) {
+        --begin_;
+        bar->setValue(stood + static_cast<int>(document_->size().height() - before));
+    } else {
+        ++end_;
+    }
 }
 
 void HelpView::open(const HelpTopic& topic) {
@@ -91,8 +169,11 @@ bool HelpView::key(QKeyEvent* event) {
         case Qt::Key_Down: bar->setValue(bar->value() + px(40)); return true;
         case Qt::Key_PageUp: bar->setValue(bar->value() - bar->pageStep()); return true;
         case Qt::Key_PageDown: bar->setValue(bar->value() + bar->pageStep()); return true;
-        case Qt::Key_Home: bar->setValue(0); return true;
-        case Qt::Key_End: bar->setValue(bar->maximum()); return true;
+        case Qt::Key_Home:
+            if (begin_ > 0) begin(0);
+            bar->setValue(0);
+            return true;
+        case Qt::Key_End: bar->setValue(bar->maximum()), toEnd_ = !complete(); return true;
         case Qt::Key_Backspace: intro_.clear(), load("README.md", {}); return true;
         default: return false;
     }

@@ -1,9 +1,14 @@
 // The manual's page for what is shown or chosen: opened by the help key over the screen, closed by it again or by Escape. The page scrolls to
-// the place that is meant; what can be told of the very field, code or alarm stands before it.
+// the place that is meant; what can be told of the very field, code or alarm stands before it. What is seen first is laid out at once, the
+// rest of the page in the turns that follow: below it, then above it, while the place stays where it is.
 #pragma once
+#include <QImage>
 #include <QTextBrowser>
+#include <QTimer>
 
+#include "hmi/app/help_slices.hpp"
 #include "hmi/app/screen.hpp"
+#include "hmi/machine/aside.hpp"
 
 namespace polyturn::hmi {
 
@@ -14,6 +19,7 @@ public:
     bool key(QKeyEvent* event);
     const QTextBrowser& text() const { return *text_; }
     Sheet* head() { return head_; }
+    bool complete() const { return begin_ == 0 && end_ == slices_.size(); }   // all of the page is there
     static QString folder();                       // of the manual; empty: it is not installed
 
 protected:
@@ -21,10 +27,19 @@ protected:
 
 private:
     void load(const QString& file, const QString& find, bool code = false);
+    void lay(std::size_t slice, bool above);       // into the document, at its end or at its beginning
+    void layNext();
+    bool pictureReady(std::size_t slice);          // or there is none in it
+    void begin(std::size_t slice);                 // the page anew, from there on
     FreeSheet* head_;
     QTextBrowser* text_;
     QTextDocument* document_ = nullptr;            // what text_ shows
     QString page_, intro_;
+    std::vector<HelpSlice> slices_;
+    std::size_t begin_ = 0, end_ = 0;              // of the slices that are laid out
+    bool toEnd_ = false;                           // the end of the page has been asked for, and is still to come
+    QTimer turn_;
+    Aside<QImage> painting_;                       // a picture that is read from its file
 };
 
 }  // namespace polyturn::hmi

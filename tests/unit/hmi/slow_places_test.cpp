@@ -5,6 +5,8 @@
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
+#include <QTextTable>
+#include <QThread>
 #include <QTimer>
 #include <condition_variable>
 #include <fcntl.h>
@@ -388,6 +390,51 @@ TEST(HelpPages, OpenAtOnce) {
         help.grab();
         EXPECT_LT(LongestTurn::now() - before, 1000) << page.toStdString();
         EXPECT_GT(help.text().document()->characterCount(), 200) << page.toStdString();
+    }
+}
+
+// What one turn of the event loop has to lay out is bounded, however long the page is; and nothing of the page is lost on the way.
+TEST(HelpPages, AreLaidOutAFewLinesInATurn) {
+    constexpr int kMostBlocks = 130;               // in a turn: six rows of a table, or some paragraphs; two of them at once at first
+    HelpView help(nullptr);
+    help.resize(1280, 800);
+    help.show();
+    for (const QString& page : QDir(HelpView::folder()).entryList({"*.md"}, QDir::Files)) {
+        QFile file(HelpView::folder() + "/" + page);
+        ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+        const QStringList lines = QString::fromUtf8(file.readAll()).split('\n');
+        int rows = 0;
+        for (const QString& line : lines) rows += line.startsWith('|') && !line.startsWith("| ---");
+        for (const char* find : {"", "G54", "TRANS"}) {     // from the top, from the middle
+            HelpTopic topic;
+            topic.page = page, topic.find = find, topic.code = true;
+            help.open(topic);
+            const QTextDocument& document = *help.text().document();
+            EXPECT_LT(document.blockCount(), kMostBlocks) << page.toStdString();
+            const QString chosen = help.text().textCursor().selectedText();
+            int turns = 0;
+            for (; !help.complete() && turns < 2'000; ++turns) {
+                const int before = document.blockCount();
+                QCoreApplication::processEvents();
+                EXPECT_LT(document.blockCount() - before, kMostBlocks) << page.toStdString();
+                QThread::usleep(200);              // a picture is read aside
+            }
+            ASSERT_TRUE(help.complete()) << page.toStdString();
+            EXPECT_EQ(help.text().textCursor().selectedText(), chosen) << "the place stays";
+            EXPECT_TRUE(chosen.isEmpty() || help.text().rect().contains(help.text().cursorRect())) << page.toStdString() << ": and is in view";
+            int shown = 0;
+            for (QTextFrame* frame : document.rootFrame()->childFrames())
+                if (auto* table = qobject_cast<QTextTable*>(frame)) shown += table->rows();
+            EXPECT_EQ(shown, rows) << page.toStdString();
+            const QString text = document.toPlainText();
+            int last = 0;
+            for (const QString& line : lines) {     // its chapters, in their order
+                if (!line.startsWith("## ")) continue;
+                const auto at = text.indexOf(QString(line.mid(3)).remove('`').remove('*').trimmed(), last);
+                EXPECT_GE(at, last) << page.toStdString() << ": " << line.toStdString();
+                last = static_cast<int>(std::max<qsizetype>(at, 0));
+            }
+        }
     }
 }
 
