@@ -211,13 +211,24 @@ bool Interpreter::axis_target(const Word& word, AxisValues& target) {
     return true;
 }
 
-// An axis that has been released is taken by naming it where MD30552 says so (sinumerik_part3 7.14).
+// An axis that has been released is taken by naming it where MD30552 says so, as GET takes it (sinumerik_part3 7.14): the block is read
+// again behind a barrier, where it is known to which place somebody else has driven it.
+bool Interpreter::released_axes_come_back() {
+    if (!modal_.released || block_.coded[3]) return true;   // TRANS Z moves nothing
+    AxisSet back = 0;
+    for (const Word& w : block_.words) {
+        if (!names_moved_axis(w) || !(modal_.released >> w.axis & 1u)) continue;
+        if (params::get(core_.view().table(), params::md30552, core_.view().axes[static_cast<std::size_t>(w.axis)].machine_axis + 1u) == 0) continue;   // has_axis() refuses it
+        if (core_.compensating()) return fail_word(Alarm::AxisExchangeIllegal, w, axis_name(w.axis));
+        back |= 1u << w.axis;
+    }
+    modal_.released &= ~back;
+    if (back) needs_barrier_ = true;
+    return back == 0;
+}
+
 bool Interpreter::has_axis(const Word& word) {
-    const AxisSet bit = AxisSet{1} << word.axis;
-    if (!(modal_.released & bit)) return true;
-    if (params::get(core_.view().table(), params::md30552, core_.view().axes[static_cast<std::size_t>(word.axis)].machine_axis + 1u) == 0) return fail_word(Alarm::AxisReleased, word, axis_name(word.axis));
-    modal_.released &= ~bit;
-    return true;
+    return !(modal_.released >> word.axis & 1u) || fail_word(Alarm::AxisReleased, word, axis_name(word.axis));
 }
 
 bool Interpreter::read_axis_words(AxisValues& target, AxisSet& named) {

@@ -266,7 +266,7 @@ bool Interpreter::read_line() {
         reading_ = !statement_->act ? true : reading_;
         ok = statement_->act ? run_statement() : fail_at(Alarm::NotBuilt, cursor_.at() - first.size(), first.size(), std::string(statement_->name));
     } else {
-        ok = parse_words() && check_block() && spindles_to_axes() && managed_tool() && synchronized_actions();
+        ok = parse_words() && check_block() && spindles_to_axes() && released_axes_come_back() && managed_tool() && synchronized_actions();
         reading_ = false;
         if (ok) block_undo_.clear();
         ok = ok && act();

@@ -78,8 +78,10 @@ public:
     bool is_incremental(const Word& word) const;
     double length_mm(const Word& word, int place, bool incremental) const;    // true mm or degrees: unit and diameter undone
     bool axis_target(const Word& word, AxisValues& target);                   // where the axis word wants its axis
-    bool has_axis(const Word& word);                                          // it is not released, or comes back by itself
+    bool has_axis(const Word& word);                                          // it is not released
+    bool released_axes_come_back();
     bool read_axis_words(AxisValues& target, AxisSet& named);                 // from path.programmed
+    static bool names_moved_axis(const Word& word);                           // an axis word or one of POS
     AxisSet axis_words() const;                                               // axes with a word in this block
     int find_axis(std::string_view name) const;                               // place, kSpindleAxis + n, or -1
     std::string axis_name(int place) const;

@@ -87,7 +87,7 @@ bool Interpreter::spindles_to_axes() {
     const MachineView& view = core_.view();
     AxisSet named = 0;
     for (const Word& w : block_.words)
-        if (w.axis >= 0 && w.axis < kSpindleAxis && (w.address->name == "axis" || w.address->name.starts_with("POS"))) named |= 1u << w.axis;
+        if (names_moved_axis(w)) named |= 1u << w.axis;
     if (named && core_.transformed() && core_.path.transformation.rotary_place() >= 0) named |= 1u << core_.path.transformation.rotary_place();
     bool switched = false;
     for (; named; named &= named - 1) {

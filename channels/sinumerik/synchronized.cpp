@@ -213,7 +213,7 @@ bool Interpreter::synchronized_actions() {
         if (action.when != When::Always && upper(cursor_.name_ahead()) != "DO") return in_action_ = false, syntax(cursor_.at(), "DO"), said_by(action);
         const bool at_its_end = std::exchange(action.has_cut, false);   // its DELDTG is done, the rest of it is due
         if (!action.is_due(holds || at_its_end)) continue;
-        if (!read_action(action)) return in_action_ = false, said_by(action);
+        if (!read_action(action) || !released_axes_come_back()) return in_action_ = false, said_by(action);
         if (action.deletes_way && !at_its_end && (action.id != 0 || action.looks < 2)) way_deleted_ = true;   // not behind its own block
         for (const auto& [command, call] : block_.procedures) holds_reading = holds_reading || command->name == "RDISABLE";
         due.emplace_back(&action, std::move(block_));

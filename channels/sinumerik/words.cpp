@@ -399,6 +399,10 @@ const Word* Interpreter::word(std::string_view name) const {
     return found;
 }
 
+bool Interpreter::names_moved_axis(const Word& word) {
+    return word.axis >= 0 && word.axis < kSpindleAxis && (word.address->name == "axis" || word.address->name.starts_with("POS"));
+}
+
 AxisSet Interpreter::axis_words() const {
     AxisSet set = 0;
     for (const Word& word : block_.words)

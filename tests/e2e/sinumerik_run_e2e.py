@@ -58,6 +58,17 @@ class SinumerikRun(Case):
         self.assertAlmostEqual(done.of("variable", name="R2")[0]["value"], -20, delta=0.01)
         self.assertEqual([e["value"] for e in done.of("variable", name="R3")], [0])
 
+    def test_a_released_axis_comes_back_where_the_plc_has_left_it(self):   # part 3, 7.14: by its name (MD30552) as by GET
+        drive = "".join(f'[[at]]\nt = {t}\nset = "{line}"\n' for t, line in ((1.0, "AP_PAXPOS A2=-20000"), (1.0, "AP_PAXFEED A2=3000"), (1.1, "AP_PAXR A2=1"), (3.5, "AP_PAXR A2=0")))
+        for back, moves in (("GET(Z)\nN30 G1 Z=IC(-10) F500\n", "move"), ("N30 G1 Z=IC(-10) F500\n", "move"), ("N30 POS[Z]=IC(-10)\n", "beside"), ("WHEN TRUE DO POS[Z]=IC(-10)\nG4 F1\n", "beside")):
+            with self.subTest(back):
+                setup = self.write("setup.toml", "[channel.1]\npos = { X = 100.0, Z = 0.0 }\n")
+                done = self.run_one(HEAD + "RELEASE(Z)\nG4 F4\n" + back + "N35 G0 X90\nM30\n", drive, "--set", "MD30552 A2=1", "--setup", setup)
+                self.assertEqual(done.of("alarm"), [], done.said())
+                self.assertAlmostEqual(done.of("move", n=35)[0]["machine"]["Z"], -30, delta=1e-3, msg=done.said())
+                if moves == "move":
+                    self.assertAlmostEqual(done.of("move", n=30)[0]["pos"]["Z"], -30, delta=1e-3, msg=done.said())
+
     def test_surface_speed_keeps_to_the_lower_limit(self):   # part 1, 7.5: G25 S
         setup = self.write("setup.toml", "[channel.1]\npos = { X = 100.0, Z = 0.0 }\n")   # radius 100: G96 S30 would be 48 a minute
         done = self.run_one(HEAD + "G25 S200\nG96 S30 M3\nG4 F3\nN10 G1 Z-10 F0.5\nG25 S400\nG4 F3\nN20 Z0\nM30\n", "", "--setup", setup)
