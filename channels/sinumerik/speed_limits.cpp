@@ -1,5 +1,7 @@
 // What the spindles may turn at: G25 S, G26 S, LIMS (sinumerik_part1 7.3, 7.5). The limits are setting data and hold for the
 // programs that follow; S is kept as it was programmed, so that a spindle is as fast as asked when its limit goes up again.
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "channels/sinumerik/interpreter.hpp"
@@ -22,6 +24,8 @@ void Interpreter::keep_spindle_data(std::string_view name, double value) {
     params::Table& table = *core_.view().parameters;
     undo([this, slot, before = table.numbers[slot]] { core_.view().parameters->numbers[slot] = before; });
     table.numbers[slot] = value;
+    core_.mark_emitted();
+    core_.sink().parameter(fmt::format("{} S{}={}", name, core_.path.spindle.spindle, value), core_.at);   // everybody else's, when the machine comes here
 }
 
 // Of the spindle that is meant: G26 binds it always, LIMS the master spindle under G96, G961, G962 and G97; 0: no limit.

@@ -69,6 +69,14 @@ class SinumerikRun(Case):
                 if moves == "move":
                     self.assertAlmostEqual(done.of("move", n=30)[0]["pos"]["Z"], -30, delta=1e-3, msg=done.said())
 
+    def test_speed_limits_hold_for_the_programs_that_follow(self):   # part 1, 7.3 and 7.5
+        text = (HEAD + "IF R1==1 GOTOF TWO\nR1=1\nN20 G25 S300\nG26 S500\nLIMS=400\nG4 F0.5\nM30\n"
+                "TWO: R2=$SA_SPIND_MIN_VELO_G25[S1] R3=$SA_SPIND_MAX_VELO_G26[S1] R4=$SA_SPIND_MAX_VELO_LIMS[S1]\nN50 S1000 M3\nG4 F0.5\nN60 S100\nG4 F0.5\nM30\n")
+        done = self.run_one(text, '[[at]]\nwhen = { ev = "stop", reason = "M30" }\nafter = 0.5\npress = "cycle_start"\n')
+        self.assertEqual(done.of("alarm"), [], done.said())
+        self.assertEqual([done.of("variable", name=name)[-1]["value"] for name in ("R2", "R3", "R4")], [300, 500, 400], done.said())
+        self.assertEqual([done.of("spindle", n=n)[-1]["value"] for n in (50, 60)], [500, 300], done.said())
+
     def test_surface_speed_keeps_to_the_lower_limit(self):   # part 1, 7.5: G25 S
         setup = self.write("setup.toml", "[channel.1]\npos = { X = 100.0, Z = 0.0 }\n")   # radius 100: G96 S30 would be 48 a minute
         done = self.run_one(HEAD + "G25 S200\nG96 S30 M3\nG4 F3\nN10 G1 Z-10 F0.5\nG25 S400\nG4 F3\nN20 Z0\nM30\n", "", "--setup", setup)
