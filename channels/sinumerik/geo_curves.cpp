@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kSagitta = 0.0005;      // mm
+constexpr double kNoRadius = 1e-9;       // mm
 constexpr std::size_t kMostPoints = 20'000;
 
 // phi(t) = t - atan t: the polar angle of an involute from its foot, t the roll angle.
@@ -139,6 +140,7 @@ bool Interpreter::drawn_arc(const AxisValues& target, const ArcCall& call) {
     const std::size_t p = places[0], q = places[1];
     const AxisValues from = core_.path.programmed;
     const double radius = std::hypot(from[p] - call.centre_p, from[q] - call.centre_q);
+    if (radius < kNoRadius || std::hypot(target[p] - call.centre_p, target[q] - call.centre_q) < kNoRadius) return fail(Alarm::ArcWithoutRadius);
     const double begin = std::atan2(from[q] - call.centre_q, from[p] - call.centre_p), sense = call.clockwise ? -1.0 : 1.0;
     double sweep = std::fmod((std::atan2(target[q] - call.centre_q, target[p] - call.centre_p) - begin) * sense, kTurn);
     if (sweep < 1e-9) sweep += kTurn;

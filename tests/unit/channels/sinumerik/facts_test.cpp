@@ -124,6 +124,16 @@ TEST(SinumerikFacts, AddframeAddsCoarsely) {   // part 3, 9.1
     EXPECT_TRUE(sets(played, "R1", "0") && sets(played, "R2", "8") && sets(played, "R3", "0")) << played.events;
 }
 
+// Two factors make an ellipse of a circle (part 2, 13.7); without a radius it is neither.
+TEST(SinumerikFacts, AnArcWithoutRadiusIsRefusedInEveryFrame) {
+    for (const char* frame : {"", "SCALE X2 Y1\n"})
+        for (const char* words : {"G2 X10 Y0 I0 J0", "G3 I0 J0"}) {
+            const Played played = run("G17 G90 G94 G0 X0 Y0 Z0 F1000\n" + std::string(frame) + "G0 X10 Y0\n" + words + "\nM30\n", {"N0002 A6=1", "N0100 A6=89", "N0103 A6=2"});
+            EXPECT_EQ(played.errors, 1u) << frame << words << played.events;
+            EXPECT_TRUE(played.has({"\"number\":\"14040\""}) || played.has({"PT1020"})) << frame << words << played.events;
+        }
+}
+
 TEST(SinumerikFacts, TheApproachTellsItsPointsOnTheCompensatedPath) {   // part 2, 11.4.1: tool radius 4, left of a contour towards -X
     Play how;
     how.language = "sinumerik";
