@@ -90,6 +90,8 @@ bool Interpreter::cut_way(AxisValues& target) {
         }
     }
     if (share >= 1.0) return true;
+    for (const std::string_view name : {"RND", "CHR", "CHF"})   // reading stops behind it: no next block of the contour is known
+        if (const Word* w = word(name); w && w->number() > 0) return fail_word(Alarm::CornerWithoutNext, *w);
     if (cuts) cuts->has_cut = cuts->when == SynchronizedAction::When::Once || cuts->when == SynchronizedAction::When::Edge;
     for (std::size_t i = 0; i < target.size(); ++i) modal_.way_left[i] = (1.0 - share) * (target[i] - from[i]);
     modal_.way_cut = true;

@@ -89,7 +89,10 @@ bool Interpreter::corner_words(bool contour) {
 bool Interpreter::go_line(const AxisValues& wanted, bool rapid) {
     if (modal_.curve) return curve_point(wanted);
     AxisValues target = modal_.trails.empty() ? wanted : trailed(wanted);
-    if (!cut_way(target) || !tangential_line(target)) return false;
+    const AxisValues whole = target;
+    if (!cut_way(target)) return false;
+    const bool cut = target != whole;
+    if (!tangential_line(target)) return false;
     if (!within_areas(target)) return false;
     if (bool taken = false; modal_.geo.approach) {
         if (!finish_approach(target, nullptr, taken)) return false;
@@ -106,7 +109,7 @@ bool Interpreter::go_line(const AxisValues& wanted, bool rapid) {
             event.value = probe->further.front();
             return measuring_line(target, event, name == "MEAWA");
         }
-    if (!corner_words(true)) return false;
+    if (!corner_words(!cut)) return false;   // RNDM: where a way is deleted, reading stops and there is no corner of the contour
     std::vector<AxisValues> bends;
     if (!modal_.trails.empty() && !bends_on_the_way(wanted, bends)) return false;
     for (const AxisValues& bend : bends)

@@ -37,29 +37,50 @@ TEST(SynchronizedActions, HaveTheirOwnProcedures) {
     }
 }
 
+// Where its moves end.
+std::string ends_of_moves(const Played& played) {
+    std::string ends;
+    for (const std::string& line : played.lines())
+        if (const auto at = line.find("\"pos\":{"); at != std::string::npos) ends += line.substr(at + 6, line.find(",\"C\"", at) - at - 6) + " ";
+    return ends;
+}
+
 // A straight way ends where the condition begins to hold (8); what is left of it is in $AC_DELT and $AA_DELT.
 TEST(SynchronizedActions, DeleteTheRestOfAWay) {
     Play how;
     how.language = "sinumerik";
-    const auto moves = [](const Played& played) {
-        std::string ends;
-        for (const std::string& line : played.lines())
-            if (const auto at = line.find("\"pos\":{"); at != std::string::npos) ends += line.substr(at + 6, line.find(",\"C\"", at) - at - 6) + " ";
-        return ends;
-    };
     const std::string head = "G18 G90 G94 DIAMON F100\nG0 X20 Z0\n";
     Played played = play(head + "WHEN $AA_IW[Z]<=-20 DO DELDTG M8\nG1 X60 Z-40\nR1=$AC_DELT R2=$AA_DELT[Z] R3=$AA_DELT[X]\nG1 Z-50\nM30\n", how);
     EXPECT_EQ(played.errors, 0u) << played.events;
-    EXPECT_EQ(moves(played), "{\"X\":20,\"Z\":0 {\"X\":40,\"Z\":-20 {\"X\":40,\"Z\":-50 ") << "for the next block only";
+    EXPECT_EQ(ends_of_moves(played), "{\"X\":20,\"Z\":0 {\"X\":40,\"Z\":-20 {\"X\":40,\"Z\":-50 ") << "for the next block only";
     for (const char* part : {"\"name\":\"R1\",\"value\":22.36068}", "\"name\":\"R2\",\"value\":-20}", "\"name\":\"R3\",\"value\":20}"}) EXPECT_TRUE(played.has({part})) << part << played.events;   // 10 mm of radius, 20 mm
     EXPECT_TRUE(played.has({"\"code\":\"M8\""})) << played.events;
     played = play(head + "R5=-15\nID=1 EVERY $AA_IM[Z]<R5 DO DELDTG\nG1 Z-10\nG1 Z-30\nG1 Z-40\nG0 Z0\nG1 Z-20\nCANCEL(1)\nG1 Z-25\nM30\n", how);
-    EXPECT_EQ(moves(played), "{\"X\":20,\"Z\":0 {\"X\":20,\"Z\":-10 {\"X\":20,\"Z\":-15 {\"X\":20,\"Z\":-40 {\"X\":20,\"Z\":0 {\"X\":20,\"Z\":-15 {\"X\":20,\"Z\":-25 ") << played.events;
+    EXPECT_EQ(ends_of_moves(played), "{\"X\":20,\"Z\":0 {\"X\":20,\"Z\":-10 {\"X\":20,\"Z\":-15 {\"X\":20,\"Z\":-40 {\"X\":20,\"Z\":0 {\"X\":20,\"Z\":-15 {\"X\":20,\"Z\":-25 ") << played.events;
     played = play(head + "ID=1 WHENEVER $AA_IW[Z]<-10 DO DELDTG\nG1 Z-30\nG1 Z-12\nG1 Z-5\nM30\n", how);
-    EXPECT_EQ(moves(played), "{\"X\":20,\"Z\":0 {\"X\":20,\"Z\":-10 ") << "it holds where it has ended";
+    EXPECT_EQ(ends_of_moves(played), "{\"X\":20,\"Z\":0 {\"X\":20,\"Z\":-10 ") << "it holds where it has ended";
     played = play(head + "ID=1 WHENEVER $AA_IW[Z]<-10 DO DELDTG\nLOCK1: G1 Z-5\nM30\n", how);
-    EXPECT_EQ(moves(played), "{\"X\":20,\"Z\":0 {\"X\":20,\"Z\":-5 ");
+    EXPECT_EQ(ends_of_moves(played), "{\"X\":20,\"Z\":0 {\"X\":20,\"Z\":-5 ");
     for (const char* bad : {"WHEN TRUE DO DELDTG(Z)\nG1 Z-5", "WHEN $A_IN[1]==1 DO DELDTG\nG1 Z-5", "WHEN $AA_IW[Z]<-3 DO DELDTG\nG2 X30 Z-5 CR=5", "DELDTG"}) EXPECT_EQ(play(head + bad + "\nM30\n", how).errors, 1u) << bad;
+}
+
+// Reading stops where a way is deleted (sinumerik_part3, DELDTG): no next block of the contour is known for a corner there. A block
+// that is not cut has its corner.
+TEST(SynchronizedActions, AWayThatIsDeletedEndsInNoCorner) {
+    Play how;
+    how.language = "sinumerik";
+    const std::string head = "G18 G90 G94 DIAMON F100\nG0 X20 Z0\n";
+    for (const char* corner : {"RND=3", "CHF=3", "CHR=3"}) {
+        const Played played = play(head + "WHEN $AA_IW[Z]<=-20 DO DELDTG\nG1 X60 Z-40 " + corner + "\nG1 Z-50\nM30\n", how);
+        EXPECT_EQ(played.errors, 1u) << played.events;
+        EXPECT_TRUE(played.has({"PT1561", "\"line\":4"})) << played.events;
+        EXPECT_FALSE(played.has({"PT1307"})) << played.events;
+    }
+    Played played = play(head + "RNDM=2\nWHEN $AA_IW[Z]<=-20 DO DELDTG\nG1 X60 Z-40\nG1 Z-50\nM30\n", how);
+    EXPECT_EQ(ends_of_moves(played), "{\"X\":20,\"Z\":0 {\"X\":40,\"Z\":-20 {\"X\":40,\"Z\":-50 ") << played.events;
+    EXPECT_FALSE(played.has({"\"ev\":\"alarm\""})) << played.events;
+    played = play(head + "WHEN $AA_IW[Z]<=-50 DO DELDTG\nG1 Z-40 RND=2\nG1 X60\nM30\n", how);
+    EXPECT_EQ(ends_of_moves(played), "{\"X\":20,\"Z\":0 {\"X\":20,\"Z\":-38 {\"X\":24,\"Z\":-40 {\"X\":60,\"Z\":-40 ") << played.events;
 }
 
 // Without a machine nothing would ever end what holds: check says so and reads on.
