@@ -1,9 +1,19 @@
 // The moves of a cycle in the plane Z X, given to Core: compensation shifts them as a whole (fanuc_lathe 3.20).
 #pragma once
+#include <utility>
+
 #include "channels/cycles/contour.hpp"
 #include "channels/state/core.hpp"
 
 namespace polyturn::channels::cycles {
+
+// A stroke of a pass. The strokes of one are joined under G61 too: behind an exact stop a thread begins anew.
+inline bool thread_stroke(Core& core, const AxisValues& to, const ThreadCall& call) {
+    const bool exact = std::exchange(core.path.exact_stop_mode, false);
+    const bool good = core.thread(to, call);
+    core.path.exact_stop_mode = exact;
+    return good;
+}
 
 class CycleMoves {
 public:
@@ -27,7 +37,7 @@ public:
     Point here() const { return {core_->path.programmed[z_], core_->path.programmed[x_]}; }
     bool rapid(Point to) { return core_->rapid(target(to)); }
     bool linear(Point to) { return core_->linear(target(to)); }
-    bool thread(Point to, const ThreadCall& call) { return core_->thread(target(to), call); }
+    bool thread(Point to, const ThreadCall& call) { return thread_stroke(*core_, target(to), call); }
     bool arc(Point to, Point centre, bool clockwise, double tolerance) {
         ArcCall call;
         call.clockwise = clockwise;

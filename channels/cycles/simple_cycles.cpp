@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "channels/cycles/cycle_moves.hpp"
 #include "channels/cycles/thread_passes.hpp"
 
 namespace polyturn::channels::cycles {
@@ -97,7 +98,7 @@ bool thread(Core& core, const SimpleCycle& cycle) {
         AxisValues leave = cycle.end;
         leave[at.z] = point[at.z] + dz * share;
         leave[at.x] = point[at.x] + dx * share;
-        if (share > 0 && !core.thread(leave, pass)) return false;
+        if (share > 0 && !thread_stroke(core, leave, pass)) return false;
         const double lift = run_out * std::tan(cycle.chamfer_angle * std::numbers::pi / 180.0);
         const double away = start[at.x] - leave[at.x];
         AxisValues out = cycle.end;
@@ -105,8 +106,8 @@ bool thread(Core& core, const SimpleCycle& cycle) {
         ThreadCall call = pass;   // the lead still counts along Z
         call.by_axis = true;
         call.axis = static_cast<std::uint8_t>(at.z);
-        if (!core.thread(out, call)) return false;
-    } else if (!core.thread(cycle.end, pass)) {
+        if (!thread_stroke(core, out, call)) return false;
+    } else if (!thread_stroke(core, cycle.end, pass)) {
         return false;
     }
     point = core.path.programmed;

@@ -181,13 +181,17 @@ double PathMaker::overlap_way(const Kept& of) const {
 }
 
 void PathMaker::join(Kept& a, Kept& b) {
-    if (has(a.move, kThread) && !has(b.move, kThreadChained)) a.move.flags |= kThreadEnd;
+    constexpr double kNoRule = std::numeric_limits<double>::infinity();
+    Ceilings rules{kNoRule, kNoRule, kNoRule};
     Junction junction = Junction::Stop;
     const bool overlap = has(a.move, kRapid) && has(b.move, kRapid);
+    const bool threads = has(a.move, kThread) && has(b.move, kThread) && has(b.move, kThreadChained);
     if (!must_stop(a.move, b.move)) {
         double before = 0.5 * a.move.length, after = 0.5 * b.move.length;
         const double speed = std::min(useful_speed(a.move, a.ceilings.v), useful_speed(b.move, b.ceilings.v));
-        if (overlap) {   // they overlap: rounded as far as their braking lets them
+        if (threads) {
+            junction = blend_threads(a, b, speed, rules.v);
+        } else if (overlap) {   // they overlap: rounded as far as their braking lets them
             PathLimits wide = *limits_;
             wide.tolerance = 2.0 * (a.move.length + b.move.length);
             before = std::min(before, overlap_way(a)), after = std::min(after, overlap_way(b));
@@ -196,14 +200,12 @@ void PathMaker::join(Kept& a, Kept& b) {
             junction = make_blend(a.move, before, b.move, after, speed, *limits_, blend_);
         }
     }
-    constexpr double kNoRule = std::numeric_limits<double>::infinity();
-    Ceilings rules{kNoRule, kNoRule, kNoRule};
-    const bool threads = has(a.move, kThread) && has(b.move, kThread);
-    if (junction == Junction::Blended) {
-        if (!overlap && !threads) apply_junction_rules(blend_.sides, blend_.angle, *limits_, rules);   // N0306 to N0309 speak of feeds
+    if (junction == Junction::Blended && !threads) {
+        if (!overlap) apply_junction_rules(blend_.sides, blend_.angle, *limits_, rules);   // N0306 to N0309 speak of feeds
         if (blend_.angle > kStopMayBeFaster && stop_is_faster(a, b, rules)) junction = Junction::Stop;
-        else if (threads) rules.v = widen_for_thread(a, b);
     }
+    if (threads && junction == Junction::Stop) b.move.flags &= ~std::uint32_t{kThreadChained};   // it begins anew behind the stop
+    if (has(a.move, kThread) && !has(b.move, kThreadChained)) a.move.flags |= kThreadEnd;
     if (junction != Junction::Blended) {
         put_part(a, a.move.length, true, junction == Junction::Stop);
         put_between(a.number);
@@ -246,19 +248,23 @@ double PathMaker::through_blend(const Kept& a, const Kept& b, double& length) {
     return through;
 }
 
-// Where the tolerance leaves the corner between two threads too slow for the spindle, the blend becomes as long as its speed needs: with
-// room to spare, for what the bend takes of the axes there is missing where the thread begins and ends (ceilings.hpp). How fast it is driven at most.
-double PathMaker::widen_for_thread(const Kept& a, const Kept& b) {
+// A thread stops nowhere, so between two that are joined there is a blend at any tolerance, also 0. Where the tolerance leaves the corner too
+// slow for the spindle, the blend becomes as long as its speed needs: with room to spare, for what the bend takes of the axes there is
+// missing where the thread begins and ends (ceilings.hpp). `most`: how fast it is driven at most.
+Junction PathMaker::blend_threads(const Kept& a, const Kept& b, double speed, double& most) {
     constexpr double kSpare = 1.6, kOvershoot = 1.2;   // a spindle swings about its speed
     const double turning = std::max(wanted_speed(a.move), wanted_speed(b.move));
+    const double before = 0.5 * a.move.length, after = 0.5 * b.move.length;
+    if (thread_rev_s_ > 0) most = kOvershoot * turning;
+    const Junction narrow = make_blend(a.move, before, b.move, after, speed, *limits_, blend_);
     double length = 0;
-    if (through_blend(a, b, length) < kSpare * turning) {
-        const Blend narrow = blend_;
-        PathLimits wide = *limits_;
-        wide.tolerance = 2.0 * (a.move.length + b.move.length);
-        if (make_blend(a.move, 0.5 * a.move.length, b.move, 0.5 * b.move.length, kSpare * turning, wide, blend_) != Junction::Blended) blend_ = narrow;
-    }
-    return thread_rev_s_ > 0 ? kOvershoot * turning : std::numeric_limits<double>::infinity();
+    if (narrow == Junction::Smooth || (narrow == Junction::Blended && through_blend(a, b, length) >= kSpare * turning)) return narrow;
+    const Blend within = blend_;
+    PathLimits wide = *limits_;
+    wide.tolerance = 2.0 * (a.move.length + b.move.length);
+    if (make_blend(a.move, before, b.move, after, kSpare * turning, wide, blend_) == Junction::Blended) return Junction::Blended;
+    blend_ = within;
+    return narrow;
 }
 
 // Time lost at the junction against driving through at full speed, by a blend or by a stop. Braking from V to w in time T

@@ -12,7 +12,8 @@
 // the corner, one side measured in degrees and the other in millimetres, a rapid move on either side unless N0421 ROL (two rapid
 // moves then overlap as far as N0422 says, whatever the tolerance), a
 // thread begins or ends, the record between needs one. Where threads are joined the spindle leads: it does not slow down for a corner,
-// so the corner is rounded as far as its speed asks for, beyond the tolerance if it must (fagor_8037t part 1, 6.11: joined with G05).
+// so the corner is rounded as far as its speed asks for, beyond the tolerance if it must, also beyond tolerance 0 (fagor_8037t part 1, 6.11:
+// joined with G05). Where a stop is asked for, or the turn is too sharp to round, they are not joined: the second one begins anew from rest.
 #pragma once
 #include <deque>
 
@@ -72,7 +73,7 @@ private:
     bool stop_is_faster(const Kept& a, const Kept& b, const Ceilings& rules);
     double through_blend(const Kept& a, const Kept& b, double& length);
     double wanted_speed(const PathRecord& r) const;
-    double widen_for_thread(const Kept& a, const Kept& b);
+    Junction blend_threads(const Kept& a, const Kept& b, double speed, double& most);
     void put_part(Kept& of, double to, bool last, bool stop);
     void put_pieces(Kept& of, const Blend& blend, std::size_t first, std::size_t end, const Ceilings& rules, bool last);
     void put_between(std::uint64_t up_to);

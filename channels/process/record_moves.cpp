@@ -102,10 +102,12 @@ void RecordSink::thread_arc(const Move& move, const BlockContext& at) {
     const double first = std::atan2(move.machine_start[q] - move.centre_q, move.machine_start[p] - move.centre_p);
     Move piece = move;
     piece.sweep = move.sweep / pieces;
+    piece.exact_stop = piece.in_position = false;   // they are one thread, and only that ends
     std::uint64_t number = 0;
     for (int k = 0; k < pieces; ++k) {
         const double share = static_cast<double>(k + 1) / pieces, angle = first + move.sweep * share;
         if (k > 0) piece.machine_start = piece.machine, piece.thread_chained = true;
+        if (k + 1 == pieces) piece.exact_stop = move.exact_stop, piece.in_position = move.in_position;
         for (unsigned i = 0; i < view_->axis_count; ++i) piece.machine[i] = move.machine_start[i] + (move.machine[i] - move.machine_start[i]) * share;
         piece.machine[p] = k + 1 == pieces ? move.machine[p] : move.centre_p + move.radius * std::cos(angle);
         piece.machine[q] = k + 1 == pieces ? move.machine[q] : move.centre_q + move.radius * std::sin(angle);

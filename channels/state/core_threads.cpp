@@ -110,7 +110,7 @@ bool Core::thread(const AxisValues& target, const ThreadCall& call) {
     move_.starts = call.starts;
     choose_withdrawal(call, along);
     deliver();
-    path.after_thread = true;
+    path.after_thread = !move_.exact_stop;   // G9, G61: the next one begins anew from rest
     accept(target);
     return true;
 }

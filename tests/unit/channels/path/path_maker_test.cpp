@@ -85,6 +85,10 @@ TEST(PathMaker, StopsWhereItMust) {
         {"rapid behind", 90, 0, kRapid, 0.005, true},
         {"thread begins", 0, 0, kThread, 0.005, true},
         {"threads in a row", 10, kThread, kThread | kThreadChained, 0.005, false},
+        {"threads in a row at any angle", 150, kThread, kThread | kThreadChained, 0.005, false, 100},
+        {"threads in a row, tolerance 0", 10, kThread, kThread | kThreadChained, 0, false},
+        {"threads in a row, exact stop asked for", 10, kThread | kExactStop, kThread | kThreadChained, 0.005, true},
+        {"threads in a row, a reversal", 170, kThread, kThread | kThreadChained, 0.005, true},
     };
     for (const Row& row : rows) {
         SCOPED_TRACE(row.why);
@@ -103,38 +107,91 @@ TEST(PathMaker, StopsWhereItMust) {
     }
 }
 
+// Threads of 40 mm lead 2 that turn by `angle` degrees, at `turns` revolutions a second.
+std::vector<PathRecord> joined_threads(const PathLimits& limits, double angle, double turns, std::uint32_t first_flags = 0) {
+    const double turn = angle * std::numbers::pi / 180;
+    return made(limits, [&](Program& p) {
+        const auto thread = [&](Point to, std::uint32_t flags) {
+            PathRecord& r = p.begin(RecordKind::Line);
+            r.feed_mode = static_cast<std::uint8_t>(FeedMode::Thread);
+            r.feed = 0;
+            r.lead = 2;
+            r.flags = kThread | flags;
+            r.end = {to.x, to.z};
+            p.at = to;
+            p.maker.thread_turns(turns);
+            p.maker.add_move();
+        };
+        thread({0, -40}, first_flags);
+        thread({40 * std::sin(turn), -40 - 40 * std::cos(turn)}, kThreadChained);
+    });
+}
+
 // fagor_8037t part 1, 6.11: the spindle leads, so the corner is rounded as far as its speed asks for; what the bend leaves is there to start with.
 TEST(PathMaker, JoinedThreadsGoRoundTheirCornerAtTheSpeedOfTheSpindle) {
-    const PathLimits limits = easy_limits();
-    const auto threads = [&](double turns) {
-        return made(limits, [&](Program& p) {
-            const auto thread = [&](Point to, std::uint32_t flags) {
-                PathRecord& r = p.begin(RecordKind::Line);
-                r.feed_mode = static_cast<std::uint8_t>(FeedMode::Thread);
-                r.feed = 0;
-                r.lead = 2;
-                r.flags = kThread | flags;
-                r.end = {to.x, to.z};
-                p.at = to;
-                p.maker.thread_turns(turns);
-                p.maker.add_move();
-            };
-            thread({0, -40}, 0);
-            thread({10, -70}, kThreadChained);   // 18.4 degrees
-        });
-    };
-    for (const double turns : {2.0, 10.0, 20.0}) {
-        SCOPED_TRACE(turns);
-        const auto records = threads(turns);
-        ASSERT_GT(records.size(), 2u);
-        expect_smooth(records);
-        double far = 0;
-        for (const PathRecord& r : records) {
-            EXPECT_GE(r.v_max, 2 * turns);
-            EXPECT_GT(r.a_max, 300) << "of 2000";
-            far = std::max(far, to_segment({r.end[0], r.end[1]}, {0, 0}, {0, -40}) < 1e-9 ? 0.0 : std::min(to_segment({r.end[0], r.end[1]}, {0, 0}, {0, -40}), to_segment({r.end[0], r.end[1]}, {0, -40}, {10, -70})));
+    struct Row { double angle, turns, off; };
+    for (const Row& row : {Row{18.4, 2, 0.1}, Row{18.4, 10, 0.1}, Row{18.4, 20, 0.4}, Row{45, 10, 0.4}, Row{90, 10, 1}, Row{150, 10, 3}})
+        for (const double tolerance : {0.005, 0.0}) {
+            SCOPED_TRACE(row.angle);
+            SCOPED_TRACE(row.turns);
+            PathLimits limits = easy_limits();
+            limits.tolerance = tolerance;
+            const auto records = joined_threads(limits, row.angle, row.turns);
+            ASSERT_GT(records.size(), 2u);
+            expect_smooth(records);
+            double far = 0;
+            for (std::size_t n = 0; n < records.size(); ++n) {
+                const PathRecord& r = records[n];
+                EXPECT_EQ((r.flags & kThreadEnd) != 0, n + 1 == records.size());
+                EXPECT_EQ((r.flags & kExactStop) != 0, n + 1 == records.size());
+                EXPECT_GE(r.v_max, 2 * row.turns);
+                EXPECT_GT(r.a_max, 300) << "of 2000";
+                const Point end{r.end[0], r.end[1]};
+                const double turn = row.angle * std::numbers::pi / 180;
+                far = std::max(far, std::min(to_segment(end, {0, 0}, {0, -40}), to_segment(end, {0, -40}, {40 * std::sin(turn), -40 - 40 * std::cos(turn)})));
+            }
+            EXPECT_LT(far, row.off);
         }
-        EXPECT_LT(far, turns <= 10 ? 0.1 : 0.4);
+}
+
+// On the line of the spindle, tick by tick: what the axes are told stays within their acceleration (2000) and jerk (40000) round the corner.
+TEST(PathMaker, JoinedThreadsAskNoJumpOfTheAxes) {
+    constexpr double kTick = 0.001, kSpeed = 20;
+    for (const double angle : {14.0, 45.0, 90.0, 150.0})
+        for (const double tolerance : {0.005, 0.0}) {
+            SCOPED_TRACE(angle);
+            PathLimits limits = easy_limits();
+            limits.tolerance = tolerance;
+            std::vector<Point> at;
+            double s = 0;
+            for (const PathRecord& r : joined_threads(limits, angle, kSpeed / 2)) {
+                for (; s < r.length; s += kSpeed * kTick) at.push_back(point(r, s));
+                s -= r.length;
+            }
+            double acceleration = 0, jerk = 0;
+            for (std::size_t n = 3; n < at.size(); ++n)
+                for (double Point::*axis : {&Point::x, &Point::z}) {
+                    const double now = at[n].*axis - 2 * at[n - 1].*axis + at[n - 2].*axis, before = at[n - 1].*axis - 2 * at[n - 2].*axis + at[n - 3].*axis;
+                    acceleration = std::max(acceleration, std::abs(now) / (kTick * kTick));
+                    jerk = std::max(jerk, std::abs(now - before) / (kTick * kTick * kTick));
+                }
+            EXPECT_LT(acceleration, 2000);
+            EXPECT_LT(jerk, 40000);
+        }
+}
+
+// Where a stop is asked for they are two threads: the first one ends, the second one waits for its angle and has a run-in of its own.
+TEST(PathMaker, ThreadsWithAStopBetweenThemAreNotJoined) {
+    struct Row { double angle; std::uint32_t flags; };
+    for (const Row& row : {Row{14, kExactStop}, Row{170, 0}}) {
+        SCOPED_TRACE(row.angle);
+        const auto records = joined_threads(easy_limits(), row.angle, 10, row.flags);
+        ASSERT_EQ(records.size(), 2u);
+        for (const PathRecord& r : records) {
+            EXPECT_TRUE(r.flags & kThreadEnd);
+            EXPECT_TRUE(r.flags & kExactStop);
+            EXPECT_FALSE(r.flags & kThreadChained);
+        }
     }
 }
 
