@@ -65,10 +65,11 @@ unsigned offsets_in_common(const MachineView& view) {
                                                                          : params::get(view.table(), params::n1412_no_of_common_tool_offsets_t));
 }
 
-// What the interpreters of one check have in common, mapped from a file that the caller has made.
+// What the interpreters of one check have in common, mapped from a file that the caller has made. Offsets are common to the channels of one
+// kind, N1401 to those that mill, N1412 to those that turn (nct_parameters_part1 15.1): each kind has cells of its own.
 class SharedCells {
 public:
-    explicit SharedCells(const std::string& path) {
+    SharedCells(const std::string& path, ChannelKind kind) : first_(kind == ChannelKind::Mill ? kMaxOffsets : 0) {
         if (path.empty()) return;
         const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
         if (file < 0) return;
@@ -94,8 +95,9 @@ public:
 
 private:
     static constexpr std::size_t kMaxOffsets = 1000, kOffsetBytes = sizeof(double) + sizeof(OffsetCell);   // written or not; the cell
-    static constexpr std::size_t kVariableBytes = 900 * sizeof(double), kBytes = kVariableBytes + kMaxOffsets * kOffsetBytes;
-    char* place(std::size_t n) const { return reinterpret_cast<char*>(cells_) + kVariableBytes + n * kOffsetBytes; }
+    static constexpr std::size_t kVariableBytes = 900 * sizeof(double), kBytes = kVariableBytes + 2 * kMaxOffsets * kOffsetBytes;
+    char* place(std::size_t n) const { return reinterpret_cast<char*>(cells_) + kVariableBytes + (first_ + n) * kOffsetBytes; }
+    std::size_t first_;
     double* cells_ = nullptr;
 };
 
@@ -229,7 +231,7 @@ int run_check(const CheckOptions& options, std::FILE* out) {
 
     EventSink events(scene, printer.text, options.variables, '\n');
     CheckPort port(setup, options.channel, options.alone);
-    const SharedCells shared(options.shared);
+    const SharedCells shared(options.shared, view.config().kind);
     port.share(shared.cells());
     WaitWatch sink(events, port, view, shared);
     const std::unique_ptr<Language> interpreter = make_language(language, view, sink, port, files);

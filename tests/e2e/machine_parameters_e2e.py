@@ -49,6 +49,17 @@ class Values(Parameters):
         self.assertEqual(done.status, 0, done.said())
         self.assertEqual([(m["machine"]["X"], m["machine"]["Z"]) for m in done.of("move", ch=2)], [(15, 5), (10.5, 1)])
 
+    def test_mills_and_lathes_share_offsets_among_themselves(self):   # nct_parameters_part1 15.1: N1401 those that mill, N1412 those that turn
+        first = self.write("O0001.nc", "O1\nG10 P1 X0.5 Z0.7\nM510 P12\nM30\n")
+        second = self.write("O0002.nc", "O2\nM510 P12\n#100=#2001\nM30\n")
+        values = {}
+        for mode in ["check"], ["run", "--virtual"]:
+            for kind in 0, 1:
+                done = self.polyturn(*mode, "--language", "nct", "--variables", "--set", f"N0001 L2={kind}", "--set", "N1401=5", "--set", "N1412=5", f"1={first}", f"2={second}")
+                self.assertEqual(done.status, 0, done.said())
+                values[mode[0], kind] = [e["value"] for e in done.of("variable", ch=2) if e["name"] == "#100"]
+        self.assertEqual(values, {("check", 0): [0.5], ("check", 1): [0], ("run", 0): [0.5], ("run", 1): [0]})
+
 
 class Functions(Parameters):
     def test_m_codes_of_one_group_contradict_and_the_valid_one_is_shown(self):
