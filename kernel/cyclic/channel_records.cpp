@@ -331,7 +331,7 @@ bool ChannelRunner::arrive(const PathRecord& r) noexcept {
 }
 
 bool ChannelRunner::stop(const PathRecord& r) noexcept {
-    if (passes_stop(r) && phase_ != Phase::Stopped) return true;
+    if (passes_stop_) return true;
     ends_with_part_ = false;   // the program stops by itself
     const auto reason = static_cast<StopReason>(r.code);
     if (phase_ == Phase::Stopped) return std::exchange(continue_, false);

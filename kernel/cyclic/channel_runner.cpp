@@ -389,25 +389,29 @@ void ChannelRunner::begin_record(const PathRecord& r, double offset_s) noexcept 
     refuse_bound(r);
     serial_ = r.serial;
     if (r.flags & kSkipMove) skipped_ = false;
+    passes_stop_ = is_optional_stop(r) && !(keys & kKeyOptionalStop);
     const bool later = static_cast<RecordKind>(r.kind) == RecordKind::Beside && r.code != 0;   // a step that waits for those before it
-    if (!later && (!is_motion(r) || (r.flags & kBlockBegin)) && !passes_stop(r)) report(KernelEventKind::RecordBegin, r, offset_s);
+    if (!later && (!is_motion(r) || (r.flags & kBlockBegin)) && !passes_stop_) report(KernelEventKind::RecordBegin, r, offset_s);
 }
 
-// An M01 whose key is off: nothing stops, nothing is told. The key counts when the machine comes to the code, not when it is read.
-bool ChannelRunner::passes_stop(const PathRecord& r) const noexcept {
-    return static_cast<RecordKind>(r.kind) == RecordKind::Stop && static_cast<StopReason>(r.code) == StopReason::M01 && !(keys & kKeyOptionalStop);
+// An M01 whose key is off when the machine comes to it: nothing stops, nothing is told. A key that is switched while the machine stands
+// there changes nothing any more.
+bool ChannelRunner::is_optional_stop(const PathRecord& r) noexcept {
+    return static_cast<RecordKind>(r.kind) == RecordKind::Stop && static_cast<StopReason>(r.code) == StopReason::M01;
 }
 
 void ChannelRunner::finished(const PathRecord& r, std::uint64_t index, double offset_s) noexcept {
     const auto kind = static_cast<RecordKind>(r.kind);
     if (r.flags & kFixedStop) allow_torque(nullptr);   // what follows may stand: an M code that takes another limit away
-    if (kind != RecordKind::Beside && (!is_motion(r) || (r.flags & kBlockEnd)) && !passes_stop(r)) report(KernelEventKind::RecordEnd, r, offset_s);
+    const bool passed = passes_stop_ && is_optional_stop(r);
+    if (kind != RecordKind::Beside && (!is_motion(r) || (r.flags & kBlockEnd)) && !passed) report(KernelEventKind::RecordEnd, r, offset_s);
     if ((r.flags & kStopMustCome) && !skipped_) raise(Alarm::FixedStopMissed, r.axis_count > 0 ? name_of('A', r.axis[0]).view() : std::string_view{}, r.end[0]);
     if (r.flags & kBlockEnd) ++blocks_;
     if (ends_with_part_ && (r.flags & kDrains)) resetting_ = true;
     last_serial_ = r.serial;
     last_part_ = r.part;
-    if (!(kind == RecordKind::Stop && state_ == ChannelState::Ended) && !passes_stop(r)) trail_.add(r, r.length, meeting_);   // an end can be taken back
+    // An end can be taken back; behind a stop that is passed the program may have been read anew: no way leads back over it then.
+    if (!(kind == RecordKind::Stop && state_ == ChannelState::Ended) && (!passed || (r.flags & kDrains))) trail_.add(r, r.length, meeting_);
     meeting_ = 0;
     if (r.flags & kDrains) {
         cut_axis_ = kMaxAxes;   // it takes over where its axes stand

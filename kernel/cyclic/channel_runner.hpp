@@ -200,7 +200,7 @@ private:
     bool stop(const PathRecord& r) noexcept;
     void finished(const PathRecord& r, std::uint64_t index, double offset_s) noexcept;
     void begin_record(const PathRecord& r, double offset_s) noexcept;
-    bool passes_stop(const PathRecord& r) const noexcept;
+    static bool is_optional_stop(const PathRecord& r) noexcept;
     void take_keys() noexcept;
     void drive() noexcept;
     void settle() noexcept;
@@ -320,6 +320,7 @@ private:
     Phase phase_ = Phase::None;
     std::int32_t m_code_ = -1;
     bool begun_ = false;                   // the standing record has reported its beginning
+    bool passes_stop_ = false;             // it is an M01 whose key was off when it began
     bool jog_in_hold_ = false, stop_after_part_ = false, ends_with_part_ = false;
     bool hold_ = false, dead_ = false, stopped_ = false, resetting_ = false, interrupted_ = false, alarm_ = false, continue_ = false, answered_ = false;
     bool skipped_ = false;                 // the signal of the last skip move came

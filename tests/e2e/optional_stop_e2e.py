@@ -52,6 +52,7 @@ class OptionalStop(Case):
         done = self.run_one("fanuc", PRESS % "on" + '[[at]]\nt = 2.0\npress = "optional_stop L1=off"\n' + START)
         (_, _), (second, _) = self.z_moves(done)
         self.assertAlmostEqual(second, 3.0, delta=0.1, msg=done.said())
+        self.assertEqual([e["reason"] for e in done.of("stop")], ["M01", "M30"], "it stood there")
 
     def test_under_compensation_the_contour_stays(self):
         body = "T0101\nG98 G42 G1 X40. Z0. F600\nZ-10.\nM01\nX60. Z-20.\nG40 X80. Z-30.\nM30\n"

@@ -104,6 +104,43 @@ TEST(Retrace, EndsAtAFunction) {
     EXPECT_NEAR(rig.position(1), 20, 1e-9);
 }
 
+// M01: a wall where the machine has stood, also when the key is switched off meanwhile, and where the program was read anew behind it; one
+// that was merely driven over leaves nothing.
+TEST(Retrace, EndsAtAnOptionalStopThatCounted) {
+    struct Row { const char* why; bool key; std::uint32_t flags; double back_to; };
+    for (const Row& row : {Row{"stood there, key off since", true, 0, 10}, Row{"passed", false, 0, 0}, Row{"passed, a barrier", false, kDrains, 10}}) {
+        SCOPED_TRACE(row.why);
+        TickRig rig;
+        if (row.key) rig.command(CommandKind::OptionalStop, 1, 1);
+        rig.push(1, rig.line(1, {10, 0}, 50, kExactStop));
+        PathRecord m1 = rig.stop(1, StopReason::M01);
+        m1.flags |= row.flags;
+        rig.push(1, m1);
+        rig.push(1, rig.line(1, {10, 0}, 50, kExactStop));
+        rig.push(1, rig.stop(1, StopReason::M30));
+        rig.start(1);
+        if (row.key) {
+            rig.run_until_idle();
+            ASSERT_EQ(rig.state(1), ChannelState::ProgramStop);
+            rig.command(CommandKind::OptionalStop, 1, 0);
+            rig.start(1);
+            rig.run(100);
+        } else {
+            rig.run(400);
+        }
+        rig.command(CommandKind::FeedHold, 1);
+        rig.run(100);
+        ASSERT_EQ(rig.state(1), ChannelState::Held);
+        ASSERT_GT(rig.position(1), 10);
+        EXPECT_EQ(rig.find(KernelEventKind::RecordBegin, 1, m1.note) != nullptr, row.key);
+        EXPECT_EQ(rig.find(KernelEventKind::RecordEnd, 1, m1.note) != nullptr, row.key);
+        rig.command(CommandKind::Retrace, 1, 1);
+        rig.start(1);
+        rig.run_until_idle();
+        EXPECT_NEAR(rig.position(1), row.back_to, 1e-9);
+    }
+}
+
 // At the stop behind a block that block is over: it lies on the way back once, not once more as the part that was driven.
 TEST(Retrace, ABlockThatSingleBlockHasEndedIsDrivenBackOnce) {
     TickRig rig;
