@@ -100,6 +100,9 @@ Result<void> Interpreter::start(FileId main) {
     // Without a machine nobody but the program can have closed a spindle's loop.
     turned_.fill({core_.port().axis_command(core_.view().axes[0].machine_axis) ? SpindleLoop::Unknown : SpindleLoop::Open, 0.0});
     program_number_ = 0;
+    // As they are switched: by hand in a hold, or behind a process that died, another one has written them.
+    outputs_ = static_cast<std::uint32_t>(static_cast<std::int64_t>(core_.port().interface_value(1132)));
+    outputs_wide_ = core_.port().interface_value(1133);
     measuring_ = {};
     barrier_fault_.reset();
     synchronous_ = 0;

@@ -285,10 +285,17 @@ void ChannelProcess::fail(const Diagnosis& diagnosis) {
     state_ = State::Idle;
 }
 
+// What is only read ahead has not happened (architecture 5.4): what the program leaves to the next one is what it had before `serial`, the
+// first block of which nothing had begun. Blocks that wait for another one under compensation stay as they were read.
+void ChannelProcess::forget_read_ahead(std::uint64_t serial) {
+    if (serial && run_->may_resume_at(serial)) sink_->forget(), (void)run_->resume_at(serial);
+}
+
 void ChannelProcess::reset(const ChannelEvent& event) {
     maker_->discard();
     ring_->resume();
     if (held_run_) run_ = std::move(held_run_);
+    if (run_) forget_read_ahead(static_cast<std::uint64_t>(event.value));
     if (run_) carried_ = run_->carry();
     if (const std::uint64_t pushed = ring_->pushed(); run_ && run_->loses_offset(true) && pushed > 0) pictures_.offset_lost(own_->path.slot(std::min(event.record, pushed - 1)).serial);
     run_.reset();

@@ -98,6 +98,7 @@ private:
     void read_program();
     void end_program(StopReason reason);
     void reset(const ChannelEvent& event);
+    void forget_read_ahead(std::uint64_t serial);
     void interrupt(const ChannelEvent& event);
     void interrupt_ahead(const ChannelEvent& event);
     // held_program.cpp: what happens to a program while its path is held

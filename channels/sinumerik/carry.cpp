@@ -38,7 +38,7 @@ std::any Interpreter::carry() const {
     return left;
 }
 
-void Interpreter::take_carry(const std::any& before, bool) {
+void Interpreter::take_carry(const std::any& before, bool after_reset) {
     const auto* held = std::any_cast<std::shared_ptr<Left>>(&before);
     if (!held || !*held) return;
     const Left& last = **held;
@@ -49,6 +49,7 @@ void Interpreter::take_carry(const std::any& before, bool) {
     tool_environments_ = last.environments;
     curve_tables_ = last.tables;
     written_system_.insert(last.outputs.begin(), last.outputs.end());
+    if (after_reset) look_at_outputs();
     settable_parts_ = last.settable;
     grinding_frames_ = last.grinding;
     parts_ = last.parts;

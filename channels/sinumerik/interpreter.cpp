@@ -69,6 +69,7 @@ Result<void> Interpreter::start(FileId main) {
     of_channel_ = false;
     ended_ = reread_ = jumped_ = needs_barrier_ = wants_barrier_ = called_ = false;
     managed_serial_ = 0;
+    look_at_outputs();
     fresh_ = true;   // cycle start is a barrier
     serial_ = 0;
     points_.clear();

@@ -440,6 +440,7 @@ private:
     bool deletes_way() const, holds_at(const SynchronizedAction& action, const AxisValues& point, bool& holds), cut_way(AxisValues& target);
     bool machine_there();
     void tell_outputs();
+    void look_at_outputs();
     struct Polynomial {
         double low = 0, high = 0;
         std::array<double, 4> factors{};

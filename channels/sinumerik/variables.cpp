@@ -234,6 +234,15 @@ void Interpreter::tell_outputs() {
     core_.signal("CN_UOUT", bits);
 }
 
+// The outputs as they are switched, whoever has written them: what was read ahead when a program was reset has written none.
+void Interpreter::look_at_outputs() {
+    const auto bits = static_cast<std::uint32_t>(static_cast<std::int64_t>(core_.port().interface_value(1132)));
+    for (unsigned n = 1; n <= 32; ++n) {
+        const std::string name = "$A_OUT[" + std::to_string(n) + "]";
+        if (const bool on = bits >> (n - 1) & 1u; on || written_system_.contains(name)) written_system_[name] = Value::of_real(on ? 1.0 : 0.0);
+    }
+}
+
 bool Interpreter::preset_variable(std::string_view name, double value) {
     const std::string word = upper(name);
     if (word.size() > 1 && word[0] == 'R') {

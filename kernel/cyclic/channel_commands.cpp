@@ -165,6 +165,7 @@ void ChannelRunner::finish_reset() noexcept {
     core_.tools.end_search(index_);
     core_.waits.leave(index_);
     const bool ran = program_runs() || state_ == ChannelState::Interrupted;
+    const std::uint64_t not_begun = first_not_begun();
     ++epoch_;
     ++resets_;
     cursor_ = segment_->path.head.load(std::memory_order_acquire);
@@ -203,7 +204,7 @@ void ChannelRunner::finish_reset() noexcept {
     core_.event(KernelEventKind::Stopped, number_, static_cast<std::int32_t>(why), 0, line_);
     if (ran) core_.event(KernelEventKind::CycleEnded, number_, static_cast<std::int32_t>(why), cycle_s_, line_);
     line_ = 0;
-    tell(ChannelEventKind::Reset, cursor_);
+    tell(ChannelEventKind::Reset, cursor_, static_cast<double>(not_begun));
 }
 
 void ChannelRunner::select(std::string_view file) noexcept {

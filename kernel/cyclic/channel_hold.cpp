@@ -12,6 +12,15 @@ ChannelRunner::Place ChannelRunner::place_now() const noexcept {
     return {r.serial, r.part, within || (last_serial_ == r.serial && last_part_ == r.part)};
 }
 
+// The first block of which nothing has begun: it and what follows was only read ahead. 0: nothing was.
+std::uint64_t ChannelRunner::first_not_begun() const noexcept {
+    const bool by_hand = program_left_ || held_mdi_;   // then the path is that of a block entered by hand
+    const Place at = by_hand ? left_ : place_now();
+    if (at.serial == 0) return 0;
+    const bool begun = at.begun || at.part > 1 || (!by_hand && last_serial_ == at.serial);
+    return begun ? at.serial + 1 : at.serial;
+}
+
 // At a place where what was pushed may be taken back: no function, wait or thread is under way.
 bool ChannelRunner::rests_in_hold() const noexcept {
     if (!segment_ || dead_ || stopped_ || resetting_ || interrupted_ || held_mdi_ || !at_rest() || retract_.active() || trail_.active()) return false;

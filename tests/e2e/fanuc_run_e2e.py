@@ -244,6 +244,11 @@ class Signals(Run):
 
 
 class Reset(Run):
+    def test_a_reset_forgets_what_was_only_read_ahead(self):   # architecture 5.4; F6001#6 keeps #100 and on over a reset, F5003#6 the offset
+        program = "G98\n#101=#110\n#110=1\nG4 X9.\n#110=5\nG4 X1.\nM30\n"
+        done = self.run_it(program, ["F6001#6=1"], '[[at]]\nt = 2.0\npress = "reset L1"\n[[at]]\nt = 3.0\npress = "cycle_start L1"\n', [])
+        self.assertEqual([e.get("value") for e in done.of("variable", name="#101")], [None, 1], done.said())
+
     def test_outputs_outlive_it_as_they_were_executed_and_a_timer_goes_on(self):
         # Behind N20 the program is read ahead: what it writes there has not happened when the reset comes (fanuc_lathe 6.3.1, 6.10).
         self.write("O8300.nc", "O8300\nM99\n")

@@ -49,6 +49,20 @@ class SinumerikRun(Case):
                 self.assertEqual([e["value"] for e in done.of("variable", name="R2")], [1, 2])
                 self.assertEqual([e["count"] for e in done.of("part")], [1, 2])
 
+    RESET_AND_START = '[[at]]\nt = 2.0\npress = "reset L1"\n[[at]]\nt = 3.0\npress = "cycle_start L1"\n'
+
+    def test_a_reset_forgets_what_was_only_read_ahead(self):   # architecture 5.4: the first start is broken off in the dwell of 9 s
+        text = HEAD + "R2=R1\n$A_OUT[3]=1\nIF R1==1 GOTOF LAST\nR1=1\nG4 F9\nR1=5\n$A_OUT[1]=1\nG4 F1\nM30\nLAST: $A_OUT[2]=1\nG4 F1\nM30\n"
+        done = self.run_one(text, self.RESET_AND_START, "--watch", "CN_UOUT L1")
+        self.assertEqual([e["value"] for e in done.of("variable", name="R2")], [0, 1], done.said())
+        self.assertEqual([e["value"] for e in done.of("flag", name="CN_UOUT L1")], [4, 6], done.said())
+        self.assertEqual([e["count"] for e in done.of("part")], [1])
+
+    def test_a_reset_forgets_a_zero_that_was_only_read_ahead(self):   # MD20152: the zero outlives the program
+        setup = self.write("setup.toml", "[channel.1.work.G54]\nZ = 10.0\n[channel.1.work.G55]\nZ = -30.0\n")
+        done = self.run_one("G18 G90 G94 DIAMOF\nG0 Z0\nG54\nG1 Z5 F600\nG4 F9\nG55\nG1 Z-1\nM30\n", self.RESET_AND_START, "--set", "MD20152[7]=1", "--setup", setup)
+        self.assertEqual([e["machine"]["Z"] for e in done.of("move", line=2)], [0, 10], done.said())
+
     def test_a_probe_is_passed(self):   # part 3, 5.3: MEAW measures without deleting the way
         setup = self.write("setup.toml", '[channel.1]\npos = { X = 20.0, Z = 0.0 }\nsensor = [{ input = "1", axis = "Z", at = -20.0, direction = "-" }]\n')
         done = self.run_one(HEAD + "N10 MEAW=1 G1 Z-50 F600\nR1=$AC_MEA[1] R2=$AA_MW[Z] R3=$AA_DELT[Z]\nN20 MEAS=1 Z-60\nN30 Z0\nM30\n", "", "--setup", setup)
