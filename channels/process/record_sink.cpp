@@ -164,8 +164,7 @@ void RecordSink::wait(const Wait& wait, const BlockContext& at) {
     r.mask = wait.channels;
     copy_text(wait.marker, r.text);
     if (wait.flying) r.flags |= kFlying;
-    const bool in_passing = wait.flying && wait.code == kBalanceMeeting;   // between two moves of a block: nobody reads the world there
-    push(r, true, !in_passing);
+    push(r, true, !wait.flying);   // in passing: the kernel needs what comes behind, and nobody reads the world there
 }
 
 void RecordSink::variable(const Variable& variable, const BlockContext& at) {

@@ -258,6 +258,15 @@ void ChannelRunner::strobe(const PathRecord& r) noexcept {
     if (r.code == 'M') m_code_ = static_cast<std::int32_t>(std::lround(r.value)), core_.newest_m = {m_code_, number_};
 }
 
+// The PLC hears of the program's end too, and stops what belongs to it; the end itself waits for nobody.
+void ChannelRunner::strobe_end(StopReason reason) noexcept {
+    if (reason != StopReason::M02 && reason != StopReason::M30) return;
+    PathRecord r{};
+    r.code = 'M';
+    r.value = reason == StopReason::M02 ? 2.0 : 30.0;
+    strobe(r);
+}
+
 bool ChannelRunner::handshake(const PathRecord& r) noexcept {
     const Lines lines = lines_of(r, core_.config.channels[index_].aux_letters);
     const bool managed = r.code == 'T' && ToolDesk::managed(core_);
@@ -364,6 +373,7 @@ bool ChannelRunner::stop(const PathRecord& r) noexcept {
                 return true;
             }
             if (!lap_ended_) end_lap();
+            strobe_end(reason);
             stand(ChannelState::Ended, reason);
             core_.event(KernelEventKind::CycleEnded, number_, r.code, cycle_s_, r.line);
             return true;

@@ -44,6 +44,7 @@ public:
     // The turret turns meanwhile because this channel has told it to before its rapid move ends.
     bool turns_in_rapid() const noexcept { return moving_rapid_ && early_ != kNoRecord; }
     void strobe(const PathRecord& r) noexcept;
+    void strobe_end(StopReason reason) noexcept;
     [[nodiscard]] bool may_begin_in_rapid() noexcept;
     bool tool_may_begin(const PathRecord& move, const PathRecord& tool, double until) noexcept;
     [[nodiscard]] std::uint64_t end_of_few_blocks(std::uint64_t most) const noexcept;

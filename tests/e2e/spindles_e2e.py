@@ -39,6 +39,19 @@ class Spindles(Case):
         self.assertAlmostEqual(turns[inside[-1]] - min(turns[i] for i in inside[:3]), 0.0, delta=0.2, msg="and back again")
         self.assertGreater(max(turns[i] for i in inside) - turns[inside[0]], 11.0)
 
+    def test_the_end_of_a_program_stops_its_spindle(self):   # docs/design/spindle-of-two-channels.md: the PLC hears of M30 and M02
+        for end in ("M30", "M02"):
+            with self.subTest(end):
+                other = self.write("O2.nc", "G4 P6.\nM30\n")
+                done, trace = self.run_program(f"S600 M3\nG4 P1.\n{end}\n", f"2={other}", "--watch", "SP_ROT S1")
+                self.assertEqual([e["value"] for e in done.of("flag", name="SP_ROT S1")][-1], 5, done.said())
+                self.assertAlmostEqual(trace["S1.speed"][-1], 0, delta=1)
+
+    def test_who_cuts_by_the_spindle_of_an_ended_program_is_stopped(self):
+        first, second = self.write("O1.nc", "S600 M3\nM510\nG4 P1.\nM30\n"), self.write("O2.nc", "G95\nM510\nG1 W-30. F0.5\nM30\n")
+        done = self.polyturn("run", "--virtual", "--language", "nct", f"1={first}", f"2={second}")
+        self.assertEqual((done.status, [alarm["number"] for alarm in done.alarms]), (1, ["PT0520"]), done.said())
+
     def test_a_feed_behind_a_rigid_tap_leaves_the_spindle_alone(self):
         done, trace = self.run_program("G18 G90 G94\nG0 X0 Z5.\nS300\nG17 G84.2 Z-10. R2. F300.\nG80\nG1 Z12. F600.\nS200 M3\nG1 Z22.\nM5\nM30\n", "--set", "N1503 L1=2",
                                        "--set", "N1508 S1=20", "--set", "N1532 S1=40")
