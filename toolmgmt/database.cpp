@@ -195,9 +195,24 @@ Result<void> Database::commit(const std::vector<Change>& changes, std::string_vi
     return {};
 }
 
-Result<std::vector<Database::Entry>> Database::history(std::string_view about, std::string_view who, std::int64_t most) {
-    Statement rows(parts_->db, "SELECT id, utc, who, what, old, new FROM history WHERE instr(what, ?) > 0 AND instr(who, ?) > 0 ORDER BY utc DESC, id DESC LIMIT ?");
-    rows.bind(1, about).bind(2, who).bind(3, most);
+// Each condition as its index in schema.cpp has it: a value, the parameters and what was entered are found among a million rows without
+// looking at the others. A part of a text is looked for from the newest row on.
+std::string Database::history_query(const HistoryOf& of) {
+    std::string sql = "SELECT id, utc, who, what, old, new FROM history WHERE ";
+    switch (of.kind) {
+        case HistoryOf::Kind::All: sql += "instr(what, ?1) > 0"; break;
+        case HistoryOf::Kind::Value: sql += "what = ?1"; break;
+        case HistoryOf::Kind::Parameters: sql += "what GLOB '[NFMPS]*'"; break;   // N1600 L1, F3401, MD20150, PT_HORIZON, SD43300, MEFI...
+        case HistoryOf::Kind::EnteredOffsets: sql += "instr(what, ' offset ') > 0 AND who NOT IN ('program', 'setup') AND instr(what, ?1) > 0"; break;
+    }
+    if (!of.who.empty()) sql += " AND instr(who, ?2) > 0";
+    if (!of.before_utc.empty()) sql += " AND (utc, id) < (?3, ?4)";
+    return sql + " ORDER BY utc DESC, id DESC LIMIT ?5";
+}
+
+Result<std::vector<Database::Entry>> Database::history(const HistoryOf& of) {
+    Statement rows(parts_->db, history_query(of).c_str());
+    rows.bind(1, std::string_view(of.about)).bind(2, std::string_view(of.who)).bind(3, std::string_view(of.before_utc)).bind(4, of.before_id).bind(5, of.most);
     std::vector<Entry> entries;
     while (rows.row()) entries.push_back({rows.whole(0), rows.text(1), rows.text(2), rows.text(3), rows.text(4), rows.text(5)});
     if (!rows.done()) return parts_->open_fault();

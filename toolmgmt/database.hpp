@@ -47,8 +47,14 @@ public:
         std::int64_t id = 0;
         std::string utc, who, what, before, after;
     };
-    // Newest first; `about` and `who` are parts of the texts, empty means all.
-    Result<std::vector<Entry>> history(std::string_view about, std::string_view who, std::int64_t most);
+    // Which of them, newest first. `about` and `who` are parts of the texts, empty means all; `before`: only what is older than that row.
+    struct HistoryOf {
+        enum class Kind : std::uint8_t { All, Value, Parameters, EnteredOffsets } kind = Kind::All;   // Value: `about` is its whole name; entered: by people
+        std::string about = {}, who = {}, before_utc = {};
+        std::int64_t before_id = 0, most = 50;
+    };
+    Result<std::vector<Entry>> history(const HistoryOf& of);
+    static std::string history_query(const HistoryOf& of);   // ?1 about, ?2 who, ?3 and ?4 before, ?5 most
 
     // A time in which a channel stood. Its begin and its channel name it: told again, it is replaced.
     struct Stop {
@@ -60,6 +66,14 @@ public:
     };
     Result<void> note_stop(const Stop& stop);
     Result<std::vector<Stop>> stops(std::string_view since, std::int64_t most);   // newest first
+
+    // Alarms and warnings as the event log tells them (JSON), the newest hundred thousand. They outlast the controller that told them.
+    struct AlarmEvent {
+        std::int64_t id = 0;
+        std::string utc, event;
+    };
+    Result<void> note_alarms(const std::vector<AlarmEvent>& alarms);
+    Result<std::vector<AlarmEvent>> alarms(std::string_view before_utc, std::int64_t before_id, std::int64_t most);   // newest first
 
     // A consistent copy of the whole file with the bytes of other files beside it, on disk when it returns well. Written under
     // another name and renamed, so that a backup that stands there is a whole one.

@@ -4,24 +4,26 @@
 #include <QJsonArray>
 
 #include "hmi/text/retold.hpp"
+#include "hmi/text/tongues.hpp"
 
 namespace polyturn::hmi {
 namespace {
 
 constexpr qint64 kAskEveryMs = 250;
 constexpr std::size_t kKept = 1000;
+constexpr int kToldAFrame = 40, kEarlierAtOnce = 200;
 
 }  // namespace
 
 void AlarmBook::poll() {
     if (live_.generation() != generation_) {
         generation_ = live_.generation();
-        entries_.clear(), events_.clear();
-        next_ = 0;
+        forget();
         asking_ = false;
         ++version_;
     }
     if (!live_.connected()) return;
+    tellSome();
     look();
     const qint64 now = QDateTime::currentMSecsSinceEpoch();
     if (asking_ || now - asked_ms_ < kAskEveryMs) return;
@@ -34,8 +36,9 @@ void AlarmBook::poll() {
 }
 
 void AlarmBook::take(const QJsonObject& answer) {
+    heard_ = true;
     const qint64 next = static_cast<qint64>(answer.value("next").toDouble());
-    if (next < next_) next_ = 0, entries_.clear(), events_.clear();   // another supervisor
+    if (next < next_) forget();   // another supervisor
     else next_ = next;
     for (const auto& one : answer.value("alarms").toArray()) {
         events_.push_back(one.toObject());
@@ -46,11 +49,62 @@ void AlarmBook::take(const QJsonObject& answer) {
         entries_.erase(entries_.begin(), entries_.end() - kKept);
         events_.erase(events_.begin(), events_.end() - kKept);
     }
+    untold_ = entries_.size();
+    tellSome();
     look();
 }
 
+// A thousand of a long shift are too many for a frame: the newest first, some in each.
+void AlarmBook::tellSome() {
+    int left = kToldAFrame;
+    const auto tell = [&](AlarmEntry& entry, const QJsonObject& event) {
+        QString text = event.value("text").toString();
+        const QJsonObject builder = event.value("builder").toObject(), own = builder.value(codeOf(spoken())).toObject();   // the machine builder's messages bring their languages
+        if (!own.isEmpty()) text.replace(builder.value("told").toString(), own.value("text").toString());
+        const RetoldWords words = hmi::retold(entry.number, text);
+        entry.text = words.text, entry.remedy = own.value("remedy").toString(words.remedy), entry.told = true;
+        ++version_, --left;
+    };
+    for (; untold_ > 0 && left > 0; --untold_) {
+        AlarmEntry& entry = entries_[untold_ - 1];
+        if (entry.told) continue;
+        tell(entry, events_[untold_ - 1]);
+    }
+    for (; toldEarlier_ < earlier_.size() && left > 0; ++toldEarlier_) tell(earlier_[toldEarlier_], earlierEvents_[toldEarlier_]);
+}
+
+void AlarmBook::forget() {
+    entries_.clear(), events_.clear(), earlier_.clear(), earlierEvents_.clear();
+    untold_ = toldEarlier_ = 0, next_ = 0;
+    heard_ = earlierAll_ = false;
+    ++version_;
+}
+
+// Before the oldest that the controller itself still knows.
+void AlarmBook::askEarlier() {
+    if (!heard_ || earlierAsked_ || earlierAll_ || !live_.connected()) return;
+    QJsonObject request{{"do", "alarms.list"}, {"most", kEarlierAtOnce}};
+    if (!events_.empty()) request.insert("before_utc", events_.front().value("utc"));
+    if (!earlierEvents_.empty()) request.insert("before_id", earlierEvents_.back().value("id"));
+    earlierAsked_ = true;
+    requests_.store(request, [this, generation = generation_, after = earlier_.size()](const Answer& answer) {
+        earlierAsked_ = false;
+        if (generation != generation_ || after != earlier_.size()) return;
+        const QJsonArray more = answer.object.value("alarms").toArray();
+        earlierAll_ = !answer.ok || more.size() < kEarlierAtOnce;
+        for (const auto& one : more) {
+            earlierEvents_.push_back(one.toObject());
+            earlier_.push_back(read(earlierEvents_.back()));
+        }
+        ++version_;
+    }, true);
+}
+
 void AlarmBook::retold() {
-    for (std::size_t i = 0; i < events_.size(); ++i) entries_[i] = read(events_[i]);
+    for (AlarmEntry& entry : entries_) entry.told = false;
+    untold_ = entries_.size(), toldEarlier_ = 0;
+    earlierAsked_ = false;   // an answer for the screens before does not come
+    tellSome();
     look();
     ++version_;
 }
@@ -68,10 +122,7 @@ AlarmEntry AlarmBook::read(const QJsonObject& event) const {
     out.resets = event.value("resets").toInt(-1);
     if (event.contains("file")) out.place = QFileInfo(event.value("file").toString()).fileName();
     if (event.contains("line")) out.place += QString(":%1").arg(event.value("line").toInt());
-    // The event speaks English and the numbers of its control; the row that reads so is told in our language.
-    const RetoldWords words = hmi::retold(out.number, out.text);
-    out.text = words.text, out.remedy = words.remedy;
-    return out;
+    return out;   // it speaks English, the numbers of its control: tellSome() finds the row that reads so
 }
 
 void AlarmBook::look() {

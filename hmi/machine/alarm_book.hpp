@@ -19,13 +19,17 @@ struct AlarmEntry {
     QDateTime when;
     std::int32_t resets = -1;
     bool standing = false;
+    bool told = false;           // text and remedy are in the language of the screens
 };
 
 class AlarmBook {
 public:
     AlarmBook(Live& live, Requests& requests) : live_(live), requests_(requests) {}
     void poll();                                       // asks for what is new, some times a second
-    const std::vector<AlarmEntry>& all() const { return entries_; }   // the newest last
+    const std::vector<AlarmEntry>& all() const { return entries_; }   // since the controller started, the newest last
+    // Of the days before, from the store: the newest first, more of them each time.
+    void askEarlier();
+    const std::vector<AlarmEntry>& earlier() const { return earlier_; }
     // The newest that stands: of a channel (0: of all); nullptr when there is none.
     const AlarmEntry* standing(unsigned channel = 0) const;
     std::size_t standingCount() const;
@@ -35,13 +39,20 @@ public:
 private:
     void take(const QJsonObject& answer);
     AlarmEntry read(const QJsonObject& event) const;
+    void tellSome();
+    void forget();
     void look();
 
     Live& live_;
     Requests& requests_;
     std::vector<AlarmEntry> entries_;
     std::vector<QJsonObject> events_;
+    std::vector<AlarmEntry> earlier_;
+    std::vector<QJsonObject> earlierEvents_;
+    bool heard_ = false, earlierAsked_ = false, earlierAll_ = false;   // heard: what the controller itself knows
     std::uint64_t version_ = 0, generation_ = 0;
+    std::size_t untold_ = 0;     // entries from the oldest on that may be untold
+    std::size_t toldEarlier_ = 0;   // of the days before: so many from the newest on are told
     qint64 next_ = 0, asked_ms_ = 0;
     bool asking_ = false;
 };

@@ -70,12 +70,13 @@ void Alarms::fillAlarms() {
     rows_.clear();
     for (auto entry = desk_.alarms.all().rbegin(); entry != desk_.alarms.all().rend(); ++entry)
         if (all || entry->standing) rows_.push_back(*entry);
+    if (all) rows_.insert(rows_.end(), desk_.alarms.earlier().begin(), desk_.alarms.earlier().end());
     table_->rows = [this] { return static_cast<int>(rows_.size()); };
     table_->cell = [this](int row, int column) -> Table::Cell {
         const AlarmEntry& entry = rows_[static_cast<std::size_t>(row)];
         const Theme& t = theme();
         switch (column) {
-            case 0: return {entry.when.isValid() ? entry.when.toLocalTime().toString("dd.MM. HH:mm:ss") : QString(), t.dim};
+            case 0: return {entry.when.isValid() ? entry.when.toLocalTime().toString("dd.MM.yy HH:mm:ss") : QString(), t.dim};
             case 1: return {entry.channel ? QString("L%1").arg(entry.channel) : QString(), t.text, Sign::None, true};
             case 2: return {entry.number.isEmpty() ? word("Message") : entry.number, colourOf(entry.severity), signOf(entry.severity), entry.standing};
             default: return {entry.text, entry.standing || page_ == Page::Standing ? t.text : t.dim};
@@ -108,6 +109,7 @@ void Alarms::composeDetail(Writer& w) {
 
 void Alarms::refresh() {
     if (page_ == Page::Stops) return head_->refresh(), stops_->refresh();
+    if (page_ == Page::History && table_->row() + table_->visibleRows() >= static_cast<int>(rows_.size())) desk_.alarms.askEarlier();   // of the days before
     if (version_ != desk_.alarms.version()) fillAlarms();
     head_->refresh(), table_->refresh();
     detail_->refresh();

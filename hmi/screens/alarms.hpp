@@ -26,6 +26,7 @@ public:
     enum class Page : std::uint8_t { Standing, History, Stops };
     void showPage(Page page);
     StopsPage& stops() { return *stops_; }
+    const std::vector<AlarmEntry>& rows() const { return rows_; }
 
 protected:
     void resizeEvent(QResizeEvent*) override;

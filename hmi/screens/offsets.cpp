@@ -260,11 +260,10 @@ void Offsets::askHistory() {
     if (!value || !desk_.live.connected()) return;
     const QStringList words = value->words.split(' ');
     const QString about = zeros_ ? QString("%1 %2 place %3").arg(words[1], words[2]).arg(value->place + 1) : QString("%1 offset %2 %3 %4").arg(words[1], words[2], words[3], words[4]);
-    desk_.requests.store({{"do", "history.list"}, {"about", about}, {"most", 40}}, [this, about, of = historyOf_, decimals = value->decimals](const Answer& answer) {
+    desk_.requests.store({{"do", "history.list"}, {"of", about}, {"most", 40}}, [this, of = historyOf_, decimals = value->decimals](const Answer& answer) {
         if (!answer.ok || historyOf_ != of) return;
         for (const auto& entry : answer.object.value("history").toArray()) {
             const QJsonObject one = entry.toObject();
-            if (one.value("what").toString() != about) continue;
             const auto number = [&](const char* name) { return lengthText(one.value(name).toString().toDouble(), decimals); };
             history_ << QString::fromUtf8("%1  %2: %3 → %4").arg(QDateTime::fromString(one.value("utc").toString(), Qt::ISODate).toLocalTime().toString("dd.MM. HH:mm"), one.value("who").toString(), number("old"), number("new"));
         }

@@ -16,6 +16,7 @@ namespace {
 
 constexpr int kBitHits = 1;       // + number of the bit
 constexpr int kTextHit = 100;
+constexpr int kHistoryAtOnce = 300;   // rows: they are read within a frame
 
 const char* effectWord(params::Effect effect) {
     switch (effect) {
@@ -237,21 +238,29 @@ void Parameters::showPage(Page page) {
     if (page_ == Page::List) listRow_ = row;
     page_ = page;
     setColumns();
-    history_ = {}, historyOf_ = about;
+    history_ = {}, historyOf_ = about, historyAll_ = false;
     if (page == Page::Compensation) compensation_->begin();
-    if (page == Page::History)
-        desk_.requests.store({{"do", "history.list"}, {"about", about}, {"most", 500}}, [this, about](const Answer& answer) {
-            if (!answer.ok || page_ != Page::History || historyOf_ != about) return;
-            history_ = {};
-            for (const auto& one : answer.object.value("history").toArray()) {
-                const QString what = one.toObject().value("what").toString();
-                if (about.isEmpty() ? params::find(what.section(QRegularExpression("[ \\[]"), 0, 0).toStdString()) != nullptr : what == about) history_.append(one);   // A1 is in A12 too
-            }
-            table_->choose(0), refresh();
-        });
+    if (page == Page::History) askHistory();
     table_->choose(page == Page::List ? listRow_ : 0);
     layOut();
     if (desk_.keysChanged) desk_.keysChanged();
+}
+
+// The newest, then what is older when the last row comes into sight.
+void Parameters::askHistory() {
+    QJsonObject request{{"do", "history.list"}, {"most", kHistoryAtOnce}};
+    if (historyOf_.isEmpty()) request.insert("kind", "parameters");
+    else request.insert("of", historyOf_);
+    if (!history_.isEmpty()) request.insert("before_utc", history_.last().toObject().value("utc")), request.insert("before_id", history_.last().toObject().value("id"));
+    historyAsked_ = true;
+    desk_.requests.store(request, [this, of = historyOf_, after = history_.size()](const Answer& answer) {
+        historyAsked_ = false;
+        if (page_ != Page::History || historyOf_ != of || history_.size() != after) return;
+        const QJsonArray more = answer.object.value("history").toArray();
+        historyAll_ = !answer.ok || more.size() < kHistoryAtOnce;
+        for (const auto& one : more) history_.append(one);
+        refresh();
+    });
 }
 
 void Parameters::turnTo(int page) {
@@ -390,8 +399,9 @@ void Parameters::composeDetail(Writer& w) {
 void Parameters::refresh() {
     takeFile();
     if (page_ == Page::Compensation) return head_->refresh(), compensation_->refresh();
+    if (page_ == Page::History && !historyAll_ && !historyAsked_ && !history_.isEmpty() && table_->row() + table_->visibleRows() >= history_.size()) askHistory();
     if (page_ == Page::List && bitsAlone() != bitsShown_) layOut();
-    groups_->focused = onGroups_;
+    groups_->focused = onGroups_, table_->focused = page_ == Page::List && !onGroups_;
     for (Sheet* one : sheets()) one->refresh();
 }
 

@@ -92,7 +92,9 @@ private:
     Aside<std::shared_ptr<params::Table>> reading_;
     std::shared_ptr<params::Table> file_;
     QJsonArray history_;
-    QString historyOf_;
+    QString historyOf_;                      // empty: of all parameters
+    bool historyAsked_ = false, historyAll_ = false;
+    void askHistory();
     std::vector<Line> lines_;
     std::vector<Change> changes_;
 };

@@ -107,6 +107,7 @@ int StartSession::run() {
     });
     loop();
     keep_stops(stops_.close(utc_ms()));
+    keep_alarms();
     controller_->stop(5'000);
     tell_words(fmt::format(fmt::runtime(say("polyturn: the controller \"{}\" has ended.\n")), options_.instance));
     return 0;
@@ -228,6 +229,7 @@ void StartSession::note_alarm(std::string event_text, Dialect language, bool tel
     if (const Json event = Json::parse(event_text.back() == '}' ? event_text : event_text + "}", nullptr, false); event.is_object() && event.value("severity", "") == "error")
         stops_.alarm(event.value("ch", 0u), event["number"].is_string() ? event["number"].get<std::string>() : event["number"].dump(), event.value("text", ""));
     alarms_.push_back(with_when(std::move(event_text)));
+    if (alarms_.back().find("\"severity\":\"error\"") != std::string::npos || alarms_.back().find("\"severity\":\"warning\"") != std::string::npos) unkept_alarms_.push_back(alarms_.back());
     ++alarms_noted_;
     if (alarms_.size() > kKeptAlarms) alarms_.pop_front();
 }
@@ -279,7 +281,7 @@ void StartSession::handle(RequestServer::Client client, const std::string& line)
     if (what == "store") {
         const auto op = request.find("op");
         const std::string name = op != request.end() && op->is_object() && op->contains("do") && (*op)["do"].is_string() ? (*op)["do"].get<std::string>() : std::string();
-        if (name == "stops.note") return server_.answer(client, refusal({Alarm::PressUnknown, {}, {}, name}));   // only from here
+        if (name == "stops.note" || name == "alarms.note") return server_.answer(client, refusal({Alarm::PressUnknown, {}, {}, name}));   // only from here
         return serve_operation(client, op != request.end() ? op->dump(-1, ' ', false, Json::error_handler_t::replace) : "{}", name == "users.login", who);
     }
     if (what == "logout") return server_.answer(client, access_.close(text_at("token")) ? R"({"ok":true})" : R"({"ok":true,"nobody":true})");

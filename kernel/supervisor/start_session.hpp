@@ -52,6 +52,7 @@ private:
     // start_session_stops.cpp: the log of stops.
     void watch_stops();
     void keep_stops(std::vector<Stop> stops);
+    void keep_alarms();
 
     // A client that waits for the store: so many answers are still to come.
     struct Waiting {
@@ -77,6 +78,7 @@ private:
     std::deque<Waiting> waiting_;
     StopWatch stops_;
     std::deque<Stop> untold_stops_;   // the store does not take them now
+    std::deque<std::string> unkept_alarms_;   // on their way to the store
     std::chrono::steady_clock::time_point next_stop_look_{};
     std::map<std::size_t, std::deque<std::chrono::steady_clock::time_point>> deaths_;
     std::vector<std::size_t> to_revive_;

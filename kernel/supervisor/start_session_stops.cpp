@@ -1,4 +1,4 @@
-// The log of stops: what the stop watch tells goes to the store, as an operation of the supervisor's own.
+// The log of stops and the alarms of all days: what the stop watch and the processes tell goes to the store, as operations of the supervisor's own.
 #include <cstdio>
 #include <ctime>
 #include <memory>
@@ -10,7 +10,7 @@ namespace polyturn::supervisor {
 namespace {
 
 constexpr auto kEvery = std::chrono::milliseconds(100);
-constexpr std::size_t kMostUntold = 1000;
+constexpr std::size_t kMostUntold = 1000, kAlarmsAtOnce = 8;
 
 std::string utc_text(std::int64_t ms) {
     const auto seconds = static_cast<std::time_t>(ms / 1000);
@@ -34,6 +34,7 @@ void StartSession::watch_stops() {
     const auto now = std::chrono::steady_clock::now();
     if (now < next_stop_look_) return;
     next_stop_look_ = now + kEvery;
+    keep_alarms();
     const auto status = std::make_unique<MachineStatus>();
     const auto inputs = std::make_unique<PlcInputs>();
     if (!controller_->kernel().status.read(*status) || !controller_->kernel().plc_inputs.read(*inputs)) return;
@@ -60,6 +61,15 @@ void StartSession::keep_stops(std::vector<Stop> stops) {
         serve_operation(0, op.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace), false, Who{});
         untold_stops_.pop_front();
     }
+}
+
+// Some at a time: a program that warns in a loop writes the disk ten times a second at the most, and of a flood the newest are kept.
+void StartSession::keep_alarms() {
+    while (unkept_alarms_.size() > kMostUntold) unkept_alarms_.pop_front();
+    if (unkept_alarms_.empty() || !controller_->running(kProcessStore)) return;
+    std::string events;
+    for (std::size_t i = 0; i < kAlarmsAtOnce && !unkept_alarms_.empty(); ++i, unkept_alarms_.pop_front()) events += (events.empty() ? "" : ",") + unkept_alarms_.front();
+    serve_operation(0, R"({"do":"alarms.note","events":[)" + events + "]}", false, Who{});
 }
 
 }  // namespace polyturn::supervisor

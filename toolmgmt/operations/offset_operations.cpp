@@ -264,7 +264,7 @@ Json undo(const Json& request, Work& work) {
     if (!work.disk) return work.fault(Alarm::StoreRequestBad, "this controller keeps no history"), Json();
     std::int64_t channel = 0;
     read_whole(request, "channel", channel, work, false);
-    const auto entries = work.disk->history(channel ? "L" + std::to_string(channel) + " offset" : " offset ", "", 2000);
+    const auto entries = work.disk->history({Database::HistoryOf::Kind::EnteredOffsets, channel ? "L" + std::to_string(channel) + " offset" : "", {}, {}, 0, 2000});
     if (!entries) return work.fault(entries.diagnosis()), Json();
     int undone = 0;   // what was taken back already, newest first
     for (const auto& entry : *entries) {
@@ -288,14 +288,19 @@ Json undo(const Json& request, Work& work) {
     return work.fault(Alarm::StoreRequestBad, "there is nothing to take back"), Json();
 }
 
+// Of a value by its whole name ("of"), of all parameters ("kind"), or of what contains a text; "before": what is older than that row.
 Json history(const Json& request, Work& work, const std::string& about) {
     if (!work.disk) return work.fault(Alarm::StoreRequestBad, "this controller keeps no history"), Json();
-    std::int64_t most = 50;
-    read_whole(request, "most", most, work, false);
-    const auto entries = work.disk->history(about, read_text(request, "who"), std::clamp<std::int64_t>(most, 1, 100'000));
+    Database::HistoryOf wanted{Database::HistoryOf::Kind::All, about, read_text(request, "who"), read_text(request, "before_utc")};
+    if (request.contains("of")) wanted.kind = Database::HistoryOf::Kind::Value, wanted.about = read_text(request, "of");
+    else if (read_text(request, "kind") == "parameters") wanted.kind = Database::HistoryOf::Kind::Parameters;
+    read_whole(request, "before_id", wanted.before_id, work, false);
+    read_whole(request, "most", wanted.most, work, false);
+    wanted.most = std::clamp<std::int64_t>(wanted.most, 1, 100'000);
+    const auto entries = work.disk->history(wanted);
     if (!entries) return work.fault(entries.diagnosis()), Json();
     Json out = Json::array();
-    for (const auto& entry : *entries) out.push_back({{"utc", entry.utc}, {"who", entry.who}, {"what", entry.what}, {"old", entry.before}, {"new", entry.after}});
+    for (const auto& entry : *entries) out.push_back({{"id", entry.id}, {"utc", entry.utc}, {"who", entry.who}, {"what", entry.what}, {"old", entry.before}, {"new", entry.after}});
     return {{"history", std::move(out)}};
 }
 

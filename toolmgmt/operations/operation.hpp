@@ -79,6 +79,7 @@ Json table_operation(std::string_view what, const Json& request, Work& work);
 Json offset_operation(std::string_view what, const Json& request, Work& work);
 Json zero_operation(std::string_view what, const Json& request, Work& work);
 Json part_operation(std::string_view what, const Json& request, Work& work);
+Json alarm_operation(std::string_view what, const Json& request, Work& work);
 Json stop_operation(std::string_view what, const Json& request, Work& work);
 Json user_operation(std::string_view what, const Json& request, Work& work);
 Json pallet_operation(std::string_view what, const Json& request, Work& work);

@@ -2,6 +2,7 @@
 #include <QFile>
 
 #include "hmi/screens/alarms.hpp"
+#include "hmi/screens/diagnosis.hpp"
 #include "hmi/screens/manual.hpp"
 #include "hmi/screens/programs.hpp"
 #include "tests/unit/hmi/tasks.hpp"
@@ -123,6 +124,41 @@ TEST_F(PageTasks, TheEditorMarksFaultsWhileOneTypes) {
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     EXPECT_EQ(file.readAll(), "O0007\nN10 G98 G0 X40. Z5.\nN20 G1 X4.0 F200.\nN30 M30\n");
     EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 1) << "nothing is left beside it";
+}
+
+// What the PLC says of its machine, in the language of the screens: here the built-in one's first message.
+TEST_F(PageTasks, AMessageOfTheMachinesBuilderIsReadInTheReadersLanguage) {
+    for (const char* key : {"reset", "mode L1=mdi"}) ASSERT_TRUE(waitFor([&] { return g_controller->press(key); }, 20)) << key;
+    ASSERT_TRUE(waitFor([&] { return std::abs(live().status().spindles[0].speed) > 100 || (g_controller->press("mdi L1 G97 M3 S500"), QTest::qWait(500), false); }, 20));
+    const auto told = [&]() -> const AlarmEntry* {
+        for (const AlarmEntry& one : window->desk().alarms.all())
+            if (one.told && one.text.contains("the chuck must not open while the spindle turns")) return &one;
+        return nullptr;
+    };
+    ASSERT_TRUE(waitFor([&] { return told() || (g_controller->press("mdi L1 M11"), QTest::qWait(500), false); }, 20));
+    EXPECT_EQ(told()->remedy, "Program M5 before M11.");
+    const auto at = told() - window->desk().alarms.all().data();
+    window->setTongue(Tongue::Russian);
+    const AlarmEntry& entry = window->desk().alarms.all()[static_cast<std::size_t>(at)];
+    ASSERT_TRUE(waitFor([&] { return entry.told; }, 5));
+    EXPECT_TRUE(entry.text.contains(QString::fromUtf8("патрон нельзя открыть при вращении шпинделя; причина: M11 до останова шпинделя"))) << entry.text.toStdString();
+    EXPECT_EQ(entry.remedy, QString::fromUtf8("Запрограммируйте M5 перед M11."));
+    window->setTongue(Tongue::English);
+    for (const char* key : {"reset", "mode L1=mdi", "mdi L1 M5", "reset"}) ASSERT_TRUE(waitFor([&] { return g_controller->press(key); }, 20)) << key;
+}
+
+// Which spindle follows which, and since which M code of which channel.
+TEST_F(PageTasks, ACouplingTellsSinceWhichCode) {
+    for (const char* key : {"reset", "mode L2=mdi"}) ASSERT_TRUE(waitFor([&] { return g_controller->press(key); }, 20)) << key;
+    ASSERT_TRUE(waitFor([&] { return live().status().spindles[1].master == 1 || (g_controller->press("mdi L2 M60"), QTest::qWait(500), false); }, 20));
+    Operator hand(*window);
+    hand.screen("diagnosis");
+    hand.soft("Couplings");
+    Table& table = screenOf<Diagnosis>().table();
+    const auto cell = [&](int column) { return table.rows() ? table.cell(0, column).text : QString(); };
+    EXPECT_TRUE(waitFor([&] { return cell(0) == "S2" && cell(1) == "S1"; }, 5)) << cell(0).toStdString();
+    EXPECT_TRUE(cell(3).startsWith("M60 L2")) << cell(3).toStdString();
+    for (const char* key : {"mdi L2 M62", "reset"}) ASSERT_TRUE(waitFor([&] { return g_controller->press(key); }, 20)) << key;
 }
 
 TEST_F(PageTasks, TheHelpKeyOpensThePageOfWhatIsChosen) {

@@ -46,6 +46,26 @@ TEST_F(PanelTasks, TheLogOfStopsTellsWhenHowLongAndWhy) {
     noWordIsShortened(*window);
 }
 
+// What happened in the night is read in the morning, after the power was off.
+TEST_F(PanelTasks, AlarmsOutliveTheController) {
+    Operator hand(*window);
+    ASSERT_TRUE(waitFor([&] { return window->desk().alarms.standing() || (g_controller->press("select L1=/nowhere/last/night.nc"), g_controller->press("cycle_start L1"), QTest::qWait(300), window->desk().alarms.standing()); }, 20));
+    const QString number = window->desk().alarms.standing()->number;
+    QTest::qWait(400);                                   // the store has it
+    g_controller->stop();
+    ASSERT_TRUE(waitFor([&] { return !live().connected(); }, 10));
+    g_controller->start();
+    ASSERT_TRUE(waitFor([&] { return live().connected(); }, 30));
+    hand.screen("alarms");
+    hand.soft("History");
+    Alarms& alarms = screenOf<Alarms>();
+    const auto found = [&] { return std::find_if(alarms.rows().begin(), alarms.rows().end(), [&](const AlarmEntry& one) { return one.number == number && one.text.contains("night.nc"); }); };
+    ASSERT_TRUE(waitFor([&] { return found() != alarms.rows().end() && found()->told; }, 10)) << alarms.rows().size();
+    EXPECT_FALSE(found()->standing);
+    EXPECT_FALSE(found()->remedy.isEmpty());
+    EXPECT_EQ(std::count_if(alarms.rows().begin(), alarms.rows().end(), [&](const AlarmEntry& one) { return one.text.contains("night.nc"); }), 1) << "told once";
+}
+
 TEST_F(PanelTasks, TheLogOfStopsOutlivesTheController) {
     StopBook& book = screenOf<Alarms>().stops().book();
     Operator hand(*window);
@@ -123,6 +143,9 @@ TEST_F(PanelTasks, TheComputersSettingsAreChangedByItsProgramsOrRefusedInTheirWo
     };
     program("timedatectl", "case \"$1\" in show) echo Timezone=Europe/Prague; echo NTP=yes;; set-time) echo 'Failed to set time: Automatic time synchronization is enabled' >&2; exit 1;; esac");
     program("localectl", "echo \"System has not been booted with systemd as init system (PID 1). Can't operate.\" >&2; exit 1");
+    program("xset", "if [ \"$1\" = q ]; then echo '  auto repeat delay:  500    repeat rate:  20'; fi");
+    const QByteArray display = qgetenv("DISPLAY");
+    qputenv("DISPLAY", ":9");
     program("nmcli", "echo 'Error: NetworkManager is not running.' >&2; exit 8");
     const QByteArray path = qgetenv("PATH");
     qputenv("PATH", folder.path().toUtf8() + ":/bin:/usr/bin");
@@ -152,7 +175,12 @@ TEST_F(PanelTasks, TheComputersSettingsAreChangedByItsProgramsOrRefusedInTheirWo
     for (int i = 0; i < 30; ++i) QTest::keyClick(window.get(), Qt::Key_Backspace);
     hand.type("tomorrow"), hand.key(Qt::Key_Return);
     EXPECT_TRUE(page.told().contains("2026-01-31 06:00:00")) << "wrong text is refused before anybody is asked: " << page.told().toStdString();
-    qputenv("PATH", path);
+    ASSERT_TRUE(waitFor([&] { return !page.computer().busy(); }, 20));
+    hand.touchCell(page.table(), 12, 2), hand.key(Qt::Key_Return);   // time before a key repeats: numbers calculate here too
+    for (int i = 0; i < 30; ++i) QTest::keyClick(window.get(), Qt::Key_Backspace);
+    hand.type("+50/2"), hand.key(Qt::Key_Return);
+    EXPECT_TRUE(waitFor([&] { asked.close(); return asked.open(QIODevice::ReadOnly) && asked.readAll().contains("xset r rate 525 20"); }, 10)) << page.told().toStdString();
+    qputenv("PATH", path), qputenv("DISPLAY", display);
     noWordIsShortened(*window);
 }
 
