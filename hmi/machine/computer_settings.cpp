@@ -12,7 +12,9 @@
 #include <QTimeZone>
 #include <QTimer>
 #include <bit>
+#include <cmath>
 
+#include "hmi/text/calculate.hpp"
 #include "hmi/text/tongues.hpp"
 #include "ipc/diagnosis/details.hpp"
 
@@ -46,7 +48,7 @@ const std::vector<ComputerSetting>& computerSettings() {
     static const std::vector<ComputerSetting> kAll{
         {What::Date, "N5100", WORD("Date and time"), "2026-01-31 06:00:00"},
         {What::Zone, "", WORD("Time zone"), "Europe/Prague"},
-        {What::Synchronised, "", WORD("Time from the network"), "yes, no"},
+        {What::Synchronised, "", WORD("Time from the network"), ""},
         {What::Address, "N5101", WORD("Network address"), "192.168.1.10"},
         {What::Mask, "N5102", WORD("Subnet mask"), "255.255.255.0"},
         {What::Gateway, "N5103", WORD("Gateway"), "192.168.1.1"},
@@ -194,8 +196,6 @@ void ComputerSettings::write(What what, const QString& text, Done done) {
         done(status == 0, status == 0 ? QString() : error);
         if (status == 0) read();
     };
-    bool number = false;
-    const int whole = words.toInt(&number);
     switch (what) {
         case What::Date: {
             const QDateTime when = QDateTime::fromString(words, "yyyy-MM-dd HH:mm:ss");
@@ -228,8 +228,11 @@ void ComputerSettings::write(What what, const QString& text, Done done) {
             return run("localectl", {"set-x11-keymap", words}, ended);
         case What::Delay: case What::Rate: {
             const bool delay = what == What::Delay;
-            if (!number || whole < (delay ? 250 : 2) || whole > (delay ? 1000 : 30)) return wrong(delay ? word("250 to 1000 ms") : word("2 to 30 a second"));
-            return run("xset", {"r", "rate", delay ? words : value(What::Delay), delay ? value(What::Rate) : words}, ended);
+            const auto entry = calculate(words.toStdString());   // 500/2 and +50 as in every number field
+            const double wanted = entry ? std::round(entry->over(value(what).toDouble())) : 0;
+            if (wanted < (delay ? 250 : 2) || wanted > (delay ? 1000 : 30)) return wrong(delay ? word("250 to 1000 ms") : word("2 to 30 a second"));
+            const QString whole = QString::number(wanted, 'f', 0);
+            return run("xset", {"r", "rate", delay ? whole : value(What::Delay), delay ? value(What::Rate) : whole}, ended);
         }
         case What::Wins1: case What::Wins2: break;
     }

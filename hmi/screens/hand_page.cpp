@@ -226,6 +226,7 @@ void HandPage::doStep() {
 
 void HandPage::refresh() {
     fillTools();
+    tools_->focused = focus_ == 1, steps_->focused = focus_ == 2;
     for (Sheet* one : sheets()) one->refresh();
 }
 

@@ -8,6 +8,8 @@ namespace {
 constexpr int kSetter = 2;
 int levelNumber(const QString& level) { return level == "maker" ? 3 : level == "setter" ? 2 : level == "operator" ? 1 : 0; }
 
+QString exampleOf(const ComputerSetting& setting) { return setting.what == ComputerSetting::What::Synchronised ? word("yes") + ", " + word("no") : QString(setting.example); }
+
 }  // namespace
 
 SettingsPage::SettingsPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), table_(new Table(this)), note_(new FreeSheet(this)) {
@@ -30,7 +32,7 @@ SettingsPage::SettingsPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_
                 const QString value = computer_.value(one.what);
                 return {value.isEmpty() ? QString::fromUtf8("–") : value, value.isEmpty() ? t.dim : t.text, Sign::None, true};
             }
-            default: return {why.isEmpty() ? QString(one.example) : why, why.isEmpty() ? t.faint : t.warn, why.isEmpty() ? Sign::None : Sign::Lock};
+            default: return {why.isEmpty() ? exampleOf(one) : why, why.isEmpty() ? t.faint : t.warn, why.isEmpty() ? Sign::None : Sign::Lock};
         }
     };
     table_->onActivated = [this] { change(); };
@@ -71,7 +73,7 @@ void SettingsPage::composeNote(Writer& w) {
     w.sign(QRectF(px(14), high / 2 - px(10), px(20), px(20)), told_.isEmpty() ? Sign::Note : good_ ? Sign::Good : Sign::Alarm, told_.isEmpty() ? t.dim : good_ ? t.good : t.bad);
     Item& item = w.text(QRectF(px(44), px(4), wide * 0.62, high - px(8)), told_.isEmpty() ? word("The operating system keeps these values and says who may change them; Enter, or a second touch, changes one.") : told_, lettering(15), t.text);
     item.wraps = true, item.data = !told_.isEmpty();
-    if (one) w.field(QRectF(wide * 0.7, px(9), wide * 0.3 - px(10), high - px(18)), computer_.value(one->what), QString(one->example), false, 1);
+    if (one) w.field(QRectF(wide * 0.7, px(9), wide * 0.3 - px(10), high - px(18)), computer_.value(one->what), exampleOf(*one), false, 1);
 }
 
 void SettingsPage::change() {

@@ -52,10 +52,7 @@ Tools::Tools(Desk& desk)
     head_->onTouched = [this](int number) {
         if (number == kFilterHit) return nextFilter();
         if (number == kSearchHit) return desk_.ask({word("Search"), search_, [this](const QString& text) { search_ = text, fillList(), list_->choose(0), refresh(); }, {}});
-        picture_->show(number - 1000);
-        if (const ToolPlace* place = picture_->chosen()) picture_->choose(place->pot);
-        version_ = 0, refresh();
-        if (desk_.keysChanged) desk_.keysChanged();
+        showMagazine(number - 1000);
     };
     detail_->onCompose = [this](Writer& w) { composeDetail(w); };
     side_->onCompose = [this](Writer& w) { composeSide(w); };
@@ -325,6 +322,13 @@ void Tools::composeDetail(Writer& w) {
     if (lifeLeft(*tool) >= 0) w.bar(QRectF(px(16), px(124), wide - px(32), px(12)), lifeLeft(*tool), lifeColour(*tool), t.edge);
 }
 
+void Tools::showMagazine(std::int32_t magazine) {
+    picture_->show(magazine);
+    if (const ToolPlace* place = picture_->chosen()) picture_->choose(place->pot);
+    version_ = 0, refresh();
+    if (desk_.keysChanged) desk_.keysChanged();
+}
+
 void Tools::refresh() {
     if (page_ == Page::Magazine && version_ != desk_.live.toolsVersion()) fillList();
     if (page_ == Page::Data && version_ != desk_.live.toolsVersion()) fillData();
@@ -342,6 +346,12 @@ bool Tools::key(QKeyEvent* event) {
             return refresh(), true;
         }
         if (event->key() == Qt::Key_Tab || event->key() == Qt::Key_Backtab) return picture_->focused = !picture_->focused, refresh(), true;
+        if ((event->key() == Qt::Key_PageUp || event->key() == Qt::Key_PageDown) && (picture_->focused || picture_->carried)) {   // what a finger chooses above the picture
+            const auto all = magazines();
+            const auto here = std::find(all.begin(), all.end(), picture_->shown()) - all.begin() + (event->key() == Qt::Key_PageDown ? 1 : -1);
+            if (here >= 0 && here < static_cast<std::ptrdiff_t>(all.size())) showMagazine(all[static_cast<std::size_t>(here)]);
+            return true;
+        }
         const QString text = event->text();
         if (event->key() == Qt::Key_Backspace || (text.size() == 1 && text[0].isPrint() && !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier)))) {
             if (event->key() == Qt::Key_Backspace) search_.chop(1);

@@ -90,6 +90,7 @@ private:
     bool passes(std::int32_t number, const ToolRow& tool) const;
     static constexpr int kPages = 5;
     std::vector<std::int32_t> magazines() const;
+    void showMagazine(std::int32_t magazine);
     const ToolRow* chosen() const { return toolOf(desk_.live, tool_); }
     bool textField() const;
 

@@ -212,7 +212,7 @@ TEST(WordSources, WhatIsLeftInEnglishIsFound) {
 // A sentence of the sources that screens show stands in word(): no test sees every message.
 TEST(WordSources, NoSentenceStandsOutsideTheWords) {
     // What the controller is told or tells, choices that are translated where they are shown.
-    const QStringList kNotShown{"reference all", "yes, no", "loading station", "working area", "too large", "too small", R"(auto repeat delay:\\s*(\\d+)\\s+repeat rate:\\s*(\\d+))", "not been booted with systemd", "yyyy-MM-ddTHH:mm:ss", " (beyond the edge)"};
+    const QStringList kNotShown{"reference all", "loading station", "working area", "too large", "too small", R"(auto repeat delay:\\s*(\\d+)\\s+repeat rate:\\s*(\\d+))", "not been booted with systemd", "yyyy-MM-ddTHH:mm:ss", " (beyond the edge)"};
     static const QRegularExpression kLiteral(R"re("((?:[^"\\]|\\.)*)")re"), kSentence("[A-Za-z]{3,}[ ,:]+[a-z]{2,}"), kWords(R"((?:word|WORD)\($)");
     int seen = 0;
     for (QDirIterator files(QString(POLYTURN_SOURCE_DIR) + "/hmi", {"*.cpp", "*.hpp"}, QDir::Files, QDirIterator::Subdirectories); files.hasNext();) {
