@@ -57,7 +57,7 @@ Json enter(Work& work, unsigned channel, std::size_t row, const AxisConfig& axis
     return more;
 }
 
-Json list(const Json& request, Work& work) {
+Json list_zeros(const Json& request, Work& work) {
     unsigned channel = 1;
     if (!read_channel(request, work, channel)) return {};
     const ChannelConfig& config = work.machine.channel(channel);
@@ -179,7 +179,7 @@ Json touch(const Json& request, Work& work) {
 }  // namespace
 
 Json zero_operation(std::string_view what, const Json& request, Work& work) {
-    if (what == "list") return list(request, work);
+    if (what == "list") return list_zeros(request, work);
     if (what == "set") return set(request, work);
     if (what == "measure") return measure(request, work);
     if (what == "touch") return touch(request, work);
