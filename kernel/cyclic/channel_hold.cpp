@@ -8,8 +8,14 @@ namespace polyturn::kernel {
 ChannelRunner::Place ChannelRunner::place_now() const noexcept {
     if (cursor_ >= segment_->path.head.load(std::memory_order_acquire) || record(cursor_).epoch != epoch_) return {};
     const PathRecord& r = record(cursor_);
+    if (stands_at_late_stop()) return {r.serial + 1, 1, false};
     const bool within = begun_ || (!step_.over && step_.s > 0 && step_.record == cursor_);
     return {r.serial, r.part, within || (last_serial_ == r.serial && last_part_ == r.part)};
+}
+
+// At an M01 whose key came after it was read: what is behind it was read ahead, and the program goes on there.
+bool ChannelRunner::stands_at_late_stop() const noexcept {
+    return state_ == ChannelState::ProgramStop && stop_reason_ == StopReason::M01 && phase_ == Phase::Stopped && cursor_ < visible_end_ && !(record(cursor_).flags & kDrains);
 }
 
 // The first block of which nothing has begun: it and what follows was only read ahead. 0: nothing was.
@@ -25,7 +31,7 @@ std::uint64_t ChannelRunner::first_not_begun() const noexcept {
 bool ChannelRunner::rests_in_hold() const noexcept {
     if (!segment_ || dead_ || stopped_ || resetting_ || interrupted_ || held_mdi_ || !at_rest() || retract_.active() || trail_.active()) return false;
     const bool held = state_ == ChannelState::Held || (state_ == ChannelState::ProgramStop && stop_reason_ == StopReason::SingleBlock);
-    return held && (phase_ == Phase::None || phase_ == Phase::Dwell) && (program_left_ || place_now().serial != 0);
+    return (held ? phase_ == Phase::None || phase_ == Phase::Dwell : stands_at_late_stop()) && (program_left_ || place_now().serial != 0);
 }
 
 // Axes were moved in the hold, and the language knows how to go on without going back first (N1337 #5 REL).
@@ -104,7 +110,9 @@ void ChannelRunner::discard() noexcept {
 }
 
 void ChannelRunner::go_back_to(const Place& place, bool away) noexcept {
-    if (place.begun && cursor_ < visible_end_) report(KernelEventKind::RecordEnd, record(cursor_), 0);
+    const bool stopped = phase_ == Phase::Stopped;   // at an M01
+    if ((place.begun || stopped) && cursor_ < visible_end_) report(KernelEventKind::RecordEnd, record(cursor_), 0);
+    if (stopped && cursor_ < visible_end_) trail_.add(record(cursor_), 0, 0);   // no way back over it
     discard();
     if (place.begun) last_serial_ = place.serial, last_part_ = place.part;   // it stays begun, however often it is read again
     if (away) trail_.clear();   // between its end and here there is a gap

@@ -222,6 +222,7 @@ private:
     };
     Place place_now() const noexcept;
     std::uint64_t first_not_begun() const noexcept;
+    bool stands_at_late_stop() const noexcept;
     // Why the channel is asked: offsets have changed, a block is entered by hand, or it starts where its axes were moved to.
     enum class BackFor : std::uint8_t { Change, ByHand, Away };
     bool rests_in_hold() const noexcept;

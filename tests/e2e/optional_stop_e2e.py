@@ -54,6 +54,16 @@ class OptionalStop(Case):
         self.assertAlmostEqual(second, 3.0, delta=0.1, msg=done.said())
         self.assertEqual([e["reason"] for e in done.of("stop")], ["M01", "M30"], "it stood there")
 
+    def test_an_offset_that_is_entered_at_the_stop_acts_behind_it(self):
+        body = "T0101\nG98 G1 X100. Z0. F6000\nZ-50. F600\nN30 M01\nN40 X90.\nN50 X80. Z-70.\nM30\n"
+        change = '[[at]]\nt = 7.0\nset = "offset L1 1 wear X=-0.4"\n[[at]]\nt = 8.5\npress = "cycle_start"\n'
+        setup = "[channel.1.offset.1]\ngeometry = { X = 0.0, Z = 0.0 }\nwear = { X = 0.0, Z = 0.0 }\n"
+        for key, keys in (('[[at]]\nt = 2.0\npress = "optional_stop L1=on"\n', ""), ("", "keys = { optional_stop = true }\n")):
+            with self.subTest(key):
+                done = self.run_one("fanuc", key + change, body, keys + setup)
+                self.assertEqual([e["reason"] for e in done.of("stop")], ["M01", "M30"], done.said())
+                self.assertEqual([e["machine"]["X"] for e in done.of("move") if e.get("n") in (40, 50)], [44.8, 39.8], done.said())
+
     def test_under_compensation_the_contour_stays(self):
         body = "T0101\nG98 G42 G1 X40. Z0. F600\nZ-10.\nM01\nX60. Z-20.\nG40 X80. Z-30.\nM30\n"
         setup = "[channel.1.offset.1]\ngeometry = { R = 0.8, T = 3 }\n"
