@@ -28,6 +28,7 @@ void Interpreter::note_resume_point() {
         state.loops = loops_;
         state.modal_calls = modal_calls_;
         state.levels = variables_.levels();
+        state.turned = turned_;
         return state;
     });
 }
@@ -48,6 +49,7 @@ bool Interpreter::go_back_to(std::uint64_t serial, bool within_compensation) {
     loops_ = state.loops;
     modal_calls_ = state.modal_calls;
     variables_.set_levels(state.levels);
+    turned_ = state.turned;
     variables_.undo().back_to(serial);
     source_ = &files_->source(frames_.back().file);
     source_->seek(point->position);

@@ -14,6 +14,7 @@ struct Interpreter::ResumeState {
     std::vector<Loop> loops;
     std::vector<ModalCall> modal_calls;
     std::vector<LocalSet> levels;
+    decltype(Interpreter::turned_) turned;   // not modal: what an interrupt program has turned stays, an M19 or M3 that is void again has turned nothing
 };
 
 }  // namespace polyturn::channels::fanuc

@@ -261,6 +261,17 @@ class Reset(Run):
         self.assertEqual([e["value"] for e in done.of("flag", name="CN_UOUT L1")], [1, 0], done.said())
 
 
+class HeldProgram(Run):
+    def test_a_code_that_is_void_again_has_not_turned_the_spindle(self):
+        # The M3 of N50 is read ahead when the offset changes in the hold; read again, M301 of N30 finds the loop that M19 has closed.
+        program = "O1\nN10 M19\nN20 G94 G1 Z-50. F600\nN30 M301\nN40 G1 Z-55.\nN50 S100 M3\nN60 G1 Z-60.\nN70 M30\n"
+        scenario = '[[at]]\nt = 2.0\npress = "feed_hold L1"\n[[at]]\nt = 2.5\nset = "offset L1 1 wear Z=-0.4"\n[[at]]\nt = 3.0\npress = "cycle_start L1"\n'
+        for held in ("", scenario):
+            done = self.polyturn("run", "--virtual", "--language", "nct", "--set", "N0820 S1=301", "--set", "N0821=11", "--set", "N0822=30",
+                                 "--scenario", self.write("scenario.toml", held), self.write("O0001.nc", program))
+            self.assertEqual(done.alarms, [], done.said())
+
+
 class PickedUpThread(LiveCase):
     """A part is clamped again: spindle and tool are put into its groove by hand, and the thread goes on in it."""
 
