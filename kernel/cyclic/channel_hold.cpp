@@ -113,6 +113,7 @@ void ChannelRunner::go_back_to(const Place& place, bool away) noexcept {
     const bool stopped = phase_ == Phase::Stopped;   // at an M01
     if ((place.begun || stopped) && cursor_ < visible_end_) report(KernelEventKind::RecordEnd, record(cursor_), 0);
     if (stopped && cursor_ < visible_end_) trail_.add(record(cursor_), 0, 0);   // no way back over it
+    if (stopped) state_ = ChannelState::Held, stop_reason_ = StopReason::Held, hold_ = true;   // nothing moves before a start
     discard();
     if (place.begun) last_serial_ = place.serial, last_part_ = place.part;   // it stays begun, however often it is read again
     if (away) trail_.clear();   // between its end and here there is a gap
