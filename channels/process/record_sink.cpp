@@ -164,7 +164,8 @@ void RecordSink::wait(const Wait& wait, const BlockContext& at) {
     r.mask = wait.channels;
     copy_text(wait.marker, r.text);
     if (wait.flying) r.flags |= kFlying;
-    push(r, true, !wait.flying);   // in passing: the kernel needs what comes behind, and nobody reads the world there
+    // In passing nobody reads the world there, and the path goes on behind it: the kernel brakes in front of it where somebody is missing.
+    push(r, !wait.flying || wait.code == kBalanceMeeting, !wait.flying);
 }
 
 void RecordSink::variable(const Variable& variable, const BlockContext& at) {

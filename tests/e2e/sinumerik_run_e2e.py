@@ -63,6 +63,19 @@ class SinumerikRun(Case):
         done = self.run_one("G18 G90 G94 DIAMOF\nG0 Z0\nG54\nG1 Z5 F600\nG4 F9\nG55\nG1 Z-1\nM30\n", self.RESET_AND_START, "--set", "MD20152[7]=1", "--setup", setup)
         self.assertEqual([e["machine"]["Z"] for e in done.of("move", line=2)], [10], done.said())
 
+    def test_a_flying_wait_brakes_only_where_somebody_is_missing(self):   # part 3, 7.14, rule 2; architecture 7
+        for first, seconds in (("", 2.027), ("G4 F3\n", 3.0)):
+            with self.subTest(first):
+                one = self.write("ONE.MPF", "G18 G71 G90 G94 G500 DIAMOF G64\nN10 G1 Z40 F600\nWAITMC(1,1,2)\nN20 G1 Z30\nM30\n")
+                two = self.write("TWO.MPF", first + "WAITMC(1,1,2)\nM30\n")
+                setup = self.write("setup.toml", "[channel.1]\nmachine = { X = 100.0, Z = 50.0 }\n")
+                done = self.polyturn("run", "--virtual", "--language", "sinumerik", "--setup", setup, f"1={one}", f"2={two}")
+                self.assertEqual(done.status, 0, done.said())
+                begin, behind = done.of("move", n=10)[0], done.of("move", n=20)[0]
+                self.assertAlmostEqual(begin["t"], 0.0, delta=0.01)
+                self.assertAlmostEqual(behind["t"], 1.013 if not first else seconds, delta=0.01, msg=done.said())
+                self.assertAlmostEqual(behind["end"], seconds if not first else seconds + 1.026, delta=0.01)
+
     def test_a_probe_is_passed(self):   # part 3, 5.3: MEAW measures without deleting the way
         setup = self.write("setup.toml", '[channel.1]\npos = { X = 20.0, Z = 0.0 }\nsensor = [{ input = "1", axis = "Z", at = -20.0, direction = "-" }]\n')
         done = self.run_one(HEAD + "N10 MEAW=1 G1 Z-50 F600\nR1=$AC_MEA[1] R2=$AA_MW[Z] R3=$AA_DELT[Z]\nN20 MEAS=1 Z-60\nN30 Z0\nM30\n", "", "--setup", setup)
