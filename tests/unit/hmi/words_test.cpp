@@ -238,7 +238,7 @@ TEST(WordSources, NoWordIsPaintedByHand) {
     for (QDirIterator files(QString(POLYTURN_SOURCE_DIR) + "/hmi", {"*.cpp"}, QDir::Files, QDirIterator::Subdirectories); files.hasNext();) {
         QFile file(files.next());
         ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-        const bool widget = file.fileName().endsWith("/sheet.cpp") || file.fileName().endsWith("/painted.cpp");
+        const bool widget = file.fileName().endsWith("/set_words.cpp") || file.fileName().endsWith("/painted.cpp");
         EXPECT_EQ(file.readAll().contains("drawText("), widget) << file.fileName().toStdString() << ": use paintWords()";
     }
 }

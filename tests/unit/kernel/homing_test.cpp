@@ -116,7 +116,7 @@ TEST(Homing, ThePulseMustLieInTheMiddleHalfBehindTheSwitch) {
 }
 
 TEST(Homing, AMefiConstantSaysWhereItStands) {   // mefi_cnc8x6.md 4.1: the position memory is loaded with XR
-    Bench b(0x83, [](Table& t) { params::put(t, params::mefi_80, 30.5, 1); });
+    Bench b(0x83, [](Table& t) { params::put(t, params::mefi_80, 30.5, 1), params::put(t, params::n0100_axis_name1, 'X', 1); });
     b.decsw(1);
     b.press();
     b.rig.run_until_idle();

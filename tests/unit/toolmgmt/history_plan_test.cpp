@@ -49,8 +49,8 @@ TEST_F(HistoryPlan, EachQuestionHasItsIndexAndNothingIsSorted) {
 TEST_F(HistoryPlan, EveryParameterIsAmongTheParameters) {
     for (const params::Row& row : params::rows()) {
         Statement found(db, "SELECT ? GLOB '[NFMPS]*'");
-        ASSERT_TRUE(found.bind(1, row.name).row());
-        EXPECT_EQ(found.whole(0), 1) << row.name;
+        ASSERT_TRUE(found.bind(1, row.number).row());
+        EXPECT_EQ(found.whole(0), 1) << row.number;
     }
 }
 
