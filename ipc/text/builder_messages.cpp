@@ -93,4 +93,19 @@ std::string BuilderMessages::explain(int number, MessageLanguage language, bool 
     return out;
 }
 
+std::string BuilderMessages::told_in(std::string text, MessageLanguage language) const {
+    std::size_t place = std::string::npos, longest = 0;
+    std::string own;
+    for (const auto& [number, message] : messages_)
+        for (const bool remedy : {true, false})
+            for (unsigned spoken = 0; spoken < 4; ++spoken) {
+                const std::string told = explain(number, static_cast<MessageLanguage>(spoken), remedy);
+                if (told.size() <= longest) continue;          // one message may begin as another one reads
+                const std::size_t at = text.find(told);
+                if (at != std::string::npos) place = at, longest = told.size(), own = explain(number, language, remedy);
+            }
+    if (place != std::string::npos) text.replace(place, longest, own);
+    return text;
+}
+
 }  // namespace polyturn::text

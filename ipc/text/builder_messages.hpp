@@ -37,6 +37,8 @@ public:
     const BuilderMessage* find(int number) const;
     // ": text; cause: ... Remedy": behind the number in an alarm; empty for a number that nobody explains.
     std::string explain(int number, MessageLanguage language = MessageLanguage::English, bool remedy = true) const;
+    // A text in which an explanation stands, in whatever language it was told: the same with the explanation in this one.
+    std::string told_in(std::string text, MessageLanguage language) const;
 
 private:
     std::map<int, BuilderMessage> messages_;

@@ -20,9 +20,15 @@ using Json = nlohmann::json;
 
 void print(std::string_view words) { std::fwrite(words.data(), 1, words.size(), stdout); }
 
-namespace {
-// The text of an alarm in the language of this process; the list does not say whose numbers it speaks.
-std::string told(const std::string& number, std::string english) {
+text::BuilderMessages builder_messages(const std::string& instance) {
+    text::BuilderMessages out;
+    if (const auto supervisor = PeerSegment<SupervisorSegment>::attach(instance); supervisor)
+        if (const std::string base = (*supervisor)->options.machine_folder.data(); !base.empty()) (void)out.add_file((std::filesystem::path(base).parent_path() / "messages.csv").string());   // the controller has told what is wrong in it
+    return out;
+}
+
+std::string told(const std::string& number, std::string english, const text::BuilderMessages& messages) {
+    english = messages.told_in(std::move(english), static_cast<text::MessageLanguage>(tongue_now()));
     if (tongue_now() == Tongue::English) return english;
     const std::string padded = number.size() < 3 ? std::string(3 - number.size(), '0') + number : number;
     for (const Dialect dialect : {Dialect::Polyturn, Dialect::Fanuc, Dialect::Nct, Dialect::Fagor, Dialect::Sinumerik, Dialect::Mefi})
@@ -30,7 +36,6 @@ std::string told(const std::string& number, std::string english) {
             if (auto found = retell(written, dialect, english, tongue_now())) return found->text;
     return english;
 }
-}  // namespace
 
 int refuse(const Diagnosis& diagnosis) {
     print_diagnosis(diagnosis, Dialect::Polyturn);
@@ -111,12 +116,13 @@ int show_alarms(const CommandLine& line) {
         print(reply["alarms"].dump() + "\n");
         return 0;
     }
+    const text::BuilderMessages messages = builder_messages(line.instance.empty() ? "polyturn" : line.instance);
     for (const auto& alarm : reply["alarms"]) {
         const std::string number = !alarm.contains("number")     ? std::string(say("message"))
                                    : alarm["number"].is_string() ? alarm["number"].get<std::string>()
                                                                  : alarm["number"].dump();
         print(fmt::format("{:>10.3f} s  {:<4} {:<8} {}\n", alarm.value("t", 0.0),
-                          alarm.contains("ch") ? fmt::format("L{}", alarm.value("ch", 0)) : std::string(), number, told(number, alarm.value("text", ""))));
+                          alarm.contains("ch") ? fmt::format("L{}", alarm.value("ch", 0)) : std::string(), number, told(number, alarm.value("text", ""), messages)));
     }
     if (reply["alarms"].empty()) print(say("No alarms.\n"));
     return 0;

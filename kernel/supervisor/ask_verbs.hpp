@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "ipc/diagnosis/diagnosis.hpp"
+#include "ipc/text/builder_messages.hpp"
 #include "kernel/supervisor/options.hpp"
 
 namespace polyturn::supervisor {
@@ -16,4 +17,8 @@ void print(std::string_view words);        // on stdout
 int refuse(const Diagnosis& diagnosis);
 // Sends a request (JSON) and reads the answer; false when it was refused, then the reason stands on stderr.
 bool ask(const std::string& instance, const std::string& request, std::string* answer = nullptr);
+// Those of the machine of a running controller.
+text::BuilderMessages builder_messages(const std::string& instance);
+// The text of an alarm, told in English or the controller's language, in the language of this process; lists do not say whose numbers they speak.
+std::string told(const std::string& number, std::string english, const text::BuilderMessages& messages);
 }  // namespace polyturn::supervisor

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "ipc/diagnosis/tongue.hpp"
 #include "kernel/supervisor/event_text.hpp"
 
 namespace polyturn::supervisor {
@@ -288,7 +289,7 @@ void RunSession::take_alarm(const KernelEvent& event, double t_s) {
     diagnosis.values[0] = event.value;
     diagnosis.detail = event.text.data();
     diagnosis.place.line = event.line;
-    if (diagnosis.alarm == Alarm::BuilderMessage || diagnosis.alarm == Alarm::BuilderNote) diagnosis.detail = plan_.messages.explain(static_cast<int>(event.value));
+    if (diagnosis.alarm == Alarm::BuilderMessage || diagnosis.alarm == Alarm::BuilderNote) diagnosis.detail = plan_.messages.explain(static_cast<int>(event.value));   // logs are English
     if (event.line) {
         // The kernel knows lines, the channel's last block knows the file: a subprogram's, perhaps.
         const auto program = plan_.programs.find(event.channel);
@@ -304,7 +305,11 @@ void RunSession::take_alarm(const KernelEvent& event, double t_s) {
 
 void RunSession::report(const Diagnosis& diagnosis, unsigned channel, double t_s) {
     const Dialect dialect = channel ? plan_.dialect(channel) : Dialect::Polyturn;
-    if (!options_.quiet || diagnosis.severity() != Severity::Message) print_diagnosis(diagnosis, dialect);
+    if (!options_.quiet || diagnosis.severity() != Severity::Message) {
+        Diagnosis read = diagnosis;
+        if (read.alarm == Alarm::BuilderMessage || read.alarm == Alarm::BuilderNote) read.detail = plan_.messages.explain(static_cast<int>(read.values[0]), static_cast<text::MessageLanguage>(tongue_now()));
+        print_diagnosis(read, dialect);
+    }
     std::string text = alarm_event(diagnosis, dialect, channel);
     text.pop_back();
     if (diagnosis.severity() == Severity::Error) ++alarms_;
