@@ -196,27 +196,32 @@ Result<void> Database::commit(const std::vector<Change>& changes, std::string_vi
 }
 
 // Each condition as its index in schema.cpp has it: a value, the parameters and what was entered are found among a million rows without
-// looking at the others. A part of a text is looked for from the newest row on.
+// looking at the others. For a part of a text, the newest rows are looked at one by one.
 std::string Database::history_query(const HistoryOf& of) {
-    std::string sql = "SELECT id, utc, who, what, old, new FROM history WHERE ";
+    std::string sql = "SELECT id, utc, who, what, old, new FROM history";
     switch (of.kind) {
-        case HistoryOf::Kind::All: sql += "instr(what, ?1) > 0"; break;
-        case HistoryOf::Kind::Value: sql += "what = ?1"; break;
-        case HistoryOf::Kind::Parameters: sql += "what GLOB '[NFMPS]*'"; break;   // N1600 L1, F3401, MD20150, PT_HORIZON, SD43300, MEFI...
-        case HistoryOf::Kind::EnteredOffsets: sql += "instr(what, ' offset ') > 0 AND who NOT IN ('program', 'setup') AND instr(what, ?1) > 0"; break;
+        case HistoryOf::Kind::All: break;
+        case HistoryOf::Kind::Value: sql += " WHERE what = ?1"; break;
+        case HistoryOf::Kind::Parameters: sql += " WHERE what GLOB '[NFMPS]*'"; break;   // N1600 L1, F3401, MD20150, PT_HORIZON, SD43300, MEFI...
+        case HistoryOf::Kind::EnteredOffsets: sql += " WHERE instr(what, ' offset ') > 0 AND who NOT IN ('program', 'setup') AND instr(what, ?1) > 0"; break;
     }
-    if (!of.who.empty()) sql += " AND instr(who, ?2) > 0";
-    if (!of.before_utc.empty()) sql += " AND (utc, id) < (?3, ?4)";
-    return sql + " ORDER BY utc DESC, id DESC LIMIT ?5";
+    if (!of.before_utc.empty()) sql += std::string(of.kind == HistoryOf::Kind::All ? " WHERE" : " AND") + " (utc, id) < (?2, ?3)";
+    return sql + " ORDER BY utc DESC, id DESC LIMIT ?4";
 }
 
-Result<std::vector<Database::Entry>> Database::history(const HistoryOf& of) {
+Result<Database::History> Database::history(const HistoryOf& of) {
+    const bool about_text = of.kind == HistoryOf::Kind::All && !of.about.empty(), by_text = about_text || !of.who.empty();
+    const std::int64_t look = by_text ? kHistoryLook : of.most;
     Statement rows(parts_->db, history_query(of).c_str());
-    rows.bind(1, std::string_view(of.about)).bind(2, std::string_view(of.who)).bind(3, std::string_view(of.before_utc)).bind(4, of.before_id).bind(5, of.most);
-    std::vector<Entry> entries;
-    while (rows.row()) entries.push_back({rows.whole(0), rows.text(1), rows.text(2), rows.text(3), rows.text(4), rows.text(5)});
+    rows.bind(1, std::string_view(of.about)).bind(2, std::string_view(of.before_utc)).bind(3, of.before_id).bind(4, look);
+    History out;
+    for (std::int64_t looked = 1; rows.row(); ++looked) {
+        if ((!about_text || rows.text(3).find(of.about) != std::string::npos) && (of.who.empty() || rows.text(2).find(of.who) != std::string::npos)) out.entries.push_back({rows.whole(0), rows.text(1), rows.text(2), rows.text(3), rows.text(4), rows.text(5)});
+        if (static_cast<std::int64_t>(out.entries.size()) == of.most) return out;
+        if (by_text && looked == look) out.more = {rows.text(1), rows.whole(0)};
+    }
     if (!rows.done()) return parts_->open_fault();
-    return entries;
+    return out;
 }
 
 const std::string& Database::path() const { return parts_->path; }

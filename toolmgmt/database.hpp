@@ -14,8 +14,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ipc/diagnosis/diagnosis.hpp"
@@ -53,8 +55,14 @@ public:
         std::string about = {}, who = {}, before_utc = {};
         std::int64_t before_id = 0, most = 50;
     };
-    Result<std::vector<Entry>> history(const HistoryOf& of);
-    static std::string history_query(const HistoryOf& of);   // ?1 about, ?2 who, ?3 and ?4 before, ?5 most
+    // A part of a text has no index: kHistoryLook rows are looked at, and where that was not enough, `more` is the last of them.
+    struct History {
+        std::vector<Entry> entries;
+        std::optional<std::pair<std::string, std::int64_t>> more;   // utc, id
+    };
+    static constexpr std::int64_t kHistoryLook = 10'000;   // 20 ms
+    Result<History> history(const HistoryOf& of);
+    static std::string history_query(const HistoryOf& of);   // ?1 about, ?2 and ?3 before, ?4 rows to look at
 
     // A time in which a channel stood. Its begin and its channel name it: told again, it is replaced.
     struct Stop {

@@ -192,6 +192,31 @@ bool send(const std::string& instance, const Json& op, Json& answer) {
     return answer.is_object();
 }
 
+bool asks_history(const Json& op) { return op.value("do", "") == "history.list" || op.value("do", "") == "offsets.history"; }
+
+// Where a text is looked for among years of changes, the store looks at some thousands of them at a time and serves the others in between.
+bool ask_history(const std::string& instance, Json op, Json& answer) {
+    Json all = Json::array();
+    const std::size_t most = op.value("most", std::size_t{50});
+    for (;;) {
+        if (!send(instance, op, answer)) return false;
+        for (Json& one : answer["history"]) all.push_back(std::move(one));
+        const auto more = answer.find("more");
+        if (more == answer.end() || all.size() >= most) break;
+        op["before_utc"] = (*more)["utc"], op["before_id"] = (*more)["id"], op["most"] = most - all.size();
+    }
+    answer.erase("more");
+    answer["history"] = std::move(all);
+    return true;
+}
+
+// The log is English.
+void tell_stops(const std::string& instance, Json& answer) {
+    const text::BuilderMessages messages = builder_messages(instance);
+    for (Json& one : answer["stops"])
+        if (const std::string number = one.value("number", ""); !number.empty()) one["detail"] = told(number, one.value("detail", ""), messages);
+}
+
 int write_file(const std::string& file, const std::string& text) {
     if (file.empty() || file == "-") return std::fwrite(text.data(), 1, text.size(), stdout), 0;
     std::ofstream out(file, std::ios::binary);
@@ -271,7 +296,8 @@ int store_verb(const StoreOptions& options, bool json) {
             if (!split_field(options.words[first + i], name, value)) return wrong_word(options.words[first + i]);
             op["field"] = name, op["value"] = value;
         }
-        if (!send(instance, op, answer)) return 2;
+        if (!(asks_history(op) ? ask_history(instance, op, answer) : send(instance, op, answer))) return 2;
+        if (op.value("do", "") == "stops.list" && !json) tell_stops(instance, answer);
         if (op.value("do", "") == "tools.export") return write_file(options.words.empty() ? "" : options.words[0], answer.value("text", ""));
         if (json) fmt::print("{}\n", answer.dump(-1, ' ', false, Json::error_handler_t::replace));
         else fmt::print("{}", store_table(op.value("do", ""), answer, options.yes));

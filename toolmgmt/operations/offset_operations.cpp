@@ -267,7 +267,7 @@ Json undo(const Json& request, Work& work) {
     const auto entries = work.disk->history({Database::HistoryOf::Kind::EnteredOffsets, channel ? "L" + std::to_string(channel) + " offset" : "", {}, {}, 0, 2000});
     if (!entries) return work.fault(entries.diagnosis()), Json();
     int undone = 0;   // what was taken back already, newest first
-    for (const auto& entry : *entries) {
+    for (const auto& entry : entries->entries) {
         Key key;
         if (entry.who == "program" || entry.who == "setup" || !key_of(entry.what, key)) continue;
         if (entry.who.size() > 5 && entry.who.ends_with(" undo")) {
@@ -288,7 +288,8 @@ Json undo(const Json& request, Work& work) {
     return work.fault(Alarm::StoreRequestBad, "there is nothing to take back"), Json();
 }
 
-// Of a value by its whole name ("of"), of all parameters ("kind"), or of what contains a text; "before": what is older than that row.
+// Of a value by its whole name ("of"), of all parameters ("kind"), or of what contains a text; "before_utc", "before_id": what is older than
+// that row. "more" in the answer: it has looked until there, and what is older is to be asked for.
 Json history(const Json& request, Work& work, const std::string& about) {
     if (!work.disk) return work.fault(Alarm::StoreRequestBad, "this controller keeps no history"), Json();
     Database::HistoryOf wanted{Database::HistoryOf::Kind::All, about, read_text(request, "who"), read_text(request, "before_utc")};
@@ -297,11 +298,12 @@ Json history(const Json& request, Work& work, const std::string& about) {
     read_whole(request, "before_id", wanted.before_id, work, false);
     read_whole(request, "most", wanted.most, work, false);
     wanted.most = std::clamp<std::int64_t>(wanted.most, 1, 100'000);
-    const auto entries = work.disk->history(wanted);
-    if (!entries) return work.fault(entries.diagnosis()), Json();
-    Json out = Json::array();
-    for (const auto& entry : *entries) out.push_back({{"id", entry.id}, {"utc", entry.utc}, {"who", entry.who}, {"what", entry.what}, {"old", entry.before}, {"new", entry.after}});
-    return {{"history", std::move(out)}};
+    const auto found = work.disk->history(wanted);
+    if (!found) return work.fault(found.diagnosis()), Json();
+    Json out = {{"history", Json::array()}};
+    for (const auto& entry : found->entries) out["history"].push_back({{"id", entry.id}, {"utc", entry.utc}, {"who", entry.who}, {"what", entry.what}, {"old", entry.before}, {"new", entry.after}});
+    if (found->more) out["more"] = {{"utc", found->more->first}, {"id", found->more->second}};
+    return out;
 }
 
 }  // namespace
