@@ -176,11 +176,21 @@ private:
         compare_tools();
         const bool job_zeros = plan_.job && !plan_.job->zeros.empty();
         if (!job_zeros && options_.like.empty()) return;
-        // Zeros of the job and what --like copies come to the setup's; the other processes read the whole from one file.
+        // Zeros of the job and what --like copies come to the setup's; the other processes read the whole from one file. What stands in the
+        // controller that --like names is what would be driven there, so the job's own files do not speak of it; a setup that the command
+        // line names is said for this run.
+        if (options_.setup.empty())
+            for (const auto& [number, copied] : like_.channels) {
+                text::ChannelSetup& own = plan_.setup.channels[number];
+                own.work.clear(), own.offsets.clear();
+                for (const auto& variable : copied.variables) std::erase_if(own.variables, [&](const auto& one) { return one.name == variable.name; });
+            }
         if (job_zeros)
-            for (const auto& [number, systems] : plan_.job->zeros)
+            for (const auto& [number, systems] : plan_.job->zeros) {
+                if (like_.channels.count(number)) continue;
                 for (const auto& [system, axes] : systems)
                     for (const auto& [axis, value] : axes) plan_.setup.channels[number].work[system].try_emplace(axis, value);
+            }
         fill_up(plan_.setup, like_);
         plan_.setup_path = in_memory("setup.toml", text::setup_text(plan_.setup));
     }

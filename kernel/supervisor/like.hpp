@@ -9,7 +9,7 @@ namespace polyturn::supervisor {
 
 struct LikeValues {
     std::string parameter_lines;  // all of them, to be read on top of the machine
-    text::Setup setup;            // what the setup of the run wins over
+    text::Setup setup;            // wins over the job's files; a setup named on the command line wins over it
 };
 Result<LikeValues> values_of_controller(const std::string& instance);
 

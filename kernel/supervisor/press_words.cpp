@@ -435,6 +435,18 @@ Result<Commands> parse_press(std::string_view words, const MachineConfig& machin
     return Press(*word, words.substr(name.size()), machine, folder).parse();
 }
 
+std::vector<std::string> parts_wanted(std::string_view words, const std::string& folder) {
+    words = trimmed(words);
+    if (words.substr(0, 7) != "select ") return {};
+    const std::string_view file = trimmed(words.substr(7));
+    if (!text::is_job_file(file)) return {};
+    const auto job = text::load_job((std::filesystem::path(folder) / std::string(file)).string());
+    std::vector<std::string> lines;
+    if (!job || job->parts_wanted == 0) return lines;
+    for (const auto& [channel, program] : job->programs) lines.push_back(fmt::format("N2308 L{}={}", channel, job->parts_wanted));
+    return lines;
+}
+
 Result<Commands> parse_set(std::string_view words, const MachineConfig& machine) {
     words = trimmed(words);
     const auto equals = words.rfind('=');

@@ -13,6 +13,8 @@ namespace polyturn::supervisor {
 
 // "feed_hold L2", "mode L1=mdi", "jog A3+ 0.5s" ... Programs are named relative to `folder`.
 Result<std::vector<Command>> parse_press(std::string_view words, const MachineConfig& machine, const std::string& folder = {});
+// What else `select JOB` enters: parameter lines with the parts that the job wants (N2308 of its channels); none for everything else.
+std::vector<std::string> parts_wanted(std::string_view words, const std::string& folder = {});
 // "AP_SYNCR A3=1", "drive A3=fault", "input 5=1", "offset L1 3 wear X=0.05", "zero L1 G54 Z=-150", a parameter line.
 Result<std::vector<Command>> parse_set(std::string_view words, const MachineConfig& machine);
 // "AP_SYNCR A3", "input 5".

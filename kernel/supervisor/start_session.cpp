@@ -295,8 +295,12 @@ void StartSession::handle(RequestServer::Client client, const std::string& line)
         const auto lines = teach_thread(text_at("words"), options_.instance);
         return lines ? serve_parameters(client, *lines, false, who) : server_.answer(client, refusal(lines.diagnosis()));
     }
-    if (what == "press") return serve_commands(client, parse_press(text_at("words"), machine_, text_at("folder")), who);
-    if (what == "release") return serve_commands(client, parse_release(text_at("words"), machine_), who);
+    if (what == "press") {
+        if (!serve_commands(client, parse_press(text_at("words"), machine_, text_at("folder")), who)) return;
+        if (const auto lines = parts_wanted(text_at("words"), text_at("folder")); !lines.empty()) serve_parameters(0, lines, false, who);
+        return;
+    }
+    if (what == "release") return void(serve_commands(client, parse_release(text_at("words"), machine_), who));
     if (what == "set") {
         const auto commands = parse_set(text_at("words"), machine_);
         // A parameter is set when it is on disk, not when the kernel has heard of it.
@@ -304,7 +308,7 @@ void StartSession::handle(RequestServer::Client client, const std::string& line)
             return serve_parameters(client, {text_at("words")}, false, who);
         if (commands && commands->size() == 1 && commands->front().kind == static_cast<std::uint32_t>(CommandKind::StoreValue))
             return serve_value(client, store_request_of(commands->front()), who);
-        return serve_commands(client, commands, who);
+        return void(serve_commands(client, commands, who));
     }
     if (what == "parameters") {
         std::vector<std::string> lines;
@@ -329,16 +333,17 @@ void StartSession::handle(RequestServer::Client client, const std::string& line)
     server_.answer(client, refusal({Alarm::PressUnknown, {}, {}, what}));
 }
 
-void StartSession::serve_commands(RequestServer::Client client, const Result<std::vector<Command>>& commands, const Who& who) {
-    if (!commands) return server_.answer(client, refusal(commands.diagnosis()));
+bool StartSession::serve_commands(RequestServer::Client client, const Result<std::vector<Command>>& commands, const Who& who) {
+    if (!commands) return server_.answer(client, refusal(commands.diagnosis())), false;
     for (const Command& command : *commands)
-        if (const UserLevel least = level_of(command); !may(client, who, least, std::string(level_words(command)))) return;
+        if (const UserLevel least = level_of(command); !may(client, who, least, std::string(level_words(command)))) return false;
     for (Command command : *commands) {
         command.level = static_cast<std::uint32_t>(who.level) + 1;
         command.user = who.user;
         controller_->send(command);
     }
     server_.answer(client, "{\"ok\":true}");
+    return true;
 }
 
 // An offset or a zero: set when it is on disk.

@@ -37,7 +37,7 @@ private:
     void process_died(std::size_t slot, int status);
     void revive();
     void handle(RequestServer::Client client, const std::string& line);
-    void serve_commands(RequestServer::Client client, const Result<std::vector<Command>>& commands, const Who& who);
+    bool serve_commands(RequestServer::Client client, const Result<std::vector<Command>>& commands, const Who& who);   // false: refused
     void serve_parameters(RequestServer::Client client, const std::vector<std::string>& lines, bool import, const Who& who);
     void serve_value(RequestServer::Client client, StoreRequest request, const Who& who);
     // start_session_store.cpp: operations of the store (tools, offsets, users, backups), logins.

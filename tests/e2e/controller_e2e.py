@@ -68,6 +68,22 @@ class Controller(LiveCase):
         self.assertIn("патрон нельзя открыть при вращении шпинделя", alarm["builder"]["ru"]["text"])
         self.assertEqual(alarm["builder"]["cs"]["remedy"], "Naprogramujte M5 před M11.")
 
+    def test_selecting_a_job_enters_how_many_parts_it_wants(self):
+        self.start()
+        for n in (1, 2):
+            self.write(f"O{n}.nc", f"O{n}\nM30\n")
+        job = '[programs]\n1 = {{ file = "O1.nc" }}\n2 = {{ file = "O2.nc" }}\n{}'
+        self.write("some.job.toml", job.format("[parts]\nwanted = 25\n"))
+        self.write("any.job.toml", job.format(""))
+
+        def wanted():
+            return [self.polyturn("params", "get", f"N2308 L{n}", "--instance", self.name).out.split()[-1] for n in (1, 2)]
+        self.press("select some.job.toml")
+        self.wait_for(lambda: wanted() == ["25", "25"], 5, "the parts that the job wants")
+        self.press("select any.job.toml")
+        time.sleep(0.3)
+        self.assertEqual(wanted(), ["25", "25"], "a job that does not say it changes nothing")
+
     def test_a_parameter_is_on_disk_when_set_returns(self):
         self.start()
         done = self.polyturn("params", "set", "N1600 L1=2.75", "--instance", self.name)

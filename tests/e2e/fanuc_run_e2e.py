@@ -3,7 +3,7 @@
 macros, a thread that is picked up again. Real processes, virtual time."""
 import unittest
 
-from polyturn_runner import Case, LiveCase, read_trace
+from polyturn_runner import SHAFT, Case, LiveCase, read_trace
 
 B_AXIS = ["N0002 A7=1", "N0100 A7=66", "F8251=81", "F8252=82", "F8257=20", "F8240#6=1"]
 SETUP = '[channel.1]\npos = { X = 50.0, Z = 0.0 }\nsubprograms = ["O8300.nc"]\n'
@@ -310,6 +310,19 @@ class PickedUpThread(LiveCase):
         there = a0 + ((a1 - a0) % 360) * (z0 - at) / (z0 - z1)
         off = (there - angle + 180) % 360 - 180
         self.assertLess(abs(off), 3.0, f"taught {angle} at {at}, met at {there}")
+
+    def test_a_dry_run_like_the_controller_takes_its_zeros_and_offsets_and_not_those_of_the_jobs_files(self):
+        self.start()
+        for words in (("zeros", "set", "1", "G54", "Z=-100"), ("offsets", "set", "1", "1", "geometry", "Z=7")):
+            done = self.polyturn(*words, "--instance", self.name)
+            self.assertEqual(done.status, 0, done.said())
+
+        def shifts(*more):
+            done = self.polyturn("run", "--virtual", SHAFT, "--like", self.name, "--instance", self.name + "x", *more)
+            self.assertEqual(done.status, 0, done.said())
+            return {round(e["machine"]["Z"] - e["pos"]["Z"], 3) for e in done.of("move", ch=1) if e.get("tool", {}).get("offset") == 1 and "Z" in e["pos"] and "Z" in e["machine"]}
+        self.assertEqual(shifts(), {-93.0})                 # shaft.job.toml: -150, its setup: 31.5
+        self.assertEqual(shifts("--setup", SHAFT.parent / "shaft.setup.toml"), {-68.5})   # said for this run
 
 
 if __name__ == "__main__":
