@@ -52,7 +52,14 @@ def placeholders(value):
     return sorted(re.findall(r"\{[01d]\}", value))
 
 
+# Parameters that the person at the machine is told to look at, in whatever order the language has them.
+def parameters(row):
+    return sorted(re.findall(r"\b(?:N|F)\d{4}\b|\bPT_\w+|\bFG\.\w+|\bMD\d+", row["text"] + " " + row["remedy"]))
+
+
 def misfit(english, row):
+    if parameters(row) != parameters(english):
+        return f"must name {parameters(english)}"
     if not row["text"] or bool(row["remedy"]) != bool(english["remedy"]) or placeholders(row["text"]) != placeholders(english["text"]):
         return f"must quote {placeholders(english['text'])}, and have a remedy if the English one has"
     return None
