@@ -26,6 +26,7 @@ void Machine::guard_stroke(std::uint32_t a) noexcept {
     const double limit = v > 0 ? zone->allowed.high : zone->allowed.low;
     if (axis.owner) channels_[axis.owner - 1]->fault(Alarm::StrokeLimit, name_of('A', a).view(), limit);
     jogs_[a].stop();
+    stop_carrier(a);
     for (std::uint32_t by = couplings_.master_of(a); by; by = couplings_.master_of(by - 1)) {  // whoever moves it stops too
         if (const std::uint32_t mover = core_.axes[by - 1].owner) channels_[mover - 1]->fault(Alarm::StrokeLimit, name_of('A', a).view(), limit);
         jogs_[by - 1].stop();

@@ -13,11 +13,14 @@ double sign_of(double x) { return x > 0 ? 1.0 : x < 0 ? -1.0 : 0.0; }
 
 double Homing::away(const AxisUnit& axis) const noexcept { return std::fabs(axis.target() - from_); }
 
+AxisJog::Limits Homing::limits(const AxisUnit& axis, double speed) const noexcept {
+    return {std::fmin(speed, most_.speed), std::fmin(axis.config().acceleration, most_.acceleration), std::fmin(axis.config().jerk, most_.jerk)};
+}
+
 void Homing::go(AxisUnit& axis, Phase phase, double sign, double speed, double distance, double tick_s) noexcept {
     phase_ = phase;
     from_ = axis.command();
-    const AxisConfig& config = axis.config();
-    motion_.start(from_, sign, {speed, config.acceleration, config.jerk}, kForever, distance, kUnbounded, tick_s);
+    motion_.start(from_, sign, limits(axis, speed), kForever, distance, kUnbounded, tick_s);
 }
 
 void Homing::fail(Alarm why) noexcept {
@@ -36,7 +39,8 @@ void Homing::found(AxisUnit& axis, double at, double machine) noexcept {
     axis.referenced = true;
 }
 
-void Homing::start(AxisUnit& axis, bool drive_ready, double tick_s) noexcept {
+void Homing::start(AxisUnit& axis, bool drive_ready, double tick_s, const AxisJog::Limits& most) noexcept {
+    most_ = most;
     const ReferenceConfig& r = axis.config().reference;
     state_ = State::Busy;
     has_leave_point_ = has_first_mark_ = quiet_ = false;
@@ -167,7 +171,7 @@ Homing::State Homing::step(AxisUnit& axis, bool on_switch, bool drive_ready, dou
             axis.move_to(axis.target());
             phase_ = Phase::Shift;
             from_ = axis.target();
-            motion_.start(from_, way > 0 ? 1.0 : -1.0, {r.feed, axis.config().acceleration, axis.config().jerk}, 0, std::fabs(way), kUnbounded, tick_s);
+            motion_.start(from_, way > 0 ? 1.0 : -1.0, limits(axis, r.feed), 0, std::fabs(way), kUnbounded, tick_s);
             break;
         }
         case Phase::Shift: state_ = State::Done; break;

@@ -23,7 +23,8 @@ public:
     enum class State : std::uint8_t { Idle, Busy, Done, Failed };
 
     bool active() const noexcept { return state_ == State::Busy; }
-    void start(AxisUnit& axis, bool drive_ready, double tick_s) noexcept;
+    // `most`: what other axes that come along can do; infinite values limit nothing.
+    void start(AxisUnit& axis, bool drive_ready, double tick_s, const AxisJog::Limits& most) noexcept;
     // Brakes; the reference that it had is lost, as from the start on.
     void stop() noexcept;
     // One tick. `on_switch`: AP_DECSW, `drive_ready`: AP_RPE. When Failed, alarm() says why.
@@ -32,6 +33,7 @@ public:
 
 private:
     enum class Phase : std::uint8_t { None, Await, ToSwitch, StopOnSwitch, Leave, Seek, StopBehind, Shift, StopFailed };
+    AxisJog::Limits limits(const AxisUnit& axis, double speed) const noexcept;
     void go(AxisUnit& axis, Phase phase, double sign, double speed, double distance, double tick_s) noexcept;
     void fail(Alarm why) noexcept;
     void found(AxisUnit& axis, double at, double machine) noexcept;
@@ -43,6 +45,7 @@ private:
     Phase phase_ = Phase::None;
     Alarm alarm_ = Alarm::ReferenceNoSwitch;
     AxisJog motion_;
+    AxisJog::Limits most_;
     double from_ = 0;          // command where the phase began
     double leave_point_ = 0;   // where the switch was left, N0903 included
     double first_mark_ = 0;

@@ -91,8 +91,7 @@ void Machine::start_jog(std::uint32_t a, double sign, double speed, double dista
     // Before it is referenced, no axis is faster than N0302 (5).
     if (!axis.referenced && config.reference.rapid > 0) speed = std::fmin(speed, config.reference.rapid);
     const double from = axis.own();
-    jogs_[a].start(from, sign, {std::fmin(speed, config.rapid), config.acceleration, config.jerk}, std::llround(seconds / core_.config.tick_s), distance, core_.stroke.room(core_, a, sign),
-                   core_.config.tick_s, by_key);
+    jogs_[a].start(from, sign, limits_by_hand(a, speed), std::llround(seconds / core_.config.tick_s), distance, room_by_hand(a, sign), core_.config.tick_s, by_key);
     jog_address_[a] = 0;
     if (jogs_[a].active()) axis.owner = 0;
 }
@@ -133,25 +132,30 @@ void Machine::jog_command(const Command& c) noexcept {
         if (!again) core_.alarm(Alarm::NotReady, l, "the tool touches the setter: move it away");
         return;
     }
-    if (axis.moving() || jogs_[a].active()) {
+    const InclinedSlides::Slide* slide = slide_of(a);
+    const double longer = slide ? 1.0 / slide->cosine : 1.0;   // what the operator asks for is X at right angles
+    if (axis.moving() || jogs_[a].active() || slides_.carrier(core_, a)) {
         // A panel tells again and again that its key is held, so that an axis stops when the panel dies.
         if (kind == CommandKind::Jog) jogs_[a].keep(std::llround(size / core_.config.tick_s), sign);
         // Pulses that come while it moves: collected, or lost with the wheel's N2400 HnM (part 2, 25).
-        if (by_wheel && !(config.handle >> (4 + wheel) & 1u)) wheel_left_[a] += sign * size * wheel_click(address);
+        if (by_wheel && !(config.handle >> (4 + wheel) & 1u)) wheel_left_[a] += sign * size * wheel_click(address) * longer;
         else if (!by_wheel) core_.alarm(Alarm::NotReady, l, "the axis still moves");
         return;
     }
+    if (slide && !square_may_come(*slide, l)) return;
     if (channels_[l - 1]->jogs_in_hold()) {
         WayBack& way = way_back_[l - 1];
-        way.axis[way.count] = static_cast<std::uint8_t>(a);
-        way.from[way.count++] = axis.own();
+        // What comes along goes back with it; if that is switched off meanwhile, it goes by itself.
+        if (slide && way.count + 1 < WayBack::kMost) way.add(slide->square - 1, core_.axes[slide->square - 1].own());
+        way.add(a, axis.own());
     }
+    if (slide) slides_.begin(core_, a);
     if (kind == CommandKind::Jog) {
-        start_jog(a, sign, jog_feed(address), 0.0, size, true);
+        start_jog(a, sign, jog_feed(address) * longer, 0.0, size, true);
         jog_address_[a] = address + 1;
-        if (!jogs_[a].active() && core_.stroke.room(core_, a, sign) <= 0) core_.alarm(Alarm::NotReady, l, "the axis is at the end of its stroke; the other direction is free");
+        if (!jogs_[a].active() && room_by_hand(a, sign) <= 0) core_.alarm(Alarm::NotReady, l, "the axis is at the end of its stroke; the other direction is free");
     } else {
-        start_jog(a, sign, by_hand(address), kind == CommandKind::Step ? size : size * wheel_click(address), 0.0);
+        start_jog(a, sign, by_hand(address) * longer, (kind == CommandKind::Step ? size : size * wheel_click(address)) * longer, 0.0);
     }
 }
 
@@ -174,8 +178,12 @@ void Machine::go_back() noexcept {
         constexpr double kThere = 1e-6;   // mm, degrees
         const std::uint32_t a = way.axis[way.count - 1];
         const double left = way.from[way.count - 1] - core_.axes[a].own();
-        if (std::fabs(left) <= kThere) --way.count;
-        else start_jog(a, left > 0 ? 1.0 : -1.0, by_hand(a), std::fabs(left), 0.0);
+        if (std::fabs(left) <= kThere) {
+            --way.count;
+            continue;
+        }
+        if (slide_of(a)) slides_.begin(core_, a);
+        start_jog(a, left > 0 ? 1.0 : -1.0, by_hand(a), std::fabs(left), 0.0);
     }
 }
 
@@ -185,13 +193,19 @@ void Machine::run_jogs() noexcept {
         AxisUnit& axis = core_.axes[a];
         if (!axis.exists()) continue;
         if (const double owed = axis.take_way_back(); owed != 0 && core_.on()) start_jog(a, owed > 0 ? 1.0 : -1.0, by_hand(a), std::fabs(owed), 0.0);   // follow-up (7.4)
-        if (!jogs_[a].active() && wheel_left_[a] != 0) {
+        const InclinedSlides::Slide* slide = slide_of(a);
+        if (!jogs_[a].active() && wheel_left_[a] != 0 && !slides_.carrier(core_, a) && (!slide || square_rests(*slide))) {
             const double left = std::exchange(wheel_left_[a], 0.0);
+            if (slide && core_.on() && !core_.all_stop) slides_.begin(core_, a);
             if (core_.on() && !core_.all_stop) start_jog(a, left > 0 ? 1.0 : -1.0, by_hand(a), std::fabs(left), 0.0);
         }
         if (!jogs_[a].active()) continue;
         const std::uint32_t address = jog_address_[a];   // a key: the feed as it is now
-        if (address) jogs_[a].limit_speed(std::fmin(jog_feed(address - 1), axis.referenced || core_.config.axes[a].reference.rapid <= 0 ? core_.config.axes[a].rapid : core_.config.axes[a].reference.rapid));
+        if (address) {
+            const AxisConfig& own = core_.config.axes[a];
+            const double most = axis.referenced || own.reference.rapid <= 0 ? own.rapid : own.reference.rapid;
+            jogs_[a].limit_speed(limits_by_hand(a, std::fmin(jog_feed(address - 1) / (slide ? slide->cosine : 1.0), most)).speed);
+        }
         // A positioning axis belongs to its program, not to the operator's hand.
         if (!beside_[a].asked || beside_[a].channel == 0) core_.jogging |= ChannelSet{1} << (core_.config.axes[address ? address - 1 : a].channel - 1);
         if (core_.state == MachineState::EmergencyStop) {

@@ -33,6 +33,7 @@ void Machine::start() {
     core_.guard = &guard_;
     read_config(core_.table, core_.config, true);
     couplings_.configure(core_.table, core_.config);
+    slides_.configure(core_.table, core_.config);
     couplings_.lower_limits(core_);
     compensation_.configure(core_.table, core_.config);
     guard_.configure(core_.table, core_.config);
@@ -139,7 +140,8 @@ void Machine::tick() noexcept {
     run_overlays();
     run_spindles();
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
-        if (const double by = core_.axes[a].take_shift(); by != 0) couplings_.shifted(a, by), spindle_couplings_.shifted(a, by);
+        if (const double by = core_.axes[a].take_shift(); by != 0) couplings_.shifted(a, by), spindle_couplings_.shifted(a, by), slides_.shifted(a, by);
+    run_inclined_slides();
     core_.standing = 0;
     for (unsigned l = 0; l < kMaxChannels; ++l) core_.standing |= channels_[l]->stands() ? ChannelSet{1} << l : ChannelSet{0};
     couplings_.step(core_);
@@ -168,6 +170,7 @@ void Machine::tick() noexcept {
 void Machine::adopt_parameters() noexcept {
     read_config(core_.table, core_.config, false);
     couplings_.configure(core_.table, core_.config);
+    slides_.configure(core_.table, core_.config);
     couplings_.lower_limits(core_);
     compensation_.configure(core_.table, core_.config);
     guard_.configure(core_.table, core_.config);

@@ -22,6 +22,7 @@
 #include "kernel/cyclic/couplings.hpp"
 #include "kernel/cyclic/guard.hpp"
 #include "kernel/cyclic/homing.hpp"
+#include "kernel/cyclic/inclined_slides.hpp"
 #include "kernel/cyclic/plc_link.hpp"
 #include "kernel/cyclic/scope.hpp"
 #include "kernel/cyclic/spindle_couplings.hpp"
@@ -109,6 +110,14 @@ private:
     std::array<bool, kMaxSpindles> turn_refused_{};
     void open_direct_device(unsigned axis);
     void run_jogs() noexcept;
+    // inclined_by_hand.cpp
+    const InclinedSlides::Slide* slide_of(std::uint32_t axis) const noexcept;
+    bool square_rests(const InclinedSlides::Slide& slide) const noexcept;
+    bool square_may_come(const InclinedSlides::Slide& slide, std::uint32_t channel) noexcept;
+    AxisJog::Limits limits_by_hand(std::uint32_t axis, double speed) const noexcept;
+    double room_by_hand(std::uint32_t axis, double sign) const noexcept;
+    void stop_carrier(std::uint32_t axis) noexcept;
+    void run_inclined_slides() noexcept;
     void open_spindle(unsigned index);
     void open_axis(unsigned index, double at);
     const PolyturnDriveApi& drive_api(DriveSource source, char letter, std::size_t index) noexcept;
@@ -199,6 +208,7 @@ private:
     std::unique_ptr<SegmentDrives> segment_drives_;   // PT_DRIVE 2
     std::array<std::unique_ptr<SharedDrive>, kMaxSpindles> shared_drives_{};
     Couplings couplings_;
+    InclinedSlides slides_;
     Compensation compensation_;
     Guard guard_;
     std::array<bool, kMaxAxes> guarded_{};                  // AN_GUARD
@@ -215,6 +225,7 @@ private:
         std::array<double, kMost> from{};
         std::size_t count = 0;
         bool going = false;
+        void add(std::uint32_t which, double where) noexcept { axis[count] = static_cast<std::uint8_t>(which), from[count++] = where; }
     };
     std::array<WayBack, kMaxChannels> way_back_{};
     // By machine group: a handwheel is the time of its programs; what it has been turned and is not driven yet, s.

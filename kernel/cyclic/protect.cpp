@@ -40,6 +40,7 @@ void Machine::protect() noexcept {
                 if (!guard_.carries(body, a)) continue;
                 held[a] = true;
                 if (homing_[a].active()) homing_[a].stop();
+                stop_carrier(a);
                 if (!jogs_[a].active()) continue;
                 jogs_[a].stop();
                 wheel_left_[a] = 0;

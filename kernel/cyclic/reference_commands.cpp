@@ -56,7 +56,8 @@ void Machine::run_homing() noexcept {
         if (to_reference_[a] && config.reference.order == turn) {
             to_reference_[a] = false;
             axis.owner = 0;
-            homing_[a].start(axis, ready, core_.config.tick_s);
+            if (const InclinedSlides::Slide* slide = slide_of(a); slide && slide->taken_home && config.reference.moves() && square_rests(*slide)) slides_.begin(core_, a);
+            homing_[a].start(axis, ready, core_.config.tick_s, limits_by_hand(a, config.rapid));
             if (axis.referenced && !homing_[a].active()) reference_gantry(a);
         }
         core_.home_busy[a] = to_reference_[a] || homing_[a].active();

@@ -111,7 +111,7 @@ double StrokeGuard::exit_of(unsigned l, const PathRecord& r, const Kinematics* k
     return kInfinity;
 }
 
-double StrokeGuard::room(const Core& core, std::uint32_t a, double sign) const noexcept {
+double StrokeGuard::room(const Core& core, std::uint32_t a, double sign, std::uint32_t other, double share) const noexcept {
     if (place_[a] < 0) return kInfinity;
     const unsigned l = core.config.axes[a].channel - 1;
     const Channel& channel = channels_[l];
@@ -119,9 +119,11 @@ double StrokeGuard::room(const Core& core, std::uint32_t a, double sign) const n
     places_now(core, l, from);
     to = from;
     to[static_cast<unsigned>(place_[a])] += sign * kFar;
+    if (other < kMaxAxes && place_[other] >= 0) to[static_cast<unsigned>(place_[other])] += sign * share * kFar;
     StrokeFault fault;
     const double part = free_part(channel.zones, from.data(), to.data(), fault);
     if (part >= 1.0) return kInfinity;
+    if (part > 0.0 && fault.axis != static_cast<unsigned>(place_[a])) return part * kFar;
     // Computed from the limit itself, so that it ends there to the last digit.
     return part <= 0.0 ? 0.0 : std::max(0.0, sign * (fault.limit - from[static_cast<unsigned>(place_[a])]));
 }

@@ -29,8 +29,8 @@ public:
     double exit_of(unsigned channel, const PathRecord& record, const Kinematics* kinematics, Places& places, StrokeFault& fault) const noexcept;
     std::uint32_t axis_of(unsigned channel, unsigned place) const noexcept { return channels_[channel].axis[place]; }  // from 0
 
-    // Free travel of an axis (from 0) in a direction from its present command.
-    double room(const Core& core, std::uint32_t axis, double sign) const noexcept;
+    // Free travel of an axis (from 0) in a direction from its present command; `other` of the same channel goes `share` of it as well.
+    double room(const Core& core, std::uint32_t axis, double sign, std::uint32_t other = kMaxAxes, double share = 0) const noexcept;
     // Directions closed to it at its target: bit 0 positive, bit 1 negative.
     std::uint32_t closed_sides(const Core& core, std::uint32_t axis) const noexcept;
     const AxisZone* zone(const Core& core, std::uint32_t axis) const noexcept;   // nullptr: an axis of no channel
