@@ -39,8 +39,9 @@ constexpr std::array kSteps = {
     CREATE TABLE IF NOT EXISTS stops(utc TEXT NOT NULL, channel INTEGER NOT NULL, cause TEXT NOT NULL, number TEXT, detail TEXT, program TEXT, line INTEGER, seconds REAL,
                        PRIMARY KEY(utc, channel)) WITHOUT ROWID;
     )sql",
-    // What machine and programs have refused or warned of, as events tell it. A million rows of history, asked for by the screens: of one value, of all parameters, of what people entered as offsets. history_query()
-    // has the same conditions word for word, or the partial indexes are not used (tests/unit/toolmgmt/history_plan_test.cpp).
+    // What machine and programs have refused or warned of, as events tell it. And indexes for a million rows of history, of which screens
+    // ask for one value, for all parameters, for what people entered as offsets: history_query() has the same conditions word for word,
+    // or the partial ones are not used (tests/unit/toolmgmt/history_plan_test.cpp).
     R"sql(
     CREATE TABLE IF NOT EXISTS alarms(id INTEGER PRIMARY KEY, utc TEXT NOT NULL, event TEXT NOT NULL);
     CREATE INDEX IF NOT EXISTS history_what ON history(what, utc);

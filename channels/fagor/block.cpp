@@ -184,7 +184,7 @@ std::string_view Interpreter::cycle_name(unsigned number) {
 
 // Millimetres (X as a radius) or degrees of a programmed number.
 double Interpreter::length(double programmed, int place) const {
-    const MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    const MachineView& view = core_.view();
     if (place < 0) return programmed * unit();
     const ChannelAxis& axis = view.axes[static_cast<std::size_t>(place)];
     if (axis.rotary) return programmed;
@@ -192,7 +192,7 @@ double Interpreter::length(double programmed, int place) const {
 }
 
 double Interpreter::from_length(double true_mm, int place) const {
-    const MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    const MachineView& view = core_.view();
     if (place < 0) return true_mm / unit();
     const ChannelAxis& axis = view.axes[static_cast<std::size_t>(place)];
     if (axis.rotary) return true_mm;

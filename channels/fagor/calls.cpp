@@ -21,6 +21,19 @@ std::int64_t subroutine_number(std::string_view statement) {
     return digits ? number : -1;
 }
 
+// Where the first line stands that is the one (place() of it), from the top of the program; the reader stays where it was.
+template <typename Wanted>
+std::optional<TextPosition> look_for(LineSource& source, Wanted is_the_one, TextPosition (LineSource::*place)() const) {
+    const TextPosition back = source.next_position();
+    source.seek({0, 1});
+    std::string_view line;
+    std::optional<TextPosition> found;
+    while (!found && source.next(line) == LineSource::Status::Line)
+        if (is_the_one(line)) found = (source.*place)();
+    source.seek(back);
+    return found;
+}
+
 }  // namespace
 
 // Letters between the commas of the first line: %NAME,MX,
@@ -59,14 +72,8 @@ void Interpreter::index_subroutines(FileId file) {
 std::optional<TextPosition> Interpreter::find_label(FileId file, std::int64_t label) {
     const auto known = labels_.find({file, label});
     if (known != labels_.end()) return known->second;
-    LineSource& source = files_->source(file);
-    const TextPosition back = source.next_position();
-    source.seek({0, 1});
-    std::string_view line;
-    std::optional<TextPosition> found;
-    while (!found && source.next(line) == LineSource::Status::Line)
-        if (label_of(line) == label) found = source.position();   // of several the first one counts
-    source.seek(back);
+    // Of several the first one counts.
+    const auto found = look_for(files_->source(file), [label](std::string_view line) { return label_of(line) == label; }, &LineSource::position);
     if (found) labels_[{file, label}] = *found;
     return found;
 }
@@ -85,15 +92,8 @@ std::optional<FileId> Interpreter::find_program(std::int64_t number) {
 }
 
 std::optional<TextPosition> Interpreter::subroutine_in(FileId file, std::int64_t number) {
-    LineSource& source = files_->source(file);
-    const TextPosition back = source.next_position();
-    source.seek({0, 1});
-    std::string_view line;
-    std::optional<TextPosition> found;
-    while (!found && source.next(line) == LineSource::Status::Line)
-        if (subroutine_number(statement_of(line)) == number) found = source.next_position();
-    source.seek(back);
-    return found;
+    const auto defines = [number](std::string_view line) { return subroutine_number(statement_of(line)) == number; };
+    return look_for(files_->source(file), defines, &LineSource::next_position);   // it begins behind its definition
 }
 
 // Two programs that were loaded define it (part 2, 12.5: no two in the memory). What only lies in a folder is not loaded.

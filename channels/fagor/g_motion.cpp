@@ -14,7 +14,7 @@ constexpr double kSame = 1e-7;   // mm
 
 // The largest feed on the way to a target: no axis faster than it can (F0, or F never programmed).
 double Interpreter::largest_feed(const AxisValues& target) const {
-    MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    const MachineView& view = core_.view();
     const AxisValues from = core_.framed(core_.path.programmed), to = core_.framed(target);
     double length2 = 0.0, seconds = 0.0, slowest = 0.0;
     for (unsigned i = 0; i < view.axis_count; ++i) {
@@ -74,7 +74,7 @@ void Interpreter::follow_spindle(bool thread) {
 // All that moves are axes that are positioned only: "always G00" (3.7). With others they arrive together (6.2).
 bool Interpreter::only_positions(const AxisValues& target) const {
     bool any = false;
-    for (unsigned i = 0; i < const_cast<Interpreter*>(this)->core_.view().axis_count; ++i) {
+    for (unsigned i = 0; i < core_.view().axis_count; ++i) {
         if (target[i] == core_.path.programmed[i]) continue;
         const int type = get_axis_type(i);
         if (type != 1 && type < 3) return false;
@@ -301,7 +301,7 @@ bool Interpreter::g_thread(const GCode& row) {
 void Interpreter::thread_way(const AxisValues& target, double& length, double& along) const {
     const AxisValues from = core_.framed(core_.path.programmed), to = core_.framed(target);
     double square = 0.0;
-    for (unsigned i = 0; i < const_cast<Interpreter*>(this)->core_.view().axis_count; ++i) {
+    for (unsigned i = 0; i < core_.view().axis_count; ++i) {
         const double way = std::fabs(to[i] - from[i]);
         square += way * way;
         along = std::fmax(along, way);

@@ -141,7 +141,7 @@ bool Interpreter::angle_point(AxisValues& target) {
 
 // Centre of an arc from I, J, K: relative to the start (true distances), or from part zero with G06. Letters belong to axes.
 char Interpreter::centre_letter(unsigned place) const {
-    const std::string& name = const_cast<Interpreter*>(this)->core_.view().axes[place].name;
+    const std::string& name = core_.view().axes[place].name;
     switch (name[0]) {
         case 'X': case 'U': case 'A': return 'I';
         case 'Y': case 'V': case 'B': return 'J';
@@ -174,7 +174,7 @@ bool Interpreter::arc_centre(const AxisValues&, bool absolute, double& cp, doubl
 }
 
 int Interpreter::get_axis_type(unsigned place) const {
-    MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    const MachineView& view = core_.view();
     return static_cast<int>(params::get(view.table(), params::fg_axistype, view.axes[place].machine_axis + 1u));
 }
 

@@ -1,5 +1,7 @@
 #include "channels/fagor/settings.hpp"
 
+#include "ipc/machine/fagor_diameter.hpp"
+
 namespace polyturn::channels::fagor {
 
 using namespace params;
@@ -57,8 +59,7 @@ void prepare_axes(MachineView& view) {
     for (unsigned i = 0; i < view.axis_count; ++i) {
         ChannelAxis& axis = view.axes[i];
         const unsigned a = axis.machine_axis + 1u;
-        if (const auto format = get(view.table(), fg_dformat, a); format >= 0) axis.diameter = format >= 4;
-        if (const auto diameter = get(view.table(), fg_diam, a); diameter >= 0) axis.diameter = diameter != 0;
+        axis.diameter = fagor_shows_diameter(view.table(), a, axis.diameter);
         if (!axis.rotary || !axis.rollover) continue;
         const auto type = get(view.table(), fg_axistype, a);
         axis.rollover_shortest = type >= 3;              // positioning axes and Hirth: the shortest way

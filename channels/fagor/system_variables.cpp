@@ -241,7 +241,7 @@ double Interpreter::spindle_turns_at() const {
     const SpindleState& s = core_.path.spindle;
     if (s.turn == SpindleTurn::Stop) return 0.0;
     double rpm = s.rpm;
-    const int x = const_cast<Interpreter*>(this)->core_.view().axis_by_role(PlaneRole::BasicX);
+    const int x = core_.view().axis_by_role(PlaneRole::BasicX);
     if (s.mode == SpindleModeCode::SurfaceSpeed && x >= 0) {
         const double radius = std::fabs(core_.framed(core_.path.programmed)[static_cast<std::size_t>(x)]);
         rpm = radius > 0 ? 1000.0 * s.surface_m_min / (2 * std::numbers::pi * radius) : s.limit_rpm;
@@ -257,7 +257,7 @@ bool Interpreter::g_active(unsigned n) const {
     if (n == 10) return m.mirrored == 0;
     if (n >= 11 && n <= 13) {
         static constexpr PlaneRole kRoles[] = {PlaneRole::BasicX, PlaneRole::BasicY, PlaneRole::BasicZ};
-        const int place = const_cast<Interpreter*>(this)->core_.view().axis_by_role(kRoles[n - 11]);
+        const int place = core_.view().axis_by_role(kRoles[n - 11]);
         return place >= 0 && (m.mirrored >> place & 1u);
     }
     if (n == 14) return m.mirrored != 0;
@@ -297,7 +297,7 @@ double Interpreter::machine_parameter(const Target& target) const {
         }
     }
     if (target.row->var == Var::ParameterAxis) {
-        const MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+        const MachineView& view = core_.view();
         const ChannelAxis& axis = view.axes[static_cast<std::size_t>(place_of(target.axis))];
         switch (n) {
             case 1: {

@@ -330,7 +330,7 @@ bool Interpreter::act() {
 
 // Millimetres or degrees of a word, on the scale on which the axis is programmed.
 double Interpreter::length(const Word& word, int place) const {
-    const MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    const MachineView& view = core_.view();
     const bool rotary = place >= 0 && view.axes[static_cast<std::size_t>(place)].rotary;
     const double step = place >= 0 ? view.axes[static_cast<std::size_t>(place)].increment : view.axes[0].increment;
     const double increment = inch_ && !rotary ? step * 0.1 : step;   // one more decimal place in inches

@@ -21,7 +21,7 @@ bool Interpreter::polygon_follower(std::uint8_t& follower) {
 }
 
 bool Interpreter::turns_polygon(unsigned place) const {
-    const MachineView& view = const_cast<Core&>(core_).view();
+    const MachineView& view = core_.view();
     return polygon_on_ && !settings_.nct && p::get(view.table(), p::f7610, view.channel) == static_cast<std::int64_t>(place) + 1;
 }
 

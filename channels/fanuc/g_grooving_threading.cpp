@@ -12,7 +12,7 @@ double Interpreter::fine_length(char letter) const {
     if (!block_.has(letter)) return 0.0;
     const Word& word = block_.word(letter);
     if (word.has_point || word.from_expression) return length(word, -1);
-    const double increment = const_cast<Interpreter*>(this)->core_.view().axes[0].increment * (inch_ ? 0.1 : 1.0);
+    const double increment = core_.view().axes[0].increment * (inch_ ? 0.1 : 1.0);
     return word.value * increment * unit_;
 }
 

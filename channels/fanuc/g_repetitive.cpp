@@ -43,7 +43,7 @@ void Interpreter::keep_word(std::optional<double>& kept, char letter) {
 // U, W of the cycle block: a length along an axis, X as a diameter where the axis is one.
 double Interpreter::shift_word(char letter, PlaneRole role) const {
     if (!block_.has(letter)) return 0.0;
-    const MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    const MachineView& view = core_.view();
     const int place = view.axis_by_role(role);
     const bool diameter = place >= 0 && view.axes[static_cast<std::size_t>(place)].diameter;
     return length(block_.word(letter), place) * (diameter ? 0.5 : 1.0);

@@ -28,7 +28,7 @@ bool Interpreter::switches_transformation() const {
 
 // Place of the linear or the rotary axis: by its number in the channel, else by its name.
 int Interpreter::transformation_axis(std::int64_t number, bool rotary) const {
-    const MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    const MachineView& view = core_.view();
     const auto is_rotary = [&](unsigned i) { return view.axes[i].rotary || view.axes[i].turns; };
     if (number > 0) {
         if (number > static_cast<std::int64_t>(view.axis_count)) return -1;

@@ -92,7 +92,7 @@ double Interpreter::rounding_step(char address) const {
     const int place = absolute_axis_[letter] >= 0 ? absolute_axis_[letter] : incremental_axis_[letter];
     if (place < 0 && !(kLengths & letter_bit(address))) return 1.0;
     if (address == 'F') return core_.path.feed_mode == FeedMode::PerRevolution ? (inch_ ? 1e-6 : 1e-4) : 1.0;
-    const ChannelAxis& axis = const_cast<Interpreter*>(this)->core_.view().axes[place < 0 ? 0 : static_cast<std::size_t>(place)];
+    const ChannelAxis& axis = core_.view().axes[place < 0 ? 0 : static_cast<std::size_t>(place)];
     return axis.increment * (inch_ && !axis.rotary ? 0.1 : 1.0);
 }
 

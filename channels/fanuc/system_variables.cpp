@@ -242,7 +242,7 @@ double Interpreter::mirrored_axes() const {
     static constexpr PlaneRole kRoles[] = {PlaneRole::BasicX, PlaneRole::BasicY, PlaneRole::BasicZ};
     double bits = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
-        const int place = const_cast<Core&>(core_).view().axis_by_role(kRoles[k]);
+        const int place = core_.view().axis_by_role(kRoles[k]);
         if (place >= 0 && place < 8 && path.frame.linear[k][k] < 0) bits += static_cast<double>(1u << place);
     }
     return bits;

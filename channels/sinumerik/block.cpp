@@ -162,7 +162,7 @@ bool Interpreter::counts_diameter(unsigned place, bool incremental) const {
 }
 
 AxisSet Interpreter::display_swapped() const {
-    const MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    const MachineView& view = core_.view();
     AxisSet set = 0;
     for (unsigned i = 0; i < view.axis_count; ++i)
         if (counts_diameter(i, false) != view.axes[i].diameter) set |= 1u << i;
@@ -170,7 +170,7 @@ AxisSet Interpreter::display_swapped() const {
 }
 
 double Interpreter::length_mm(const Word& word, int place, bool incremental) const {
-    const MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    const MachineView& view = core_.view();
     double value = word.number();
     if (place < 0) return value * unit();
     const auto i = static_cast<unsigned>(place);
@@ -251,7 +251,7 @@ void Interpreter::zeros_change(const std::function<void()>& change) {
 }
 
 int Interpreter::find_axis(std::string_view name) const {
-    const MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    const MachineView& view = core_.view();
     const Transformation& transformation = core_.path.transformation;
     if (transformation.named_y) {   // Y is the transformation's; its rotary axis has no name of its own meanwhile
         if (name == "Y") return transformation.virtual_y;
@@ -279,7 +279,7 @@ int Interpreter::find_axis(std::string_view name) const {
 }
 
 std::string Interpreter::axis_name(int place) const {
-    const MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    const MachineView& view = core_.view();
     if (place >= kSpindleAxis) return "S" + std::to_string(place - kSpindleAxis);
     return place >= 0 && static_cast<unsigned>(place) < view.axis_count ? view.axes[static_cast<std::size_t>(place)].name : std::string();
 }

@@ -80,7 +80,7 @@ bool Interpreter::feed_value(const std::string& name, const std::vector<Value>& 
 
 // Does F count this axis?
 bool Interpreter::feed_counts(unsigned place) const {
-    const PlaneRole role = const_cast<Interpreter*>(this)->core_.view().axes[place].role;
+    const PlaneRole role = core_.view().axes[place].role;
     const bool geometry = role == PlaneRole::BasicX || role == PlaneRole::BasicY || role == PlaneRole::BasicZ;
     return modal_.feed_group_set ? (modal_.feed_group >> place & 1u) != 0 : geometry;
 }

@@ -133,7 +133,7 @@ bool Interpreter::functions_before() {
 }
 
 double Interpreter::m19_position(std::uint16_t spindle) const {
-    const MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    const MachineView& view = core_.view();
     const unsigned s = spindle ? spindle : modal_.master_spindle;
     return s ? params::get(view.table(), params::sd43240, s) : 0.0;
 }

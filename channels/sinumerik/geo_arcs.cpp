@@ -105,7 +105,7 @@ bool Interpreter::centre_by_radius(const AxisValues& target, double radius, ArcC
 Plane Interpreter::arc_plane() const {
     const Plane active = core_.path.plane;
     if (has("AR") || has("TURN") || polar_ahead()) return active;
-    const MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    const MachineView& view = core_.view();
     bool x = false, y = false, z = false;
     for (const Word& w : block_.words) {
         if (w.address->name != "axis") continue;

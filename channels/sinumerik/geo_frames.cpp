@@ -37,7 +37,7 @@ Point3 angles_of(const std::array<Point3, 3>& m, bool euler) {
 
 // Component order inside one frame: translation, rotation, scale, mirror (13.2).
 Frame Interpreter::frame_of(const FrameValue& value) const {
-    const MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    const MachineView& view = core_.view();
     const auto geo = geometry(view);
     Point3 shift{}, degrees{}, factor{1, 1, 1};
     Frame f;
@@ -63,7 +63,7 @@ Frame Interpreter::frame_of(const FrameValue& value) const {
 // The components of a rule that is one of `like` and further translations, rotations, scales and mirrors: what has changed
 // of the translation counts as fine.
 FrameValue Interpreter::components_of(const Frame& frame, const FrameValue& like) const {
-    const MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    const MachineView& view = core_.view();
     const auto geo = geometry(view);
     FrameValue value = like;
     auto m = frame.linear;
@@ -160,7 +160,7 @@ bool Interpreter::solid_angles(Frame& frame) {
 // MD10610: the mirror of another geometry axis is that of the reference axis and half a turn about the third one. The rule
 // is the same; what $P_PFRAME shows is not.
 void Interpreter::mirror_by_reference(FrameValue& said) const {
-    const auto geo = geometry(const_cast<Interpreter*>(this)->core_.view());
+    const auto geo = geometry(core_.view());
     const auto reference = static_cast<std::size_t>(settings_.mirror_reference - 1);
     for (std::size_t k = 0; k < 3; ++k) {
         if (k == reference || geo[k] < 0 || geo[reference] < 0 || !(said.mirrored >> geo[k] & 1u)) continue;

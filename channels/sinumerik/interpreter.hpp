@@ -294,8 +294,8 @@ private:
     bool arc_by_words(bool clockwise, AxisValues target, AxisSet named);
     bool go_curve(const AxisValues& target, const std::vector<AxisValues>& between, const Point3& tangent);
     bool oblique_circle(const Point3& a, const Point3& b, const Point3& c, const AxisValues& target, std::int32_t turns);
-    bool frame_keeps_circles() const;
-    bool arc_lies_inclined() const;                          // an arc of the plane is one of the machine too
+    bool frame_keeps_circles() const;                        // an arc of the plane is one of the machine too
+    bool arc_lies_inclined() const;
     bool drawn_arc(const AxisValues& target, const ArcCall& call);
     std::size_t geometry_index(std::size_t place);             // 0 X, 1 Y, 2 Z
     bool arc_through(const Point3& a, const Point3& b, const Point3& c, const AxisValues& target);

@@ -40,13 +40,13 @@ Frame Interpreter::outer_frame() const {
     if (found != settable_parts_.end()) outer = frame_of(found->second);
     if (const auto own = grinding_frames_.find(static_cast<int>(modal_.active[64]) - 1); own != grinding_frames_.end()) outer = outer * frame_of(own->second);
     if (modal_.geo.basic.is_identity()) return outer;
-    const MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    const MachineView& view = core_.view();
     const AxisValues& zero = core_.path.work;
     return shift_by(view, zero, -1.0) * modal_.geo.basic * shift_by(view, zero, 1.0) * outer;
 }
 
 AxisValues Interpreter::programmable(const AxisValues& target) const {
-    const MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    const MachineView& view = core_.view();
     const Frame& frame = modal_.geo.exact;
     AxisValues out = target;
     Point3 point{};

@@ -14,7 +14,7 @@ namespace polyturn::channels::sinumerik {
 double Interpreter::spindle_data(std::string_view name) const {
     if (core_.path.spindle.spindle == 0) return 0.0;
     const params::Row& row = *params::find(name);
-    return const_cast<Interpreter*>(this)->core_.view().table().numbers[row.first_slot + (core_.path.spindle.spindle - 1u) * row.array];
+    return core_.view().table().numbers[row.first_slot + (core_.path.spindle.spindle - 1u) * row.array];
 }
 
 void Interpreter::keep_spindle_data(std::string_view name, double value) {

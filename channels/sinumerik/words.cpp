@@ -257,7 +257,7 @@ bool Interpreter::parse_named_word(const char* begin, std::string_view name, con
 bool Interpreter::to_interpolation_parameter(Word& word) const {
     static constexpr std::string_view kNames[] = {"I", "J", "K"};
     static constexpr PlaneRole kRoles[] = {PlaneRole::BasicX, PlaneRole::BasicY, PlaneRole::BasicZ};
-    const MachineView& view = const_cast<Interpreter*>(this)->core_.view();
+    const MachineView& view = core_.view();
     for (std::size_t k = 0; k < 3; ++k) {
         if (word.axis < 0 || view.axes[static_cast<std::size_t>(word.axis)].role != kRoles[k]) continue;
         word.address = &find_symbol(kNames[k]).address();

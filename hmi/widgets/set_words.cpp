@@ -20,9 +20,7 @@ struct WordsKey {
     bool operator==(const WordsKey& o) const { return wide == o.wide && wraps == o.wraps && text == o.text && font == o.font; }
 };
 struct WordsHash {
-    std::size_t operator()(const WordsKey& key) const {
-        return qHash(key.text, static_cast<std::size_t>(key.font.pixelSize() * 16 + key.font.weight() / 100) + (static_cast<std::size_t>(key.wide * 8) << 12));
-    }
+    std::size_t operator()(const WordsKey& key) const { return qHashMulti(0, key.text, key.font.pixelSize(), static_cast<int>(key.font.weight()), key.wide); }
 };
 
 SetWords setNow(const WordsKey& key) {

@@ -10,7 +10,8 @@ bool in_inches(const params::Table& table, unsigned axis) noexcept {
     const auto channel = params::get(table, params::n0002_axis_assign, axis);
     return channel >= 1 && channel <= static_cast<std::int64_t>(kMaxChannels) && params::bit(table, params::n0104_unit_of_measure, static_cast<unsigned>(channel), 0);
 }
-}
+
+}  // namespace
 
 double reference_position(const params::Table& table, unsigned axis) noexcept {
     using namespace params;

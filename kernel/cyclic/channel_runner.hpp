@@ -44,7 +44,6 @@ public:
     // The turret turns meanwhile because this channel has told it to before its rapid move ends.
     bool turns_in_rapid() const noexcept { return moving_rapid_ && early_ != kNoRecord; }
     void strobe(const PathRecord& r) noexcept;
-    void strobe_end(StopReason reason) noexcept;
     [[nodiscard]] bool may_begin_in_rapid() noexcept;
     bool tool_may_begin(const PathRecord& move, const PathRecord& tool, double until) noexcept;
     [[nodiscard]] std::uint64_t end_of_few_blocks(std::uint64_t most) const noexcept;
@@ -160,6 +159,7 @@ public:
     std::string_view program() noexcept;  // file name of the running record, without folders
 
 private:
+    void strobe_end(StopReason reason) noexcept;
     // What the record that the path stands before is doing.
     enum class Phase : std::uint8_t { None, Dwell, Handshake, Waiting, Stopped, Thread, Spindle, Home, Released };
     static constexpr std::uint64_t kNoRecord = ~0ull;

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "ipc/diagnosis/tongue.hpp"
+#include "ipc/machine/fagor_diameter.hpp"
 #include "ipc/text/read_file.hpp"
 #include "ipc/text/setup_text.hpp"
 #include "kernel/supervisor/setup_sensors.hpp"
@@ -262,13 +263,8 @@ Dialect JobPlan::dialect(unsigned channel) const {
     return channel >= 1 && channel <= kMaxChannels ? dialect_of(language_of(*table, channel)) : Dialect::Polyturn;
 }
 
-// A channel that speaks Fagor shows the axis as its own parameters say, where they say something (fagor_8037t_part1.md 3.5).
 bool JobPlan::shows_diameter(unsigned channel, const AxisConfig& axis) const {
-    if (dialect(channel) == Dialect::Fagor) {
-        if (const auto diameter = params::get(*table, params::fg_diam, axis.number); diameter >= 0) return diameter != 0;
-        if (const auto format = params::get(*table, params::fg_dformat, axis.number); format >= 0) return format >= 4;
-    }
-    return axis.diameter;
+    return dialect(channel) == Dialect::Fagor ? fagor_shows_diameter(*table, axis.number, axis.diameter) : axis.diameter;
 }
 
 std::vector<std::string> JobPlan::machine_arguments() const {
