@@ -34,6 +34,12 @@ QString modeWord(std::uint32_t mode) {
     return {};
 }
 
+QString waitName(const Live& live, unsigned channel, int code) {
+    constexpr int kProgramEnd = 100;   // of WAITE
+    if (params::get_text(live.table(), params::pt_language, channel) != "sinumerik") return QString("M%1").arg(code);
+    return code == kProgramEnd ? QString("WAITE") : QString("WAITM(%1)").arg(code);
+}
+
 QString waitWords(const Live& live, unsigned channel) {
     const ChannelStatus& status = live.channel(channel);
     if (status.wait_code == 0 && status.wait_missing == 0) return {};
@@ -41,8 +47,8 @@ QString waitWords(const Live& live, unsigned channel) {
     for (unsigned other = 1; other <= kMaxChannels; ++other)
         if (status.wait_missing >> (other - 1) & 1u) missing << QString("L%1").arg(other);
     const QString since = timeText(live.seconds(live.status().tick - status.wait_since));
-    const QString code = status.wait_code > 0 ? QString("M%1").arg(status.wait_code) : word("a marker");
-    return missing.isEmpty() ? word("Waits at %1, all are there").arg(code) : word("Waits at %1 for %2, since %3").arg(code, missing.join(" "), since);
+    const QString code = status.wait_code > 0 ? waitName(live, channel, status.wait_code) : word("a marker");
+    return missing.isEmpty() ? word("Waits at %1, all are there").arg(code) : word("Waits at %1 for %2, %3 so far").arg(code, missing.join(" "), since);
 }
 
 QStringList startNeeds(const Live& live, unsigned channel) {

@@ -104,7 +104,8 @@ void Diagnosis::fillCouplings() {
     const auto since = [&](std::int64_t tick, std::int32_t code, std::uint32_t channel) {
         if (tick <= 0) return word("since the start");
         const QString time = timeText(desk_.live.seconds(desk_.live.status().tick - tick));
-        return code >= 0 ? QString("M%1 L%2   %3").arg(code).arg(channel).arg(time) : time;
+        const QString ago = word("%1 ago").arg(time);
+        return code >= 0 ? QString("M%1 L%2, %3").arg(code).arg(channel).arg(ago) : ago;
     };
     for (std::uint32_t a = 1; a <= machine.last_axis; ++a) {
         if (!machine.axis(a).exists()) continue;

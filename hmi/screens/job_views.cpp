@@ -72,7 +72,7 @@ void Programs::composeTogether(Writer& w) {
             for (const unsigned number : here) {
                 w.sign(QRectF(left[number] + px(56), y + px(5), px(14), px(14)), all ? Sign::Wait : Sign::Alarm, colour);
                 const QString absent = all || number != here.front() ? QString() : "   " + word("never comes: %1").arg(missing.join(' '));
-                w.text(QRectF(left[number] + px(78), y, each - px(90), row), QString("M%1").arg(wait->code) + absent, lettering(14.5, true), colour);
+                w.text(QRectF(left[number] + px(78), y, each - px(90), row), waitName(desk_.live, number, wait->code) + absent, lettering(14.5, true), colour);
             }
             continue;
         }
@@ -132,7 +132,7 @@ void Programs::composeTime(Writer& w) {
         const double bar = each * 0.46;
         w.text(QRectF(px(14), y, px(56), bar), QString("L%1").arg(number), lettering(20, true), t.text);
         w.fill(QRectF(left, y, right - left, bar), t.raised, px(3));
-        double cutting = 0, rapid = 0, waiting = 0;
+        double cutting = 0, rapid = 0, dwelling = 0, waiting = 0;
         // Spans narrower than a pixel are drawn together with their neighbours.
         RunSpan joined{};
         bool any = false;
@@ -142,7 +142,7 @@ void Programs::composeTime(Writer& w) {
             w.fill(QRectF(at(joined.from), y, std::max(1.0, at(joined.to) - at(joined.from)), bar), colour);
         };
         for (const RunSpan& span : channel.spans) {
-            (span.kind == RunSpan::Kind::Cutting ? cutting : rapid) += span.to - span.from;
+            (span.kind == RunSpan::Kind::Cutting ? cutting : span.kind == RunSpan::Kind::Rapid ? rapid : dwelling) += span.to - span.from;
             if (any && span.kind == joined.kind && at(span.from) - at(joined.to) < 1.0) {
                 joined.to = span.to;
                 continue;
@@ -157,11 +157,24 @@ void Programs::composeTime(Writer& w) {
             w.fill(QRectF(at(wait.from), y + bar * 0.32, std::max(1.5, at(wait.to) - at(wait.from)), bar * 0.36), t.wait);
             w.line({at(wait.to), y - px(4)}, {at(wait.to), y + bar + px(4)}, t.wait, 1);
             if (lasts > longest) longest = lasts, longestChannel = number, worst = &wait;
-            if (at(wait.to) - at(wait.from) > px(44)) w.text(QRectF(at(wait.from), y + bar + px(2), at(wait.to) - at(wait.from), px(18)), QString("M%1").arg(wait.code), lettering(12.5), t.wait, Qt::AlignCenter);
+            if (at(wait.to) - at(wait.from) > px(44)) w.text(QRectF(at(wait.from), y + bar + px(2), at(wait.to) - at(wait.from), px(18)), waitName(desk_.live, number, wait.code), lettering(12.5), t.wait, Qt::AlignCenter);
         }
-        w.text(QRectF(right + px(10), y - px(6), px(182), px(20)), QString("%1  %2 %").arg(word("Cutting")).arg(std::lround(100 * cutting / end)), lettering(13.5), t.good, kRight);
-        w.text(QRectF(right + px(10), y + px(13), px(182), px(20)), QString("%1  %2 %").arg(word("Rapid")).arg(std::lround(100 * rapid / end)), lettering(13.5), t.accent, kRight);
-        w.text(QRectF(right + px(10), y + px(32), px(182), px(20)), QString("%1  %2 %").arg(word("Waiting")).arg(std::lround(100 * waiting / end)), lettering(13.5), t.wait, kRight);
+        // What it spends its time with; the rest are tool changes, M codes and what it does not run any more.
+        struct Share {
+            const char* text;
+            double seconds;
+            QColor colour;
+        };
+        const Share shares[] = {{WORD("Cutting"), cutting, t.good}, {WORD("Rapid"), rapid, t.accent}, {WORD("Dwell"), dwelling, t.warn}, {WORD("Waiting"), waiting, t.wait},
+                                {WORD("Other"), end - cutting - rapid - dwelling - waiting, t.dim}};
+        const double pitch = std::min<double>(px(19), each / 5);
+        double line = y - px(6);
+        for (const Share& share : shares) {
+            const long percent = std::lround(100 * share.seconds / end);
+            if (percent <= 0) continue;
+            w.text(QRectF(right + px(10), line, px(182), pitch + px(1)), QString("%1  %2 %").arg(word(share.text)).arg(percent), lettering(pitch < px(17) ? 11.5 : 13.5), share.colour, kRight);
+            line += pitch;
+        }
         y += each;
     }
     // seconds
@@ -178,8 +191,8 @@ void Programs::composeTime(Writer& w) {
     const auto most = std::max_element(decides.begin(), decides.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
     QString note = word("L%1 decides %2 of %3: what becomes shorter there shortens the cycle.").arg(most->first).arg(timeText(most->second), timeText(end));
     if (worst && longest > 0.5)
-        note += " " + word("Longest wait: L%1 stands %2 s at M%3 (line %4). Work moved from the channel that comes last to L%1 saves up to this time.")
-                          .arg(longestChannel).arg(longest, 0, 'f', 1).arg(worst->code).arg(worst->at.line);
+        note += " " + word("Longest wait: L%1 stands %2 s at %3 (line %4). Work moved from the channel that comes last to L%1 saves up to this time.")
+                          .arg(longestChannel).arg(longest, 0, 'f', 1).arg(waitName(desk_.live, longestChannel, worst->code)).arg(worst->at.line);
     w.sign(QRectF(px(14), high - foot + px(14), px(24), px(24)), Sign::Note, t.accent);
     Item& item = w.text(QRectF(px(50), high - foot + px(8), wide - px(64), px(56)), note, lettering(15), t.text);
     item.wraps = true;

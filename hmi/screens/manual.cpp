@@ -192,16 +192,19 @@ void Manual::composeAxes(Writer& w) {
             w.text(key, word("Reference"), lettering(15, true), t.text, Qt::AlignCenter);
             w.hit(key, static_cast<int>(number) * 10 + 3);
         }
-        w.text(QRectF(left, box.top() + box.height() * 0.6, px(120), box.height() * 0.32), QString("A%1   %2").arg(number).arg(now.velocity * 60, 0, 'f', 0), lettering(14), t.faint);
+        w.text(QRectF(left, box.top() + box.height() * 0.6, px(150), box.height() * 0.32), QString("A%1   %2 %3").arg(number).arg(now.velocity * 60, 0, 'f', 0).arg(unitWord(axis.rotary ? "deg/min" : "mm/min")), lettering(14), t.dim);
     }
-    // steps
+    // steps, true lengths or angles whatever the axis shows
+    bool linear = false, rotary = false;
+    for (std::size_t place = 0; place < config.axis_count; ++place) (live.config().axis(config.axes[place]).rotary ? rotary : linear) = true;
+    const QString unit = rotary && linear ? unitWord("mm") + QString::fromUtf8(", °") : rotary ? QString::fromUtf8("°") : unitWord("mm");
     const double stepWide = (wide - px(6) * 5) / 6;
     for (std::size_t i = 0; i < kSteps.size(); ++i) {
         const QRectF box(static_cast<double>(i) * (stepWide + px(6)), high - px(54), stepWide, px(52));
         const bool here = step_ == static_cast<int>(i);
         w.fill(box, here ? t.mark : t.card, px(6));
         w.frame(box, here ? t.accent : t.edge, px(6), here ? px(2) : 1);
-        w.text(box, i == 0 ? word("As held") : kSteps[i], lettering(17, here), t.text, Qt::AlignCenter);
+        w.text(box, i == 0 ? word("As held") : QString("%1 %2").arg(kSteps[i], unit), lettering(17, here), t.text, Qt::AlignCenter);
         w.hit(box, kStepHits + static_cast<int>(i));
     }
 }

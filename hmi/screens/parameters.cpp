@@ -211,7 +211,7 @@ void Parameters::takeFile() {
 
 void Parameters::setColumns() {
     if (page_ == Page::History) {
-        table_->columns = {{word("When"), 1.6}, {word("What"), 1.8}, {word("Who"), 1.6}, {word("Before"), 1.6, kRight}, {word("Then"), 1.6, kRight}};
+        table_->columns = {{word("When"), 1.6}, {word("What"), 1.8}, {word("Who"), 1.6}, {word("Before"), 1.6, kRight}, {word("After"), 1.6, kRight}};
         table_->nothing = word("Nobody has changed it since the store was begun.");
     } else {
         table_->columns = {{word("Number"), 1.7}, {word("Name"), 3}, {word("Value"), 1.6, kRight}, {word("Unit"), 1.6}};

@@ -26,6 +26,15 @@ QColor colourOfTrace(std::size_t trace) {
     return QColor(theme().dark ? kDark[trace] : kLight[trace]);
 }
 
+// Units as the other screens have them: feeds mm/min, torque % of the rated one. The kernel records mm/s and thousandths.
+double shownAs(ScopeKind kind) { return kind == ScopeKind::AxisVelocity || kind == ScopeKind::PathSpeed ? 60.0 : kind == ScopeKind::AxisTorque ? 0.1 : 1.0; }
+
+QString ofAxis(const QString& title, bool rotary) {
+    if (title == "torque") return "%";
+    if (title == "velocity") return rotary ? "deg/min" : "mm/min";
+    return rotary ? QString::fromUtf8("°") : QString("mm");
+}
+
 }  // namespace
 
 ScopePage::ScopePage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), traces_(new Table(this)), chooser_(new Table(this)), pad_(new NumberPad(this)), note_(new FreeSheet(this)) {
@@ -91,9 +100,9 @@ QString ScopePage::titleOf(std::size_t trace, QString* unit) const {
     const auto kind = static_cast<ScopeKind>(choice_.kind[trace]);
     const unsigned object = choice_.object[trace];
     const MachineConfig& machine = desk_.live.config();
-    const auto axis = [&](const char* what, const char* of) {
+    const auto axis = [&](const char* what) {
         const bool rotary = object >= 1 && object <= kMaxAxes && machine.axis(object).rotary;
-        if (unit) *unit = QString(of).replace("mm", rotary ? QString::fromUtf8("°") : QString("mm"));
+        if (unit) *unit = ofAxis(what, rotary);
         return QString("A%1 %2 %3").arg(object).arg(object >= 1 && object <= kMaxAxes ? fromView(machine.axis(object).name_text()) : QString(), word(what));
     };
     const auto spindle = [&](const char* what, const char* of) {
@@ -101,17 +110,17 @@ QString ScopePage::titleOf(std::size_t trace, QString* unit) const {
         return QString("S%1 %2").arg(object).arg(word(what));
     };
     switch (kind) {
-        case ScopeKind::AxisCommanded: return axis(WORD("commanded"), "mm");
-        case ScopeKind::AxisMeasured: return axis(WORD("measured"), "mm");
-        case ScopeKind::AxisError: return axis(WORD("following error"), "mm");
-        case ScopeKind::AxisVelocity: return axis(WORD("velocity"), "mm/s");
-        case ScopeKind::AxisTorque: return axis(WORD("torque"), "‰");
-        case ScopeKind::AxisCompensation: return axis(WORD("compensation"), "mm");
+        case ScopeKind::AxisCommanded: return axis(WORD("commanded"));
+        case ScopeKind::AxisMeasured: return axis(WORD("measured"));
+        case ScopeKind::AxisError: return axis(WORD("following error"));
+        case ScopeKind::AxisVelocity: return axis(WORD("velocity"));
+        case ScopeKind::AxisTorque: return axis(WORD("torque"));
+        case ScopeKind::AxisCompensation: return axis(WORD("compensation"));
         case ScopeKind::SpindleCommanded: return spindle(WORD("commanded speed"), "1/min");
         case ScopeKind::SpindleSpeed: return spindle(WORD("speed"), "1/min");
         case ScopeKind::SpindleAngle: return spindle(WORD("angle"), "°");
         case ScopeKind::SpindleDeviation: return spindle(WORD("deviation"), "°");
-        case ScopeKind::PathSpeed: return unit ? *unit = "mm/s", QString("L%1 %2").arg(object).arg(word("path speed")) : QString("L%1 %2").arg(object).arg(word("path speed"));
+        case ScopeKind::PathSpeed: return unit ? *unit = "mm/min", QString("L%1 %2").arg(object).arg(word("path speed")) : QString("L%1 %2").arg(object).arg(word("path speed"));
         case ScopeKind::PathLeft: return unit ? *unit = "mm", QString("L%1 %2").arg(object).arg(word("path left")) : QString("L%1 %2").arg(object).arg(word("path left"));
         case ScopeKind::Input: return word("input %1").arg(object);
         case ScopeKind::NcSignal:
@@ -136,13 +145,13 @@ void ScopePage::fillChoices() {
         for (std::uint32_t a = 1; a <= machine.last_axis; ++a)
             if (machine.axis(a).exists())
                 for (const auto& [words, title] : kAxis)
-                    all_.push_back({QString("%1 A%2").arg(words).arg(a), QString("A%1 %2 %3").arg(a).arg(fromView(machine.axis(a).name_text()), word(title)), QString(title) == "torque" ? QString::fromUtf8("‰") : QString(title) == "velocity" ? QString("mm/s") : QString("mm")});
+                    all_.push_back({QString("%1 A%2").arg(words).arg(a), QString("A%1 %2 %3").arg(a).arg(fromView(machine.axis(a).name_text()), word(title)), ofAxis(title, machine.axis(a).rotary)});
         const std::pair<const char*, const char*> kSpindle[] = {{"speed", WORD("speed")}, {"speed_command", WORD("commanded speed")}, {"angle", WORD("angle")}, {"deviation", WORD("deviation")}};
         for (std::uint32_t s = 1; s <= machine.last_spindle; ++s)
             if (machine.spindle(s).exists())
                 for (const auto& [words, title] : kSpindle) all_.push_back({QString("%1 S%2").arg(words).arg(s), QString("S%1 %2").arg(s).arg(word(title)), QString(words).startsWith("speed") ? QString("1/min") : QString::fromUtf8("°")});
         for (const unsigned l : desk_.live.channels()) {
-            all_.push_back({QString("path L%1").arg(l), QString("L%1 %2").arg(l).arg(word("path speed")), "mm/s"});
+            all_.push_back({QString("path L%1").arg(l), QString("L%1 %2").arg(l).arg(word("path speed")), "mm/min"});
             all_.push_back({QString("left L%1").arg(l), QString("L%1 %2").arg(l).arg(word("path left")), "mm"});
         }
         for (const SignalRow& row : signal_rows()) {
@@ -192,6 +201,9 @@ void ScopePage::follow() {
     if (first) next_ = choice_.first;
     if (!desk_.live.scopeSamples(next_, fresh) && !first) missed_ = true;
     if (fresh.empty()) return;
+    for (std::size_t trace = 0; trace < kScopeTraces; ++trace)
+        if (const double scale = shownAs(static_cast<ScopeKind>(choice_.kind[trace])); scale != 1.0)
+            for (ScopeSample& sample : fresh) sample.value[trace] *= scale;
     record_.add(fresh, windowTicks());
     const qint64 time = QDateTime::currentMSecsSinceEpoch();
     if (time < paintedMs_ + kPaintMs) return;

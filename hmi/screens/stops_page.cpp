@@ -11,6 +11,9 @@ namespace {
 constexpr int kPeriods[] = {1, 8, 24, 168};   // hours
 constexpr std::size_t kMostChannels = 6;      // in the picture over the period
 
+// Together, and how often.
+QString timesText(double seconds, int count) { return QString::fromUtf8("%1 · %2×").arg(timeText(seconds)).arg(count); }
+
 }  // namespace
 
 StopsPage::StopsPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), book_(desk.live, desk.requests), table_(new Table(this)), picture_(new FreeSheet(this)) {
@@ -24,7 +27,7 @@ StopsPage::StopsPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk)
         const StopWords why = stopWords(stop.cause);
         switch (column) {
             case 0: return {stop.begin.toString("dd.MM. HH:mm:ss"), t.dim};
-            case 1: return {stop.seconds < 0 ? QString::fromUtf8("–") : timeText(stop.seconds), t.text, stop.stands ? Sign::Hold : Sign::None, stop.stands};
+            case 1: return {(stop.seconds < 0 ? QString::fromUtf8("–") : timeText(stop.seconds)) + (stop.stands ? QString::fromUtf8(" …") : QString()), t.text, Sign::None, stop.stands};   // "…": it goes on
             case 2: return {QString("L%1").arg(stop.channel), t.text, Sign::None, true};
             case 3: return {why.text, why.colour, why.sign};
             default: {
@@ -63,7 +66,7 @@ void StopsPage::composePicture(Writer& w) {
     int count = 0;
     for (const StopSum& one : sums) all += one.seconds, count += one.count;
     w.text(QRectF(px(14), px(8), wide * 0.6, px(28)), book_.hours() < 48 ? word("The last %1 h").arg(book_.hours()) : word("The last %1 days").arg(book_.hours() / 24), lettering(16, true), t.text);
-    w.text(QRectF(wide * 0.5, px(8), wide * 0.5 - px(14), px(28)), QString::fromUtf8("%1 × %2").arg(count).arg(timeText(all)), lettering(15, true), t.dim, kRight);
+    w.text(QRectF(wide * 0.5, px(8), wide * 0.5 - px(14), px(28)), timesText(all, count), lettering(15, true), t.dim, kRight);
     const auto& channels = desk_.live.channels();
     const std::size_t lines = book_.channel() ? 1 : std::min(channels.size(), kMostChannels);
     const double foot = px(40) + static_cast<double>(lines) * px(22);
@@ -73,7 +76,7 @@ void StopsPage::composePicture(Writer& w) {
         const StopWords why = stopWords(one.cause);
         w.sign(QRectF(px(14), y + px(2), px(18), px(18)), why.sign, why.colour);
         w.text(QRectF(px(40), y, wide * 0.52, px(22)), why.text, lettering(14.5), t.text);
-        w.text(QRectF(wide * 0.6, y, wide * 0.4 - px(14), px(22)), QString::fromUtf8("%1 × %2").arg(one.count).arg(timeText(one.seconds)), lettering(14.5, true), t.text, kRight);
+        w.text(QRectF(wide * 0.6, y, wide * 0.4 - px(14), px(22)), timesText(one.seconds, one.count), lettering(14.5, true), t.text, kRight);
         w.bar(QRectF(px(40), y + px(25), wide - px(54), px(9)), sums.front().seconds > 0 ? one.seconds / sums.front().seconds : 0, why.colour, t.window);
         y += px(43);
     }

@@ -53,7 +53,15 @@ QString word(const char* english) {
 QString unitWord(std::string_view unit) {
     if (unit.empty()) return {};
     const auto at = g_units.find(unit);
-    return at != g_units.end() ? at->second : g_units.emplace(std::string(unit), word(unit)).first->second;
+    if (at != g_units.end()) return at->second;
+    QString shown = word(unit);
+    // The table of parameters writes plain letters; in English the other languages' signs are used as well.
+    if (spoken() == Tongue::English) {
+        if (shown == "us") shown = QString::fromUtf8("µs");
+        if (shown.startsWith("deg")) shown.replace(0, 3, QString::fromUtf8("°"));
+        if (shown.endsWith("/s2")) shown.replace(shown.size() - 1, 1, QString::fromUtf8("²"));
+    }
+    return g_units.emplace(std::string(unit), shown).first->second;
 }
 
 QString word(std::string_view english) { return QCoreApplication::translate("hmi", std::string(english).c_str()); }

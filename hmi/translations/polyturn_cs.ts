@@ -19,6 +19,11 @@
         <translation>  z toho čekání</translation>
     </message>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>%1 ago</source>
+        <translation>před %1</translation>
+    </message>
+    <message>
         <location filename="../screens/compensation_page.cpp"/>
         <source>%1 by %2: straightness</source>
         <translation>%1 podle %2: přímost</translation>
@@ -264,9 +269,14 @@
         <translation>Adresy z DHCP</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>After</source>
+        <translation>Poté</translation>
+    </message>
+    <message>
         <location filename="../machine/stop_book.cpp"/>
         <source>Alarm</source>
-        <translation>Porucha</translation>
+        <translation>Alarm</translation>
     </message>
     <message>
         <location filename="../screens/alarms.hpp"/>
@@ -554,7 +564,7 @@
         <translation>Volá ho</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/editor_files.cpp"/>
         <source>Cannot be written: %1</source>
         <translation>Nelze zapsat: %1</translation>
     </message>
@@ -656,7 +666,7 @@
     <message>
         <location filename="../screens/files_page.cpp"/>
         <source>Choose a job or a program</source>
-        <translation>Zvolte úlohu nebo program</translation>
+        <translation>Zvolte zakázku nebo program</translation>
     </message>
     <message>
         <location filename="../screens/presetter_page.cpp"/>
@@ -1591,7 +1601,7 @@
     <message>
         <location filename="../screens/overview.cpp"/>
         <source>Hold all</source>
-        <translation>Stop všech</translation>
+        <translation>Stop posuvu: vše</translation>
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
@@ -1649,7 +1659,7 @@
         <translation>Nelze číst: %1</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/editor_files.cpp"/>
         <source>It cannot be shown.</source>
         <translation>Nelze zobrazit.</translation>
     </message>
@@ -1679,7 +1689,7 @@
         <translation>Bude pryč: ještě jednou</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/editor_files.cpp"/>
         <source>It is no text in UTF-8: it cannot be edited without a loss.</source>
         <translation>Není to text v UTF-8: nelze upravit beze ztráty.</translation>
     </message>
@@ -2020,8 +2030,8 @@
     </message>
     <message>
         <location filename="../screens/job_views.cpp"/>
-        <source>Longest wait: L%1 stands %2 s at M%3 (line %4). Work moved from the channel that comes last to L%1 saves up to this time.</source>
-        <translation>Nejdelší čekání: L%1 stojí %2 s na M%3 (řádek %4). Práce přesunutá z posledního kanálu na L%1 ušetří až tento čas.</translation>
+        <source>Longest wait: L%1 stands %2 s at %3 (line %4). Work moved from the channel that comes last to L%1 saves up to this time.</source>
+        <translation>Nejdelší čekání: L%1 stojí %2 s na %3 (řádek %4). Práce přesunutá z posledního kanálu na L%1 ušetří až tento čas.</translation>
     </message>
     <message>
         <location filename="../machine/requests.cpp"/>
@@ -2276,7 +2286,7 @@
     <message>
         <location filename="../screens/graphics_picture.cpp"/>
         <source>No job names the stock of the running program</source>
-        <translation>Žádná úloha neuvádí polotovar programu</translation>
+        <translation>Žádná zakázka neuvádí polotovar programu</translation>
     </message>
     <message>
         <location filename="../machine/computer_settings.cpp"/>
@@ -2384,7 +2394,7 @@
         <translation>Nezaložené</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/editor_files.cpp"/>
         <source>Not saved: stopped. The file is as it was.</source>
         <translation>Neuloženo: zastaveno. Soubor zůstal, jak byl.</translation>
     </message>
@@ -2527,6 +2537,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>Order among sisters</source>
         <translation>Pořadí mezi sesterskými</translation>
+    </message>
+    <message>
+        <location filename="../screens/job_views.cpp"/>
+        <source>Other</source>
+        <translation>Ostatní</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -2781,7 +2796,7 @@
     <message>
         <location filename="../screens/tools.cpp"/>
         <source>Presetter</source>
-        <translation>Seřizovač</translation>
+        <translation>Předseřízení</translation>
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
@@ -2851,7 +2866,7 @@
     <message>
         <location filename="../screens/programs.cpp"/>
         <source>Programs and jobs</source>
-        <translation>Programy a úlohy</translation>
+        <translation>Programy a zakázky</translation>
     </message>
     <message>
         <location filename="../screens/parts_page.cpp"/>
@@ -3219,7 +3234,7 @@
         <translation>Uložit nyní</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/editor_files.cpp"/>
         <source>Saved: %1</source>
         <translation>Uloženo: %1</translation>
     </message>
@@ -3256,7 +3271,7 @@
     <message>
         <location filename="../screens/programs.cpp"/>
         <source>Select job</source>
-        <translation>Zvolit úlohu</translation>
+        <translation>Zvolit zakázku</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -3316,7 +3331,7 @@
     <message>
         <location filename="../screens/graphics.cpp"/>
         <source>Since the start of these screens; tips as points, without width and radius</source>
-        <translation>Od startu obrazovek; břity jako body, bez šířky a rádiusu</translation>
+        <translation>Od startu obrazovek; špičky jako body, bez šířky a rádiusu</translation>
     </message>
     <message>
         <location filename="../machine/stop_book.cpp"/>
@@ -3706,7 +3721,7 @@
     <message>
         <location filename="../screens/programs.cpp"/>
         <source>The job is being driven in virtual time</source>
-        <translation>Úloha běží ve virtuálním čase</translation>
+        <translation>Zakázka běží ve virtuálním čase</translation>
     </message>
     <message>
         <location filename="../screens/stops_page.cpp"/>
@@ -3719,7 +3734,7 @@
         <translation>Posledních %1 h</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/editor_files.cpp"/>
         <source>The last program is still being written.</source>
         <translation>Předchozí program se ještě zapisuje.</translation>
     </message>
@@ -3824,7 +3839,7 @@
         <translation>Revolver se otočí: znovu</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/system.cpp"/>
         <source>Then</source>
         <translation>Potom</translation>
     </message>
@@ -4041,12 +4056,12 @@
     <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Tip</source>
-        <translation>Břit</translation>
+        <translation>Špička</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Tip is at this measure: press again</source>
-        <translation>Břit je na míře: znovu</translation>
+        <translation>Špička je na míře: znovu</translation>
     </message>
     <message>
         <location filename="../screens/tools.cpp"/>
@@ -4330,13 +4345,13 @@
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
-        <source>Waits at %1 for %2, since %3</source>
-        <translation>Čeká na %1 na %2, již %3</translation>
+        <source>Waits at %1 for %2, %3 so far</source>
+        <translation>Čeká v %1 na %2, již %3</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Waits at %1, all are there</source>
-        <translation>Čeká na %1, všichni jsou tu</translation>
+        <translation>Čeká v %1, všichni jsou tu</translation>
     </message>
     <message>
         <location filename="../machine/stop_book.cpp"/>
@@ -5391,7 +5406,7 @@
     <message>
         <location filename="../screens/channel_card.cpp"/>
         <source>tip</source>
-        <translation>břit</translation>
+        <translation>špička</translation>
     </message>
     <message>
         <location filename="../screens/parts_page.cpp"/>
@@ -5437,11 +5452,6 @@
         <location filename="../text/tongues.cpp"/>
         <source>us</source>
         <translation>µs</translation>
-    </message>
-    <message>
-        <location filename="../text/tongues.cpp"/>
-        <source>µm</source>
-        <translation>µm</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -5507,6 +5517,11 @@
         <location filename="../screens/files_page.cpp"/>
         <source>«Take» chooses what is copied or compared</source>
         <translation>«Vzít» zvolí, co kopírovat nebo porovnat</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>µm</source>
+        <translation>µm</translation>
     </message>
 </context>
 </TS>

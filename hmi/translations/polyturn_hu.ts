@@ -19,6 +19,11 @@
         <translation>  ebből várakozás</translation>
     </message>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>%1 ago</source>
+        <translation>%1 óta</translation>
+    </message>
+    <message>
         <location filename="../screens/compensation_page.cpp"/>
         <source>%1 by %2: straightness</source>
         <translation>%1 a(z) %2 szerint: egyenesség</translation>
@@ -264,9 +269,14 @@
         <translation>Címek DHCP-vel</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>After</source>
+        <translation>Utána</translation>
+    </message>
+    <message>
         <location filename="../machine/stop_book.cpp"/>
         <source>Alarm</source>
-        <translation>Hiba</translation>
+        <translation>Riasztás</translation>
     </message>
     <message>
         <location filename="../screens/alarms.hpp"/>
@@ -554,7 +564,7 @@
         <translation>Hívja</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/editor_files.cpp"/>
         <source>Cannot be written: %1</source>
         <translation>Nem írható: %1</translation>
     </message>
@@ -1649,7 +1659,7 @@
         <translation>Nem olvasható: %1</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/editor_files.cpp"/>
         <source>It cannot be shown.</source>
         <translation>Nem jeleníthető meg.</translation>
     </message>
@@ -1679,7 +1689,7 @@
         <translation>Eltűnik: még egyszer</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/editor_files.cpp"/>
         <source>It is no text in UTF-8: it cannot be edited without a loss.</source>
         <translation>Nem UTF-8 szöveg: veszteség nélkül nem szerkeszthető.</translation>
     </message>
@@ -2020,8 +2030,8 @@
     </message>
     <message>
         <location filename="../screens/job_views.cpp"/>
-        <source>Longest wait: L%1 stands %2 s at M%3 (line %4). Work moved from the channel that comes last to L%1 saves up to this time.</source>
-        <translation>Leghosszabb várakozás: L%1 %2 s-ot áll, M%3 (%4. sor). Az utolsónak érkező csatornától L%1-re áttett munka ennyit takaríthat meg.</translation>
+        <source>Longest wait: L%1 stands %2 s at %3 (line %4). Work moved from the channel that comes last to L%1 saves up to this time.</source>
+        <translation>Leghosszabb várakozás: L%1 %2 s-ot áll, %3 (%4. sor). Az utolsónak érkező csatornától L%1-re áttett munka ennyit takaríthat meg.</translation>
     </message>
     <message>
         <location filename="../machine/requests.cpp"/>
@@ -2384,7 +2394,7 @@
         <translation>Nincs betöltve</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/editor_files.cpp"/>
         <source>Not saved: stopped. The file is as it was.</source>
         <translation>Nincs mentve: leállítva. A fájl változatlan.</translation>
     </message>
@@ -2527,6 +2537,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>Order among sisters</source>
         <translation>Sorrend a testvérek közt</translation>
+    </message>
+    <message>
+        <location filename="../screens/job_views.cpp"/>
+        <source>Other</source>
+        <translation>Egyéb</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -2921,7 +2936,7 @@
     <message>
         <location filename="../machine/tool_words.cpp"/>
         <source>Ready</source>
-        <translation>Kész</translation>
+        <translation>Üzemkész</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
@@ -3219,7 +3234,7 @@
         <translation>Mentés most</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/editor_files.cpp"/>
         <source>Saved: %1</source>
         <translation>Mentve: %1</translation>
     </message>
@@ -3719,7 +3734,7 @@
         <translation>Utolsó %1 óra</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/editor_files.cpp"/>
         <source>The last program is still being written.</source>
         <translation>Az előző program írása még folyik.</translation>
     </message>
@@ -3824,7 +3839,7 @@
         <translation>A revolver fordul: újra</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/system.cpp"/>
         <source>Then</source>
         <translation>Utána</translation>
     </message>
@@ -4316,7 +4331,7 @@
     <message>
         <location filename="../screens/job_views.cpp"/>
         <source>Waiting</source>
-        <translation>Várakozás</translation>
+        <translation>Bevárás</translation>
     </message>
     <message>
         <location filename="../screens/overview.cpp"/>
@@ -4330,8 +4345,8 @@
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
-        <source>Waits at %1 for %2, since %3</source>
-        <translation>Itt vár: %1, erre: %2, %3 óta</translation>
+        <source>Waits at %1 for %2, %3 so far</source>
+        <translation>%1: vár erre: %2, eddig %3</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -5439,11 +5454,6 @@
         <translation>µs</translation>
     </message>
     <message>
-        <location filename="../text/tongues.cpp"/>
-        <source>µm</source>
-        <translation>µm</translation>
-    </message>
-    <message>
         <location filename="../machine/tool_words.cpp"/>
         <source>uses</source>
         <translation>használat</translation>
@@ -5507,6 +5517,11 @@
         <location filename="../screens/files_page.cpp"/>
         <source>«Take» chooses what is copied or compared</source>
         <translation>A «Felvesz» választja ki a másolandót</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>µm</source>
+        <translation>µm</translation>
     </message>
 </context>
 </TS>

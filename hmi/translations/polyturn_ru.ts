@@ -19,6 +19,11 @@
         <translation>  из него ожидание</translation>
     </message>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>%1 ago</source>
+        <translation>%1 назад</translation>
+    </message>
+    <message>
         <location filename="../screens/compensation_page.cpp"/>
         <source>%1 by %2: straightness</source>
         <translation>%1 по %2: прямолинейность</translation>
@@ -262,6 +267,11 @@
         <location filename="../machine/computer_settings.cpp"/>
         <source>Addresses by DHCP</source>
         <translation>Адреса от DHCP</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>After</source>
+        <translation>Стало</translation>
     </message>
     <message>
         <location filename="../machine/stop_book.cpp"/>
@@ -554,7 +564,7 @@
         <translation>Вызов</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/editor_files.cpp"/>
         <source>Cannot be written: %1</source>
         <translation>Не записать: %1</translation>
     </message>
@@ -1649,7 +1659,7 @@
         <translation>Не читается: %1</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/editor_files.cpp"/>
         <source>It cannot be shown.</source>
         <translation>Показать нельзя.</translation>
     </message>
@@ -1679,7 +1689,7 @@
         <translation>Исчезнет: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/editor_files.cpp"/>
         <source>It is no text in UTF-8: it cannot be edited without a loss.</source>
         <translation>Это не текст UTF-8: правка испортит его.</translation>
     </message>
@@ -2020,8 +2030,8 @@
     </message>
     <message>
         <location filename="../screens/job_views.cpp"/>
-        <source>Longest wait: L%1 stands %2 s at M%3 (line %4). Work moved from the channel that comes last to L%1 saves up to this time.</source>
-        <translation>Самое долгое ожидание: L%1 стоит %2 с на M%3 (строка %4). Часть работы опаздывающего канала, отданная каналу L%1, сократит цикл не больше чем на это время.</translation>
+        <source>Longest wait: L%1 stands %2 s at %3 (line %4). Work moved from the channel that comes last to L%1 saves up to this time.</source>
+        <translation>Самое долгое ожидание: L%1 стоит %2 с на %3 (строка %4). Часть работы опаздывающего канала, отданная каналу L%1, сократит цикл не больше чем на это время.</translation>
     </message>
     <message>
         <location filename="../machine/requests.cpp"/>
@@ -2384,7 +2394,7 @@
         <translation>Не загружены</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/editor_files.cpp"/>
         <source>Not saved: stopped. The file is as it was.</source>
         <translation>Не сохранено: остановлено. Файл остался прежним.</translation>
     </message>
@@ -2527,6 +2537,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>Order among sisters</source>
         <translation>Порядок среди дублёров</translation>
+    </message>
+    <message>
+        <location filename="../screens/job_views.cpp"/>
+        <source>Other</source>
+        <translation>Прочее</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -2961,7 +2976,7 @@
     <message>
         <location filename="../screens/manual.cpp"/>
         <source>Reference all</source>
-        <translation>Все в ноль</translation>
+        <translation>Все: выход в 0</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
@@ -3219,7 +3234,7 @@
         <translation>Сохранить</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/editor_files.cpp"/>
         <source>Saved: %1</source>
         <translation>Сохранено: %1</translation>
     </message>
@@ -3719,7 +3734,7 @@
         <translation>Последние %1 ч</translation>
     </message>
     <message>
-        <location filename="../screens/editor_page.cpp"/>
+        <location filename="../screens/editor_files.cpp"/>
         <source>The last program is still being written.</source>
         <translation>Предыдущая программа ещё записывается.</translation>
     </message>
@@ -3824,7 +3839,7 @@
         <translation>Револьвер повернётся: ещё раз</translation>
     </message>
     <message>
-        <location filename="../screens/parameters.cpp"/>
+        <location filename="../screens/system.cpp"/>
         <source>Then</source>
         <translation>Потом</translation>
     </message>
@@ -4330,7 +4345,7 @@
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
-        <source>Waits at %1 for %2, since %3</source>
+        <source>Waits at %1 for %2, %3 so far</source>
         <translation>Ждёт у %1 канал %2, уже %3</translation>
     </message>
     <message>
@@ -5439,11 +5454,6 @@
         <translation>мкс</translation>
     </message>
     <message>
-        <location filename="../text/tongues.cpp"/>
-        <source>µm</source>
-        <translation>мкм</translation>
-    </message>
-    <message>
         <location filename="../machine/tool_words.cpp"/>
         <source>uses</source>
         <translation>вызовов</translation>
@@ -5507,6 +5517,11 @@
         <location filename="../screens/files_page.cpp"/>
         <source>«Take» chooses what is copied or compared</source>
         <translation>«Взять» выбирает, что копировать или сравнить</translation>
+    </message>
+    <message>
+        <location filename="../text/tongues.cpp"/>
+        <source>µm</source>
+        <translation>мкм</translation>
     </message>
 </context>
 </TS>

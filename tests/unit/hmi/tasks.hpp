@@ -37,6 +37,17 @@ protected:
         ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Running; })) << waitWords(live(), 1).toStdString();
     }
 
+    // The same, held with its axes at rest: where something is measured by where they stand.
+    void startAndHoldJob() {
+        startJob();
+        QTest::qWait(300);
+        ASSERT_TRUE(g_controller->press("feed_hold"));
+        ASSERT_TRUE(waitFor([&] {
+            const auto stands = [&](unsigned axis) { return !(live().status().axes[axis - 1].flags & kMoving); };
+            return state(1) == ChannelState::Held && stands(1) && stands(2) && stands(3) && stands(4);
+        }));
+    }
+
     std::unique_ptr<MainWindow> window;
     inline static Controller* g_controller = nullptr;
 };

@@ -12,6 +12,7 @@ namespace polyturn::hmi {
 namespace {
 
 TEST_F(Tasks, CorrectAWearByTwoHundredthsInFourActions) {
+    startJob();
     const double before = live().store(1).offsets[3].wear[0];
     Operator hand(*window);
     hand.screen("offsets");
@@ -21,6 +22,7 @@ TEST_F(Tasks, CorrectAWearByTwoHundredthsInFourActions) {
     hand.soft("+ Input");
     EXPECT_LE(hand.actions, 4);
     ASSERT_TRUE(waitFor([&] { return std::abs(live().store(1).offsets[3].wear[0] - (before - 0.02)) < 1e-9; }));
+    EXPECT_EQ(state(1), ChannelState::Running);
 }
 
 TEST_F(Tasks, SelectAJobAndStartItInFiveActions) {
@@ -79,6 +81,7 @@ TEST_F(Tasks, LeaveAHoldJogAwayAndReturn) {
 }
 
 TEST_F(Tasks, SetAZeroWhereTheAxisStands) {
+    startAndHoldJob();
     Operator hand(*window);
     hand.screen("offsets");
     Offsets& offsets = screenOf<Offsets>();
@@ -115,6 +118,7 @@ TEST_F(Tasks, SingleBlockBothChannelsToAWait) {
 
 // The tip touches a diameter that has been measured: geometry follows from where the axis stands.
 TEST_F(Tasks, MeasureAToolByItsTouch) {
+    startAndHoldJob();
     Operator hand(*window);
     hand.screen("offsets");
     Offsets& offsets = screenOf<Offsets>();
@@ -160,6 +164,7 @@ TEST_F(Tasks, RestartAfterABrokenTool) {
 }
 
 TEST_F(Tasks, RestoreABackup) {
+    startJob();
     System& system = screenOf<System>();
     QTemporaryDir folder;
     system.readFolder(folder.filePath("new/folder"));   // the store makes it
