@@ -10,6 +10,7 @@
 #include <QTextTable>
 #include <utility>
 
+#include "hmi/app/help_language.hpp"
 #include "ipc/text/machine_path.hpp"
 
 namespace polyturn::hmi {
@@ -43,7 +44,7 @@ HelpView::HelpView(QWidget* parent) : QWidget(parent), head_(new FreeSheet(this)
     text_->setOpenLinks(false);
     QObject::connect(text_, &QTextBrowser::anchorClicked, this, [this](const QUrl& url) {
         const QString file = QFileInfo(url.path()).fileName();
-        if (file.endsWith(".md")) intro_.clear(), load(file, {});
+        if (file.endsWith(".md")) open({file, {}, {}});
     });
     QObject::connect(&turn_, &QTimer::timeout, this, [this] { layNext(); });
     QScroller::grabGesture(text_->viewport(), QScroller::LeftMouseButtonGesture);
@@ -156,7 +157,8 @@ void HelpView::lay(std::size_t slice, bool above) {
 
 void HelpView::open(const HelpTopic& topic) {
     intro_ = topic.intro;
-    load(topic.page.isEmpty() ? QString("operator.md") : topic.page, topic.find, topic.code);
+    const HelpPlace place = placeInLanguage(folder(), {topic.page.isEmpty() ? QString("operator.md") : topic.page, topic.find}, codeOf(spoken()));
+    load(place.page, topic.code ? topic.find : place.find, topic.code);
     show();
     raise();
 }
@@ -174,7 +176,7 @@ bool HelpView::key(QKeyEvent* event) {
             bar->setValue(0);
             return true;
         case Qt::Key_End: bar->setValue(bar->maximum()), toEnd_ = !complete(); return true;
-        case Qt::Key_Backspace: intro_.clear(), load("README.md", {}); return true;
+        case Qt::Key_Backspace: open({"README.md", {}, {}}); return true;
         default: return false;
     }
 }
