@@ -28,6 +28,7 @@ public:
     std::string kept(std::string_view name) override { return next_->kept(name); }
     double* shared_variables() override { return next_->shared_variables(); }
     bool second_geometry(unsigned axis) override { return next_->second_geometry(axis); }
+    bool second_limits() override { return next_->second_limits(); }
     bool axis_referenced(unsigned machine_axis) override { return next_->axis_referenced(machine_axis); }
     StrokeFlags stroke_flags(unsigned machine_axis) override { return next_->stroke_flags(machine_axis); }
     double feed_override() override { return next_->feed_override(); }

@@ -66,6 +66,8 @@ public:
     virtual double* shared_variables() { return nullptr; }
     // CP_SGOEN and CP_SGOX, Y, Z: the second geometry offset acts on this axis (0 X, 1 Y, 2 Z).
     virtual bool second_geometry(unsigned /*axis*/) { return false; }
+    // The second travel limits act (fagor ACTLIM2).
+    virtual bool second_limits() { return false; }
     // What the PLC says now about the stroke ranges of a machine axis: the set it selects, ranges it has switched off.
     // It has its reference point.
     virtual bool axis_referenced(unsigned /*machine_axis*/) { return true; }

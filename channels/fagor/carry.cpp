@@ -35,6 +35,7 @@ void Interpreter::take_carry(const std::any& before, bool) {
     modal_.zero = m.zero, modal_.zero_number = m.zero_number, modal_.zero_added = m.zero_added;
     PathState& path = core_.path;
     path.zones = last.path.zones;
+    path.second_limits = last.path.second_limits;
     path.spindle.rpm = last.path.spindle.rpm;
     path.spindle.surface_m_min = last.path.spindle.surface_m_min;
     path.spindle.limit_rpm = last.path.spindle.limit_rpm;

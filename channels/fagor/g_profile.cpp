@@ -66,6 +66,7 @@ bool Interpreter::record_profile(const Interpreter& caller, FileId file, TextPos
     core_.path = caller.core_.path;
     core_.path.wanted = core_.path.vector = core_.path.shift = {};
     core_.path.zones = {};
+    core_.path.second_limits = {};
     core_.path.feed_mode = FeedMode::PerMinute;
     core_.path.feed = 1.0;
     core_.set_frame(Frame{});

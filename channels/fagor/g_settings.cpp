@@ -78,7 +78,15 @@ bool Interpreter::limit_surface_speed() {
 bool Interpreter::g_corner(const GCode& row) {
     modal_.corner = row.number;
     core_.path.exact_stop_mode = row.number == 7;
+    share_acceleration(100.0);
     return true;
+}
+
+// G51 A: percent of the axes' own acceleration, until another corner function (7.4).
+void Interpreter::share_acceleration(double percent) {
+    if (percent == modal_.acceleration) return;
+    modal_.acceleration = percent;
+    for (unsigned i = 0; i < core_.view().axis_count; ++i) core_.signal("ACC" + std::to_string(i), percent / 100.0);
 }
 
 bool Interpreter::g_look_ahead(const GCode& row) {
@@ -92,6 +100,7 @@ bool Interpreter::g_look_ahead(const GCode& row) {
     if (modal_.feed_code == 95 || modal_.motion >= 33) return core_.fail(Alarm::FagorIncompatible, 'G', modal_.feed_code == 95 ? "G51 G95" : "G51 and a thread");
     modal_.corner = row.number;
     modal_.look_ahead_error = distance('E');
+    share_acceleration(number('A') > 0 ? number('A') : 100.0);
     core_.path.exact_stop_mode = false;
     return true;
 }

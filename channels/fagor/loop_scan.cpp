@@ -39,6 +39,7 @@ std::vector<cycles::Element> Interpreter::record_ahead(const Interpreter& caller
     core_.compensation_reset();
     core_.path = caller.core_.path;
     core_.path.zones = {};
+    core_.path.second_limits = {};
     core_.set_frame(Frame{});
     core_.start_at_machine(core_.path.machine);
     core_.path.programmed = caller.core_.path.programmed;

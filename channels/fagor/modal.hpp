@@ -56,6 +56,7 @@ struct Modal {
     AxisValues withdrawal{};          // G233, mm
     bool withdraws = false;
     double look_ahead_error = 0.0;    // G51 E
+    double acceleration = 100.0;      // G51 A, %
     int inclined = 0;                 // G46 S
     std::int64_t next_tool = -1, next_offset = -1;   // waiting for M06
     double probe_input = 1.0, probe_mode = 0.0;      // SELPRO, PRBMOD

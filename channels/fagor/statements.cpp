@@ -194,6 +194,7 @@ void Interpreter::tell_control(bool group_ends) {
     std::uint32_t bits = modal_.one_block ? kControlNoSingleBlock : 0u;
     if (modal_.stop_disabled || modal_.hold_disabled) bits |= kControlNoHold | kControlNoPlcStop;
     if (group_ends) bits |= kControlGroupEnds;
+    if (modal_.spindle_override_program > 0) bits |= kControlOwnSpindleOverride;
     core_.signal("CONTROL", bits);
 }
 

@@ -1,4 +1,5 @@
 // Values behind the names of variable_names.hpp: tables, zeros, states, coordinates (fagor_8037t part 2, 11.2).
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -218,7 +219,7 @@ Access Interpreter::read_feed_or_spindle(const Target& target, double& value) {
         case Var::OverrideProgram: value = modal_.override_program; break;
         case Var::OverridePanel: value = panel; break;
         case Var::SpindleOverridePanel: value = spindle_panel; break;
-        case Var::SpindleOverride: value = modal_.spindle_override_program > 0 ? modal_.spindle_override_program : spindle_panel; break;
+        case Var::SpindleOverride: value = modal_.spindle_override_program > 0 ? modal_.spindle_override_program : std::min(std::max(spindle_panel, settings_.spindle_override_min), settings_.spindle_override_max); break;
         case Var::SpindleOverrideProgram: value = modal_.spindle_override_program; break;
         case Var::SpindleReal: {
             const auto turns = s.spindle ? port.spindle_speed(s.spindle) : std::nullopt;

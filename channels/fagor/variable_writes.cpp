@@ -148,6 +148,7 @@ Access Interpreter::write_named(const Target& target, double value) {
             if (value < 0 || value > 255) return variable_fault(Alarm::FagorValueRange, "PRGSSO", value);
             modal_.spindle_override_program = value == 0 ? 0 : std::clamp(value, settings_.spindle_override_min, settings_.spindle_override_max);
             spindles_.set(modal_.spindle_override_program > 0 ? modal_.spindle_override_program / 100.0 : 1.0, core_.at);
+            tell_control(false);
             core_.mark_emitted();
             return Access::Ok;
         case Var::ProbeInput:
@@ -174,6 +175,12 @@ Access Interpreter::write_named(const Target& target, double value) {
             }
             if (row.name == "ANAO" && (target.index < 1 || target.index > 8)) return variable_fault(Alarm::FagorValueRange, target_name(target), target.index);
             if (row.name == "ANAO" && std::fabs(value) > 10.0) return variable_fault(Alarm::FagorValueRange, target_name(target), value);
+            if (row.name == "LIMPL" || row.name == "LIMMI") {   // from machine zero, X as a radius; they act when the PLC sets ACTLIM2
+                WorkZone& limits = core_.path.second_limits;
+                const bool upper = row.name == "LIMPL";
+                (upper ? limits.high : limits.low)[i] = view.axes[i].rotary ? value : value * unit();
+                (upper ? limits.has_high : limits.has_low) |= 1u << i;
+            }
             values_.write(values_.kept(static_cast<std::size_t>(&row - &variable_row(0)), row.shape == Shape::Plain ? Values::kNoPlace : row.shape == Shape::Axis ? i : static_cast<std::size_t>(target.index) % Values::kNoPlace), value);
             return Access::Ok;
         default: return write_table(target, value);

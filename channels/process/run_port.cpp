@@ -115,6 +115,8 @@ bool RunPort::second_geometry(unsigned axis) {
     return plc_->signal[select(channel_)] != 0;
 }
 
+bool RunPort::second_limits() { return plc_->signal[signals::actlim2(channel_)] != 0; }
+
 void RunPort::print_beside(const std::string& program, std::string_view device) {
     print_.close();   // a reset during output ends it
     print_path_ = !device.empty() ? std::string(device) : program.empty() ? std::string() : program + ".L" + std::to_string(channel_) + ".print";

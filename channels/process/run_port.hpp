@@ -43,6 +43,7 @@ public:
     bool diameter_inverted(unsigned machine_axis) override;
     unsigned synchronous_master(unsigned machine_axis) override;
     bool second_geometry(unsigned axis) override;
+    bool second_limits() override;
     double feed_override() override { return own().feed_override; }
     double spindle_override(unsigned spindle) override { return status_->spindles[spindle - 1].override; }
     std::optional<double> spindle_speed(unsigned spindle) override { return std::abs(status_->spindles[spindle - 1].speed); }

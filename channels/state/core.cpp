@@ -68,6 +68,7 @@ void Core::refresh_routes() {
 
 void Core::refresh_limits() {
     refresh_routes();
+    path.second_limits.guard = port_->second_limits() ? WorkZone::Guard::NoExit : WorkZone::Guard::Off;
     zones_.count = view_->axis_count;
     for (unsigned i = 0; i < view_->axis_count; ++i) {
         ChannelAxis& axis = view_->axes[i];

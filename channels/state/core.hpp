@@ -116,6 +116,7 @@ struct PathState {
     bool exact_stop_off = false;            // no exact stop whatever is programmed (#3004)
     bool stroke2_off = false;               // G23: stroke range 2 does not count
     std::array<WorkZone, 5> zones;          // guarded before each move
+    WorkZone second_limits;                 // of the axes themselves (fagor LIMPL, LIMMI); guarded while the PLC wants them
     bool after_thread = false;              // the move before was a thread: a further one chains
     double thread_lead = 0.0;
     std::array<std::int8_t, kChannelAxes> last_way{};   // sign of the last movement of each axis; 0: none yet
@@ -369,6 +370,7 @@ private:
     bool within_stroke(const AxisValues& machine, AxisSet moved);
     bool zones_allow();                                   // move_ does not violate a guarded work zone
     bool zones_allow(const Move& move);
+    bool within_second_limits(const Move& move);
     void deliver();
     bool stage_corners();
     void chain(bool in_frame);

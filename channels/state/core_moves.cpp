@@ -129,7 +129,23 @@ bool Core::zones_allow(const Move& move) {
         const bool enters = path.zones[n].guard == WorkZone::Guard::NoEntry;
         return fail(enters ? Alarm::FagorZoneEntered : Alarm::FagorZoneLeft, 0, {}, static_cast<double>(n + 1));
     }
-    return true;
+    return within_second_limits(move);
+}
+
+// Travel limits beside those of the stroke, for the axes themselves (fagor_8037t part 2, 11.2.7).
+bool Core::within_second_limits(const Move& move) {
+    if (path.second_limits.guard == WorkZone::Guard::Off) return true;
+    WorkZone zone = path.second_limits;
+    zone.has_low &= move.moved, zone.has_high &= move.moved;   // where an axis rests is nobody's fault
+    if (!violates(zone, move)) return true;
+    unsigned i = 0;
+    for (AxisSet left = zone.has_low | zone.has_high; left; left &= left - 1) {
+        i = static_cast<unsigned>(__builtin_ctz(left));
+        const bool below = (zone.has_low >> i & 1u) && move.machine[i] < zone.low[i], above = (zone.has_high >> i & 1u) && move.machine[i] > zone.high[i];
+        if (below || above) break;   // none: the middle of an arc is beyond
+    }
+    const double limit = (zone.has_low >> i & 1u) && move.machine[i] < zone.low[i] ? zone.low[i] : zone.high[i];
+    return fail(Alarm::StrokeExceeded, view_->axes[i].name[0], std::string(view_->axes[i].name), view_->to_shown(i, move.machine[i]), view_->to_shown(i, limit));
 }
 
 void Core::deliver() {

@@ -61,6 +61,8 @@ SpindleConfig read_spindle(const params::Table& t, unsigned s) {
     c.index_by_code = !is(3);
     c.search_always = is(4);
     c.override_in_thread = is(5);
+    c.override_min = static_cast<double>(p::get(t, p::fg_minsovr, s)) / 100.0;
+    c.override_max = static_cast<double>(p::get(t, p::fg_maxsovr, s)) / 100.0;
     c.absolute = is(6);
     c.index_negative = is(7);
     c.output_inverted = encoder(0);

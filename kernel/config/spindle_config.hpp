@@ -42,6 +42,7 @@ struct SpindleConfig {
     bool index_by_code = true;             // IXC = 0
     bool search_always = false;            // ZOR
     bool override_in_thread = false;       // TOE
+    double override_min = 0, override_max = 2;   // FG.MINSOVR, FG.MAXSOVR; 1 is 100 %
     bool absolute = false;                 // EAB
     bool index_negative = false;           // IDS
     bool output_inverted = false, counts_inverted = false, unsigned_speed = false;  // N0609 MD, ID or AD, UNI

@@ -16,6 +16,7 @@
 #include <span>
 #include <string_view>
 
+#include "ipc/image/interrupt_inputs.hpp"
 #include "ipc/kinematics/kinematics.hpp"
 #include "kernel/cyclic/beside_program.hpp"
 #include "kernel/cyclic/core.hpp"
@@ -89,6 +90,8 @@ public:
     double feed_override = 1, rapid_override = 1;   // as the switches stand
     // What the feed is driven with.
     double feed_factor() const noexcept { return std::min(feed_override, core_.config.channels[index_].feed_override_max); }
+    // The program has set the spindle override: the operator's rests (fagor PRGSSO).
+    bool own_spindle_override() const noexcept { return control_ & kControlOwnSpindleOverride; }
     std::uint32_t pressed_keys = 0; // ChannelKey, by the operator
     std::uint32_t keys = 0;         // ChannelKey as they act: the operator's and those that the PLC's marks hold
 

@@ -135,6 +135,7 @@ private:
     void position_signals() noexcept;
     void choose_spindles() noexcept;
     std::int32_t rotation_for(std::uint32_t spindle) noexcept;
+    double operator_share(const SpindleUnit& spindle) const noexcept;
     std::array<std::int32_t, kMaxSpindles> rotation_{};         // that acts: SP_ROT, unless a cut still needs the one before
     std::array<std::int32_t, kMaxChannels> chosen_spindle_{};   // CP_SSEL as it was
     void run_spindles() noexcept;

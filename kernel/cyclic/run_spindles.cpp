@@ -1,4 +1,5 @@
 // The spindles' part of a tick: what the PLC and the channels ask of them, what is told about them, and their faults.
+#include <algorithm>
 #include <cmath>
 
 #include "kernel/cyclic/machine.hpp"
@@ -7,6 +8,15 @@ namespace polyturn::kernel {
 namespace {
 constexpr double kDisplacedDeg = 1e-3;   // closer than that the C axis is where its program believes it
 }  // namespace
+
+// The operator's override of this spindle: in the language fagor from MINSOVR to MAXSOVR (part 1, 5.3), and none beside the
+// program's (part 2, 11.2.10: program before panel).
+double Machine::operator_share(const SpindleUnit& spindle) const noexcept {
+    if (spindle.owner == 0 || !core_.config.channels[spindle.owner - 1].fagor_spindle_keys) return spindle.override_factor;
+    if (channels_[spindle.owner - 1]->own_spindle_override()) return 1.0;
+    const SpindleConfig& config = spindle.config();
+    return std::min(std::max(spindle.override_factor, config.override_min), config.override_max);
+}
 
 void Machine::open_spindle(unsigned index) {
     const SpindleConfig& config = core_.config.spindles[index];
@@ -125,7 +135,7 @@ void Machine::run_spindles() noexcept {
         in.unwatched = plc(signals::sp_send) != 0;
         in.torque_limit = static_cast<std::uint16_t>(plc(signals::sp_torq) <= 0 || plc(signals::sp_torq) > 1000 ? 1000 : plc(signals::sp_torq));
         in.muted = plc(signals::sp_sdetchr) != 0 || (shared_drives_[s] && shared_drives_[s]->user() == SharedDrive::User::Axis);
-        in.override_factor = spindle.override_locked && !spindle.config().override_in_thread ? 1.0 : spindle.override_factor;
+        in.override_factor = spindle.override_locked && !spindle.config().override_in_thread ? 1.0 : operator_share(spindle);
         in.most_rpm = spindle.owner && core_.signals.plc(signals::cp_setup(spindle.owner)) ? spindle.config().setup_rpm : kUnlimited;
         in.axis_position = core_.axes[spindle.surface_axis()].target();
         const bool fluctuated = spindle.fluctuates(), could_orient = !spindle.cannot_orient();

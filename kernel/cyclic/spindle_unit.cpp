@@ -80,6 +80,7 @@ double SpindleUnit::wanted(const SpindleInput& in) const noexcept {
         rpm = 1000.0 * surface_speed_ / (kPi * diameter);
     }
     rpm *= in.override_factor;
+    if (mode_ == Mode::Speed) rpm = std::min(rpm, speed_most_);
     if (rpm <= 0.0) return 0.0;
     rpm = std::max(rpm, range.speed_min);
     if (mode_ == Mode::SurfaceSpeed) {

@@ -58,7 +58,7 @@ public:
     SimulatedDrive* simulated() const noexcept { return simulated_; }
 
     // What a program demands.
-    void demand_speed(double rpm) noexcept { mode_ = Mode::Speed, speed_ = rpm, fresh_demand_ = true; }
+    void demand_speed(double rpm, double most = std::numeric_limits<double>::infinity()) noexcept { mode_ = Mode::Speed, speed_ = rpm, speed_most_ = most, fresh_demand_ = true; }
     void demand_surface_speed(double m_min, double limit_rpm, double min_rpm, std::uint32_t axis, double centre) noexcept {
         mode_ = Mode::SurfaceSpeed, fresh_demand_ = true, surface_speed_ = m_min, surface_limit_ = limit_rpm, surface_min_ = min_rpm, surface_axis_ = axis, surface_centre_ = centre;
     }
@@ -146,6 +146,7 @@ private:
     SimulatedDrive* simulated_ = nullptr;
     Mode mode_ = Mode::Speed;
     std::uint32_t range_ = 1;
+    double speed_most_ = std::numeric_limits<double>::infinity();   // of speed_ with the override on it
     double speed_ = 0, surface_speed_ = 0, surface_limit_ = 0, surface_min_ = 0, surface_centre_ = 0;
     std::uint32_t surface_axis_ = 0;
     double target_ = 0, ramped_ = 0, remainder_ = 0;

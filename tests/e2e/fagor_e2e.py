@@ -56,6 +56,33 @@ class Fagor(Case):
                 done = self.run_program(f"{HEAD}(P100=FRO,P101=CNCFRO)\nG01 Z0 F600\nM30\n", "--set", f"FG.MAXFOVR={most}", scenario='[[at]]\nt = 0.0\npress = "feed_override L1=150"\n')
                 self.assertAlmostEqual(self.seconds(done, Z=0), seconds, delta=0.1)
 
+    def test_the_spindle_keys_end_at_their_limits(self):   # part 1, 4.4.1, 5.3; part 2, 11.2.10
+        text = f"{HEAD}{{}}S300 M3\nG04 K300\n(P100=SSO)\nG95 G01 Z40 F1\nM30\n"
+        for before, options, keys, sso, rpm in (("", (), 150, 120, 360), ("", ("--set", "FG.MAXSOVR=110"), 120, 110, 330), ("", ("--set", "FG.MINSOVR=80"), 50, 80, 240),
+                                                ("G92 S300\n", (), 120, 120, 300), ("(PRGSSO=60)\n", (), 120, 60, 180)):
+            with self.subTest(before=before, options=options):
+                done = self.run_program(text.format(before), *options, scenario=f'[[at]]\nt = 0.0\npress = "spindle_override S1={keys}"\n')
+                self.assertEqual([e["value"] for e in done.of("variable", name="P100")], [sso])
+                self.assertAlmostEqual(self.seconds(done, Z=40), 10 / (rpm / 60), delta=0.12)
+
+    def test_the_second_travel_limits_act_with_actlim2(self):   # part 2, 11.2.7
+        text = f"{HEAD}(LIMPLX=55,LIMMIZ=-20)\nM77\nG04\nG01 X110 F3000\n{{}}\nM30\n"
+        on = '[[at]]\nwhen = { ev = "aux", ch = 1, code = "M77" }\nset = "ACTLIM2 L1=1"\n'
+        for block, axis in (("X110.01", "X"), ("Z-20.01", "Z")):
+            with self.subTest(block):
+                done = self.run_program(text.format(block), scenario=on, status=1)
+                self.assertEqual(self.points(done), [(110, 50)])
+                self.assertIn(f"axis {axis}", done.said())
+                self.run_program(text.format(block))   # without the PLC they say nothing
+        self.run_program(text.format("Z-20"), scenario=on)
+
+    def test_g51_takes_a_share_of_the_acceleration(self):   # part 1, 7.4
+        slopes = [word for line in ("N0400=500", "N0401=0", "N0305=100000") for word in ("--set", line)]
+        for corner, acceleration in (("G51 A50 E0.1", 250), ("G51 A0 E0.1", 500), ("G51 E0.1", 500), ("G51 A50 E0.1\nG05", 500)):
+            with self.subTest(corner):
+                done = self.run_program(f"{HEAD}{corner}\nG01 Z10 F3000\nM30\n", *slopes)
+                self.assertAlmostEqual(self.seconds(done, Z=10), 40 / 50 + 50 / acceleration, delta=0.03)
+
     def test_two_loaded_programs_do_not_define_one_subroutine(self):   # part 2, 12.5
         for name in ("701", "702"):
             self.write(f"000{name}.PIT", f"%A,MX,\n(SUB 5)\n(P100={name})\n(RET)\n")
