@@ -94,6 +94,8 @@ bool Interpreter::g_data(const GCode&) {
         }
         if (kind == 3) return begin_life_groups();
         if (kind == 2 || kind == 20 || kind == 21) return g10_zero();
+        const bool milling = settings_.nct && core_.view().config().kind == ChannelKind::Mill;
+        if (milling && kind >= 10 && kind <= 13 && !axis_word_count_) return g10_milling_offset(kind);
         if (kind == 10 || kind == 11) return g10_offset();
         return core_.fail(Alarm::NotBuilt, 'L', fmt::format("G10 L{}", kind));
     }
@@ -158,6 +160,24 @@ bool Interpreter::g10_offset() {
         if (tip > 9) return core_.fail(Alarm::OffsetValueIllegal, 'Q', {}, static_cast<double>(tip));
         write_offset(table, n, OffsetField::T, static_cast<double>(tip));
     }
+    return true;
+}
+
+// In a milling channel (the field's standard, the specification is silent): R is geometry (L10) and wear (L11) of the length that H
+// calls, geometry (L12) and wear (L13) of the radius that D calls.
+bool Interpreter::g10_milling_offset(int kind) {
+    std::int64_t number = 0;
+    for (const char letter : {'P', 'R'})
+        if (!block_.has(letter)) return core_.fail(Alarm::CycleWordMissing, 'G', std::string(1, letter));
+    if (!whole('P', number)) return false;
+    const int limit = core_.view().config().offset_count;
+    if (number < 1 || number > limit) return core_.fail(Alarm::OffsetNumberIllegal, 'P', {}, static_cast<double>(number), limit);
+    const OffsetTable table = kind == 10 || kind == 12 ? OffsetTable::Geometry : OffsetTable::Wear;
+    const OffsetField field = kind < 12 ? OffsetField::Z : OffsetField::R;
+    const double before = absolute_ ? 0.0 : cell_of(core_.view().store->offsets[static_cast<std::size_t>(number)], table, field);
+    const double value = before + radius_length('R');
+    if (!offset_value_good(table, value)) return core_.fail(Alarm::OffsetValueIllegal, 'R', {}, value);
+    write_offset(table, static_cast<std::int32_t>(number), field, value);
     return true;
 }
 

@@ -318,7 +318,7 @@ private:
     bool call_managed_tool();
     bool names_managed_offset() const; // H or D with the code of N2923
     bool managed_offset(bool radius, std::int64_t& offset);
-    bool g10_offset(), g10_zero(), g10_parameter_block();
+    bool g10_offset(), g10_milling_offset(int kind), g10_zero(), g10_parameter_block();
     bool begin_life_groups(), life_group_block();   // life_groups.cpp
     void tell_life_group(const LifeGroup& group);
     bool give_parameter(const std::string& line, char letter);
