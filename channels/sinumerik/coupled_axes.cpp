@@ -1,5 +1,6 @@
 // TRAILON, TRAILOF: an axis follows another one by a factor (sinumerik_part3 7.3); LEADON, LEADOF: by a curve table (7.4), whose
-// bends break its way. Straight moves take it along; what is no straight move of the leading axis is refused while it leads.
+// bends break its way. Straight moves, arcs and curves take it along (an arc is then driven through its points); a thread of the
+// leading axis is refused while it leads.
 #include <algorithm>
 #include <cmath>
 
@@ -96,11 +97,18 @@ bool Interpreter::bends_on_the_way(const AxisValues& wanted, std::vector<AxisVal
     return true;
 }
 
-// An arc, a thread or a curve to `target`: an axis that leads may not take part.
-bool Interpreter::leads_nobody(const AxisValues& target) {
+// A coupling whose leading axis takes part in a move to `target`; nullptr none.
+const Trail* Interpreter::leads(const AxisValues& target) const {
     for (const Trail& one : modal_.trails)
-        if (target[one.leads] != core_.path.programmed[one.leads]) return fail(Alarm::NotBuilt, std::string(one.table ? "LEADON: " : one.gear ? "EGON: " : "TRAILON: ") + axis_name(static_cast<int>(one.leads)) + " G2 G3 G33");
-    return true;
+        if (target[one.leads] != core_.path.programmed[one.leads]) return &one;
+    return nullptr;
+}
+
+// A thread: an axis that leads may not take part.
+bool Interpreter::leads_nobody(const AxisValues& target) {
+    const Trail* one = leads(target);
+    if (!one) return true;
+    return fail(Alarm::NotBuilt, std::string(one->table ? "LEADON: " : one->gear ? "EGON: " : "TRAILON: ") + axis_name(static_cast<int>(one->leads)) + " G33");
 }
 
 }  // namespace polyturn::channels::sinumerik

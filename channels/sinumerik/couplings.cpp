@@ -46,7 +46,7 @@ bool Interpreter::p_coupling(Call& c) {
         const double turns = c.has(2) ? c.number(2) : 1.0, master_turns = c.has(3) ? c.number(3) : 1.0;
         if (turns == 0 || master_turns == 0) return fail(Alarm::ValueOutOfRange, "COUPDEF", turns == 0 ? turns : master_turns);
         if (c.has(4) && !one_of(c.value(4).text, {"NOC", "FINE", "COARSE", "IPOSTOP"})) return fail(Alarm::FunctionArgument, c.value(4).text);
-        if (c.has(5) && !one_of(c.value(5).text, {"DV", "AV"})) return fail(Alarm::NotBuilt, "COUPDEF " + c.value(5).text);
+        if (c.has(5) && !one_of(c.value(5).text, {"DV", "AV", "VV"})) return fail(Alarm::FunctionArgument, c.value(5).text);
         if (coupled) return fail(Alarm::CodesContradict, "COUPDEF, COUPON");
         defined[key] = {turns, master_turns};
         return true;

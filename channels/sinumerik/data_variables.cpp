@@ -60,6 +60,12 @@ constexpr DataName kNames[] = {
 
 }  // namespace
 
+const params::Row* Interpreter::data_row(const std::string& name) {
+    for (const DataName& one : kNames)
+        if (one.name == name) return params::find(one.row);
+    return nullptr;
+}
+
 bool Interpreter::is_data_name(std::string_view name) const {
     for (const DataName& one : kNames)
         if (one.name == name) return true;
@@ -70,9 +76,7 @@ bool Interpreter::is_data_name(std::string_view name) const {
 bool Interpreter::data_cell(const std::string& name, const std::vector<Value>& indices, const char* from, std::size_t length, DataCell& cell) {
     cell = {};
     if (name.size() < 5 || (!name.starts_with("$M") && !name.starts_with("$S")) || name[3] != '_') return true;
-    const params::Row* row = nullptr;
-    for (const DataName& one : kNames)
-        if (one.name == name) row = params::find(one.row);
+    const params::Row* row = data_row(name);
     if (!row) return fail_at(Alarm::SystemVariableUnknown, from, length, name);
     unsigned instance = 1;
     std::size_t element = 0;
@@ -83,7 +87,9 @@ bool Interpreter::data_cell(const std::string& name, const std::vector<Value>& i
             else if (row->scope == params::Scope::Spindle && index.place() >= kSpindleAxis) instance = static_cast<unsigned>(index.place() - kSpindleAxis);
             else return fail_at(Alarm::AxisKindWrong, from, length, index.text);
         } else if (index.is_number() && index.number >= 0) {
-            if (row->array > 1) element = static_cast<std::size_t>(std::nearbyint(std::fmin(index.number, 1e6)));
+            const double n = std::nearbyint(std::fmin(index.number, 1e6));
+            if (row->array > 1) element = static_cast<std::size_t>(n);
+            else if (row->scope == params::Scope::Spindle) instance = n > 0 ? static_cast<unsigned>(n) : modal_.master_spindle;
         } else {
             return fail_at(Alarm::ArrayIndexIllegal, from, length, name);
         }
@@ -107,6 +113,7 @@ bool Interpreter::write_data(const DataCell& cell, const std::string& name, doub
         settings_ = read_settings(core_.view().table(), core_.view());
     });
     table.numbers[slot] = value;
+    tell_speed_limit(*cell.row, slot, value);
     if (name.starts_with("$SA_WORKAREA_LIMIT")) modal_.geo.area_high = modal_.geo.area_low = 0;   // those of G25, G26 stand there too
     settings_ = read_settings(core_.view().table(), core_.view());
     return true;

@@ -141,11 +141,24 @@ bool Interpreter::st_def() {
     }
 }
 
+// REDEF $SA_SPIND_MAX_VELO_LIMS PRLOC: the limit of a spindle's speed ends with the program (sinumerik_part1 7.3, 7.5).
+bool Interpreter::redefine_data(const char* from) {
+    cursor_.advance(1);
+    const std::string name = "$" + upper(cursor_.name_ahead());
+    cursor_.advance(name.size() - 1);
+    const params::Row* row = data_row(name);
+    if (!row || !limits_spindle_speed(*row) || upper(cursor_.name_ahead()) != "PRLOC") return fail_at(Alarm::NotBuilt, from, name.size(), "REDEF " + name);
+    cursor_.advance(5);
+    undo([this, before = program_local_] { program_local_ = before; });
+    program_local_.push_back(row);
+    return true;
+}
+
 // REDEF changes a variable's limits; what only concerns screens and protection is refused.
 bool Interpreter::st_redef() {
     const char* const from = cursor_.at();
     Reference reference;
-    if (cursor_.peek() == '$') return fail_at(Alarm::NotBuilt, from, 1, "REDEF $");
+    if (cursor_.peek() == '$') return redefine_data(from);
     if (!reference_ahead(reference)) return false;
     if (!reference) return fail_at(Alarm::NameUnknown, from, 1, upper(cursor_.name_ahead()));
     while (!cursor_.at_end()) {

@@ -15,8 +15,8 @@ constexpr std::string_view kCentre[3][2] = {{"I", "J"}, {"K", "I"}, {"J", "K"}};
 // Every arc of the language comes by here; its centre is in workpiece coordinates.
 bool Interpreter::go_arc(const AxisValues& wanted, const ArcCall& call) {
     AxisValues target = wanted;
-    if (!arc_within_areas(target, call) || !leads_nobody(target) || !tangential_arc(target, call)) return false;
-    if (!frame_keeps_circles() && !arc_lies_inclined()) return drawn_arc(target, call);
+    if (!arc_within_areas(target, call) || !tangential_arc(target, call)) return false;
+    if (leads(target) != nullptr || (!frame_keeps_circles() && !arc_lies_inclined())) return drawn_arc(target, call);
     const auto [p, q] = plane_places();
     if (bool taken = false; modal_.geo.approach) {
         if (!finish_approach(target, &call, taken)) return false;

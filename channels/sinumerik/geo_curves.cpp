@@ -29,11 +29,16 @@ double roll(double phi) {
 
 }  // namespace
 
-// The curve itself; `tangent` is its direction at the end.
-bool Interpreter::go_curve(const AxisValues& target, const std::vector<AxisValues>& between, const Point3& tangent) {
+// The curve itself; `tangent` is its direction at the end. Axes that follow others do so from point to point.
+bool Interpreter::go_curve(const AxisValues& wanted, const std::vector<AxisValues>& points, const Point3& tangent) {
+    const bool leads = !modal_.trails.empty();
+    const AxisValues target = leads ? trailed(wanted) : wanted;
+    std::vector<AxisValues> followed;
+    for (std::size_t i = 0; leads && i < points.size(); ++i) followed.push_back(trailed(points[i]));
+    const std::vector<AxisValues>& between = leads ? followed : points;
     for (const AxisValues& point : between)
         if (!within_areas(point)) return false;
-    if (!within_areas(target) || !leads_nobody(target)) return false;
+    if (!within_areas(target)) return false;
     if (modal_.geo.approach) return fail(Alarm::ApproachNoEnd);
     if (modal_.geo.open_line) return fail(Alarm::ContourLineOpen);
     if (!corner_words(false)) return false;
@@ -135,7 +140,7 @@ bool Interpreter::arc_lies_inclined() const {
 // An arc of the workpiece that is none of the machine's: its points go through the frame.
 bool Interpreter::drawn_arc(const AxisValues& target, const ArcCall& call) {
     for (const std::string_view name : {"RND", "CHR", "CHF"})
-        if (const Word* w = word(name)) return fail_word(Alarm::NotBuilt, *w, std::string(name) + ", ROT, SCALE");
+        if (const Word* w = word(name)) return fail_word(Alarm::NotBuilt, *w, std::string(name) + (leads(target) ? ", TRAILON" : ", ROT, SCALE"));
     const auto places = plane_places();
     const std::size_t p = places[0], q = places[1];
     const AxisValues from = core_.path.programmed;

@@ -69,20 +69,25 @@ bool Interpreter::geo_thread(const GCode& code) {
 bool Interpreter::way_out(ThreadCall& call, const AxisValues& target) {
     call.own_withdrawal = true;
     if (active(41) != 2) return true;
-    const GeoModal& geo = modal_.geo;
     std::size_t used = 0;
     const auto leave = [&](std::size_t place, double by) {
         if (used == call.withdraw.size() || std::fabs(by) < 1e-9) return;
         call.withdraw_axis[used] = static_cast<std::int8_t>(place);
         call.withdraw[used++] = by;
     };
-    if (active(46) == 3) {
-        for (unsigned i = 0; i < core_.view().axis_count; ++i) {
-            if (!(geo.lift_axes & geo.lift_set & 1u << i)) continue;
-            leave(i, geo.lift_incremental >> i & 1u ? geo.lift_to[i] : geo.lift_to[i] - core_.path.programmed[i]);
-        }
-        return true;
-    }
+    if (active(46) == 3) return lift_to_positions(leave), true;
+    return lift_in_plane(call.axis, target[call.axis] < core_.path.programmed[call.axis] ? -1.0 : 1.0, leave);
+}
+
+void Interpreter::lift_to_positions(const LeaveBy& leave) const {
+    const GeoModal& geo = modal_.geo;
+    for (unsigned i = 0; i < core_.view().axis_count; ++i)
+        if (geo.lift_axes & geo.lift_set & 1u << i) leave(i, geo.lift_incremental >> i & 1u ? geo.lift_to[i] : geo.lift_to[i] - core_.path.programmed[i]);
+}
+
+// `along`: the axis of the plane that the path follows, in the direction `on`.
+bool Interpreter::lift_in_plane(std::size_t along, double on, const LeaveBy& leave) {
+    const GeoModal& geo = modal_.geo;
     if (geo.lift_angle == 0 || !needs_plane()) return geo.lift_angle == 0;
     const auto [p, q] = plane_places();
     const double way = geo.lift_mm >= 0 ? geo.lift_mm : settings_.lift_distance_mm;
@@ -92,10 +97,9 @@ bool Interpreter::way_out(ThreadCall& call, const AxisValues& target) {
         leave(q, way * std::sin(angle));
         return true;
     }
-    const std::size_t across = call.axis == p ? q : p;
-    const double out = core_.path.last_way[across] > 0 ? -1.0 : 1.0, on = target[call.axis] < core_.path.programmed[call.axis] ? -1.0 : 1.0;
-    leave(across, out * way * std::cos(angle));   // back against the infeed
-    leave(call.axis, on * way * std::sin(angle));
+    const std::size_t across = along == p ? q : p;
+    leave(across, (core_.path.last_way[across] > 0 ? -1.0 : 1.0) * way * std::cos(angle));   // back against the infeed
+    leave(along, on * way * std::sin(angle));
     return true;
 }
 

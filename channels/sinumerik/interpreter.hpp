@@ -268,6 +268,7 @@ private:
     bool corner_words(bool contour);
     AxisValues trailed(AxisValues target) const;               // TRAILON
     bool leads_nobody(const AxisValues& target);
+    const Trail* leads(const AxisValues& target) const;
     bool leads_itself(std::size_t follows, std::size_t leads) const;
     bool gear_is_on(std::size_t follows) const;
     double from_said(std::size_t place, double value) const;
@@ -302,6 +303,9 @@ private:
     bool pitch_word(double& pitch, unsigned& axis, const Word*& said);
     double thread_start() const;
     bool way_out(ThreadCall& call, const AxisValues& target);  // of a held thread: LFON
+    using LeaveBy = std::function<void(std::size_t place, double by)>;
+    void lift_to_positions(const LeaveBy& leave) const;        // LFPOS
+    bool lift_in_plane(std::size_t along, double on, const LeaveBy& leave);   // LFWP, LFTXT
     bool barrel_arc(AxisValues& target, ArcCall& arc);
     struct AreaFault {
         unsigned axis = 0;
@@ -420,9 +424,11 @@ private:
     struct Routine {
         std::string program;
         bool enabled = true, at_block_end = false;
+        bool lifts = false;   // LIFTFAST
     };
     std::map<int, Routine> routines_;                            // by input
     void arm_interrupts();
+    bool lift_from_contour(const AxisValues& begin);
     bool interrupt_input(const Value& value, const char* at, int& input);
 
     // synchronized actions (synchronized.cpp)
@@ -449,6 +455,11 @@ private:
 
     // text files (files.cpp)
     std::map<std::string, std::optional<std::string>, std::less<>> written_files_;   // nullopt: deleted
+    std::vector<const params::Row*> program_local_;   // limits of spindle speeds that REDEF ... PRLOC lets end with the program
+    void tell_speed_limit(const params::Row& row, std::size_t slot, double value);
+    static bool limits_spindle_speed(const params::Row& row);   // SD43210, SD43220, SD43230
+    bool redefine_data(const char* from);
+    static const params::Row* data_row(const std::string& name);   // of a machine or setting datum; nullptr none
     std::map<std::string, CalendarTime, std::less<>> written_at_;
     std::map<std::string, std::array<double, 3>, std::less<>> tool_environments_;   // T, D, DL
     CalendarTime time_of_file(const std::string& name);

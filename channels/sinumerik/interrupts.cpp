@@ -3,6 +3,8 @@
 // The kernel stops the path, drops what was pushed and tells the first block that is not executed. Interpretation goes back
 // there and the routine is called as if it stood before that block; behind the routine the block is read again, so that what
 // is left of it is driven from where the routine has left the axes.
+#include <cmath>
+
 #include "channels/sinumerik/interpreter.hpp"
 #include "ipc/image/interrupt_inputs.hpp"
 
@@ -36,7 +38,7 @@ bool Interpreter::interrupt_input(const Value& value, const char* at, int& input
     return true;
 }
 
-// SETINT(input) PRIO=n program BLSYNC
+// SETINT(input) PRIO=n program BLSYNC LIFTFAST
 bool Interpreter::st_setint() {
     const char* const from = cursor_.at();
     Value number;
@@ -59,7 +61,7 @@ bool Interpreter::st_setint() {
         } else if (word == "BLSYNC") {
             routine.at_block_end = true;
         } else if (word == "LIFTFAST") {
-            return fail_at(Alarm::NotBuilt, at, word.size(), word);
+            routine.lifts = true;
         } else if (routine.program.empty()) {
             if (!files_->find_name(word) && !files_->find_name(word + ".SPF") && !files_->find_name(word + ".MPF")) return fail_at(Alarm::SubprogramMissing, at, word.size(), word);
             routine.program = word;
@@ -67,6 +69,7 @@ bool Interpreter::st_setint() {
             return syntax(at, word);
         }
     }
+    if (routine.program.empty() && routine.lifts) return fail_at(Alarm::NotBuilt, from, 1, "SETINT LIFTFAST");   // nobody says how it goes on
     if (routine.program.empty()) return syntax(cursor_.at(), "SETINT");
     undo([this, before = routines_] { routines_ = before; });
     routines_[input] = routine;
@@ -90,11 +93,13 @@ bool Interpreter::interrupt(std::uint64_t serial, bool, unsigned input) {
     const auto routine = routines_.find(static_cast<int>(input));
     if (routine == routines_.end() || !routine->second.enabled || core_.compensating()) return false;
     const std::string program = routine->second.program;
+    const bool lifts = routine->second.lifts;
     if (serial && !resume_at(serial)) return false;
     ended_ = false;
     const AxisValues begin = core_.path.programmed;   // increments of the interrupted block count from here
     for (unsigned i = 0; i < core_.view().axis_count; ++i)
         if (const auto now = core_.port().axis_taken_over(core_.view().axes[i].machine_axis)) core_.take_machine(i, *now);
+    if (lifts && !lift_from_contour(begin)) return false;
     here_ = source_->next_position();
     if (!call_program(program, {}, 1, false)) return false;
     levels_.back().interrupt = true;
@@ -103,6 +108,24 @@ bool Interpreter::interrupt(std::uint64_t serial, bool, unsigned input) {
     managed_serial_ = 0;
     fresh_ = state_changed_ = true;
     return true;
+}
+
+// LIFTFAST: before the routine the tool leaves the contour in rapid, with the words of the thread's retraction (sinumerik_part2
+// 10.10.4): DILF, ALF, LFTXT, LFWP, or to POLF by LFPOS. `begin`: where the interrupted block began, which tells the tangent.
+bool Interpreter::lift_from_contour(const AxisValues& begin) {
+    AxisValues target = core_.path.programmed;
+    const auto leave = [&](std::size_t place, double by) { target[place] += by; };
+    if (active(46) == 3) {
+        lift_to_positions(leave);
+    } else {
+        const auto [p, q] = plane_places();
+        const double by_p = target[p] - begin[p], by_q = target[q] - begin[q];
+        const bool along_p = std::fabs(by_p) >= std::fabs(by_q);
+        if (!lift_in_plane(along_p ? p : q, (along_p ? by_p : by_q) < 0 ? -1.0 : 1.0, leave)) return false;
+    }
+    if (target == core_.path.programmed) return true;
+    written_system_["$AC_LIFTFAST"] = Value::of_int(1);
+    return within_areas(target) && core_.rapid(target);
 }
 
 }  // namespace polyturn::channels::sinumerik

@@ -2,6 +2,7 @@
 // programs that follow; S is kept as it was programmed, so that a spindle is as fast as asked when its limit goes up again.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "channels/sinumerik/interpreter.hpp"
@@ -9,6 +10,8 @@
 #include "ipc/params/table.hpp"
 
 namespace polyturn::channels::sinumerik {
+
+bool Interpreter::limits_spindle_speed(const params::Row& row) { return row.number == "SD43210" || row.number == "SD43220" || row.number == "SD43230"; }
 
 // Setting data of the spindle that is meant now.
 double Interpreter::spindle_data(std::string_view name) const {
@@ -24,8 +27,14 @@ void Interpreter::keep_spindle_data(std::string_view name, double value) {
     params::Table& table = *core_.view().parameters;
     undo([this, slot, before = table.numbers[slot]] { core_.view().parameters->numbers[slot] = before; });
     table.numbers[slot] = value;
+    tell_speed_limit(row, slot, value);
+}
+
+// Setting data are everybody else's too when the machine comes here (7.3, 7.5), unless REDEF ... PRLOC has made them the program's own.
+void Interpreter::tell_speed_limit(const params::Row& row, std::size_t slot, double value) {
+    if (!limits_spindle_speed(row) || std::find(program_local_.begin(), program_local_.end(), &row) != program_local_.end()) return;
     core_.mark_emitted();
-    core_.sink().parameter(fmt::format("{} S{}={}", name, core_.path.spindle.spindle, value), core_.at);   // everybody else's, when the machine comes here
+    core_.sink().parameter(fmt::format("{} S{}={}", row.number, slot - row.first_slot + 1, value), core_.at);
 }
 
 // Of the spindle that is meant: G26 binds it always, LIMS the master spindle under G96, G961, G962 and G97; 0: no limit.

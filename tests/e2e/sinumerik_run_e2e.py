@@ -76,6 +76,35 @@ class SinumerikRun(Case):
                 self.assertAlmostEqual(behind["t"], 1.013 if not first else seconds, delta=0.01, msg=done.said())
                 self.assertAlmostEqual(behind["end"], seconds if not first else seconds + 1.026, delta=0.01)
 
+    def test_an_interrupt_lifts_the_tool_before_its_routine(self):   # part 2, 10.10.4; part 3, 7.12 and 11.3
+        self.write("UP.SPF", "R1=$AC_LIFTFAST R2=$AA_IM[X] R3=$AA_IM[Z]\nM17\n")
+        setup = self.write("setup.toml", '[channel.1]\npos = { X = 60.0, Z = 40.0 }\n')
+        # From X60 to X20, so the work lies in the direction of X-; N20 goes in Z-.
+        for words, lifted, x, z in (("DILF=3", 1, 3, 0), ("DILF=3 ALF=3", 1, 0, -3), ("LFWP DILF=3 ALF=3", 1, 3, 0), ("LFWP DILF=3 ALF=1", 1, 0, 3), ("LFWP DILF=3 ALF=7", 1, -3, 0),
+                                    ("LFPOS POLF[X]=50\nPOLFMASK(X)", 1, 30, 0), ("DISABLE(1)", None, 0, 0), ("ALF=0", 0, 0, 0)):
+            with self.subTest(words):
+                done = self.run_one(HEAD + f"SETINT(1) PRIO=1 UP LIFTFAST\n{words}\nN10 G0 X20 Z30\nN20 G1 Z-30 F600\nN30 X40\nM30\n",
+                                    '[[at]]\nt = 4.0\nset = "INT1 L1=1"\n[[at]]\nt = 4.2\nset = "INT1 L1=0"\n', "--setup", setup)
+                self.assertEqual(done.of("move")[-1]["pos"]["X"], 40)
+                value = {name: [e["value"] for e in done.of("variable", name=name)] for name in ("R1", "R2", "R3")}
+                self.assertEqual(value["R1"], [] if lifted is None else [lifted], done.said())
+                if lifted is None:
+                    continue
+                [cut] = [m for m in done.of("move", n=20)][:1]
+                stands = 30 - 10 * (4.0 - cut["t"])   # where the path is when the signal comes; it brakes a little behind
+                self.assertAlmostEqual(value["R2"][0], 20 + x, places=3)
+                self.assertAlmostEqual(value["R3"][0], stands + z, delta=0.6)
+
+    def test_speed_limits_outlast_the_program(self):   # part 1, 7.3, 7.5
+        again = '[[at]]\nwhen = { ev = "stop", reason = "M30" }\nafter = 0.5\npress = "cycle_start"\n'
+        text = HEAD + "R1=$SA_SPIND_MAX_VELO_G26[S1] R2=$SA_SPIND_MAX_VELO_LIMS[1] R3=$SA_SPIND_MIN_VELO_G25[S1]\n$SA_SPIND_MIN_VELO_G25[1]=40\nG26 S1500\nG96 S100 M3 LIMS=1200\nG4 F0.1\nM30\n"
+        for redefined, kept in (("", 1200), ("REDEF $SA_SPIND_MAX_VELO_LIMS PRLOC\n", 0)):
+            with self.subTest(redefined):
+                done = self.run_one(redefined + text, again)
+                self.assertEqual([e["value"] for e in done.of("variable", name="R1")], [0, 1500], done.said())
+                self.assertEqual([e["value"] for e in done.of("variable", name="R2")], [0, kept], done.said())
+                self.assertEqual([e["value"] for e in done.of("variable", name="R3")], [0, 40], done.said())
+
     def test_a_probe_is_passed(self):   # part 3, 5.3: MEAW measures without deleting the way
         setup = self.write("setup.toml", '[channel.1]\npos = { X = 20.0, Z = 0.0 }\nsensor = [{ input = "1", axis = "Z", at = -20.0, direction = "-" }]\n')
         done = self.run_one(HEAD + "N10 MEAW=1 G1 Z-50 F600\nR1=$AC_MEA[1] R2=$AA_MW[Z] R3=$AA_DELT[Z]\nN20 MEAS=1 Z-60\nN30 Z0\nM30\n", "", "--setup", setup)
