@@ -61,6 +61,7 @@ struct ChannelConfig {
     double rapid_key_factor = 1;          // N0313
     bool feed_override_in_rapid = false;  // FG.RAPIDOVR
     double feed_override_max = 2.0;       // FG.MAXFOVR; 1 is 100 %
+    bool waits_at_markers = false;        // WAITM of the language sinumerik; the others wait at M codes
     bool fagor_spindle_keys = false;      // FG.MINSOVR to MAXSOVR and G92 S hold for the spindle override
     double default_feed = 0, default_feed_rev = 0;   // N0300, N0301
     bool inch = false, per_revolution = false;       // N0104 IND; N1301 G95

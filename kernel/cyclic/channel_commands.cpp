@@ -323,7 +323,9 @@ void ChannelRunner::after_waits(std::span<ChannelRunner* const> all) noexcept {
         if (warned_ & bit) continue;
         warned_ |= bit;
         ShortText text;
-        text << "L" << k + 1 << " (M" << core_.waits.at(index_).code << ")";
+        text << "L" << k + 1 << " (";
+        write_code(text);
+        text << ")";
         core_.alarm(Alarm::WaitPartnerAbsent, number_, text.view(), 0, line_);
     }
     const double limit = core_.config.channels[index_].wait_timeout_s;
@@ -336,12 +338,22 @@ void ChannelRunner::after_waits(std::span<ChannelRunner* const> all) noexcept {
     }
 }
 
+// What it waits at, as its language writes it.
+void ChannelRunner::write_code(ShortText& text) const noexcept {
+    const std::int32_t code = core_.waits.at(index_).code;
+    if (core_.config.channels[index_].waits_at_markers && code == WaitBoard::kProgramEnd) text << "WAITE";
+    else if (core_.config.channels[index_].waits_at_markers) text << "WAITM(" << code << ")";
+    else text << "M" << code;
+}
+
 // "L2 O2001.nc:17 M502 (L1, L2)"
 void ChannelRunner::describe_wait(ShortText& text) noexcept {
     text << "L" << number_ << " ";
     const std::string_view name = program();
     if (!name.empty()) text << name;
-    text << ":" << line_ << " M" << core_.waits.at(index_).code << " (";
+    text << ":" << line_ << " ";
+    write_code(text);
+    text << " (";
     text.channels(core_.waits.at(index_).set);
     text << ")";
 }

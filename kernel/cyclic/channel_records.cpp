@@ -382,7 +382,7 @@ bool ChannelRunner::stop(const PathRecord& r) noexcept {
 
 // Ownership (architecture 5.9): who commanded last owns the spindle, unless the PLC says who; nobody takes it away from a
 // channel that needs its speed just now.
-bool ChannelRunner::take_spindle(std::uint32_t number, bool lock) noexcept {
+bool ChannelRunner::take_spindle(const PathRecord& r, std::uint32_t number, bool lock) noexcept {
     if (number == 0 || number > kMaxSpindles || !core_.spindles[number - 1].exists()) {
         raise(Alarm::SpindleUnknown, name_of('S', number ? number - 1 : 0).view());
         return false;
@@ -397,6 +397,7 @@ bool ChannelRunner::take_spindle(std::uint32_t number, bool lock) noexcept {
     if (owner != 0 && owner != number_) {
         ShortText text = name_of('S', number - 1);
         text << " belongs to L" << owner;
+        line_ = r.line, block_ = r.block, file_ = r.file;   // the refused block, not the one before it
         raise(Alarm::SpindleOwned, text.view());
         return false;
     }
@@ -412,7 +413,7 @@ bool ChannelRunner::take_spindle(std::uint32_t number, bool lock) noexcept {
 bool ChannelRunner::position_spindle(const PathRecord& r) noexcept {
     const std::uint32_t number = r.spindle ? r.spindle : core_.config.channels[index_].default_spindle;
     if (phase_ != Phase::Spindle) {
-        if (!take_spindle(number, false)) return false;
+        if (!take_spindle(r, number, false)) return false;
         const auto how = static_cast<SpindleApproach>(r.plane[0]);
         if (!core_.spindles[number - 1].demand_position(how == SpindleApproach::Incremental ? r.shape[2] : r.value, how, r.feed)) {
             raise(Alarm::SpindleNotClosed, name_of('S', number - 1).view());
@@ -427,6 +428,20 @@ bool ChannelRunner::position_spindle(const PathRecord& r) noexcept {
     return core_.spindles[number - 1].in_position();
 }
 
+// The drive of a spindle that is to follow may be that of a C axis which rests: then it is the spindle's as long as it follows. An
+// axis that moves, or that the PLC keeps, is none of this and the coupling is refused.
+bool ChannelRunner::calls_follower(std::uint32_t follower) noexcept {
+    constexpr int kHandOverTicks = 10;
+    if (follower < kMaxAxes || follower >= kMaxAxes + kMaxSpindles || core_.tick >= phase_since_ + kHandOverTicks) return false;
+    const std::uint32_t s = follower - static_cast<std::uint32_t>(kMaxAxes);
+    for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) {
+        if (core_.config.axes[a].on_spindle != s + 1 || core_.axes[a].moving()) continue;
+        core_.spindle_called_until[s] = core_.tick + 3;
+        return core_.shared_axes[a].has_drive || !core_.spindles[s].may_follow();
+    }
+    return false;
+}
+
 // A program couples something to a spindle, and goes on when it runs synchronously; uncoupled, when it is free.
 bool ChannelRunner::couple_spindle(const PathRecord& r) noexcept {
     SpindleCouplings& couplings = *core_.spindle_couplings;
@@ -437,6 +452,7 @@ bool ChannelRunner::couple_spindle(const PathRecord& r) noexcept {
         if (!couplings.follows(follower)) raise(Alarm::SpindleCoupleRefused, SpindleCouplings::name_of_follower(follower).view());
         return couplings.synchronous(follower);
     }
+    if (on && calls_follower(follower)) return false;
     phase_ = Phase::Spindle;
     if (!on) {
         couplings.uncouple(follower);
@@ -467,7 +483,7 @@ void ChannelRunner::spindle_mode(const PathRecord& r) noexcept {
     const std::uint32_t number = r.spindle ? r.spindle : core_.config.channels[index_].default_spindle;
     const auto mode = static_cast<RecordKind>(r.kind) == RecordKind::SpindleSpeed ? SpindleModeCode::Rpm : static_cast<SpindleModeCode>(r.code);
     const bool watches = mode == SpindleModeCode::Watch || mode == SpindleModeCode::WatchOff;   // commands nothing
-    if (!(watches && number >= 1 && number <= kMaxSpindles) && !take_spindle(number, mode == SpindleModeCode::SurfaceSpeed)) return;
+    if (!(watches && number >= 1 && number <= kMaxSpindles) && !take_spindle(r, number, mode == SpindleModeCode::SurfaceSpeed)) return;
     SpindleUnit& spindle = core_.spindles[number - 1];
     switch (mode) {
         case SpindleModeCode::Rpm:

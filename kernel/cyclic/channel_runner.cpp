@@ -282,7 +282,7 @@ void ChannelRunner::drive() noexcept {
         input.rapid_override *= std::max(wheel_rate_, 0.0);
     }
     if (keys & kKeyDryRun) input.dry_run_feed = dry_run_feed();
-    else if (waits_for_speed()) input.feed_override = 0;
+    else if (awaited_spindle()) input.feed_override = 0;
     step_ = planner_->tick(input);
     report_progress();
     if (skipping_ && planner_->at_rest()) end_skipped_move();

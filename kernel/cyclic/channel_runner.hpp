@@ -201,6 +201,8 @@ private:
     void report_thread(const ThreadStep& step) noexcept;
     bool at_rest() const noexcept { return planner_->at_rest() && !thread_moving_ && trail_.at_rest(); }
     void describe_wait(ShortText& text) noexcept;
+    void write_code(ShortText& text) const noexcept;
+    bool calls_follower(std::uint32_t follower) noexcept;
     bool stop(const PathRecord& r) noexcept;
     void finished(const PathRecord& r, std::uint64_t index, double offset_s) noexcept;
     void begin_record(const PathRecord& r, double offset_s) noexcept;
@@ -254,7 +256,7 @@ private:
     void watch_standstill(const PathRecord* running) noexcept;
     void limit_tapping(const PathRecord& r, PlannedRecord& planned) const noexcept;
     bool place_spindle(const PathRecord& r, double s) noexcept;
-    bool waits_for_speed() const noexcept;
+    std::uint32_t awaited_spindle() const noexcept;
     bool waits_for_drive() noexcept;
     bool drive_is_coming() const noexcept;
     void know_positions() noexcept;
@@ -293,7 +295,7 @@ private:
     void watch_production() noexcept;
     double setup_ceiling() const noexcept;
     bool position_spindle(const PathRecord& r) noexcept;
-    bool take_spindle(std::uint32_t number, bool lock) noexcept;
+    bool take_spindle(const PathRecord& r, std::uint32_t number, bool lock) noexcept;
     void tell(ChannelEventKind kind, std::uint64_t record, double value = 0, std::string_view text = {}) noexcept;
 
     Core& core_;

@@ -17,14 +17,20 @@ bool ChannelRunner::cuts_with(std::uint32_t spindle) const noexcept {
     return thread_moving_ || (moving_ && !moving_rapid_ && mode == FeedMode::PerRevolution && step_.speed > 0);
 }
 
-// A cut that begins from standstill waits for the spindle's speed (PT_FEED_WAITS); the M3 before it did not.
-bool ChannelRunner::waits_for_speed() const noexcept {
-    if (!core_.config.channels[index_].feed_waits_for_spindle || !planner_->at_rest() || cursor_ >= planner_->next_record()) return false;
+// A cut that begins from standstill waits for the spindle's speed (PT_FEED_WAITS); the M3 before it did not, whichever channel it
+// stood in: a feed per revolution waits for the spindle that it follows. One whose speed changes all the time (constant surface
+// speed of another channel) is only followed. 0: nothing is waited for.
+std::uint32_t ChannelRunner::awaited_spindle() const noexcept {
+    if (!core_.config.channels[index_].feed_waits_for_spindle || !planner_->at_rest() || cursor_ >= planner_->next_record()) return 0;
     const PathRecord& r = record(cursor_);
-    if (!is_motion(r) || (r.flags & (kRapid | kThread | kTapping | kOverrideLocked))) return false;
-    const auto number = static_cast<std::uint32_t>(core_.signals.nc(signals::cn_ssel(number_)));
-    if (number == 0 || number > kMaxSpindles || !core_.spindles[number - 1].exists() || core_.spindles[number - 1].owner != number_) return false;
-    return !core_.spindles[number - 1].at_speed(core_.signals.plc(signals::sp_rot(number)));
+    if (!is_motion(r) || (r.flags & (kRapid | kThread | kTapping | kOverrideLocked))) return 0;
+    const bool follows = static_cast<FeedMode>(r.feed_mode) == FeedMode::PerRevolution && r.spindle != 0;
+    const std::uint32_t number = follows ? r.spindle : static_cast<std::uint32_t>(core_.signals.nc(signals::cn_ssel(number_)));
+    if (number == 0 || number > kMaxSpindles || !core_.spindles[number - 1].exists()) return 0;
+    const SpindleUnit& spindle = core_.spindles[number - 1];
+    const bool foreign = spindle.owner != number_;
+    if (foreign && (!follows || spindle.owner == 0 || spindle.locked_by != 0)) return 0;
+    return spindle.at_speed(core_.signals.plc(signals::sp_rot(number))) ? 0 : number;
 }
 
 // A C axis whose drive is a spindle now: it is waited for when that stops, and refused when it turns, or when the spindle
@@ -66,8 +72,7 @@ void ChannelRunner::watch_standstill(const PathRecord* running) noexcept {
         if (limit > 0 && stood_s > limit) raise_not_in_position();
         return;
     }
-    if (waits_for_speed()) {
-        const auto number = static_cast<std::uint32_t>(core_.signals.nc(signals::cn_ssel(number_)));
+    if (const std::uint32_t number = awaited_spindle()) {
         const SpindleUnit& waited = core_.spindles[number - 1];
         if (waited.ramping()) stands_since_ = core_.tick;
         if (waited.command() != 0.0 && stood_s > kSpindleTimeoutS) return raise(Alarm::SpindleTooSlow, name_of('S', number - 1).view(), waited.shown_speed());

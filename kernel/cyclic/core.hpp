@@ -113,13 +113,16 @@ struct Core {
     ChannelSet jogging = 0;                // channels of which an axis is moved by hand
     std::array<double, kMaxSpindles> spindle_rev_s{};  // measured, for feed per revolution
 
+    std::array<std::int64_t, kMaxSpindles> spindle_called_until{};   // tick: a program wants it to follow another one
+
     // The PLC's detach flags decide whether a C axis has the drive (nct_parameters_part1 7.1); with neither of them it has it
-    // while the spindle is meant to stand.
+    // while the spindle is meant to stand and follows no other one.
     bool drive_is_for_axis(std::uint32_t axis) const noexcept {
         namespace sig = polyturn::signals;
         const std::uint32_t s = config.axes[axis].on_spindle;
         const std::int32_t rotation = signals.plc(sig::sp_rot(s));
-        const bool stands = rotation != 3 && rotation != 4 && !signals.plc(sig::sp_par(s)) && !signals.plc(sig::sp_oreq(s));
+        const bool follows = spindles[s - 1].coupled() || tick < spindle_called_until[s - 1];
+        const bool stands = !follows && rotation != 3 && rotation != 4 && !signals.plc(sig::sp_par(s)) && !signals.plc(sig::sp_oreq(s));
         return signals.plc(sig::sp_sdetchr(s)) != 0 || (stands && !signals.plc(sig::ap_detchr(axis + 1)));
     }
     // One that counts for «referenced»: it has an order (PT_REF_ORDER), a loop of its own, and exists.

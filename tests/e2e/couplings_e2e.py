@@ -145,6 +145,22 @@ class Balance(Coupled):
         self.assertTrue(done.alarms, done.said())
 
 
+class Follower(Coupled):
+    def test_the_drive_of_a_resting_c_axis_is_the_followers(self):   # sinumerik part 3, 7.18, on the default machine
+        for kind in ("DV", "VV"):
+            with self.subTest(kind):
+                text = f'S1=500 M1=3\nCOUPDEF(S2,S1,1,1,"FINE","{kind}")\nCOUPON(S2,S1)\nG4 F2\nCOUPOFS(S2,S1)\nG4 F2\nWAITM(1,1,2)\nM30\n'
+                one, two = self.write("ONE.MPF", text), self.write("TWO.MPF", "WAITM(1,1,2)\nG0 C90\nM30\n")
+                done = self.polyturn("run", "--virtual", "--language", "sinumerik", "--trace", "trace.csv", f"1={one}", f"2={two}")
+                self.assertEqual((done.status, done.alarms), (0, []), done.said())
+                trace, dwell = read_trace(self.folder / "trace.csv"), done.of("dwell", ch=1)[0]
+                coupled = [i for i, t in enumerate(trace["t"]) if dwell["t"] + 0.1 <= t <= dwell["end"] - 0.1]
+                self.assertLess(max(abs(trace["S2.speed"][i] - trace["S1.speed"][i]) for i in coupled), 25)
+                self.assertAlmostEqual(trace["S2.speed"][coupled[-1]], 500, delta=1)
+                self.assertAlmostEqual(trace["S2.speed"][-1], 0, delta=1)
+                self.assertEqual(done.of("move", ch=2)[0]["pos"]["C"], 90)
+
+
 class Transfer(Coupled):
     def job(self, *lines, status=0, scenario=None):
         more = ["--scenario", scenario] if scenario else []

@@ -52,6 +52,20 @@ class Spindles(Case):
         done = self.polyturn("run", "--virtual", "--language", "nct", f"1={first}", f"2={second}")
         self.assertEqual((done.status, [alarm["number"] for alarm in done.alarms]), (1, ["PT0520"]), done.said())
 
+    def test_a_cut_by_the_spindle_of_another_channel_waits_for_its_speed(self):   # PT_FEED_WAITS
+        first, second = self.write("O1.nc", "G97 S600 M3\nM510 P12\nG4 P9.\nM30\n"), self.write("O2.nc", "M510 P12\nG18 G90 G95\nG1 Z20. F0.5\nM30\n")
+        setup = self.write("setup.toml", "[channel.1]\nmachine = { X = 100.0, Z = 50.0 }\n[channel.2]\nmachine = { X = 100.0, Z = 50.0 }\n")
+        for waits, seconds in ((1, 6.02), (0, 6.2)):
+            with self.subTest(waits):
+                done = self.polyturn("run", "--virtual", "--language", "nct", "--set", f"PT_FEED_WAITS L2={waits}", "--setup", setup, f"1={first}", f"2={second}")
+                way = done.of("move", ch=2)[0]
+                self.assertAlmostEqual(way["end"] - way["t"], seconds, delta=0.06, msg=done.said())   # 30 mm at 0.5 mm and 600 1/min
+
+    def test_a_spindle_of_another_channel_is_refused_at_its_block(self):
+        first, second = self.write("O1.nc", "G96 S100 M3\nM510 P12\nG4 P3.\nM30\n"), self.write("O2.nc", "M510 P12\nG4 P1.\nS300\nM30\n")
+        done = self.polyturn("run", "--virtual", "--language", "nct", f"1={first}", f"2={second}")
+        self.assertEqual([(e["number"], e["ch"], e.get("line")) for e in done.alarms], [("PT0523", 2, 3)], done.said())
+
     def test_a_feed_behind_a_rigid_tap_leaves_the_spindle_alone(self):
         done, trace = self.run_program("G18 G90 G94\nG0 X0 Z5.\nS300\nG17 G84.2 Z-10. R2. F300.\nG80\nG1 Z12. F600.\nS200 M3\nG1 Z22.\nM5\nM30\n", "--set", "N1503 L1=2",
                                        "--set", "N1508 S1=20", "--set", "N1532 S1=40")
