@@ -75,7 +75,7 @@ int run(const std::string& instance) {
     if (kernel::SegmentDrives* drives = machine->segment_drives(); drives && !drives->attach(machine->core().config.tick_ns, kPatience)) machine->core().alarm(Alarm::DriveMissing, 0, "the process of the drives");
 
     if ((*supervisor)->options.virtual_time) {
-        kernel::VirtualClock clock(*machine);
+        kernel::VirtualClock clock(*machine, &peers);
         clock.run();
     } else {
         std::atomic<bool> stop{false};

@@ -46,6 +46,18 @@ void Peers::attach_all(Machine& machine) {
     }
 }
 
+void Peers::attach_successors(Machine& machine) {
+    for (unsigned l = 0; l < kMaxChannels; ++l) {
+        const ProcessEntry& entry = supervisor_.processes[kProcessChannel + l];
+        if (!channels_[l] || state_of(entry) != ProcessState::Running || entry.pid == (*channels_[l])->header.writer_pid || !machine.channel(l).may_be_replaced()) continue;
+        auto next = attach_to<ChannelSegment>(instance_, l + 1, entry, supervisor_.header.generation);
+        if (!next) continue;
+        old_channels_.push_back(std::move(*channels_[l]));
+        channels_[l] = std::move(next);
+        machine.attach_channel(l, **channels_[l]);
+    }
+}
+
 void Peers::watch(Machine& machine, const std::atomic<bool>& stop) {
     constexpr int kLookMs = 20;
     std::array<int, kProcesses> pid{};

@@ -18,6 +18,8 @@ public:
     void attach_all(Machine& machine);
     // Successors of those that have died, until told to stop; runs in a thread of its own (real time).
     void watch(Machine& machine, const std::atomic<bool>& stop);
+    // Virtual time, between two ticks: successors of channels whose axes rest. The supervisor starts them while the clock waits for it.
+    void attach_successors(Machine& machine);
 
 private:
     bool attach_channel(Machine& machine, unsigned index);

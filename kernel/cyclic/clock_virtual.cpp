@@ -7,7 +7,7 @@ constexpr std::int64_t kLookAgainUs = 5'000;     // bounds the harm of a partici
 constexpr std::uint64_t kLogChunk = 256;         // without follow_log the supervisor is woken for so many events
 }  // namespace
 
-VirtualClock::VirtualClock(Machine& machine) : machine_(machine) {
+VirtualClock::VirtualClock(Machine& machine, Peers* peers) : machine_(machine), peers_(peers) {
     machine_.on_action = [](void* self) { static_cast<VirtualClock*>(self)->supervisor(); };
     machine_.on_action_context = this;
 }
@@ -46,6 +46,7 @@ void VirtualClock::supervisor() {
 void VirtualClock::participants() {
     Core& core = machine_.core();
     supervisor();
+    if (peers_) peers_->attach_successors(machine_);
     for (unsigned l = 0; l < kMaxChannels; ++l) {
         ChannelRunner& channel = machine_.channel(l);
         if (!channel.listens()) continue;

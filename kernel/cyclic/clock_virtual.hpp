@@ -9,13 +9,14 @@
 #include <cstdint>
 
 #include "ipc/memory/doorbell.hpp"
+#include "kernel/cyclic/attach.hpp"
 #include "kernel/cyclic/machine.hpp"
 
 namespace polyturn::kernel {
 
 class VirtualClock {
 public:
-    explicit VirtualClock(Machine& machine);
+    explicit VirtualClock(Machine& machine, Peers* peers = nullptr);
     // Runs until the end of the run. Attached before: everybody who takes part.
     void run();
     // One tick when all is there; false when the machine is idle and no command is there (tests drive it by hand).
@@ -35,6 +36,7 @@ private:
     void await(const Doorbell& bell, std::size_t process, Doorbell& theirs, std::uint64_t& count, Ready ready);
 
     Machine& machine_;
+    Peers* peers_;   // who looks for successors; nullptr: nobody
     Waits waits_;
     std::uint64_t rung_ = 0;   // newest event that the supervisor was woken for
     bool idle_said_ = false;

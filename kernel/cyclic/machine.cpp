@@ -87,7 +87,7 @@ void Machine::set_state(MachineState state) noexcept {
     core_.signals.set_nc(signals::n_estop(), state == MachineState::EmergencyStop);
 }
 
-// Real time only: in virtual time a process that has died stays dead.
+// Real time only: in virtual time channels alone have successors, between two ticks (clock_virtual.cpp); who else has died stays dead.
 void Machine::take_successors() noexcept {
     for (unsigned l = 0; l < kMaxChannels; ++l) {
         if (core_.next_channel[l].load(std::memory_order_relaxed) == nullptr || !channels_[l]->may_be_replaced()) continue;

@@ -133,9 +133,12 @@ private:
     void note_selection(const Interpreter& by, const std::string& line) {
         const auto event = nlohmann::json::parse(line, nullptr, false);
         if (event.is_discarded()) return;
-        PlannedProgram& program = selected_[event.value("channel", 0u)];
+        const unsigned channel = event.value("channel", 0u);
+        const auto planned = plan_.programs.find(channel), starter = plan_.programs.find(by.channel);
+        PlannedProgram& program = selected_[channel];
         program.file = event.value("program", "");
-        program.language = plan_.programs.count(by.channel) ? plan_.programs.at(by.channel).language : selected_[by.channel].language;
+        program.language = planned != plan_.programs.end() ? planned->second.language : plan_.started_language(channel, starter != plan_.programs.end() ? starter->second : selected_[by.channel]);
+        program.language_chosen = true;
         program.dialect = dialect_of(program.language);
     }
     void start_others(const std::string& line) {
@@ -249,7 +252,8 @@ private:
         const auto event = nlohmann::json::parse(line, nullptr, false);
         if (event.is_discarded()) return wait;
         if (const auto code = event.find("code"); code != event.end())
-            wait.code = code->is_string() ? code->get<std::string>() : (numbered_as_m(channel) ? "M" : "marker ") + std::to_string(code->get<long>());
+            wait.code = code->is_string() ? code->get<std::string>() : "M" + std::to_string(code->get<long>());
+        if (waits_at_markers(channel) && wait.code.starts_with('M')) wait.written = fmt::format("WAITM({})", wait.code.substr(1));
         if (const auto channels = event.find("channels"); channels != event.end() && channels->is_array())
             for (const auto& one : *channels)
                 if (one.is_number_integer() && one.get<int>() >= 1 && one.get<int>() <= static_cast<int>(kMaxChannels)) wait.set |= 1u << (one.get<int>() - 1);
@@ -262,8 +266,11 @@ private:
         return wait;
     }
 
-    // Languages that number their waits as M codes; the others have markers. A code is the same whatever the language.
-    bool numbered_as_m(unsigned) const { return true; }
+    // The others number their waits as M codes.
+    bool waits_at_markers(unsigned channel) const {
+        const auto selected = selected_.find(channel);
+        return (plan_.programs.count(channel) || selected == selected_.end() ? plan_.dialect(channel) : selected->second.dialect) == Dialect::Sinumerik;
+    }
 
     void report(const Diagnosis& diagnosis, Dialect dialect, unsigned channel) {
         print_diagnosis(diagnosis, dialect);

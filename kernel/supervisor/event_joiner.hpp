@@ -43,6 +43,8 @@ public:
     // The channel was reset or has died: what was under way has ended here. Notes stay: those of the next start may be here
     // before the log tells of this end, and what was discarded with its records is dropped when a later one begins.
     void close_channel(unsigned channel, double t_s);
+    // A successor of the channel's process counts its notes from the beginning.
+    void forget_notes(unsigned channel) { channels_[channel].waiting.clear(); }
     // An event that comes without a note (alarm, flag, stop); a JSON object without t.
     std::string_view plain(unsigned channel, double t_s, std::string text);
 

@@ -145,6 +145,8 @@ private:
                 fault(Alarm::LanguageUnknown, option);
                 continue;
             }
+            for (unsigned number = 1; number <= kMaxChannels; ++number)
+                if (channel == 0 || channel == number) plan_.chosen_languages[number] = name;
             for (auto& [number, program] : plan_.programs)
                 if (channel == 0 || channel == number) program.language = name, program.language_chosen = true;
         }
@@ -248,6 +250,7 @@ JobPlan::JobPlan(JobPlan&& other) noexcept
       room_file(std::move(other.room_file)),
       messages(std::move(other.messages)),
       programs(std::move(other.programs)),
+      chosen_languages(std::move(other.chosen_languages)),
       setup(std::move(other.setup)),
       setup_path(std::move(other.setup_path)),
       job(std::move(other.job)),
@@ -260,7 +263,13 @@ JobPlan::~JobPlan() {
 Dialect JobPlan::dialect(unsigned channel) const {
     const auto found = programs.find(channel);
     if (found != programs.end()) return found->second.dialect;
+    if (const auto chosen = chosen_languages.find(channel); chosen != chosen_languages.end()) return dialect_of(chosen->second);
     return channel >= 1 && channel <= kMaxChannels ? dialect_of(language_of(*table, channel)) : Dialect::Polyturn;
+}
+
+std::string JobPlan::started_language(unsigned channel, const PlannedProgram& by) const {
+    if (const auto chosen = chosen_languages.find(channel); chosen != chosen_languages.end()) return chosen->second;
+    return by.language_chosen ? by.language : language_of(*table, channel);
 }
 
 bool JobPlan::shows_diameter(unsigned channel, const AxisConfig& axis) const {

@@ -30,12 +30,16 @@ struct JobPlan {
     std::string room_file;
     text::BuilderMessages messages;
     std::map<unsigned, PlannedProgram> programs;  // by channel
+    std::map<unsigned, std::string> chosen_languages;   // by option, also of channels without a program here
     text::Setup setup;                            // zeros of the job included
     std::string setup_path;                       // for the other processes; empty: none
     std::optional<text::Job> job;
     std::vector<int> memory_files;  // of files that were put together here
 
     Dialect dialect(unsigned channel) const;
+    // Of a program that another one begins in a channel without one: as an option says; else in the language that was chosen for the
+    // one that begins it; else as the machine says.
+    std::string started_language(unsigned channel, const PlannedProgram& by) const;
     // Whether the setup gives this axis of the channel as a diameter, as the display shows it (cli.md 2).
     bool shows_diameter(unsigned channel, const AxisConfig& axis) const;
     JobPlan() = default;

@@ -9,6 +9,7 @@
 
 #include "ipc/diagnosis/tongue.hpp"
 #include "kernel/supervisor/event_text.hpp"
+#include "kernel/supervisor/press_words.hpp"
 
 namespace polyturn::supervisor {
 
@@ -270,6 +271,22 @@ void RunSession::take_stopped(const KernelEvent& event, double t_s) {
         track->second.alarmed = true;
         end_if_over(event, t_s);
     }
+    if (reason == StopReason::Death) replace_channel(event.channel);
+}
+
+// It is started anew in reset state (architecture 3), its program selected still. In virtual time only where the kernel waits for
+// what is said to its events: otherwise two runs would differ.
+void RunSession::replace_channel(unsigned channel) {
+    if (ending() || (options_.virtual_time && !follow_log_)) return;
+    drain_notes();
+    joiner_.forget_notes(channel);
+    if (auto started = controller_->restart(kProcessChannel + channel - 1); !started) return report(started.diagnosis(), channel, std::max(0.0, static_cast<double>(log_tick_ - origin_) * tick_s_));
+    const auto program = plan_.programs.find(channel);
+    if (program == plan_.programs.end()) return;
+    Command select{};
+    select.kind = static_cast<std::uint32_t>(CommandKind::Select);
+    select.channel = channel;
+    if (put_text(select, program->second.file)) send_at(select, static_cast<double>(log_tick_ + 1 - origin_) * tick_s_);
 }
 
 // The channel's program is over. When all are, so is the run; after an alarm it goes on until the machine rests.

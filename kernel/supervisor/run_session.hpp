@@ -59,6 +59,7 @@ private:
     bool ending() const { return end_tick_ != INT64_MAX; }
     void take_begin(const KernelEvent& event, double t_s);
     void take_stopped(const KernelEvent& event, double t_s);
+    void replace_channel(unsigned channel);
     void take_alarm(const KernelEvent& event, double t_s);
     void take_action(const KernelEvent& event);
     void take_idle(double t_s);

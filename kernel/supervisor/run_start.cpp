@@ -60,14 +60,14 @@ Result<void> RunSession::start() {
     if (!plan_.setup_path.empty()) plan.channel_arguments = {"--setup", plan_.setup_path};
     if (options_.variables) plan.channel_arguments.push_back("--variables");
     for (const auto& [channel, program] : plan_.programs) plan.channels.push_back(channel);
-    // Programs that a program may start: their channels read in its language.
+    // Programs that a program may start.
     const auto starter = std::find_if(plan_.programs.begin(), plan_.programs.end(), [](const auto& one) { return one.second.language == "sinumerik"; });
     if (starter != plan_.programs.end() && may_start_programs(program_files())) {
         const PlannedProgram& first = starter->second;
         for (unsigned channel = 1; channel <= kMaxChannels; ++channel) {
             if (plan_.programs.count(channel) || !plan_.machine->channel(channel).exists()) continue;
             plan.channels.push_back(channel);
-            if (first.language_chosen) plan.machine_arguments.insert(plan.machine_arguments.end(), {"--set", fmt::format("PT_LANGUAGE L{}={}", channel, first.language)});
+            plan.machine_arguments.insert(plan.machine_arguments.end(), {"--set", fmt::format("PT_LANGUAGE L{}={}", channel, plan_.started_language(channel, first))});
         }
     }
     if (wishes_.scenario)

@@ -12,6 +12,8 @@ namespace {
 
 std::string place_text(unsigned channel, const WaitPoint& wait) { return fmt::format("L{} {}:{}", channel, std::filesystem::path(wait.file).filename().string(), wait.line); }
 
+const std::string& written(const WaitPoint& wait) { return wait.written.empty() ? wait.code : wait.written; }
+
 std::string set_text(std::uint32_t set) {
     std::string out;
     for (unsigned channel = 1; channel <= 32; ++channel)
@@ -110,7 +112,7 @@ bool WaitMatcher::report_different_sets(std::vector<WaitFault>& faults) {
         }
         if (!different) continue;
         WaitFault fault;
-        std::string text = fmt::format("waiting code {} with different sets of channels:", wait->code);
+        std::string text = fmt::format("waiting code {} with different sets of channels:", written(*wait));
         std::uint64_t latest = 0;
         for (const unsigned member : members) {
             const Track& other = tracks_[member];
@@ -152,15 +154,15 @@ bool WaitMatcher::report_missing(std::vector<WaitFault>& faults) {
             fault.diagnosis.place = Place{wait->file, wait->line, 0, 0};
             if (found == tracks_.end()) {
                 fault.diagnosis.alarm = Alarm::SyncAbsent;
-                fault.diagnosis.detail = fmt::format("{} waits at {} for L{}, which has no program", place_text(channel, *wait), wait->code, partner);
+                fault.diagnosis.detail = fmt::format("{} waits at {} for L{}, which has no program", place_text(channel, *wait), written(*wait), partner);
             } else {
                 fault.diagnosis.alarm = Alarm::SyncUnpaired;
                 std::string why = "its program ends without it";
                 if (const WaitPoint* there = standing(partner)) {
-                    why = fmt::format("its program stands at {} in line {} and has no {} after it", there->code, there->line, wait->code);
+                    why = fmt::format("its program stands at {} in line {} and has no {} after it", written(*there), there->line, written(*wait));
                     fault.places.emplace_back(partner, *there);
                 }
-                fault.diagnosis.detail = fmt::format("{} waits at {} for L{}, which never comes: {}", place_text(channel, *wait), wait->code, partner, why);
+                fault.diagnosis.detail = fmt::format("{} waits at {} for L{}, which never comes: {}", place_text(channel, *wait), written(*wait), partner, why);
             }
             // Repaired by taking the code out of every channel that has it next with this set.
             const std::string code = wait->code;
@@ -209,7 +211,7 @@ bool WaitMatcher::report_cycle(std::vector<WaitFault>& faults) {
     for (std::size_t i = 0; i < way.size(); ++i) {
         const unsigned channel = way[i], partner = way[(i + 1) % way.size()];
         const WaitPoint& wait = *standing(channel);
-        text += fmt::format("{} {} waits at {} for L{}", i ? "," : "", place_text(channel, wait), wait.code, partner);
+        text += fmt::format("{} {} waits at {} for L{}", i ? "," : "", place_text(channel, wait), written(wait), partner);
         fault.places.emplace_back(channel, wait);
         const Track& track = tracks_[channel];
         if (track.arrived >= latest) latest = track.arrived, fault.channel = channel, fault.diagnosis.place = Place{wait.file, wait.line, 0, 0};

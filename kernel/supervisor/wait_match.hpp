@@ -21,10 +21,11 @@
 namespace polyturn::supervisor {
 
 struct WaitPoint {
-    std::string code;       // "M501" or a marker's name, as people write it
+    std::string code;       // "M501" or a marker's name; the same in every language
     std::uint32_t set = 0;  // bit 0 is channel 1
     std::string file;
     std::uint32_t line = 0;
+    std::string written = {};   // as the channel's language writes the code; empty: as it is
 };
 
 struct WaitFault {

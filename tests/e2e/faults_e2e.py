@@ -132,6 +132,17 @@ class Faults(Case):
                     self.assertEqual(trace["L1.state"][i], WAITING, f"{column} differs at t = {trace['t'][i]}; {about}")
                     break
 
+    def test_a_killed_channel_comes_back_in_reset_state(self):   # architecture 3: its program is still selected, the meeting takes place
+        one, two = self.write("ONE.nc", "M510 P12\nM81\nM30\n"), self.write("TWO.nc", "G4 P2.\nM510 P12\nM82\nM30\n")
+        scenario = self.write("s.toml", '[[at]]\nt = 1.0\nkill = "channel 2"\n[[at]]\nt = 4.0\npress = "reset L2"\n[[at]]\nt = 5.0\npress = "cycle_start L2"\n')
+        runs = [self.polyturn("run", "--virtual", "--language", "nct", "--scenario", scenario, f"1={one}", f"2={two}") for _ in range(2)]
+        done = runs[0]
+        self.assertEqual(done.status, 1, "the death is an alarm")
+        self.assertEqual([e["number"] for e in done.alarms], ["PT0500"], done.said())
+        self.assertEqual([(e["ch"], round(e["t"], 1)) for e in done.of("aux")], [(1, 7.0), (2, 7.0)], done.said())
+        self.assertEqual(len(done.of("stop", reason="M30")), 2)
+        self.assertEqual(runs[0].out, runs[1].out)
+
     def test_killed_and_frozen_at_seeded_moments(self):
         calm, calm_trace = self.job("calm", "")
         self.assertEqual(calm.status, 0, calm.said())

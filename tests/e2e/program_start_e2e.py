@@ -53,12 +53,32 @@ class ProgramStart(Case):
         files = (("LOWER.MPF", HEAD + 'INIT(1,"UPPER")\nWAITE(1)\nSTART(1)\nM30\n'),)
         self.assertTrue(self.both("check", HEAD + 'INIT(2,"LOWER")\nSTART(2)\nM30\n', files=files, status=1).alarms)
 
+    def test_a_marker_is_named_as_the_language_writes_it(self):
+        upper, lower = self.write("UPPER.MPF", "G4 F2\nWAITM(510,1,2)\nM30\n"), self.write("LOWER.nc", "M510 P12\nG4 P1.\nM510 P12\nM30\n")
+        for verb, options, said in (("check", (), {2: " waits at M510 for L1"}), ("run", ("--virtual",), {2: ": L1 (M510)"})):
+            with self.subTest(verb):
+                done = self.polyturn(verb, "--language", "1=sinumerik", "--language", "2=nct", *options, f"1={upper}", f"2={lower}")
+                self.assertEqual([(e["ch"], said[e["ch"]] in e["text"]) for e in done.of("alarm")], [(2, True)], done.said())
+        lower.write_text("G4 P1.\nM30\n")
+        for verb, options, said in (("check", (), " waits at WAITM(510) for L2"), ("run", ("--virtual",), ": L2 (WAITM(510))")):
+            with self.subTest(verb):
+                done = self.polyturn(verb, "--language", "1=sinumerik", "--language", "2=nct", *options, f"1={upper}", f"2={lower}")
+                self.assertEqual([(e["ch"], said in e["text"]) for e in done.of("alarm")], [(1, True)], done.said())
+
     def test_they_meet_at_markers(self):
         files = (("LOWER.MPF", HEAD + "WAITM(1,1,2)\nG0 X50 Z5\nM30\n"),)
         text = HEAD + 'INIT(2,"LOWER")\nSTART(2)\nG4 F1\nWAITM(1,1,2)\nM30\n'
         self.assertEqual(self.both("check", text, files=files).of("sync")[0]["meetings"], 1)
         done = self.both("run", text, "--virtual", files=files)
         self.assertGreaterEqual(done.of("move", ch=2)[0]["t"], 1.0)
+
+    def test_the_started_program_is_read_in_the_language_chosen_for_its_channel(self):
+        files = (("LOWER.MPF", "#1=25.\nG0 X[#1*2] Z5.\nM30\n"),)
+        text = HEAD + 'INIT(2,"LOWER")\nSTART(2)\nWAITE(2)\nM30\n'
+        for verb, options in (("check", ()), ("run", ("--virtual",))):
+            with self.subTest(verb):
+                done = self.both(verb, text, "--language", "2=nct", *options, files=files)
+                self.assertEqual([(e["pos"]["X"], e["pos"]["Z"]) for e in done.of("move", ch=2)], [(50, 5)], done.said())
 
     def test_a_channel_that_runs_takes_no_other_program(self):
         lower = self.write("OTHER.MPF", HEAD + "G4 F5\nM30\n")
