@@ -114,6 +114,25 @@ TEST(Handbook, EveryTranslatedPageIsTheEnglishOneInAnotherLanguage) {
         }
 }
 
+// A key named in the text is the key on the panel.
+TEST(Handbook, EveryKeyThatAPageNamesIsOnTheScreens) {
+    static const QRegularExpression kNamed("«([^»]+)»"), kPlace(" ?%\\d");
+    for (const char* language : {"en", "ru", "cs", "hu"}) {
+        const bool english = QString(language) == "en";
+        std::set<QString> words = {"polyturn", "?"};   // a controller's name; a sign in the contour's picture
+        const QString texts = handbookText(QString(POLYTURN_SOURCE_DIR) + "/hmi/translations/polyturn_" + (english ? "ru" : language) + ".ts");
+        const QRegularExpression entry(english ? "<source>([^<]*)</source>" : "<translation>([^<]*)</translation>");
+        for (auto found = entry.globalMatch(texts); found.hasNext();) words.insert(found.next().captured(1).remove(kPlace).simplified());
+        for (const char* page : kHandbookPages) {
+            const QString text = handbookText(handbookFolder() + "/" + (english ? QString(page) : pageIn(page, language)));
+            for (auto found = kNamed.globalMatch(text); found.hasNext();) {
+                const QString name = found.next().captured(1).simplified();
+                EXPECT_TRUE(words.contains(name)) << page << " " << language << ": " << name.toStdString();
+            }
+        }
+    }
+}
+
 TEST(Handbook, EveryPlaceThatTheScreensAskForIsFoundInEveryLanguage) {
     std::size_t seen = 0;
     for (const auto& [page, find] : placesAskedFor()) {
