@@ -145,7 +145,7 @@ HelpTopic Diagnosis::help() const {
     const auto row = static_cast<std::size_t>(std::max(0, table_->row()));
     if (page_ != Page::Signals || row >= found_.size()) return {"operator.md", "Diagnosis:", {}};
     const SignalLine& one = found_[row];
-    return {"builder.md", "Names and meanings of the signals", QString("# %1\n\n%2\n\n%3").arg(one.name, one.meaning, one.plc ? word("The PLC writes it.") : word("The NC writes it."))};
+    return {"builder.md", "A PLC of your own", QString("# %1\n\n%2\n\n%3").arg(one.name, one.meaning, one.plc ? word("The PLC writes it.") : word("The NC writes it."))};
 }
 
 }  // namespace polyturn::hmi

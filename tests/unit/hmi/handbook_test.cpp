@@ -16,7 +16,7 @@ namespace polyturn::hmi {
 namespace {
 
 constexpr const char* kHandbookLanguages[] = {"ru", "cs", "hu"};
-constexpr const char* kHandbookPages[] = {"README.md", "operator.md", "setup.md", "programmer.md"};
+constexpr const char* kHandbookPages[] = {"README.md", "operator.md", "setup.md", "programmer.md", "builder.md"};
 
 QString handbookFolder() { return QString(POLYTURN_SOURCE_DIR) + "/docs"; }
 
@@ -29,9 +29,9 @@ QString handbookText(const QString& path) {
 QString pageIn(const QString& english, const char* language) { return english.chopped(3) + '.' + language + ".md"; }
 
 // What a page consists of, in order: headings by level, items, pictures, rows of tables with their columns, lines of code. Commands are
-// themselves; what is said beside them (behind #) is the reader's language, and so are lines of code that are shown indented.
+// themselves; what is said beside them (behind # or ;) is the reader's language, and so are lines of code that are shown indented.
 QStringList skeleton(const QString& markdown) {
-    static const QRegularExpression kHeading("^(#{1,6}) "), kPicture("^!\\[[^\\]]*\\]\\(([^)]+)\\)"), kSaid("\\s+#\\s.*$"), kFolded("^(?:G\\d|P1|T0|M5|M8|[GM]\\d+)\\S*");
+    static const QRegularExpression kHeading("^(#{1,6}) "), kPicture("^!\\[[^\\]]*\\]\\(([^)]+)\\)"), kSaid("\\s+[#;]\\s.*$"), kFolded("^(?:G\\d|P1|T0|M5|M8|[GM]\\d+)\\S*");
     QStringList out;
     QString fence;
     for (const QString& line : markdown.split('\n')) {
