@@ -28,6 +28,12 @@ std::string g_name(double value) {
 
 }  // namespace
 
+bool Interpreter::too_many_words(const Word& word) {
+    fault_column_ = word.column;
+    fault_length_ = word.length;
+    return core_.fail(Alarm::WordsTooMany);
+}
+
 // Sorts the words: G rows by group, M words, axis words.
 bool Interpreter::classify() {
     coded_groups_ = 0;
@@ -41,7 +47,8 @@ bool Interpreter::classify() {
             continue;
         }
         if (word.axis >= 0) {
-            if (axis_word_count_ < axis_words_.size()) axis_words_[axis_word_count_++] = static_cast<std::uint8_t>(i);
+            if (axis_word_count_ == axis_words_.size()) return too_many_words(word);
+            axis_words_[axis_word_count_++] = static_cast<std::uint8_t>(i);
             continue;
         }
         const char letter = word.address;
@@ -72,10 +79,10 @@ bool Interpreter::classify() {
             coded_groups_ |= bit_of(row->group);
         } else if (letter == 'M') {
             if (word.from_expression) block_.words[i].value = whole_steps(word.value, 1.0);   // fanuc_lathe 6.1
-            if (m_count_ == m_words_.size()) return core_.fail(Alarm::WordsTooMany, 'M');
+            if (m_count_ == m_words_.size()) return too_many_words(word);
             m_words_[m_count_++] = static_cast<std::uint8_t>(i);
         } else if (axis_letters_ >> (letter - 'A') & 1u) {
-            if (axis_word_count_ == axis_words_.size()) return core_.fail(Alarm::WordsTooMany, letter);
+            if (axis_word_count_ == axis_words_.size()) return too_many_words(word);
             axis_words_[axis_word_count_++] = static_cast<std::uint8_t>(i);
         }
     }
@@ -146,6 +153,10 @@ Step Interpreter::nc_block() {
     bool calls = false;
     if (!settings_.g_calls.empty() || !settings_.m_calls.empty() || !settings_.letter_calls.empty() || settings_.t_calls) {
         if (!life_.mode && !code_calls(calls)) return fault(core_.fault());
+    }
+    if (!calls && gives_arguments()) {
+        if (!per_block_call()) return fault(core_.fault());
+        calls = true;
     }
     b_.single_now = false;
     b_.moves = 0;
@@ -223,7 +234,7 @@ Step Interpreter::nc_block() {
     }
     if (!ended_ && !called_ && !modal_calls_.empty()) {
         const ModalCall& modal = modal_calls_.back();
-        if ((modal.every_block && modal.armed) || core_.moves() - b_.moves != moves_before) {
+        if (!modal.every_block && core_.moves() - b_.moves != moves_before) {
             const LocalSet arguments = modal.arguments;
             if (!call_program(modal.program, modal.repeats, &arguments, false, true, 'P')) return fault(core_.fault());
         }

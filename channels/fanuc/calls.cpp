@@ -111,6 +111,30 @@ bool Interpreter::g_macro_modal_off(const GCode&) {
     return true;
 }
 
+// Between G66.1 and G67 a block does nothing itself: its words are arguments, as behind G65 (nct part 2 18.2, "called for every block";
+// what becomes of the words is the field's standard). The end of a program is none.
+bool Interpreter::gives_arguments() const {
+    if (modal_calls_.empty() || !modal_calls_.back().every_block || !modal_calls_.back().armed || b_.registering || life_.mode) return false;
+    if (!(block_.letters & ~letter_set("NO"))) return false;
+    for (std::size_t k = 0; k < block_.count; ++k) {
+        const Word& word = block_.words[k];
+        if (word.axis >= 0) continue;
+        if (word.address == 'G' && (word.value == 67 || word.value == 65 || word.value == 66 || std::fabs(word.value - 66.1) < 1e-6)) return false;
+        if (word.address == 'M' && (word.value == 2 || word.value == 30 || word.value == 99)) return false;
+    }
+    return true;
+}
+
+// G, L and P are no arguments, as behind G65.
+bool Interpreter::per_block_call() {
+    const ModalCall modal = modal_calls_.back();
+    for (std::size_t k = 0; k < block_.count; ++k)
+        if (block_.words[k].axis < 0 && block_.words[k].address == 'G') block_.words[k].address = 'N';
+    LocalSet arguments = empty_locals();
+    called_ = true;
+    return gather_arguments(arguments, 0) && call_program(modal.program, modal.repeats, &arguments, false, true, 0);
+}
+
 // Codes that call programs instead of acting. `called` tells whether the block was used up by a call.
 bool Interpreter::code_calls(bool& called) {
     sub_program_ = -1;

@@ -13,6 +13,7 @@ namespace polyturn::channels::fanuc {
 
 // fanuc_lathe 3.16: not where compensation begins, ends or changes its side.
 bool Interpreter::corner_allowed(char letter) {
+    corner_letters_[corner_count_ % corner_lines_.size()] = letter;
     corner_lines_[corner_count_++ % corner_lines_.size()] = core_.at.line;
     if (!core_.compensating()) return true;
     const bool switches = (coded_groups_ >> static_cast<unsigned>(GGroup::Comp)) & 1u;

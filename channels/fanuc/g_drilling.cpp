@@ -98,9 +98,20 @@ bool Interpreter::begin_rigid_tap(cycles::Drilling& hole, bool left_hand) {
     return true;
 }
 
+// The rows take the words of all formats; here those that have no meaning in this one are refused: repeats are L in nct and in
+// series 15 and K elsewhere, E and the percentage I are nct's.
+bool Interpreter::drilling_words(const GCode& row) {
+    const bool beside = row.tenths == 861 || bores_back(row);   // I, J, K lead from the wall
+    const std::string_view foreign = settings_.nct ? (beside ? "" : "JK") : settings_.series15 ? "KEIJ" : "LEIJ";
+    for (const char letter : foreign)
+        if (block_.has(letter) && !(letter == 'L' && m_count_)) return core_.fail(Alarm::AddressIllegal, letter, std::string(1, letter));
+    return true;
+}
+
 // One block while a drilling cycle is active: to the hole, down and back, as often as L or K says.
 bool Interpreter::run_drilling() {
     const GCode& row = *drilling_;
+    if (!drilling_words(row)) return false;
     const int place = drilling_axis();
     if (place < 0) return core_.fail(Alarm::PlaneAxisMissing, 'G');
     const auto axis = static_cast<unsigned>(place);
@@ -160,7 +171,7 @@ bool Interpreter::run_drilling() {
                 hole.dwells = dwell_word;
                 break;
             }
-            if (block_.has('I') || block_.has('J')) return core_.fail(Alarm::AddressIllegal, block_.has('I') ? 'I' : 'J', block_.has('I') ? "I" : "J");
+            if (block_.has('I')) return core_.fail(Alarm::AddressIllegal, 'I', "I");
             [[fallthrough]];
         case 830:
         case 831:

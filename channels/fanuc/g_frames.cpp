@@ -120,7 +120,7 @@ bool Interpreter::g_rotation(const GCode& row) {
         const bool spatial = block_.has('I') || block_.has('J') || block_.has('K');
         Point3 direction{};
         if (spatial) {
-            if (row.tenths == 680) return core_.fail(Alarm::AddressIllegal, block_.has('I') ? 'I' : block_.has('J') ? 'J' : 'K', "G68");
+            if (const char first = block_.has('I') ? 'I' : block_.has('J') ? 'J' : 'K'; row.tenths == 680) return core_.fail(Alarm::AddressIllegal, first, std::string(1, first));
             direction = {block_.has('I') ? block_.value('I') : 0, block_.has('J') ? block_.value('J') : 0, block_.has('K') ? block_.value('K') : 0};
             if (direction[0] == 0 && direction[1] == 0 && direction[2] == 0) return core_.fail(Alarm::CycleValueIllegal, 'I', "I J K", 0);
         } else {   // from the plane's first to its second axis; Z X: about +Y

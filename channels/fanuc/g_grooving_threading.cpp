@@ -102,6 +102,8 @@ bool Interpreter::g_thread_passes(const GCode& row) {
         cycle.taper = radius_length('R');
         cycle.height = fine_length('P');
         cycle.first = fine_length('Q');
+        // R of this block is the taper: the allowance stands in the block before.
+        if (cycle.height > 0 && (cycle.allowance < 0 || cycle.allowance > cycle.height)) return core_.fail(Alarm::CycleValueIllegal, 0, "R", cycle.allowance);
     }
     cycle.thread.lead = lead_ > 0 ? lead_ : core_.path.feed_mode == FeedMode::PerRevolution ? core_.path.feed : 0.0;
     const double tenths = data.thread_chamfer.value_or(static_cast<double>(params::get(table, params::n1606_thrdchmfr, l)));

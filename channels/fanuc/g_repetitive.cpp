@@ -174,6 +174,13 @@ void Interpreter::after_contour(const ContourText& text) {
     line_left_ = false;
 }
 
+// I, K and D belong to the series 15 format (fanuc_lathe 8.4).
+bool Interpreter::roughing_words() {
+    for (const char foreign : {'I', 'K', 'D'})
+        if (!settings_.series15 && block_.has(foreign)) return core_.fail(Alarm::AddressIllegal, foreign, std::string(1, foreign));
+    return true;
+}
+
 bool Interpreter::g_stock_removal(const GCode& row) {
     if (!turning_cycles_available(row)) return false;
     const params::Table& table = core_.view().table();
@@ -181,6 +188,8 @@ bool Interpreter::g_stock_removal(const GCode& row) {
     const bool facing = row.tenths == (settings_.system == kC ? 740 : 720);
     const char depth_letter = facing ? 'W' : 'U';
     if (first_of_two() && !settings_.series15) {
+        // Here already: in the second block the letter is the allowance's.
+        if (block_.has(depth_letter) && block_.value(depth_letter) == 0) return core_.fail(Alarm::CycleValueIllegal, depth_letter, std::string(1, depth_letter));
         keep_word(cycle_data_.depth, depth_letter);
         keep_word(cycle_data_.escape, 'R');
         return true;
@@ -192,11 +201,11 @@ bool Interpreter::g_stock_removal(const GCode& row) {
     cycle.depth_letter = depth_letter;
     if (block_.has('D')) {
         double count = 0.0;
-        if (!settings_.series15) return core_.fail(Alarm::AddressIllegal, 'D', "D");
         if (!series15_count('D', count)) return false;
         cycle.depth = std::fabs(radius_length('D'));
         cycle.depth_letter = 'D';
     }
+    if (!roughing_words()) return false;
     cycle.escape = std::fabs(cycle_data_.escape.value_or(params::get(table, params::n1601_escape, l) * unit));
     cycle.allowance = {shift_word('W', PlaneRole::BasicZ), shift_word('U', PlaneRole::BasicX)};
     cycle.roughing_tolerance = params::get(table, params::n1613_tolerance_along_roughing_axis, l) * unit;
@@ -230,6 +239,7 @@ bool Interpreter::g_pattern(const GCode& row) {
         }
         return true;
     }
+    if (!roughing_words()) return false;
     const double unit = params::bit(table, params::n0104_unit_of_measure, l, 0) ? 25.4 : 1.0;
     cycles::Pattern cycle;
     cycle.relief = {cycle_data_.relief_z.value_or(params::get(table, params::n1602_relief_ax1, l) * unit),
@@ -239,8 +249,6 @@ bool Interpreter::g_pattern(const GCode& row) {
         if (block_.has('I')) cycle.relief.x = radius_length('I');
         if (block_.has('K')) cycle.relief.z = radius_length('K');
         if (block_.has('D') && !series15_count('D', passes)) return false;
-    } else if (block_.has('D')) {
-        return core_.fail(Alarm::AddressIllegal, 'D', "D");
     }
     if (!(passes >= 1 && passes <= cycles::kMostPasses)) return core_.fail(Alarm::CycleValueIllegal, settings_.series15 ? 'D' : 'R', settings_.series15 ? "D" : "R", passes);
     cycle.passes = static_cast<int>(std::lround(passes));

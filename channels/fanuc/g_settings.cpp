@@ -57,7 +57,24 @@ bool Interpreter::g_exact_once(const GCode&) {
     return true;
 }
 
-bool Interpreter::g_surface(const GCode& row) { return core_.surface_speed(row.tenths == 960); }
+// P of G96 names the axis whose place is the radius: by its number in nct, by its place in the channel elsewhere. P0 and G96 without
+// P mean the parameter's axis (N0687, "default").
+bool Interpreter::g_surface(const GCode& row) {
+    if (row.tenths != 960) return core_.surface_speed(false);
+    bool own = block_.has('P');   // unless an M code of the block takes it
+    for (unsigned k = 0; k < m_count_; ++k) {
+        const double code = block_.words[m_words_[k]].value;
+        own = own && code != 98 && code != 99 && code != 198 && code != settings_.interrupt.on && !core_.view().machine.is_wait_code(code);
+    }
+    std::int64_t number = 0;
+    if (own && !whole('P', number)) return false;
+    int place = -1;
+    for (unsigned i = 0; number != 0 && i < core_.view().axis_count; ++i)
+        if ((settings_.nct ? core_.view().axes[i].machine_axis : i) + 1u == static_cast<std::uint64_t>(number)) place = static_cast<int>(i);
+    if (number != 0 && (place < 0 || core_.view().axes[static_cast<std::size_t>(place)].rotary))
+        return core_.fail(Alarm::CycleValueIllegal, 'P', "P", static_cast<double>(number));
+    return core_.surface_axis_is(place) && core_.surface_speed(true);
+}
 
 bool Interpreter::g_comp_on(const GCode& row) {
     if (block_.has('D') && !radius_offset()) return false;
@@ -143,6 +160,7 @@ bool Interpreter::g_stroke_area(const GCode& row) {
 // absolute limit is D in nct and I elsewhere. What is not programmed is the parameter's.
 bool Interpreter::g_spindle_watch(const GCode& code) {
     if (code.tenths == 250) return core_.spindle_watch(false);
+    if (const char foreign = settings_.nct ? 'I' : 'D'; block_.has(foreign)) return core_.fail(Alarm::AddressIllegal, foreign, std::string(1, foreign));
     std::array<double, 4> values;
     const char letters[] = {'P', 'Q', 'R', settings_.nct ? 'D' : 'I'};
     for (std::size_t i = 0; i < values.size(); ++i) {

@@ -171,8 +171,11 @@ Step Interpreter::fault(Fault fault) {
     // An inner chamfer or corner R that is smaller than the nose (fanuc_lathe 3.16).
     if ((fault.alarm == Alarm::CompInterference || fault.alarm == Alarm::CompNoIntersection) && corner_count_) {
         const std::uint32_t line = fault.block ? fault.block->line : core_.at.line;
-        for (const std::uint32_t corner : corner_lines_)
-            if (corner == line) fault.alarm = Alarm::CompCornerElement;
+        for (std::size_t k = 0; k < corner_lines_.size(); ++k) {
+            if (corner_lines_[k] != line) continue;
+            fault.alarm = Alarm::CompCornerElement;
+            if (!fault.column && !fault.letter) fault.letter = corner_letters_[k];
+        }
     }
     if (fault.block) {   // an earlier block of the program
         const BlockContext& at = *fault.block;
@@ -333,9 +336,14 @@ Step Interpreter::read_block() {
             return macro_statement(scanner_.stopped_at());
         }
     }
-    for (const char letter : {'N', 'O'})
-        if (block_.has(letter) && block_.word(letter).from_expression)   // fanuc_lathe 6.1
-            return fault_at(Alarm::MacroFormat, block_.word(letter).column, block_.word(letter).length, std::string(1, letter) + " takes no variable");
+    for (const char letter : {'N', 'O'}) {
+        if (!block_.has(letter)) continue;
+        const Word& word = block_.word(letter);
+        if (word.from_expression)   // fanuc_lathe 6.1
+            return fault_at(Alarm::MacroFormat, word.column, word.length, std::string(1, letter) + " takes no variable");
+        if (word.value < 0 || word.has_point)   // whole numbers, as GOTO and M98 look for them
+            return fault_at(word.value < 0 ? Alarm::NegativeSign : Alarm::PointForbidden, word.column, word.length, std::string(1, letter));
+    }
     if (stop == ScanStop::Skipped && block_.count == 0) return Step::Continue;
     const std::size_t next_column = scanner_.stopped_at();
     if (block_.count == 0 && !block_.name_length) {

@@ -209,6 +209,8 @@ private:
     bool m_before(), m_after(), one_wait_code();
     bool is_draining(double code) const;
     bool wait_code(const Word& word);
+    bool gives_arguments() const;
+    bool per_block_call();
     bool code_calls(bool& called);
     bool function_code(const Word& word, bool late);
     unsigned spindle_of_codes() const;
@@ -265,12 +267,14 @@ private:
     bool first_of_two() const { return !block_.has('P') && !block_.has('Q'); }
     void keep_word(std::optional<double>& kept, char letter);
     bool series15_count(char letter, double& value);
+    bool roughing_words();
     bool turning_cycles_available(const GCode& row);
     double fine_length(char letter) const;
     bool begin_rigid_tap(cycles::Drilling& hole, bool left_hand);
     void bore_out(cycles::Drilling& hole);
     void fine_way(cycles::Drilling& hole);
     bool bores_back(const GCode& row);
+    bool drilling_words(const GCode& row);
     bool run_drilling();
     int drilling_axis();
 
@@ -326,6 +330,7 @@ private:
     void reload_settings();
     void end_one_block_shift();
     bool says_it_once();   // mefi
+    bool too_many_words(const Word& word);
     void write_offset(OffsetTable table, std::int32_t number, OffsetField field, double value);
     void write_zero(std::int32_t row, unsigned place, double value);
 

@@ -35,6 +35,7 @@ struct ModalState {
     double angle_dp_ = 0.0, angle_dq_ = 0.0;   // direction of a line whose end the next block tells
     BlockContext angle_at_;
     std::array<std::uint32_t, 8> corner_lines_{};  // of the newest blocks with a chamfer or corner R
+    std::array<char, 8> corner_letters_{};         // its word; 0: ,C or ,R
     unsigned corner_count_ = 0;
     std::uint64_t comp_moves_ = ~0ull;         // moves delivered when compensation was switched on
     std::uint16_t comp_code_ = 0;              // G41 or G42, in tenths, as it was programmed last

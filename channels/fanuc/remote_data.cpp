@@ -33,7 +33,10 @@ bool way_of(unsigned high, unsigned low, int& way) {
 
 bool Interpreter::g_binary_input(const GCode&) {
     if (core_.compensating()) return core_.fail(Alarm::BinaryInputComp, 'G');
-    if (block_.letters & ~(letter_bit('G') | letter_bit('N')) || g_count_ != 1) return core_.fail(Alarm::AddressIllegal, 'G', "G5 stands alone");
+    if (const std::uint32_t extra = block_.letters & ~(letter_bit('G') | letter_bit('N')); extra || g_count_ != 1) {   // G5 stands alone
+        const char letter = extra ? static_cast<char>('A' + __builtin_ctz(extra)) : 'G';
+        return core_.fail(Alarm::AddressIllegal, letter, std::string(1, letter));
+    }
     if (core_.transformed() || core_.path.framed || drilling_) return core_.fail(Alarm::CodesContradict, 'G', "G5");
     if (reads_contour_) return core_.fail(Alarm::ContourCodeIllegal, 'G');
     const MachineView& view = core_.view();

@@ -127,7 +127,7 @@ RC_GTEST_PROP(StockRemoval, RandomContours, ()) {
 struct Bad { const char* blocks; int fanuc; int line; };
 TEST(StockRemoval, RefusesWhatCannotEnd) {
     const Bad kBad[] = {
-        {"G71 U0. R1.\nG71 P1 Q2 U0.4 F0.2\nN1 G0 X20.\nN2 G1 Z-10.", 62, 4},           // zero depth
+        {"G71 U0. R1.\nG71 P1 Q2 U0.4 F0.2\nN1 G0 X20.\nN2 G1 Z-10.", 62, 3},           // zero depth
         {"G71 U2. R1.\nG71 P1 Q2 U0.4 F0.2\nN1 G0 X20.\nN2 G1 X30.", 62, 5},            // ends where it begins along Z
         {"G71 U2. R1.\nG71 P1 Q3 U0.4 F0.2\nN1 G0 X20.\nG1 Z-10.\nN3 X10. Z-20.", 64, 7},      // falls: type I
         {"G71 U2. R1.\nG71 P1 Q3 U0.4 F0.2\nN1 G0 X20. Z2.\nG1 Z-10.\nN3 X30. Z-5.", 64, 7},   // runs back along Z
