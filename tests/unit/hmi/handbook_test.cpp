@@ -16,7 +16,7 @@ namespace polyturn::hmi {
 namespace {
 
 constexpr const char* kHandbookLanguages[] = {"ru", "cs", "hu"};
-constexpr const char* kHandbookPages[] = {"README.md", "operator.md", "setup.md", "programmer.md", "builder.md"};
+constexpr const char* kHandbookPages[] = {"README.md", "operator.md", "setup.md", "programmer.md", "builder.md", "shop.md"};
 
 QString handbookFolder() { return QString(POLYTURN_SOURCE_DIR) + "/docs"; }
 
