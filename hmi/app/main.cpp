@@ -46,6 +46,8 @@ int main(int argc, char** argv) {
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + "/polyturn";
     QDir().mkpath(folder);
     choices.keptIn = folder + "/hmi-" + QString::fromStdString(choices.instance) + ".ini";
+    // The paths of the running part change all the time: in memory, where the computer has such a folder.
+    if (const QString passing = QStandardPaths::writableLocation(QStandardPaths::RuntimeLocation); !passing.isEmpty()) choices.passingIn = passing + "/polyturn-hmi-" + QString::fromStdString(choices.instance);
     polyturn::hmi::MainWindow window(choices);
     window.resize(wanted);
     if (parser.isSet("full-screen")) window.showFullScreen();

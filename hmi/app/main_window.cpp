@@ -4,7 +4,9 @@
 #include <QDateTime>
 #include <QFile>
 #include <algorithm>
+#include <filesystem>
 
+#include "hmi/text/retold.hpp"
 #include "hmi/widgets/table.hpp"
 #include "ipc/machine/machine_step.hpp"
 
@@ -63,6 +65,7 @@ MainWindow::MainWindow(Choices choices)
     desk_.folder = kept("folder", "");
     if (kept_) {
         desk_.draftFile = choices_.keptIn + ".draft";
+        desk_.kept.in(choices_.keptIn, choices_.passingIn.isEmpty() ? choices_.keptIn : choices_.passingIn);
         if (QFile file(desk_.draftFile); file.open(QIODevice::ReadOnly)) desk_.draft = Draft::read(file.readAll());
     }
     desk_.tell = [this](const QString& text, Told how) { tell(text, how); };
@@ -99,6 +102,7 @@ MainWindow::MainWindow(Choices choices)
 }
 
 MainWindow::~MainWindow() {
+    for (Screen* one : screens_) one->leave();
     if (kept_ && ready_) {
         keeping_.forget();
         writeKept(choices_.keptIn, keepsake());
@@ -148,6 +152,7 @@ void MainWindow::keep() {
     const qint64 now = QDateTime::currentMSecsSinceEpoch();
     if (!kept_ || !ready_ || now < keepAt_) return;
     keepAt_ = now + kKeepMs;
+    desk_.kept.tend();
     if (keeping_.busy() && !keeping_.take()) return;
     std::map<QString, QString> values = keepsake();
     if (values == keptLast_) return;
@@ -193,8 +198,10 @@ void MainWindow::frame() {
         generation_ = live_.generation();
         if (live_.connected() && std::find(live_.channels().begin(), live_.channels().end(), desk_.channel) == live_.channels().end() && !live_.channels().empty())
             desk_.channel = live_.channels().front();
+        readBuilderMessages();
         for (Screen* one : screens_) one->rebuilt();
     }
+    if (auto read = builders_.take()) knowBuilderMessages(std::move(*read)), alarms_.retold();
     if (locked_ && QDateTime::currentMSecsSinceEpoch() > lockedUntil_) lock(false);
     for (Screen* one : screens_) one->follow();
     screen()->refresh();
@@ -205,6 +212,17 @@ void MainWindow::frame() {
     top_->refresh(), line_->refresh();
     if (locked_) cover_->refresh();
     keep();
+}
+
+// Logs and dry runs tell them in English.
+void MainWindow::readBuilderMessages() {
+    const std::string base = live_.machineFolder();
+    if (base.empty()) return knowBuilderMessages({});
+    builders_.start([file = (std::filesystem::path(base).parent_path() / "messages.csv").string()](const std::atomic<bool>&) {
+        text::BuilderMessages out;
+        (void)out.add_file(file);   // the controller tells what is wrong in it
+        return out;
+    }, 0);
 }
 
 void MainWindow::resizeEvent(QResizeEvent*) { layOut(); }

@@ -13,6 +13,7 @@
 #include "hmi/machine/aside.hpp"
 #include "hmi/widgets/soft_keys.hpp"
 #include "hmi/widgets/text_entry.hpp"
+#include "ipc/text/builder_messages.hpp"
 
 namespace polyturn::hmi {
 
@@ -21,6 +22,7 @@ struct Choices {
     std::string language;      // empty: as kept, or the machine's
     std::string theme;         // dark, light; empty: as kept
     QString keptIn;            // file of what is kept over a restart; empty: nothing is
+    QString passingIn;         // the same, of what means nothing once the computer has been off; empty: beside the other
 };
 
 class MainWindow : public QWidget {
@@ -67,12 +69,14 @@ private:
     bool keyPressed(QKeyEvent* event);
     bool keyReleased(QKeyEvent* event);
     void nextChannel(int step);
+    void readBuilderMessages();
     void sayWhyEmpty() const;   // what every table says that has nothing to show
 
     Choices choices_;
     std::unique_ptr<QSettings> kept_;      // as it was found
     std::map<QString, QString> keptLast_;
     Aside<bool> keeping_;
+    Aside<text::BuilderMessages> builders_;   // the machine builder's, as they are being read
     qint64 keepAt_ = 0;
     Live live_;
     Requests requests_;

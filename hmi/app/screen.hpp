@@ -8,6 +8,7 @@
 
 #include "hmi/machine/alarm_book.hpp"
 #include "hmi/machine/draft.hpp"
+#include "hmi/machine/kept_pieces.hpp"
 #include "hmi/machine/live.hpp"
 #include "hmi/machine/requests.hpp"
 #include "hmi/text/tongues.hpp"
@@ -48,6 +49,7 @@ struct Desk {
     QString folder = {};                                       // of the programs shown last
     Draft draft = {};                                          // what an editor that is gone has left
     QString draftFile = {};                                    // where it is kept; empty: nowhere
+    KeptPieces kept = {};                                      // of what screens show
     void choose(unsigned wanted);                              // the channel, if there is such a one
 };
 

@@ -22,7 +22,7 @@ namespace polyturn::hmi {
 namespace {
 
 using What = ComputerSetting::What;
-constexpr int kPatience_ms = 15'000;
+constexpr int kCommandPatience_ms = 15'000;
 
 QString fileText(const char* name) {
     QFile file(name);
@@ -104,7 +104,7 @@ void ComputerSettings::run(const QString& program, const QStringList& arguments,
     };
     connect(process, &QProcess::finished, this, [over](int status, QProcess::ExitStatus how) { over(how == QProcess::NormalExit ? status : 1, word("The program was broken off")); });
     connect(process, &QProcess::errorOccurred, this, [over, program](QProcess::ProcessError error) { if (error == QProcess::FailedToStart) over(127, word("This computer has no %1").arg(program)); });
-    QTimer::singleShot(kPatience_ms, process, [process] { process->kill(); });
+    QTimer::singleShot(kCommandPatience_ms, process, [process] { process->kill(); });
     QProcessEnvironment plain = QProcessEnvironment::systemEnvironment();
     plain.insert("LC_ALL", "C.UTF-8");   // details.cpp knows what they say in English
     process->setProcessEnvironment(plain);

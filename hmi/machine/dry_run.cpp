@@ -15,6 +15,7 @@ namespace polyturn::hmi {
 namespace {
 
 constexpr std::size_t kMostBlocks = 200'000;
+constexpr qsizetype kMostTold = 48 << 20, kReplayed = 48 << 10;   // bytes: of a run that is kept; in one turn, some milliseconds
 constexpr double kOtherZero = 0.01;   // mm: what the zero must have moved by; less is wear or rounding
 
 }  // namespace
@@ -22,16 +23,51 @@ constexpr double kOtherZero = 0.01;   // mm: what the zero must have moved by; l
 DryRun::~DryRun() { stop(); }
 
 void DryRun::stop() {
+    again_.clear();
     if (!process_) return;
     process_->disconnect();
     process_->kill();
     process_.release()->deleteLater();
 }
 
+void DryRun::begin(How how, const QString& job) {
+    how_ = how, job_ = job, in_.clear(), told_.clear(), failure_.clear(), channels_.clear(), faults_.clear();
+    ++version_;
+}
+
+// A line of what it was, then its events.
+QByteArray DryRun::record() const {
+    if (running() || !any() || told_.size() > kMostTold) return {};
+    return QJsonDocument(QJsonObject{{"job", job_}, {"drive", how_ == How::Drive}}).toJson(QJsonDocument::Compact) + '\n' + told_;
+}
+
+void DryRun::replay(const QByteArray& record) {
+    stop();
+    const auto first = record.indexOf('\n');
+    const QJsonObject about = QJsonDocument::fromJson(record.left(std::max<qsizetype>(0, first))).object();
+    begin(about.value("drive").toBool() ? How::Drive : How::Check, about.value("job").toString());
+    if (first < 0 || job_.isEmpty()) return;
+    again_ = record.mid(first + 1), againAt_ = 0;
+    replayPiece();
+}
+
+void DryRun::replayPiece() {
+    const qsizetype last = againAt_ + kReplayed;
+    while (againAt_ < std::min(again_.size(), last)) {
+        const auto end = again_.indexOf('\n', againAt_);
+        if (end < 0) break;
+        take(again_.mid(againAt_, end - againAt_));
+        againAt_ = end + 1;
+    }
+    ++version_;
+    if (againAt_ >= last && againAt_ < again_.size()) return QTimer::singleShot(0, &turns_, [this] { if (!again_.isEmpty()) replayPiece(); });
+    again_.clear();
+    meet();
+}
+
 void DryRun::start(How how, const QString& job, const QString& like) {
     stop();
-    how_ = how, job_ = job, in_.clear(), failure_.clear(), channels_.clear(), faults_.clear();
-    ++version_;
+    begin(how, job);
     process_ = std::make_unique<QProcess>();
     process_->setStandardErrorFile(QProcess::nullDevice());
     QStringList arguments = how == How::Check ? QStringList{"check", job} : QStringList{"run", "--virtual", job};
@@ -56,6 +92,7 @@ void DryRun::read() {
 }
 
 void DryRun::take(const QByteArray& line) {
+    if (told_.size() <= kMostTold) told_ += line, told_ += '\n';
     const QJsonObject event = QJsonDocument::fromJson(line).object();
     const QString what = event.value("ev").toString();
     const auto channel = static_cast<unsigned>(event.value("ch").toInt());
@@ -122,6 +159,11 @@ void DryRun::finish() {
     if (channels_.empty() && faults_.empty() && failure_.isEmpty()) failure_ = word("It gave no result.");
     process_->disconnect();
     process_.release()->deleteLater();
+    meet();
+}
+
+// When it is over.
+void DryRun::meet() {
     // All channels of a wait leave it when the last one has come.
     std::map<std::pair<int, std::vector<unsigned>>, std::vector<std::vector<RunWait*>>> meetings;
     for (auto& [number, channel] : channels_) {

@@ -60,7 +60,10 @@ public:
     ~DryRun();
     void start(How how, const QString& job, const QString& like);
     void stop();
-    bool running() const { return process_ != nullptr; }
+    // What it has told, as it came; and told again from there, a piece in each turn of the event loop. Empty: too much to be kept.
+    QByteArray record() const;
+    void replay(const QByteArray& record);
+    bool running() const { return process_ != nullptr || !again_.isEmpty(); }
     bool any() const { return !channels_.empty() || !faults_.empty(); }
     const QString& job() const { return job_; }
     How how() const { return how_; }
@@ -71,13 +74,19 @@ public:
     std::uint64_t version() const { return version_; }
 
 private:
+    void begin(How how, const QString& job);
     void read();
     void take(const QByteArray& line);
     void takeMove(RunChannel& own, const QJsonObject& event, double t, double end);
     void finish();
+    void replayPiece();
+    void meet();
 
     std::unique_ptr<QProcess> process_;
     QByteArray in_;
+    QByteArray told_, again_;       // all lines; those that are to be told again
+    qsizetype againAt_ = 0;
+    QObject turns_;                 // the turns that are still to come belong to it
     QString job_, failure_;
     How how_ = How::Check;
     std::map<unsigned, RunChannel> channels_;

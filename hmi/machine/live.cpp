@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "ipc/diagnosis/tongue.hpp"
+#include "ipc/machine/work_zeros.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -246,16 +247,36 @@ double Live::upright(unsigned channel, unsigned place, double machine) const {
     return machine;
 }
 
+// Before the first program no block tells what acts: the zeros with which its language begins (kernel/supervisor/start_position.cpp), no tool.
+double Live::zeroAtRest(unsigned channel, unsigned place) const {
+    const std::string_view language = params::get_text(*table_, params::pt_language, channel);
+    const auto& zeros = stores_[channel - 1]->zeros;
+    const auto of = [&](std::size_t row) { return zeros[row * kChannelAxes + place]; };
+    const auto named = [&](const char* name) {
+        const auto row = work_zero_row(name);
+        return row ? of(*row) : 0.0;
+    };
+    const double sum = language == "fanuc" || language == "nct" ? of(kZeroExternal) + of(kZeroG54) + of(kZeroShift) : language == "sinumerik" ? named("G500") : language == "mefi" ? named("G53") : 0.0;
+    const AxisConfig& axis = config_->axis(config_->channel(channel).axes[place]);
+    return axis.diameter && !axis.rotary ? sum / 2 : sum;
+}
+
 bool Live::fromZero(unsigned channel, unsigned place, double machine, double& out) const {
     const ChannelView& one = view(channel);
-    if (!one.known || (one.picture.flags & kPictureNoShift)) return false;
+    if (!one.known) {
+        const auto state = static_cast<ChannelState>(status_->channels[channel - 1].state);
+        if (state != ChannelState::Reset && state != ChannelState::Ended) return false;   // a picture that is on its way
+        out = upright(channel, place, machine) - zeroAtRest(channel, place);
+        return true;
+    }
+    if ((one.picture.flags & kPictureNoShift)) return false;
     out = upright(channel, place, machine) - one.picture.shift[place];
     return true;
 }
 
 bool Live::workpiece(unsigned channel, unsigned place, double machine, double& out) const {
     if (!fromZero(channel, place, machine, out)) return false;
-    out += view(channel).picture.tool_shown[place] - view(channel).nose[place];   // BlockPicture::tool_shown, kPictureNoNose
+    if (view(channel).known) out += view(channel).picture.tool_shown[place] - view(channel).nose[place];   // BlockPicture::tool_shown, kPictureNoNose
     return true;
 }
 

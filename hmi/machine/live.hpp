@@ -37,6 +37,7 @@ public:
     // Everything has been replaced: another generation, or the controller has come or gone.
     std::uint64_t generation() const { return generation_; }
     bool connected() const { return connected_; }
+    std::uint64_t machineRun() const { return connected_ ? kernel_->header.generation : 0; }   // of the controller: another number at each of its starts
     std::string whyNot() const;            // there is no controller, in the language of the screens; empty: there is one
     const std::string& instance() const { return instance_; }
     std::string machineFolder() const;     // where its tables and its room lie, without the ending; empty: there are none
@@ -85,6 +86,7 @@ public:
     bool fromZero(unsigned channel, unsigned place, double machine, double& out) const;
 
 private:
+    double zeroAtRest(unsigned channel, unsigned place) const;
     void attach();
     void detach(Diagnosis why);
     Diagnosis named(Diagnosis why) const;

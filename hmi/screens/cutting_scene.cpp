@@ -33,6 +33,11 @@ void TurnedStock::cut(double z0, double x0, double z1, double x1) {
         for (long i = std::max(0L, from); i < static_cast<long>(radius_.size()); ++i) radius_[static_cast<std::size_t>(i)] = bore_;
 }
 
+void TurnedStock::cutTo(const std::vector<double>& radii) {
+    if (radii.size() != radius_.size()) return;
+    for (std::size_t i = 0; i < radii.size(); ++i) radius_[i] = std::min(radius_[i], std::max(radii[i], bore_));
+}
+
 double TurnedStock::radiusAt(double z) const {
     const double at = (z - left_) / kStep;
     return at < 0 || at >= static_cast<double>(radius_.size()) ? 0.0 : radius_[static_cast<std::size_t>(at)];
@@ -47,6 +52,14 @@ void CuttingScene::clear() {
 void CuttingScene::begin(const text::JobStock& blank, const Zero& zero) {
     stock.begin(blank.diameter, blank.bore, blank.length, blank.face);
     zero_ = zero;
+    changed = true;
+}
+
+void CuttingScene::addBefore(unsigned channel, std::deque<TrailPoint> points) {
+    Trail& trail = trails[channel];
+    points.insert(points.end(), trail.points.begin(), trail.points.end());
+    while (points.size() > kMostPoints) points.pop_front();
+    trail.points = std::move(points), trail.drawn = 0;
     changed = true;
 }
 

@@ -16,6 +16,8 @@ class TurnedStock {
 public:
     void begin(double diameter, double bore, double length, double face);
     bool any() const { return !radius_.empty(); }
+    const std::vector<double>& radii() const { return radius_; }
+    void cutTo(const std::vector<double>& radii);   // what another one of the same blank had lost as well
     // The tip has cut from one point to the other; Z from the workpiece zero, X as a radius.
     void cut(double z0, double x0, double z1, double x1);
     double radiusAt(double z) const;
@@ -51,6 +53,8 @@ public:
     void place(const Zero& zero) { zero_ = zero, changed = true; }
     const Zero& zero() const { return zero_; }
     void add(unsigned channel, double z, double x, bool rapid);
+    // What a channel has driven before all that is known of it.
+    void addBefore(unsigned channel, std::deque<TrailPoint> points);
     void lift(unsigned channel) { trails[channel].open = false; }   // the next point is not joined with the last
 
     std::map<unsigned, Trail> trails;

@@ -5,6 +5,7 @@
 #include <QMouseEvent>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "hmi/machine/channel_words.hpp"
 #include "hmi/screens/graphics_look.hpp"
@@ -15,6 +16,7 @@ namespace {
 constexpr qint64 kStockEveryMs = 250;   // the part as it is cut; paths and tips move with each frame
 constexpr double kFurthest = 400;       // mm from the workpiece zero: beyond it no path is of interest
 constexpr int kArcParts = 24;
+constexpr qint64 kKeepEveryMs = 2'000;
 constexpr double kSlowest = 1, kFastest = 64;
 
 }  // namespace
@@ -172,13 +174,15 @@ void Graphics::follow() {
     }
     findJob();
     now_ = room_.now(desk_.live);
+    bringBack();
     followLive();
     if (dry_) followDry();
+    if (const qint64 time = QDateTime::currentMSecsSinceEpoch(); time >= keepAt_) keepAt_ = time + kKeepEveryMs, keepPaths();
 }
 
 // The job of the running program, else that program alone; on a copy of this machine's offsets and zeros.
 void Graphics::startDry() {
-    wanted_ = false;
+    wanted_ = false, runBack_.reset();
     const QString file = QString::fromStdString(job_.file.empty() ? job_.program : job_.file);
     if (file.isEmpty()) return desk_.tell(word("No program is selected."), Told::Refused);
     dryRun_.start(DryRun::How::Drive, file, QString::fromStdString(desk_.live.instance()));
@@ -192,6 +196,7 @@ void Graphics::startDry() {
 void Graphics::followDry() {
     const double passed = static_cast<double>(clock_.restart()) / 1000;
     if (dryRun_.running()) return;
+    if (runBack_) return playTo(*std::exchange(runBack_, std::nullopt));
     if (!dryRun_.failure().isEmpty() && playing_) playing_ = false, desk_.tell(dryRun_.failure(), Told::Refused);
     playTo(playing_ ? std::min(dryTime_ + passed * drySpeed_, dryRun_.end()) : dryTime_);
     if (playing_ && dryTime_ >= dryRun_.end()) {
@@ -321,7 +326,7 @@ std::vector<SoftKey> Graphics::keys() {
     std::vector<SoftKey> keys{{word("Larger"), [zoom] { zoom(1.25); }}, {word("Smaller"), [zoom] { zoom(0.8); }}};
     keys.push_back({word("Whole machine"), [this] { look(!machine_), desk_.keysChanged ? desk_.keysChanged() : void(); }, Sign::None, true, machine_});
     keys.push_back({word("Simulation"), [this] {
-        if (dry_) dry_ = playing_ = false, dryRun_.stop(), redraw_ = true;
+        if (dry_) dry_ = playing_ = false, runBack_.reset(), dryRun_.stop(), redraw_ = true;
         else if (job_.program.empty()) desk_.tell(word("No program is selected."), Told::Refused);
         else startDry();
         if (desk_.keysChanged) desk_.keysChanged();

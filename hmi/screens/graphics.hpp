@@ -27,8 +27,9 @@ public:
     void refresh() override;
     void rebuilt() override;
     bool key(QKeyEvent* event) override;
-    QString state() const override { return machine_ ? "machine" : "part"; }
-    void restore(const QString& state) override { look(state == "machine"); }
+    QString state() const override;
+    void restore(const QString& state) override;
+    void leave() override { keepPaths(); }
     HelpTopic help() const override { return {"operator.md", "Graphics:", {}}; }
     int pages() const override { return 3; }   // the part, the whole machine, a dry run
     void turnTo(int page) override;
@@ -61,6 +62,10 @@ private:
     CuttingScene::Zero zeroOf(unsigned channel, bool dryRun = false) const;
     void followZero(unsigned channel, double tipZ);
     void followLive();
+    // graphics_kept.cpp
+    void keepPaths();                      // those of the running part, and a run that is over
+    void bringBack();                      // what was there before a restart, as soon as it is known
+    void bringBackPaths();
     void startDry();
     void followDry();
     void playTo(double seconds);
@@ -102,6 +107,7 @@ private:
     TipLook lookOf(unsigned channel, const Trail& trail) const;
     QRegion takeLooks();                   // as everything stands now; what must be painted again
     void drawBody(QPainter& p, const BodyLook& body);
+    void drawNotes(QPainter& p, const QRegion& region);
     void drawStrokes(QPainter& p, const QRectF& area);
     QRectF drawTrail(QPainter& p, unsigned channel, Trail& trail);   // what is new in it; its place
     double aside(unsigned channel) const;  // to which side of the spindle axis its tip is drawn: 1 up, -1 down
@@ -135,6 +141,10 @@ private:
     QPointF moved_, drag_, centre_, origin_;   // moved_: parts of the picture
     double scale_ = 1;
     qint64 painted_ = 0;                   // the picture as a whole
+    qint64 keepAt_ = 0;
+    std::uint64_t keptVersion_ = 0;        // of the run that is kept
+    bool pathsBack_ = true;                // those of before a restart have not been looked for
+    std::optional<double> runBack_;        // the run of before a restart is to be shown, at this time
 };
 
 }  // namespace polyturn::hmi

@@ -251,6 +251,7 @@ void Graphics::paintEvent(QPaintEvent* event) {
         p.setPen(t.text), p.setFont(lettering(15, true));
         paintWords(p, tip.label, Qt::AlignCenter, tip.text);
     }
+    drawNotes(p, region);
 }
 
 // The blank as it was, the part as it is.
@@ -337,21 +338,31 @@ void Graphics::drawRoom() {
     p.drawLine(QPointF(area.left(), axis), QPointF(area.right(), axis));
     drawStrokes(p, area);
     for (auto& [channel, trail] : scene.trails) drawTrail(p, channel, trail);
-    p.setPen(t.dim);
-    p.setFont(lettering(13.5));
-    const QRectF foot = area.adjusted(px(16), 0, -px(16), -px(10));
-    QString left = word("Whole outline: guarded; broken outline: only drawn");
-    if (desk_.live.channels().size() > kFewChannels && !dry_) left = word("Since the start of these screens; tips as points, without width and radius");   // no room for it on top
+}
+
+// What the lines mean, at the foot, over everything: bodies may reach down there.
+void Graphics::drawNotes(QPainter& p, const QRegion& region) {
+    const Theme& t = theme();
+    const QRectF area(px(8), head_->height(), width() - px(16), height() - head_->height() - px(8)), foot = area.adjusted(px(16), 0, -px(16), -px(10));
+    const QFont font = lettering(13.5);
+    const double high = QFontMetricsF(font).height();
+    if (!region.intersects(QRectF(area.left(), foot.bottom() - 2 * high - px(8), area.width(), 2 * high + px(12)).toAlignedRect())) return;
     QColor paper = t.card;
     paper.setAlpha(225);
-    const QRectF written = p.boundingRect(foot, Qt::AlignLeft | Qt::AlignBottom, left);
-    p.fillRect(written.adjusted(-px(4), 0, px(4), 0), paper);   // frames may end there
-    paintWords(p, foot, Qt::AlignLeft | Qt::AlignBottom, left);
-    if (scene.stock.any()) return;
+    const auto note = [&](const QString& text, const QRectF& box) {
+        p.fillRect(box.adjusted(-px(4), 0, px(4), 0), paper);
+        p.setPen(t.dim), p.setFont(font);
+        paintWords(p, box, Qt::AlignLeft | Qt::AlignBottom, text);
+    };
+    QString left = word("Whole outline: guarded; broken outline: only drawn");
+    if (desk_.live.channels().size() > kFewChannels && !dry_) left = word("Since the start of these screens; tips as points, without width and radius");   // no room for it on top
+    const QRectF written(foot.left(), foot.bottom() - high, wordsWidth(left, font), high);
+    note(left, written);
+    if (shown().stock.any()) return;
     const QString none = word("No job names the stock of the running program");
-    const QRectF right = p.boundingRect(foot, Qt::AlignRight | Qt::AlignBottom, none);
-    const bool above = right.left() < written.right() + px(16);   // no room beside it: a line higher
-    paintWords(p, above ? foot.adjusted(0, 0, 0, -right.height() - px(2)) : foot, Qt::AlignRight | Qt::AlignBottom, none);
+    const double wide = wordsWidth(none, font);
+    const bool above = foot.right() - wide < written.right() + px(16);   // no room beside it: a line higher
+    note(none, QRectF(foot.right() - wide, foot.bottom() - high - (above ? high + px(2) : 0), wide, high));
 }
 
 }  // namespace polyturn::hmi

@@ -55,7 +55,22 @@ void Programs::restore(const QString& state) {
     } else if (page == Page::Edit && parts.size() == 6 && editor_->open(parts[2], parts[3], parts[4].toLongLong(), parts[5].toInt())) {
         show(Page::Edit);
     }
-    if (page == Page::Restart) show(Page::Restart);   // the others would begin a dry run
+    if (page == Page::Restart) show(Page::Restart);
+    if (page == Page::Together || page == Page::Time) back_ = true, keepRun();
+}
+
+void Programs::keepRun() {
+    constexpr auto kLasting = KeptPieces::Span::Lasting;
+    if (back_) {
+        const auto piece = desk_.kept.get("run", kLasting);
+        if (!piece) return;                  // it is still being read
+        back_ = false;
+        if (!piece->isEmpty()) dry_.replay(*piece), wanted_ = dry_.job(), show(dry_.how() == DryRun::How::Check ? Page::Together : Page::Time);
+        keptVersion_ = dry_.running() ? 0 : dry_.version();
+    }
+    if (dry_.running() || keptVersion_ == dry_.version() || !dry_.any()) return;
+    keptVersion_ = dry_.version();
+    desk_.kept.put("run", dry_.record(), kLasting);
 }
 
 void Programs::select() {
@@ -103,6 +118,8 @@ void Programs::edit() {
 void Programs::look(DryRun::How how) {
     if (files_->isFile()) wanted_ = files_->chosenPath();
     if (wanted_.isEmpty()) return;
+    back_ = false;
+    desk_.kept.put("run", {}, KeptPieces::Span::Lasting);   // not shown any more
     dry_.start(how, wanted_, desk_.live.connected() ? QString::fromStdString(desk_.live.instance()) : QString());
     show(how == DryRun::How::Check ? Page::Together : Page::Time);
 }
@@ -122,7 +139,7 @@ HelpTopic Programs::help() const {
 }
 
 void Programs::show(Page page) {
-    page_ = page;
+    page_ = page, back_ = false;
     scroll_ = 0;
     timeVersion_ = ~0ull;
     layOut();

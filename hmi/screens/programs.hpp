@@ -24,7 +24,7 @@ public:
     const char* name() const override { return "programs"; }
     std::vector<SoftKey> keys() override;
     void refresh() override;
-    void follow() override { restart_->follow(), editor_->follow(), takePrint(); }
+    void follow() override { restart_->follow(), editor_->follow(), takePrint(), keepRun(); }
     bool key(QKeyEvent* event) override;
     QString state() const override;
     void restore(const QString& state) override;
@@ -55,6 +55,7 @@ private:
     void composeTime(Writer& w);
     void composeFaults(Writer& w, const QRectF& box);
     void alignJob();
+    void keepRun();                          // a run that is over; and brings back that of before a restart
     void show(Page page);
     void look(DryRun::How how);
 
@@ -72,6 +73,8 @@ private:
     AlignedJob aligned_;
     std::uint64_t alignedVersion_ = ~0ull, timeVersion_ = ~0ull;   // of the run: that they show
     qint64 alignAt_ = 0;
+    std::uint64_t keptVersion_ = 0;          // of the run that is kept
+    bool back_ = false;                      // the run of before a restart is to be shown
     int scroll_ = 0;
 };
 

@@ -4,10 +4,23 @@
 
 namespace polyturn::hmi {
 
+namespace {
+
+text::BuilderMessages& builderMessages() {
+    static text::BuilderMessages known;
+    return known;
+}
+
+}  // namespace
+
+void knowBuilderMessages(text::BuilderMessages messages) { builderMessages() = std::move(messages); }
+
 RetoldWords retold(const QString& number, const QString& text) {
     if (number.isEmpty()) return {text, {}, false};
-    const std::string told = text.toStdString(), plain = number.toStdString();
+    std::string told = text.toStdString();
+    const std::string plain = number.toStdString();
     const std::string padded = plain.size() < 3 ? std::string(3 - plain.size(), '0') + plain : plain;   // logs have numbers, tables have texts: 020
+    if (plain == alarm_number(Alarm::BuilderMessage, Dialect::Polyturn) || plain == alarm_number(Alarm::BuilderNote, Dialect::Polyturn)) told = builderMessages().told_in(std::move(told), static_cast<text::MessageLanguage>(spoken()));
     for (const Dialect dialect : {Dialect::Polyturn, Dialect::Fanuc, Dialect::Nct, Dialect::Fagor, Dialect::Sinumerik, Dialect::Mefi})
         for (const std::string& written : {plain, padded})
             if (const auto found = retell(written, dialect, told, spoken())) return {QString::fromStdString(found->text), fromView(found->remedy), true};

@@ -3,6 +3,8 @@
 #pragma once
 #include <QString>
 
+#include "ipc/text/builder_messages.hpp"
+
 namespace polyturn::hmi {
 
 struct RetoldWords {
@@ -10,5 +12,7 @@ struct RetoldWords {
     bool found = false;      // no row of that number reads so: the text is as it was
 };
 RetoldWords retold(const QString& number, const QString& text);
+// Those of the machine; without them those of the built-in PLC are known.
+void knowBuilderMessages(text::BuilderMessages messages);
 
 }  // namespace polyturn::hmi

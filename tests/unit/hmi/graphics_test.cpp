@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "hmi/screens/graphics.hpp"
+#include "hmi/screens/kept_paths.hpp"
+#include "hmi/screens/programs.hpp"
 #include "tests/unit/hmi/tasks.hpp"
 
 namespace polyturn::hmi {
@@ -206,6 +208,120 @@ TEST_F(GraphicsTasks, NoStalePixelIsLeftBehindWhatMoves) {
         EXPECT_GT(few, 20) << view << ": and only that is painted";
     }
     g_controller->press("reset");
+}
+
+// Killed in the middle: nobody says goodbye. Another process shows the paths and the part as they were, and they go on.
+TEST_F(GraphicsTasks, PathsAndPartAreThereAgainAfterACrash) {
+    QTemporaryDir folder;
+    Choices choices;
+    choices.instance = g_controller->name.toStdString(), choices.language = "en", choices.theme = "dark";
+    choices.keptIn = folder.filePath("hmi.ini");
+    const auto graphicsOf = [](MainWindow& of) {
+        for (Screen* one : of.screens())
+            if (auto* found = dynamic_cast<Graphics*>(one)) return found;
+        return static_cast<Graphics*>(nullptr);
+    };
+    ASSERT_TRUE(g_controller->press("reference all"));
+    window.reset();
+    MainWindow killed(choices);
+    killed.show();
+    window = std::make_unique<MainWindow>(choices);    // only to be asked for the machine's state
+    ASSERT_TRUE(waitFor([&] { return live().connected(); }));
+    startJob();
+    window.reset();
+    const CuttingScene& drawn = graphicsOf(killed)->scene();
+    ASSERT_TRUE(waitFor([&] { return drawn.trails.count(1) && drawn.trails.at(1).points.size() > 60 && QFile::exists(choices.keptIn + ".paths"); }, 60));
+    QTest::qWait(2'500);                               // what is kept is not older than that
+    const std::deque<TrailPoint> was = drawn.trails.at(1).points;
+    double least = drawn.stock.outer();
+    for (const double radius : drawn.stock.radii()) least = std::min(least, radius);
+    QFile::copy(choices.keptIn + ".paths", folder.filePath("again.ini.paths"));
+    QFile::copy(choices.keptIn, folder.filePath("again.ini"));
+    choices.keptIn = folder.filePath("again.ini");
+    MainWindow again(choices);
+    again.show();
+    const CuttingScene& restored = graphicsOf(again)->scene();
+    ASSERT_TRUE(waitFor([&] { return restored.trails.count(1) && restored.trails.at(1).points.size() > was.size() / 2; }, 10));
+    for (std::size_t i = 0; i < was.size() / 2; ++i) {
+        EXPECT_NEAR(restored.trails.at(1).points[i].z, was[i].z, 1e-3);
+        EXPECT_NEAR(restored.trails.at(1).points[i].x, was[i].x, 1e-3);
+    }
+    ASSERT_TRUE(waitFor([&] { return restored.trails.at(1).points.size() > was.size(); }, 30)) << "it goes on";
+    double now = restored.stock.outer();
+    for (const double radius : restored.stock.radii()) now = std::min(now, radius);
+    EXPECT_LE(now, least + 0.05) << "what was cut is cut";
+    g_controller->press("reset");
+}
+
+TEST(KeptPaths, AreReadAsTheyWereWrittenOrNotAtAll) {
+    KeptPaths kept;
+    kept.machineRun = 0x123456789ABCDEFull, kept.program = "/jobs/Вал.nc", kept.radii = {30, 29.5, 0};
+    kept.channels[2] = {7, 12.5, -150, true, {{-1.25, 20, true, true}, {-3, 18.5, false, false}}};
+    const QByteArray bytes = kept.written();
+    const KeptPaths read = KeptPaths::read(bytes);
+    EXPECT_EQ(read.machineRun, kept.machineRun);
+    EXPECT_EQ(read.program, kept.program);
+    EXPECT_EQ(read.radii, kept.radii);
+    ASSERT_EQ(read.channels.size(), 1u);
+    const KeptPaths::Channel& one = read.channels.at(2);
+    EXPECT_EQ(one.cycles, 7u);
+    EXPECT_DOUBLE_EQ(one.cycle_s, 12.5);
+    EXPECT_TRUE(one.zeroKnown);
+    ASSERT_EQ(one.points.size(), 2u);
+    EXPECT_TRUE(one.points[0].rapid && one.points[0].begins && !one.points[1].rapid && !one.points[1].begins);
+    EXPECT_DOUBLE_EQ(one.points[1].x, 18.5);
+    for (qsizetype size = 0; size < bytes.size(); ++size) EXPECT_EQ(KeptPaths::read(bytes.left(size)).machineRun, 0u) << size;
+    EXPECT_EQ(KeptPaths::read("something else that is long enough to be read as numbers").machineRun, 0u);
+}
+
+// The same screens again, from what the process had told: no second run.
+TEST(DryRuns, AreShownAgainAfterARestart) {
+    QTemporaryDir folder;
+    Choices choices;
+    choices.instance = "nobody-runs-this", choices.language = "en", choices.theme = "dark";
+    choices.keptIn = folder.filePath("hmi.ini");
+    const auto programsOf = [](MainWindow& of) {
+        for (Screen* one : of.screens())
+            if (auto* found = dynamic_cast<Programs*>(one)) return found;
+        return static_cast<Programs*>(nullptr);
+    };
+    const auto written = [](Programs& screen) {
+        QStringList out;
+        for (Sheet* sheet : screen.sheets())
+            for (const Item& item : sheet->items()) out << QString("%1 %2 %3 %4 %5").arg(item.text).arg(item.box.x()).arg(item.box.y()).arg(item.box.width()).arg(item.colour.name());
+        return out;
+    };
+    for (const char* page : {"Dry run, timeline", "Check, waits"}) {
+        QStringList was;
+        {
+            MainWindow window(choices);
+            window.resize(1280, 800);
+            window.show();
+            window.showScreen(2);
+            Operator hand(window);
+            programsOf(window)->turnTo(0);
+            programsOf(window)->filesPage().readFolder(QString(POLYTURN_SOURCE_DIR) + "/examples/jobs/shaft", "shaft.job.toml");
+            ASSERT_TRUE(waitFor([&] { return programsOf(window)->filesPage().isJob(); }, 10));
+            hand.soft(page);
+            ASSERT_TRUE(waitFor([&] { return !programsOf(window)->busy() && programsOf(window)->dryRun().channels().size() == 2; }, 120)) << page;
+            QTest::qWait(600);
+            window.frame();
+            was = written(*programsOf(window));
+            ASSERT_GT(was.size(), 30);
+            ASSERT_TRUE(waitFor([&] { return QFile::exists(choices.keptIn + ".run"); }, 10)) << "while it runs: a crash says nothing before it";
+        }
+        MainWindow again(choices);
+        again.resize(1280, 800);
+        again.show();
+        EXPECT_EQ(again.screen(), programsOf(again)) << page;
+        ASSERT_TRUE(waitFor([&] { return !programsOf(again)->busy() && programsOf(again)->dryRun().channels().size() == 2; }, 10)) << page;
+        QTest::qWait(600);
+        again.frame();
+        EXPECT_EQ(written(*programsOf(again)), was) << page;
+        again.setTongue(Tongue::Czech);                // the screens are made anew
+        EXPECT_TRUE(waitFor([&] { return programsOf(again)->dryRun().channels().size() == 2; }, 10)) << page;
+        again.setTongue(Tongue::English);
+    }
 }
 
 }  // namespace

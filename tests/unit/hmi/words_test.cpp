@@ -8,6 +8,7 @@
 #include <set>
 
 #include "hmi/app/help_view.hpp"
+#include "hmi/text/retold.hpp"
 #include "hmi/widgets/painted.hpp"
 #include "tests/unit/hmi/tasks.hpp"
 
@@ -241,6 +242,24 @@ TEST(WordSources, NoWordIsPaintedByHand) {
         const bool widget = file.fileName().endsWith("/set_words.cpp") || file.fileName().endsWith("/painted.cpp");
         EXPECT_EQ(file.readAll().contains("drawText("), widget) << file.fileName().toStdString() << ": use paintWords()";
     }
+}
+
+// Logs of stops and dry runs tell the machine builder's words in English; the screens have them in every language.
+TEST(Retold, TheBuildersMessageIsReadInTheLanguageOfTheScreens) {
+    text::BuilderMessages messages;
+    ASSERT_TRUE(messages.add("101,oil is hot,масло горячее,olej je horký,az olaj forró,the cooler,Clean it.,холодильник,chladič,hűtő,Очистите.,Vyčistěte.,Tisztítsa.\n", "messages.csv").empty());
+    const QString logged = "message 101 of the machine builder: oil is hot; cause: the cooler. Clean it.";
+    knowBuilderMessages(messages);
+    speak(Tongue::Russian);
+    EXPECT_EQ(retold("PT0539", logged).text, "сообщение 101 изготовителя станка: масло горячее; причина: холодильник. Очистите.");
+    EXPECT_EQ(retold("PT0811", "note 7 of the machine builder: the door is open; cause: the input PT_IN_DOOR is off. Close the door.").text,
+              "указание 7 изготовителя станка: дверь открыта; причина: вход PT_IN_DOOR выключен. Закройте дверь.");
+    speak(Tongue::Hungarian);
+    EXPECT_EQ(retold("PT0539", logged).text, "a gépgyártó 101 üzenete: az olaj forró; ok: hűtő. Tisztítsa.");
+    speak(Tongue::English);
+    EXPECT_EQ(retold("PT0539", "сообщение 101 изготовителя станка: масло горячее; причина: холодильник. Очистите.").text, logged);
+    knowBuilderMessages({});
+    EXPECT_EQ(retold("PT0539", logged).text, logged);
 }
 
 }  // namespace
