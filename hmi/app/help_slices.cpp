@@ -106,4 +106,17 @@ int sliceWith(const std::vector<HelpSlice>& slices, const QString& find, bool co
     return -1;
 }
 
+int splitAt(std::vector<HelpSlice>& slices, int slice, const QString& find) {
+    if (slice < 0 || !slices[static_cast<std::size_t>(slice)].shares.empty()) return slice;
+    const QStringList lines = slices[static_cast<std::size_t>(slice)].markdown.split('\n');
+    qsizetype at = 0;
+    while (at < lines.size() && !shownText(lines[at]).contains(find, Qt::CaseInsensitive)) ++at;
+    if (at == lines.size()) return slice;      // over the end of a line
+    while (at > 0 && !lines[at].startsWith('#') && !lines[at].startsWith("- ") && !lines[at - 1].trimmed().isEmpty()) --at;
+    if (lines.mid(0, at).join("").trimmed().isEmpty()) return slice;
+    slices[static_cast<std::size_t>(slice)].markdown = lines.mid(at).join('\n');
+    slices.insert(slices.begin() + slice, {lines.mid(0, at).join('\n') + '\n', {}, false, {}});
+    return slice + 1;
+}
+
 }  // namespace polyturn::hmi

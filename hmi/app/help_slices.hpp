@@ -19,5 +19,7 @@ inline constexpr int kMostSliceLines = 24, kMostSliceRows = 6;
 std::vector<HelpSlice> sliceHelp(const QString& markdown);
 // The first slice where the words stand as they are shown; as a code: whole, and in these letters. -1: nowhere.
 int sliceWith(const std::vector<HelpSlice>& slices, const QString& find, bool code);
+// Cuts that slice in two where the paragraph with the words begins; the number of the one that begins with it.
+int splitAt(std::vector<HelpSlice>& slices, int slice, const QString& find);
 
 }  // namespace polyturn::hmi

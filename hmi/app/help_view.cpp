@@ -55,9 +55,7 @@ void HelpView::load(const QString& file, const QString& find, bool code) {
     page_ = file;
     const QString where = folder();
     QFile source(where + "/" + file);
-    QString markdown = intro_;
-    if (!intro_.isEmpty()) markdown += "\n\n---\n\n";
-    const auto lead = static_cast<int>(markdown.size());
+    QString markdown;
     if (!where.isEmpty() && source.open(QIODevice::ReadOnly)) markdown += QString::fromUtf8(source.readAll());
     else markdown += word("The manual is not installed here.");
     const Theme& t = theme();
@@ -67,9 +65,14 @@ void HelpView::load(const QString& file, const QString& find, bool code) {
     text_->setFont(lettering(16));
     text_->setSearchPaths({where});
     slices_ = sliceHelp(markdown);
-    const int found = lead == 0 ? sliceWith(slices_, find, code) : -1;
+    int found = sliceWith(slices_, find, code);
+    if (!intro_.isEmpty()) {                       // what it is about, then the place in the manual
+        found = splitAt(slices_, found, find);
+        const auto lead = sliceHelp(intro_ + "\n\n---\n");
+        slices_.insert(slices_.begin() + std::max(0, found), lead.begin(), lead.end());
+    }
     begin(static_cast<std::size_t>(std::max(0, found)));
-    if (found >= 0 && text_->find(find, code ? QTextDocument::FindWholeWords | QTextDocument::FindCaseSensitively : QTextDocument::FindFlags())) {
+    if (found >= 0 && intro_.isEmpty() && text_->find(find, code ? QTextDocument::FindWholeWords | QTextDocument::FindCaseSensitively : QTextDocument::FindFlags())) {
         const QRect at = text_->cursorRect();      // the place on top
         text_->verticalScrollBar()->setValue(text_->verticalScrollBar()->value() + at.top() - px(12));
     }
@@ -115,7 +118,11 @@ bool HelpView::pictureReady(std::size_t slice) {
         document_->addResource(QTextDocument::ImageResource, url, image->isNull() ? QImage(1, 1, QImage::Format_RGB32) : *image);
         return true;
     }
-    if (!painting_.busy()) painting_.start([path = folder() + "/" + file](const std::atomic<bool>&) { return QImage(path); }, 0);
+    if (!painting_.busy())
+        painting_.start([path = folder() + "/" + file, room = std::max(px(200), text_->viewport()->width() - 2 * px(18) - px(8))](const std::atomic<bool>&) {
+            const QImage image(path);
+            return image.width() > room ? image.scaledToWidth(room, Qt::SmoothTransformation) : image;
+        }, 0);
     return false;
 }
 

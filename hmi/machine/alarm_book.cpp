@@ -2,6 +2,11 @@
 
 #include <QFileInfo>
 #include <QJsonArray>
+#include <algorithm>
+#include <array>
+#include <set>
+#include <tuple>
+#include <utility>
 
 #include "hmi/text/retold.hpp"
 #include "hmi/text/tongues.hpp"
@@ -11,6 +16,7 @@ namespace {
 
 constexpr qint64 kAskEveryMs = 250;
 constexpr std::size_t kKept = 1000;
+constexpr qint64 kSettle_s = 2;           // an alarm may be heard of before the image says that the machine stands
 constexpr int kToldAFrame = 40, kEarlierAtOnce = 200;
 
 }  // namespace
@@ -36,7 +42,7 @@ void AlarmBook::poll() {
 }
 
 void AlarmBook::take(const QJsonObject& answer) {
-    heard_ = true;
+    const bool first = !std::exchange(heard_, true);
     const qint64 next = static_cast<qint64>(answer.value("next").toDouble());
     if (next < next_) forget();   // another supervisor
     else next_ = next;
@@ -51,6 +57,11 @@ void AlarmBook::take(const QJsonObject& answer) {
     }
     untold_ = entries_.size();
     tellSome();
+    if (first) {   // what the machine had told before these screens: the newest of it may still hold
+        bool newest = true;
+        for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry)
+            if (entry->channel == 0 && entry->severity == Severity::Error) entry->over |= !std::exchange(newest, false);
+    }
     look();
 }
 
@@ -121,24 +132,41 @@ AlarmEntry AlarmBook::read(const QJsonObject& event) const {
     out.when = QDateTime::fromString(event.value("utc").toString(), Qt::ISODate);
     out.resets = event.value("resets").toInt(-1);
     if (event.contains("file")) out.place = QFileInfo(event.value("file").toString()).fileName();
-    if (event.contains("line")) out.place += QString(":%1").arg(event.value("line").toInt());
+    out.line = static_cast<std::uint32_t>(event.value("line").toInt());
+    if (out.line) out.place += QString(":%1").arg(event.value("line").toInt());
     return out;   // it speaks English, the numbers of its control: tellSome() finds the row that reads so
 }
 
 void AlarmBook::look() {
     const auto step = static_cast<MachineStep>(live_.status().step);
+    const bool stopped = step == MachineStep::EmergencyStop || step == MachineStep::Stopped;
+    const QDateTime now = QDateTime::currentDateTimeUtc();
     bool changed = false;
-    std::array<const AlarmEntry*, kMaxChannels + 1> newest{};
+    std::array<const AlarmEntry*, kMaxChannels + 1> error{}, warning{}, message{};   // the newest of each
     for (const AlarmEntry& entry : entries_)
-        if (entry.channel <= kMaxChannels) newest[entry.channel] = &entry;
-    for (AlarmEntry& entry : entries_) {
+        if (entry.channel <= kMaxChannels) (entry.severity == Severity::Error ? error : entry.severity == Severity::Warning ? warning : message)[entry.channel] = &entry;
+    std::set<std::tuple<unsigned, QString, QString>> named;   // the same again says no more than its newest
+    for (auto at = entries_.rbegin(); at != entries_.rend(); ++at) {
+        AlarmEntry& entry = *at;
         bool standing = false;
         if (entry.channel == 0) {
-            standing = entry.severity == Severity::Error && (step == MachineStep::EmergencyStop || step == MachineStep::Stopped) && newest[0] == &entry;
+            entry.over |= !stopped && entry.when.secsTo(now) > kSettle_s;
+            standing = entry.severity == Severity::Error && stopped && !entry.over;
         } else if (entry.channel <= kMaxChannels && entry.resets == live_.nc(signals::cn_reset(entry.channel))) {
-            // What was only refused or told does not stop anything: the newest one is shown until the next reset.
-            standing = entry.severity == Severity::Error && (live_.nc(signals::cn_alarm(entry.channel)) != 0 || newest[entry.channel] == &entry);
+            const ChannelStatus& status = live_.channel(entry.channel);
+            const auto state = static_cast<ChannelState>(status.state);
+            const bool works = state == ChannelState::Running || state == ChannelState::Held || state == ChannelState::Waiting || state == ChannelState::ProgramStop;
+            switch (entry.severity) {
+                // What was only refused stops nothing: the newest one is shown until the next reset.
+                case Severity::Error: standing = stopped || live_.nc(signals::cn_alarm(entry.channel)) != 0 || error[entry.channel] == &entry; break;
+                case Severity::Warning: standing = warning[entry.channel] == &entry; break;
+                case Severity::Message:   // #3006 until the start that goes on; an MSG until the next one
+                    if (state == ChannelState::ProgramStop && status.line == entry.line) entry.held = true;
+                    else if (entry.held && state == ChannelState::Running) entry.over = true;
+                    standing = message[entry.channel] == &entry && works && !entry.over && !entry.text.isEmpty();
+            }
         }
+        standing = standing && named.insert({entry.channel, entry.number, entry.text}).second;
         if (standing != entry.standing) entry.standing = standing, changed = true;
     }
     if (changed) ++version_;
@@ -146,14 +174,18 @@ void AlarmBook::look() {
 
 const AlarmEntry* AlarmBook::standing(unsigned channel) const {
     for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry)
-        if (entry->standing && (channel == 0 || entry->channel == channel)) return &*entry;
+        if (entry->standing && entry->severity == Severity::Error && (channel == 0 || entry->channel == channel)) return &*entry;
+    return nullptr;
+}
+
+const AlarmEntry* AlarmBook::told(unsigned channel) const {
+    for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry)
+        if (entry->standing && entry->severity != Severity::Error && entry->channel == channel) return &*entry;
     return nullptr;
 }
 
 std::size_t AlarmBook::standingCount() const {
-    std::size_t count = 0;
-    for (const AlarmEntry& entry : entries_) count += entry.standing;
-    return count;
+    return static_cast<std::size_t>(std::count_if(entries_.begin(), entries_.end(), [](const AlarmEntry& entry) { return entry.standing && entry.severity == Severity::Error; }));
 }
 
 }  // namespace polyturn::hmi

@@ -1,5 +1,6 @@
 // Alarms, warnings and messages since the controller started: read from the supervisor, told in the chosen language. Which of them
-// stand is seen from the image: an alarm of a channel until that channel's next reset, one of the machine until it is ready again.
+// stand is seen from the image: an alarm of a channel until that channel's next reset, one of the machine until it is ready again, a message
+// until the program goes on, ends or tells another one, a warning until the next reset.
 #pragma once
 #include <QDateTime>
 #include <QJsonObject>
@@ -19,6 +20,8 @@ struct AlarmEntry {
     QDateTime when;
     std::int32_t resets = -1;
     bool standing = false;
+    std::uint32_t line = 0;      // of the program
+    bool held = false, over = false;   // the program has stood at it; it stands no more, whatever the image says
     bool told = false;           // text and remedy are in the language of the screens
 };
 
@@ -30,8 +33,9 @@ public:
     // Of the days before, from the store: the newest first, more of them each time.
     void askEarlier();
     const std::vector<AlarmEntry>& earlier() const { return earlier_; }
-    // The newest that stands: of a channel (0: of all); nullptr when there is none.
+    // The newest alarm that stands: of a channel (0: of all); nullptr when there is none.
     const AlarmEntry* standing(unsigned channel = 0) const;
+    const AlarmEntry* told(unsigned channel) const;   // what a program or the machine's builder wants to be read while the channel works
     std::size_t standingCount() const;
     std::uint64_t version() const { return version_; }
     void retold();                                     // the language has changed

@@ -71,8 +71,11 @@ Plight plight(const Live& live, const AlarmBook& alarms, unsigned channel) {
     if (const AlarmEntry* alarm = alarms.standing(channel)) return {Plight::Kind::Alarm, alarm->number + "  " + alarm->text};
     const ChannelStatus& status = live.channel(channel);
     const auto state = static_cast<ChannelState>(status.state);
-    if (state == ChannelState::Waiting || status.wait_missing) return {Plight::Kind::Waits, waitWords(live, channel)};
+    const bool goesOn = state == ChannelState::Running || state == ChannelState::Held || state == ChannelState::ProgramStop;   // what was broken off waits for nobody
+    if (state == ChannelState::Waiting || (status.wait_missing && goesOn)) return {Plight::Kind::Waits, waitWords(live, channel)};
     if (state != ChannelState::Running && status.start_missing) return {Plight::Kind::Needs, word("A start needs:") + " " + startNeeds(live, channel).join("; ")};
+    const AlarmEntry* told = alarms.told(channel);
+    if (state == ChannelState::ProgramStop && told && told->severity == Severity::Message && told->line == status.line) return {Plight::Kind::Stands, word("%1: start goes on").arg(told->text)};
     if (state == ChannelState::Held || state == ChannelState::ProgramStop) {
         switch (static_cast<StopReason>(status.stop_reason)) {
             case StopReason::M00: return {Plight::Kind::Stands, word("Programmed stop M0: start goes on")};
@@ -85,6 +88,7 @@ Plight plight(const Live& live, const AlarmBook& alarms, unsigned channel) {
             default: return {Plight::Kind::Stands, word("Feed hold: start goes on")};
         }
     }
+    if (told) return {Plight::Kind::Told, told->number.isEmpty() ? told->text : told->number + "  " + told->text};
     return {};
 }
 
@@ -105,6 +109,11 @@ QString lengthText(double value, unsigned decimals) {
 double inTable(const AxisConfig& axis, double trueValue) { return axis.offset_diameter && !axis.rotary ? 2 * trueValue : trueValue; }
 
 double shown(const AxisConfig& axis, double trueValue) { return axis.diameter && !axis.rotary ? 2 * trueValue : trueValue; }
+
+double shownPlace(const AxisConfig& axis, double trueValue) {
+    const double turn = axis.rollover_deg > 0 ? axis.rollover_deg : 360.0;
+    return axis.rotary && (axis.rollover || axis.on_spindle) ? trueValue - std::floor(trueValue / turn) * turn : shown(axis, trueValue);
+}
 
 unsigned decimalsOf(const MachineConfig& machine, const AxisConfig& axis) {
     return axis.channel >= 1 && axis.channel <= kMaxChannels ? std::clamp(machine.channel(axis.channel).decimals(), 1u, 6u) : 3u;

@@ -15,7 +15,7 @@ QString modeWord(std::uint32_t mode);
 
 // The one thing that matters most now: the alarm that stands, what it waits for, what a start still needs, why it stands.
 struct Plight {
-    enum class Kind : std::uint8_t { None, Alarm, Waits, Needs, Stands } kind = Kind::None;
+    enum class Kind : std::uint8_t { None, Alarm, Waits, Needs, Stands, Told } kind = Kind::None;
     QString text;
 };
 Plight plight(const Live& live, const AlarmBook& alarms, unsigned channel);
@@ -28,6 +28,8 @@ QString timeText(double seconds);                           // 1:02:03, 2:03
 QString lengthText(double value, unsigned decimals);
 // As displays show an axis: X as a diameter on a diameter axis.
 double shown(const AxisConfig& axis, double trueValue);
+// The same of a place, not of a way: a turning axis is somewhere within its turn, however often it has turned.
+double shownPlace(const AxisConfig& axis, double trueValue);
 // As the offset tables hold it: a diameter where offsets of the axis are diameters.
 double inTable(const AxisConfig& axis, double trueValue);
 unsigned decimalsOf(const MachineConfig& machine, const AxisConfig& axis);

@@ -6,13 +6,25 @@
 
 namespace polyturn::hmi {
 
+namespace {
+
+constexpr double kLittleLeft = 0.1;        // of a life, where nobody has said when to warn
+
+// The store warns while it counts; a life that is entered may be short from the beginning.
+bool nearlyOver(const ToolRow& tool) {
+    const double left = lifeLeft(tool);
+    return left >= 0 && (tool.warning > 0 ? tool.life - tool.counter <= tool.warning : left < kLittleLeft);
+}
+
+}  // namespace
+
 StateWords toolWords(const ToolRow& tool) {
     const Theme& t = theme();
     if (tool.state & kToolBroken) return {word("Broken"), Sign::Alarm, t.bad};
     if (tool.state & kToolLocked) return {word("Locked"), Sign::Lock, t.bad};
     if (tool.state & kToolWorn) return {word("Worn"), Sign::Stop, t.bad};
     if (!(tool.state & kToolEnabled)) return {word("Not enabled"), Sign::Off, t.dim};
-    if (tool.state & kToolWarned) return {word("Life nearly over"), Sign::Warning, t.warn};
+    if (tool.state & kToolWarned || nearlyOver(tool)) return {word("Life nearly over"), Sign::Warning, t.warn};
     if (tool.state & kToolActive) return {word("Works"), Sign::Run, t.good};
     return {word("Ready"), Sign::Good, t.good};
 }
@@ -59,7 +71,7 @@ QColor lifeColour(const ToolRow& tool) {
     const Theme& t = theme();
     const double left = lifeLeft(tool);
     if (left <= 0) return t.bad;
-    return tool.life - tool.counter <= tool.warning || left < 0.1 ? t.warn : t.good;
+    return tool.state & kToolWarned || nearlyOver(tool) ? t.warn : t.good;
 }
 
 QString placeText(const Live& live, std::int32_t magazine, std::int32_t pot) {

@@ -11,12 +11,6 @@ namespace {
 
 const QString kDash = QString::fromUtf8("–");
 
-// A turning axis is somewhere within its turn, however often it has turned.
-double machineShown(const AxisConfig& axis, double place) {
-    const double turn = axis.rollover_deg > 0 ? axis.rollover_deg : 360.0;
-    return axis.rotary && (axis.rollover || axis.on_spindle) ? place - std::floor(place / turn) * turn : shown(axis, place);
-}
-
 // Writes the parts of a card one below the other.
 class Card {
 public:
@@ -55,12 +49,13 @@ private:
         w_.data(QRectF(left_ + px(80), y_, wide_ - px(80), px(26)), state.text, lettering(15, true), state.colour, kRight);
         y_ += px(27);
         const bool trouble = now.kind != Plight::Kind::None;
-        const QColor colour = now.kind == Plight::Kind::Alarm ? t_.bad : now.kind == Plight::Kind::Waits ? t_.wait : t_.warn;
+        const QColor colour = now.kind == Plight::Kind::Alarm ? t_.bad : now.kind == Plight::Kind::Waits ? t_.wait : now.kind == Plight::Kind::Told ? t_.accent : t_.warn;
         const std::string path = view_.file < view_.programs.size() ? view_.programs[view_.file] : std::string();
         const QString block = status_.block >= 0 && status_.line ? QString("  N%1").arg(status_.block) : QString();
         w_.fill(QRectF(left_, y_, wide_, px(24)), t_.raised, px(5));
-        if (trouble) w_.sign(QRectF(left_ + px(5), y_ + px(4), px(16), px(16)), now.kind == Plight::Kind::Alarm ? Sign::Alarm : now.kind == Plight::Kind::Waits ? Sign::Wait : Sign::Warning, colour);
-        w_.data(QRectF(left_ + px(trouble ? 27 : 8), y_, wide_ - px(trouble ? 32 : 12), px(24)), trouble ? now.text : path.empty() ? word("no program") : QFileInfo(QString::fromStdString(path)).fileName() + block, lettering(13.5, false, Face::Condensed), path.empty() && !trouble ? t_.faint : t_.text);
+        const double marks = switchMarks(QRectF(left_, y_, wide_, px(24)));
+        if (trouble) w_.sign(QRectF(left_ + px(5), y_ + px(4), px(16), px(16)), now.kind == Plight::Kind::Alarm ? Sign::Alarm : now.kind == Plight::Kind::Waits ? Sign::Wait : now.kind == Plight::Kind::Told ? Sign::Note : Sign::Warning, colour);
+        w_.data(QRectF(left_ + px(trouble ? 27 : 8), y_, wide_ - px(trouble ? 32 : 12) - marks, px(24)), trouble ? now.text : path.empty() ? word("no program") : QFileInfo(QString::fromStdString(path)).fileName() + block, lettering(13.5, false, Face::Condensed), path.empty() && !trouble ? t_.faint : t_.text);
         y_ += px(28);
         const double row = px(21), foot = px(28);
         for (std::size_t place = 0; place < config_.axis_count && y_ + row + foot < size_.height(); ++place) {
@@ -71,7 +66,7 @@ private:
             double workpiece = 0;
             const bool known = live_.workpiece(channel_, static_cast<unsigned>(place), at.act, workpiece);
             w_.text(QRectF(left_, y_, px(30), row), fromView(axis.name_text()), lettering(15, true), at.flags & kMoving ? t_.good : t_.text);
-            w_.text(QRectF(left_ + px(30), y_, wide_ * 0.52 - px(30), row), spins ? kDash : known ? lengthText(shown(axis, workpiece), decimals) : referenced ? lengthText(machineShown(axis, at.act), decimals) : word("no ref."), lettering(15, true), referenced ? t_.text : t_.warn, kRight);
+            w_.text(QRectF(left_ + px(30), y_, wide_ * 0.52 - px(30), row), spins ? kDash : known ? lengthText(shownPlace(axis, workpiece), decimals) : referenced ? lengthText(shownPlace(axis, at.act), decimals) : word("no ref."), lettering(15, true), referenced ? t_.text : t_.warn, kRight);
             if (!spins) w_.text(QRectF(left_ + wide_ * 0.54, y_, wide_ * 0.46, row), view_.moves[place] ? lengthText(shown(axis, live_.toGo(channel_, static_cast<unsigned>(place))), decimals) : QString(), lettering(13.5), t_.dim, kRight);
             y_ += row;
         }
@@ -81,6 +76,20 @@ private:
         w_.text(QRectF(left_, bottom, third, px(24)), view_.known && view_.picture.tool > 0 ? QString("T%1").arg(view_.picture.tool) : kDash, lettering(14, true), t_.text);
         w_.text(QRectF(left_ + third, bottom, third, px(24)), QString("F %1").arg(status_.path_speed * 60, 0, 'f', 0), lettering(14), status_.feed_override != 1 ? t_.warn : t_.dim, kRight);
         w_.text(QRectF(left_ + 2 * third, bottom, third, px(24)), spindle >= 1 && spindle <= kMaxSpindles ? QString("S %1").arg(std::abs(live_.status().spindles[spindle - 1].speed), 0, 'f', 0) : QString(), lettering(14), t_.dim, kRight);
+    }
+
+    // Beside what matters most: the switches of the channel, as status lines name them. How much of the width they take.
+    double switchMarks(const QRectF& box) {
+        QStringList marks;
+        const auto add = [&](std::uint32_t bits, const char* mark) { if (status_.keys & bits) marks << mark; };
+        add(kKeyMachineLock, "MLK"), add(kKeyDryRun, "DRY"), add(kKeySingleBlock, "SBL"), add(kKeyOptionalStop, "M01"), add(0x1FFu << 8, "SKP"), add(kKeyFirstPart, "FPT");
+        if (marks.isEmpty()) return 0;
+        while (marks.size() > 4) marks.removeLast();
+        const double wide = marks.size() > 2 && box.height() > px(30) ? px(70) : px(36) * static_cast<double>(marks.size());
+        const QString text = marks.size() > 2 && box.height() > px(30) ? marks.mid(0, 2).join(' ') + "\n" + marks.mid(2).join(' ') : marks.join(' ');
+        Item& item = w_.text(QRectF(box.right() - wide - px(4), box.top(), wide, box.height()), text, lettering(12, true, Face::Condensed), t_.warn, Qt::AlignRight | Qt::AlignVCenter);
+        item.data = true;
+        return wide + px(6);
     }
 
     double gap() const { return px(dense_ ? 4 : 9); }
@@ -110,13 +119,15 @@ private:
             case Plight::Kind::Waits: sign = Sign::Wait, colour = t_.wait; break;
             case Plight::Kind::Needs: sign = Sign::Warning, colour = t_.warn; break;
             case Plight::Kind::Stands: sign = Sign::Hold, colour = t_.warn; break;
+            case Plight::Kind::Told: sign = Sign::Note, colour = t_.accent; break;
             case Plight::Kind::None: break;
         }
         w_.fill(box, t_.raised, px(6));
         if (now.kind != Plight::Kind::None) {
             w_.fill(QRectF(box.left(), box.top(), px(4), h), colour, px(2));
             w_.sign(QRectF(box.left() + px(12), box.center().y() - px(10), px(20), px(20)), sign, colour);
-            Item& item = w_.text(box.adjusted(px(40), px(1), -px(6), -px(1)), now.text, lettering(13.5), t_.text);
+            const double marks = switchMarks(box);
+            Item& item = w_.text(box.adjusted(px(40), px(1), -px(6) - marks, -px(1)), now.text, lettering(13.5), t_.text);
             item.wraps = true, item.data = true;
         } else {
             QString switches;
@@ -158,9 +169,9 @@ private:
             }
             double workpiece = 0;
             const bool known = live_.workpiece(channel_, static_cast<unsigned>(place), now.act, workpiece);
-            w_.text(QRectF(at[0], y_, wide[0], row), known ? lengthText(shown(axis, workpiece), decimals) : kDash, lettering(dense_ ? 16 : wide_ < px(330) ? 17 : 24, true), t_.text, kRight);
+            w_.text(QRectF(at[0], y_, wide[0], row), known ? lengthText(shownPlace(axis, workpiece), decimals) : kDash, lettering(dense_ ? 16 : wide_ < px(330) ? 17 : 24, true), t_.text, kRight);
             const QFont small = lettering(wide_ < px(330) ? 12.5 : dense_ ? 13.5 : 16);
-            w_.text(QRectF(at[1], y_, wide[1], row), referenced ? lengthText(machineShown(axis, now.act), decimals) : word("no ref."), small, referenced ? t_.text : t_.warn, kRight);
+            w_.text(QRectF(at[1], y_, wide[1], row), referenced ? lengthText(shownPlace(axis, now.act), decimals) : word("no ref."), small, referenced ? t_.text : t_.warn, kRight);
             w_.text(QRectF(at[2], y_, wide[2], row), lengthText(shown(axis, live_.toGo(channel_, static_cast<unsigned>(place))), decimals), small,
                     view_.moves[place] ? t_.text : t_.faint, kRight);
             if (columns == 4) w_.text(QRectF(at[3], y_, wide[3], row), lengthText(now.error, decimals), small, t_.dim, kRight);

@@ -95,12 +95,14 @@ void Diagnosis::composeHead(Writer& w) {
         w.field(QRectF(title + px(24), px(6), right - title - px(38), head_->height() - px(10)), search_, word("Type a part of the name"), !search_.isEmpty(), kSearchHit);
 }
 
+void Diagnosis::follow() { scope_->follow(); }   // what it waits for may come while another screen is looked at
+
 void Diagnosis::refresh() {
     switch (page_) {
         case Page::Couplings: fillCouplings(); break;
         case Page::Variables: fillVariables(); break;
         case Page::Processes: fillProcesses(); break;
-        case Page::Scope: scope_->follow(), scope_->refresh(); break;
+        case Page::Scope: scope_->refresh(); break;
         default: break;
     }
     head_->refresh();

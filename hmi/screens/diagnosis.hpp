@@ -15,6 +15,7 @@ public:
     const char* name() const override { return "diagnosis"; }
     std::vector<SoftKey> keys() override;
     void refresh() override;
+    void follow() override;
     void rebuilt() override;
     bool key(QKeyEvent* event) override;
     bool typing() const override { return page_ == Page::Signals || page_ == Page::Variables || page_ == Page::Scope; }

@@ -181,8 +181,8 @@ void Manual::composeAxes(Writer& w) {
         double workpiece = 0;
         const bool known = live.workpiece(desk_.channel, static_cast<unsigned>(place), now.act, workpiece);
         const bool referenced = (now.flags & kReferenced) != 0 || axis.on_spindle;
-        w.text(QRectF(left, box.top() + px(6), room, box.height() * 0.55), lengthText(axis.rotary && axis.on_spindle ? now.act - std::floor(now.act / 360) * 360 : shown(axis, now.act), decimals), lettering(33, true), referenced ? t.text : t.warn, kRight);
-        const QString beneath = !referenced ? word("not referenced") : known ? word("Workpiece") + "  " + lengthText(shown(axis, workpiece), decimals) : word("Machine");
+        w.text(QRectF(left, box.top() + px(6), room, box.height() * 0.55), lengthText(shownPlace(axis, now.act), decimals), lettering(33, true), referenced ? t.text : t.warn, kRight);
+        const QString beneath = !referenced ? word("not referenced") : known ? word("Workpiece") + "  " + lengthText(shownPlace(axis, workpiece), decimals) : word("Machine");
         w.text(QRectF(left, box.top() + box.height() * 0.6, room - (axis.diameter ? px(26) : 0), box.height() * 0.32), beneath, lettering(15), referenced ? t.dim : t.warn, kRight);
         if (axis.diameter) w.text(QRectF(left + room - px(20), box.top() + box.height() * 0.6, px(20), box.height() * 0.32), QString::fromUtf8("⌀"), lettering(16), t.dim, kRight);
         if (!referenced) {
@@ -251,8 +251,8 @@ void Manual::composeSide(Writer& w) {
     const double hold = top + px(136);
     w.fill(QRectF(0, hold, wide, high - hold), t.card, px(8));
     const Plight now = plight(live, desk_.alarms, desk_.channel);
-    const QColor colour = now.kind == Plight::Kind::Alarm ? t.bad : now.kind == Plight::Kind::Waits ? t.wait : now.kind == Plight::Kind::None ? t.dim : t.warn;
-    w.sign(QRectF(px(14), hold + px(12), px(20), px(20)), now.kind == Plight::Kind::Alarm ? Sign::Alarm : now.kind == Plight::Kind::Waits ? Sign::Wait : now.kind == Plight::Kind::None ? Sign::Good : Sign::Warning, colour);
+    const QColor colour = now.kind == Plight::Kind::Alarm ? t.bad : now.kind == Plight::Kind::Waits ? t.wait : now.kind == Plight::Kind::None ? t.dim : now.kind == Plight::Kind::Told ? t.accent : t.warn;
+    w.sign(QRectF(px(14), hold + px(12), px(20), px(20)), now.kind == Plight::Kind::Alarm ? Sign::Alarm : now.kind == Plight::Kind::Waits ? Sign::Wait : now.kind == Plight::Kind::None ? Sign::Good : now.kind == Plight::Kind::Told ? Sign::Note : Sign::Warning, colour);
     Item& words = w.text(QRectF(px(42), hold + px(10), wide - px(54), high - hold - px(20)), now.kind == Plight::Kind::None ? word("Nothing is missing") : now.text, lettering(15), t.text, Qt::AlignLeft | Qt::AlignTop);
     words.wraps = true, words.data = true;
 }

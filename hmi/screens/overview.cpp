@@ -94,6 +94,7 @@ std::vector<SoftKey> Overview::keys() {
         allSingle &= (live.channel(one).keys & kKeySingleBlock) != 0;
     }
     const bool single = (status.keys & kKeySingleBlock) != 0;
+    if (control_) return controlKeys(there);
     std::vector<SoftKey> keys{
         {word("Start %1").arg(name), press("cycle_start " + name), Sign::Run, there},
         {word("Hold %1").arg(name), press("feed_hold " + name), Sign::Hold, there},
@@ -107,10 +108,29 @@ std::vector<SoftKey> Overview::keys() {
              for (const unsigned one : desk_.live.channels()) each << QString("L%1=%2").arg(one).arg(allSingle ? "off" : "on");
              desk_.requests.press("single_block " + each.join(' '));
          }, Sign::Stop, there, allSingle},
-        {word("Optional stop %1").arg(name), press(QString("optional_stop %1=%2").arg(name, status.keys & kKeyOptionalStop ? "off" : "on")), Sign::None, there,
-         (status.keys & kKeyOptionalStop) != 0},
+        {word("Program control"), [this] { control_ = true, desk_.keysChanged ? desk_.keysChanged() : void(); }, Sign::Right, there},
         {word("End with this part"), press("stop_after_part"), Sign::Ended, there},
     };
+    return keys;
+}
+
+// How programs of the channel are worked off. What makes the machine do something else than the program says is asked for twice.
+std::vector<SoftKey> Overview::controlKeys(bool there) {
+    const QString name = QString("L%1").arg(desk_.channel);
+    const std::uint32_t now = desk_.live.channel(desk_.channel).keys;
+    std::vector<SoftKey> keys;
+    const auto onOff = [&](const char* text, const char* command, std::uint32_t bit, const QString& confirm = {}) {
+        const bool on = now & bit;
+        keys.push_back({word(text).arg(name), [this, words = QString("%1 %2=%3").arg(command, name, on ? "off" : "on")] { desk_.requests.press(words); }, Sign::None, there, on, false, on ? QString() : confirm});
+    };
+    onOff(WORD("Single block %1"), "single_block", kKeySingleBlock);
+    onOff(WORD("Optional stop %1"), "optional_stop", kKeyOptionalStop);
+    const bool skips = now & kKeyBlockSkip1;
+    keys.push_back({word("Block skip %1").arg(name), [this, words = QString("block_skip %1=%2").arg(name).arg(skips ? -1 : 1)] { desk_.requests.press(words); }, Sign::None, there, skips});
+    onOff(WORD("First part %1"), "first_part", kKeyFirstPart);
+    onOff(WORD("Dry run %1"), "dry_run", kKeyDryRun, word("Other feeds than programmed: press again"));
+    onOff(WORD("Machine lock %1"), "machine_lock", kKeyMachineLock, word("The axes stand while the program runs: press again"));
+    keys.push_back({word("Back"), [this] { control_ = false, desk_.keysChanged ? desk_.keysChanged() : void(); }, Sign::Left});
     return keys;
 }
 

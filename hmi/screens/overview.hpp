@@ -23,6 +23,8 @@ protected:
 
 private:
     void layOut();
+    std::vector<SoftKey> controlKeys(bool there);
+    bool control_ = false;                 // keys of program control
     std::vector<FreeSheet*> cards_;
     FreeSheet* empty_;
     ProgramText programs_;

@@ -352,7 +352,7 @@ void Parameters::composeDetail(Writer& w) {
     w.data(QRectF(px(12), y, wide - px(24), px(24)), target(*line) + "  " + fromView(words.name), lettering(16, true), t.text);
     y += px(26);
     const bool bits = row.type == params::Type::Bits;
-    const double meaning = px(bits ? 60 : 96);
+    const double meaning = px(bits || row.acts != "yes" ? 60 : 96);   // what is not so is said below it
     Item& text = w.text(QRectF(px(12), y, wide - px(24), meaning), fromView(words.meaning), lettering(13.5), t.dim, Qt::AlignLeft | Qt::AlignTop);
     text.wraps = true, text.data = true;
     y += meaning + px(2);
@@ -377,7 +377,7 @@ void Parameters::composeDetail(Writer& w) {
         if (y + px(20) > high) return;
         w.text(QRectF(px(12), y, px(96), px(20)), name, lettering(13), t.dim);
         w.data(QRectF(px(110), y, wide - px(122), px(20)), what, lettering(13.5, true), colour, kRight);
-        y += px(21);
+        y += px(19);   // five lines and the card's border
     };
     if (row.type != params::Type::Text) {
         fact(word("Range"), QString::fromUtf8("%1 … %2").arg(row.min, 0, 'g', 9).arg(row.max, 0, 'g', 9), t.text);
@@ -388,7 +388,7 @@ void Parameters::composeDetail(Writer& w) {
     if (file_) fact(word("In the file"), textIn(*file_, *line), unlikeFile(*line) ? t.accent : t.text);
     fact(word("Level"), word(levelWord(row.protection)), t.text);
     w.text(QRectF(px(12), y, wide - px(24), px(20)), word(effectWord(row.effect)), lettering(13), t.dim);
-    y += px(21);
+    y += px(19);
     if (row.acts != "yes" && y + px(34) < high) {
         Item& why = w.text(QRectF(px(12), y, wide - px(24), px(36)), word("Without effect:") + " " + fromView(words.acts), lettering(13), t.warn, Qt::AlignLeft | Qt::AlignTop);
         why.wraps = true, why.data = true;

@@ -205,6 +205,7 @@ void ScopePage::follow() {
         if (const double scale = shownAs(static_cast<ScopeKind>(choice_.kind[trace])); scale != 1.0)
             for (ScopeSample& sample : fresh) sample.value[trace] *= scale;
     record_.add(fresh, windowTicks());
+    if (!isVisible()) return;
     const qint64 time = QDateTime::currentMSecsSinceEpoch();
     if (time < paintedMs_ + kPaintMs) return;
     paintedMs_ = time;

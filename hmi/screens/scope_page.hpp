@@ -13,7 +13,7 @@ namespace polyturn::hmi {
 class ScopePage : public QWidget {
 public:
     ScopePage(Desk& desk, QWidget* parent);
-    void follow();                     // each frame while it is shown: takes the samples
+    void follow();                     // each frame, shown or not: takes the samples
     void refresh();
     void rebuilt();
     bool key(QKeyEvent* event);

@@ -149,6 +149,11 @@
         <translation>%1: stoupání, záporný směr</translation>
     </message>
     <message>
+        <location filename="../machine/channel_words.cpp"/>
+        <source>%1: start goes on</source>
+        <translation>%1: start pokračuje</translation>
+    </message>
+    <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>(limited)</source>
         <translation>(omezeno)</translation>
@@ -472,6 +477,11 @@
         <location filename="../screens/channel_card.cpp"/>
         <source>Block skip</source>
         <translation>Vypuštění bloků</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Block skip %1</source>
+        <translation>Vypuštění bloků %1</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -1059,6 +1069,11 @@
         <translation>Chod naprázdno</translation>
     </message>
     <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Dry run %1</source>
+        <translation>Chod naprázdno %1</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Dry run, timeline</source>
         <translation>Zkušební běh, osa</translation>
@@ -1452,6 +1467,11 @@
         <location filename="../screens/channel_card.cpp"/>
         <source>First part</source>
         <translation>První kus</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>First part %1</source>
+        <translation>První kus %1</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -2069,6 +2089,11 @@
         <translation>Blokování os</translation>
     </message>
     <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Machine lock %1</source>
+        <translation>Blokování os %1</translation>
+    </message>
+    <message>
         <location filename="../machine/stop_book.cpp"/>
         <source>Machine off</source>
         <translation>Stroj vypnut</translation>
@@ -2250,6 +2275,11 @@
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
+        <source>No alarm and no message is known yet.</source>
+        <translation>Zatím není známa žádná porucha ani hlášení.</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
         <source>No alarm stands.</source>
         <translation>Žádný alarm netrvá.</translation>
     </message>
@@ -2404,11 +2434,6 @@
         <translation>Nic se nezměnilo.</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
-        <source>Nothing has been told since the controller started.</source>
-        <translation>Od startu řízení nebylo nic hlášeno.</translation>
-    </message>
-    <message>
         <location filename="../screens/manual.cpp"/>
         <source>Nothing is missing</source>
         <translation>Nic nechybí</translation>
@@ -2542,6 +2567,11 @@
         <location filename="../screens/job_views.cpp"/>
         <source>Other</source>
         <translation>Ostatní</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Other feeds than programmed: press again</source>
+        <translation>Jiné posuvy než v programu: znovu</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -2837,6 +2867,11 @@
         <location filename="../screens/restart_page.cpp"/>
         <source>Program</source>
         <translation>Program</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Program control</source>
+        <translation>Ovládání programu</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -3677,6 +3712,11 @@
         <location filename="../screens/restart_page.cpp"/>
         <source>The axes are free: press again</source>
         <translation>Osy jsou volné: znovu</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>The axes stand while the program runs: press again</source>
+        <translation>Program běží, osy stojí: znovu</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>

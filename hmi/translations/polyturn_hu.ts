@@ -149,6 +149,11 @@
         <translation>%1: orsóhiba, negatív irány</translation>
     </message>
     <message>
+        <location filename="../machine/channel_words.cpp"/>
+        <source>%1: start goes on</source>
+        <translation>%1: a start folytatja</translation>
+    </message>
+    <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>(limited)</source>
         <translation>(korlátozva)</translation>
@@ -472,6 +477,11 @@
         <location filename="../screens/channel_card.cpp"/>
         <source>Block skip</source>
         <translation>Mondatkihagyás</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Block skip %1</source>
+        <translation>Mondatkihagyás %1</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -1059,6 +1069,11 @@
         <translation>Próbafutás</translation>
     </message>
     <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Dry run %1</source>
+        <translation>Próbafutás %1</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Dry run, timeline</source>
         <translation>Próbafutás, idővonal</translation>
@@ -1452,6 +1467,11 @@
         <location filename="../screens/channel_card.cpp"/>
         <source>First part</source>
         <translation>Első darab</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>First part %1</source>
+        <translation>Első darab %1</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -2069,6 +2089,11 @@
         <translation>Géplezárás</translation>
     </message>
     <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Machine lock %1</source>
+        <translation>Géplezárás %1</translation>
+    </message>
+    <message>
         <location filename="../machine/stop_book.cpp"/>
         <source>Machine off</source>
         <translation>Gép kikapcsolva</translation>
@@ -2250,6 +2275,11 @@
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
+        <source>No alarm and no message is known yet.</source>
+        <translation>Még nem volt riasztás vagy üzenet.</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
         <source>No alarm stands.</source>
         <translation>Nincs fennálló riasztás.</translation>
     </message>
@@ -2404,11 +2434,6 @@
         <translation>Semmi sem változott.</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
-        <source>Nothing has been told since the controller started.</source>
-        <translation>A vezérlő indulása óta nem volt üzenet.</translation>
-    </message>
-    <message>
         <location filename="../screens/manual.cpp"/>
         <source>Nothing is missing</source>
         <translation>Semmi nem hiányzik</translation>
@@ -2542,6 +2567,11 @@
         <location filename="../screens/job_views.cpp"/>
         <source>Other</source>
         <translation>Egyéb</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Other feeds than programmed: press again</source>
+        <translation>A programtól eltérő előtolás: újra</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -2837,6 +2867,11 @@
         <location filename="../screens/restart_page.cpp"/>
         <source>Program</source>
         <translation>Program</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Program control</source>
+        <translation>Programvezérlés</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -3677,6 +3712,11 @@
         <location filename="../screens/restart_page.cpp"/>
         <source>The axes are free: press again</source>
         <translation>A tengelyek szabadok: újra</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>The axes stand while the program runs: press again</source>
+        <translation>A program fut, a tengelyek állnak: újra</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>

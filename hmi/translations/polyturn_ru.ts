@@ -149,6 +149,11 @@
         <translation>%1: шаг винта, в минус</translation>
     </message>
     <message>
+        <location filename="../machine/channel_words.cpp"/>
+        <source>%1: start goes on</source>
+        <translation>%1: пуск продолжит</translation>
+    </message>
+    <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>(limited)</source>
         <translation>(ограничено)</translation>
@@ -472,6 +477,11 @@
         <location filename="../screens/channel_card.cpp"/>
         <source>Block skip</source>
         <translation>Пропуск кадров</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Block skip %1</source>
+        <translation>Пропуск кадров %1</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/fanuc_forms.cpp"/>
@@ -1059,6 +1069,11 @@
         <translation>Пробный прогон</translation>
     </message>
     <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Dry run %1</source>
+        <translation>Пробный прогон %1</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Dry run, timeline</source>
         <translation>Прогон, шкала</translation>
@@ -1452,6 +1467,11 @@
         <location filename="../screens/channel_card.cpp"/>
         <source>First part</source>
         <translation>Первая деталь</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>First part %1</source>
+        <translation>Первая деталь %1</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -2069,6 +2089,11 @@
         <translation>Блокировка осей</translation>
     </message>
     <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Machine lock %1</source>
+        <translation>Блокировка осей %1</translation>
+    </message>
+    <message>
         <location filename="../machine/stop_book.cpp"/>
         <source>Machine off</source>
         <translation>Станок выключен</translation>
@@ -2250,6 +2275,11 @@
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
+        <source>No alarm and no message is known yet.</source>
+        <translation>Аварий и сообщений пока не было.</translation>
+    </message>
+    <message>
+        <location filename="../screens/alarms.cpp"/>
         <source>No alarm stands.</source>
         <translation>Активных аварий нет.</translation>
     </message>
@@ -2404,11 +2434,6 @@
         <translation>Ничего не изменено.</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
-        <source>Nothing has been told since the controller started.</source>
-        <translation>С запуска УЧПУ сообщений не было.</translation>
-    </message>
-    <message>
         <location filename="../screens/manual.cpp"/>
         <source>Nothing is missing</source>
         <translation>Всё готово</translation>
@@ -2542,6 +2567,11 @@
         <location filename="../screens/job_views.cpp"/>
         <source>Other</source>
         <translation>Прочее</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Other feeds than programmed: press again</source>
+        <translation>Подачи не из программы: ещё раз</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -2837,6 +2867,11 @@
         <location filename="../screens/restart_page.cpp"/>
         <source>Program</source>
         <translation>Программа</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Program control</source>
+        <translation>Управление программой</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -3677,6 +3712,11 @@
         <location filename="../screens/restart_page.cpp"/>
         <source>The axes are free: press again</source>
         <translation>Оси свободны: ещё раз</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>The axes stand while the program runs: press again</source>
+        <translation>Программа идёт, оси стоят: ещё раз</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>

@@ -173,6 +173,9 @@ TEST_F(PageTasks, TheHelpKeyOpensThePageOfWhatIsChosen) {
     hand.screen("parameters");
     hand.key(Qt::Key_H, Qt::ControlModifier);
     EXPECT_TRUE(window->help().text().toPlainText().startsWith("N0")) << window->help().text().toPlainText().left(80).toStdString();
+    const auto place = [&] { return window->help().text().toPlainText().indexOf("The machine is its parameters"); };
+    ASSERT_TRUE(waitFor([&] { return place() >= 0; }, 5)) << "the manual's page of it";
+    EXPECT_LT(place() - window->help().text().toPlainText().indexOf("Level"), 200) << "right below";
     hand.key(Qt::Key_Escape);
     // What the tests before have left may still be coming to its end: each key is pressed until it is taken.
     for (const char* key : {"mode L1=auto", "select L1=/nowhere/at/all.nc"}) ASSERT_TRUE(waitFor([&] { return g_controller->press(key); }, 20)) << key;
