@@ -152,6 +152,8 @@ void AlarmBook::look() {
         if (entry.channel == 0) {
             entry.over |= !stopped && entry.when.secsTo(now) > kSettle_s;
             standing = entry.severity == Severity::Error && stopped && !entry.over;
+        } else if (stopped && entry.severity == Severity::Error && entry.resets >= 0 && entry.resets + 1 == live_.nc(signals::cn_reset(entry.channel))) {
+            standing = true;   // what stops the machine resets its channels too: it came before that reset
         } else if (entry.channel <= kMaxChannels && entry.resets == live_.nc(signals::cn_reset(entry.channel))) {
             const ChannelStatus& status = live_.channel(entry.channel);
             const auto state = static_cast<ChannelState>(status.state);

@@ -31,7 +31,7 @@ TEST_F(ToolTasks, ATurretShowsItsStationsAndWhatStandsThere) {
     EXPECT_EQ(tools.picture().chosen()->kind, static_cast<std::uint32_t>(PlaceKind::Turret));
     for (int station = 1; station <= 12; ++station) EXPECT_FALSE(tools.picture().boxOf(tools.picture().placeHit(station)).isEmpty()) << station;
     EXPECT_EQ(tools.list().rows(), 3);
-    EXPECT_EQ(toolWords(row(3)).sign, Sign::Good);
+    EXPECT_EQ(toolWords(row(3)).sign, Sign::Warning) << "as its colour";
     EXPECT_NEAR(lifeLeft(row(3)), 1.0 / 45, 1e-9);
     EXPECT_LT(lifeLeft(row(2)), 0) << "its life is not watched";
     noWordIsShortened(*window);
