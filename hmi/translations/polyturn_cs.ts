@@ -2276,7 +2276,7 @@
     <message>
         <location filename="../screens/alarms.cpp"/>
         <source>No alarm and no message is known yet.</source>
-        <translation>Zatím není známa žádná porucha ani hlášení.</translation>
+        <translation>Zatím není znám žádný alarm ani zpráva.</translation>
     </message>
     <message>
         <location filename="../screens/alarms.cpp"/>
