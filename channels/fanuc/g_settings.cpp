@@ -57,12 +57,20 @@ bool Interpreter::g_exact_once(const GCode&) {
     return true;
 }
 
+// P means another G code of the block (G70 P Q, G4 P, a drilling cycle that drills here): it is not the axis of G96 as well.
+bool Interpreter::surface_shares_p() const {
+    for (std::size_t group = 0; group < coded_.size(); ++group)
+        if (group != static_cast<std::size_t>(GGroup::Surface) && coded_groups_ >> group & 1u && takes_[static_cast<std::size_t>(coded_[group] - g_codes().data())] & letter_bit('P')) return true;
+    const bool one_shot = coded_groups_ >> static_cast<unsigned>(GGroup::OneShot) & 1u;
+    return drilling_ && !one_shot && (axis_word_count_ || block_.has('R'));
+}
+
 // P of G96 names the axis whose place is the radius: by its number in nct, by its place in the channel elsewhere. P0 and G96 without
 // P mean the parameter's axis (N0687, "default").
 bool Interpreter::g_surface(const GCode& row) {
     if (row.tenths != 960) return core_.surface_speed(false);
-    bool own = block_.has('P');   // unless an M code of the block takes it
-    for (unsigned k = 0; k < m_count_; ++k) {
+    bool own = block_.has('P') && !surface_shares_p();
+    for (unsigned k = 0; k < m_count_; ++k) {   // nor where an M code takes it
         const double code = block_.words[m_words_[k]].value;
         own = own && code != 98 && code != 99 && code != 198 && code != settings_.interrupt.on && !core_.view().machine.is_wait_code(code);
     }

@@ -76,6 +76,7 @@ public:
     bool gear_block() const { return coded_groups_ >> static_cast<unsigned>(GGroup::OneShot) & 1u && coded_[static_cast<std::size_t>(GGroup::OneShot)]->tenths == 818; }
     bool polygon_follower(std::uint8_t& follower);
     bool g_surface(const GCode&);
+    bool surface_shares_p() const;
     bool g_comp_on(const GCode&);
     bool g_comp_off(const GCode&);
     bool g_nothing(const GCode&);
