@@ -56,6 +56,7 @@ bool SpindleUnit::at_index() const noexcept {
 }
 
 bool SpindleUnit::at_speed(std::int32_t rotation) const noexcept {
+    if (coupled_) return follows_well_;   // its master and their ratio say how it turns, not its own SP_ROT
     if (rotation != kRight && rotation != kLeft) return true;
     if (mode_ == Mode::Speed && speed_ == 0) return true;
     if (fresh_demand_ || target_ == 0 || (target_ > 0) != (rotation == kRight)) return false;

@@ -194,5 +194,32 @@ TEST(SpindleCoupling, TellsATornFollowerFromALaggingOne) {
     EXPECT_EQ(rig.machine->core().state, MachineState::EmergencyStop);
 }
 
+// A cut of the channel that owns the follower: M3 on it says nothing of the way it turns now (sinumerik part 3, 7.18).
+TEST(SpindleCoupling, ACutWaitsForTheFollowerToRunSynchronouslyAndNotForItsOwnM3) {
+    TickRig rig([](params::Table& t, RunOptions& o) {
+        two_spindles(t, o);
+        params::put(t, params::pt_sync_turns, -2, 2);
+    });
+    rig.plc_program = [](const PlcInputs& in, PlcOutputs& out) { TickRig::lathe(in, out), out.signal[signals::sp_rot(2)] = 3; };
+    turn_main(rig, 600);
+    rig.push(2, rig.spindle(2, 500, 2));
+    rig.push(2, rig.dwell(2, 2.0));
+    rig.push(2, rig.line(2, {0, -1}, 10));
+    rig.start(2);
+    rig.run(1500);
+    request(rig, signals::sp_syncr(2), 1);
+    bool early = false, was_synchronous = false;
+    rig.on_tick = [&] {
+        was_synchronous = was_synchronous || rig.machine->core().spindles[1].follows_well();
+        early = early || (rig.position(4) != 0 && !was_synchronous);
+    };
+    rig.run(18'000);
+    EXPECT_EQ(rig.machine->core().signals.nc(signals::sn_synca(2)), 1);
+    EXPECT_NEAR(rig.machine->core().spindles[1].speed(), -1200, 3);
+    EXPECT_FALSE(rig.alarmed(Alarm::SpindleTooSlow));
+    EXPECT_NEAR(rig.position(4), -1, 1e-9);
+    EXPECT_FALSE(early);
+}
+
 }  // namespace
 }  // namespace polyturn::kernel
