@@ -428,6 +428,22 @@ bool ChannelRunner::position_spindle(const PathRecord& r) noexcept {
     return core_.spindles[number - 1].in_position();
 }
 
+// Another channel that machines with the follower keeps it: it cuts a thread, taps or turns with constant surface speed (locked_by),
+// or its program drives the C axis on that drive. A program in hold or at a barrier has it still, one that an alarm has broken off
+// does until its reset: in its tool stands the workpiece that would turn.
+bool ChannelRunner::needed_elsewhere(std::uint32_t follower) const noexcept {
+    if (follower < kMaxAxes || follower >= kMaxAxes + kMaxSpindles) return false;
+    const std::uint32_t s = follower - static_cast<std::uint32_t>(kMaxAxes);
+    if (core_.spindles[s].locked_by != 0 && core_.spindles[s].locked_by != number_) return true;
+    for (std::uint32_t a = 0; a < core_.config.axis_count; ++a) {
+        const std::uint32_t owner = core_.axes[a].owner;
+        if (core_.config.axes[a].on_spindle != s + 1 || !core_.shared_axes[a].has_drive || owner == 0 || owner == number_) continue;
+        const auto state = static_cast<ChannelState>(core_.signals.nc(signals::cn_state(owner)));
+        if (state != ChannelState::Reset && state != ChannelState::Ended) return true;
+    }
+    return false;
+}
+
 // The drive of a spindle that is to follow may be that of a C axis which rests: then it is the spindle's as long as it follows. An
 // axis that moves, or that the PLC keeps, is none of this and the coupling is refused.
 bool ChannelRunner::calls_follower(std::uint32_t follower) noexcept {
@@ -451,6 +467,12 @@ bool ChannelRunner::couple_spindle(const PathRecord& r) noexcept {
         if (!on) return !couplings.follows(follower);
         if (!couplings.follows(follower)) raise(Alarm::SpindleCoupleRefused, SpindleCouplings::name_of_follower(follower).view());
         return couplings.synchronous(follower);
+    }
+    if (on && needed_elsewhere(follower)) {
+        ShortText detail = SpindleCouplings::name_of_follower(follower);
+        detail << ": " << SpindleCouplings::text(SpindleCouplings::Refusal::Busy);
+        raise(Alarm::SpindleCoupleRefused, detail.view());
+        return false;
     }
     if (on && calls_follower(follower)) return false;
     phase_ = Phase::Spindle;

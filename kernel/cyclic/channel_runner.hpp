@@ -202,6 +202,7 @@ private:
     bool at_rest() const noexcept { return planner_->at_rest() && !thread_moving_ && trail_.at_rest(); }
     void describe_wait(ShortText& text) noexcept;
     void write_code(ShortText& text) const noexcept;
+    bool needed_elsewhere(std::uint32_t follower) const noexcept;
     bool calls_follower(std::uint32_t follower) noexcept;
     bool stop(const PathRecord& r) noexcept;
     void finished(const PathRecord& r, std::uint64_t index, double offset_s) noexcept;

@@ -221,5 +221,73 @@ TEST(SpindleCoupling, ACutWaitsForTheFollowerToRunSynchronouslyAndNotForItsOwnM3
     EXPECT_FALSE(early);
 }
 
+PathRecord coupling_of_s2(TickRig& rig) {
+    PathRecord on = rig.blank(1, RecordKind::SpindleMode);
+    on.code = static_cast<std::int32_t>(SpindleModeCode::Couple);
+    on.spindle = 1;
+    on.axis[0] = static_cast<std::uint8_t>(kMaxAxes + 1);
+    on.axis[1] = kNoHelix;
+    on.shape[0] = 1, on.shape[1] = 1, on.shape[2] = 0;
+    return on;
+}
+
+// A5 is C of L2 on S2. Whoever machines with it keeps it, in hold and at a barrier too; behind the end of the program it is free.
+TEST(SpindleCoupling, DoesNotTakeTheDriveOfACAxisWithWhichAnotherProgramWorks) {
+    enum class Owner { Works, Holds, Waits, Ended };
+    for (const Owner owner : {Owner::Works, Owner::Holds, Owner::Waits, Owner::Ended}) {
+        SCOPED_TRACE(static_cast<int>(owner));
+        TickRig rig([](params::Table& t, RunOptions& o) {
+            two_spindles(t, o);
+            params::put(t, params::n0002_axis_assign, 2, 5);
+            params::put(t, params::n0106_axis_properties, 2, 5);
+            params::put(t, params::n0503_axis_output_address, 41, 5);
+            params::put(t, params::n0603_spindle_output_address, 41, 2);
+            params::put(t, params::n0304_rapid, 36000, 5);
+            params::put(t, params::n0305_max_feed, 36000, 5);
+            params::put(t, params::n0400_acceleration, 3600, 5);
+            params::put(t, params::n0401_acc_tc, 0.05, 5);
+            params::put(t, params::n0504_position_gain, 40, 5);
+            params::put(t, params::n0511_feedforward, 1, 5);
+            params::put(t, params::n0515_feed_forward_control, 3, 5);
+            params::put(t, params::n0516_inpos, 0.01, 5);
+            o.start_known[4] = 1;
+        });
+        PathRecord turn = rig.line(2, {0.001, 0}, 100);
+        turn.axis_count = 1;
+        turn.axis[0] = 4;
+        turn.start[0] = 0, turn.end[0] = turn.length = 30;
+        turn.v_max = 600, turn.a_max = 3600, turn.j_max = 72000;
+        rig.push(2, turn);
+        if (owner == Owner::Waits) rig.push(2, rig.wait(2, 500, 0b11));
+        else if (owner == Owner::Ended) rig.push(2, rig.stop(2, StopReason::M30));
+        else rig.push(2, rig.dwell(2, 100));
+        rig.start(2);
+        rig.run(1000);
+        if (owner == Owner::Holds) rig.command(CommandKind::FeedHold, 2);
+        rig.run(200);
+        ASSERT_NEAR(rig.position(5), 30, 1e-9);
+        ASSERT_EQ(rig.machine->core().signals.nc(signals::sn_axis(2)), 1);
+        rig.push(1, coupling_of_s2(rig));
+        rig.start(1);
+        rig.run(500);
+        const bool free = owner == Owner::Ended;
+        EXPECT_EQ(rig.alarmed(Alarm::SpindleCoupleRefused, 1), !free);
+        EXPECT_EQ(rig.machine->core().signals.nc(signals::sn_axis(2)), free ? 0 : 1);
+        EXPECT_EQ(rig.machine->core().signals.nc(signals::sn_follow(2)), free ? 1 : 0);
+    }
+}
+
+TEST(SpindleCoupling, DoesNotTakeASpindleThatAnotherChannelNeeds) {   // its thread, tap or constant surface speed
+    for (const std::uint32_t locked_by : {0u, 1u, 2u}) {
+        TickRig rig(two_spindles);
+        rig.machine->core().spindles[1].locked_by = locked_by;
+        rig.push(1, coupling_of_s2(rig));
+        rig.start(1);
+        rig.run(500);
+        EXPECT_EQ(rig.alarmed(Alarm::SpindleCoupleRefused, 1), locked_by == 2) << locked_by;
+        EXPECT_EQ(rig.machine->core().signals.nc(signals::sn_follow(2)), locked_by == 2 ? 0 : 1) << locked_by;
+    }
+}
+
 }  // namespace
 }  // namespace polyturn::kernel
