@@ -252,6 +252,7 @@ void ChannelRunner::process_died(Alarm reason) noexcept {
     // limit_ is what was visible at this tick: records beyond the horizon do not exist.
     dead_ = true;
     alarm_ = true;
+    control_ = 0;   // what its program has put off, nobody would put on again: a spindle that still turns obeys the override
     rest_reported_ = false;
     if (phase_ == Phase::Waiting) core_.waits.leave(index_);
     const bool ran = program_runs();

@@ -42,6 +42,7 @@ void ChannelRunner::attach(const ChannelSegment& segment) {
     at_boundary_ = true;
     phase_ = Phase::None;
     begun_ = hold_ = dead_ = stopped_ = resetting_ = interrupted_ = alarm_ = false;
+    control_ = 0;   // a predecessor's program put off what the operator's switches do
     state_ = ChannelState::Reset;
     stop_reason_ = StopReason::None;
     segment_ = &segment;

@@ -35,6 +35,27 @@ TEST(Death, HoldsOrResetsThePartnersAsTheGroupSays) {
     }
 }
 
+// The operator's switch of a spindle that goes on turning acts again: its program cannot put it on any more (PRGSSO, fagor part 2, 11.2.10).
+TEST(Death, GivesTheOverrideOfATurningSpindleBackToTheOperator) {
+    TickRig rig([](params::Table& t, RunOptions&) { params::put_text(t, params::pt_language, "fagor", 1); });
+    PathRecord own = rig.blank(1, RecordKind::Flag);
+    own.code = kFlagControl;
+    own.value = kControlOwnSpindleOverride;
+    rig.push(1, own);
+    rig.push(1, rig.spindle(1, 1000));
+    rig.push(1, rig.aux(1, 'M', 3));
+    rig.push(1, rig.dwell(1, 100));
+    rig.start(1);
+    rig.run(1500);
+    rig.machine->core().spindles[0].override_factor = 0.6;
+    rig.run(1000);
+    ASSERT_NEAR(rig.machine->core().spindles[0].command(), 1000, 1);
+    rig.command(CommandKind::ProcessDied, 0, 0, 0, static_cast<std::uint32_t>(kProcessChannel));
+    rig.run(1000);
+    EXPECT_EQ(rig.state(1), ChannelState::Dead);
+    EXPECT_NEAR(rig.machine->core().spindles[0].command(), 600, 1);
+}
+
 TEST(Death, RecordsBeyondTheHorizonDoNotExist) {
     TickRig rig([](params::Table& t, RunOptions&) { params::put(t, params::pt_horizon, 16); });
     for (int i = 0; i < 100; ++i) rig.push(1, rig.line(1, {0.001, 0}, 60));
