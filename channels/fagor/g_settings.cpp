@@ -82,11 +82,12 @@ bool Interpreter::g_corner(const GCode& row) {
     return true;
 }
 
-// G51 A: percent of the axes' own acceleration, until another corner function (7.4).
+// G51 A: percent of the axes' own acceleration, until another corner function (7.4). A may be up to 255; the path
+// gets no more than the machine's own value all the same: what lies beyond N0400 its drives do not follow.
 void Interpreter::share_acceleration(double percent) {
     if (percent == modal_.acceleration) return;
     modal_.acceleration = percent;
-    for (unsigned i = 0; i < core_.view().axis_count; ++i) core_.signal("ACC" + std::to_string(i), percent / 100.0);
+    for (unsigned i = 0; i < core_.view().axis_count; ++i) core_.signal("ACC" + std::to_string(i), std::fmin(1.0, percent / 100.0));
 }
 
 bool Interpreter::g_look_ahead(const GCode& row) {

@@ -78,7 +78,7 @@ class Fagor(Case):
 
     def test_g51_takes_a_share_of_the_acceleration(self):   # part 1, 7.4
         slopes = [word for line in ("N0400=500", "N0401=0", "N0305=100000") for word in ("--set", line)]
-        for corner, acceleration in (("G51 A50 E0.1", 250), ("G51 A0 E0.1", 500), ("G51 E0.1", 500), ("G51 A50 E0.1\nG05", 500)):
+        for corner, acceleration in (("G51 A50 E0.1", 250), ("G51 A0 E0.1", 500), ("G51 E0.1", 500), ("G51 A50 E0.1\nG05", 500), ("G51 A200 E0.1", 500)):
             with self.subTest(corner):
                 done = self.run_program(f"{HEAD}{corner}\nG01 Z10 F3000\nM30\n", *slopes)
                 self.assertAlmostEqual(self.seconds(done, Z=10), 40 / 50 + 50 / acceleration, delta=0.03)
