@@ -68,11 +68,12 @@ bool Interpreter::g_spindle_mode(const GCode& row) {
 }
 
 // Constant surface speed keeps to G92 S and to the gear (5.3.1); otherwise S words are what they clamp.
-bool Interpreter::limit_surface_speed() {
+// `said`: by G92 S itself, which is told even where nothing changes here: the spindle may have been commanded without a limit since.
+bool Interpreter::limit_surface_speed(bool said) {
     const bool surface = core_.path.spindle.mode == SpindleModeCode::SurfaceSpeed;
     const double gear = surface ? gear_limit() : 0.0;
     const double limit = gear > 0 && (modal_.speed_limit <= 0 || gear < modal_.speed_limit) ? gear : modal_.speed_limit;
-    return limit == core_.path.spindle.limit_rpm || core_.spindle_limit(limit);
+    return (!said && limit == core_.path.spindle.limit_rpm) || core_.spindle_limit(limit);
 }
 
 bool Interpreter::g_corner(const GCode& row) {
@@ -327,7 +328,7 @@ bool Interpreter::g_preset(const GCode&) {
     if (has('S')) {
         if (has_axes()) return core_.fail(Alarm::FagorAlone, 'S', "G92 S");
         modal_.speed_limit = number('S');
-        return number('S') >= 0 ? limit_surface_speed() && core_.commit_spindle() : core_.spindle_limit(number('S'));
+        return number('S') >= 0 ? limit_surface_speed(true) && core_.commit_spindle() : core_.spindle_limit(number('S'));
     }
     if (!has_axes()) return core_.fail(Alarm::CoordinateAxisNone, 'G', "G92");
     core_.hold_zeros_as_preset();

@@ -147,7 +147,7 @@ private:
     bool m_end(double code);
     bool spindle_gear(double code);
     double gear_limit() const;
-    bool limit_surface_speed();
+    bool limit_surface_speed(bool said = false);
 
     // points and motion (points.cpp, g_motion.cpp)
     bool read_point(AxisValues& target, AxisSet* named);

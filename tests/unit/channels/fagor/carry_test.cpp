@@ -51,6 +51,13 @@ TEST(FagorProgramEnd, LeavesParametersTablesAndTheZeroOffset) {
     EXPECT_TRUE(behind("(OPEN P9)\n(WRITE (P100=5))\nM30\n", "(EXEC P9)\nM30\n").has({"P100", ":5"}));       // 12.7
 }
 
+// 4.4.1: the limit stands until power-off; said again it is told again, for the spindle may turn without it.
+TEST(FagorProgramEnd, G92SIsToldAlthoughTheLastProgramSaidTheSame) {
+    const Played played = behind("G92 S1500\nM30\n", "S1400 M3\nG92 S1500\nM30\n");
+    EXPECT_EQ(played.errors, 0u);
+    EXPECT_TRUE(played.has({"\"ev\":\"spindle\"", "\"line\":2", "\"value\":1400", "\"limit\":1500"})) << played.events;
+}
+
 TEST(FagorProgramMemory, KeepsWhatProgramsWrite) {
     const fs::path memory = fs::temp_directory_path() / "polyturn_fagor_memory";
     fs::remove_all(memory);
