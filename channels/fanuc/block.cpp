@@ -154,9 +154,15 @@ Step Interpreter::nc_block() {
     if (!settings_.g_calls.empty() || !settings_.m_calls.empty() || !settings_.letter_calls.empty() || settings_.t_calls) {
         if (!life_.mode && !code_calls(calls)) return fault(core_.fault());
     }
+    bool called_behind = false;   // by G66.1, when the block has acted
     if (!calls && gives_arguments()) {
-        if (!per_block_call()) return fault(core_.fault());
-        calls = true;
+        if (const Word* const stop = stops_or_waits()) {
+            if (!stands_alone(*stop)) return fault(core_.fault());
+            called_behind = true;
+        } else {
+            if (!per_block_call()) return fault(core_.fault());
+            calls = true;
+        }
     }
     b_.single_now = false;
     b_.moves = 0;
@@ -232,7 +238,9 @@ Step Interpreter::nc_block() {
         fresh_ = false;
         core_.end_block();
     }
-    if (!ended_ && !called_ && !modal_calls_.empty()) {
+    if (called_behind) {
+        if (!per_block_call()) return fault(core_.fault());
+    } else if (!ended_ && !called_ && !modal_calls_.empty()) {
         const ModalCall& modal = modal_calls_.back();
         if (!modal.every_block && core_.moves() - b_.moves != moves_before) {
             const LocalSet arguments = modal.arguments;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "channels/fanuc/expression.hpp"
 #include "channels/fanuc/interpreter.hpp"
 
 namespace polyturn::channels::fanuc {
@@ -112,15 +113,39 @@ bool Interpreter::g_macro_modal_off(const GCode&) {
 }
 
 // Between G66.1 and G67 a block does nothing itself: its words are arguments, as behind G65 (nct part 2 18.2, "called for every block";
-// what becomes of the words is the field's standard). The end of a program is none.
+// what becomes of the words is the field's standard). The end of a program and a block that calls a subprogram are none.
 bool Interpreter::gives_arguments() const {
     if (modal_calls_.empty() || !modal_calls_.back().every_block || !modal_calls_.back().armed || b_.registering || life_.mode) return false;
-    if (!(block_.letters & ~letter_set("NO"))) return false;
+    if (sub_program_ >= 0 || !(block_.letters & ~letter_set("NO"))) return false;
     for (std::size_t k = 0; k < block_.count; ++k) {
         const Word& word = block_.words[k];
         if (word.axis >= 0) continue;
         if (word.address == 'G' && (word.value == 67 || word.value == 65 || word.value == 66 || std::fabs(word.value - 66.1) < 1e-6)) return false;
-        if (word.address == 'M' && (word.value == 2 || word.value == 30 || word.value == 99)) return false;
+        if (word.address == 'M' && (word.value == 2 || word.value == 30 || word.value == 98 || word.value == 99 || word.value == 198)) return false;
+    }
+    return true;
+}
+
+// A stop or a waiting code that were an argument only would let the machine run on where its program says that it stands, or past the
+// other channel. Nothing in the specification takes it away: it acts as ever, and the macro is called behind it with M as its argument.
+const Word* Interpreter::stops_or_waits() const {
+    for (std::size_t k = 0; k < block_.count; ++k) {
+        const Word& word = block_.words[k];
+        if (word.axis >= 0 || word.address != 'M') continue;
+        const double code = word.from_expression ? whole_steps(word.value, 1.0) : word.value;
+        if (code == 0 || code == 1 || core_.view().machine.is_wait_code(code)) return &word;
+    }
+    return nullptr;
+}
+
+// Whether another word of such a block would move or switch, or be an argument only, nobody tells: it stands alone (P: the channels).
+bool Interpreter::stands_alone(const Word& stop) {
+    for (std::size_t k = 0; k < block_.count; ++k) {
+        const Word& word = block_.words[k];
+        if (&word == &stop || (word.axis < 0 && (word.address == 'N' || word.address == 'O' || word.address == 'P'))) continue;
+        fault_column_ = word.column;
+        fault_length_ = word.length;
+        return core_.fail(Alarm::CodesContradict, 0, std::string(text_of(stop)) + " and " + std::string(text_of(word)));
     }
     return true;
 }

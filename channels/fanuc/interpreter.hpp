@@ -211,6 +211,8 @@ private:
     bool is_draining(double code) const;
     bool wait_code(const Word& word);
     bool gives_arguments() const;
+    const Word* stops_or_waits() const;
+    bool stands_alone(const Word& stop);
     bool per_block_call();
     bool code_calls(bool& called);
     bool function_code(const Word& word, bool late);

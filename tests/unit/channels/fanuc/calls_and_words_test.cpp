@@ -36,6 +36,33 @@ TEST(MacroCalls, CountToNineThousand) {   // fanuc_lathe 6.9.2
     for (const char* none : {"G65 P1 L0\nM30\n", "M98 P1 L0\nM30\n"}) EXPECT_TRUE(play(none).has({R"("number":"PT1508")", R"("column":8)"})) << play(none).events;   // from 1 on
 }
 
+// nct part 2 18.2: G66.1 calls for every block; what stops or waits, and what calls a subprogram itself, does so there as well.
+TEST(MacroCalls, OfG661LeaveStopsWaitsAndSubprogramsAlone) {
+    Play how;
+    how.sets = {"F6071=56"};
+    const std::string macro = "O8001\n#500=#500+1\n#501=#13\nM99\n";
+    const auto between = [&](const char* block) { return "#500=0\nG66.1 P8001\n" + std::string(block) + "\nG67\nM30\n" + macro + "O9001\n#502=1\nM99\n"; };
+    const Played stop = play(between("M0"), how);
+    EXPECT_TRUE(stop.has({R"("ev":"stop")", R"("line":3,)", R"("reason":"M00")"})) << stop.events;
+    EXPECT_TRUE(stop.has({R"("name":"#500","value":1)"})) << stop.events;
+    EXPECT_TRUE(stop.has({R"("name":"#501","value":0)"})) << stop.events;
+    EXPECT_TRUE(stop.has({R"("reason":"M30")"})) << stop.events;
+    const Played wait = play(between("M510 P12"), how);
+    EXPECT_TRUE(wait.has({R"("ev":"wait")", R"("code":510,"channels":[1,2])"})) << wait.events;
+    EXPECT_TRUE(wait.has({R"("name":"#501","value":510)"})) << wait.events;
+    const Played function = play(between("M8"), how);   // an argument only
+    EXPECT_FALSE(function.has({R"("code":"M8")"})) << function.events;
+    EXPECT_TRUE(function.has({R"("name":"#501","value":8)"})) << function.events;
+    for (const char* call : {"M56", "M98 P9001"}) {
+        const Played sub = play(between(call), how);
+        EXPECT_EQ(sub.errors, 0u) << sub.events;
+        EXPECT_TRUE(sub.has({R"("name":"#502","value":1)"})) << sub.events;
+        EXPECT_FALSE(sub.has({R"("name":"#501")"})) << sub.events;   // the macro is not called as well
+    }
+    const Played both = play(between("M0 X50."), how);
+    EXPECT_TRUE(both.has({R"("number":"PT1040")", R"("column":4)"})) << both.events;
+}
+
 TEST(MacroCalls, OfG66GoOnWithTheirVariables) {   // fanuc_lathe 6.9.3: arguments are given once, in the block of G66
     const Played played = play("#100=0\nG66 P8100 A1.\nG0 X90.\nX80.\nX70.\nG67\n#101=#1\nM30\nO8100\n#100=#100*10+#1\n#1=#1+1\nM99\n");
     EXPECT_EQ(played.errors, 0u) << played.events;
