@@ -17,6 +17,15 @@ Dialect dialect_of(std::string_view language) {
     return Dialect::Fanuc;
 }
 
+std::string_view language_name(Dialect dialect) {
+    switch (dialect) {
+        case Dialect::Nct: return "nct";
+        case Dialect::Fagor: return "fagor";
+        case Dialect::Sinumerik: return "sinumerik";
+        case Dialect::Mefi: return "mefi";
+        default: return "fanuc";
+    }
+}
 
 namespace {
 

@@ -37,6 +37,7 @@ class EventSink final : public Sink {
 public:
     EventSink(EventScene scene, std::string& text, bool variables, char separator) : scene_(scene), text_(&text), variables_(variables), separator_(separator) {}
     void set_files(const ProgramFiles* files) { scene_.files = files; }
+    void speak(Dialect dialect) { scene_.dialect = dialect; }   // of the program that begins
 
     void move(const Move& m, const BlockContext& at) override { put(m, at); }
     void dwell(const Dwell& d, const BlockContext& at) override { put(d, at); }

@@ -103,7 +103,7 @@ void ChannelProcess::act(const ChannelEvent& event) {
             break;
         case ChannelEventKind::Reset: reset(event); break;
         case ChannelEventKind::StoreChanged: store_changed_ = true; break;
-        case ChannelEventKind::SelectProgram: choice_.path = std::string(text_of(event)), publish_choice(); break;
+        case ChannelEventKind::SelectProgram: choice_.path = std::string(text_of(event)), choice_.language = static_cast<Dialect>(event.value), publish_choice(); break;
         case ChannelEventKind::Quit: quit_ = true; break;
         case ChannelEventKind::Interrupt: event.record & kInterruptAhead ? interrupt_ahead(event) : interrupt(event); break;
         case ChannelEventKind::Restart: restart(event); break;

@@ -38,6 +38,7 @@ struct ProgramChoice {
     std::string path;   // selected file
     std::string mdi;    // a text instead of a file
     std::string beside = {};   // of mdi: the selected file; what stands beside it can be called
+    Dialect language = Dialect::Polyturn;   // of the file, as a job says it; Polyturn: the machine says it
 };
 
 // Interprets one program, seen from here. Made anew for each cycle start.

@@ -10,8 +10,9 @@
 namespace polyturn::channels {
 namespace {
 
-// The language that --language names, or the machine.
-std::string language_of(const RunModeOptions& options, const MachineView& view) {
+// The language that --language names, or the job of the selected file, or the machine; a block by hand is in that of the machine.
+std::string language_of(const RunModeOptions& options, const MachineView& view, const ProgramChoice& choice = {}) {
+    if (options.language.empty() && choice.mdi.empty() && choice.language != Dialect::Polyturn) return std::string(language_name(choice.language));
     return options.language.empty() ? std::string(params::get_text(view.table(), params::pt_language, view.channel)) : options.language;
 }
 
@@ -89,7 +90,9 @@ Result<void> run_mode(const RunModeOptions& options) {
     services.kept_folder = options.kept;
     EventSink* events = nullptr;   // the describing sink of the running program
     services.make_run = [&](MachineView& view, Sink& sink, Port& port, const ProgramChoice& choice) -> std::unique_ptr<ProgramRun> {
-        auto run = std::make_unique<LanguageRun>(view, sink, port, choice, setup, language_of(options, view), events);
+        const std::string language = language_of(options, view, choice);
+        if (events) events->speak(dialect_of(language));
+        auto run = std::make_unique<LanguageRun>(view, sink, port, choice, setup, language, events);
         run->shown();
         return run;
     };

@@ -325,6 +325,10 @@ void MainWindow::composeLock(Writer& w) {
 }
 
 void MainWindow::lock(bool on) {
+    if (on && !locked_) {   // what a finger holds now must not go on beneath the cover
+        for (int key = 0; key < 10; ++key) bar_->letGo(key);
+        for (Screen* one : screens_) one->letGo();
+    }
     locked_ = on;
     lockedUntil_ = QDateTime::currentMSecsSinceEpoch() + kLockMs;
     cover_->setVisible(on);
@@ -419,8 +423,8 @@ bool MainWindow::eventFilter(QObject* object, QEvent* event) {
     const auto type = event->type();
     if (locked_) {
         switch (type) {
-            case QEvent::KeyPress: case QEvent::KeyRelease: case QEvent::MouseButtonPress: case QEvent::MouseButtonRelease: case QEvent::MouseButtonDblClick: case QEvent::Wheel:
-            case QEvent::TouchBegin: case QEvent::TouchUpdate: case QEvent::TouchEnd: return true;
+            case QEvent::KeyPress: case QEvent::MouseButtonPress: case QEvent::MouseButtonDblClick: case QEvent::MouseMove: case QEvent::Wheel: case QEvent::TouchBegin: case QEvent::TouchUpdate: return true;
+            case QEvent::KeyRelease: return keyReleased(static_cast<QKeyEvent*>(event));   // releases come through: nothing begins with them
             default: return false;
         }
     }

@@ -42,6 +42,7 @@ public:
     SoftKeyBar& softKeys() { return *bar_; }
     std::vector<Sheet*> ownSheets() const { return {top_, rail_, line_, bar_}; }
     bool locked() const { return locked_; }
+    void lock(bool on);                    // for cleaning: touches and keys do nothing for a while
     HelpView& help() { return *help_; }
     DialogueView& dialogue() { return *dialogue_; }
     void showKeys();                       // of the dialogue, or of the screen
@@ -64,7 +65,6 @@ private:
     void tell(const QString& text, Told how);
     std::map<QString, QString> keepsake() const;   // what a restart shows again
     void keep();                           // aside, when it is another one than before
-    void lock(bool on);
     void nextField();
     bool keyPressed(QKeyEvent* event);
     bool keyReleased(QKeyEvent* event);

@@ -65,6 +65,7 @@ public:
     virtual void rebuilt() {}                                  // another machine, or none
     virtual bool key(QKeyEvent*) { return false; }
     virtual bool keyReleased(QKeyEvent*) { return false; }     // of keys that act as long as they are held
+    virtual void letGo() {}                                    // of everything that is held: the panel is locked
     virtual bool typing() const { return false; }              // digits and letters belong to a field now
     virtual QString state() const { return {}; }               // where in the screen, to be kept
     virtual void restore(const QString&) {}

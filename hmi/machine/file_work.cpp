@@ -143,6 +143,9 @@ QString protectedIn(const QString& path, int level, const std::atomic<bool>& sto
     return {};
 }
 
+// The block device's place in the tree of buses says so.
+bool onUsb(const QString& device) { return QFileInfo("/sys/class/block/" + device.section('/', -1)).canonicalFilePath().contains("/usb"); }
+
 }  // namespace
 
 FileOutcome failedFile(const QString& path, int error) { return {FileOutcome::Kind::Failed, QFileInfo(path).fileName() + ": " + QString::fromStdString(os_error(error, Tongue::English)), 0}; }
@@ -211,7 +214,8 @@ std::vector<Place> places(const QString& mounts, const QStringList& configured) 
         QString path = words[1];
         for (const auto& [code, text] : {std::pair{"\\040", " "}, {"\\011", "\t"}, {"\\134", "\\"}}) path.replace(code, text);
         const bool network = kNetwork.contains(words[2]);
-        const bool removable = !network && (path.startsWith("/media/") || path.startsWith("/run/media/") || path.startsWith("/mnt/"));
+        // Where desktops mount sticks; below /mnt only what hangs on a USB port: fixed disks are mounted there as well.
+        const bool removable = !network && (path.startsWith("/media/") || path.startsWith("/run/media/") || (path.startsWith("/mnt/") && onUsb(words[0])));
         if (network || removable) out.push_back({network ? words[0] : path.section('/', -1), path, network ? Place::Kind::Network : Place::Kind::Removable});
     }
     return out;

@@ -236,8 +236,10 @@ void Diagnosis::composeTicks(Writer& w) {
     w.line({left, bottom}, {right, bottom}, t.edge, 1);
     const auto microseconds = [](std::size_t i) { return QString("%1 %2").arg(std::exp2(static_cast<double>(i) / 4), 0, 'f', 0).arg(unitWord("us")); };
     w.text(QRectF(left, bottom + px(4), px(120), px(20)), microseconds(first), lettering(13), t.dim);
-    w.text(QRectF(right - px(140), bottom + px(4), px(140), px(20)), microseconds(last), lettering(13), t.dim, Qt::AlignRight | Qt::AlignVCenter);
-    w.text(QRectF(left, bottom + px(28), right - left, px(22)), word("longest %1 of a tick of %2").arg(microseconds(last), QString("%1 %2").arg(desk_.live.config().tick_us).arg(unitWord("us"))), lettering(14), t.text);
+    w.text(QRectF(right - px(140), bottom + px(4), px(140), px(20)), microseconds(last + 1), lettering(13), t.dim, Qt::AlignRight | Qt::AlignVCenter);
+    if (last - first >= 8) w.text(QRectF(left + (right - left) / 2 - px(70), bottom + px(4), px(140), px(20)), microseconds((first + last + 1) / 2), lettering(13), t.dim, Qt::AlignCenter);
+    w.text(QRectF(left, top - px(22), right - left, px(20)), word("Highest bar: %1 of %2 ticks; both scales are logarithmic").arg(most).arg(all), lettering(13), t.dim);
+    w.text(QRectF(left, bottom + px(28), right - left, px(22)), word("longest below %1 of a tick of %2").arg(microseconds(last + 1), QString("%1 %2").arg(desk_.live.config().tick_us).arg(unitWord("us"))), lettering(14), t.text);
 }
 
 }  // namespace polyturn::hmi

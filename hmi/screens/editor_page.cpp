@@ -21,7 +21,7 @@ constexpr int kPauseMs = 500;                      // no letter for so long: it 
 
 }  // namespace
 
-EditorPage::EditorPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), edit_(new QPlainTextEdit(this)), line_(new FreeSheet(this)), pad_(new TextPad(this)), form_(new CycleFormPage(desk, this)), contour_(new ContourPage(desk, this)) {
+EditorPage::EditorPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), edit_(new QPlainTextEdit(this)), numbers_(new FreeSheet(this)), line_(new FreeSheet(this)), pad_(new TextPad(this)), form_(new CycleFormPage(desk, this)), contour_(new ContourPage(desk, this)) {
     for (EditorOverlay* one : {static_cast<EditorOverlay*>(form_), static_cast<EditorOverlay*>(contour_)}) layOver(one);
     edit_->setFrameShape(QFrame::NoFrame);
     edit_->setLineWrapMode(QPlainTextEdit::NoWrap);
@@ -34,7 +34,20 @@ EditorPage::EditorPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(des
     wait_.setSingleShot(true);
     QObject::connect(&wait_, &QTimer::timeout, this, [this] { check(); });
     QObject::connect(edit_, &QPlainTextEdit::textChanged, this, [this] { if (!file_.isEmpty()) wait_.start(kPauseMs); });
-    QObject::connect(edit_, &QPlainTextEdit::cursorPositionChanged, this, [this] { line_->refresh(); });
+    QObject::connect(edit_, &QPlainTextEdit::cursorPositionChanged, this, [this] { line_->refresh(), numbers_->refresh(); });
+    // The numbers by which alarms, faults and restarts name the lines, beside those that are seen.
+    QObject::connect(edit_, &QPlainTextEdit::updateRequest, this, [this](const QRect&, int) { numbers_->refresh(); });
+    numbers_->onCompose = [this](Writer& w) {
+        const Theme& t = theme();
+        w.fill(QRectF(0, 0, numbers_->width(), numbers_->height()), t.window);
+        const int here = edit_->textCursor().blockNumber();
+        for (QTextBlock block = edit_->cursorForPosition({0, 0}).block(); block.isValid(); block = block.next()) {
+            const QRect at = edit_->cursorRect(QTextCursor(block));
+            if (at.top() > edit_->viewport()->height()) break;
+            const bool chosen = block.blockNumber() == here;
+            w.data(QRectF(0, at.top(), numbers_->width() - px(10), at.height()), QString::number(block.blockNumber() + 1 + part_.line), lettering(14, chosen, Face::Program), chosen ? t.text : t.dim, kRight);
+        }
+    };
     line_->onCompose = [this](Writer& w) {
         const Theme& t = theme();
         w.fill(QRectF(0, 0, line_->width(), line_->height()), t.window);
@@ -192,7 +205,8 @@ void EditorPage::refresh() {
     const Theme& t = theme();
     take();
     QPalette colours = edit_->palette();
-    if (colours.color(QPalette::Base) != t.card) {
+    if (!dressed_ || colours.color(QPalette::Base) != t.card) {   // white may be the palette's own from the start
+        dressed_ = true;
         colours.setColor(QPalette::Base, t.card), colours.setColor(QPalette::Text, t.text), colours.setColor(QPalette::Highlight, t.accent), colours.setColor(QPalette::HighlightedText, t.onAccent);
         edit_->setPalette(colours);
         edit_->setFont(lettering(17, false, Face::Program));
@@ -274,7 +288,9 @@ void EditorPage::resizeEvent(QResizeEvent*) { layOut(); }
 
 void EditorPage::layOut() {
     const int edge = px(8), line = px(44), pad = keyboard_ ? px(260) : 0;
-    edit_->setGeometry(edge, 0, width() - 2 * edge, height() - line - pad - edge);
+    const int numbers = px(64);
+    numbers_->setGeometry(edge, 0, numbers, height() - line - pad - edge);
+    edit_->setGeometry(edge + numbers, 0, width() - 2 * edge - numbers, height() - line - pad - edge);
     line_->setGeometry(edge, height() - line - pad - edge, width() - 2 * edge, line);
     pad_->setGeometry(edge, height() - pad, width() - 2 * edge, std::max(0, pad - edge));
     pad_->setVisible(keyboard_);

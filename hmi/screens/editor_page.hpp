@@ -91,7 +91,8 @@ private:
 
     Desk& desk_;
     QPlainTextEdit* edit_;
-    FreeSheet* line_;
+    bool dressed_ = false;        // in the colours and the face of the screens
+    FreeSheet *numbers_, *line_;
     TextPad* pad_;
     CycleFormPage* form_;
     ContourPage* contour_;

@@ -63,8 +63,12 @@ void Programs::composeTogether(Writer& w) {
             const QColor colour = all ? t.wait : t.bad;
             double from = wide, to = 0;
             for (const unsigned number : here) from = std::min(from, left[number]), to = std::max(to, left[number] + each);
-            w.fill(QRectF(from + px(8), y + px(2), to - from - px(16), row - px(4)), t.mark, px(9));
-            w.frame(QRectF(from + px(8), y + px(2), to - from - px(16), row - px(4)), colour, px(9), px(1.5));
+            // The bridge: a line from the first to the last, a pier in each column that takes part; it passes over the others.
+            w.fill(QRectF(from + px(12), y + row / 2 - px(1.5), to - from - px(24), px(3)), colour);
+            for (const unsigned number : here) {
+                w.fill(QRectF(left[number] + px(8), y + px(2), each - px(16), row - px(4)), t.mark, px(9));
+                w.frame(QRectF(left[number] + px(8), y + px(2), each - px(16), row - px(4)), colour, px(9), px(1.5));
+            }
             QStringList missing;
             for (const unsigned number : wait->channels)
                 if (!one.comes(number)) missing << QString("L%1").arg(number);

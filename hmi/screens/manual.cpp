@@ -1,5 +1,6 @@
 #include "hmi/screens/manual.hpp"
 
+#include <QDateTime>
 #include <array>
 #include <cmath>
 
@@ -257,7 +258,14 @@ void Manual::composeSide(Writer& w) {
     words.wraps = true, words.data = true;
 }
 
+// The key of the emergency stop stays one for a while: who hits it twice in fright must not switch the machine on.
+bool Manual::stops() const {
+    constexpr qint64 kStaysMs = 3000;
+    return desk_.live.status().machine_state == 2 || QDateTime::currentMSecsSinceEpoch() - wasOnMs_ < kStaysMs;
+}
+
 void Manual::refresh() {
+    if (desk_.live.status().machine_state == 2) wasOnMs_ = QDateTime::currentMSecsSinceEpoch();
     if (handShown_) return hand_->refresh();
     for (Sheet* one : sheets()) one->refresh();
 }
@@ -273,6 +281,7 @@ std::vector<SoftKey> Manual::keys() {
     const bool held = static_cast<ChannelState>(status.state) == ChannelState::Held;
     const bool away = status.start_missing >> 7 & 1u;   // back_on_path
     const bool on = live.status().machine_state == 2;
+    const bool rests = static_cast<ChannelState>(status.state) == ChannelState::Reset || static_cast<ChannelState>(status.state) == ChannelState::Ended;
     std::vector<SoftKey> keys{
         {word("Automatic"), [this] { mode("auto"); }, Sign::None, there, mode_now == ChannelMode::Auto},
         {word("Jog"), [this] { mode("jog"); }, Sign::Manual, there, mode_now == ChannelMode::Jog},
@@ -281,15 +290,19 @@ std::vector<SoftKey> Manual::keys() {
         {word("Reference all"), press_words("reference all"), Sign::Offsets, there && on, false, false, word("All axes move: press again")},
         {word("Leave the hold %1").arg(name), press_words("jog_in_hold " + name), Sign::Hold, there && held && !away},
         {word("Return %1").arg(name), press_words("return " + name), Sign::Left, there && away},
-        {word("Start %1").arg(name), [this, name, mode_now] { mode_now == ChannelMode::Mdi && !mdi_.trimmed().isEmpty() ? startMdi() : desk_.requests.press("cycle_start " + name); }, Sign::Run, there},
+        {word("Start %1").arg(name), [this, name, mode_now, rests] {
+             if (mode_now != ChannelMode::Mdi || !rests) return desk_.requests.press("cycle_start " + name);
+             if (mdi_.trimmed().isEmpty()) return desk_.tell(word("No block is entered"), Told::Refused);
+             startMdi();
+         }, Sign::Run, there},
         {word("Hold %1").arg(name), press_words("feed_hold " + name), Sign::Hold, there},
-        {on ? word("Emergency stop") : word("Machine on"),
-         [this, on] {
-             if (on) return desk_.requests.press("emergency_stop");
+        {stops() ? word("Emergency stop") : word("Machine on"),
+         [this] {
+             if (stops()) return desk_.requests.press("emergency_stop");
              if (desk_.live.status().machine_state == 0) desk_.requests.press("release_emergency_stop");
              desk_.requests.press("machine_on");
          },
-         Sign::Off, there, false, on},
+         Sign::Off, there, false, stops(), stops() ? QString() : word("Switches the drives on: press again")},
     };
     return keys;
 }

@@ -18,6 +18,7 @@ public:
     void refresh() override;
     bool key(QKeyEvent* event) override;
     bool keyReleased(QKeyEvent* event) override;
+    void letGo() override;
     bool typing() const override { return typing_; }
     QString state() const override { return QString("%1 %2").arg(step_).arg(handShown_ ? 1 : 0); }
     void restore(const QString& state) override;
@@ -44,8 +45,8 @@ private:
     void composeAxes(Writer& w);
     void composeSide(Writer& w);
     void press(int number);
-    void letGo();
     void tellHeld();
+    bool stops() const;
     void mode(const char* wanted);
     unsigned chosenAxis() const;  // 0: none
 
@@ -60,6 +61,7 @@ private:
     unsigned place_ = 0;          // of the axis that keys move
     int override_ = 0;            // feed, rapid, spindle: the one that keys change
     QString mdi_;
+    qint64 wasOnMs_ = 0;          // when the machine was seen on last
 };
 
 }  // namespace polyturn::hmi

@@ -87,11 +87,12 @@ std::vector<SoftKey> Overview::keys() {
     const bool inProgram = state == ChannelState::Running || state == ChannelState::Held || state == ChannelState::Waiting || state == ChannelState::ProgramStop;
     const QString name = QString("L%1").arg(channel);
     const auto press = [this](const QString& words) { return [this, words] { desk_.requests.press(words); }; };
-    bool anyInProgram = false, allSingle = there;
+    bool anyInProgram = false, allSingle = there, ends = false;
     for (const unsigned one : live.channels()) {
         const auto other = static_cast<ChannelState>(live.channel(one).state);
         anyInProgram |= other == ChannelState::Running || other == ChannelState::Held || other == ChannelState::Waiting || other == ChannelState::ProgramStop;
         allSingle &= (live.channel(one).keys & kKeySingleBlock) != 0;
+        ends |= (live.channel(one).keys & kKeyStopAfterPart) != 0;
     }
     const bool single = (status.keys & kKeySingleBlock) != 0;
     if (control_) return controlKeys(there);
@@ -109,7 +110,7 @@ std::vector<SoftKey> Overview::keys() {
              desk_.requests.press("single_block " + each.join(' '));
          }, Sign::Stop, there, allSingle},
         {word("Program control"), [this] { control_ = true, desk_.keysChanged ? desk_.keysChanged() : void(); }, Sign::Right, there},
-        {word("End with this part"), press("stop_after_part"), Sign::Ended, there},
+        {word("End with this part"), press(ends ? "stop_after_part off" : "stop_after_part"), Sign::Ended, there, ends},
     };
     return keys;
 }

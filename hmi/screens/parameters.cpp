@@ -5,6 +5,7 @@
 #include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "hmi/widgets/number_cells.hpp"
 #include "ipc/machine/load_machine.hpp"
@@ -46,6 +47,13 @@ bool matches(const params::Row& row, const QString& searched) {
         if (spoken() == Tongue::English) break;
     }
     return std::any_of(row.bits.begin(), row.bits.end(), [&](const params::Bit& bit) { return has(bit.name); });
+}
+
+// A bit whose table tells what it means on says nothing of off where off is just that it does not; and the other way round.
+QString bothMeanings(const QString& told) {
+    static const QRegularExpression kOne("(^|[ ,;])1 "), kNone("(^|[ ,;])0 ");
+    const bool one = told.contains(kOne), none = told.contains(kNone);
+    return one == none ? told : word("%1; %2: not so").arg(told).arg(one ? 0 : 1);
 }
 
 }  // namespace
@@ -109,8 +117,12 @@ Parameters::Parameters(Desk& desk)
         const Line* line = chosen();
         if (line && number == kTextHit) return askText(*line);
         if (!line || line->row->type != params::Type::Bits || number < kBitHits) return;
-        bit_ = static_cast<unsigned>(number - kBitHits);
-        turnBit(*line, bit_);
+        // One touch chooses, the next one turns it over: a touch that only looks must not change the machine.
+        const auto touched = static_cast<unsigned>(number - kBitHits);
+        const bool again = touched == std::exchange(bit_, touched) && touchedLine_ == table_->row();
+        touchedLine_ = table_->row();
+        if (again) turnBit(*line, bit_);
+        else desk_.tell(word("Touch the bit again: it is turned over"), Told::Note), detail_->refresh();
     };
     pad_->field = [this]() -> std::optional<NumberPad::Field> {
         const Line* line = chosen();
@@ -358,7 +370,8 @@ void Parameters::composeDetail(Writer& w) {
     y += meaning + px(2);
     if (bits) {   // each bit with what it means on and off; a touch turns it over
         const auto now = static_cast<unsigned>(value(*line));
-        const double each = std::min<double>(px(62), (high - y - px(10)) / static_cast<double>(std::max<std::size_t>(1, row.bits.size())));
+        const double facts = px(90 + (row.acts != "yes" ? 36 : 0));   // beneath: what is told of every parameter
+        const double each = std::min<double>(px(62), (high - y - px(10) - facts) / static_cast<double>(std::max<std::size_t>(1, row.bits.size())));
         for (const params::Bit& bit : row.bits) {
             const bool on = now >> bit.number & 1u;
             const QRectF box(px(8), y, wide - px(16), each - px(2));
@@ -366,12 +379,12 @@ void Parameters::composeDetail(Writer& w) {
             if (bit.number == bit_) w.frame(box, t.accent, px(4), px(2));
             w.sign(QRectF(box.left() + px(5), box.center().y() - px(8), px(16), px(16)), on ? Sign::Good : Sign::None, t.good);
             w.data(QRectF(box.left() + px(26), box.top(), px(62), box.height()), QString("#%1 %2").arg(bit.number).arg(fromView(bit.name)), lettering(12.5, true, Face::Condensed), t.text);
-            Item& told = w.text(QRectF(box.left() + px(84), box.top(), box.width() - px(88), box.height()), fromView(words.bits[bit.number]), lettering(each < px(40) ? 12 : 13, false, Face::Condensed), on ? t.text : t.dim);
+            Item& told = w.text(QRectF(box.left() + px(84), box.top(), box.width() - px(88), box.height()), bothMeanings(fromView(words.bits[bit.number])), lettering(each < px(40) ? 12 : 13, false, Face::Condensed), on ? t.text : t.dim);
             told.wraps = told.data = true;
             w.hit(box, kBitHits + bit.number);
             y += each;
         }
-        return;
+        y += px(6);
     }
     const auto fact = [&](const QString& name, const QString& what, const QColor& colour) {
         if (y + px(20) > high) return;
@@ -379,7 +392,9 @@ void Parameters::composeDetail(Writer& w) {
         w.data(QRectF(px(110), y, wide - px(122), px(20)), what, lettering(13.5, true), colour, kRight);
         y += px(19);   // five lines and the card's border
     };
-    if (row.type != params::Type::Text) {
+    if (bits) {
+        fact(word("Default"), QString::number(row.default_number(line->element), 'g', 12), differs(*line) ? t.accent : t.text);
+    } else if (row.type != params::Type::Text) {
         fact(word("Range"), QString::fromUtf8("%1 … %2").arg(row.min, 0, 'g', 9).arg(row.max, 0, 'g', 9), t.text);
         fact(word("Default"), QString::number(row.default_number(line->element), 'g', 12), differs(*line) ? t.accent : t.text);
     } else {

@@ -86,6 +86,7 @@ private:
     Only only_ = Only::All;
     bool searching_ = false, onGroups_ = false;   // onGroups_: keys go to the groups
     unsigned bit_ = 0;                      // that keys turn over
+    int touchedLine_ = -1;        // whose bit a touch has chosen
     Page page_ = Page::List;
     bool bitsShown_ = false;
     CompensationPage* compensation_;

@@ -237,7 +237,7 @@ std::vector<SoftKey> Programs::keys() {
         {word("Open folder"), [this] { files_->open(); }, Sign::Right, page_ == Page::Files && files_->isFolder()},
         {word("Places"), [this] { files_->showPlaces(); }, Sign::None, page_ == Page::Files},
         {job || !file ? word("Select job") : word("Select in L%1").arg(desk_.channel), [this] { select(); }, Sign::Good, there && file && !runs && page_ == Page::Files},
-        {word("Start all"), [this] { desk_.requests.press("cycle_start"), desk_.show(0); }, Sign::Run, there},
+        {word("Start all"), [this] { desk_.requests.press("cycle_start"), desk_.show(0); }, Sign::Run, there, false, false, runs ? QString() : word("Starts all channels: press again")},
     };
     if (page_ == Page::Restart) restart_->addKeys(keys);
     if (page_ == Page::Files && printing_.busy()) keys.push_back({word("Stop"), [this] {

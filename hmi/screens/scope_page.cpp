@@ -29,10 +29,10 @@ QColor colourOfTrace(std::size_t trace) {
 // Units as the other screens have them: feeds mm/min, torque % of the rated one. The kernel records mm/s and thousandths.
 double shownAs(ScopeKind kind) { return kind == ScopeKind::AxisVelocity || kind == ScopeKind::PathSpeed ? 60.0 : kind == ScopeKind::AxisTorque ? 0.1 : 1.0; }
 
-QString ofAxis(const QString& title, bool rotary) {
+QString ofAxis(const QString& title, const AxisConfig& axis) {
     if (title == "torque") return "%";
-    if (title == "velocity") return rotary ? "deg/min" : "mm/min";
-    return rotary ? QString::fromUtf8("°") : QString("mm");
+    if (title == "velocity") return axis.rotary ? "deg/min" : "mm/min";
+    return axis.rotary ? QString::fromUtf8("°") : QString(axis.diameter ? WORD("mm, radius") : "mm");   // the slide's own way, whatever it shows elsewhere
 }
 
 }  // namespace
@@ -101,8 +101,7 @@ QString ScopePage::titleOf(std::size_t trace, QString* unit) const {
     const unsigned object = choice_.object[trace];
     const MachineConfig& machine = desk_.live.config();
     const auto axis = [&](const char* what) {
-        const bool rotary = object >= 1 && object <= kMaxAxes && machine.axis(object).rotary;
-        if (unit) *unit = ofAxis(what, rotary);
+        if (unit && object >= 1 && object <= kMaxAxes) *unit = ofAxis(what, machine.axis(object));
         return QString("A%1 %2 %3").arg(object).arg(object >= 1 && object <= kMaxAxes ? fromView(machine.axis(object).name_text()) : QString(), word(what));
     };
     const auto spindle = [&](const char* what, const char* of) {
@@ -145,7 +144,7 @@ void ScopePage::fillChoices() {
         for (std::uint32_t a = 1; a <= machine.last_axis; ++a)
             if (machine.axis(a).exists())
                 for (const auto& [words, title] : kAxis)
-                    all_.push_back({QString("%1 A%2").arg(words).arg(a), QString("A%1 %2 %3").arg(a).arg(fromView(machine.axis(a).name_text()), word(title)), ofAxis(title, machine.axis(a).rotary)});
+                    all_.push_back({QString("%1 A%2").arg(words).arg(a), QString("A%1 %2 %3").arg(a).arg(fromView(machine.axis(a).name_text()), word(title)), ofAxis(title, machine.axis(a))});
         const std::pair<const char*, const char*> kSpindle[] = {{"speed", WORD("speed")}, {"speed_command", WORD("commanded speed")}, {"angle", WORD("angle")}, {"deviation", WORD("deviation")}};
         for (std::uint32_t s = 1; s <= machine.last_spindle; ++s)
             if (machine.spindle(s).exists())

@@ -154,6 +154,11 @@
         <translation>%1: start pokračuje</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>%1; %2: not so</source>
+        <translation>%1; %2: ne</translation>
+    </message>
+    <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>(limited)</source>
         <translation>(omezeno)</translation>
@@ -1609,6 +1614,11 @@
         <translation>Nápověda</translation>
     </message>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Highest bar: %1 of %2 ticks; both scales are logarithmic</source>
+        <translation>Nejvyšší sloupec: %1 z %2 taktů; obě stupnice jsou logaritmické</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>History</source>
         <translation>Historie</translation>
@@ -2282,6 +2292,11 @@
         <location filename="../screens/alarms.cpp"/>
         <source>No alarm stands.</source>
         <translation>Žádný alarm netrvá.</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>No block is entered</source>
+        <translation>Není zadána žádná věta</translation>
     </message>
     <message>
         <location filename="../screens/stops_page.cpp"/>
@@ -3604,6 +3619,11 @@
         <translation>Vypnuto</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Switches the drives on: press again</source>
+        <translation>Zapne pohony: znovu</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Synchronised view</source>
         <translation>Synchronní pohled</translation>
@@ -4192,6 +4212,11 @@
         <location filename="../screens/restart_page.cpp"/>
         <source>Touch a block twice, or Enter: the program restarts there. «Restart» reads to it without moving, with all waits replayed. Then start: the control shows what it will do. Start again: tool, functions, axes, and it cuts. Bring the axes to a free place first.</source>
         <translation>Dotkněte se bloku dvakrát nebo Enter: program začne tam. «Restart» k němu čte bez pohybu a přehraje všechna čekání. Pak start: je vidět, co přijde. Znovu start: nástroj, funkce, osy a řeže se. Osy nejdřív odjeďte na volné místo.</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Touch the bit again: it is turned over</source>
+        <translation>Dotkněte se bitu znovu: přepne se</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -4970,8 +4995,8 @@
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
-        <source>longest %1 of a tick of %2</source>
-        <translation>nejdelší %1 z taktu %2</translation>
+        <source>longest below %1 of a tick of %2</source>
+        <translation>nejdelší pod %1 z taktu %2</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>
@@ -5017,6 +5042,11 @@
         <location filename="../screens/cycle_form_page.cpp"/>
         <source>mm, diameter</source>
         <translation>mm, průměr</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>mm, radius</source>
+        <translation>mm, poloměr</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>

@@ -154,6 +154,11 @@
         <translation>%1: a start folytatja</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>%1; %2: not so</source>
+        <translation>%1; %2: nem</translation>
+    </message>
+    <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>(limited)</source>
         <translation>(korlátozva)</translation>
@@ -1609,6 +1614,11 @@
         <translation>Súgó</translation>
     </message>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Highest bar: %1 of %2 ticks; both scales are logarithmic</source>
+        <translation>Legmagasabb oszlop: %1 a(z) %2 ütemből; mindkét skála logaritmikus</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>History</source>
         <translation>Előzmények</translation>
@@ -2282,6 +2292,11 @@
         <location filename="../screens/alarms.cpp"/>
         <source>No alarm stands.</source>
         <translation>Nincs fennálló riasztás.</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>No block is entered</source>
+        <translation>Nincs beírva mondat</translation>
     </message>
     <message>
         <location filename="../screens/stops_page.cpp"/>
@@ -3604,6 +3619,11 @@
         <translation>Kikapcsolva</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Switches the drives on: press again</source>
+        <translation>Bekapcsolja a hajtásokat: még egyszer</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Synchronised view</source>
         <translation>Szinkron nézet</translation>
@@ -4192,6 +4212,11 @@
         <location filename="../screens/restart_page.cpp"/>
         <source>Touch a block twice, or Enter: the program restarts there. «Restart» reads to it without moving, with all waits replayed. Then start: the control shows what it will do. Start again: tool, functions, axes, and it cuts. Bring the axes to a free place first.</source>
         <translation>Érintse kétszer a mondatot, vagy Enter: a program onnan folytatja. Az «Újraindítás» mozgás nélkül olvas odáig, minden várakozással. Aztán indítás: látszik, mi jön. Újra indítás: szerszám, funkciók, tengelyek, és forgácsol. Előbb vigye szabad helyre a tengelyeket.</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Touch the bit again: it is turned over</source>
+        <translation>Érintse meg még egyszer a bitet: átvált</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -4970,8 +4995,8 @@
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
-        <source>longest %1 of a tick of %2</source>
-        <translation>leghosszabb %1, ütem %2</translation>
+        <source>longest below %1 of a tick of %2</source>
+        <translation>leghosszabb %1 alatt, az ütem %2</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>
@@ -5017,6 +5042,11 @@
         <location filename="../screens/cycle_form_page.cpp"/>
         <source>mm, diameter</source>
         <translation>mm, átmérő</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>mm, radius</source>
+        <translation>mm, sugár</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>

@@ -154,6 +154,11 @@
         <translation>%1: пуск продолжит</translation>
     </message>
     <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>%1; %2: not so</source>
+        <translation>%1; %2: нет</translation>
+    </message>
+    <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>(limited)</source>
         <translation>(ограничено)</translation>
@@ -1609,6 +1614,11 @@
         <translation>Справка</translation>
     </message>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Highest bar: %1 of %2 ticks; both scales are logarithmic</source>
+        <translation>Самый высокий столбец: %1 из %2 тактов; обе шкалы логарифмические</translation>
+    </message>
+    <message>
         <location filename="../screens/alarms.cpp"/>
         <source>History</source>
         <translation>Журнал</translation>
@@ -2282,6 +2292,11 @@
         <location filename="../screens/alarms.cpp"/>
         <source>No alarm stands.</source>
         <translation>Активных аварий нет.</translation>
+    </message>
+    <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>No block is entered</source>
+        <translation>Кадр не введён</translation>
     </message>
     <message>
         <location filename="../screens/stops_page.cpp"/>
@@ -3604,6 +3619,11 @@
         <translation>Выключена</translation>
     </message>
     <message>
+        <location filename="../screens/manual.cpp"/>
+        <source>Switches the drives on: press again</source>
+        <translation>Включит приводы: ещё раз</translation>
+    </message>
+    <message>
         <location filename="../screens/programs.cpp"/>
         <source>Synchronised view</source>
         <translation>Синхронный вид</translation>
@@ -4192,6 +4212,11 @@
         <location filename="../screens/restart_page.cpp"/>
         <source>Touch a block twice, or Enter: the program restarts there. «Restart» reads to it without moving, with all waits replayed. Then start: the control shows what it will do. Start again: tool, functions, axes, and it cuts. Bring the axes to a free place first.</source>
         <translation>Коснитесь кадра дважды или Enter: программа начнёт с него. «Перезапуск» читает до него без движения, повторяя все ожидания. Затем пуск: видно, что будет. Ещё пуск: инструмент, функции, оси, и резание. Сначала отведите оси на свободное место.</translation>
+    </message>
+    <message>
+        <location filename="../screens/parameters.cpp"/>
+        <source>Touch the bit again: it is turned over</source>
+        <translation>Коснитесь бита ещё раз: он переключится</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -4970,8 +4995,8 @@
     </message>
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
-        <source>longest %1 of a tick of %2</source>
-        <translation>наибольшее %1 в такте %2</translation>
+        <source>longest below %1 of a tick of %2</source>
+        <translation>самый долгий меньше %1 из такта %2</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>
@@ -5017,6 +5042,11 @@
         <location filename="../screens/cycle_form_page.cpp"/>
         <source>mm, diameter</source>
         <translation>мм, диаметр</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>mm, radius</source>
+        <translation>мм, радиус</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>

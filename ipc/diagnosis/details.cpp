@@ -175,6 +175,7 @@ constexpr auto kDetails = std::to_array<DetailRow>({
     {{"unknown kind", "неизвестный вид", "neznámý druh", "ismeretlen fajta"}},
     {{"axes are moved in a hold when the path has come to rest in it", "на паузе оси двигают, когда движение в ней остановилось", "v pozastavení se osy posouvají, až se v něm dráha zastaví", "felfüggesztésben a tengelyek akkor mozgathatók, ha a pálya már megállt"}},
     {{"the tool touches the setter: move it away", "инструмент касается датчика: отведите его", "nástroj se dotýká sondy: odjeďte s ním", "a szerszám a bemérőhöz ér: vigye el"}},
+    {{"no block is entered", "кадр не введён", "není zadána žádná věta", "nincs beírva mondat"}},
     {{"the axis still moves", "ось ещё движется", "osa se ještě pohybuje", "a tengely még mozog"}},
     {{"the axis is at the end of its stroke; the other direction is free", "ось в конце хода; в другую сторону свободно", "osa je na konci zdvihu; druhý směr je volný", "a tengely a löket végén áll; a másik irány szabad"}},
     {{"the handwheel drives a program only after program_wheel", "маховик ведёт программу только после program_wheel", "kolečko vede program až po program_wheel", "a kézikerék csak a program_wheel után viszi a programot"}},

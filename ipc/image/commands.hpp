@@ -4,7 +4,7 @@
 //   CycleStart, FeedHold, Reset   channel
 //   EmergencyStop, MachineOn, ReleaseStop   -
 //   Mode                          channel, value: ChannelMode
-//   Select                        channel, text: program file
+//   Select                        channel, text: program file, value: Dialect that its job names, 0 none
 //   Mdi                           channel, text: the block
 //   Jog                           object: axis, value: seconds with the sign of the direction, from now on when it jogs already; 0 stops it
 //   Step                          object: axis, value: true mm or degrees, signed

@@ -99,7 +99,7 @@ enum class ChannelEventKind : std::uint32_t {
     BarrierReached,  // `record` was executed; axis positions of that tick are in the machine status
     Reset,           // epoch raised; all that was pushed and not executed is void; start again at the head
     StoreChanged,    // offsets, zeros, parameters: take them at the next barrier
-    SelectProgram,   // text: file
+    SelectProgram,   // text: file; value: its Dialect, 0 as PT_LANGUAGE says
     Quit,            // end the process
     Interrupt,       // the interrupt signal came and the path rests: epoch raised; value: serial of the first block of which not
                      // everything is executed (0 none), record: 1 when it has begun
@@ -201,7 +201,7 @@ enum class OffsetTable : std::int32_t { Geometry = 0, Wear, SecondGeometry, Work
 enum class OffsetField : std::int32_t { X = 0, Y, Z, R, T };
 
 // Operator's switches of a channel; block skip 1 to 10 are bits 8 to 17.
-enum ChannelKey : std::uint32_t { kKeySingleBlock = 1u << 0, kKeyOptionalStop = 1u << 1, kKeyDryRun = 1u << 2, kKeyMachineLock = 1u << 3, kKeyFirstPart = 1u << 4, kKeyRapid = 1u << 5, kKeySuperpose = 1u << 6, kKeyBlockSkip1 = 1u << 8 };
+enum ChannelKey : std::uint32_t { kKeySingleBlock = 1u << 0, kKeyOptionalStop = 1u << 1, kKeyDryRun = 1u << 2, kKeyMachineLock = 1u << 3, kKeyFirstPart = 1u << 4, kKeyRapid = 1u << 5, kKeySuperpose = 1u << 6, kKeyStopAfterPart = 1u << 7, kKeyBlockSkip1 = 1u << 8 };
 
 enum AxisFlag : std::uint32_t { kReferenced = 1u << 0, kInPos = 1u << 1, kMoving = 1u << 2, kExists = 1u << 3, kDriveFault = 1u << 4, kRotary = 1u << 5, kDiameter = 1u << 6 };
 

@@ -53,6 +53,10 @@ void ChannelRunner::cycle_start() noexcept {
     switch (state_) {
         case ChannelState::Reset:
         case ChannelState::Ended:
+            if (mode_ == ChannelMode::Mdi && mdi_[0] == 0) {   // the selected program is not what an operator in this mode means
+                core_.alarm(Alarm::NotReady, number_, "no block is entered");
+                return;
+            }
             begin_program(ChannelEventKind::CycleStart, static_cast<double>(core_.supervisor.options.parts ? core_.supervisor.options.parts : 1), cursor_,
                           mode_ == ChannelMode::Mdi ? std::string_view(mdi_.data()) : std::string_view{});
             return;
@@ -207,7 +211,7 @@ void ChannelRunner::finish_reset() noexcept {
     tell(ChannelEventKind::Reset, cursor_, static_cast<double>(not_begun));
 }
 
-void ChannelRunner::select(std::string_view file) noexcept {
+void ChannelRunner::select(std::string_view file, double language) noexcept {
     if (!segment_ || dead_) return;
     if (program_runs()) {
         core_.alarm(Alarm::NotReady, number_, "another program is selected only in reset or after the end");
@@ -215,7 +219,7 @@ void ChannelRunner::select(std::string_view file) noexcept {
     }
     cycles_ = 0;
     cycles_s_ = last_cycle_s_ = 0;
-    tell(ChannelEventKind::SelectProgram, cursor_, 0, file);
+    tell(ChannelEventKind::SelectProgram, cursor_, language, file);
 }
 
 // START of another channel's program. One that runs already, or is held, goes on as it is.
@@ -226,7 +230,9 @@ void ChannelRunner::start_program() noexcept {
 }
 
 void ChannelRunner::set_mode(ChannelMode mode) noexcept {
-    if (!program_runs()) mode_ = mode;
+    if (program_runs()) return;
+    if (mode != mode_) mdi_[0] = 0;   // a block of before is not what a start in MDI means
+    mode_ = mode;
 }
 
 void ChannelRunner::mdi(std::string_view text) noexcept {

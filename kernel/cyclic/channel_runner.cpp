@@ -480,7 +480,7 @@ void ChannelRunner::publish(ChannelStatus& status) noexcept {
     status.blocks = blocks_;
     status.epoch = epoch_;
     status.stop_reason = static_cast<std::int32_t>(stop_reason_);
-    status.keys = keys;
+    status.keys = keys | (stop_after_part_ ? kKeyStopAfterPart : 0u);   // told, not pressed: it ends by itself
     status.skipped = skipped_ ? 1 : 0;
     status.retrace = trail_.active() ? (trail_.direction() < 0 ? -1 : 1) : 0;
     status.wheel = wheel_ ? 1 : 0;

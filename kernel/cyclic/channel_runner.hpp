@@ -67,7 +67,7 @@ public:
     void restart(double block, ChannelSet together) noexcept;
     bool at_restart_block() const noexcept { return restart_ == RestartState::AtBlock; }
     void reset() noexcept;
-    void select(std::string_view file) noexcept;
+    void select(std::string_view file, double language) noexcept;   // language: a Dialect, 0 as PT_LANGUAGE says
     void start_program() noexcept;
     void mdi(std::string_view text) noexcept;
     void set_mode(ChannelMode mode) noexcept;

@@ -59,7 +59,7 @@ void Machine::run_command(const Command& c) noexcept {
         case CommandKind::Scope: scope_.choose(core_.image, c.flags, static_cast<ScopeKind>(static_cast<std::uint32_t>(c.value)), c.object); break;
         case CommandKind::WarmUp: each_channel(c, [&](ChannelRunner& r) { r.warm_up(c.value); }); break;
         case CommandKind::Mode: each_channel(c, [&](ChannelRunner& r) { r.set_mode(static_cast<ChannelMode>(static_cast<std::uint32_t>(c.value))); }); break;
-        case CommandKind::Select: each_channel(c, [&](ChannelRunner& r) { r.select(text_of(c)); }); break;
+        case CommandKind::Select: each_channel(c, [&](ChannelRunner& r) { r.select(text_of(c), c.value); }); break;
         case CommandKind::Mdi: each_channel(c, [&](ChannelRunner& r) { r.mdi(text_of(c)); }); break;
         case CommandKind::FeedOverride: each_channel(c, [&](ChannelRunner& r) { r.feed_override = std::clamp(c.value, 0.0, 2.0); }); break;
         case CommandKind::RapidOverride: each_channel(c, [&](ChannelRunner& r) { r.rapid_override = std::clamp(c.value, 0.0, 1.0); }); break;

@@ -12,6 +12,7 @@
 #include "ipc/image/commands.hpp"
 #include "ipc/params/param_file.hpp"
 #include "ipc/text/job.hpp"
+#include "kernel/supervisor/job_plan.hpp"
 #include "kernel/supervisor/press_targets.hpp"
 #include "kernel/supervisor/scope_words.hpp"
 #include "kernel/supervisor/signal_words.hpp"
@@ -87,7 +88,7 @@ constexpr PressWord kWords[] = {
     {"warm_up", CommandKind::WarmUp, Form::ChannelSeconds, "warm_up L1=600 (seconds; 0: none)"},
     {"scope", CommandKind::Scope, Form::Scope, kScopeShape},
     {"answer", CommandKind::DialogueKey, Form::Answer, "answer L1 [VARIABLE=VALUE ...] [key=NUMBER]"},
-    {"stop_after_part", CommandKind::StopAfterPart, Form::Alone, "stop_after_part"},
+    {"stop_after_part", CommandKind::StopAfterPart, Form::Alone, "stop_after_part, stop_after_part off"},
 };
 
 constexpr std::string_view kModes[] = {"auto", "mdi", "jog", "handwheel", "reference"};  // order of ChannelMode
@@ -119,6 +120,7 @@ public:
     Result<Commands> parse() {
         switch (word_.form) {
             case Form::Alone:
+                if (word_.kind == CommandKind::StopAfterPart && parts_.size() == 1 && (parts_[0] == "on" || parts_[0] == "off")) return one(command_of(word_.kind), parts_[0] == "on" ? 1.0 : 0.0);
                 return parts_.empty() ? one(command_of(word_.kind), 1.0) : shape();
             case Form::MaybeChannel:
                 return maybe_channel();
@@ -311,6 +313,9 @@ private:
                 if (channel > kMaxChannels || !machine_.channel(channel).exists())
                     return fault(Alarm::PressArgument, fmt::format("the machine has no L{}", channel));
                 if (!put_text(command, program.file)) return too_long(program.file);
+                const Dialect language = program.language.empty() ? Dialect::Polyturn : dialect_of(program.language);
+                if (!program.language.empty() && language == Dialect::Polyturn) return Diagnosis{Alarm::LanguageUnknown, {job->file, 0, 0, 0}, {}, program.language};
+                command.value = static_cast<double>(language);
                 out.push_back(command);
             }
             return out;

@@ -55,6 +55,7 @@ StartSession::StartSession(const StartOptions& options, LoadedMachine machine, R
 }
 
 Dialect StartSession::dialect(unsigned channel) const {
+    if (channel >= 1 && channel <= kMaxChannels && job_language_[channel - 1] != Dialect::Polyturn) return job_language_[channel - 1];
     return channel >= 1 && channel <= kMaxChannels ? dialect_of(language_of(*loaded_.table, channel)) : Dialect::Polyturn;
 }
 
@@ -296,7 +297,10 @@ void StartSession::handle(RequestServer::Client client, const std::string& line)
         return lines ? serve_parameters(client, *lines, false, who) : server_.answer(client, refusal(lines.diagnosis()));
     }
     if (what == "press") {
-        if (!serve_commands(client, parse_press(text_at("words"), machine_, text_at("folder")), who)) return;
+        const auto commands = parse_press(text_at("words"), machine_, text_at("folder"));
+        if (!serve_commands(client, commands, who)) return;
+        for (const Command& command : *commands)
+            if (command.kind == static_cast<std::uint32_t>(CommandKind::Select)) job_language_[command.channel - 1] = static_cast<Dialect>(command.value);
         if (const auto lines = parts_wanted(text_at("words"), text_at("folder")); !lines.empty()) serve_parameters(0, lines, false, who);
         return;
     }

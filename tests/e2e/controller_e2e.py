@@ -37,6 +37,25 @@ class Controller(LiveCase):
         self.wait_for(lambda: self.channel(1)["state"] == "reset", 5, "the reset")
         self.assertEqual(self.stop(), 0)
 
+    def test_a_selected_job_is_read_in_the_language_that_it_names(self):
+        self.write("TURN.MPF", "G90 G94 G0 X80 Z20\nG1 X60 F2000\nM30\n")     # fanuc: G90 is a cycle, X80 are 80 um
+        job = self.write("turn.job.toml", '[programs]\n1 = { file = "TURN.MPF", language = "sinumerik" }\n')
+        self.start()
+        self.press("machine_on")
+        self.press("select", job)
+        self.press("cycle_start", "L1")
+        self.wait_for(lambda: self.channel(1)["state"] == "ended", 20, "the program to end")
+        at = lambda name: next(a for a in self.status()["axes"] if a["axis"] == name)["act"]
+        self.wait_for(lambda: abs(at("A1") - 30) < 0.005 and abs(at("A2") - 20) < 0.005, 5, "the slides to stand at X60 Z20")
+        self.assertEqual(self.status()["alarms"], 0)
+        self.press("mdi", "L1", "G98 G0 X80.")         # a block by hand is in the machine's language
+        self.wait_for(lambda: abs(at("A1") - 40) < 0.005, 10, "the slide to stand at X80")
+        plain = self.write("plain.nc", "G98 G0 X70. Z10.\nM30\n")
+        self.press("mode", "L1=auto")
+        self.press("select", f"L1={plain}")            # without a job, so is a program
+        self.press("cycle_start", "L1")
+        self.wait_for(lambda: abs(at("A1") - 35) < 0.005, 10, "the slide to stand at X70")
+
     def test_a_killed_controllers_program_is_not_its_successors(self):
         program = self.write("there.nc", "G98 G1 X100. F5000\nX80.\nX100.\nM30\n")
         for life in range(3):

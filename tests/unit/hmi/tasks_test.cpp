@@ -38,6 +38,7 @@ TEST_F(Tasks, SelectAJobAndStartItInFiveActions) {
     hand.soft("Select job");
     ASSERT_TRUE(waitFor([&] { return !live().view(1).programs.empty() && QString::fromStdString(live().view(1).programs[0]).endsWith("O1001.nc") && !live().view(2).programs.empty(); }));
     hand.soft("Start all");
+    hand.soft("Start all");                      // asked once more, as on the overview
     EXPECT_LE(hand.actions, 5);
     EXPECT_TRUE(waitFor([&] { return state(1) == ChannelState::Running; }));
 }
@@ -159,6 +160,7 @@ TEST_F(Tasks, RestartAfterABrokenTool) {
     ASSERT_TRUE(waitFor([&] { return live().channel(1).restart == static_cast<unsigned>(RestartState::AtBlock) && live().channel(2).restart == static_cast<unsigned>(RestartState::AtBlock); }, 20))
         << live().channel(1).restart << " " << live().channel(2).restart;
     hand.soft("Start all");
+    hand.soft("Start all");                      // asked once more
     EXPECT_LE(hand.actions, 11);
     EXPECT_TRUE(waitFor([&] { return state(1) == ChannelState::Running && live().channel(1).block >= 20; }));
 }
@@ -228,6 +230,69 @@ TEST_F(Tasks, AnAxisIsMovedByKeysAlone) {
     EXPECT_EQ(window->desk().channel, 2u);
     hand.key(Qt::Key_PageUp, Qt::ControlModifier);
     EXPECT_EQ(window->desk().channel, 1u);
+}
+
+// The cover of the panel lock must not keep a finger's key down for ever.
+TEST_F(Tasks, TheLockLetsGoOfAHeldJogKey) {
+    Operator hand(*window);
+    hand.screen("manual");
+    Manual& manual = screenOf<Manual>();
+    hand.touch(&manual.axes(), Manual::kStepHits);
+    const auto moves = [&] { return (live().status().axes[1].flags & kMoving) != 0; };
+    const QPoint key = manual.axes().boxOf(Manual::jogHit(2, false)).center().toPoint();
+    for (int attempt = 0; attempt < 5 && !moves(); ++attempt) {
+        QTest::mouseRelease(&manual.axes(), Qt::LeftButton, {}, key);
+        QTest::mousePress(&manual.axes(), Qt::LeftButton, {}, key);
+        (void)waitFor(moves, 2);
+    }
+    ASSERT_TRUE(moves());
+    window->lock(true);
+    ASSERT_TRUE(waitFor([&] { return !moves(); }, 10)) << "the key was still down when the panel was locked";
+    const double stood = live().status().axes[1].cmd;
+    QTest::qWait(800);
+    EXPECT_EQ(live().status().axes[1].cmd, stood);
+    QTest::mouseRelease(&manual.axes(), Qt::LeftButton, {}, key);
+    QTest::keyPress(window.get(), Qt::Key_Minus);   // nothing begins beneath the cover
+    QTest::qWait(500);
+    QTest::keyRelease(window.get(), Qt::Key_Minus);
+    EXPECT_EQ(live().status().axes[1].cmd, stood);
+    window->lock(false);
+}
+
+TEST_F(Tasks, WhoHitsTheEmergencyStopTwiceDoesNotSwitchTheMachineOn) {
+    Operator hand(*window);
+    hand.screen("manual");
+    for (int hit = 0; hit < 4; ++hit) hand.key(Qt::Key_F10), QTest::qWait(150);
+    ASSERT_TRUE(waitFor([&] { return live().status().machine_state == 0; }, 10));
+    QTest::qWait(800);
+    EXPECT_EQ(live().status().machine_state, 0u);
+    ASSERT_TRUE(waitFor([&] {
+        for (const SoftKey& key : screenOf<Manual>().keys())
+            if (key.text == word("Machine on")) return !key.confirm.isEmpty();
+        return false;
+    }, 10));
+    hand.soft("Machine on");
+    QTest::qWait(300);
+    EXPECT_EQ(live().status().machine_state, 0u) << "one press must not switch it on";
+    hand.soft("Machine on");
+    EXPECT_TRUE(waitFor([&] { return live().status().machine_state == 2; }, 10));
+}
+
+TEST_F(Tasks, AStartWithoutABlockInMdiStartsNothing) {
+    startJob();
+    ASSERT_TRUE(g_controller->press("reset"));
+    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Reset && state(2) == ChannelState::Reset; }, 20));
+    ASSERT_TRUE(g_controller->press("mode L1=mdi"));
+    ASSERT_TRUE(waitFor([&] { return static_cast<ChannelMode>(live().channel(1).mode) == ChannelMode::Mdi; }));
+    Operator hand(*window);
+    hand.screen("manual");
+    hand.soft("Start L1");
+    hand.screen("overview");
+    hand.soft("Start L1");
+    QTest::qWait(500);
+    EXPECT_EQ(state(1), ChannelState::Reset);
+    ASSERT_TRUE(g_controller->press("reset L1"));
+    ASSERT_TRUE(g_controller->press("mode L1=auto"));
 }
 
 TEST_F(Tasks, TheScreensComeBackWithTheController) {

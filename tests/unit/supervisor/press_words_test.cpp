@@ -86,6 +86,7 @@ constexpr Row kPress[] = {
     {"warm_up L1=600", CommandKind::WarmUp, 1, 0, 600, 0, ""},
     {"warm_up L2=90s", CommandKind::WarmUp, 2, 0, 90, 0, ""},
     {"stop_after_part", CommandKind::StopAfterPart, 0, 0, 1, 0, ""},
+    {"stop_after_part off", CommandKind::StopAfterPart, 0, 0, 0, 0, ""},
 };
 
 void expect_command(const Command& command, const Row& row) {
