@@ -13,6 +13,7 @@
 #include "hmi/screens/contour_page.hpp"
 #include "hmi/screens/cycle_form_page.hpp"
 #include "hmi/text/retold.hpp"
+#include "hmi/widgets/number_cells.hpp"
 
 namespace polyturn::hmi {
 namespace {
