@@ -17,6 +17,7 @@ namespace {
 constexpr qint64 kAskEveryMs = 250;
 constexpr std::size_t kKept = 1000;
 constexpr qint64 kSettle_s = 2;           // an alarm may be heard of before the image says that the machine stands
+constexpr qint64 kRefusal_s = 20;
 constexpr int kToldAFrame = 40, kEarlierAtOnce = 200;
 
 }  // namespace
@@ -159,8 +160,10 @@ void AlarmBook::look() {
             const auto state = static_cast<ChannelState>(status.state);
             const bool works = state == ChannelState::Running || state == ChannelState::Held || state == ChannelState::Waiting || state == ChannelState::ProgramStop;
             switch (entry.severity) {
-                // What was only refused stops nothing: the newest one is shown until the next reset.
-                case Severity::Error: standing = stopped || live_.nc(signals::cn_alarm(entry.channel)) != 0 || error[entry.channel] == &entry; break;
+                // What was only refused stops nothing: the newest one is shown for a while, then the channel's own state again.
+                case Severity::Error:
+                    standing = stopped || live_.nc(signals::cn_alarm(entry.channel)) != 0 || (error[entry.channel] == &entry && entry.when.secsTo(now) <= kRefusal_s);
+                    break;
                 case Severity::Warning: standing = warning[entry.channel] == &entry; break;
                 case Severity::Message:   // #3006 until the start that goes on; an MSG until the next one
                     if (state == ChannelState::ProgramStop && status.line == entry.line) entry.held = true;

@@ -148,6 +148,7 @@ void Graphics::followLive() {
         if (status.cycle_s < cycle_[channel] && status.cycle_s < 0.5) {   // another part begins
             live_.trails.erase(channel);
             live_.changed = true;
+            zeroZ_.erase(channel);   // the blank lies at the first zero that the part uses, not at the last one of the part before
             if (channel == live.channels().front()) beginStock(live_);
         }
         cycle_[channel] = status.cycle_s;
