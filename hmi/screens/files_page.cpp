@@ -4,6 +4,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QKeyEvent>
+#include <QRegularExpression>
 #include <algorithm>
 
 #include "hmi/machine/setup_sheet.hpp"
@@ -17,6 +18,17 @@ constexpr qint64 kPreviewBytes = 1 << 16;
 QString mounts() {
     QFile file("/proc/self/mounts");
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+constexpr int kNobody = 4;   // above every level
+
+// F3202 NE8 and NE9 (fanuc_lathe 8): programs O8000 to O8999, O9000 to O9999 are neither shown nor changed, whoever works here.
+bool keptByParameter(const params::Table& table, const std::vector<unsigned>& channels, const QString& name) {
+    static const QRegularExpression kNumber("^[Oo]?0*([89])\\d{3}(?!\\d)");
+    const auto number = kNumber.match(name);
+    if (!number.hasMatch()) return false;
+    const unsigned bit = number.captured(1) == "8" ? 0 : 4;
+    return std::any_of(channels.begin(), channels.end(), [&](unsigned channel) { return params::bit(table, params::f3202, channel, bit); });
 }
 
 int levelNumber(const QString& level) { return level == "maker" ? 3 : level == "setter" ? 2 : level == "operator" ? 1 : 0; }
@@ -67,6 +79,7 @@ QString FilesPage::where() const { return placesShown_ ? word("Places") : desk_.
 QString FilesPage::whyNotChanged() const {
     const FileEntry* one = chosen();
     if (!one || (!one->readOnly && one->level <= level_)) return {};
+    if (one->level == kNobody) return word("%1 is protected by F3202").arg(one->name);
     return one->level > level_ ? word("%1 is protected: a login of a higher level may change it").arg(one->name) : word("%1 is read-only").arg(one->name);
 }
 
@@ -83,6 +96,8 @@ void FilesPage::readFolder(const QString& folder, const QString& choose) {
 void FilesPage::take() {
     if (auto list = reader_.take()) {
         entries_ = std::move(list->entries), readable_ = list->readable;
+        for (FileEntry& one : entries_)
+            if (!one.folder && keptByParameter(desk_.live.table(), desk_.live.channels(), one.name)) one.level = kNobody;
         int row = 0;
         bool found = false;
         for (std::size_t i = 0; i < entries_.size(); ++i)
@@ -201,6 +216,10 @@ void FilesPage::composePreview(Writer& w) {
         w.data(QRectF(px(20), px(20), wide - px(40), px(30)), row < static_cast<int>(places_.size()) ? places_[static_cast<std::size_t>(row)].path : QString(), lettering(16), t.text);
         Item& item = w.text(QRectF(px(20), px(60), wide - px(40), px(130)), word("USB sticks and network places appear when they are there. «Keep as place» adds the folder that is shown; /etc/polyturn/places names those of the shop: NAME=/FOLDER."), lettering(15), t.dim, Qt::AlignLeft | Qt::AlignTop);
         item.wraps = true;
+        return;
+    }
+    if (one && one->level == kNobody) {
+        w.data(QRectF(px(20), px(20), wide - px(40), px(30)), whyNotChanged(), lettering(16), t.dim, Qt::AlignCenter);
         return;
     }
     if (!one || one->folder) {

@@ -70,6 +70,11 @@
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
+        <source>%1 is protected by F3202</source>
+        <translation>%1 chrání parametr F3202</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
         <source>%1 is protected: a login of a higher level may change it</source>
         <translation>%1 je chráněn: měnit smí přihlášení s vyšší úrovní</translation>
     </message>

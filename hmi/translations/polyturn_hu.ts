@@ -70,6 +70,11 @@
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
+        <source>%1 is protected by F3202</source>
+        <translation>%1: az F3202 paraméter védi</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
         <source>%1 is protected: a login of a higher level may change it</source>
         <translation>%1 védett: magasabb szintű belépéssel módosítható</translation>
     </message>

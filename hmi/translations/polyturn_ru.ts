@@ -70,6 +70,11 @@
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
+        <source>%1 is protected by F3202</source>
+        <translation>%1 защищена параметром F3202</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
         <source>%1 is protected: a login of a higher level may change it</source>
         <translation>%1 защищён: менять может вход с более высоким уровнем</translation>
     </message>

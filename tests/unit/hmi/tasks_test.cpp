@@ -295,6 +295,28 @@ TEST_F(Tasks, AStartWithoutABlockInMdiStartsNothing) {
     ASSERT_TRUE(g_controller->press("mode L1=auto"));
 }
 
+// F3202: the maker's macros O9000 and on are nobody's to read or change.
+TEST_F(Tasks, AProtectedProgramIsNeitherShownNorEdited) {
+    QTemporaryDir folder;
+    for (const char* name : {"O9001.nc", "O0901.nc"}) {
+        QFile file(folder.filePath(name));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write("G4 X1.\n");
+    }
+    ASSERT_TRUE(g_controller->set("F3202 L1=16"));
+    ASSERT_TRUE(waitFor([&] { return params::bit(live().table(), params::f3202, 1, 4); }));
+    Programs& programs = screenOf<Programs>();
+    Operator hand(*window);
+    hand.screen("programs");
+    for (const auto& [name, kept] : {std::pair{"O9001.nc", true}, {"O0901.nc", false}}) {
+        SCOPED_TRACE(name);
+        programs.filesPage().readFolder(folder.path(), name);
+        ASSERT_TRUE(waitFor([&] { return programs.filesPage().chosenPath().endsWith(name); }));
+        EXPECT_EQ(programs.filesPage().whyNotChanged().contains("F3202"), kept) << programs.filesPage().whyNotChanged().toStdString();
+    }
+    ASSERT_TRUE(g_controller->set("F3202 L1=0"));
+}
+
 TEST_F(Tasks, TheScreensComeBackWithTheController) {
     g_controller->stop();
     ASSERT_TRUE(waitFor([&] { return !live().connected(); }, 10));
