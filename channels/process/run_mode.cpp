@@ -33,6 +33,8 @@ public:
     Result<void> start() override {
         if (choice_.mdi.empty() && choice_.path.empty()) return Diagnosis{Alarm::FileUnreadable, {}, {}, "no program is selected"};
         if (!language_) return Diagnosis{Alarm::NotBuilt, {choice_.path, 0, 0, 0}, {}, "the language " + name_};
+        // Only fanuc programs know that the slide is inclined (fanuc_lathe 10.5): another one would drive past where it means.
+        if (params::bit(view_->table(), params::f8200, view_->channel, 0) && dialect_of(name_) != Dialect::Fanuc) return Diagnosis{Alarm::NotBuilt, {choice_.path, 0, 0, 0}, {}, "F8200, " + name_};
         auto main = choice_.mdi.empty() ? files_.open(choice_.path) : files_.open_text(choice_.mdi, "MDI");
         if (!main) return main.diagnosis();
         if (auto started = language_->start(*main); !started) return started.diagnosis();
@@ -63,7 +65,9 @@ public:
     const Core* core() const override { return language_ ? &language_->core() : nullptr; }
     void active_codes(std::string& out) const override { if (language_) language_->active_codes(out); }
     void list_variables(const Language::ShowVariable& show) const override { if (language_) language_->list_variables(show); }
-    void shown() override { if (*events_) (*events_)->set_files(&files_); }
+    void shown() override {
+        if (*events_) (*events_)->set_files(&files_), (*events_)->speak(dialect_of(name_));
+    }
 
 private:
     MachineView* view_;
@@ -91,7 +95,6 @@ Result<void> run_mode(const RunModeOptions& options) {
     EventSink* events = nullptr;   // the describing sink of the running program
     services.make_run = [&](MachineView& view, Sink& sink, Port& port, const ProgramChoice& choice) -> std::unique_ptr<ProgramRun> {
         const std::string language = language_of(options, view, choice);
-        if (events) events->speak(dialect_of(language));
         auto run = std::make_unique<LanguageRun>(view, sink, port, choice, setup, language, events);
         run->shown();
         return run;

@@ -92,10 +92,9 @@ ChannelConfig read_channel(const p::Table& t, unsigned l) {
     channel.measure_feed = p::get(t, p::n0319_t_meas_feed, l) * unit / 60.0;
     channel.rapid_key_factor = p::get(t, p::n0313_feed_mult, l);
     channel.feed_override_in_rapid = p::get(t, p::fg_rapidovr, l) != 0;
-    channel.waits_at_markers = p::get_text(t, p::pt_language, l) == "sinumerik";
-    channel.fagor_spindle_keys = p::get_text(t, p::pt_language, l) == "fagor";
-    // The panel's switch has 120 % at its end, and MAXFOVR caps it (fagor part 1, 5.2).
-    if (channel.fagor_spindle_keys) channel.feed_override_max = std::fmin(static_cast<double>(p::get(t, p::fg_maxfovr, l)), 120.0) / 100.0;
+    const auto language = p::get_text(t, p::pt_language, l);
+    channel.language = language == "sinumerik" ? Dialect::Sinumerik : language == "fagor" ? Dialect::Fagor : language == "nct" ? Dialect::Nct : language == "mefi" ? Dialect::Mefi : Dialect::Fanuc;
+    channel.fagor_feed_override_max = std::fmin(static_cast<double>(p::get(t, p::fg_maxfovr, l)), 120.0) / 100.0;
     channel.parts_wanted = p::get(t, p::n2308_no_of_parts_reqrd, l);
     channel.stops_at_wanted = p::get(t, p::pt_parts_stop, l) != 0;
     channel.default_feed = p::get(t, p::n0300_default_f_g94, l) * unit / 60.0;

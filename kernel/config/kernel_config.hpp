@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "ipc/capacities.hpp"
+#include "ipc/diagnosis/diagnosis.hpp"
 #include "ipc/params/table.hpp"
 #include "ipc/path/stroke_zones.hpp"
 #include "kernel/config/servo_config.hpp"
@@ -60,9 +61,8 @@ struct ChannelConfig {
     double measure_feed = 0;              // N0319, mm/s
     double rapid_key_factor = 1;          // N0313
     bool feed_override_in_rapid = false;  // FG.RAPIDOVR
-    double feed_override_max = 2.0;       // FG.MAXFOVR; 1 is 100 %
-    bool waits_at_markers = false;        // WAITM of the language sinumerik; the others wait at M codes
-    bool fagor_spindle_keys = false;      // FG.MINSOVR to MAXSOVR and G92 S hold for the spindle override
+    Dialect language = Dialect::Fanuc;    // PT_LANGUAGE; a job may say another one (ChannelRunner::speaks)
+    double fagor_feed_override_max = 1.2; // the panel's switch has 120 % at its end, and FG.MAXFOVR caps it (fagor part 1, 5.2); 1 is 100 %
     double default_feed = 0, default_feed_rev = 0;   // N0300, N0301
     bool inch = false, per_revolution = false;       // N0104 IND; N1301 G95
     std::uint32_t surface_speed_axis = 0; // from 1

@@ -38,7 +38,7 @@ void Machine::guard_stroke(std::uint32_t a) noexcept {
 void Machine::attach_and_detach(std::uint32_t a) noexcept {
     AxisUnit& axis = core_.axes[a];
     const bool wanted = core_.signals.plc(signals::ap_detchr(a + 1)) != 0;
-    if (wanted != axis.detached && !axis.moving() && !jogs_[a].active() && !homing_[a].active()) {
+    if (wanted != axis.detached && !axis.moving() && !jogs_[a].active() && !homing_[a].active() && !slides_.carrier(core_, a)) {
         axis.detached = wanted;
         if (wanted) {
             axis.referenced = false;

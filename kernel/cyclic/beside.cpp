@@ -31,7 +31,7 @@ bool waits_for_standing_spindle(const Core& core, Core::BesideWish& wish, bool h
 bool Machine::start_beside(std::uint32_t a, const Core::BesideWish& wish) noexcept {
     AxisUnit& axis = core_.axes[a];
     const AxisConfig& config = core_.config.axes[a];
-    const bool may = axis.exists() && core_.on() && !core_.all_stop && axis.referenced && !axis.bound() && !axis.detached && !axis.moving() && !jogs_[a].active() &&
+    const bool may = axis.exists() && core_.on() && !core_.all_stop && axis.referenced && !axis.bound() && !axis.detached && !axis.moving() && !jogs_[a].active() && !slides_.carrier(core_, a) &&
                      !homing_[a].active() && !to_reference_[a] && axis.closed() && !(config.on_spindle && !core_.shared_axes[a].has_drive);
     if (!may) {
         axis.beside = false;

@@ -219,6 +219,7 @@ void ChannelRunner::select(std::string_view file, double language) noexcept {
     }
     cycles_ = 0;
     cycles_s_ = last_cycle_s_ = 0;
+    job_language_ = static_cast<Dialect>(language);
     tell(ChannelEventKind::SelectProgram, cursor_, language, file);
 }
 
@@ -348,8 +349,8 @@ void ChannelRunner::after_waits(std::span<ChannelRunner* const> all) noexcept {
 // What it waits at, as its language writes it.
 void ChannelRunner::write_code(ShortText& text) const noexcept {
     const std::int32_t code = core_.waits.at(index_).code;
-    if (core_.config.channels[index_].waits_at_markers && code == WaitBoard::kProgramEnd) text << "WAITE";
-    else if (core_.config.channels[index_].waits_at_markers) text << "WAITM(" << code << ")";
+    if (speaks() == Dialect::Sinumerik && code == WaitBoard::kProgramEnd) text << "WAITE";
+    else if (speaks() == Dialect::Sinumerik) text << "WAITM(" << code << ")";
     else text << "M" << code;
 }
 

@@ -509,7 +509,7 @@ void ChannelRunner::spindle_mode(const PathRecord& r) noexcept {
     SpindleUnit& spindle = core_.spindles[number - 1];
     switch (mode) {
         case SpindleModeCode::Rpm:
-            if (core_.config.channels[index_].fagor_spindle_keys && r.shape[0] > 0) spindle.demand_speed(std::fabs(r.value), r.shape[0]);   // G92 S: the keys do not go beyond (part 1, 4.4.1)
+            if (speaks() == Dialect::Fagor && r.shape[0] > 0) spindle.demand_speed(std::fabs(r.value), r.shape[0]);   // G92 S: the keys do not go beyond (part 1, 4.4.1)
             else spindle.demand_speed(std::fabs(r.value));
             // The PLC hears of it (a gear range may have to be chosen); nobody waits for its answer.
             core_.signals.set_nc(signals::cn_scode(number_), static_cast<std::int32_t>(std::lround(std::fabs(r.value))));

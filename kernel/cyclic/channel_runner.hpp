@@ -89,7 +89,12 @@ public:
     void emergency() noexcept;      // forget the path: the axes brake by themselves
     double feed_override = 1, rapid_override = 1;   // as the switches stand
     // What the feed is driven with.
-    double feed_factor() const noexcept { return std::min(feed_override, core_.config.channels[index_].feed_override_max); }
+    // The language of what runs: of the selected program, where its job says one; a block by hand is in that of the machine.
+    Dialect speaks() const noexcept { return mode_ != ChannelMode::Mdi && job_language_ != Dialect::Polyturn ? job_language_ : core_.config.channels[index_].language; }
+    double feed_factor() const noexcept {
+        constexpr double kMost = 2.0;
+        return std::min(feed_override, speaks() == Dialect::Fagor ? core_.config.channels[index_].fagor_feed_override_max : kMost);
+    }
     // The program has set the spindle override: the operator's rests (fagor PRGSSO).
     bool own_spindle_override() const noexcept { return control_ & kControlOwnSpindleOverride; }
     std::uint32_t pressed_keys = 0; // ChannelKey, by the operator
@@ -360,6 +365,7 @@ private:
     std::uint64_t meeting_ = 0;            // that released the wait which ends now
     std::uint64_t tool_shown_ = kNoRecord; // first-part mode has stood before it
     std::array<char, 160> mdi_{};
+    Dialect job_language_ = Dialect::Polyturn;   // of the selected program; Polyturn: PT_LANGUAGE
     bool store_changed_ = false, moving_rapid_ = false, moving_ = false;
     std::int64_t stopped_since_ = 0, phase_since_ = 0, wait_since_ = 0, stands_since_ = 0, watched_ = 0;
     std::array<std::uint8_t, kMaxPathAxes> last_axes_{};  // of the last move: who must be in position

@@ -24,6 +24,7 @@ void Machine::watch_fixed_stop(std::uint32_t a) noexcept {
             // From now on: the move that ends here takes its limit away; one that program or PLC have set as well stays, and it presses on.
             axis.leaves_stop = core_.move_torque[a] != 0 && core_.program_torque[a] == 0 && core_.signals.plc(signals::ap_torq(a + 1)) == 0;
             jogs_[a].stop();
+            stop_carrier(a);
         }
     } else if (!limited) {
         if (axis.moving()) return;   // its path still brakes

@@ -15,7 +15,9 @@ const InclinedSlides::Slide* Machine::slide_of(std::uint32_t a) const noexcept {
 bool Machine::square_rests(const InclinedSlides::Slide& slide) const noexcept {
     const std::uint32_t z = slide.square - 1;
     const AxisUnit& square = core_.axes[z];
-    return square.exists() && !square.bound() && !square.detached && !square.beside && !square.moving() && !jogs_[z].active() && !homing_[z].active() && !to_reference_[z];
+    // Wanted to its reference point, but in a later order than the slide: its turn comes when the slide is there.
+    const bool waits_its_turn = to_reference_[z] && core_.config.axes[z].reference.order > core_.config.axes[slide.angular - 1].reference.order;
+    return square.exists() && !square.bound() && !square.detached && !square.beside && !square.moving() && !jogs_[z].active() && !homing_[z].active() && (!to_reference_[z] || waits_its_turn);
 }
 
 // May it be taken along now? NOZAGC moves the slide alone.
@@ -31,9 +33,12 @@ AxisJog::Limits Machine::limits_by_hand(std::uint32_t a, double speed) const noe
     const AxisConfig& config = core_.config.axes[a];
     AxisJog::Limits most{std::fmin(speed, config.rapid), config.acceleration, config.jerk};
     const InclinedSlides::Slide* slide = slide_of(a);
+    const bool setup = config.channel && core_.signals.plc(signals::cp_setup(config.channel)) != 0;   // PT_SETUP_FEED holds for each drive, not at right angles
+    if (slide && setup) most.speed = std::fmin(most.speed, config.setup_feed);
     const double share = slide && slides_.takes(config.channel) ? std::fabs(slide->sine) : 0.0;
     if (share == 0.0) return most;
     const AxisConfig& square = core_.config.axes[slide->square - 1];
+    if (setup) most.speed = std::fmin(most.speed, square.setup_feed / share);
     const bool slow = !core_.axes[slide->square - 1].referenced && square.reference.rapid > 0;
     most.speed = std::fmin(most.speed, (slow ? std::fmin(square.rapid, square.reference.rapid) : square.rapid) / share);
     most.acceleration = std::fmin(most.acceleration, square.acceleration / share);
@@ -61,6 +66,7 @@ void Machine::stop_carrier(std::uint32_t a) noexcept {
 void Machine::run_inclined_slides() noexcept {
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
         if (slides_.of(core_, a)) slides_.follow(core_, core_.config.axes[a].channel, !jogs_[a].active() && !homing_[a].active());
+    if (slides_.take_due()) slides_.configure(core_.table, core_.config);
 }
 
 }  // namespace polyturn::kernel

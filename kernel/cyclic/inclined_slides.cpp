@@ -9,7 +9,10 @@ namespace p = params;
 
 void InclinedSlides::configure(const p::Table& table, const KernelConfig& config) noexcept {
     for (std::uint32_t l = 1; l <= kMaxChannels; ++l) {
-        if (taken_[l - 1].on) continue;   // a motion ends as it began
+        if (taken_[l - 1].on) {
+            waits_ = true;
+            continue;
+        }
         slides_[l - 1] = {};
         std::array<std::uint32_t, kChannelAxes> axes{};   // as programs count them: places of named axes in ascending order
         unsigned count = 0;
@@ -35,10 +38,10 @@ const InclinedSlides::Slide* InclinedSlides::of(const Core& core, std::uint32_t 
     return l && slides_[l - 1].angular == axis + 1 ? &slides_[l - 1] : nullptr;
 }
 
-void InclinedSlides::begin(Core& core, std::uint32_t axis) noexcept {
+void InclinedSlides::begin(Core& core, std::uint32_t axis, bool always) noexcept {
     const std::uint32_t l = core.config.axes[axis].channel;
     const Slide& slide = slides_[l - 1];
-    if (taken_[l - 1].on || core.signals.plc(signals::nozagc(l))) return;
+    if (taken_[l - 1].on || (!always && core.signals.plc(signals::nozagc(l)))) return;
     taken_[l - 1] = {true, core.axes[axis].own(), core.axes[slide.square - 1].own()};
     core.axes[slide.square - 1].owner = 0;
 }
@@ -55,10 +58,12 @@ void InclinedSlides::follow(Core& core, std::uint32_t channel, bool over) noexce
     AxisUnit& square = core.axes[slide.square - 1];
     if (core.state == MachineState::EmergencyStop) {   // each brakes as hard as it can
         taken.on = square.brake(core.config.tick_s);
+        if (!taken.on && std::exchange(waits_, false)) due_ = true;
         return;
     }
     square.move_to(taken.square_from - (core.axes[slide.angular - 1].own_target() - taken.slide_from) * slide.sine);
     taken.on = !over;
+    if (over && std::exchange(waits_, false)) due_ = true;
 }
 
 void InclinedSlides::shifted(std::uint32_t axis, double by) noexcept {

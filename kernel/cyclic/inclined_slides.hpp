@@ -6,13 +6,14 @@
 //             /a |
 //   ---------+---+---> Z
 //
-// NOZAGC leaves Z where it is; so does F8200 AZR = 1 while the slide is referenced. Programs do the same on their own (channels).
+// NOZAGC leaves Z where it is; so does F8200 AZR = 1 while the slide is being referenced. Programs do the same on their own (channels).
 //
 // Positions count from where both stood when the motion began: nothing is summed up tick by tick, and the way back ends where it began.
-// Cost: a look at each channel a tick.
+// Cost: a look at each axis a tick.
 #pragma once
 #include <array>
 #include <cstdint>
+#include <utility>
 
 #include "kernel/cyclic/core.hpp"
 
@@ -29,8 +30,11 @@ public:
 
     // The axis (from 0) is an inclined slide; nullptr: it is not.
     const Slide* of(const Core& core, std::uint32_t axis) const noexcept;
-    // The slide's motion begins: Z comes along until end_of() says that it is over.
-    void begin(Core& core, std::uint32_t axis) noexcept;
+    // The slide's motion begins: Z comes along until follow() hears that it is over.
+    // `always`: on the way back from where it came along, whatever NOZAGC says by now.
+    void begin(Core& core, std::uint32_t axis, bool always = false) noexcept;
+    // New parameters wait for the end of a motion: it ends as it began.
+    bool take_due() noexcept { return std::exchange(due_, false); }
     bool takes(std::uint32_t channel) const noexcept { return taken_[channel - 1].on; }
     // Channel (from 1) whose inclined slide takes this axis (from 0) along now; 0: none.
     std::uint32_t carrier(const Core& core, std::uint32_t axis) const noexcept;
@@ -46,6 +50,7 @@ private:
     };
     std::array<Slide, kMaxChannels> slides_{};
     std::array<Taken, kMaxChannels> taken_{};
+    bool waits_ = false, due_ = false;   // parameters were not taken for a motion; it is over
 };
 
 }  // namespace polyturn::kernel

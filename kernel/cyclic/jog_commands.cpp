@@ -147,7 +147,7 @@ void Machine::jog_command(const Command& c) noexcept {
         WayBack& way = way_back_[l - 1];
         // What comes along goes back with it; if that is switched off meanwhile, it goes by itself.
         if (slide && way.count + 1 < WayBack::kMost) way.add(slide->square - 1, core_.axes[slide->square - 1].own());
-        way.add(a, axis.own());
+        way.add(a, axis.own(), slide && core_.signals.plc(signals::nozagc(l)));
     }
     if (slide) slides_.begin(core_, a);
     if (kind == CommandKind::Jog) {
@@ -182,7 +182,7 @@ void Machine::go_back() noexcept {
             --way.count;
             continue;
         }
-        if (slide_of(a)) slides_.begin(core_, a);
+        if (slide_of(a) && !way.alone[way.count - 1]) slides_.begin(core_, a, true);   // as it came
         start_jog(a, left > 0 ? 1.0 : -1.0, by_hand(a), std::fabs(left), 0.0);
     }
 }
@@ -194,10 +194,13 @@ void Machine::run_jogs() noexcept {
         if (!axis.exists()) continue;
         if (const double owed = axis.take_way_back(); owed != 0 && core_.on()) start_jog(a, owed > 0 ? 1.0 : -1.0, by_hand(a), std::fabs(owed), 0.0);   // follow-up (7.4)
         const InclinedSlides::Slide* slide = slide_of(a);
-        if (!jogs_[a].active() && wheel_left_[a] != 0 && !slides_.carrier(core_, a) && (!slide || square_rests(*slide))) {
+        // What cannot be driven now is not kept for a moment when nobody turns the wheel.
+        if (!core_.on() || core_.all_stop || slides_.carrier(core_, a) || (slide && !core_.signals.plc(signals::nozagc(core_.config.axes[a].channel)) && !jogs_[a].active() && !square_rests(*slide)))
+            wheel_left_[a] = 0;
+        if (!jogs_[a].active() && wheel_left_[a] != 0) {
             const double left = std::exchange(wheel_left_[a], 0.0);
-            if (slide && core_.on() && !core_.all_stop) slides_.begin(core_, a);
-            if (core_.on() && !core_.all_stop) start_jog(a, left > 0 ? 1.0 : -1.0, by_hand(a), std::fabs(left), 0.0);
+            if (slide) slides_.begin(core_, a);
+            start_jog(a, left > 0 ? 1.0 : -1.0, by_hand(a), std::fabs(left), 0.0);
         }
         if (!jogs_[a].active()) continue;
         const std::uint32_t address = jog_address_[a];   // a key: the feed as it is now

@@ -224,9 +224,10 @@ private:
         static constexpr std::size_t kMost = 64;
         std::array<std::uint8_t, kMost> axis{};
         std::array<double, kMost> from{};
+        std::array<bool, kMost> alone{};     // an inclined slide that did not take Z along
         std::size_t count = 0;
         bool going = false;
-        void add(std::uint32_t which, double where) noexcept { axis[count] = static_cast<std::uint8_t>(which), from[count++] = where; }
+        void add(std::uint32_t which, double where, bool by_itself = false) noexcept { axis[count] = static_cast<std::uint8_t>(which), alone[count] = by_itself, from[count++] = where; }
     };
     std::array<WayBack, kMaxChannels> way_back_{};
     // By machine group: a handwheel is the time of its programs; what it has been turned and is not driven yet, s.

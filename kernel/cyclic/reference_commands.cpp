@@ -29,7 +29,7 @@ void Machine::reference_axis(std::uint32_t a, bool alone) noexcept {
     if (axis.slave) return alone ? refuse("it follows another axis") : void();
     if (axis.owner && channels_[config.channel - 1]->program_runs()) return refuse("a program moves it");
     if (config.reference.moves() && channels_[config.channel - 1]->program_runs()) return refuse("a program runs in its channel");
-    if (axis.moving() || jogs_[a].active()) return refuse("it moves");
+    if (axis.moving() || jogs_[a].active() || slides_.carrier(core_, a)) return refuse("it moves");
     to_reference_[a] = true;
 }
 
@@ -38,7 +38,7 @@ void Machine::run_homing() noexcept {
         if (!core_.home_wish[a]) continue;   // a program (record Home)
         core_.home_wish[a] = false;
         const AxisUnit& axis = core_.axes[a];
-        const bool may = core_.on() && !core_.all_stop && !axis.detached && !axis.bound() && !jogs_[a].active();
+        const bool may = core_.on() && !core_.all_stop && !axis.detached && !axis.bound() && !jogs_[a].active() && !slides_.carrier(core_, a);
         core_.home_failed[a] = !may;
         to_reference_[a] = may;
     }

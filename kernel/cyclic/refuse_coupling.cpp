@@ -14,6 +14,7 @@ void Machine::refuse_coupling() noexcept {
         if (axis.exists() && axis.owner && axis.target() != axis.command()) stops |= ChannelSet{1} << (axis.owner - 1);
         if (jogs_[number - 1].active()) jogs_[number - 1].stop(), wheel_left_[number - 1] = 0;
         if (homing_[number - 1].active()) homing_[number - 1].stop();
+        stop_carrier(number - 1);
     }
     ChannelSet told = 0;
     for (std::uint32_t l = 0; l < kMaxChannels; ++l)

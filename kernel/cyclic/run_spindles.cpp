@@ -12,7 +12,7 @@ constexpr double kDisplacedDeg = 1e-3;   // closer than that the C axis is where
 // The operator's override of this spindle: in the language fagor from MINSOVR to MAXSOVR (part 1, 5.3), and none beside the
 // program's (part 2, 11.2.10: program before panel).
 double Machine::operator_share(const SpindleUnit& spindle) const noexcept {
-    if (spindle.owner == 0 || !core_.config.channels[spindle.owner - 1].fagor_spindle_keys) return spindle.override_factor;
+    if (spindle.owner == 0 || channels_[spindle.owner - 1]->speaks() != Dialect::Fagor) return spindle.override_factor;
     if (channels_[spindle.owner - 1]->own_spindle_override()) return 1.0;
     const SpindleConfig& config = spindle.config();
     return std::min(std::max(spindle.override_factor, config.override_min), config.override_max);

@@ -59,6 +59,13 @@ Dialect StartSession::dialect(unsigned channel) const {
     return channel >= 1 && channel <= kMaxChannels ? dialect_of(language_of(*loaded_.table, channel)) : Dialect::Polyturn;
 }
 
+bool StartSession::runs(unsigned channel) const {
+    const auto status = std::make_unique<MachineStatus>();
+    if (channel < 1 || channel > kMaxChannels || !controller_->kernel().status.read(*status)) return false;
+    const auto state = static_cast<ChannelState>(status->channels[channel - 1].state);
+    return state == ChannelState::Running || state == ChannelState::Held || state == ChannelState::Waiting || state == ChannelState::ProgramStop;
+}
+
 Result<void> StartSession::launch() {
     ControllerPlan plan;
     plan.instance = options_.instance;
@@ -261,6 +268,7 @@ void StartSession::revive() {
         // A new kernel makes a new generation: everybody else starts anew and attaches to it.
         generation_ = new_generation();
         to_revive_.clear();
+        job_language_.fill(Dialect::Polyturn);   // nothing is selected any more
         for (const Waiting& one : std::exchange(waiting_, {})) server_.answer(one.client, refusal({Alarm::NotServed, {}, {}, "the machine was started anew"}));
         if (auto launched = launch(); !launched) {
             print_diagnosis(launched.diagnosis(), Dialect::Polyturn);
@@ -298,6 +306,9 @@ void StartSession::handle(RequestServer::Client client, const std::string& line)
     }
     if (what == "press") {
         const auto commands = parse_press(text_at("words"), machine_, text_at("folder"));
+        // Refused before anything of it is kept: the parts wanted and the language would be those of the program that runs.
+        if (commands && std::any_of(commands->begin(), commands->end(), [&](const Command& one) { return one.kind == static_cast<std::uint32_t>(CommandKind::Select) && runs(one.channel); }))
+            return server_.answer(client, refusal({Alarm::NotReady, {}, {}, "another program is selected only in reset or after the end"}));
         if (!serve_commands(client, commands, who)) return;
         for (const Command& command : *commands)
             if (command.kind == static_cast<std::uint32_t>(CommandKind::Select)) job_language_[command.channel - 1] = static_cast<Dialect>(command.value);

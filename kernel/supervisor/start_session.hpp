@@ -49,6 +49,7 @@ private:
     std::vector<Diagnosis> faults_of(const std::vector<std::string>& lines, bool import) const;
     void take_answers();
     Dialect dialect(unsigned channel) const;
+    bool runs(unsigned channel) const;   // a program: running, held, waiting, stopped in it
     std::array<Dialect, kMaxChannels> job_language_{};   // of what is selected, where its job says one; Polyturn: PT_LANGUAGE
     // start_session_stops.cpp: the log of stops.
     void watch_stops();

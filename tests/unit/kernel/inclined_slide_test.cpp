@@ -112,6 +112,46 @@ TEST(InclinedSlide, OnlyOneOfTheTwoIsMovedAtATime) {
     EXPECT_NEAR(s.x(), x, 1e-9);
 }
 
+// Setup mode, door open: PT_SETUP_FEED is the most of each axis, not of X at right angles.
+TEST(InclinedSlide, SetupModeHoldsForEachDrive) {
+    Slant s([](Table& t) {
+        params::put(t, params::f8210, 60, 1);
+        for (unsigned a = 1; a <= 2; ++a) params::put(t, params::pt_setup_feed, 1200, a);
+    });
+    s.rig.command(CommandKind::SetSignal, 0, 1, 0, signals::cp_setup(1), 1);
+    s.rig.run(25);
+    double slide = 0, square = 0;
+    s.rig.on_tick = [&] { slide = std::max(slide, std::fabs(s.rig.speed_of(1))), square = std::max(square, std::fabs(s.rig.speed_of(2))); };
+    s.jog(1, 1);
+    s.rig.run_until_idle();
+    EXPECT_NEAR(slide, 20, 0.01);
+    EXPECT_LE(square, 20 * 1.0001);
+    s.step(1, -5);
+    s.rig.run_until_idle();
+    EXPECT_LE(slide, 20 * 1.0001);
+}
+
+// A key held while the feed switch is at 0: nothing moves, but Z is spoken for.
+TEST(InclinedSlide, NobodyElseCommandsTheAxisThatComesAlong) {
+    Slant s([](Table& t) {
+        params::put(t, params::n0900_reference_type, 0x02, 2);
+        params::put(t, params::n0303_ref_feed, 240, 2);
+        params::put(t, params::n0904_zerodis, 10, 2);
+    });
+    s.rig.command(CommandKind::SetSignal, 0, 0, 0, signals::cp_jogfd(1), 1);
+    s.rig.run(25);
+    s.jog(1, 5);
+    s.rig.run(50);
+    EXPECT_EQ(s.rig.speed_of(1), 0);
+    s.rig.command(CommandKind::Reference, 0, 1, 0, 2);
+    s.rig.run(50);
+    EXPECT_TRUE(s.rig.alarmed(Alarm::ReferenceRefused, 1));
+    s.rig.command(CommandKind::SetSignal, 0, 20, 0, signals::cp_jogfd(1), 1);
+    s.rig.run_until_idle();
+    EXPECT_GT(s.x(), 41);
+    EXPECT_NEAR(s.z(), 7 - (s.x() - 40) * kSine, 1e-9);
+}
+
 TEST(InclinedSlide, BothBrakeInAnEmergencyStop) {
     Slant s;
     s.jog(1, 5);
