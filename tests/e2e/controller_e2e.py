@@ -38,7 +38,7 @@ class Controller(LiveCase):
         self.assertEqual(self.stop(), 0)
 
     def test_a_selected_job_is_read_in_the_language_that_it_names(self):
-        self.write("TURN.MPF", "G90 G94 G0 X80 Z20\nG1 X60 F2000\nM30\n")     # fanuc: G90 is a cycle, X80 are 80 um
+        self.write("TURN.MPF", "DIAMON G90 G94 G0 X80 Z20\nG1 X60 F2000\nM30\n")     # fanuc: G90 is a cycle, X80 are 80 um
         job = self.write("turn.job.toml", '[programs]\n1 = { file = "TURN.MPF", language = "sinumerik" }\n')
         self.start()
         self.press("machine_on")
