@@ -174,13 +174,6 @@ void Interpreter::after_contour(const ContourText& text) {
     line_left_ = false;
 }
 
-// I, K and D belong to the series 15 format (fanuc_lathe 8.4).
-bool Interpreter::roughing_words() {
-    for (const char foreign : {'I', 'K', 'D'})
-        if (!settings_.series15 && block_.has(foreign)) return core_.fail(Alarm::AddressIllegal, foreign, std::string(1, foreign));
-    return true;
-}
-
 bool Interpreter::g_stock_removal(const GCode& row) {
     if (!turning_cycles_available(row)) return false;
     const params::Table& table = core_.view().table();
@@ -201,11 +194,11 @@ bool Interpreter::g_stock_removal(const GCode& row) {
     cycle.depth_letter = depth_letter;
     if (block_.has('D')) {
         double count = 0.0;
+        if (!settings_.series15) return core_.fail(Alarm::AddressIllegal, 'D', "D");
         if (!series15_count('D', count)) return false;
         cycle.depth = std::fabs(radius_length('D'));
         cycle.depth_letter = 'D';
-    }
-    if (!roughing_words()) return false;
+    }   // I, K have no effect in the series 15 format (fanuc_lathe 8.4), and no meaning elsewhere: they are left out
     cycle.escape = std::fabs(cycle_data_.escape.value_or(params::get(table, params::n1601_escape, l) * unit));
     cycle.allowance = {shift_word('W', PlaneRole::BasicZ), shift_word('U', PlaneRole::BasicX)};
     cycle.roughing_tolerance = params::get(table, params::n1613_tolerance_along_roughing_axis, l) * unit;
@@ -239,7 +232,8 @@ bool Interpreter::g_pattern(const GCode& row) {
         }
         return true;
     }
-    if (!roughing_words()) return false;
+    for (const char foreign : {'I', 'K', 'D'})   // relief and divisions of the series 15 format (fanuc_lathe 8.4): without them other passes are cut
+        if (!settings_.series15 && block_.has(foreign)) return core_.fail(Alarm::AddressIllegal, foreign, std::string(1, foreign));
     const double unit = params::bit(table, params::n0104_unit_of_measure, l, 0) ? 25.4 : 1.0;
     cycles::Pattern cycle;
     cycle.relief = {cycle_data_.relief_z.value_or(params::get(table, params::n1602_relief_ax1, l) * unit),

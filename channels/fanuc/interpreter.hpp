@@ -270,7 +270,6 @@ private:
     bool first_of_two() const { return !block_.has('P') && !block_.has('Q'); }
     void keep_word(std::optional<double>& kept, char letter);
     bool series15_count(char letter, double& value);
-    bool roughing_words();
     bool turning_cycles_available(const GCode& row);
     double fine_length(char letter) const;
     bool begin_rigid_tap(cycles::Drilling& hole, bool left_hand);
