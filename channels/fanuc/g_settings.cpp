@@ -197,12 +197,17 @@ bool Interpreter::g_preset(const GCode&) {
     return true;
 }
 
-// G10.9 X0: X words are radii from here on; X1: diameters.
+// G10.9 X0: X words are radii from here on; X1: diameters. In nct an axis is switched by the program or by the PLC (N0106 MGD).
 bool Interpreter::g_diameter(const GCode&) {
     if (axis_word_count_ == 0) return core_.fail(Alarm::CoordinateAxisNone, 'G', "G10.9");
     for (unsigned k = 0; k < axis_word_count_; ++k) {
         const Word& word = block_.words[axis_words_[k]];
         const int place = axis_of(word).place;
+        if (settings_.nct && !params::bit(core_.view().table(), params::n0106_axis_properties, core_.view().axes[static_cast<std::size_t>(place)].machine_axis + 1u, 5)) {
+            fault_column_ = word.column;
+            fault_length_ = word.length;
+            return core_.fail(Alarm::AddressIllegal, 0, std::string(text_of(word)) + " (N0106 MGD = 0)");
+        }
         if (word.value != 0 && word.value != 1) return core_.fail(Alarm::CycleValueIllegal, word.address, std::string(1, word.address), word.value);
         core_.view().axes[static_cast<std::size_t>(place)].diameter = word.value == 1;
     }
