@@ -1,6 +1,7 @@
 // Threads and taps: G33 G34 G35, G335 G336, G331 G332, G63 (sinumerik_part2 10.10, 10.11).
 #include <cmath>
 
+#include "channels/compensation/options.hpp"
 #include "channels/sinumerik/interpreter.hpp"
 
 namespace polyturn::channels::sinumerik {
@@ -76,7 +77,7 @@ bool Interpreter::way_out(ThreadCall& call, const AxisValues& target) {
         call.withdraw[used++] = by;
     };
     if (active(46) == 3) return lift_to_positions(leave), true;
-    return lift_in_plane(call.axis, target[call.axis] < core_.path.programmed[call.axis] ? -1.0 : 1.0, leave);
+    return lift_in_plane(call.axis, target[call.axis] < core_.path.programmed[call.axis] ? -1.0 : 1.0, LiftSide::AgainstInfeed, leave);
 }
 
 void Interpreter::lift_to_positions(const LeaveBy& leave) const {
@@ -85,8 +86,24 @@ void Interpreter::lift_to_positions(const LeaveBy& leave) const {
         if (geo.lift_axes & geo.lift_set & 1u << i) leave(i, geo.lift_incremental >> i & 1u ? geo.lift_to[i] : geo.lift_to[i] - core_.path.programmed[i]);
 }
 
+// Which way of this axis leads from the cutting edge into the tool, and so off the workpiece: the position of the edge (DP2) tells where
+// its point lies seen from the middle of the nose (part 1, 6.4; part 2, 11.1), in the axes of G18 as they are without a frame. 0: it does
+// not tell, or a frame turns the axis aside.
+double Interpreter::away_from_edge(std::size_t across) const {
+    const std::int32_t position = core_.path.tool.tip;
+    if (core_.path.plane != Plane::ZX || position < 1 || position > 8) return 0.0;
+    const auto& [along_z, along_x] = compensation::kTips[static_cast<std::size_t>(position)];
+    const double off = -(core_.view().axes[across].role == PlaneRole::BasicZ ? along_z : along_x);
+    AxisValues ahead = core_.path.programmed;
+    ahead[across] += 1.0;
+    const AxisValues here = core_.framed(core_.path.programmed), there = core_.framed(ahead);
+    for (unsigned i = 0; i < core_.view().axis_count; ++i)
+        if (i != across && std::fabs(there[i] - here[i]) > 1e-6) return 0.0;
+    return there[across] < here[across] ? -off : off;
+}
+
 // `along`: the axis of the plane that the path follows, in the direction `on`.
-bool Interpreter::lift_in_plane(std::size_t along, double on, const LeaveBy& leave) {
+bool Interpreter::lift_in_plane(std::size_t along, double on, LiftSide side, const LeaveBy& leave) {
     const GeoModal& geo = modal_.geo;
     if (geo.lift_angle == 0 || !needs_plane()) return geo.lift_angle == 0;
     const auto [p, q] = plane_places();
@@ -98,7 +115,13 @@ bool Interpreter::lift_in_plane(std::size_t along, double on, const LeaveBy& lea
         return true;
     }
     const std::size_t across = along == p ? q : p;
-    leave(across, (core_.path.last_way[across] > 0 ? -1.0 : 1.0) * way * std::cos(angle));   // back against the infeed
+    double away = core_.path.last_way[across] > 0 ? -1.0 : 1.0;   // a thread: back against the infeed
+    if (side == LiftSide::FromEdge) {
+        // On a contour the last way of that axis may have led along a shoulder, away from the work.
+        away = away_from_edge(across);
+        if (away == 0.0) return fail(Alarm::NotBuilt, "LIFTFAST LFTXT: $TC_DP2=" + std::to_string(core_.path.tool.tip));
+    }
+    leave(across, away * way * std::cos(angle));
     leave(along, on * way * std::sin(angle));
     return true;
 }

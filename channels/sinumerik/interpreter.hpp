@@ -305,7 +305,9 @@ private:
     bool way_out(ThreadCall& call, const AxisValues& target);  // of a held thread: LFON
     using LeaveBy = std::function<void(std::size_t place, double by)>;
     void lift_to_positions(const LeaveBy& leave) const;        // LFPOS
-    bool lift_in_plane(std::size_t along, double on, const LeaveBy& leave);   // LFWP, LFTXT
+    enum class LiftSide : std::uint8_t { AgainstInfeed, FromEdge };   // LFTXT: of a thread, of an interrupted contour
+    bool lift_in_plane(std::size_t along, double on, LiftSide side, const LeaveBy& leave);   // LFWP, LFTXT
+    double away_from_edge(std::size_t across) const;
     bool barrel_arc(AxisValues& target, ArcCall& arc);
     struct AreaFault {
         unsigned axis = 0;

@@ -99,7 +99,7 @@ bool Interpreter::interrupt(std::uint64_t serial, bool, unsigned input) {
     const AxisValues begin = core_.path.programmed;   // increments of the interrupted block count from here
     for (unsigned i = 0; i < core_.view().axis_count; ++i)
         if (const auto now = core_.port().axis_taken_over(core_.view().axes[i].machine_axis)) core_.take_machine(i, *now);
-    if (lifts && !lift_from_contour(begin)) return false;
+    if (lifts && !lift_from_contour(begin)) return fault(core_.fault()), false;   // it stands where it was stopped, and the alarm says why
     here_ = source_->next_position();
     if (!call_program(program, {}, 1, false)) return false;
     levels_.back().interrupt = true;
@@ -121,7 +121,7 @@ bool Interpreter::lift_from_contour(const AxisValues& begin) {
         const auto [p, q] = plane_places();
         const double by_p = target[p] - begin[p], by_q = target[q] - begin[q];
         const bool along_p = std::fabs(by_p) >= std::fabs(by_q);
-        if (!lift_in_plane(along_p ? p : q, (along_p ? by_p : by_q) < 0 ? -1.0 : 1.0, leave)) return false;
+        if (!lift_in_plane(along_p ? p : q, (along_p ? by_p : by_q) < 0 ? -1.0 : 1.0, LiftSide::FromEdge, leave)) return false;
     }
     if (target == core_.path.programmed) return true;
     written_system_["$AC_LIFTFAST"] = Value::of_int(1);

@@ -8,6 +8,9 @@ HEAD = "G18 G71 G90 G94 G500 DIAMOF\n"
 
 
 class SinumerikRun(Case):
+    OUTER_TOOL = '[channel.1.tool.1]\nname = "ROUGH"\nedge.1 = { DP1 = 500, DP2 = 3 }\n'
+    SIGNAL_BEHIND_M77 = "".join(f'[[at]]\nwhen = {{ ev = "aux", code = "M77" }}\nafter = {after}\nset = "INT1 L1={level}"\n' for after, level in ((2.0, 1), (2.2, 0)))
+
     def run_one(self, text, scenario, *options):
         program = self.write("PART.MPF", text)
         stimuli = self.write("scenario.toml", scenario)
@@ -78,22 +81,47 @@ class SinumerikRun(Case):
 
     def test_an_interrupt_lifts_the_tool_before_its_routine(self):   # part 2, 10.10.4; part 3, 7.12 and 11.3
         self.write("UP.SPF", "R1=$AC_LIFTFAST R2=$AA_IM[X] R3=$AA_IM[Z]\nM17\n")
-        setup = self.write("setup.toml", '[channel.1]\npos = { X = 60.0, Z = 40.0 }\n')
-        # From X60 to X20, so the work lies in the direction of X-; N20 goes in Z-.
+        setup = self.write("setup.toml", '[channel.1]\npos = { X = 60.0, Z = 40.0 }\n' + self.OUTER_TOOL)
+        # Edge position 3: the tool lies in the direction X+ Z+ of its edge, the work opposite; N20 goes in Z-.
         for words, lifted, x, z in (("DILF=3", 1, 3, 0), ("DILF=3 ALF=3", 1, 0, -3), ("LFWP DILF=3 ALF=3", 1, 3, 0), ("LFWP DILF=3 ALF=1", 1, 0, 3), ("LFWP DILF=3 ALF=7", 1, -3, 0),
                                     ("LFPOS POLF[X]=50\nPOLFMASK(X)", 1, 30, 0), ("DISABLE(1)", None, 0, 0), ("ALF=0", 0, 0, 0)):
             with self.subTest(words):
-                done = self.run_one(HEAD + f"SETINT(1) PRIO=1 UP LIFTFAST\n{words}\nN10 G0 X20 Z30\nN20 G1 Z-30 F600\nN30 X40\nM30\n",
-                                    '[[at]]\nt = 4.0\nset = "INT1 L1=1"\n[[at]]\nt = 4.2\nset = "INT1 L1=0"\n', "--setup", setup)
+                done = self.run_one(HEAD + f"SETINT(1) PRIO=1 UP LIFTFAST\n{words}\nT1 D1\nN10 G0 X20 Z30\nM77\nN20 G1 Z-30 F600\nN30 X40\nM30\n", self.SIGNAL_BEHIND_M77, "--setup", setup)
                 self.assertEqual(done.of("move")[-1]["pos"]["X"], 40)
                 value = {name: [e["value"] for e in done.of("variable", name=name)] for name in ("R1", "R2", "R3")}
                 self.assertEqual(value["R1"], [] if lifted is None else [lifted], done.said())
                 if lifted is None:
                     continue
                 [cut] = [m for m in done.of("move", n=20)][:1]
-                stands = 30 - 10 * (4.0 - cut["t"])   # where the path is when the signal comes; it brakes a little behind
+                stands = 30 - 10 * (done.of("aux", code="M77")[0]["t"] + 2.0 - cut["t"])   # where the path is when the signal comes; it brakes a little behind
                 self.assertAlmostEqual(value["R2"][0], 20 + x, places=3)
-                self.assertAlmostEqual(value["R3"][0], stands + z, delta=0.6)
+                self.assertAlmostEqual(value["R3"][0], stands + z, delta=1.0)
+
+    def lift_in_n40(self, tool, status=0):
+        """N30 goes up a shoulder in X+, N40 turns behind it in Z-: the signal comes there, 5 s long."""
+        self.write("UP.SPF", "R1=$AC_LIFTFAST R2=$AA_IM[X]\nM17\n")
+        setup = self.write("setup.toml", '[channel.1]\npos = { X = 60.0, Z = 40.0 }\n' + tool)
+        program = self.write("PART.MPF", HEAD + "SETINT(1) PRIO=1 UP LIFTFAST\nDILF=3\nT1 D1\nN10 G0 X20 Z30\nN20 G1 Z20 F6000\nN30 X40\nM77\nN40 Z-30 F600\nM30\n")
+        scenario = self.write("scenario.toml", self.SIGNAL_BEHIND_M77)
+        done = self.polyturn("run", "--virtual", "--variables", "--language", "sinumerik", "--set", "N1000=0", "--setup", setup, "--scenario", scenario, f"1={program}")
+        self.assertEqual(done.status, status, done.said())
+        return done
+
+    def test_the_tool_lifts_to_the_side_on_which_it_is(self):   # part 2, 10.10.4: LFTXT, ALF=1, in the direction of the tool, whatever moved last
+        for position, x in ((3, 43), (4, 43), (2, 37), (8, 43), (6, 37)):   # part 2, 11.1: where the edge lies seen from the nose
+            with self.subTest(position):
+                done = self.lift_in_n40(self.OUTER_TOOL.replace("DP2 = 3", f"DP2 = {position}"))
+                self.assertEqual([e["value"] for e in done.of("variable", name="R1")], [1], done.said())
+                [at] = [e["value"] for e in done.of("variable", name="R2")]
+                self.assertAlmostEqual(at, x, places=3, msg=done.said())
+
+    def test_a_lift_whose_side_the_edge_does_not_tell_is_refused(self):
+        for position in (7, 9):
+            with self.subTest(position):
+                done = self.lift_in_n40(self.OUTER_TOOL.replace("DP2 = 3", f"DP2 = {position}"), status=1)
+                self.assertIn("LIFTFAST LFTXT: $TC_DP2", done.said())
+                self.assertEqual(done.of("variable", name="R1"), [])
+                self.assertEqual({e["pos"]["X"] for e in done.of("move", n=40)}, {40})
 
     def test_speed_limits_outlast_the_program(self):   # part 1, 7.3, 7.5
         again = '[[at]]\nwhen = { ev = "stop", reason = "M30" }\nafter = 0.5\npress = "cycle_start"\n'
