@@ -281,12 +281,28 @@ void RunSession::replace_channel(unsigned channel) {
     drain_notes();
     joiner_.forget_notes(channel);
     if (auto started = controller_->restart(kProcessChannel + channel - 1); !started) return report(started.diagnosis(), channel, std::max(0.0, static_cast<double>(log_tick_ - origin_) * tick_s_));
+    if (options_.virtual_time) select_again(channel, log_tick_ + 1);   // the kernel takes the successor before its next tick
+    else to_select_[channel] = log_tick_;
+}
+
+void RunSession::select_again(unsigned channel, std::int64_t tick) {
     const auto program = plan_.programs.find(channel);
     if (program == plan_.programs.end()) return;
     Command select{};
     select.kind = static_cast<std::uint32_t>(CommandKind::Select);
     select.channel = channel;
-    if (put_text(select, program->second.file)) send_at(select, static_cast<double>(log_tick_ + 1 - origin_) * tick_s_);
+    if (put_text(select, program->second.file)) send_at(select, static_cast<double>(tick - origin_) * tick_s_);
+}
+
+// In real time the kernel takes the successor when it is there: what is said to a channel that is still dead gets lost.
+void RunSession::select_in_successors(const MachineStatus& status) {
+    std::erase_if(to_select_, [&](const auto& waiting) {
+        const auto& [channel, died] = waiting;
+        const auto state = static_cast<ChannelState>(status.channels[channel - 1].state);
+        if (status.tick <= died || state == ChannelState::Dead || state == ChannelState::Absent) return false;
+        select_again(channel, status.tick + 1);
+        return true;
+    });
 }
 
 // The channel's program is over. When all are, so is the run; after an alarm it goes on until the machine rests.
@@ -428,6 +444,7 @@ void RunSession::watch_real_time() {
     const auto now = Clock::now();
     MachineStatus status;
     if (!controller_->kernel().status.read(status)) return;
+    select_in_successors(status);
     bool stands = status.tick > origin_ && sent_ticks_.upper_bound(status.tick) == sent_ticks_.end();
     for (const auto& [number, track] : tracks_) stands = stands && static_cast<ChannelState>(status.channels[number - 1].state) != ChannelState::Running;
     for (const AxisStatus& axis : status.axes) stands = stands && !(axis.flags & kMoving);

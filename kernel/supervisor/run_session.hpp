@@ -60,6 +60,8 @@ private:
     void take_begin(const KernelEvent& event, double t_s);
     void take_stopped(const KernelEvent& event, double t_s);
     void replace_channel(unsigned channel);
+    void select_again(unsigned channel, std::int64_t tick);
+    void select_in_successors(const MachineStatus& status);
     void take_alarm(const KernelEvent& event, double t_s);
     void take_action(const KernelEvent& event);
     void take_idle(double t_s);
@@ -91,6 +93,7 @@ private:
     Output output_;
     RunRecord record_;
     std::map<unsigned, Track> tracks_;
+    std::map<unsigned, std::int64_t> to_select_;      // channels whose successor the kernel has not taken yet: tick of the death
     std::map<std::uint64_t, ProcessAction> actions_;  // by the sequence of their Action command
     std::multiset<std::int64_t> sent_ticks_;          // of commands that have not acted yet
     std::multiset<std::int64_t> starts_planned_;      // cycle starts still to come

@@ -143,6 +143,15 @@ class Faults(Case):
         self.assertEqual(len(done.of("stop", reason="M30")), 2)
         self.assertEqual(runs[0].out, runs[1].out)
 
+    def test_a_killed_channel_comes_back_in_real_time_too(self):   # architecture 3: the kernel takes the successor some ticks later
+        one, two = self.write("ONE.nc", "M510 P12\nM81\nM30\n"), self.write("TWO.nc", "G4 P2.\nM510 P12\nM82\nM30\n")
+        scenario = self.write("s.toml", '[[at]]\nt = 1.0\nkill = "channel 2"\n[[at]]\nt = 3.0\npress = "reset L2"\n[[at]]\nt = 3.5\npress = "cycle_start L2"\n')
+        done = self.polyturn("run", "--language", "nct", "--set", "PT_LATE_MAX=1000", "--scenario", scenario, f"1={one}", f"2={two}")
+        self.assertEqual(done.status, 1, "the death is an alarm")
+        self.assertIn("PT0500", [e["number"] for e in done.alarms], done.said())
+        self.assertEqual(sorted(e["ch"] for e in done.of("aux")), [1, 2], done.said())
+        self.assertEqual(len(done.of("stop", reason="M30")), 2, done.said())
+
     def test_killed_and_frozen_at_seeded_moments(self):
         calm, calm_trace = self.job("calm", "")
         self.assertEqual(calm.status, 0, calm.said())
