@@ -87,21 +87,28 @@ std::vector<SoftKey> Overview::keys() {
     const bool inProgram = state == ChannelState::Running || state == ChannelState::Held || state == ChannelState::Waiting || state == ChannelState::ProgramStop;
     const QString name = QString("L%1").arg(channel);
     const auto press = [this](const QString& words) { return [this, words] { desk_.requests.press(words); }; };
-    bool anyInProgram = false, allSingle = there, ends = false;
+    bool anyInProgram = false, anyBegins = false, allSingle = there, anyProgram = false, anyGoesOn = false;
     for (const unsigned one : live.channels()) {
         const auto other = static_cast<ChannelState>(live.channel(one).state);
-        anyInProgram |= other == ChannelState::Running || other == ChannelState::Held || other == ChannelState::Waiting || other == ChannelState::ProgramStop;
+        const bool works = other == ChannelState::Running || other == ChannelState::Held || other == ChannelState::Waiting || other == ChannelState::ProgramStop;
+        anyInProgram |= works;
+        anyBegins |= !works && other != ChannelState::Absent && other != ChannelState::Dead;
         allSingle &= (live.channel(one).keys & kKeySingleBlock) != 0;
-        ends |= (live.channel(one).keys & kKeyStopAfterPart) != 0;
+        if (live.view(one).programs.empty()) continue;
+        anyProgram = true;
+        anyGoesOn |= (live.channel(one).keys & kKeyStopAfterPart) == 0;
     }
+    const bool ends = anyProgram && !anyGoesOn;   // life of a tool and warming up ask for it too, in one channel alone
     const bool single = (status.keys & kKeySingleBlock) != 0;
-    if (control_) return controlKeys(there);
-    std::vector<SoftKey> keys{
+    std::vector<SoftKey> keys{   // these have their places on both pages: who is in need of Hold looks at no page
         {word("Start %1").arg(name), press("cycle_start " + name), Sign::Run, there},
         {word("Hold %1").arg(name), press("feed_hold " + name), Sign::Hold, there},
         {word("Reset %1").arg(name), press("reset " + name), Sign::Reset, there, false, true, inProgram ? word("Ends the program: press again") : QString()},
         {word("Single block %1").arg(name), press(QString("single_block %1=%2").arg(name, single ? "off" : "on")), Sign::Stop, there, single},
-        {word("Start all"), press("cycle_start"), Sign::Run, there, false, false, anyInProgram ? QString() : word("Starts all channels: press again")},
+    };
+    if (control_) return addControlKeys(keys, there), keys;
+    const std::vector<SoftKey> all{
+        {word("Start all"), press("cycle_start"), Sign::Run, there, false, false, anyBegins ? word("Starts all channels: press again") : QString()},   // one that goes on needs no question, one that begins does
         {word("Hold all"), press("feed_hold"), Sign::Hold, there},
         {word("Reset all"), press("reset"), Sign::Reset, there, false, true, anyInProgram ? word("Ends all programs: press again") : QString()},
         {word("Single block all"), [this, allSingle] {
@@ -110,29 +117,40 @@ std::vector<SoftKey> Overview::keys() {
              desk_.requests.press("single_block " + each.join(' '));
          }, Sign::Stop, there, allSingle},
         {word("Program control"), [this] { control_ = true, desk_.keysChanged ? desk_.keysChanged() : void(); }, Sign::Right, there},
-        {word("End with this part"), press(ends ? "stop_after_part off" : "stop_after_part"), Sign::Ended, there, ends},
+        {word("End with this part"), press(ends ? "stop_after_part off" : "stop_after_part"), Sign::Ended, there, ends, false, ends ? word("Parts go on: press again") : QString()},
     };
+    keys.insert(keys.end(), all.begin(), all.end());
     return keys;
 }
 
-// How programs of the channel are worked off. What makes the machine do something else than the program says is asked for twice.
-std::vector<SoftKey> Overview::controlKeys(bool there) {
+// Left by whatever way, the screen comes back with its first page.
+void Overview::hideEvent(QHideEvent*) { control_ = false; }
+
+// The kernel takes machine lock between programs and at rest only (ChannelRunner::take_keys): pressed before, it would act later and unseen.
+bool Overview::takesMachineLock() const {
+    const auto state = static_cast<ChannelState>(desk_.live.channel(desk_.channel).state);
+    if (state != ChannelState::Reset && state != ChannelState::Ended) return false;
+    for (const std::uint16_t number : desk_.live.config().channel(desk_.channel).axis_numbers())
+        if (!desk_.live.config().axis(number).on_spindle && (desk_.live.status().axes[number - 1u].flags & kMoving)) return false;
+    return true;
+}
+
+// How programs of the channel are worked off. What makes the machine do something else than the program says is asked for twice; that the
+// axes go again as well.
+void Overview::addControlKeys(std::vector<SoftKey>& keys, bool there) {
     const QString name = QString("L%1").arg(desk_.channel);
     const std::uint32_t now = desk_.live.channel(desk_.channel).keys;
-    std::vector<SoftKey> keys;
-    const auto onOff = [&](const char* text, const char* command, std::uint32_t bit, const QString& confirm = {}) {
+    const auto onOff = [&](const char* text, const char* command, std::uint32_t bit, bool can, const QString& confirmOn = {}, const QString& confirmOff = {}) {
         const bool on = now & bit;
-        keys.push_back({word(text).arg(name), [this, words = QString("%1 %2=%3").arg(command, name, on ? "off" : "on")] { desk_.requests.press(words); }, Sign::None, there, on, false, on ? QString() : confirm});
+        keys.push_back({word(text).arg(name), [this, words = QString("%1 %2=%3").arg(command, name, on ? "off" : "on")] { desk_.requests.press(words); }, Sign::None, can, on, false, on ? confirmOff : confirmOn});
     };
-    onOff(WORD("Single block %1"), "single_block", kKeySingleBlock);
-    onOff(WORD("Optional stop %1"), "optional_stop", kKeyOptionalStop);
-    const bool skips = now & kKeyBlockSkip1;
-    keys.push_back({word("Block skip %1").arg(name), [this, words = QString("block_skip %1=%2").arg(name).arg(skips ? -1 : 1)] { desk_.requests.press(words); }, Sign::None, there, skips});
-    onOff(WORD("First part %1"), "first_part", kKeyFirstPart);
-    onOff(WORD("Dry run %1"), "dry_run", kKeyDryRun, word("Other feeds than programmed: press again"));
-    onOff(WORD("Machine lock %1"), "machine_lock", kKeyMachineLock, word("The axes stand while the program runs: press again"));
+    onOff(WORD("Optional stop %1"), "optional_stop", kKeyOptionalStop, there);
+    const bool skips = now & kAllBlockSkips;   // the PLC has all levels; the key puts on the first one, and all off
+    keys.push_back({word("Block skip %1").arg(name), [this, words = QString("block_skip %1=%2").arg(name).arg(skips ? 0 : 1)] { desk_.requests.press(words); }, Sign::None, there, skips});
+    onOff(WORD("First part %1"), "first_part", kKeyFirstPart, there);
+    onOff(WORD("Dry run %1"), "dry_run", kKeyDryRun, there, word("Other feeds than programmed: press again"));
+    onOff(WORD("Machine lock %1"), "machine_lock", kKeyMachineLock, there && takesMachineLock(), word("The axes stand while the program runs: press again"), word("The axes move again: press again"));
     keys.push_back({word("Back"), [this] { control_ = false, desk_.keysChanged ? desk_.keysChanged() : void(); }, Sign::Left});
-    return keys;
 }
 
 }  // namespace polyturn::hmi

@@ -20,10 +20,12 @@ public:
 
 protected:
     void resizeEvent(QResizeEvent*) override;
+    void hideEvent(QHideEvent*) override;
 
 private:
     void layOut();
-    std::vector<SoftKey> controlKeys(bool there);
+    void addControlKeys(std::vector<SoftKey>& keys, bool there);
+    bool takesMachineLock() const;
     bool control_ = false;                 // keys of program control
     std::vector<FreeSheet*> cards_;
     FreeSheet* empty_;

@@ -2699,6 +2699,11 @@
         <translation>Kusy</translation>
     </message>
     <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Parts go on: press again</source>
+        <translation>Kusy jdou dál: znovu</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Parts in all</source>
         <translation>Dílů celkem</translation>
@@ -3737,6 +3742,11 @@
         <location filename="../screens/restart_page.cpp"/>
         <source>The axes are free: press again</source>
         <translation>Osy jsou volné: znovu</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>The axes move again: press again</source>
+        <translation>Osy se zase pohnou: znovu</translation>
     </message>
     <message>
         <location filename="../screens/overview.cpp"/>

@@ -2699,6 +2699,11 @@
         <translation>Darab</translation>
     </message>
     <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Parts go on: press again</source>
+        <translation>Tovább gyárt: újra</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Parts in all</source>
         <translation>Összes darab</translation>
@@ -3737,6 +3742,11 @@
         <location filename="../screens/restart_page.cpp"/>
         <source>The axes are free: press again</source>
         <translation>A tengelyek szabadok: újra</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>The axes move again: press again</source>
+        <translation>A tengelyek járnak: újra</translation>
     </message>
     <message>
         <location filename="../screens/overview.cpp"/>

@@ -2699,6 +2699,11 @@
         <translation>Детали</translation>
     </message>
     <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Parts go on: press again</source>
+        <translation>Детали дальше: ещё раз</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Parts in all</source>
         <translation>Деталей всего</translation>
@@ -3737,6 +3742,11 @@
         <location filename="../screens/restart_page.cpp"/>
         <source>The axes are free: press again</source>
         <translation>Оси свободны: ещё раз</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>The axes move again: press again</source>
+        <translation>Оси снова пойдут: ещё раз</translation>
     </message>
     <message>
         <location filename="../screens/overview.cpp"/>

@@ -117,6 +117,60 @@ TEST_F(Tasks, SingleBlockBothChannelsToAWait) {
     EXPECT_TRUE(waitFor([&] { return !(live().channel(1).keys & kKeySingleBlock); }));
 }
 
+// Who is in need of Hold looks at no page: the keys of the channel stay where they are, and the page is gone when the screen comes back.
+TEST_F(Tasks, HoldStaysInItsPlaceBesideTheSwitches) {
+    Operator hand(*window);
+    hand.screen("overview");
+    const auto texts = [&] {
+        QStringList out;
+        for (const SoftKey& one : window->screen()->keys()) out << one.text;
+        return out;
+    };
+    const QStringList first = texts();
+    hand.soft("Program control");
+    const QStringList switches = texts();
+    ASSERT_EQ(switches.size(), 10);
+    EXPECT_EQ(switches.mid(0, 4), first.mid(0, 4));
+    EXPECT_EQ(switches[1], "Hold L1");
+    EXPECT_EQ(switches[9], "Back");
+    hand.screen("programs");
+    hand.screen("overview");
+    EXPECT_EQ(texts(), first);
+}
+
+// The kernel takes machine lock between programs only: pressed within one it would act later, when nobody thinks of it.
+TEST_F(Tasks, MachineLockIsPressedBetweenProgramsOnly) {
+    const auto lockKey = [&] { return window->screen()->keys()[8]; };
+    Operator hand(*window);
+    hand.screen("overview");
+    hand.soft("Program control");
+    ASSERT_EQ(lockKey().text, "Machine lock L1");
+    ASSERT_TRUE(waitFor([&] { return lockKey().enabled; }));
+    startJob();
+    EXPECT_FALSE(lockKey().enabled);
+    ASSERT_TRUE(g_controller->press("reset"));
+    ASSERT_TRUE(waitFor([&] { return lockKey().enabled; }));
+    ASSERT_TRUE(g_controller->press("machine_lock L1=on"));
+    ASSERT_TRUE(waitFor([&] { return lockKey().on; }));
+    EXPECT_FALSE(lockKey().confirm.isEmpty()) << "that the axes go again is asked for as well";
+    ASSERT_TRUE(g_controller->press("machine_lock L1=off"));
+    EXPECT_TRUE(waitFor([&] { return !lockKey().on; }));
+}
+
+TEST_F(Tasks, StartAllAsksWhereAChannelWouldBeginItsProgram) {
+    Operator hand(*window);
+    hand.screen("overview");
+    const auto asks = [&] { return !window->screen()->keys()[4].confirm.isEmpty(); };
+    startJob();
+    ASSERT_TRUE(waitFor([&] { return state(2) == ChannelState::Running || state(2) == ChannelState::Waiting; }));
+    EXPECT_FALSE(asks());
+    ASSERT_TRUE(g_controller->press("feed_hold L1"));
+    ASSERT_TRUE(g_controller->press("reset L2"));
+    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Held && state(2) == ChannelState::Reset; }));
+    EXPECT_EQ(window->screen()->keys()[4].text, "Start all");
+    EXPECT_TRUE(asks()) << "L2 would run from its beginning beside a program that is held";
+}
+
 // The tip touches a diameter that has been measured: geometry follows from where the axis stands.
 TEST_F(Tasks, MeasureAToolByItsTouch) {
     startAndHoldJob();
