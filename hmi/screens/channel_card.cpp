@@ -53,7 +53,7 @@ private:
         const std::string path = view_.file < view_.programs.size() ? view_.programs[view_.file] : std::string();
         const QString block = status_.block >= 0 && status_.line ? QString("  N%1").arg(status_.block) : QString();
         w_.fill(QRectF(left_, y_, wide_, px(24)), t_.raised, px(5));
-        const double marks = switchMarks(QRectF(left_, y_, wide_, px(24)));
+        const double marks = switchMarks(QRectF(left_, y_, wide_, px(24)), now.kind == Plight::Kind::Alarm);
         if (trouble) w_.sign(QRectF(left_ + px(5), y_ + px(4), px(16), px(16)), now.kind == Plight::Kind::Alarm ? Sign::Alarm : now.kind == Plight::Kind::Waits ? Sign::Wait : now.kind == Plight::Kind::Told ? Sign::Note : Sign::Warning, colour);
         w_.data(QRectF(left_ + px(trouble ? 27 : 8), y_, wide_ - px(trouble ? 32 : 12) - marks, px(24)), trouble ? now.text : path.empty() ? word("no program") : QFileInfo(QString::fromStdString(path)).fileName() + block, lettering(13.5, false, Face::Condensed), path.empty() && !trouble ? t_.faint : t_.text);
         y_ += px(28);
@@ -78,11 +78,13 @@ private:
         w_.text(QRectF(left_ + 2 * third, bottom, third, px(24)), spindle >= 1 && spindle <= kMaxSpindles ? QString("S %1").arg(std::abs(live_.status().spindles[spindle - 1].speed), 0, 'f', 0) : QString(), lettering(14), t_.dim, kRight);
     }
 
-    // Beside what matters most: the switches of the channel, as status lines name them. How much of the width they take.
-    double switchMarks(const QRectF& box) {
+    // Beside what matters most: the switches of the channel, as status lines name them; beside an alarm in a small card only
+    // those by which the machine does something else than the program says. How much of the width they take.
+    double switchMarks(const QRectF& box, bool fewest = false) {
         QStringList marks;
         const auto add = [&](std::uint32_t bits, const char* mark) { if (status_.keys & bits) marks << mark; };
-        add(kKeyMachineLock, "MLK"), add(kKeyDryRun, "DRY"), add(kKeySingleBlock, "SBL"), add(kKeyOptionalStop, "M01"), add(0x1FFu << 8, "SKP"), add(kKeyFirstPart, "FPT");
+        add(kKeyMachineLock, "MLK"), add(kKeyDryRun, "DRY");
+        if (!fewest) add(kKeySingleBlock, "SBL"), add(kKeyOptionalStop, "M01"), add(kAllBlockSkips, "SKP"), add(kKeyFirstPart, "FPT");
         if (marks.isEmpty()) return 0;
         while (marks.size() > 4) marks.removeLast();
         const double wide = marks.size() > 2 && box.height() > px(30) ? px(70) : px(36) * static_cast<double>(marks.size());
@@ -137,7 +139,7 @@ private:
             add(status_.keys & kKeyDryRun, word("Dry run"));
             add(status_.keys & kKeyMachineLock, word("Machine lock"));
             add(status_.keys & kKeyFirstPart, word("First part"));
-            add((status_.keys >> 8 & 0x1FFu) != 0, word("Block skip"));
+            add(status_.keys & kAllBlockSkips, word("Block skip"));
             w_.data(box.adjusted(px(12), 0, -px(6), 0), switches, lettering(13.5), t_.dim);
         }
         below(h);

@@ -224,10 +224,12 @@ std::vector<SoftKey> Programs::keys() {
         return compare_->addKeys(own), own;
     }
     const bool can = page_ == Page::Files ? file : !wanted_.isEmpty();
-    bool runs = false;
+    bool runs = false, begins = false;
     for (const unsigned channel : desk_.live.channels()) {
         const auto state = static_cast<ChannelState>(desk_.live.channel(channel).state);
-        runs |= state == ChannelState::Running || state == ChannelState::Held || state == ChannelState::Waiting || state == ChannelState::ProgramStop;
+        const bool works = state == ChannelState::Running || state == ChannelState::Held || state == ChannelState::Waiting || state == ChannelState::ProgramStop;
+        runs |= works;
+        begins |= !works && state != ChannelState::Absent && state != ChannelState::Dead;   // with this press: that is asked for
     }
     std::vector<SoftKey> keys{
         {word("Files"), [this] { show(Page::Files); }, Sign::Programs, true, page_ == Page::Files},
@@ -237,7 +239,7 @@ std::vector<SoftKey> Programs::keys() {
         {word("Open folder"), [this] { files_->open(); }, Sign::Right, page_ == Page::Files && files_->isFolder()},
         {word("Places"), [this] { files_->showPlaces(); }, Sign::None, page_ == Page::Files},
         {job || !file ? word("Select job") : word("Select in L%1").arg(desk_.channel), [this] { select(); }, Sign::Good, there && file && !runs && page_ == Page::Files},
-        {word("Start all"), [this] { desk_.requests.press("cycle_start"), desk_.show(0); }, Sign::Run, there, false, false, runs ? QString() : word("Starts all channels: press again")},
+        {word("Start all"), [this] { desk_.requests.press("cycle_start"), desk_.show(0); }, Sign::Run, there, false, false, begins ? word("Starts all channels: press again") : QString()},
     };
     if (page_ == Page::Restart) restart_->addKeys(keys);
     if (page_ == Page::Files && printing_.busy()) keys.push_back({word("Stop"), [this] {
