@@ -328,6 +328,8 @@ void MainWindow::lock(bool on) {
     if (on && !locked_) {   // what a finger holds now must not go on beneath the cover
         for (int key = 0; key < 10; ++key) bar_->letGo(key);
         for (Screen* one : screens_) one->letGo();
+        for (QWidget* one : findChildren<QWidget*>())
+            if (auto* sheet = dynamic_cast<Sheet*>(one)) sheet->forgetTouch();
     }
     locked_ = on;
     lockedUntil_ = QDateTime::currentMSecsSinceEpoch() + kLockMs;
@@ -424,7 +426,7 @@ bool MainWindow::eventFilter(QObject* object, QEvent* event) {
     if (locked_) {
         switch (type) {
             case QEvent::KeyPress: case QEvent::MouseButtonPress: case QEvent::MouseButtonDblClick: case QEvent::MouseMove: case QEvent::Wheel: case QEvent::TouchBegin: case QEvent::TouchUpdate: return true;
-            case QEvent::KeyRelease: return keyReleased(static_cast<QKeyEvent*>(event));   // releases come through: nothing begins with them
+            case QEvent::KeyRelease: return keyReleased(static_cast<QKeyEvent*>(event));   // releases come through, so that nothing stays held; lock() has made the sheets forget what a release would do
             default: return false;
         }
     }

@@ -11,6 +11,7 @@ public:
     HandPage(Desk& desk, QWidget* parent);
     void refresh();
     bool key(QKeyEvent* event);
+    void letGo() { dialing_ = false; }    // the panel is locked
     std::vector<SoftKey> keys(std::function<void()> back);
     std::vector<Sheet*> sheets() { return {wheel_, tools_, steps_, state_}; }
     FreeSheet& wheel() { return *wheel_; }

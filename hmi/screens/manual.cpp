@@ -47,6 +47,7 @@ void Manual::tellHeld() {
 }
 
 void Manual::letGo() {
+    hand_->letGo();
     held_.stop();
     if (heldWords_.isEmpty()) return;
     desk_.requests.press(QString("jog %1 0s").arg(heldWords_));

@@ -17,6 +17,7 @@ public:
     std::function<std::int32_t(int row)> toolAt;
     std::function<void(std::int32_t tool)> onLifted;
     std::function<void(std::int32_t tool, const QPoint& global)> onDropped;
+    void forgetTouch() override { out_ = false, lifted_ = 0, Table::forgetTouch(); }
 
 protected:
     void mousePressEvent(QMouseEvent* event) override;
@@ -39,6 +40,7 @@ public:
     void refresh() override;
     void rebuilt() override;
     bool key(QKeyEvent* event) override;
+    void letGo() override { picture_->carried = 0; }
     bool typing() const override { return true; }
     QString state() const override { return QString("%1 %2").arg(static_cast<int>(page_)).arg(picture_->shown()); }
     void restore(const QString& state) override;

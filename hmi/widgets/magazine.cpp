@@ -208,7 +208,7 @@ bool Magazine::key(QKeyEvent* event) {
 
 void Magazine::mousePressEvent(QMouseEvent* event) {
     down_ = event->position();
-    dragging_ = false;
+    pressed_ = true, dragging_ = false;
     const ToolPlace* place = placeAt(down_);
     lifted_ = place ? place->tool : 0;
 }
@@ -221,6 +221,7 @@ void Magazine::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void Magazine::mouseReleaseEvent(QMouseEvent* event) {
+    if (!std::exchange(pressed_, false)) return;
     const std::int32_t tool = std::exchange(lifted_, 0);
     if (std::exchange(dragging_, false)) {
         if (onDropped) onDropped(tool, event->globalPosition().toPoint());

@@ -19,6 +19,7 @@ public:
     const ToolPlace* chosen() const;               // the bright place; nullptr: there is none
     void choose(std::int32_t pot);
     bool key(QKeyEvent* event);
+    void forgetTouch() override { pressed_ = dragging_ = false, lifted_ = 0, Sheet::forgetTouch(); }
     int placeHit(std::int32_t pot) const { return pot; }
     // Of the place under a point of this widget; nullptr: none.
     const ToolPlace* placeAt(const QPointF& point) const;
@@ -52,7 +53,7 @@ private:
     std::int32_t magazine_ = 1, pot_ = 0;
     QPointF down_;
     std::int32_t lifted_ = 0;                      // under the finger
-    bool dragging_ = false;
+    bool pressed_ = false, dragging_ = false;
 };
 
 }  // namespace polyturn::hmi

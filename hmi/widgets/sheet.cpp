@@ -273,7 +273,9 @@ void Sheet::mousePressEvent(QMouseEvent* event) {
         }
 }
 
-void Sheet::mouseReleaseEvent(QMouseEvent*) {
+void Sheet::mouseReleaseEvent(QMouseEvent*) { Sheet::forgetTouch(); }
+
+void Sheet::forgetTouch() {
     if (pressed_ >= 0) released(std::exchange(pressed_, -1));
 }
 

@@ -73,6 +73,7 @@ public:
     QRectF boxOf(int number) const;
     const std::vector<TextField>& fields() const { return fields_; }
     void touch(int number) { touched(number); }   // as if by a finger
+    virtual void forgetTouch();   // the finger that is down is forgotten: what it holds ends, what its release would do is not done
 
 protected:
     virtual void compose(Writer& w) = 0;

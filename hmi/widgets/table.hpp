@@ -45,6 +45,7 @@ public:
     int column() const { return column_; }
     void choose(int row, int column = -1);
     bool key(QKeyEvent* event);
+    void forgetTouch() override { pressed_ = false, Sheet::forgetTouch(); }
     int visibleRows() const;
     QRectF cellBox(int row, int column) const;  // empty: not visible
 

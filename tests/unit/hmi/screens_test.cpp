@@ -197,6 +197,43 @@ TEST(Screens, ALockedPanelTakesNoTouchAndNoKey) {
     EXPECT_EQ(window.shown(), 0);
 }
 
+// A finger that is down when the panel is locked is forgotten: its release, or a tool that it drags, does nothing beneath the cover.
+TEST(Screens, ALockForgetsTheFingerThatIsDown) {
+    MainWindow window(nobody());
+    window.resize(1280, 800);
+    window.show();
+    Table table(&window);
+    table.columns = {{"No.", 1}};
+    table.rows = [] { return 5; };
+    table.cell = [](int row, int) -> Table::Cell { return {QString::number(row)}; };
+    int activated = 0;
+    table.onActivated = [&] { ++activated; };
+    FreeSheet held(&window);
+    int released = 0;
+    held.onCompose = [&](Writer& w) { w.hit(QRectF(0, 0, 100, 100), 1); };
+    held.onReleased = [&](int) { ++released; };
+    table.setGeometry(300, 200, 400, 300), held.setGeometry(750, 200, 100, 100);
+    table.show(), held.show(), table.refresh(), held.refresh();
+    const QPoint row = table.cellBox(0, 0).center().toPoint();
+    QTest::mouseClick(&table, Qt::LeftButton, {}, row);
+    ASSERT_EQ(activated, 1) << "the chosen row, touched again";
+    QTest::mousePress(&table, Qt::LeftButton, {}, row);
+    QTest::keyClick(&window, Qt::Key_L, Qt::ControlModifier);
+    ASSERT_TRUE(window.locked());
+    QTest::mouseRelease(&table, Qt::LeftButton, {}, row);
+    EXPECT_EQ(activated, 1);
+
+    MainWindow other(nobody());
+    other.show();
+    held.setParent(&other), held.setGeometry(300, 200, 100, 100), held.show(), held.refresh();
+    QTest::mousePress(&held, Qt::LeftButton, {}, {50, 50});
+    QTest::keyClick(&other, Qt::Key_L, Qt::ControlModifier);
+    EXPECT_EQ(released, 1) << "what acts while it is held ends with the lock";
+    QTest::mouseRelease(&held, Qt::LeftButton, {}, {50, 50});
+    EXPECT_EQ(released, 1);
+    held.setParent(nullptr);   // it goes before that window does
+}
+
 TEST(Screens, SavePicturesOfThemselves) {
     QTemporaryDir folder;
     ASSERT_EQ(saveScreenshots(nobody(), QSize(1280, 800), folder.path()), 0);
