@@ -188,6 +188,7 @@ void Live::readChannel(unsigned number) {
     view.rapid = (first.flags & kRapid) != 0;
     view.known = find_picture(*segment, first.serial, view.picture);
     if (view.known && (view.picture.flags & kPictureNoNose)) readNose(number, running ? status.record : head - 1);
+    for (std::size_t place = 0; view.known && place < kChannelAxes; ++place) view.toolShift[place] = view.picture.tool_shift[place], view.toolShown[place] = view.picture.tool_shown[place] - view.nose[place];   // BlockPicture::tool_shown, kPictureNoNose
     if (!running || status.state == static_cast<std::uint32_t>(ChannelState::Reset)) return;
     // Its block may go on in the records behind it: the last one says where the axes end.
     const ChannelConfig& config = config_->channel(number);
@@ -247,7 +248,8 @@ double Live::upright(unsigned channel, unsigned place, double machine) const {
     return machine;
 }
 
-// Before the first program no block tells what acts: the zeros with which its language begins (kernel/supervisor/start_position.cpp), no tool.
+// Between the selection of a program and its first block, and before the first program, no block tells what acts: the zeros with which its
+// language begins (kernel/supervisor/start_position.cpp). The tool is the one that the last program has left (ChannelView::toolShift).
 double Live::zeroAtRest(unsigned channel, unsigned place) const {
     const std::string_view language = params::get_text(*table_, params::pt_language, channel);
     const auto& zeros = stores_[channel - 1]->zeros;
@@ -266,7 +268,7 @@ bool Live::fromZero(unsigned channel, unsigned place, double machine, double& ou
     if (!one.known) {
         const auto state = static_cast<ChannelState>(status_->channels[channel - 1].state);
         if (state != ChannelState::Reset && state != ChannelState::Ended) return false;   // a picture that is on its way
-        out = upright(channel, place, machine) - zeroAtRest(channel, place);
+        out = upright(channel, place, machine) - zeroAtRest(channel, place) - one.toolShift[place];
         return true;
     }
     if ((one.picture.flags & kPictureNoShift)) return false;
@@ -276,7 +278,7 @@ bool Live::fromZero(unsigned channel, unsigned place, double machine, double& ou
 
 bool Live::workpiece(unsigned channel, unsigned place, double machine, double& out) const {
     if (!fromZero(channel, place, machine, out)) return false;
-    if (view(channel).known) out += view(channel).picture.tool_shown[place] - view(channel).nose[place];   // BlockPicture::tool_shown, kPictureNoNose
+    out += view(channel).toolShown[place];
     return true;
 }
 

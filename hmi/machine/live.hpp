@@ -25,6 +25,9 @@ struct ChannelView {
     std::array<bool, kChannelAxes> moves{}; // by place: the running block moves the axis
     std::array<double, kChannelAxes> end{}; // and where to: machine coordinate, at right angles where the X slide is inclined
     std::array<double, kChannelAxes> nose{};   // by place: what compensation has added to the programmed point
+    // By place, of the last block that was known: what the tool adds to the zeros, and what of it positions show. It holds on when another
+    // program is selected: nothing has moved, and the tool is in its place until that program begins.
+    std::array<double, kChannelAxes> toolShift{}, toolShown{};
 };
 
 class Live {

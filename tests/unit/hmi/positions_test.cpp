@@ -95,6 +95,26 @@ TEST_F(Positions, AreAtRightAnglesWhereTheSlideIsInclined) {
     ASSERT_TRUE(g_controller->run({"params", "set", "F8200 L1=00000000", "--instance", g_controller->name}));
 }
 
+// A selection moves nothing and takes no tool away: what is shown stays as it is until the program begins.
+TEST_F(Positions, KeepTheToolWhenAProgramIsSelected) {
+    ASSERT_TRUE(g_controller->run({"offsets", "set", "L1", "9", "geometry", "X=40", "Z=30", "R=0", "T=3", "--instance", g_controller->name}));
+    ASSERT_TRUE(g_controller->press("mode L1=mdi"));
+    ASSERT_TRUE(g_controller->press("mdi L1 T0909"));
+    ASSERT_TRUE(waitFor([&] { return live().view(1).known && live().view(1).picture.geometry == 9; }, 30));
+    ASSERT_TRUE(waitFor([&] { return state(1) != ChannelState::Running && live().plc(signals::cp_turretopen(1)) == 0; }, 30));
+    QTest::qWait(100);
+    const double before = shownAt(1), tool = live().view(1).toolShift[1] - live().view(1).toolShown[1];
+    ASSERT_GT(std::abs(tool), 1) << "the tool counts in what is shown";
+    const QString path = g_controller->folder.filePath("O0078.nc");
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("O78\nM30\n");
+    file.close();
+    ASSERT_TRUE(g_controller->press("select L1=" + path));
+    ASSERT_TRUE(waitFor([&] { return !live().view(1).known && !live().view(1).programs.empty() && QString::fromStdString(live().view(1).programs[0]).endsWith("O0078.nc"); }, 10));
+    EXPECT_NEAR(shownAt(1), before, 1e-6);
+}
+
 // The keys of both setters write what was touched; the workpiece setter counts the offset of the probe that is in use, and what has been typed
 // is what the surface is to be.
 TEST_F(Positions, SettersAreReadByTheirKeys) {
