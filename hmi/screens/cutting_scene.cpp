@@ -63,12 +63,23 @@ void CuttingScene::addBefore(unsigned channel, std::deque<TrailPoint> points) {
     changed = true;
 }
 
+void CuttingScene::cutTo(const TrailPoint& from, double z, double x) {
+    stock.cut((from.z - zero_.z) * zero_.sense, std::abs(from.x - zero_.x), (z - zero_.z) * zero_.sense, std::abs(x - zero_.x));
+    cut = cut || stock.any();
+}
+
+void CuttingScene::cutAgain(const std::map<unsigned, Trail>& driven) {
+    for (const auto& [channel, trail] : driven)
+        for (std::size_t i = 1; i < trail.points.size(); ++i)
+            if (const TrailPoint& point = trail.points[i]; !point.rapid && !point.begins) cutTo(trail.points[i - 1], point.z, point.x);
+}
+
 void CuttingScene::add(unsigned channel, double z, double x, bool rapid) {
     Trail& trail = trails[channel];
     if (trail.open) {
         const TrailPoint& last = trail.points.back();
         if (std::hypot(z - last.z, x - last.x) < kLeastWay) return;
-        if (!rapid) stock.cut((last.z - zero_.z) * zero_.sense, std::abs(last.x - zero_.x), (z - zero_.z) * zero_.sense, std::abs(x - zero_.x)), cut = cut || stock.any();
+        if (!rapid) cutTo(last, z, x);
     }
     trail.points.push_back({z, x, rapid, !trail.open});
     if (trail.points.size() > kMostPoints) trail.points.pop_front(), trail.drawn -= trail.drawn > 0;

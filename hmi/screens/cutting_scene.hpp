@@ -53,6 +53,8 @@ public:
     void place(const Zero& zero) { zero_ = zero, changed = true; }
     const Zero& zero() const { return zero_; }
     void add(unsigned channel, double z, double x, bool rapid);
+    // What was driven before the blank was known, cut out of it.
+    void cutAgain(const std::map<unsigned, Trail>& driven);
     // What a channel has driven before all that is known of it.
     void addBefore(unsigned channel, std::deque<TrailPoint> points);
     void lift(unsigned channel) { trails[channel].open = false; }   // the next point is not joined with the last
@@ -62,6 +64,7 @@ public:
     bool changed = true, cut = false;  // changed: the picture must be drawn anew; cut: the stock is another one since
 
 private:
+    void cutTo(const TrailPoint& from, double z, double x);
     Zero zero_;
 };
 

@@ -62,7 +62,7 @@ void Graphics::forget() {
 
 void Graphics::rebuilt() {
     forget();
-    zeroZ_.clear(), cycle_.clear();
+    zeroZ_.clear(), zeroDue_.clear(), cycle_.clear();
 }
 
 // The job beside the running program that names it: its stock. Looked for aside: the folder may lie on a network.
@@ -70,6 +70,7 @@ void Graphics::findJob() {
     if (const auto found = finding_.take()) {
         job_ = *found;
         beginStock(live_);
+        live_.cutAgain(live_.trails);      // it has been cut while the job was looked for
         if (wanted_) startDry();
     }
     if (finding_.busy()) return;
@@ -135,8 +136,8 @@ void Graphics::followZero(unsigned channel, double tipZ) {
     if (!z || z->slot == kNoSlot || !desk_.live.fromZero(channel, z->slot, now_.axes[z->number - 1u], at)) return;
     const double zero = tipZ - zeroOf(channel).sense * at;
     const auto known = zeroZ_.find(channel);
-    if (known != zeroZ_.end() && std::abs(known->second - zero) < 0.5) return;   // a shift of the program is no other chucking
-    const bool first = known == zeroZ_.end();
+    const bool first = zeroDue_.erase(channel) > 0 || known == zeroZ_.end();
+    if (!first && std::abs(known->second - zero) < 0.5) return;   // a shift of the program is no other chucking
     zeroZ_[channel] = zero;
     if (first && channel == desk_.live.channels().front()) live_.place(zeroOf(channel)), redraw_ = true;
 }
@@ -148,7 +149,7 @@ void Graphics::followLive() {
         if (status.cycle_s < cycle_[channel] && status.cycle_s < 0.5) {   // another part begins
             live_.trails.erase(channel);
             live_.changed = true;
-            zeroZ_.erase(channel);   // the blank lies at the first zero that the part uses, not at the last one of the part before
+            zeroDue_.insert(channel);   // the blank lies at the first zero that the part uses, not at the last one of the part before
             if (channel == live.channels().front()) beginStock(live_);
         }
         cycle_[channel] = status.cycle_s;
@@ -160,7 +161,7 @@ void Graphics::followLive() {
             continue;
         }
         if (tool.tip_known) at.x += tool.tip.x, at.z += tool.tip.z;
-        followZero(channel, at.z);
+        if (status.blocks > 0) followZero(channel, at.z);   // before, the picture may be that of the program's end
         const CuttingScene::Zero zero = zeroOf(channel);
         if (std::abs(at.z - zero.z) > kFurthest || std::abs(at.x - zero.x) > kFurthest) live_.lift(channel);
         else live_.add(channel, at.z, at.x, live.view(channel).rapid);

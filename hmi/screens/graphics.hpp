@@ -8,6 +8,7 @@
 #include <QPointF>
 #include <QRegion>
 #include <memory>
+#include <set>
 
 #include "hmi/app/screen.hpp"
 #include "hmi/machine/dry_run.hpp"
@@ -121,6 +122,7 @@ private:
     std::vector<ShownStroke> strokes_;
     std::map<unsigned, double> cycle_;     // of the parts, by channel
     std::map<unsigned, double> zeroZ_;     // of the workpiece in the room, as the running block has it
+    std::set<unsigned> zeroDue_;           // channels whose new part has not told its zero yet: that of the part before is shown
     Aside<FoundJob> finding_;
     FoundJob job_;
     bool machine_ = false;                 // the whole machine, not the part

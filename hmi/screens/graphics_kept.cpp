@@ -42,7 +42,7 @@ void Graphics::keepPaths() {
     for (const auto& [number, trail] : live_.trails) {
         const ChannelStatus& now = desk_.live.channel(number);
         const auto zero = zeroZ_.find(number);
-        out.channels[number] = {now.cycles, now.cycle_s, zero == zeroZ_.end() ? 0.0 : zero->second, zero != zeroZ_.end(), trail.points};
+        out.channels[number] = {now.cycles, now.cycle_s, zero == zeroZ_.end() ? 0.0 : zero->second, zero != zeroZ_.end() && !zeroDue_.count(number), trail.points};
     }
     QByteArray bytes = out.written();
     if (bytes != desk_.kept.get("paths", kOfPaths)) desk_.kept.put("paths", std::move(bytes), kOfPaths);
@@ -70,6 +70,7 @@ void Graphics::bringBackPaths() {
     const KeptPaths kept = KeptPaths::read(*piece);
     if (kept.machineRun == 0 || kept.machineRun != desk_.live.machineRun() || kept.program != job_.program) return;
     bool samePart = false;
+    const std::map<unsigned, Trail> since = live_.trails;   // since these screens have come
     for (const auto& [number, one] : kept.channels) {
         const auto& all = desk_.live.channels();
         if (std::find(all.begin(), all.end(), number) == all.end()) continue;
@@ -85,6 +86,7 @@ void Graphics::bringBackPaths() {
     if (samePart) {
         beginStock(live_);                 // with the zeros as they are known now
         live_.stock.cutTo(kept.radii);
+        live_.cutAgain(since);
     }
     redraw_ = true;
 }

@@ -28,6 +28,24 @@ TEST(CuttingScene, TakesAwayWhatTheTipHasPassed) {
     EXPECT_DOUBLE_EQ(scene.stock.radiusAt(-30), 20);
 }
 
+// The job of a running program is looked for aside: what is cut meanwhile is cut when its blank is known.
+TEST(CuttingScene, CutsWhatWasDrivenBeforeTheBlankWasKnown) {
+    CuttingScene scene;
+    scene.add(1, 110, 30, true);
+    scene.add(1, 100, 20, true);
+    scene.add(1, 80, 20, false);
+    scene.lift(1);
+    scene.add(1, 70, 5, false);            // it began here: nothing is cut on the way to it
+    text::JobStock blank;
+    blank.diameter = 60, blank.length = 50, blank.face = 0, blank.bore = 0;
+    scene.begin(blank, {100, 0, 1});
+    EXPECT_DOUBLE_EQ(scene.stock.radiusAt(-10), 30);
+    scene.cutAgain(scene.trails);
+    EXPECT_DOUBLE_EQ(scene.stock.radiusAt(-10), 20);
+    EXPECT_DOUBLE_EQ(scene.stock.radiusAt(-25), 30);
+    EXPECT_TRUE(scene.cut);
+}
+
 TEST(CuttingScene, KnowsAWorkpieceThatLooksTheOtherWay) {
     CuttingScene scene;
     scene.begin(bar(60, 100), {300, 0, -1});
