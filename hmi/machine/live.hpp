@@ -19,7 +19,7 @@ namespace polyturn::hmi {
 struct ChannelView {
     std::vector<std::string> programs;      // paths, [0] the selected or running main program
     std::uint32_t file = 0;                 // of them, the one that the running block stands in
-    bool known = false;                     // `picture` holds for the running block
+    bool known = false;                     // `picture` holds for the running block; else it is the last one that was known
     bool rapid = false;                     // the running record is one of rapid
     BlockPicture picture{};
     std::array<bool, kChannelAxes> moves{}; // by place: the running block moves the axis

@@ -73,7 +73,7 @@ private:
         const unsigned spindle = view_.known && view_.picture.spindle ? view_.picture.spindle : config_.default_spindle;
         const double bottom = size_.height() - px(28), third = wide_ / 3;
         w_.line({left_, bottom}, {left_ + wide_, bottom}, t_.edge, 1);
-        w_.text(QRectF(left_, bottom, third, px(24)), view_.known && view_.picture.tool > 0 ? QString("T%1").arg(view_.picture.tool) : kDash, lettering(14, true), t_.text);
+        w_.text(QRectF(left_, bottom, third, px(24)), view_.picture.tool > 0 ? QString("T%1").arg(view_.picture.tool) : kDash, lettering(14, true), view_.known ? t_.text : t_.faint);
         w_.text(QRectF(left_ + third, bottom, third, px(24)), QString("F %1").arg(status_.path_speed * 60, 0, 'f', 0), lettering(14), status_.feed_override != 1 ? t_.warn : t_.dim, kRight);
         w_.text(QRectF(left_ + 2 * third, bottom, third, px(24)), spindle >= 1 && spindle <= kMaxSpindles ? QString("S %1").arg(std::abs(live_.status().spindles[spindle - 1].speed), 0, 'f', 0) : QString(), lettering(14), t_.dim, kRight);
     }
@@ -242,7 +242,7 @@ private:
         const double h = px(dense_ ? 20 : 26);
         const BlockPicture& p = view_.picture;
         QString tool = word("no tool known"), offset;
-        if (view_.known && (p.tool > 0 || p.offset > 0 || p.geometry > 0)) {
+        if (p.tool > 0 || p.offset > 0 || p.geometry > 0) {   // pale behind a selection: positions count it until the program begins
             tool = QString("T%1").arg(std::max<std::int64_t>(p.tool, 0));
             const QString named = QString::fromUtf8(p.tool_name.data(), static_cast<int>(::strnlen(p.tool_name.data(), p.tool_name.size())));
             if (!named.isEmpty()) tool += "  " + named;
