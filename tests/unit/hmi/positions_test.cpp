@@ -97,6 +97,7 @@ TEST_F(Positions, AreAtRightAnglesWhereTheSlideIsInclined) {
 
 // A selection moves nothing and takes no tool away: what is shown stays as it is until the program begins.
 TEST_F(Positions, KeepTheToolWhenAProgramIsSelected) {
+    ASSERT_TRUE(g_controller->run({"params", "set", "F3104 L1=01000000", "--instance", g_controller->name}));   // DAL: positions are without the offset
     ASSERT_TRUE(g_controller->run({"offsets", "set", "L1", "9", "geometry", "X=40", "Z=30", "R=0", "T=3", "--instance", g_controller->name}));
     ASSERT_TRUE(g_controller->press("mode L1=mdi"));
     ASSERT_TRUE(g_controller->press("mdi L1 T0909"));
