@@ -1,6 +1,5 @@
 #include "hmi/screens/manual.hpp"
 
-#include <QDateTime>
 #include <array>
 #include <cmath>
 
@@ -259,14 +258,20 @@ void Manual::composeSide(Writer& w) {
     words.wraps = true, words.data = true;
 }
 
-// The key of the emergency stop stays one for a while: who hits it twice in fright must not switch the machine on.
+// The key of the emergency stop stays one for a while after the machine was on, and after each press: who hits it again and again in fright
+// must not switch the machine on.
 bool Manual::stops() const {
     constexpr qint64 kStaysMs = 3000;
-    return desk_.live.status().machine_state == 2 || QDateTime::currentMSecsSinceEpoch() - wasOnMs_ < kStaysMs;
+    return desk_.live.status().machine_state == 2 || (stopsSince_.isValid() && stopsSince_.elapsed() < kStaysMs);
+}
+
+void Manual::stopsSince() { stopsSince_.start(); }
+
+void Manual::follow() {
+    if (desk_.live.connected() && desk_.live.status().machine_state == 2) stopsSince();
 }
 
 void Manual::refresh() {
-    if (desk_.live.status().machine_state == 2) wasOnMs_ = QDateTime::currentMSecsSinceEpoch();
     if (handShown_) return hand_->refresh();
     for (Sheet* one : sheets()) one->refresh();
 }
@@ -299,7 +304,7 @@ std::vector<SoftKey> Manual::keys() {
         {word("Hold %1").arg(name), press_words("feed_hold " + name), Sign::Hold, there},
         {stops() ? word("Emergency stop") : word("Machine on"),
          [this] {
-             if (stops()) return desk_.requests.press("emergency_stop");
+             if (stops()) return stopsSince(), desk_.requests.press("emergency_stop");
              if (desk_.live.status().machine_state == 0) desk_.requests.press("release_emergency_stop");
              desk_.requests.press("machine_on");
          },

@@ -1,6 +1,8 @@
 // Moving by hand: jog keys that move as long as they are held, steps, reference points, leaving a hold and coming back, blocks by hand
 // (MDI), overrides, machine on.
 #pragma once
+#include <QElapsedTimer>
+
 #include "hmi/app/screen.hpp"
 #include "hmi/screens/hand_page.hpp"
 #include "hmi/widgets/text_pad.hpp"
@@ -16,6 +18,7 @@ public:
     const char* name() const override { return "manual"; }
     std::vector<SoftKey> keys() override;
     void refresh() override;
+    void follow() override;
     bool key(QKeyEvent* event) override;
     bool keyReleased(QKeyEvent* event) override;
     void letGo() override;
@@ -46,7 +49,8 @@ private:
     void composeSide(Writer& w);
     void press(int number);
     void tellHeld();
-    bool stops() const;
+    bool stops() const;           // what the last soft key does
+    void stopsSince();
     void mode(const char* wanted);
     unsigned chosenAxis() const;  // 0: none
 
@@ -61,7 +65,7 @@ private:
     unsigned place_ = 0;          // of the axis that keys move
     int override_ = 0;            // feed, rapid, spindle: the one that keys change
     QString mdi_;
-    qint64 wasOnMs_ = 0;          // when the machine was seen on last
+    QElapsedTimer stopsSince_;    // since the machine was seen on, or its stop was pressed
 };
 
 }  // namespace polyturn::hmi

@@ -1,5 +1,7 @@
 #include "hmi/widgets/soft_keys.hpp"
 
+#include <algorithm>
+
 namespace polyturn::hmi {
 
 SoftKeyBar::SoftKeyBar(QWidget* parent) : Sheet(parent) {
@@ -24,15 +26,19 @@ void SoftKeyBar::press(int number) {
     if (key.text.isEmpty() || !key.enabled) return;
     if (!key.confirm.isEmpty() && asked_ != number) {
         asked_ = number;
+        askedSince_.start();
         forget_.start();
         refresh();
         return;
     }
+    if (asked_ == number && !key.confirm.isEmpty() && askedSince_.elapsed() < kReadMs) return;   // a double tap has not read the question
     asked_ = -1;
     down_ = key.release ? number : -1;
     if (key.act) key.act();
     refresh();
 }
+
+int SoftKeyBar::waits() const { return asked_ < 0 ? 0 : std::max(0, kReadMs - static_cast<int>(askedSince_.elapsed())); }
 
 void SoftKeyBar::letGo(int number) {
     if (down_ != number || number < 0) return;

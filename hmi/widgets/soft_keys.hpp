@@ -1,5 +1,6 @@
 // The row of keys at the foot of each screen: F1 to F10, or a touch. A key that can cost something wants a second press.
 #pragma once
+#include <QElapsedTimer>
 #include <QTimer>
 
 #include "hmi/app/screen.hpp"
@@ -9,11 +10,13 @@ namespace polyturn::hmi {
 class SoftKeyBar : public Sheet {
 public:
     static constexpr int kKeys = 10;
+    static constexpr int kReadMs = 500;   // the least time between a question and its answer
     explicit SoftKeyBar(QWidget* parent);
     void show(std::vector<SoftKey> keys);
     void press(int key);     // from 0
     void letGo(int key);
     const std::vector<SoftKey>& keys() const { return keys_; }
+    int waits() const;       // ms until the second press of the key that asks counts
 
 protected:
     void compose(Writer& w) override;
@@ -23,6 +26,7 @@ protected:
 private:
     std::vector<SoftKey> keys_;
     int asked_ = -1;         // waits for its second press
+    QElapsedTimer askedSince_;
     int down_ = -1;
     QTimer forget_;
 };

@@ -85,7 +85,9 @@ public:
         FAIL() << "there is no screen " << name;
     }
     void soft(const QString& text) {
-        QTest::qWait(60);   // keys are shown anew with the next frame
+        // Keys are shown anew with the next frame; a question wants to be read before it is answered.
+        QTest::qWait(std::max(60, askedBefore_ == text ? window_.softKeys().waits() + 20 : 0));
+        askedBefore_ = text;
         const auto& keys = window_.softKeys().keys();
         for (std::size_t i = 0; i < keys.size(); ++i)
             if (keys[i].text == text) {
@@ -97,6 +99,7 @@ public:
 
 private:
     MainWindow& window_;
+    QString askedBefore_;   // the soft key of before
 };
 
 }  // namespace polyturn::hmi

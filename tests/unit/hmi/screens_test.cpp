@@ -174,6 +174,9 @@ TEST(SoftKeys, AreAskedForOneByOne) {
     EXPECT_EQ(second, 0);
     bar.show({key("Reset L2", second)});
     bar.press(0);
+    EXPECT_EQ(second, 0) << "a double tap has not read the question";
+    QTest::qWait(SoftKeyBar::kReadMs + 20);
+    bar.press(0);
     EXPECT_EQ(second, 1);
     EXPECT_EQ(first, 0);
 }
