@@ -17,6 +17,7 @@ namespace {
 
 constexpr int kBitHits = 1;       // + number of the bit
 constexpr int kTextHit = 100;
+constexpr int kBitWaitsMs = 4'000;    // as long as a soft key waits for its second press
 constexpr int kHistoryAtOnce = 300;   // rows: they are read within a frame
 
 const char* effectWord(params::Effect effect) {
@@ -97,7 +98,7 @@ Parameters::Parameters(Desk& desk)
             default: return {unitWord(params::unit_of(*line.row, desk_.live.table(), line.instance)), t.dim, Sign::None, false, Face::Condensed};
         }
     };
-    table_->onChosen = [this] { pad_->clear(), detail_->refresh(), bitsAlone() != bitsShown_ ? layOut() : void(); };
+    table_->onChosen = [this] { touched_ = {}, pad_->clear(), detail_->refresh(), bitsAlone() != bitsShown_ ? layOut() : void(); };
     table_->onActivated = [this] { if (const Line* line = chosen()) askText(*line); };
     head_->onCompose = [this](Writer& w) {
         const Theme& t = theme();
@@ -119,10 +120,12 @@ Parameters::Parameters(Desk& desk)
         if (!line || line->row->type != params::Type::Bits || number < kBitHits) return;
         // One touch chooses, the next one turns it over: a touch that only looks must not change the machine.
         const auto touched = static_cast<unsigned>(number - kBitHits);
-        const bool again = touched == std::exchange(bit_, touched) && touchedLine_ == table_->row();
-        touchedLine_ = table_->row();
-        if (again) turnBit(*line, bit_);
-        else desk_.tell(word("Touch the bit again: it is turned over"), Told::Note), detail_->refresh();
+        const bool again = touched_.row == line->row && touched_.instance == line->instance && touched_.element == line->element && touched_.bit == touched && touched_.since.elapsed() < kBitWaitsMs;
+        bit_ = touched;
+        if (again) return turnBit(*line, bit_);
+        touched_ = {line->row, line->instance, line->element, touched, {}};
+        touched_.since.start();
+        desk_.tell(word("Touch the bit again: it is turned over"), Told::Note), detail_->refresh();
     };
     pad_->field = [this]() -> std::optional<NumberPad::Field> {
         const Line* line = chosen();
@@ -148,6 +151,7 @@ void Parameters::restore(const QString& state) {
 // The instances that the machine has.
 void Parameters::search() {
     const MachineConfig& machine = desk_.live.config();
+    touched_ = {};
     lines_.clear();
     if (desk_.live.connected())
         for (const params::Row& row : params::rows()) {
@@ -248,7 +252,7 @@ void Parameters::showPage(Page page) {
     const QString about = line ? target(*line) : QString();
     const int row = table_->row();
     if (page_ == Page::List) listRow_ = row;
-    page_ = page;
+    page_ = page, touched_ = {};
     setColumns();
     history_ = {}, historyOf_ = about, historyAll_ = false;
     if (page == Page::Compensation) compensation_->begin();
@@ -296,10 +300,14 @@ void Parameters::put(const Line& line, double now) {
     put(line, line.row->type == params::Type::Real ? QString::number(now, 'g', 15) : QString::number(std::llround(now)));
 }
 
-void Parameters::turnBit(const Line& line, unsigned bit) { put(line, static_cast<double>(static_cast<unsigned>(value(line)) ^ 1u << bit)); }
+void Parameters::turnBit(const Line& line, unsigned bit) {
+    touched_ = {};
+    put(line, static_cast<double>(static_cast<unsigned>(value(line)) ^ 1u << bit));
+}
 
 void Parameters::nextBit(const params::Row& row, int step) {
     const auto at = std::find_if(row.bits.begin(), row.bits.end(), [this](const params::Bit& bit) { return bit.number == bit_; });
+    touched_ = {};
     const auto here = at == row.bits.end() ? 0 : at - row.bits.begin() + step;
     if (row.bits.empty()) return;
     bit_ = row.bits[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(here, 0, static_cast<std::ptrdiff_t>(row.bits.size()) - 1))].number;
@@ -368,7 +376,7 @@ void Parameters::composeDetail(Writer& w) {
     Item& text = w.text(QRectF(px(12), y, wide - px(24), meaning), fromView(words.meaning), lettering(13.5), t.dim, Qt::AlignLeft | Qt::AlignTop);
     text.wraps = true, text.data = true;
     y += meaning + px(2);
-    if (bits) {   // each bit with what it means on and off; a touch turns it over
+    if (bits) {   // each bit with what it means on and off; a touch chooses it, the next one turns it over
         const auto now = static_cast<unsigned>(value(*line));
         const double facts = px(90 + (row.acts != "yes" ? 36 : 0));   // beneath: what is told of every parameter
         const double each = std::min<double>(px(62), (high - y - px(10) - facts) / static_cast<double>(std::max<std::size_t>(1, row.bits.size())));

@@ -1,6 +1,7 @@
 // Parameters: groups, search by number, name or meaning, bits with their meaning, unit, range, effect, what differs from the default or from
 // the machine's file, who has changed what (the store's history); the compensation tables. A change counts when the store has it on its disk.
 #pragma once
+#include <QElapsedTimer>
 #include <QJsonArray>
 
 #include "hmi/app/screen.hpp"
@@ -86,7 +87,11 @@ private:
     Only only_ = Only::All;
     bool searching_ = false, onGroups_ = false;   // onGroups_: keys go to the groups
     unsigned bit_ = 0;                      // that keys turn over
-    int touchedLine_ = -1;        // whose bit a touch has chosen
+    struct TouchedBit {                     // that the next touch of it turns over
+        const params::Row* row = nullptr;
+        unsigned instance = 0, element = 0, bit = 0;
+        QElapsedTimer since;
+    } touched_;
     Page page_ = Page::List;
     bool bitsShown_ = false;
     CompensationPage* compensation_;

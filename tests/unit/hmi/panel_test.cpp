@@ -278,6 +278,36 @@ TEST_F(PanelTasks, ABitIsTurnedOverByKeysAlone) {
     EXPECT_EQ(screenOf<Parameters>().state().section('|', 0, 0), "1");
 }
 
+// A touch that only looks changes nothing: the second one must be of the same bit of the same parameter, with nothing between, and soon.
+TEST_F(PanelTasks, ABitIsTurnedOverByTheSecondTouchOfIt) {
+    Operator hand(*window);
+    hand.screen("parameters");
+    Parameters& screen = screenOf<Parameters>();
+    const auto bits = [&](const char* number) { return static_cast<unsigned>(live().table().numbers[params::find(number)->first_slot]); };
+    const auto find = [&](const char* number) { screen.find(number), QTest::qWait(60); };
+    constexpr int kFirstBit = 1;
+    const unsigned one = bits("N1200"), other = bits("N0106");
+    ASSERT_EQ(params::find("N1200")->bits.front().number, 0u);
+    ASSERT_EQ(params::find("N0106")->bits.front().number, 0u);
+    find("N1200"), hand.touch(&screen.detail(), kFirstBit);
+    find("N0106"), hand.touch(&screen.detail(), kFirstBit);   // at the same row of the list
+    find("N1200"), hand.touch(&screen.detail(), kFirstBit);
+    QTest::qWait(4'200);                                      // thought about for too long
+    hand.touch(&screen.detail(), kFirstBit);
+    hand.key(Qt::Key_Right), hand.key(Qt::Key_Left);          // keys have been at another bit
+    hand.touch(&screen.detail(), kFirstBit);
+    QTest::qWait(500);
+    EXPECT_EQ(bits("N1200"), one);
+    EXPECT_EQ(bits("N0106"), other);
+    hand.touch(&screen.detail(), kFirstBit);
+    ASSERT_TRUE(waitFor([&] { return bits("N1200") == (one ^ 1u); }, 10));
+    hand.touch(&screen.detail(), kFirstBit);                  // what has turned it over chooses nothing
+    QTest::qWait(500);
+    EXPECT_EQ(bits("N1200"), one ^ 1u);
+    hand.touch(&screen.detail(), kFirstBit);
+    ASSERT_TRUE(waitFor([&] { return bits("N1200") == one; }, 10));
+}
+
 // A word of the language shown finds a parameter, and so does the English one of a builder's document.
 TEST_F(PanelTasks, SearchUnderstandsTheLanguageShownAndEnglish) {
     for (const auto& [tongue, word] : {std::pair{Tongue::Czech, "rychloposuv"}, {Tongue::Russian, "ускорен"}, {Tongue::Hungarian, "gyorsjárat"}}) {
