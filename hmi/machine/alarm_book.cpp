@@ -2,23 +2,34 @@
 
 #include <QFileInfo>
 #include <QJsonArray>
+#include <QRegularExpression>
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <set>
 #include <tuple>
 #include <utility>
 
 #include "hmi/text/retold.hpp"
 #include "hmi/text/tongues.hpp"
+#include "ipc/diagnosis/diagnosis.hpp"
 
 namespace polyturn::hmi {
 namespace {
 
 constexpr qint64 kAskEveryMs = 250;
 constexpr std::size_t kKept = 1000;
-constexpr qint64 kSettle_s = 2;           // an alarm may be heard of before the image says that the machine stands
-constexpr qint64 kRefusal_s = 20;
+constexpr qint64 kSettleMs = 2'000;       // an alarm may be heard of before the image says that the machine stands, and behind it
+constexpr qint64 kRefusalMs = 20'000;
+constexpr qint64 kBeforeMs = -1'000'000'000;   // heard before these screens
 constexpr int kToldAFrame = 40, kEarlierAtOnce = 200;
+
+qint64 steadyMs() { return std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+bool isAlarm(const QString& number, Alarm alarm) {
+    const std::string_view wanted = alarm_number(alarm, Dialect::Polyturn);
+    return number == QString::fromUtf8(wanted.data(), static_cast<qsizetype>(wanted.size()));
+}
 
 }  // namespace
 
@@ -32,7 +43,7 @@ void AlarmBook::poll() {
     if (!live_.connected()) return;
     tellSome();
     look();
-    const qint64 now = QDateTime::currentMSecsSinceEpoch();
+    const qint64 now = steadyMs();
     if (asking_ || now - asked_ms_ < kAskEveryMs) return;
     asking_ = true;
     asked_ms_ = now;
@@ -50,6 +61,8 @@ void AlarmBook::take(const QJsonObject& answer) {
     for (const auto& one : answer.value("alarms").toArray()) {
         events_.push_back(one.toObject());
         entries_.push_back(read(events_.back()));
+        entries_.back().heard_ms = first ? kBeforeMs : steadyMs();
+        entries_.back().placed = first;
         ++version_;
     }
     if (entries_.size() > kKept) {
@@ -61,7 +74,7 @@ void AlarmBook::take(const QJsonObject& answer) {
     if (first) {   // what the machine had told before these screens: the newest of it may still hold
         bool newest = true;
         for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry)
-            if (entry->channel == 0 && entry->severity == Severity::Error) entry->over |= !std::exchange(newest, false);
+            if (entry->channel == 0 && entry->severity == Severity::Error && !entry->builder) entry->over |= !std::exchange(newest, false);
     }
     look();
 }
@@ -129,6 +142,9 @@ AlarmEntry AlarmBook::read(const QJsonObject& event) const {
     out.severity = severity == "error" ? Severity::Error : severity == "warning" ? Severity::Warning : Severity::Message;
     const QJsonValue number = event.value("number");
     out.number = number.isDouble() ? QString::number(number.toInt()) : number.toString();
+    out.refusal = isAlarm(out.number, Alarm::NotReady);
+    static const QRegularExpression kBuilders("^(?:message|note) (\\d+) ");   // as alarms.csv has them in English
+    if (isAlarm(out.number, Alarm::BuilderMessage) || isAlarm(out.number, Alarm::BuilderNote)) out.builder = kBuilders.match(out.text).captured(1).toInt();
     out.seconds = event.value("t").toDouble();
     out.when = QDateTime::fromString(event.value("utc").toString(), Qt::ISODate);
     out.resets = event.value("resets").toInt(-1);
@@ -141,35 +157,48 @@ AlarmEntry AlarmBook::read(const QJsonObject& event) const {
 void AlarmBook::look() {
     const auto step = static_cast<MachineStep>(live_.status().step);
     const bool stopped = step == MachineStep::EmergencyStop || step == MachineStep::Stopped;
-    const QDateTime now = QDateTime::currentDateTimeUtc();
+    const qint64 now = steadyMs();
+    if (std::exchange(stopped_, stopped) != stopped) stopped_ms_ = now;
     bool changed = false;
-    std::array<const AlarmEntry*, kMaxChannels + 1> error{}, warning{}, message{};   // the newest of each
+    std::array<const AlarmEntry*, kMaxChannels + 1> error{}, refusal{}, warning{}, message{};   // the newest of each
     for (const AlarmEntry& entry : entries_)
-        if (entry.channel <= kMaxChannels) (entry.severity == Severity::Error ? error : entry.severity == Severity::Warning ? warning : message)[entry.channel] = &entry;
+        if (entry.channel <= kMaxChannels && !entry.builder)
+            (entry.refusal ? refusal : entry.severity == Severity::Error ? error : entry.severity == Severity::Warning ? warning : message)[entry.channel] = &entry;
     std::set<std::tuple<unsigned, QString, QString>> named;   // the same again says no more than its newest
     for (auto at = entries_.rbegin(); at != entries_.rend(); ++at) {
         AlarmEntry& entry = *at;
         bool standing = false;
-        if (entry.channel == 0) {
-            entry.over |= !stopped && entry.when.secsTo(now) > kSettle_s;
+        if (entry.refusal && now - entry.heard_ms > kRefusalMs) entry.over = true;
+        if (entry.builder) {
+            standing = entry.builder == live_.plc(entry.severity == Severity::Error ? signals::plc_alarm() : signals::plc_note());
+        } else if (entry.channel == 0) {
+            entry.over |= !stopped && now - entry.heard_ms > kSettleMs;
             standing = entry.severity == Severity::Error && stopped && !entry.over;
-        } else if (stopped && entry.severity == Severity::Error && entry.resets >= 0 && entry.resets + 1 == live_.nc(signals::cn_reset(entry.channel))) {
-            standing = true;   // what stops the machine resets its channels too: it came before that reset
-        } else if (entry.channel <= kMaxChannels && entry.resets == live_.nc(signals::cn_reset(entry.channel))) {
+        } else if (entry.channel <= kMaxChannels) {
+            const std::int32_t resets = live_.nc(signals::cn_reset(entry.channel));
+            // The count that an alarm brings may be that of the PLC cycle before: a reset just before it is in the first one behind it.
+            if (!entry.placed && live_.seconds(live_.inputs().tick) >= entry.seconds) {
+                entry.placed = true;
+                if (entry.resets >= 0 && entry.resets + 1 == resets) entry.resets = resets;
+            }
+            const bool ofThisStop = stopped && !entry.refusal && entry.severity == Severity::Error && entry.heard_ms >= stopped_ms_ - kSettleMs;
+            if (entry.placed && entry.resets < resets && !ofThisStop) entry.over = true;   // for ever: a stop later on does not bring it back
             const ChannelStatus& status = live_.channel(entry.channel);
             const auto state = static_cast<ChannelState>(status.state);
             const bool works = state == ChannelState::Running || state == ChannelState::Held || state == ChannelState::Waiting || state == ChannelState::ProgramStop;
             switch (entry.severity) {
-                // What was only refused stops nothing: the newest one is shown for a while, then the channel's own state again.
+                // What was only refused has stopped nothing: the newest one is shown for a while, then the channel's own state again.
                 case Severity::Error:
-                    standing = stopped || live_.nc(signals::cn_alarm(entry.channel)) != 0 || (error[entry.channel] == &entry && entry.when.secsTo(now) <= kRefusal_s);
+                    if (entry.refusal) standing = refusal[entry.channel] == &entry;
+                    else standing = stopped || live_.nc(signals::cn_alarm(entry.channel)) != 0 || error[entry.channel] == &entry;
                     break;
                 case Severity::Warning: standing = warning[entry.channel] == &entry; break;
                 case Severity::Message:   // #3006 until the start that goes on; an MSG until the next one
                     if (state == ChannelState::ProgramStop && status.line == entry.line) entry.held = true;
                     else if (entry.held && state == ChannelState::Running) entry.over = true;
-                    standing = message[entry.channel] == &entry && works && !entry.over && !entry.text.isEmpty();
+                    standing = message[entry.channel] == &entry && works && !entry.text.isEmpty();
             }
+            standing = standing && !entry.over && (entry.resets == resets || ofThisStop);
         }
         standing = standing && named.insert({entry.channel, entry.number, entry.text}).second;
         if (standing != entry.standing) entry.standing = standing, changed = true;
@@ -186,6 +215,12 @@ const AlarmEntry* AlarmBook::standing(unsigned channel) const {
 const AlarmEntry* AlarmBook::told(unsigned channel) const {
     for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry)
         if (entry->standing && entry->severity != Severity::Error && entry->channel == channel) return &*entry;
+    return nullptr;
+}
+
+const AlarmEntry* AlarmBook::toldAt(unsigned channel, std::uint32_t line) const {
+    for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry)
+        if (entry->standing && entry->severity == Severity::Message && entry->channel == channel && entry->line == line) return &*entry;
     return nullptr;
 }
 

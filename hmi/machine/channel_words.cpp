@@ -74,8 +74,7 @@ Plight plight(const Live& live, const AlarmBook& alarms, unsigned channel) {
     const bool goesOn = state == ChannelState::Running || state == ChannelState::Held || state == ChannelState::ProgramStop;   // what was broken off waits for nobody
     if (state == ChannelState::Waiting || (status.wait_missing && goesOn)) return {Plight::Kind::Waits, waitWords(live, channel)};
     if (state != ChannelState::Running && status.start_missing) return {Plight::Kind::Needs, word("A start needs:") + " " + startNeeds(live, channel).join("; ")};
-    const AlarmEntry* told = alarms.told(channel);
-    if (state == ChannelState::ProgramStop && told && told->severity == Severity::Message && told->line == status.line) return {Plight::Kind::Stands, word("%1: start goes on").arg(told->text)};
+    if (const AlarmEntry* here = state == ChannelState::ProgramStop ? alarms.toldAt(channel, status.line) : nullptr) return {Plight::Kind::Stands, word("%1: start goes on").arg(here->text)};
     if (state == ChannelState::Held || state == ChannelState::ProgramStop) {
         switch (static_cast<StopReason>(status.stop_reason)) {
             case StopReason::M00: return {Plight::Kind::Stands, word("Programmed stop M0: start goes on")};
@@ -88,6 +87,8 @@ Plight plight(const Live& live, const AlarmBook& alarms, unsigned channel) {
             default: return {Plight::Kind::Stands, word("Feed hold: start goes on")};
         }
     }
+    const AlarmEntry* told = alarms.told(channel);
+    if (!told) told = alarms.told(0);   // a note of the machine's builder
     if (told) return {Plight::Kind::Told, told->number.isEmpty() ? told->text : told->number + "  " + told->text};
     return {};
 }

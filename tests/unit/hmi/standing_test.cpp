@@ -1,5 +1,6 @@
 // Which alarms, warnings and messages stand: all that have stopped something, and what a program wants to be read.
 #include <QFile>
+#include <csignal>
 
 #include "hmi/screens/alarms.hpp"
 #include "tests/unit/hmi/tasks.hpp"
@@ -11,6 +12,29 @@ class StandingAlarms : public Tasks {
 protected:
     const AlarmBook& book() const { return window->desk().alarms; }
     Plight now() const { return plight(live(), book(), 1); }
+    bool stands(const QString& text) const {
+        const auto& all = book().all();
+        return std::any_of(all.begin(), all.end(), [&](const AlarmEntry& one) { return one.standing && (one.number == text || one.text.contains(text)); });
+    }
+    void run(const char* lines) {
+        const QString file = g_controller->folder.filePath("standing.nc");
+        QFile program(file);
+        ASSERT_TRUE(program.open(QIODevice::WriteOnly));
+        program.write(lines);
+        program.close();
+        ASSERT_TRUE(g_controller->press("reference all"));
+        ASSERT_TRUE(waitFor([&] { return static_cast<MachineStep>(live().status().step) == MachineStep::Ready; }));
+        ASSERT_TRUE(g_controller->press("mode L1=auto"));
+        ASSERT_TRUE(g_controller->press("select L1=" + file));
+        ASSERT_TRUE(g_controller->press("cycle_start L1"));
+    }
+    void stopAndOn(const std::function<void()>& look) {
+        ASSERT_TRUE(g_controller->press("emergency_stop"));
+        ASSERT_TRUE(waitFor([&] { return live().status().machine_state == 0 && book().standing() != nullptr; }, 20));
+        look();
+        ASSERT_TRUE(g_controller->press("machine_on"));
+        ASSERT_TRUE(waitFor([&] { return live().status().machine_state == 2; }, 20));
+    }
 };
 
 TEST_F(StandingAlarms, AMessageOfTheProgramStandsUntilItGoesOn) {
@@ -36,6 +60,62 @@ TEST_F(StandingAlarms, AMessageOfTheProgramStandsUntilItGoesOn) {
     ASSERT_TRUE(g_controller->press("cycle_start L1"));
     ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Running; }, 20));
     EXPECT_TRUE(waitFor([&] { return now().kind == Plight::Kind::None; }, 5)) << now().text.toStdString();
+    g_controller->press("reset");
+}
+
+// An alarm is over with its channel's reset: a stop that comes later has other causes.
+TEST_F(StandingAlarms, WhatAResetHasEndedDoesNotComeBackWithAStop) {
+    run("O7778\n#3000=7(INSERT BROKEN)\nM30\n");
+    ASSERT_TRUE(waitFor([&] { return stands("INSERT BROKEN"); }, 20));
+    stopAndOn([&] { EXPECT_TRUE(stands("INSERT BROKEN")) << "nobody has reset its channel"; });
+    EXPECT_TRUE(stands("INSERT BROKEN"));
+    ASSERT_TRUE(g_controller->press("reset L1"));
+    ASSERT_TRUE(waitFor([&] { return !stands("INSERT BROKEN"); }, 20));
+    stopAndOn([&] {
+        QTest::qWait(500);
+        EXPECT_FALSE(stands("INSERT BROKEN"));
+    });
+}
+
+TEST_F(StandingAlarms, ARefusedKeyIsShownForAWhileOnly) {
+    ASSERT_TRUE(g_controller->press("mode L1=mdi"));
+    ASSERT_TRUE(waitFor([&] { return static_cast<ChannelMode>(live().channel(1).mode) == ChannelMode::Mdi; }, 20));
+    g_controller->press("cycle_start L1");
+    ASSERT_TRUE(waitFor([&] { return stands("PT0535"); }, 20));
+    EXPECT_TRUE(waitFor([&] { return !stands("PT0535"); }, 30));
+    stopAndOn([&] {
+        QTest::qWait(500);
+        EXPECT_FALSE(stands("PT0535"));
+    });
+    ASSERT_TRUE(g_controller->press("mode L1=auto"));
+}
+
+// Somebody has to see it, when he comes back from his lunch too.
+TEST_F(StandingAlarms, TheAlarmOfADeadChannelStaysUntilItsReset) {
+    int pid = 0;
+    for (const Live::Process& one : live().processes())
+        if (one.name == "channel 2") pid = one.pid;
+    ASSERT_GT(pid, 1);
+    ASSERT_EQ(::kill(pid, SIGKILL), 0);
+    ASSERT_TRUE(waitFor([&] { return stands("PT0500"); }, 20));
+    QTest::qWait(22'000);
+    EXPECT_TRUE(stands("PT0500"));
+    ASSERT_TRUE(g_controller->press("reset L2"));
+    ASSERT_TRUE(waitFor([&] { return state(2) == ChannelState::Reset; }, 30));
+    ASSERT_TRUE(g_controller->press("reset L2"));   // of the one that has come for it
+    EXPECT_TRUE(waitFor([&] { return !stands("PT0500"); }, 20));
+}
+
+// What the program says at its stop is found by the line, whatever else has been told meanwhile.
+TEST_F(StandingAlarms, TheMessageOfAStopIsFoundByItsLine) {
+    run("O7779\nM0 (WAITS)\n#3006=1(TURN THE PART)\nM30\n");
+    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::ProgramStop; }, 20));
+    ASSERT_TRUE(g_controller->press("cycle_start L1"));
+    ASSERT_TRUE(waitFor([&] { return now().text.contains("TURN THE PART"); }, 20));
+    const AlarmEntry* said = book().toldAt(1, live().channel(1).line);
+    ASSERT_NE(said, nullptr);
+    EXPECT_TRUE(said->text.contains("TURN THE PART"));
+    EXPECT_EQ(book().toldAt(1, live().channel(1).line + 1), nullptr);
     g_controller->press("reset");
 }
 
