@@ -71,10 +71,14 @@ void AlarmBook::take(const QJsonObject& answer) {
     }
     untold_ = entries_.size();
     tellSome();
-    if (first) {   // what the machine had told before these screens: the newest of it may still hold
+    if (first) {   // what the machine had told before these screens: what is of this stop stands; where nobody knows that any more, the newest may
+        const double since = live_.stoppedSince();
         bool newest = true;
         for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry)
-            if (entry->channel == 0 && entry->severity == Severity::Error && !entry->builder) entry->over |= !std::exchange(newest, false);
+            if (entry->channel == 0 && entry->severity == Severity::Error && !entry->builder) {
+                const bool last = std::exchange(newest, false);
+                entry->over |= since >= 0 ? entry->seconds < since - kSettleMs * 1e-3 : !last;
+            }
     }
     look();
 }

@@ -147,6 +147,21 @@ bool Live::scopeSamples(std::uint64_t& next, std::vector<ScopeSample>& out) cons
     return whole && now <= first + kScopeRing;
 }
 
+double Live::stoppedSince() const {
+    if (!connected_) return -1;
+    constexpr std::uint64_t kRoom = 16'384 - 1'024;   // of the log; what the kernel writes while this is read
+    const std::uint64_t head = kernel_->log.head.load(std::memory_order_acquire), first = head > kRoom ? head - kRoom : 0;
+    double since = -1;
+    for (std::uint64_t i = head; i > first; --i) {
+        const KernelEvent& event = kernel_->log.slot(i - 1);
+        if (event.kind != static_cast<std::uint32_t>(KernelEventKind::MachineState)) continue;
+        const auto step = static_cast<MachineStep>(event.code);
+        if (step != MachineStep::EmergencyStop && step != MachineStep::Stopped) return since;
+        since = seconds(event.tick);
+    }
+    return first == 0 ? 0 : -1;   // it has not been on yet
+}
+
 void Live::poll() {
     const auto now = Clock::now();
     if (now >= nextLook_) {

@@ -71,6 +71,7 @@ public:
     // The scope: what it records, and the samples from `next` on (moved behind them); false: some were missed.
     bool scopeChoice(ScopeChoice& out) const { return connected_ && kernel_->scope_choice.read(out); }
     bool scopeSamples(std::uint64_t& next, std::vector<ScopeSample>& out) const;
+    double stoppedSince() const;           // s after the start of the kernel, while it is stopped; negative: its log does not know any more
     const std::array<std::uint64_t, 64>& tickCost() const { return tickCost_; }
     struct Process {
         std::string name;

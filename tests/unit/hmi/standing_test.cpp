@@ -1,6 +1,7 @@
 // Which alarms, warnings and messages stand: all that have stopped something, and what a program wants to be read.
 #include <QFile>
 #include <csignal>
+#include <set>
 
 #include "hmi/screens/alarms.hpp"
 #include "tests/unit/hmi/tasks.hpp"
@@ -117,6 +118,46 @@ TEST_F(StandingAlarms, TheMessageOfAStopIsFoundByItsLine) {
     EXPECT_TRUE(said->text.contains("TURN THE PART"));
     EXPECT_EQ(book().toldAt(1, live().channel(1).line + 1), nullptr);
     g_controller->press("reset");
+}
+
+// What the machine's builder tells stands as long as his PLC program tells it, and stops nothing by itself.
+TEST_F(StandingAlarms, ANoteOfTheBuilderStandsAsLongAsItIsTold) {
+    ASSERT_TRUE(g_controller->set("PLC_NOTE=901"));
+    ASSERT_TRUE(waitFor([&] { return stands("PT0811"); }, 20));
+    EXPECT_NE(book().told(0), nullptr);
+    EXPECT_NE(live().status().machine_state, 0u);
+    ASSERT_TRUE(g_controller->set("PLC_NOTE=0"));
+    EXPECT_TRUE(waitFor([&] { return !stands("PT0811"); }, 20));
+    EXPECT_EQ(book().told(0), nullptr);
+    g_controller->run({"release", "--instance", g_controller->name, "PLC_NOTE"});
+}
+
+// Screens that come into a stop that stands: the machine's alarms of this stop stand in them too, those of a stop before do not.
+TEST_F(StandingAlarms, ScreensThatComeLaterShowTheMachinesAlarmsOfThisStop) {
+    stopAndOn([] {});
+    QTest::qWait(3'000);                     // another stop, and not the same moment
+    ASSERT_TRUE(g_controller->set("PLC_ESTOP=1"));
+    ASSERT_TRUE(waitFor([&] { return live().status().machine_state == 0; }, 20));
+    g_controller->press("machine_on");       // refused: the second alarm of the machine in this stop
+    const auto ofMachine = [](const AlarmBook& of) {
+        std::multiset<std::string> out;
+        for (const AlarmEntry& one : of.all())
+            if (one.standing && one.channel == 0) out.insert(one.number.toStdString());
+        return out;
+    };
+    EXPECT_TRUE(waitFor([&] { return ofMachine(book()).size() == 2; }, 20));
+    const auto here = ofMachine(book());
+    Choices choices;
+    choices.instance = g_controller->name.toStdString();
+    choices.language = "en", choices.theme = "dark";
+    MainWindow later(choices);
+    later.show();
+    EXPECT_TRUE(waitFor([&] { return ofMachine(later.desk().alarms) == here; }, 10)) << ofMachine(later.desk().alarms).size() << " of " << here.size();
+    ASSERT_TRUE(g_controller->set("PLC_ESTOP=0"));
+    g_controller->run({"release", "--instance", g_controller->name, "PLC_ESTOP"});
+    QTest::qWait(300);
+    ASSERT_TRUE(g_controller->press("machine_on"));
+    ASSERT_TRUE(waitFor([&] { return live().status().machine_state == 2; }, 20));
 }
 
 // Drives that fail one after the other: the first one is the cause, and does not disappear behind the others. Last: the machine stays off.
