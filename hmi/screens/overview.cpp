@@ -117,7 +117,7 @@ std::vector<SoftKey> Overview::keys() {
              desk_.requests.press("single_block " + each.join(' '));
          }, Sign::Stop, there, allSingle},
         {word("Program control"), [this] { control_ = true, desk_.keysChanged ? desk_.keysChanged() : void(); }, Sign::Right, there},
-        {word("End with this part"), press(ends ? "stop_after_part off" : "stop_after_part"), Sign::Ended, there, ends, false, ends ? word("Parts go on: press again") : QString()},
+        {word("End with this part"), press(QString("stop_after_part") + (ends ? " off" : "")), Sign::Ended, there, ends, false, ends ? word("Parts go on: press again") : QString()},
     };
     keys.insert(keys.end(), all.begin(), all.end());
     return keys;
