@@ -306,8 +306,13 @@ void StartSession::handle(RequestServer::Client client, const std::string& line)
     }
     if (what == "press") {
         const auto commands = parse_press(text_at("words"), machine_, text_at("folder"));
-        // Refused before anything of it is kept: the parts wanted and the language would be those of the program that runs.
-        if (commands && std::any_of(commands->begin(), commands->end(), [&](const Command& one) { return one.kind == static_cast<std::uint32_t>(CommandKind::Select) && runs(one.channel); }))
+        // Refused before anything of it is kept: the parts wanted and the language would be those of the program that runs. A reset that was
+        // pressed just before has some ticks to be seen.
+        const auto meets_a_program = [&] {
+            return commands && std::any_of(commands->begin(), commands->end(), [&](const Command& one) { return one.kind == static_cast<std::uint32_t>(CommandKind::Select) && runs(one.channel); });
+        };
+        for (int look = 0; look < 20 && meets_a_program(); ++look) sleep_ms(10);
+        if (meets_a_program())
             return server_.answer(client, refusal({Alarm::NotReady, {}, {}, "another program is selected only in reset or after the end"}));
         if (!serve_commands(client, commands, who)) return;
         for (const Command& command : *commands)
