@@ -21,6 +21,7 @@ constexpr qint64 kAskEveryMs = 250;
 constexpr std::size_t kKept = 1000;
 constexpr qint64 kSettleMs = 2'000;       // an alarm may be heard of before the image says that the machine stands, and behind it
 constexpr qint64 kRefusalMs = 20'000;
+constexpr double kFresh_s = 2;
 constexpr qint64 kBeforeMs = -1'000'000'000;   // heard before these screens
 constexpr int kToldAFrame = 40, kEarlierAtOnce = 200;
 
@@ -63,6 +64,11 @@ void AlarmBook::take(const QJsonObject& answer) {
         entries_.push_back(read(events_.back()));
         entries_.back().heard_ms = first ? kBeforeMs : steadyMs();
         entries_.back().placed = first;
+        // One that has just been told: resets that its stamp does not have yet came before it. Wrong for a reset within this moment behind it,
+        // which is then pressed once more: rather an alarm too long than one that nobody sees.
+        AlarmEntry& entry = entries_.back();
+        const bool fresh = live_.seconds(live_.status().tick) - entry.seconds < kFresh_s;
+        if (fresh && entry.resets >= 0 && entry.channel >= 1 && entry.channel <= kMaxChannels) entry.resets = std::max(entry.resets, static_cast<int>(live_.nc(signals::cn_reset(entry.channel))));
         ++version_;
     }
     if (entries_.size() > kKept) {

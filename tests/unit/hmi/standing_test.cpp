@@ -17,6 +17,11 @@ protected:
         const auto& all = book().all();
         return std::any_of(all.begin(), all.end(), [&](const AlarmEntry& one) { return one.standing && (one.number == text || one.text.contains(text)); });
     }
+    std::string told() const {   // for a message: everything that was heard
+        std::string out;
+        for (const AlarmEntry& one : book().all()) out += one.number.toStdString() + " " + one.text.toStdString() + (one.standing ? " stands" : "") + (one.over ? " over" : "") + " resets " + std::to_string(one.resets) + "\n";
+        return out + "resets now " + std::to_string(live().nc(signals::cn_reset(1)));
+    }
     void run(const char* lines) {
         const QString file = g_controller->folder.filePath("standing.nc");
         QFile program(file);
@@ -67,7 +72,7 @@ TEST_F(StandingAlarms, AMessageOfTheProgramStandsUntilItGoesOn) {
 // An alarm is over with its channel's reset: a stop that comes later has other causes.
 TEST_F(StandingAlarms, WhatAResetHasEndedDoesNotComeBackWithAStop) {
     run("O7778\n#3000=7(INSERT BROKEN)\nM30\n");
-    ASSERT_TRUE(waitFor([&] { return stands("INSERT BROKEN"); }, 20));
+    ASSERT_TRUE(waitFor([&] { return stands("INSERT BROKEN"); }, 20)) << told();
     stopAndOn([&] { EXPECT_TRUE(stands("INSERT BROKEN")) << "nobody has reset its channel"; });
     EXPECT_TRUE(stands("INSERT BROKEN"));
     ASSERT_TRUE(g_controller->press("reset L1"));
