@@ -221,14 +221,8 @@ std::string StartSession::with_when(std::string event_text) const {
     unsigned channel = 0;
     if (const auto at = event_text.find("\"ch\":"); at != std::string::npos) channel = static_cast<unsigned>(std::strtoul(event_text.c_str() + at + 5, nullptr, 10));
     event_text.pop_back();
-    // Resets are told with the PLC's cycle: one just before the alarm is in the first cycle behind it.
     auto inputs = std::make_unique<PlcInputs>();
-    double told_s = 0;
-    if (const auto at = event_text.find("\"t\":"); at != std::string::npos) told_s = std::strtod(event_text.c_str() + at + 4, nullptr);
-    bool known = controller_->kernel().plc_inputs.read(*inputs);
-    const double tick_s = static_cast<double>(controller_->kernel().tick_ns.load(std::memory_order_relaxed)) * 1e-9;
-    for (int wait = 0; known && wait < 30 && static_cast<double>(inputs->tick) * tick_s < told_s; ++wait) sleep_ms(1), known = controller_->kernel().plc_inputs.read(*inputs);
-    if (channel >= 1 && channel <= kMaxChannels && known)
+    if (channel >= 1 && channel <= kMaxChannels && controller_->kernel().plc_inputs.read(*inputs))
         event_text += fmt::format(",\"resets\":{}", inputs->signal[signals::cn_reset(channel)]);
     const std::time_t now = std::time(nullptr);
     std::tm utc{};
