@@ -62,12 +62,12 @@ void AlarmBook::take(const QJsonObject& answer) {
     for (const auto& one : answer.value("alarms").toArray()) {
         events_.push_back(one.toObject());
         entries_.push_back(read(events_.back()));
-        entries_.back().heard_ms = first ? kBeforeMs : steadyMs();
-        entries_.back().placed = first;
         // One that has just been told: resets that its stamp does not have yet came before it. Wrong for a reset within this moment behind it,
-        // which is then pressed once more: rather an alarm too long than one that nobody sees.
+        // which is then pressed once more: rather an alarm too long than one that nobody sees. Screens that open in this moment do the same.
         AlarmEntry& entry = entries_.back();
         const bool fresh = live_.seconds(live_.status().tick) - entry.seconds < kFresh_s;
+        entry.heard_ms = first && !fresh ? kBeforeMs : steadyMs();
+        entry.placed = first && !fresh;
         if (fresh && entry.resets >= 0 && entry.channel >= 1 && entry.channel <= kMaxChannels) entry.resets = std::max(entry.resets, static_cast<int>(live_.nc(signals::cn_reset(entry.channel))));
         ++version_;
     }

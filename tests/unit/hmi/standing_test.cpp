@@ -19,8 +19,8 @@ protected:
     }
     std::string told() const {   // for a message: everything that was heard
         std::string out;
-        for (const AlarmEntry& one : book().all()) out += one.number.toStdString() + " " + one.text.toStdString() + (one.standing ? " stands" : "") + (one.over ? " over" : "") + " resets " + std::to_string(one.resets) + "\n";
-        return out + "resets now " + std::to_string(live().nc(signals::cn_reset(1)));
+        for (const AlarmEntry& one : book().all()) out += one.number.toStdString() + " " + one.text.toStdString() + (one.standing ? " stands" : "") + (one.over ? " over" : "") + " ch " + std::to_string(one.channel) + " resets " + std::to_string(one.resets) + "\n";
+        return out + "resets now " + std::to_string(live().nc(signals::cn_reset(1))) + ", step " + std::to_string(live().status().step);
     }
     void run(const char* lines) {
         const QString file = g_controller->folder.filePath("standing.nc");
@@ -175,7 +175,7 @@ TEST_F(StandingAlarms, TheFirstCauseStaysAmongThoseThatFollow) {
         ASSERT_TRUE(g_controller->set(QString("drive %1=fault").arg(axis)));
         ASSERT_TRUE(waitFor([&] { return stands(axis); }, 20)) << axis;
     }
-    EXPECT_TRUE(stands("A1") && stands("A2"));
+    EXPECT_TRUE(stands("A1") && stands("A2")) << told();
     EXPECT_GE(book().standingCount(), 3u);
     ASSERT_NE(book().standing(), nullptr);
 }
