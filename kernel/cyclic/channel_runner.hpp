@@ -68,6 +68,7 @@ public:
     bool at_restart_block() const noexcept { return restart_ == RestartState::AtBlock; }
     void reset() noexcept;
     void select(std::string_view file, double language) noexcept;   // language: a Dialect, 0 as PT_LANGUAGE says
+    void init_program(std::string_view file) noexcept { select(file, static_cast<double>(job_language_)); }   // INIT says none: as before
     void start_program() noexcept;
     void mdi(std::string_view text) noexcept;
     void set_mode(ChannelMode mode) noexcept;

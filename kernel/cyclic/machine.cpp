@@ -240,7 +240,7 @@ void Machine::run_channels() noexcept {
     for (unsigned l = 0; l < kMaxChannels; ++l) channels_[l]->feed_override = own[l].feed, channels_[l]->rapid_override = own[l].rapid;
     for (unsigned l = 0; l < kMaxChannels; ++l) {
         Core::ProgramCall& call = core_.program_calls[l];
-        if (std::exchange(call.selected, false)) channels_[l]->select({call.file.data(), ::strnlen(call.file.data(), call.file.size())}, 0.0);
+        if (std::exchange(call.selected, false)) channels_[l]->init_program({call.file.data(), ::strnlen(call.file.data(), call.file.size())});
         if (std::exchange(call.started, false)) channels_[l]->start_program();
     }
     ChannelSet idle = 0;

@@ -366,5 +366,23 @@ TEST(Operator, AProgramStartsThatOfAnotherChannel) {
     EXPECT_TRUE(rig.log.empty() || !rig.alarmed(Alarm::NotReady));
 }
 
+// A channel whose job speaks another language than PT_LANGUAGE goes on in it.
+TEST(Operator, AProgramByInitIsReadInTheLanguageOfItsChannelsJob) {
+    TickRig rig;
+    rig.command(CommandKind::Select, 2, static_cast<double>(Dialect::Sinumerik), 0, 0, 0, "LOWER.MPF");
+    PathRecord whole = rig.blank(1, RecordKind::Flag);
+    whole.code = kFlagProgram;
+    whole.mask = 2;
+    whole.plane[0] = 1;
+    copy_text(whole.text, "SECOND.MPF");
+    rig.push(1, whole);
+    rig.push(1, rig.stop(1, StopReason::M30));
+    rig.start(1);
+    rig.run_until_idle();
+    ASSERT_EQ(rig.heard[1].size(), 2u);
+    EXPECT_EQ(std::string(rig.heard[1][1].text.data()), "SECOND.MPF");
+    EXPECT_EQ(rig.heard[1][1].value, static_cast<double>(Dialect::Sinumerik));
+}
+
 }  // namespace
 }  // namespace polyturn::kernel
