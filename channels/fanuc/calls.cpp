@@ -38,14 +38,22 @@ bool Interpreter::gather_arguments(LocalSet& arguments, std::size_t from_word) {
         }
         if (variable == 0) return refuse();
         double value = word.value;
-        // Without a point: the least increment of an address that is a length, whole numbers otherwise.
-        if (!word.has_point && !word.from_expression && !settings_.point_means_nothing) {
-            static constexpr std::uint32_t kLengths = letter_set("ABCDEHIJKQRUVWXYZ");
-            if (kLengths & letter_bit(letter)) value *= core_.view().axes[0].increment * (letter == 'D' || letter == 'H' ? 1.0 / core_.view().axes[0].increment : 1.0) * (inch_ ? 0.1 : 1.0);
-        }
+        if (!word.has_point && !word.from_expression && !settings_.point_means_nothing) value *= argument_step(letter);
         arguments[variable] = value;
     }
     return true;
+}
+
+// What an argument without a point counts in: the least increment of its address (fanuc_lathe 6.9.1), an angle's whatever the unit of
+// lengths; D and H, numbers elsewhere, and what is no length are whole numbers.
+double Interpreter::argument_step(char letter) const {
+    constexpr std::uint32_t kCounting = letter_set("ABCEIJKQRUVWXYZ"), kAngles = letter_set("ABC");
+    if (!(kCounting & letter_bit(letter))) return 1.0;
+    const auto index = static_cast<std::size_t>(letter - 'A');
+    const int place = absolute_axis_[index] >= 0 ? absolute_axis_[index] : incremental_axis_[index];
+    const ChannelAxis& axis = core_.view().axes[place < 0 ? 0 : static_cast<std::size_t>(place)];
+    const bool angle = place < 0 ? (kAngles & letter_bit(letter)) != 0 : axis.rotary;
+    return axis.increment * (inch_ && !angle ? 0.1 : 1.0);
 }
 
 // P of a call, or <NAME>: the program of a file by its name has a number below 0 (call_program).
@@ -76,14 +84,19 @@ bool Interpreter::macro_words(std::int64_t& program, std::int64_t& repeats, Loca
     std::size_t from = 0;
     for (std::size_t k = 0; k < block_.count; ++k)
         if (block_.words[k].address == 'G' && block_.words[k].value >= 65 && block_.words[k].value < 67) from = k + 1;
-    for (std::size_t k = 0; k + 1 < from; ++k) {   // arguments stand behind the call (fanuc_lathe 6.9.1)
+    return (from == 0 || call_stands_first(from - 1)) && gather_arguments(arguments, from);
+}
+
+// Arguments stand behind the call, which is word `call` of the block (fanuc_lathe 6.9.1): what stands before it would do nothing.
+bool Interpreter::call_stands_first(std::size_t call) {
+    for (std::size_t k = 0; k < call; ++k) {
         const Word& word = block_.words[k];
-        if (word.axis < 0 && (word.address == 'N' || word.address == 'O' || word.address == 'G' || word.address == 'P' || word.address == 'L')) continue;
+        if (word.axis < 0 && (word.address == 'N' || word.address == 'O' || word.address == 'P' || word.address == 'L')) continue;
         fault_column_ = word.column;
         fault_length_ = word.length;
         return core_.fail(Alarm::MacroArgument, 0, std::string(text_of(word)));
     }
-    return gather_arguments(arguments, from);
+    return true;
 }
 
 bool Interpreter::g_macro_call(const GCode&) {
@@ -187,14 +200,14 @@ bool Interpreter::code_calls(bool& called) {
             if (!call_count(repeats)) return false;
             if (!call.macro) return later(program, repeats, block_.has('L'));
             called = called_ = true;
-            // Every other word of the block is an argument.
-            if (word.address == 'M') {
+            // Every other word of the block is an argument (nct part 2 18.2, 18.3); behind a G code of fanuc as behind G65 (6.9.4).
+            if (word.address == 'M' || settings_.nct) {
                 const Word code = word;
                 block_.words[k].address = 'N';
                 const bool good = gather_arguments(arguments, 0);
                 block_.words[k] = code;
                 if (!good) return false;
-            } else if (!gather_arguments(arguments, k + 1)) {
+            } else if (!call_stands_first(k) || !gather_arguments(arguments, k + 1)) {
                 return false;
             }
             if (call.modal) {

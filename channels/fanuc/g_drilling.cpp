@@ -23,12 +23,7 @@ bool Interpreter::g_drilling(const GCode& row) {
     const bool series15_only = row.tenths == 810 || row.tenths == 820 || row.tenths == 831 || row.tenths == 842;
     const bool native_only = row.tenths == 870 || row.tenths == 880;
     if (!settings_.nct && (series15_drills(settings_, core_.view()) ? native_only : series15_only)) return core_.fail(Alarm::GCodeUnknown, 'G', std::string(row.name));
-    if (!drilling_) {
-        drill_.initial_known = false;
-        drill_.r_set = false;
-        drill_.q = drill_.p = 0.0;
-        drill_.p_set = false;
-    }
+    if (!drilling_) drill_ = {};   // G80 has ended all that the cycle before was told: the bottom, too, is said anew
     drilling_ = &row;
     return true;
 }

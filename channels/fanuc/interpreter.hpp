@@ -331,6 +331,8 @@ private:
     bool stroke_limits();
     void reload_settings();
     void end_one_block_shift();
+    double argument_step(char letter) const;
+    bool call_stands_first(std::size_t call);
     bool says_it_once();   // mefi
     bool too_many_words(const Word& word);
     void write_offset(OffsetTable table, std::int32_t number, OffsetField field, double value);

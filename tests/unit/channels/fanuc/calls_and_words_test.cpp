@@ -63,6 +63,58 @@ TEST(MacroCalls, OfG661LeaveStopsWaitsAndSubprogramsAlone) {
     EXPECT_TRUE(both.has({R"("number":"PT1040")", R"("column":4)"})) << both.events;
 }
 
+// fanuc_lathe 6.9.4: "arguments of both types as in G65", which stand behind it (6.9.1); nct part 2 18.2: all words of the block.
+TEST(MacroCalls, ByACodeLoseNoWordOfTheirBlock) {
+    Play fanuc;
+    fanuc.sets = {"F6050=200"};
+    const std::string macro = "\nM30\nO9010\n#500=#24\n#501=#25\nM99\n";
+    const Played behind = play("N5 G200 X10. Y5." + macro, fanuc);
+    EXPECT_TRUE(behind.has({R"("name":"#500","value":10)"})) << behind.events;
+    EXPECT_TRUE(behind.has({R"("name":"#501","value":5)"}));
+    for (const auto& [block, column] : {std::pair{"N5 X10. G200 Y5.", R"("column":4)"}, std::pair{"G4 G200 X1.", R"("column":1)"}}) {
+        const Played before = play(block + macro, fanuc);
+        EXPECT_TRUE(before.has({R"("number":129)", column})) << before.events;
+    }
+    Play nct;
+    nct.language = "nct";
+    nct.sets = {"N1704=200"};
+    const Played all = play("X10. G200 Y5." + macro, nct);
+    EXPECT_TRUE(all.has({R"("name":"#500","value":10)"})) << all.events;
+    EXPECT_TRUE(all.has({R"("name":"#501","value":5)"}));
+}
+
+// fanuc_lathe 6.9.1: without a point the least increment of the address; D and H are numbers, an angle does not know inches.
+TEST(MacroCalls, CountArgumentsWithoutAPointInTheirOwnUnit) {
+    const std::string call = "G65 P1 D5 H3 X20000 C90000 A1000 M4\nM30\nO1\n#500=#7\n#501=#11\n#502=#24\n#503=#3\n#504=#1\n#505=#13\nM99\n";
+    for (const auto& [unit, x] : {std::pair{"G20\n", R"("name":"#502","value":2})"}, std::pair{"G21\n", R"("name":"#502","value":20})"}}) {
+        const Played played = play(unit + call);
+        EXPECT_TRUE(played.has({R"("name":"#500","value":5})"})) << played.events;
+        EXPECT_TRUE(played.has({R"("name":"#501","value":3})"}));
+        EXPECT_TRUE(played.has({x})) << played.events;
+        EXPECT_TRUE(played.has({R"("name":"#503","value":90})"})) << played.events;
+        EXPECT_TRUE(played.has({R"("name":"#504","value":1})"})) << played.events;
+        EXPECT_TRUE(played.has({R"("name":"#505","value":4})"}));
+    }
+}
+
+// G80, or a code of the group of moves, ends all that a drilling cycle was told: the next one says its bottom anew (the field's standard).
+TEST(Drilling, ForgetsItsHoleWithG80) {
+    for (const char* end : {"G80", "G0 X0"}) {
+        const Played fanuc = play("G98 G0 X0 Z10.\nG83 Z-20. R-5. F100\n" + std::string(end) + "\nG83 X10. R-5. F100\nM30\n");
+        EXPECT_TRUE(fanuc.has({R"("ev":"alarm")", R"("line":4,)", R"("severity":"error")"})) << fanuc.events;
+        EXPECT_FALSE(fanuc.has({R"("line":4,)", R"("kind":"linear")"})) << fanuc.events;
+    }
+    const Played another = play("G98 G0 X0 Z10.\nG83 Z-20. R-5. F100\nG85 C90.\nM30\n");   // another cycle goes on with it
+    EXPECT_TRUE(another.has({R"("line":3,)", R"("kind":"linear")", R"("Z":-20,)"})) << another.events;
+    // nct part 1 16.1: N1501 if there is no E. Down to 0, back to R 5, then 1 above.
+    Play nct;
+    nct.language = "nct";
+    nct.sets = {"N1501 L1=1"};
+    const Played clearance = play("G17 G94 G0 X0 Z10.\nG83 Z-20. R5. Q5. E2. F100\nG80\nG0 Z10.\nG83 Z-20. R5. Q5. F100\nM30\n", nct);
+    EXPECT_TRUE(clearance.has({R"("line":2,)", R"("kind":"rapid")", R"("Z":2,)"})) << clearance.events;
+    EXPECT_TRUE(clearance.has({R"("line":5,)", R"("kind":"rapid")", R"("Z":1,)"})) << clearance.events;
+}
+
 TEST(MacroCalls, OfG66GoOnWithTheirVariables) {   // fanuc_lathe 6.9.3: arguments are given once, in the block of G66
     const Played played = play("#100=0\nG66 P8100 A1.\nG0 X90.\nX80.\nX70.\nG67\n#101=#1\nM30\nO8100\n#100=#100*10+#1\n#1=#1+1\nM99\n");
     EXPECT_EQ(played.errors, 0u) << played.events;
