@@ -306,8 +306,8 @@ Step Interpreter::read_block() {
     at.cycle = finishing_.active ? finishing_.name : std::string_view{};
     const ScanStop stop = scanner_.scan(line_, column_, block_);
     switch (stop) {
-        case ScanStop::EndOfLine:
-        case ScanStop::Skipped: break;
+        case ScanStop::EndOfLine: break;
+        case ScanStop::Skipped: line_left_ = scanner_.stopped_at() < line_.size(); break;
         case ScanStop::EndOfBlock:
             line_left_ = true;
             break;
@@ -344,7 +344,6 @@ Step Interpreter::read_block() {
         if (word.value < 0 || word.has_point)   // whole numbers, as GOTO and M98 look for them
             return fault_at(word.value < 0 ? Alarm::NegativeSign : Alarm::PointForbidden, word.column, word.length, std::string(1, letter));
     }
-    if (stop == ScanStop::Skipped && block_.count == 0) return Step::Continue;
     const std::size_t next_column = scanner_.stopped_at();
     if (block_.count == 0 && !block_.name_length) {
         column_ = next_column;

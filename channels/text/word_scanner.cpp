@@ -1,5 +1,7 @@
 #include "channels/text/word_scanner.hpp"
 
+#include <algorithm>
+
 #include "channels/text/chars.hpp"
 #include "channels/text/number.hpp"
 
@@ -62,8 +64,9 @@ ScanStop WordScanner::scan(std::string_view text, std::size_t from, Block& block
                 unsigned number = 1;
                 if (p != end && *p >= '1' && *p <= '9') number = static_cast<unsigned>(*p++ - '0');
                 if (hook_->skip_sign_waits()) return ScanStop::NeedsBarrier;
-                if (hook_->block_skip(number)) {
-                    stopped_at_ = text.size();
+                if (hook_->block_skip(number)) {   // the rest of the block, which may not be that of the line
+                    while (p != end && *p != ';') p = *p == '(' ? std::find(p, end, ')') : p + 1;
+                    stopped_at_ = static_cast<std::size_t>(p - line) + (p != end ? 1 : 0);
                     return ScanStop::Skipped;
                 }
                 continue;

@@ -93,6 +93,8 @@ TEST(FanucBlock, ASkipSignThatIsOnLeavesTheBlockOut) {
     how.setup.keys.block_skip = {1, 3};
     expect_last_move({"G0 X1.\n/X2.\n/2 X3.", R"("X":3)"}, how);
     expect_last_move({"G0 X1. /3 Z5.\n", R"("pos":{"X":1,"Z":0,)"}, how);
+    expect_last_move({"G0 X1. /3 Z5. (A;B); Z7.\n", R"("pos":{"X":1,"Z":7,)"}, how);   // the block ends at its end, not the line
+    expect_last_move({"/X2.; X3.\n", R"("X":3)"}, how);
 }
 
 TEST(FanucBlock, DpiMakesNumbersWithoutAPointWholeMillimetres) {
