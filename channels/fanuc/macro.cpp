@@ -291,16 +291,8 @@ Interpreter::Flow Interpreter::skip_loop(std::uint8_t number, const char* from) 
     kept_line_ = line_;   // searching moves the window
     std::string_view line;
     while (source_->next(line) == LineSource::Status::Line) {
-        const char* at = line.data();
-        const char* const end = at + line.size();
-        blanks(at, end);
-        if (at != end && capital(*at) == 'N') {   // N120 END1
-            ++at;
-            while (at != end && (*at == ' ' || (*at >= '0' && *at <= '9'))) ++at;
-        }
-        if (!take(at, end, "END")) continue;
-        blanks(at, end);
-        if (at != end && *at == '0' + number) {
+        bool ends = false;
+        if (loop_word(line, ends) == number && ends) {   // N120 END1, /END1 too
             jumps_.remember(place, source_->next_position());
             jumped_ = true;
             line_left_ = false;

@@ -85,6 +85,9 @@ TEST(MacroFlow, LoopsJumpsAndConditions) {
     EXPECT_TRUE(played.has({R"("name":"#102","value":4)"})) << played.events;
     EXPECT_FALSE(played.has({"#103"})) << played.events;
     EXPECT_EQ(played.errors, 0u);
+    const Played skip = play("WHILE[1 EQ 0]DO1\n#101=1\n/N5 END1\n#102=2\nM30\n");   // the END of a loop that is left out may have a skip sign
+    EXPECT_EQ(skip.errors, 0u) << skip.events;
+    EXPECT_TRUE(skip.has({"#102"}));
 }
 
 TEST(MacroValue, MayBeAsSmallAsTheControlCounts) {   // fanuc_lathe 6.1: 0 and 1E-29 to 1E47
