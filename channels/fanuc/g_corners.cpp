@@ -123,6 +123,7 @@ const Word* Interpreter::angle_word() const {
     return block_.has('A') && !(axis_letters_ & letter_bit('A')) ? &block_.word('A') : nullptr;
 }
 
+// An angle and the opposite one are the same line (programs are written both ways): the coordinates say which way it is driven.
 // A: with one coordinate the other one; alone (the next block names both): where that block's line crosses this one.
 bool Interpreter::angle_line(AxisSet named) {
     int p = -1, q = -1;
@@ -138,7 +139,7 @@ bool Interpreter::angle_line(AxisSet named) {
         const double denominator = angle_dp_ * dq - angle_dq_ * dp;
         if (std::fabs(denominator) < 1e-9) return core_.fail(Alarm::AngleParallel, 'A');
         const double t = ((target_[i] - from[i]) * dq - (target_[k] - from[k]) * dp) / denominator;
-        if (t <= 0) return core_.fail(Alarm::AngleParallel, 'A');
+        if (std::fabs(t) < 1e-9) return core_.fail(Alarm::AngleParallel, 'A');
         AxisValues corner = from;
         corner[i] = from[i] + t * angle_dp_;
         corner[k] = from[k] + t * angle_dq_;
@@ -159,7 +160,7 @@ bool Interpreter::angle_line(AxisSet named) {
     if (has_p && has_q) return core_.fail(Alarm::CornerWords, 'A', "A");
     const double component = has_p ? dp : dq;
     const double way = has_p ? target_[i] - from[i] : target_[k] - from[k];
-    if (std::fabs(component) < 1e-9 || way / component < 0) return core_.fail(Alarm::AngleParallel, 'A');
+    if (std::fabs(component) < 1e-9) return core_.fail(Alarm::AngleParallel, 'A');
     (has_p ? target_[k] : target_[i]) = (has_p ? from[k] + way / component * dq : from[i] + way / component * dp);
     return true;
 }

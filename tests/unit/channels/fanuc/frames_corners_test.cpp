@@ -39,7 +39,10 @@ TEST(AngleOfALine, GivesTheMissingCoordinate) {
     expect_rows({
         {"G98 F9\nG1 X40. A135.", {R"("pos":{"X":40,"Z":-20)"}},
         {"G98 F9\nG1 A180.\nX60. Z-30. A90.\nX70.", {R"("line":2)", R"("pos":{"X":0,"Z":-30)"}},
+        {"G98 F9\nG1 X40. A-45.", {R"("pos":{"X":40,"Z":-20)"}},   // the same line, written the other way round
+        {"G98 F9\nG1 A0.\nX60. Z-30. A-90.\nX70.", {R"("line":2)", R"("pos":{"X":0,"Z":-30)"}},
         {"G98 F9\nG1 Z-20. A90.", {R"("number":57,)"}},
+        {"G98 F9\nG1 A0.\nX60. Z-30. A180.", {R"("number":57,)"}},
     }, {});
 }
 
