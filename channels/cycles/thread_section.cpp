@@ -47,7 +47,6 @@ public:
             call_.axis = static_cast<std::uint8_t>(t_->face ? moves_->x() : moves_->z());
             call_.start_angle = std::fmod(t_->spindle_deg + start * 360.0 / t_->starts, 360.0);
             if (call_.start_angle < 0) call_.start_angle += 360.0;
-            call_.has_start_angle = true;
             for (std::size_t k = 0; k <= depths.size(); ++k) {
                 const bool last = k == depths.size();
                 const double depth = last ? std::fabs(t_->depth) : depths[k];

@@ -280,7 +280,6 @@ bool Interpreter::g_thread(const GCode& row) {
     call.lead = lead;
     call.lead_change = change;
     call.start_angle = has('Q') ? number('Q') : 0.0;
-    call.has_start_angle = has('Q');
     if (modal_.withdraws) {   // G233: at most three axes leave the thread
         std::size_t slot = 0;
         for (unsigned i = 0; i < core_.view().axis_count && slot < call.withdraw.size(); ++i) {

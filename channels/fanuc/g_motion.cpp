@@ -87,7 +87,6 @@ void Interpreter::thread_words(ThreadCall& call) {
     const Word& word = block_.word('Q');
     // Fanuc counts thousandths of a degree and knows no point here; series 15 programs accept Q without effect.
     call.start_angle = word.has_point || settings_.nct ? word.value : word.value * 0.001;
-    call.has_start_angle = true;
     if (settings_.series15) call.start_angle = 0.0;
 }
 

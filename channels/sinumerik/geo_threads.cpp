@@ -48,7 +48,6 @@ bool Interpreter::geo_thread(const GCode& code) {
         call.by_axis = true;
         call.axis = static_cast<std::uint8_t>(axis);
         call.start_angle = thread_start();
-        call.has_start_angle = true;
         if (!way_out(call, target)) return false;
         if (code.name != "G33") {
             const Word* change = word("F");
@@ -143,7 +142,6 @@ bool Interpreter::geo_barrel(const GCode& code) {
         call.by_axis = true;
         call.axis = static_cast<std::uint8_t>(axis);
         call.start_angle = thread_start();
-        call.has_start_angle = true;
         if (!way_out(call, target)) return false;
         ArcCall arc;
         arc.clockwise = code.name == "G335";

@@ -148,7 +148,6 @@ struct ThreadCall {
     double lead = 0.0;                      // mm along the axis that travels most
     double lead_change = 0.0;               // mm a revolution
     double start_angle = 0.0;               // deg
-    bool has_start_angle = false;
     std::int32_t starts = 0;
     bool by_axis = false;                   // lead counts along `axis`, not along the longest
     std::uint8_t axis = 0;
