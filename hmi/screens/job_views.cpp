@@ -7,11 +7,21 @@
 #include "hmi/machine/critical_path.hpp"
 #include "hmi/screens/programs.hpp"
 #include "hmi/widgets/number_cells.hpp"
+#include "hmi/widgets/time_shape.hpp"
 
 namespace polyturn::hmi {
 namespace {
 
 constexpr qint64 kAlignEveryMs = 250;     // while the run goes on
+
+struct TimeLook {
+    TimeShape shape;
+    QColor colour;
+};
+TimeLook spanLook(RunSpan::Kind kind) {
+    const Theme& t = theme();
+    return kind == RunSpan::Kind::Cutting ? TimeLook{TimeShape::Full, t.good} : kind == RunSpan::Kind::Rapid ? TimeLook{TimeShape::Half, t.accent} : TimeLook{TimeShape::Hatched, t.warn};
+}
 
 }  // namespace
 
@@ -33,12 +43,14 @@ void Programs::composeTogether(Writer& w) {
     const auto& channels = dry_.channels();
     if (channels.empty()) return;
     const double each = wide / static_cast<double>(channels.size()), head = px(34), row = px(24);
+    const bool narrow = each < px(220);   // eight channels: smaller letters, so that a block can be read
+    const double text = px(narrow ? 36 : 56);
     std::map<unsigned, double> left;
     double x = 0;
     for (const auto& [number, channel] : channels) {
         left[number] = x;
         w.text(QRectF(x + px(14), 0, px(70), head), QString("L%1").arg(number), lettering(18, true), t.accent);
-        if (!channel.blocks.empty()) w.data(QRectF(x + px(84), 0, each - px(98), head), QFileInfo(QString::fromStdString(channel.blocks.front().file)).fileName(), lettering(14), t.dim, kRight);
+        if (!channel.blocks.empty()) w.data(QRectF(x + px(narrow ? 48 : 84), 0, each - px(narrow ? 54 : 98), head), QFileInfo(QString::fromStdString(channel.blocks.front().file)).fileName(), lettering(narrow ? 12 : 14), t.dim, kRight);
         if (x > 0) w.line(QPointF(x, px(6)), QPointF(x, high - foot - px(14)), t.edge, 1);
         x += each;
     }
@@ -74,9 +86,9 @@ void Programs::composeTogether(Writer& w) {
                 if (!one.comes(number)) missing << QString("L%1").arg(number);
             // In each channel's own column, so that no sign lies between columns where a word stands.
             for (const unsigned number : here) {
-                w.sign(QRectF(left[number] + px(56), y + px(5), px(14), px(14)), all ? Sign::Wait : Sign::Alarm, colour);
+                w.sign(QRectF(left[number] + text, y + px(5), px(14), px(14)), all ? Sign::Wait : Sign::Alarm, colour);
                 const QString absent = all || number != here.front() ? QString() : "   " + word("never comes: %1").arg(missing.join(' '));
-                w.text(QRectF(left[number] + px(78), y, each - px(90), row), waitName(desk_.live, number, wait->code) + absent, lettering(14.5, true), colour);
+                w.text(QRectF(left[number] + text + px(narrow ? 18 : 22), y, each - text - px(narrow ? 28 : 34), row), waitName(desk_.live, number, wait->code) + absent, lettering(narrow ? 13 : 14.5, true), colour);
             }
             continue;
         }
@@ -89,8 +101,8 @@ void Programs::composeTogether(Writer& w) {
             const QColor colour = !bad ? t.text : fault->error ? t.bad : t.warn;
             const double at = left[number];
             if (bad) w.fill(QRectF(at + px(4), y + 1, each - px(8), row - 2), t.raised, px(4)), w.sign(QRectF(at + each - px(26), y + px(4), px(16), px(16)), fault->error ? Sign::Alarm : Sign::Warning, colour);
-            w.text(QRectF(at + px(4), y, px(44), row), QString::number(line.line), lettering(12), t.faint, kRight);
-            w.data(QRectF(at + px(56), y, each - px(bad ? 88 : 66), row), texts_.line(line.file, line.line), lettering(13.5, bad, Face::Program), colour);
+            w.text(QRectF(at + px(2), y, text - px(narrow ? 5 : 10), row), QString::number(line.line), lettering(narrow ? 11 : 12, false, narrow ? Face::Condensed : Face::Text), t.faint, kRight);
+            w.data(QRectF(at + text, y, each - text - px(bad ? 32 : narrow ? 4 : 10), row), texts_.line(line.file, line.line), lettering(narrow ? 11.5 : 13.5, bad, Face::Program), colour);
         }
     }
 }
@@ -108,16 +120,15 @@ void Programs::composeTime(Writer& w) {
     const double left = px(74), right = wide - px(200), top = px(54), each = std::min<double>(px(130), (high - foot - top - px(50)) / static_cast<double>(channels.size()));
     const auto at = [&](double seconds) { return left + (right - left) * seconds / end; };
     // what the lines mean
-    struct Key {
-        const char* text;
-        QColor colour;
+    const TimeLook waits{TimeShape::Hollow, t.wait};
+    const std::pair<const char*, TimeLook> keys[] = {{WORD("Cutting"), spanLook(RunSpan::Kind::Cutting)}, {WORD("Rapid"), spanLook(RunSpan::Kind::Rapid)}, {WORD("Dwell"), spanLook(RunSpan::Kind::Dwell)}, {WORD("Waiting"), waits}};
+    double key = left;
+    const auto named = [&](const char* text) {
+        w.text(QRectF(key + px(34), px(10), px(112), px(28)), word(text), lettering(14), t.dim);
+        key += px(150);
     };
-    const Key keys[] = {{WORD("Cutting"), t.good}, {WORD("Rapid"), t.accent}, {WORD("Dwell"), t.warn}, {WORD("Waiting"), t.wait}, {WORD("Decides the time"), t.text}};
-    for (int i = 0; i < 5; ++i) {
-        const double thick = i == 4 ? px(4) : px(12);   // as it is drawn below
-        w.fill(QRectF(left + i * px(150), px(24) - thick / 2, px(26), thick), keys[i].colour, px(i == 4 ? 0 : 3));
-        w.text(QRectF(left + i * px(150) + px(34), px(10), px(112), px(28)), word(keys[i].text), lettering(14), t.dim);
-    }
+    for (const auto& [text, look] : keys) drawTimeShape(w, look.shape, QRectF(key, px(15), px(26), px(18)), look.colour), named(text);
+    w.fill(QRectF(key, px(22), px(26), px(4)), t.text), named(WORD("Decides the time"));
     w.text(QRectF(right + px(10), px(8), px(182), px(30)), word("%1 in all").arg(timeText(end)), lettering(17, true), t.text, kRight);
     double y = top, longest = 0;
     unsigned longestChannel = 0;
@@ -142,8 +153,8 @@ void Programs::composeTime(Writer& w) {
         bool any = false;
         const auto flush = [&] {
             if (!any) return;
-            const QColor colour = joined.kind == RunSpan::Kind::Cutting ? t.good : joined.kind == RunSpan::Kind::Rapid ? t.accent : t.warn;
-            w.fill(QRectF(at(joined.from), y, std::max(1.0, at(joined.to) - at(joined.from)), bar), colour);
+            const TimeLook look = spanLook(joined.kind);
+            drawTimeShape(w, look.shape, QRectF(at(joined.from), y, std::max(1.0, at(joined.to) - at(joined.from)), bar), look.colour);
         };
         for (const RunSpan& span : channel.spans) {
             (span.kind == RunSpan::Kind::Cutting ? cutting : span.kind == RunSpan::Kind::Rapid ? rapid : dwelling) += span.to - span.from;
@@ -158,7 +169,7 @@ void Programs::composeTime(Writer& w) {
         for (const RunWait& wait : channel.waits) {
             const double lasts = wait.to - wait.from;
             waiting += std::max(0.0, lasts);
-            w.fill(QRectF(at(wait.from), y + bar * 0.32, std::max(1.5, at(wait.to) - at(wait.from)), bar * 0.36), t.wait);
+            drawTimeShape(w, waits.shape, QRectF(at(wait.from), y, std::max(1.5, at(wait.to) - at(wait.from)), bar), waits.colour);
             w.line({at(wait.to), y - px(4)}, {at(wait.to), y + bar + px(4)}, t.wait, 1);
             if (lasts > longest) longest = lasts, longestChannel = number, worst = &wait;
             if (at(wait.to) - at(wait.from) > px(44)) w.text(QRectF(at(wait.from), y + bar + px(2), at(wait.to) - at(wait.from), px(18)), waitName(desk_.live, number, wait.code), lettering(12.5), t.wait, Qt::AlignCenter);

@@ -4,12 +4,24 @@
 
 #include "hmi/machine/channel_words.hpp"
 #include "hmi/widgets/number_cells.hpp"
+#include "hmi/widgets/time_shape.hpp"
 
 namespace polyturn::hmi {
 namespace {
 
 constexpr int kPeriods[] = {1, 8, 24, 168};   // hours
-constexpr std::size_t kMostChannels = 6;      // in the picture over the period
+
+// Of a cause, where there is no room for its sign: what is broken is full, what somebody has stopped half, a wait hollow, all else hatched.
+TimeShape shapeOfCause(const StopWords& why) {
+    switch (why.sign) {
+        case Sign::Alarm: return TimeShape::Full;
+        case Sign::Hold: case Sign::Stop: return TimeShape::Half;
+        case Sign::Wait: return TimeShape::Hollow;
+        default: return TimeShape::Hatched;
+    }
+}
+
+QString placeOfStop(const StopEntry& stop) { return stop.line && !stop.program.isEmpty() ? stop.program + QString(":%1").arg(stop.line) : stop.program; }
 
 // Together, and how often.
 QString timesText(double seconds, int count) { return QString::fromUtf8("%1 · %2×").arg(timeText(seconds)).arg(count); }
@@ -31,9 +43,7 @@ StopsPage::StopsPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk)
             case 2: return {QString("L%1").arg(stop.channel), t.text, Sign::None, true};
             case 3: return {why.text, why.colour, why.sign};
             default: {
-                QString place = stop.program;
-                if (stop.line && !place.isEmpty()) place += QString(":%1").arg(stop.line);
-                const QString detail = stopDetail(stop);
+                const QString place = placeOfStop(stop), detail = stopDetail(stop);
                 return {detail.isEmpty() ? place : place.isEmpty() ? detail : detail + "   " + place, t.dim};
             }
         }
@@ -55,7 +65,8 @@ void StopsPage::refresh() {
     table_->refresh(), picture_->refresh();
 }
 
-// Above: a bar for each cause, the longest first. Below: a line for each channel over the period, its stops in the colours of their causes.
+// Above: a bar for each cause, the longest first. Below: what the chosen line has no room for, and a line for each channel over the period,
+// its stops in the colours and shapes of their causes.
 void StopsPage::composePicture(Writer& w) {
     const Theme& t = theme();
     const double wide = picture_->width(), high = picture_->height();
@@ -68,8 +79,9 @@ void StopsPage::composePicture(Writer& w) {
     w.text(QRectF(px(14), px(8), wide * 0.6, px(28)), book_.hours() < 48 ? word("The last %1 h").arg(book_.hours()) : word("The last %1 days").arg(book_.hours() / 24), lettering(16, true), t.text);
     w.text(QRectF(wide * 0.5, px(8), wide * 0.5 - px(14), px(28)), timesText(all, count), lettering(15, true), t.dim, kRight);
     const auto& channels = desk_.live.channels();
-    const std::size_t lines = book_.channel() ? 1 : std::min(channels.size(), kMostChannels);
-    const double foot = px(40) + static_cast<double>(lines) * px(22);
+    const std::size_t lines = book_.channel() ? 1 : channels.size();
+    const double pitch = std::clamp<double>(px(176) / std::max<double>(1, static_cast<double>(lines)), px(12), px(22));   // sixteen, too
+    const double chosen = px(92), foot = px(40) + static_cast<double>(lines) * pitch + chosen;
     double y = px(44);
     for (const StopSum& one : sums) {
         if (y + px(42) > high - foot) break;
@@ -77,23 +89,39 @@ void StopsPage::composePicture(Writer& w) {
         w.sign(QRectF(px(14), y + px(2), px(18), px(18)), why.sign, why.colour);
         w.text(QRectF(px(40), y, wide * 0.52, px(22)), why.text, lettering(14.5), t.text);
         w.text(QRectF(wide * 0.6, y, wide * 0.4 - px(14), px(22)), timesText(one.seconds, one.count), lettering(14.5, true), t.text, kRight);
-        w.bar(QRectF(px(40), y + px(25), wide - px(54), px(9)), sums.front().seconds > 0 ? one.seconds / sums.front().seconds : 0, why.colour, t.window);
+        const QRectF room(px(40), y + px(24), wide - px(54), px(12));
+        w.fill(room, t.window, px(2));
+        if (sums.front().seconds > 0) drawTimeShape(w, shapeOfCause(why), QRectF(room.left(), room.top(), std::max<double>(px(4), room.width() * one.seconds / sums.front().seconds), room.height()), why.colour);
         y += px(43);
+    }
+    if (const auto row = static_cast<std::size_t>(std::max(0, table_->row())); row < book_.all().size()) {
+        const StopEntry& stop = book_.all()[row];
+        const StopWords why = stopWords(stop.cause);
+        const double top = high - foot;
+        w.line(QPointF(px(14), top), QPointF(wide - px(14), top), t.edge, 1);
+        w.sign(QRectF(px(14), top + px(9), px(18), px(18)), why.sign, why.colour);
+        w.text(QRectF(px(40), top + px(7), px(60), px(22)), QString("L%1").arg(stop.channel), lettering(14.5, true), t.text);
+        w.data(QRectF(px(100), top + px(7), wide - px(114), px(22)), placeOfStop(stop), lettering(14), t.dim, kRight);
+        const QString detail = stopDetail(stop);
+        Item& item = w.text(QRectF(px(14), top + px(31), wide - px(28), px(57)), detail.isEmpty() ? why.text : detail, lettering(14), t.text, Qt::AlignLeft | Qt::AlignTop);
+        item.wraps = true, item.data = true;
     }
     if (lines == 0) return;
     const double left = px(46), right = wide - px(14), period = 3600.0 * book_.hours();
-    y = high - foot;
+    y = high - foot + chosen;
     const QDateTime now = QDateTime::currentDateTime();
     const auto x = [&](const QDateTime& when) { return left + (right - left) * std::clamp(1.0 - static_cast<double>(when.secsTo(now)) / period, 0.0, 1.0); };
-    for (std::size_t i = 0; i < lines; ++i, y += px(22)) {
+    for (std::size_t i = 0; i < lines; ++i, y += pitch) {
         const unsigned channel = book_.channel() ? book_.channel() : channels[i];
-        w.text(QRectF(px(14), y, px(30), px(18)), QString("L%1").arg(channel), lettering(13, true), t.dim);
-        w.fill(QRectF(left, y + px(2), right - left, px(14)), t.window, px(2));
+        const double bar = std::min<double>(px(14), pitch - px(3));
+        w.text(QRectF(px(14), y, px(30), bar + px(3)), QString("L%1").arg(channel), lettering(pitch < px(16) ? 11 : 13, true), t.dim);
+        w.fill(QRectF(left, y + px(2), right - left, bar), t.window, px(2));
         int drawn = 0;
         for (const StopEntry& stop : book_.all()) {
             if (stop.channel != channel || stop.seconds <= 0) continue;
             const double from = x(stop.begin), to = std::max(from + 1.5, x(stop.begin.addMSecs(static_cast<qint64>(stop.seconds * 1e3))));
-            w.fill(QRectF(from, y + px(2), to - from, px(14)), stopWords(stop.cause).colour);
+            const StopWords why = stopWords(stop.cause);
+            drawTimeShape(w, shapeOfCause(why), QRectF(from, y + px(2), to - from, bar), why.colour);
             if (++drawn == 300) break;
         }
     }

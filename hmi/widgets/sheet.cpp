@@ -139,6 +139,17 @@ void paint(QPainter& p, const Item& item, const QRect& area) {
             p.drawRoundedRect(item.box.adjusted(width / 2, width / 2, -width / 2, -width / 2), item.value, item.value);
             break;
         }
+        case Item::Kind::Hatch: {
+            p.save();
+            p.setClipRect(item.box, Qt::IntersectClip);
+            p.setPen(QPen(item.colour, std::max(1.0, px(3) / 2.0)));
+            const double step = px(6), high = item.box.height();
+            for (double x = std::floor((item.box.left() - high) / step) * step; x < item.box.right(); x += step) p.drawLine(QPointF(x, item.box.bottom()), QPointF(x + high, item.box.top()));
+            p.setBrush(Qt::NoBrush);
+            p.drawRect(item.box.adjusted(0.5, 0.5, -0.5, -0.5));
+            p.restore();
+            break;
+        }
         case Item::Kind::Sign: drawSign(p, item.box, item.sign, item.colour); break;
         case Item::Kind::Bar: {
             p.setPen(Qt::NoPen);
@@ -204,6 +215,7 @@ void Writer::frame(const QRectF& box, const QColor& colour, double radius, doubl
     Item& item = add(Item::Kind::Frame, box);
     item.colour = colour, item.value = radius, item.align = std::max(1, static_cast<int>(width + 0.5));
 }
+void Writer::hatch(const QRectF& box, const QColor& colour) { add(Item::Kind::Hatch, box).colour = colour; }
 void Writer::line(const QPointF& from, const QPointF& to, const QColor& colour, double width) {
     Item& item = add(Item::Kind::Line, QRectF(from, to));
     item.colour = colour, item.value = width;
@@ -283,6 +295,13 @@ std::vector<QString> Sheet::shortened() const {
     std::vector<QString> out;
     for (const Item& item : items_)
         if (item.kind == Item::Kind::Text && !item.data && !item.text.isEmpty() && !fits(item)) out.push_back(item.text);
+    return out;
+}
+
+std::vector<QString> Sheet::shortenedData() const {
+    std::vector<QString> out;
+    for (const Item& item : items_)
+        if (item.kind == Item::Kind::Text && item.data && !item.text.isEmpty() && !fits(item)) out.push_back(item.text);
     return out;
 }
 

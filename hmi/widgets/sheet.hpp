@@ -15,7 +15,7 @@ namespace polyturn::hmi {
 inline const QFont kPlainFont;   // copied: making one asks the application for its own each time
 
 struct Item {
-    enum class Kind : std::uint8_t { Text, Fill, Frame, Sign, Bar, Line } kind = Kind::Text;
+    enum class Kind : std::uint8_t { Text, Fill, Frame, Sign, Bar, Line, Hatch } kind = Kind::Text;
     QRectF box;
     QString text;
     QFont font = kPlainFont;
@@ -46,6 +46,7 @@ public:
     void data(const QRectF& box, const QString& text, const QFont& font, const QColor& colour, int align = Qt::AlignLeft | Qt::AlignVCenter);
     void fill(const QRectF& box, const QColor& colour, double radius = 0);
     void frame(const QRectF& box, const QColor& colour, double radius = 0, double width = 1);
+    void hatch(const QRectF& box, const QColor& colour);   // slanting lines in a frame
     void line(const QPointF& from, const QPointF& to, const QColor& colour, double width = 1);
     void sign(const QRectF& box, Sign sign, const QColor& colour);
     void bar(const QRectF& box, double part, const QColor& colour, const QColor& behind);
@@ -67,6 +68,7 @@ public:
     void refresh();   // composes, and repaints what has changed
     const std::vector<Item>& items() const { return items_; }   // for tests: what is written
     std::vector<QString> shortened() const;   // fixed words that do not fit
+    std::vector<QString> shortenedData() const;   // names, numbers, cells of tables that do not fit: among them may be words of ours
     std::vector<QString> fixedWords() const;  // that are no data: they stand in the language of the screens
     std::vector<QString> overlapping() const; // words that are written over others, or beyond the sheet
     // Where a number of hit() lies, for tests; empty: nowhere.

@@ -1,0 +1,10 @@
+// Stretches of time are told apart by their shape as well as by their colour: in a grey picture, and by whoever does not see all colours.
+#pragma once
+#include "hmi/widgets/sheet.hpp"
+
+namespace polyturn::hmi {
+
+enum class TimeShape : std::uint8_t { Full, Half, Hatched, Hollow };   // the lower half; a frame in the middle
+void drawTimeShape(Writer& w, TimeShape shape, const QRectF& bar, const QColor& colour);
+
+}  // namespace polyturn::hmi
