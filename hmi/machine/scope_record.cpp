@@ -6,7 +6,7 @@
 
 namespace polyturn::hmi {
 
-void ScopeRecord::clear() { samples_.clear(), at_ = 0; }
+void ScopeRecord::clear() { samples_.clear(), at_ = 0, ++began_; }
 
 void ScopeRecord::add(const std::vector<ScopeSample>& fresh, double window_ticks) {
     if (mode_ == Mode::Stopped) return;

@@ -30,6 +30,7 @@ public:
     Trigger trigger;
     const std::deque<ScopeSample>& samples() const { return samples_; }
     std::int64_t triggeredAt() const { return at_; }   // tick; 0: it has not
+    std::uint64_t began() const { return began_; }     // another number: another record, nothing of the one before is in it
     // One line a tick; the names are the columns.
     std::string csv(const std::array<std::string, kScopeTraces>& names, double tick_s) const;
 
@@ -37,6 +38,7 @@ private:
     std::deque<ScopeSample> samples_;
     Mode mode_ = Mode::Runs;
     std::int64_t at_ = 0;
+    std::uint64_t began_ = 1;
 };
 
 // How round a circle was driven: commands of two axes and what was measured, deviation from the commanded radius.

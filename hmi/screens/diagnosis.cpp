@@ -1,5 +1,6 @@
 #include "hmi/screens/diagnosis.hpp"
 
+#include <QDateTime>
 #include <QKeyEvent>
 
 #include "hmi/screens/channel_keys.hpp"
@@ -8,6 +9,7 @@ namespace polyturn::hmi {
 namespace {
 
 constexpr int kSearchHit = 50;   // above the channels
+constexpr qint64 kTicksMs = 250;
 
 }  // namespace
 
@@ -35,10 +37,11 @@ void Diagnosis::restore(const QString& state) {
     if (page_ != Page::Scope) table_->choose(state.section(' ', 1, 1).toInt());
 }
 
-// The circularity plot is the eighth page of pictures.
 void Diagnosis::turnTo(int page) {
     showPage(static_cast<Page>(std::min(page, static_cast<int>(Page::Scope))));
     scope_->showCircle(page == 7);
+    scope_->showChooser(page == 8);
+    scope_->showLevel(page == 9);
 }
 
 void Diagnosis::showPage(Page page) {
@@ -55,6 +58,7 @@ void Diagnosis::showPage(Page page) {
         case Page::Scope: scope_->showCircle(false); break;
     }
     if (page != Page::Scope) table_->choose(0);
+    ticksAt_ = 0;
     layOut();
     refresh();
     if (desk_.keysChanged) desk_.keysChanged();
@@ -95,7 +99,11 @@ void Diagnosis::composeHead(Writer& w) {
         w.field(QRectF(title + px(24), px(6), right - title - px(38), head_->height() - px(10)), search_, word("Type a part of the name"), !search_.isEmpty(), kSearchHit);
 }
 
-void Diagnosis::follow() { scope_->follow(); }   // what it waits for may come while another screen is looked at
+// What the scope waits for may come while another screen is looked at; and time goes on.
+void Diagnosis::follow() {
+    scope_->follow();
+    totals_.follow(desk_.live);
+}
 
 void Diagnosis::refresh() {
     switch (page_) {
@@ -107,7 +115,8 @@ void Diagnosis::refresh() {
     }
     head_->refresh();
     if (page_ != Page::Scope) table_->refresh();
-    if (page_ == Page::Processes) detail_->refresh();
+    // The histogram changes with each tick and its bars are many: now and then.
+    if (const qint64 now = QDateTime::currentMSecsSinceEpoch(); page_ == Page::Processes && now >= ticksAt_) ticksAt_ = now + kTicksMs, detail_->refresh();
 }
 
 std::vector<SoftKey> Diagnosis::keys() {

@@ -2,6 +2,7 @@
 // counters, processes with the computing time of ticks, the scope and the circularity plot.
 #pragma once
 #include "hmi/app/screen.hpp"
+#include "hmi/machine/live_totals.hpp"
 #include "hmi/screens/scope_page.hpp"
 #include "hmi/widgets/table.hpp"
 
@@ -22,7 +23,7 @@ public:
     QString state() const override { return QString("%1 %2 %3").arg(static_cast<int>(page_)).arg(table_->row()).arg(search_); }
     void restore(const QString& state) override;
     std::vector<Sheet*> sheets() override;
-    int pages() const override { return 8; }
+    int pages() const override { return 10; }   // behind the pages the circularity plot, the scope's list of signals, its trigger level
     HelpTopic help() const override;
     void turnTo(int page) override;
 
@@ -59,6 +60,8 @@ private:
     };
     std::vector<SignalLine> signals_, found_;
     QString search_;
+    qint64 ticksAt_ = 0;                        // the histogram is written anew
+    LiveTotals totals_;
 };
 
 }  // namespace polyturn::hmi

@@ -152,7 +152,8 @@ void Diagnosis::fillVariables() {
     };
 }
 
-// The machine's own counters are parameters N2300 to N2308 (N2305 only says which M code counts a part); beside them what belongs to the cycle that runs.
+// The machine's own counters are parameters N2300 to N2308 (N2305 only says which M code counts a part), at the same moment as what belongs to
+// the cycle that runs beside them.
 void Diagnosis::fillCounters() {
     struct Line {
         QString title, scope;
@@ -165,7 +166,7 @@ void Diagnosis::fillCounters() {
         const auto parameter = [&](const char* number, const QString& title, unsigned instance, const QString& scope) {
             const params::Row* row = params::find(number);
             if (!row) return;
-            if (row->unit == "ms") lines->push_back({title, scope, [this, row, instance] { return timeText(desk_.live.table().numbers[row->first_slot + instance - 1] / 1000); }});
+            if (row->unit == "ms") lines->push_back({title, scope, [this, slot = row->first_slot + instance - 1] { return timeText(std::max(0.0, totals_.ms(slot)) / 1000); }});
             else lines->push_back({title, scope, [this, row, instance] { return QString::fromStdString(params::value_text(*row, desk_.live.table(), instance, 0)); }});
         };
         parameter("N2300", word("Power on"), 1, {});
@@ -231,7 +232,7 @@ void Diagnosis::composeTicks(Writer& w) {
         if (!cost[i]) continue;
         const double part = std::log1p(static_cast<double>(cost[i])) / std::log1p(static_cast<double>(most));   // rare long ticks must be seen
         const double x = left + each * static_cast<double>(i - first);
-        w.fill(QRectF(x + 1, bottom - (bottom - top) * part, std::max(1.0, each - 2), (bottom - top) * part), t.accent, px(2));
+        w.fill(QRectF(x + 1, bottom - (bottom - top) * part, std::max(1.0, each - 2), (bottom - top) * part), t.accent);
     }
     w.line({left, bottom}, {right, bottom}, t.edge, 1);
     const auto microseconds = [](std::size_t i) { return QString("%1 %2").arg(std::exp2(static_cast<double>(i) / 4), 0, 'f', 0).arg(unitWord("us")); };

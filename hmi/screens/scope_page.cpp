@@ -4,7 +4,6 @@
 #include <QDir>
 #include <QFile>
 #include <QKeyEvent>
-#include <QPainterPath>
 #include <QStandardPaths>
 #include <algorithm>
 #include <cmath>
@@ -18,13 +17,8 @@ namespace polyturn::hmi {
 namespace {
 
 constexpr std::array<double, 9> kSeconds{0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50};
-constexpr qint64 kPaintMs = 50;
-
-QColor colourOfTrace(std::size_t trace) {
-    static const char* kDark[] = {"#4ea6ff", "#f5b83d", "#42c883", "#ff635c", "#b896ff", "#4fd8d8", "#ff9ed1", "#d5dde5"};
-    static const char* kLight[] = {"#0a63bd", "#a06200", "#127c3e", "#c42723", "#6d38b5", "#007a7a", "#b0307a", "#404a54"};
-    return QColor(theme().dark ? kDark[trace] : kLight[trace]);
-}
+constexpr qint64 kValuesMs = 100;   // digits that change faster cannot be read
+constexpr qint64 kRoundMs = 1000;   // a circle is not driven in less
 
 // Units as the other screens have them: feeds mm/min, torque % of the rated one. The kernel records mm/s and thousandths.
 double shownAs(ScopeKind kind) { return kind == ScopeKind::AxisVelocity || kind == ScopeKind::PathSpeed ? 60.0 : kind == ScopeKind::AxisTorque ? 0.1 : 1.0; }
@@ -38,7 +32,8 @@ QString ofAxis(const QString& title, const AxisConfig& axis) {
 }  // namespace
 
 ScopePage::ScopePage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), traces_(new Table(this)), chooser_(new Table(this)), pad_(new NumberPad(this)), note_(new FreeSheet(this)) {
-    traces_->columns = {{"", 0.35}, {word("Signal"), 3}, {word("Now"), 1.3, kRight}, {word("Least"), 1.1, kRight}, {word("Most"), 1.1, kRight}, {word("Unit"), 0.9}};
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    traces_->columns = {{"", 0.35}, {word("Signal"), 3}, {word("Now"), 1.3, kRight}, {word("Least"), 1.1, kRight}, {word("Most"), 1.1, kRight}, {word("One division"), 1.1, kRight}, {word("Unit"), 0.9}};
     traces_->rowUnits = 26;
     traces_->textUnits = 13.5;
     traces_->rows = [] { return static_cast<int>(kScopeTraces); };
@@ -52,16 +47,16 @@ ScopePage::ScopePage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk)
         if (column == 0) return {QString::number(row + 1), on ? colour : theme().faint, Sign::None, true};
         if (column == 1) return {on ? title : word("off"), on ? colour : theme().faint, triggers ? (record_.trigger.rising ? Sign::Up : Sign::Down) : Sign::None, on};
         if (!on) return {};
-        if (column == 5) return {unitWord(unit.toStdString()), theme().dim};
-        if (record_.samples().empty()) return {};
-        if (column == 2) return {numberText(record_.samples().back().value[trace]), theme().text};
-        double low = 1e300, high = -1e300;
-        const auto first = record_.samples().size() > static_cast<std::size_t>(windowTicks()) ? record_.samples().size() - static_cast<std::size_t>(windowTicks()) : 0;
-        for (std::size_t i = first; i < record_.samples().size(); i += std::max<std::size_t>(1, (record_.samples().size() - first) / 2000)) low = std::min(low, record_.samples()[i].value[trace]), high = std::max(high, record_.samples()[i].value[trace]);
-        return {numberText(column == 3 ? low : high), theme().dim};
+        if (column == 6) return {unitWord(unit.toStdString()), theme().dim};
+        const Values& values = values_[trace];
+        if (column == 2) return {values.now, theme().text};
+        return {column == 3 ? values.least : column == 4 ? values.most : values.division, theme().dim};
     };
-    traces_->onChosen = [this] { if (desk_.keysChanged) desk_.keysChanged(); };
-    traces_->onActivated = [this] { choosing_ = true, search_.clear(), fillChoices(), layOut(); };
+    traces_->onChosen = [this] {
+        update(room_);
+        if (desk_.keysChanged) desk_.keysChanged();
+    };
+    traces_->onActivated = [this] { showChooser(true); };
     chooser_->columns = {{word("Signal"), 3}, {word("Unit"), 0.8}};
     chooser_->rowUnits = 34;
     chooser_->nothing = word("No signal has this in its name or meaning.");
@@ -92,7 +87,7 @@ ScopePage::ScopePage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk)
     layOut();
 }
 
-void ScopePage::rebuilt() { next_ = 0, record_.clear(), round_.reset(), fillChoices(); }
+void ScopePage::rebuilt() { next_ = 0, record_.clear(), forgetCircle(), fillChoices(); }
 
 double ScopePage::windowTicks() const { return kSeconds[static_cast<std::size_t>(base_)] / std::max(1e-6, desk_.live.seconds(1)); }
 
@@ -182,7 +177,7 @@ void ScopePage::setCircle() {
     if (!x || !z) return;
     const QString words[] = {QString("command A%1").arg(x->number), QString("command A%1").arg(z->number), QString("measured A%1").arg(x->number), QString("measured A%1").arg(z->number)};
     for (int i = 0; i < 4; ++i) desk_.requests.press(QString("scope %1 %2").arg(i + 1).arg(words[i]));
-    record_.clear(), record_.run(), round_.reset();
+    record_.clear(), record_.run(), forgetCircle();
 }
 
 void ScopePage::showCircle(bool on) {
@@ -194,9 +189,9 @@ void ScopePage::showCircle(bool on) {
 
 void ScopePage::follow() {
     ScopeChoice now{};
+    const bool first = next_ == 0;                 // what was before this look is not missed
     if (desk_.live.scopeChoice(now) && (now.kind != choice_.kind || now.object != choice_.object)) choice_ = now, next_ = std::max(next_, now.first);
     static thread_local std::vector<ScopeSample> fresh;
-    const bool first = next_ == 0;                 // what was before this look is not missed
     if (first) next_ = choice_.first;
     if (!desk_.live.scopeSamples(next_, fresh) && !first) missed_ = true;
     if (fresh.empty()) return;
@@ -206,11 +201,24 @@ void ScopePage::follow() {
     record_.add(fresh, windowTicks());
     if (!isVisible()) return;
     const qint64 time = QDateTime::currentMSecsSinceEpoch();
-    if (time < paintedMs_ + kPaintMs) return;
-    paintedMs_ = time;
-    if (circle_ && time > roundMs_ + 500)
-        if (roundMs_ = time; auto round = roundnessOf(record_.samples())) round_ = std::move(round);
-    update(room_);
+    if (!circle_) return update(room_);
+    if (auto judged = judging_.take(); judged && *judged) round_ = std::move(*judged), update(room_);
+    if (judging_.busy() || time < roundMs_ + kRoundMs) return;
+    roundMs_ = time;
+    judging_.start([samples = record_.samples()](const std::atomic<bool>&) { return roundnessOf(samples); }, 0);   // a minute of ticks is too long for a frame
+}
+
+void ScopePage::takeValues() {
+    const qint64 time = QDateTime::currentMSecsSinceEpoch();
+    if (time < valuesMs_ + kValuesMs) return;
+    if (plot_.drawn()) valuesMs_ = time;   // else at once, when it is
+    for (std::size_t trace = 0; trace < kScopeTraces; ++trace) {
+        values_[trace] = {};
+        const ScopeSpan span = plot_.span(trace);
+        if (record_.samples().empty() || !span.any()) continue;
+        const double division = plot_.scale(trace).division;
+        values_[trace] = {numberText(record_.samples().back().value[trace]), numberText(span.least), numberText(span.most), division > 0 ? ScopePlot::valueText(division, division) : QString()};
+    }
 }
 
 void ScopePage::save() {
@@ -260,64 +268,37 @@ std::vector<Sheet*> ScopePage::sheets() {
 
 void ScopePage::refresh() {
     takeExport();
+    if (!choosing_ && !circle_) takeValues();
     for (Sheet* one : sheets()) one->refresh();
 }
 
-void ScopePage::paintEvent(QPaintEvent*) {
+void ScopePage::paintEvent(QPaintEvent* event) {
     QPainter p(this);
     p.setRenderHint(QPainter::Antialiasing);
     const Theme& t = theme();
-    p.fillRect(rect(), t.window);
+    if (choosing_ || circle_ || event->region() != QRegion(room_)) p.fillRect(rect(), t.window);
     if (choosing_) return;
-    p.setPen(Qt::NoPen);
-    p.setBrush(t.card);
-    p.drawRoundedRect(room_, px(8), px(8));
-    circle_ ? paintCircle(p) : paintTraces(p);
+    if (circle_) {
+        p.setPen(Qt::NoPen);
+        p.setBrush(t.card);
+        p.drawRoundedRect(room_, px(8), px(8));
+        return paintCircle(p);
+    }
+    ScopeLook look;
+    for (std::size_t trace = 0; trace < kScopeTraces; ++trace) look.on[trace] = choice_.kind[trace] != 0;
+    look.chosen = static_cast<std::size_t>(traces_->row());
+    look.title = titleOf(look.chosen, &look.unit);
+    look.seconds = kSeconds[static_cast<std::size_t>(base_)], look.tick_s = std::max(1e-6, desk_.live.seconds(1));
+    plot_.take(record_, look, room_.size());
+    plot_.paint(p, room_);
 }
 
-// Each trace has its own scale: from its least to its greatest value in the window, a little apart from the edges.
-void ScopePage::paintTraces(QPainter& p) {
-    const Theme& t = theme();
-    const QRectF box = QRectF(room_).adjusted(px(8), px(8), -px(8), -px(8));
-    p.setPen(QPen(t.edge, 1, Qt::DotLine));
-    for (int i = 1; i < 10; ++i) p.drawLine(QPointF(box.left() + box.width() * i / 10, box.top()), QPointF(box.left() + box.width() * i / 10, box.bottom()));
-    for (int i = 1; i < 8; ++i) p.drawLine(QPointF(box.left(), box.top() + box.height() * i / 8), QPointF(box.right(), box.top() + box.height() * i / 8));
-    const auto& samples = record_.samples();
-    if (samples.empty()) {
-        p.setPen(t.dim), p.setFont(lettering(16));
-        paintWords(p, box, Qt::AlignCenter | Qt::TextWordWrap, word("No trace is chosen: Enter on a line, or touch it twice"));
-        return;
-    }
-    const double window = windowTicks(), end = static_cast<double>(samples.back().tick);
-    const auto first = static_cast<std::size_t>(std::lower_bound(samples.begin(), samples.end(), end - window, [](const ScopeSample& s, double tick) { return static_cast<double>(s.tick) < tick; }) - samples.begin());
-    const auto columns = static_cast<std::size_t>(std::max(2.0, box.width()));
-    for (std::size_t trace = 0; trace < kScopeTraces; ++trace) {
-        if (!choice_.kind[trace]) continue;
-        double low = 1e300, high = -1e300;
-        for (std::size_t i = first; i < samples.size(); ++i) low = std::min(low, samples[i].value[trace]), high = std::max(high, samples[i].value[trace]);
-        const double middle = (low + high) / 2, span = std::max({high - low, std::abs(middle) * 1e-3, 1e-3});   // what hardly changes is a straight line
-        const auto at = [&](double tick, double value) { return QPointF(box.right() - (end - tick) / window * box.width(), box.center().y() - (value - middle) / span * box.height() * 0.9); };
-        // At most one line from least to greatest for each column of pixels: no spike is lost.
-        QPolygonF line;
-        const std::size_t step = std::max<std::size_t>(1, (samples.size() - first) / columns);
-        for (std::size_t i = first; i < samples.size(); i += step) {
-            double least = 1e300, most = -1e300;
-            for (std::size_t k = i; k < std::min(i + step, samples.size()); ++k) least = std::min(least, samples[k].value[trace]), most = std::max(most, samples[k].value[trace]);
-            const auto tick = static_cast<double>(samples[i].tick);
-            line << at(tick, least);
-            if (most > least) line << at(tick, most);
-        }
-        p.setPen(QPen(colourOfTrace(trace), px(1.6)));
-        p.setBrush(Qt::NoBrush);
-        p.drawPolyline(line);
-        if (record_.trigger.trace == trace && record_.mode() != ScopeRecord::Mode::Runs) {
-            p.setPen(QPen(colourOfTrace(trace), 1, Qt::DashLine));
-            const double y = std::clamp(at(end, record_.trigger.level).y(), box.top(), box.bottom());
-            p.drawLine(QPointF(box.left(), y), QPointF(box.right(), y));
-            if (record_.triggeredAt()) p.drawLine(QPointF(at(static_cast<double>(record_.triggeredAt()), middle).x(), box.top()), QPointF(at(static_cast<double>(record_.triggeredAt()), middle).x(), box.bottom()));
-        }
-    }
+void ScopePage::showChooser(bool on) {
+    choosing_ = on, search_.clear();
+    fillChoices(), layOut();
 }
+
+void ScopePage::showLevel(bool on) { level_ = on, layOut(); }
 
 // The commanded circle as a line, the measured one with its deviation enlarged so that the greatest is a sixth of the radius.
 void ScopePage::paintCircle(QPainter& p) {
@@ -385,7 +366,7 @@ std::vector<SoftKey> ScopePage::keys(std::function<void()> back) {
         keys.push_back({word("Axes of L%1").arg(desk_.channel), [this] { setCircle(); }, Sign::Run, there});
         keys.resize(8);
     } else {
-        keys.push_back({word("Choose signal"), [this] { choosing_ = true, search_.clear(), fillChoices(), layOut(); }, Sign::None, there, choosing_});
+        keys.push_back({word("Choose signal"), [this] { showChooser(true); }, Sign::None, there, choosing_});
         keys.push_back({word("Trace off"), [this] { choose("off"); }, Sign::Off, there && choice_.kind[static_cast<std::size_t>(traces_->row())] != 0});
         keys.push_back({word("Longer"), [this] { base_ = std::min<int>(base_ + 1, kSeconds.size() - 1), update(); }, Sign::None, base_ + 1 < static_cast<int>(kSeconds.size())});
         keys.push_back({word("Shorter"), [this] { base_ = std::max(base_ - 1, 0), update(); }, Sign::None, base_ > 0});

@@ -4,7 +4,7 @@
 #include "hmi/app/screen.hpp"
 #include "hmi/machine/file_text.hpp"
 #include "hmi/machine/aside.hpp"
-#include "hmi/machine/scope_record.hpp"
+#include "hmi/screens/scope_plot.hpp"
 #include "hmi/widgets/number_pad.hpp"
 #include "hmi/widgets/table.hpp"
 
@@ -27,6 +27,11 @@ public:
     bool choosing() const { return choosing_; }
     const QString& exported() const { return exported_; }
     const std::optional<Roundness>& roundness() const { return round_; }
+    const ScopePlot& plot() const { return plot_; }
+    bool missed() const { return missed_; }   // ticks that it should have recorded
+    // For pictures and costs of all of it: the list of signals, the pad of the trigger's level.
+    void showChooser(bool on);
+    void showLevel(bool on);
 
 protected:
     void resizeEvent(QResizeEvent*) override;
@@ -40,7 +45,7 @@ private:
     void layOut();
     void fillChoices();
     void choose(const QString& words);
-    void paintTraces(QPainter& p);
+    void takeValues();                 // of the table
     void paintCircle(QPainter& p);
     void setCircle();                  // traces 1 to 4 become those of the channel's two axes
     void save();
@@ -60,9 +65,16 @@ private:
     Aside<FileOutcome> writing_;
     std::vector<Choice> all_, found_;
     int base_ = 3;                     // of the time bases
-    qint64 paintedMs_ = 0, roundMs_ = 0;
+    qint64 valuesMs_ = 0, roundMs_ = 0;
+    struct Values {
+        QString now, least, most, division;
+    };
+    std::array<Values, kScopeTraces> values_{};
+    ScopePlot plot_;
     QRect room_;
     std::optional<Roundness> round_;
+    Aside<std::optional<Roundness>> judging_;
+    void forgetCircle() { judging_.forget(), round_.reset(); }
 };
 
 }  // namespace polyturn::hmi

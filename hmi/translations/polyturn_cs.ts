@@ -2379,7 +2379,7 @@
         <translation>Takový nástroj není.</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/scope_plot.cpp"/>
         <source>No trace is chosen: Enter on a line, or touch it twice</source>
         <translation>Není zvolen signál: Enter na řádku nebo dvojí dotyk</translation>
     </message>
@@ -2522,6 +2522,11 @@
         <location filename="../screens/offsets.hpp"/>
         <source>Offsets</source>
         <translation>Korekce</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>One division</source>
+        <translation>Dílek</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -3304,7 +3309,7 @@
         <translation>Osciloskop</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis.cpp"/>
+        <location filename="../app/main_window.cpp"/>
         <source>Search</source>
         <translation>Hledat</translation>
     </message>
@@ -4227,6 +4232,11 @@
         <location filename="../screens/restart_page.cpp"/>
         <source>Touch a block twice, or Enter: the program restarts there. «Restart» reads to it without moving, with all waits replayed. Then start: the control shows what it will do. Start again: tool, functions, axes, and it cuts. Bring the axes to a free place first.</source>
         <translation>Dotkněte se bloku dvakrát nebo Enter: program začne tam. «Restart» k němu čte bez pohybu a přehraje všechna čekání. Pak start: je vidět, co přijde. Znovu start: nástroj, funkce, osy a řeže se. Osy nejdřív odjeďte na volné místo.</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Touch again or Enter: enlarged</source>
+        <translation>Další dotek nebo Enter: zvětšit</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>

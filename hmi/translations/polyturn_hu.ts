@@ -2379,7 +2379,7 @@
         <translation>Nincs ilyen szerszám.</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/scope_plot.cpp"/>
         <source>No trace is chosen: Enter on a line, or touch it twice</source>
         <translation>Nincs jel kiválasztva: Enter a soron vagy kettős érintés</translation>
     </message>
@@ -2522,6 +2522,11 @@
         <location filename="../screens/offsets.hpp"/>
         <source>Offsets</source>
         <translation>Korrekciók</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>One division</source>
+        <translation>Egy osztás</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -3304,7 +3309,7 @@
         <translation>Oszcilloszkóp</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis.cpp"/>
+        <location filename="../app/main_window.cpp"/>
         <source>Search</source>
         <translation>Keresés</translation>
     </message>
@@ -4227,6 +4232,11 @@
         <location filename="../screens/restart_page.cpp"/>
         <source>Touch a block twice, or Enter: the program restarts there. «Restart» reads to it without moving, with all waits replayed. Then start: the control shows what it will do. Start again: tool, functions, axes, and it cuts. Bring the axes to a free place first.</source>
         <translation>Érintse kétszer a mondatot, vagy Enter: a program onnan folytatja. Az «Újraindítás» mozgás nélkül olvas odáig, minden várakozással. Aztán indítás: látszik, mi jön. Újra indítás: szerszám, funkciók, tengelyek, és forgácsol. Előbb vigye szabad helyre a tengelyeket.</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Touch again or Enter: enlarged</source>
+        <translation>Még egy érintés vagy Enter: nagyítás</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>

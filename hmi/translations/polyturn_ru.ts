@@ -2379,7 +2379,7 @@
         <translation>Таких инструментов нет.</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/scope_plot.cpp"/>
         <source>No trace is chosen: Enter on a line, or touch it twice</source>
         <translation>Сигнал не выбран: Enter на строке или двойное касание</translation>
     </message>
@@ -2522,6 +2522,11 @@
         <location filename="../screens/offsets.hpp"/>
         <source>Offsets</source>
         <translation>Коррекции</translation>
+    </message>
+    <message>
+        <location filename="../screens/scope_page.cpp"/>
+        <source>One division</source>
+        <translation>Деление</translation>
     </message>
     <message>
         <location filename="../screens/scope_page.cpp"/>
@@ -3304,7 +3309,7 @@
         <translation>Осциллограф</translation>
     </message>
     <message>
-        <location filename="../screens/diagnosis.cpp"/>
+        <location filename="../app/main_window.cpp"/>
         <source>Search</source>
         <translation>Поиск</translation>
     </message>
@@ -4227,6 +4232,11 @@
         <location filename="../screens/restart_page.cpp"/>
         <source>Touch a block twice, or Enter: the program restarts there. «Restart» reads to it without moving, with all waits replayed. Then start: the control shows what it will do. Start again: tool, functions, axes, and it cuts. Bring the axes to a free place first.</source>
         <translation>Коснитесь кадра дважды или Enter: программа начнёт с него. «Перезапуск» читает до него без движения, повторяя все ожидания. Затем пуск: видно, что будет. Ещё пуск: инструмент, функции, оси, и резание. Сначала отведите оси на свободное место.</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Touch again or Enter: enlarged</source>
+        <translation>Ещё касание или Enter: крупно</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>

@@ -74,6 +74,17 @@ TEST(Diagnosis, RoundnessIsTheSpreadOfTheMeasuredRadius) {
 
 class DiagnosisTasks : public Tasks {};
 
+// Another language makes the screens anew while the kernel has recorded for long: what was before them they have not missed.
+TEST_F(DiagnosisTasks, TheScopeMissesNothingThatWasBeforeIt) {
+    ASSERT_TRUE(g_controller->press("scope 1 measured A1"));
+    QTest::qWait(9'500);                               // more than the ring of the kernel holds
+    window->setTongue(Tongue::Czech);
+    ScopePage& scope = screenOf<Diagnosis>().scope();
+    ASSERT_TRUE(waitFor([&] { return scope.record().samples().size() > 100; }, 20));
+    EXPECT_FALSE(scope.missed());
+    window->setTongue(Tongue::English);
+}
+
 TEST_F(DiagnosisTasks, TheScopeRecordsTheRunningMachineAtItsTicks) {
     startJob();
     Operator hand(*window);

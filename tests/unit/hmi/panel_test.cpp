@@ -350,6 +350,45 @@ TEST_F(PanelTasks, TheRelativeCounterGoesIntoAnOffset) {
     ASSERT_TRUE(g_controller->press("mode L1=auto"));
 }
 
+// The hours of the machine go to the store every ten seconds; on the screen they run with the cycle beside them.
+TEST_F(PanelTasks, TotalsAreOfTheSameMomentAsTheCycle) {
+    Operator hand(*window);
+    hand.screen("diagnosis");
+    Diagnosis& diagnosis = screenOf<Diagnosis>();
+    diagnosis.turnTo(4);
+    startJob();
+    LiveTotals totals;
+    const std::size_t operation = params::n2301_operation_time.first_slot, power = params::n2300_power_on_time.first_slot;
+    const auto follow = [&](int ms) {
+        QElapsedTimer time;
+        time.start();
+        while (time.elapsed() < ms) QTest::qWait(16), totals.follow(live());
+    };
+    follow(100);
+    const double operated = totals.ms(operation), on = totals.ms(power), cycle = live().channel(1).cycle_s;
+    const std::int64_t tick = live().status().tick;
+    ASSERT_GE(operated, 0);
+    follow(4'000);
+    const double cycled = (live().channel(1).cycle_s - cycle) * 1e3, passed = live().seconds(live().status().tick - tick) * 1e3;
+    ASSERT_EQ(state(1), ChannelState::Running);
+    EXPECT_NEAR(totals.ms(operation) - operated, cycled, 300);
+    EXPECT_NEAR(totals.ms(power) - on, passed, 300);
+    ASSERT_TRUE(waitFor([&] {                                  // what is stored is the same: it only comes later
+        follow(50);
+        return std::abs(live().table().numbers[power] - totals.ms(power)) < 1'500;
+    }, 15));
+    QString shown;
+    for (int row = 0; row < diagnosis.table().rows(); ++row)
+        if (diagnosis.table().cell(row, 0).text == "Power on") shown = diagnosis.table().cell(row, 2).text;
+    EXPECT_FALSE(shown.isEmpty());
+    EXPECT_TRUE(waitFor([&] {
+        for (int row = 0; row < diagnosis.table().rows(); ++row)
+            if (diagnosis.table().cell(row, 0).text == "Power on") return diagnosis.table().cell(row, 2).text != shown;
+        return false;
+    }, 3)) << "it stands for ten seconds: " << shown.toStdString();
+    EXPECT_EQ(totals.ms(params::n2306_no_of_total_parts.first_slot), -1) << "no time";
+}
+
 // Parts wanted are N2308; N2305 is the M code that counts them.
 TEST_F(PanelTasks, CountersShowWhatTheySay) {
     ASSERT_TRUE(g_controller->run({"params", "set", "N2308 L1=77", "--instance", g_controller->name}));
