@@ -14,9 +14,9 @@ const QString kDash = QString::fromUtf8("–");
 // Writes the parts of a card one below the other.
 class Card {
 public:
-    Card(Writer& w, QSizeF size, const Desk& desk, unsigned channel, ProgramText& programs)
+    Card(Writer& w, QSizeF size, const Desk& desk, unsigned channel, ProgramText& programs, const QString& hint)
         : w_(w), t_(theme()), live_(desk.live), alarms_(desk.alarms), channel_(channel), status_(live_.channel(channel)), view_(live_.view(channel)),
-          config_(live_.config().channel(channel)), programs_(programs), size_(size), focus_(desk.channel == channel && live_.channels().size() > 1) {
+          config_(live_.config().channel(channel)), programs_(programs), size_(size), focus_(desk.channel == channel && live_.channels().size() > 1), hint_(focus_ ? hint : QString()) {
         dense_ = size.height() < px(560);
         left_ = px(dense_ ? 12 : 16);
         wide_ = size.width() - 2 * left_;
@@ -140,7 +140,7 @@ private:
             add(status_.keys & kKeyMachineLock, word("Machine lock"));
             add(status_.keys & kKeyFirstPart, word("First part"));
             add(status_.keys & kAllBlockSkips, word("Block skip"));
-            w_.data(box.adjusted(px(12), 0, -px(6), 0), switches, lettering(13.5), t_.dim);
+            w_.data(box.adjusted(px(12), 0, -px(6), 0), switches.isEmpty() ? hint_ : switches, lettering(13.5), t_.dim);
         }
         below(h);
     }
@@ -322,11 +322,12 @@ private:
     ProgramText& programs_;
     QSizeF size_;
     bool focus_, dense_ = false;
+    QString hint_;
     double left_ = 0, wide_ = 0, y_ = 0;
 };
 
 }  // namespace
 
-void composeCard(Writer& w, QSizeF size, const Desk& desk, unsigned channel, ProgramText& programs) { Card(w, size, desk, channel, programs).write(); }
+void composeCard(Writer& w, QSizeF size, const Desk& desk, unsigned channel, ProgramText& programs, const QString& hint) { Card(w, size, desk, channel, programs, hint).write(); }
 
 }  // namespace polyturn::hmi

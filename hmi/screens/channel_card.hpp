@@ -7,6 +7,6 @@ namespace polyturn::hmi {
 
 inline constexpr std::uint32_t kAllBlockSkips = 0x3FFu * kKeyBlockSkip1;   // the levels 1 to 10 among a channel's keys
 
-void composeCard(Writer& w, QSizeF size, const Desk& desk, unsigned channel, ProgramText& programs);
+void composeCard(Writer& w, QSizeF size, const Desk& desk, unsigned channel, ProgramText& programs, const QString& hint = {});   // hint: of the chosen channel, where nothing else is to be said
 
 }  // namespace polyturn::hmi

@@ -109,6 +109,12 @@ std::vector<Sheet*> Manual::sheets() {
     return {axes_, side_};
 }
 
+void Manual::turnTo(int page) {
+    showHand(page == 1);
+    typing_ = page == 2;
+    layOut();
+}
+
 void Manual::showHand(bool on) {
     letGo();
     handShown_ = on, typing_ = false;
@@ -144,8 +150,14 @@ void Manual::composeAxes(Writer& w) {
         const QRectF box(x, 0, step - px(narrow ? 3 : 6), px(42));
         w.fill(box, here ? t.mark : t.card, px(6));
         w.frame(box, here ? t.accent : t.edge, px(6), here ? px(2) : 1);
-        if (!narrow) w.sign(QRectF(box.left() + px(10), px(12), px(18), px(18)), stateWords(live.channel(channel)).sign, stateWords(live.channel(channel)).colour);
-        w.text(narrow ? box : box.adjusted(px(34), 0, -px(4), 0), step < px(40) ? QString::number(channel) : QString("L%1").arg(channel), lettering(narrow ? 15 : 18, here), narrow ? stateWords(live.channel(channel)).colour : t.text, narrow ? Qt::AlignCenter : Qt::AlignLeft | Qt::AlignVCenter);
+        const StateWords its = stateWords(live.channel(channel));   // its sign stays, however narrow the key is
+        if (step < px(48)) {
+            w.text(QRectF(box.left(), px(3), box.width(), px(19)), QString::number(channel), lettering(14, here), t.text, Qt::AlignCenter);
+            w.sign(QRectF(box.center().x() - px(7), px(24), px(14), px(14)), its.sign, its.colour);
+        } else {
+            w.sign(QRectF(box.left() + px(narrow ? 5 : 10), narrow ? px(13) : px(12), px(narrow ? 16 : 18), px(narrow ? 16 : 18)), its.sign, its.colour);
+            w.text(box.adjusted(px(narrow ? 24 : 34), 0, -px(2), 0), QString("L%1").arg(channel), lettering(narrow ? 15 : 18, here), t.text);
+        }
         w.hit(box, kChannelHits + static_cast<int>(channel));
         x += step;
     }

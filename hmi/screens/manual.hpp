@@ -26,9 +26,9 @@ public:
     QString state() const override { return QString("%1 %2").arg(step_).arg(handShown_ ? 1 : 0); }
     void restore(const QString& state) override;
     std::vector<Sheet*> sheets() override;
-    int pages() const override { return 2; }
+    int pages() const override { return 3; }   // the handwheel and the tool, a block that is typed
     HelpTopic help() const override { return handShown_ ? HelpTopic{"builder.md", "A part from one spindle to the other", {}} : HelpTopic{"operator.md", "Manual:", {}}; }
-    void turnTo(int page) override { showHand(page == 1); }
+    void turnTo(int page) override;
     void showHand(bool on);
     HandPage& hand() { return *hand_; }
     TextPad& pad() { return *pad_; }

@@ -23,8 +23,11 @@ void Overview::rebuilt() {
     cards_.clear();
     for (const unsigned channel : desk_.live.channels()) {
         auto* card = new FreeSheet(this);
-        card->onCompose = [this, card, channel](Writer& w) { composeCard(w, QSizeF(card->size()), desk_, channel, programs_); };
-        card->onTouched = [this, channel](int) { desk_.choose(channel), refresh(); };
+        card->onCompose = [this, card, channel](Writer& w) { composeCard(w, QSizeF(card->size()), desk_, channel, programs_, canEnlarge() && !enlarged_ ? word("Touch again or Enter: enlarged") : QString()); };
+        card->onTouched = [this, channel](int) {
+            if (desk_.channel == channel) return enlarge(!enlarged_);
+            desk_.choose(channel), refresh();
+        };
         card->show();
         cards_.push_back(card);
     }
@@ -36,18 +39,41 @@ void Overview::resizeEvent(QResizeEvent*) { layOut(); }
 
 void Overview::layOut() {
     empty_->setGeometry(rect());
-    const int count = static_cast<int>(cards_.size());
+    std::vector<FreeSheet*> grid = cards_;
+    int from = 0;
+    laidFor_ = desk_.channel;
+    const auto& all = desk_.live.channels();
+    if (const auto here = std::find(all.begin(), all.end(), desk_.channel); enlarged_ && canEnlarge() && here != all.end() && all.size() == cards_.size()) {
+        FreeSheet* const big = cards_[static_cast<std::size_t>(here - all.begin())];
+        grid.erase(std::find(grid.begin(), grid.end(), big));
+        from = width() * 46 / 100;
+        big->setGeometry(0, 0, from, height());
+        big->refresh();
+    }
+    const int count = static_cast<int>(grid.size()), room = width() - from;
     if (!count) return;
-    const int rows = count <= 4 ? 1 : (count + 3) / 4, columns = (count + rows - 1) / rows;
+    const int columns = from ? (count <= 4 ? 1 : count <= 8 ? 2 : 3) : count <= 4 ? count : (count + (count + 3) / 4 - 1) / ((count + 3) / 4), rows = (count + columns - 1) / columns;
     for (int i = 0; i < count; ++i) {
-        const int left = width() * (i % columns) / columns, right = width() * (i % columns + 1) / columns;
+        const int left = from + room * (i % columns) / columns, right = from + room * (i % columns + 1) / columns;
         const int top = height() * (i / columns) / rows, bottom = height() * (i / columns + 1) / rows;
-        cards_[static_cast<std::size_t>(i)]->setGeometry(left, top, right - left, bottom - top);
-        cards_[static_cast<std::size_t>(i)]->refresh();
+        grid[static_cast<std::size_t>(i)]->setGeometry(left, top, right - left, bottom - top);
+        grid[static_cast<std::size_t>(i)]->refresh();
     }
 }
 
+void Overview::enlarge(bool on) {
+    enlarged_ = on;
+    layOut();
+}
+
+void Overview::turnTo(int page) {
+    control_ = page == 1;
+    enlarge(page == 2);
+    if (desk_.keysChanged) desk_.keysChanged();
+}
+
 void Overview::refresh() {
+    if (enlarged_ && laidFor_ != desk_.channel) layOut();
     for (FreeSheet* card : cards_) card->refresh();
     if (cards_.empty()) empty_->refresh();
 }
@@ -58,6 +84,8 @@ std::vector<Sheet*> Overview::sheets() {
 }
 
 bool Overview::key(QKeyEvent* event) {
+    if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && canEnlarge()) return enlarge(!enlarged_), true;
+    if (event->key() == Qt::Key_Escape && enlarged_) return enlarge(false), true;
     if (event->key() != Qt::Key_Left && event->key() != Qt::Key_Right) return false;
     const auto& all = desk_.live.channels();
     const auto here = std::find(all.begin(), all.end(), desk_.channel);

@@ -17,6 +17,13 @@ public:
     bool key(QKeyEvent* event) override;
     HelpTopic help() const override;
     std::vector<Sheet*> sheets() override;
+    QString state() const override { return enlarged_ ? "1" : "0"; }
+    void restore(const QString& state) override { enlarge(state == "1"); }
+    int pages() const override { return canEnlarge() ? 3 : 2; }   // the keys of program control; one card enlarged
+    void turnTo(int page) override;
+    // Of many channels the chosen one has room for all its lines, the others are beside it.
+    void enlarge(bool on);
+    bool enlarged() const { return enlarged_; }
 
 protected:
     void resizeEvent(QResizeEvent*) override;
@@ -24,9 +31,13 @@ protected:
 
 private:
     void layOut();
+    bool canEnlarge() const { return cards_.size() > kMostFull; }
     void addControlKeys(std::vector<SoftKey>& keys, bool there);
     bool takesMachineLock() const;
+    static constexpr std::size_t kMostFull = 3;   // channels whose cards leave nothing out
     bool control_ = false;                 // keys of program control
+    bool enlarged_ = false;
+    unsigned laidFor_ = 0;                 // the channel that is enlarged
     std::vector<FreeSheet*> cards_;
     FreeSheet* empty_;
     ProgramText programs_;

@@ -63,6 +63,58 @@ TEST_P(ManyChannels, FitOnAPanel) {
         EXPECT_EQ(window.desk().channel, channel);
     }
 }
+
+// Of many channels a card leaves lines out: a second touch, or Enter, gives the chosen one the room for all of them; the others stay beside it.
+TEST(ManyChannelsCard, IsEnlargedByATouchAndByAKey) {
+    QTemporaryDir folder;
+    QFile file(folder.filePath("many.params"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(machineWith(8));
+    file.close();
+    Controller controller(file.fileName());
+    Choices choices;
+    choices.instance = controller.name.toStdString();
+    choices.language = "en", choices.theme = "dark";
+    MainWindow window(choices);
+    window.resize(1280, 800);
+    window.show();
+    ASSERT_TRUE(waitFor([&] { return window.desk().live.connected() && window.desk().live.channels().size() == 8; }, 60));
+    window.showScreen(0);
+    const auto says = [&](unsigned channel, const QString& text) {
+        for (const Item& item : window.screen()->sheets()[channel - 1]->items())
+            if (item.text == text) return true;
+        return false;
+    };
+    const auto touch = [&](unsigned channel) {
+        Sheet* card = window.screen()->sheets()[channel - 1];
+        QTest::mouseClick(card, Qt::LeftButton, {}, card->rect().center());
+    };
+    Operator hand(window);
+    touch(6);
+    EXPECT_EQ(window.desk().channel, 6u);
+    EXPECT_FALSE(says(6, "Follow. error"));
+    touch(6);
+    for (const char* line : {"Follow. error", "Remaining", "Workpiece", "Machine", "To go"}) EXPECT_TRUE(says(6, line)) << line;
+    for (unsigned channel = 1; channel <= 8; ++channel)
+        EXPECT_TRUE(window.rect().contains(window.screen()->sheets()[channel - 1]->geometry())) << channel;
+    hand.key(Qt::Key_Left);                                       // the one before
+    EXPECT_TRUE(says(5, "Follow. error"));
+    EXPECT_FALSE(says(6, "Follow. error"));
+    touch(2);
+    EXPECT_TRUE(says(2, "Follow. error"));
+    hand.key(Qt::Key_Return);
+    EXPECT_FALSE(says(2, "Follow. error"));
+    hand.key(Qt::Key_Return);
+    EXPECT_TRUE(says(2, "Follow. error"));
+    hand.key(Qt::Key_Escape);
+    EXPECT_FALSE(says(2, "Follow. error"));
+    // Keys of channels keep their signs on Manual.
+    for (std::size_t i = 0; i < window.screens().size(); ++i)
+        if (QString(window.screens()[i]->name()) == "manual") window.showScreen(static_cast<int>(i));
+    int signs = 0;
+    for (const Item& item : window.screen()->sheets()[0]->items()) signs += item.kind == Item::Kind::Sign && item.box.bottom() <= 42;
+    EXPECT_GE(signs, 8);
+}
 INSTANTIATE_TEST_SUITE_P(Panel, ManyChannels, ::testing::Values(3, 8, 16));
 
 }  // namespace
