@@ -4,6 +4,8 @@
 #include <QMouseEvent>
 #include <cmath>
 
+#include "hmi/widgets/set_words.hpp"
+
 namespace polyturn::hmi {
 
 Table::Table(QWidget* parent) : Sheet(parent) {}
@@ -66,6 +68,15 @@ QRectF Table::cellBox(int row, int column) const {
     return {left(column), top, left(column + 1) - left(column), static_cast<double>(px(rowUnits))};
 }
 
+// Words that have no room stand closer together; numbers change with each frame and are not measured.
+QFont Table::letteringOf(const Cell& one, double room) const {
+    const double units = one.units > 0 ? one.units : textUnits;
+    const QFont font = lettering(units, one.bold, one.face);
+    const bool word = one.face == Face::Text && !one.text.isEmpty() && one.text[0].isLetter();
+    if (!word || static_cast<double>(one.text.size()) * font.pixelSize() * 0.9 <= room || wordsWidth(one.text, font) <= room) return font;
+    return lettering(units, one.bold, Face::Condensed);
+}
+
 void Table::compose(Writer& w) {
     const Theme& t = theme();
     const int all = count(), last = static_cast<int>(columns.size());
@@ -95,8 +106,7 @@ void Table::compose(Writer& w) {
             if (one.sign != Sign::None) w.sign(QRectF(from, box.center().y() - px(9), px(18), px(18)), one.sign, one.colour.isValid() ? one.colour : t.dim), from += px(26);
             if (one.bar >= 0) w.bar(QRectF(box.left() + pad, box.bottom() - px(8), box.width() - 2 * pad, px(5)), one.bar, one.colour.isValid() ? one.colour : t.good, t.edge);
             if (!one.text.isEmpty())
-                w.data(QRectF(from, box.top(), box.right() - pad - from, one.bar >= 0 ? row - px(7) : row), one.text, lettering(one.units > 0 ? one.units : textUnits, one.bold, one.face), one.colour.isValid() ? one.colour : t.text,
-                       column.align);
+                w.data(QRectF(from, box.top(), box.right() - pad - from, one.bar >= 0 ? row - px(7) : row), one.text, letteringOf(one, box.right() - pad - from), one.colour.isValid() ? one.colour : t.text, column.align);
         }
     }
     if (const QString why = whyEmpty(); all == 0 && !why.isEmpty()) {

@@ -60,6 +60,7 @@ protected:
 
 private:
     double head() const;
+    QFont letteringOf(const Cell& one, double room) const;
     double left(int column) const;
     int count() const { return rows ? rows() : 0; }
     void scrollTo(double first);
