@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Pictures of every screen with something on it: starts a controller with a chain and a matrix magazine beside its turrets, enters tools,
 measured parts, pallets, users and a table of compensation, makes pictures for the presetter and calibrates it, runs a program into an alarm, lets the two-channel job run
-and stand, then saves the screens.
+and stand, then saves the screens; and last a program that asks, for its dialogue.
 
-  python3 tools/take_screens.py --bin build/dev/bin --out pictures [--lang en] [--theme dark] [--size 1280x800]
+  python3 tools/take_screens.py --bin build/dev/bin --out pictures [--lang en] [--theme dark] [--size 1280x800] [--only diagnosis-7]
 """
 import argparse
 import math
@@ -17,6 +17,10 @@ import tempfile
 import time
 
 TOP = pathlib.Path(__file__).resolve().parent.parent
+# A program that asks: Fanuc's pattern data input (G65 H90 ..), a menu of two patterns and the values of one.
+ASKS = {"O9500.nc": "O9500\nG65 H90 P072079 Q076069\nG65 H91 P1 Q066079 R076084\nG65 H91 P2 Q071082 R073068\nM99\n",
+        "O9502.nc": "O9502\nG65 H92 P071082 Q073068\nG65 H93 P500 Q080073 R084067 I072000\nG65 H93 P501 Q067079 R085078 I084000\nG65 H94 P079078 Q076089\nM99\n",
+        "O0001.nc": "O1\nM98 P9500\n#502=#500*2\nG4 X0.1\nM30\n"}
 PITCH = ["N2500 A2=1", "N2501 A2=10", "N2502 A2=10010", "N2503 A2=10000", "N2504 A2=10020"]   # a pitch error table of the axis Z of L1
 MACHINE = ["N2912=24", "N2905=00001000", "N2920=4", "N2921=6", "N3300=3", "N3301=4", "PT_PLC_CYCLE=100", "PT_LATE_MAX=1000"]
 
@@ -59,6 +63,7 @@ def main():
     parser.add_argument("--lang", default="")
     parser.add_argument("--theme", default="")
     parser.add_argument("--size", default="1280x800")
+    parser.add_argument("--only", default="", help="pictures whose name begins so, or one page: offsets, diagnosis-7")
     options = parser.parse_args()
     name, binary = f"screens-{os.getpid()}", pathlib.Path(options.bin).resolve()
 
@@ -115,7 +120,7 @@ def main():
             time.sleep(3)
             run("press", "reset")
             time.sleep(1)
-            for trace, signal in enumerate(("command A2", "velocity A2", "error A2", "torque A2", "speed S1", "path L1"), 1):
+            for trace, signal in enumerate(("command A2", "velocity A2", "error A2", "torque A2", "speed S1", "path L1", "measured A4", "left L2"), 1):
                 run("press", f"scope {trace} {signal}")
             run("press", f"select {job}/shaft.job.toml")
             run("press", "cycle_start")
@@ -130,8 +135,23 @@ def main():
             run("users", "add", "anna", "maker", f"uid={os.getuid()}", stdin="secret-1\nsecret-1\n")
             run("users", "add", "boris", "operator", stdin="secret-2\nsecret-2\n")
             words = [word for option, value in (("--lang", options.lang), ("--theme", options.theme)) if value for word in (option, value)]
-            return subprocess.run([binary / "polyturn-hmi", "--instance", name, "--size", options.size, *words, "--screenshots", os.path.abspath(options.out)], cwd=job,
-                                  env=dict(os.environ, QT_QPA_PLATFORM="offscreen", XDG_RUNTIME_DIR=folder, XDG_CONFIG_HOME=folder)).returncode
+
+            def pictures(only):
+                return subprocess.run([binary / "polyturn-hmi", "--instance", name, "--size", options.size, *words, "--screenshots", os.path.abspath(options.out), *(["--only", only] if only else [])], cwd=job,
+                                      env=dict(os.environ, QT_QPA_PLATFORM="offscreen", XDG_RUNTIME_DIR=folder, XDG_CONFIG_HOME=folder)).returncode
+
+            done = 0 if options.only == "dialogue" else pictures(options.only)
+            if done == 0 and options.only in ("", "dialogue"):
+                asks = pathlib.Path(folder, "asks")
+                asks.mkdir()
+                for file, text in ASKS.items():
+                    (asks / file).write_text(text, encoding="utf-8")
+                run("press", "reset")
+                time.sleep(2)
+                run("press", f"select L1={asks}/O0001.nc"), run("press", "cycle_start L1")
+                time.sleep(2)
+                done = pictures("dialogue")
+            return done
         finally:
             controller.terminate()
             try:

@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
                        {"size", "of the window, for example 1280x800", "WxH", "1280x800"},
                        {"full-screen", "without a frame, on the whole panel"},
                        {"screenshots", "save a picture of each screen, in each language and theme, in DIR and end", "DIR"},
+                       {"only", "of the pictures those whose name begins so, or one page: offsets, diagnosis-7", "NAME"},
                        {"measure", "show each screen for so long, print what it costs, and end", "SECONDS"}});
     parser.process(app);
     polyturn::hmi::Choices choices;
@@ -37,7 +38,7 @@ int main(int argc, char** argv) {
     const QStringList size = parser.value("size").split('x');
     if (size.size() != 2 || size[0].toInt() < 800 || size[1].toInt() < 600 || size[0].toInt() > 7680 || size[1].toInt() > 4320) return wrong("--size is at least 800x600");
     const QSize wanted(size[0].toInt(), size[1].toInt());
-    if (parser.isSet("screenshots")) return polyturn::hmi::saveScreenshots(choices, wanted, parser.value("screenshots"));
+    if (parser.isSet("screenshots")) return polyturn::hmi::saveScreenshots(choices, wanted, parser.value("screenshots"), parser.value("only"));
     if (parser.isSet("measure")) {
         const double seconds = parser.value("measure").toDouble();
         if (!(seconds >= 0.5 && seconds <= 3600)) return wrong("--measure is 0.5 to 3600 seconds");

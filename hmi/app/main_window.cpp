@@ -365,6 +365,31 @@ void MainWindow::showHelp() {
     help_->open(screen()->help());
 }
 
+bool MainWindow::showOver(Over over) {
+    if (locked_) lock(false);
+    help_->hide(), entry_->shut(false), dialogue_->hide();
+    switch (over) {
+        case Over::Screen: break;
+        case Over::Help: showHelp(); break;
+        case Over::Lock: lock(true); break;
+        case Over::Letters: entry_->open({word("Search"), "N0106"}); break;
+        case Over::Dialogue:
+            if (!dialogue_->channel()) return false;
+            topTouched(kHitDialogue);
+    }
+    return true;
+}
+
+std::vector<Sheet*> MainWindow::overSheets() const {
+    std::vector<Sheet*> out;
+    if (locked_) return {cover_};
+    if (help_->isVisible()) out.push_back(help_->head());
+    if (entry_->isVisible()) out.insert(out.end(), {&entry_->line(), &entry_->pad()});
+    if (dialogue_->isVisible())
+        for (Sheet* one : dialogue_->sheets()) out.push_back(one);
+    return out;
+}
+
 // By keys alone to what a finger would touch.
 void MainWindow::nextField() {
     entry_->shut(false);

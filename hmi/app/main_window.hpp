@@ -48,6 +48,11 @@ public:
     void showKeys();                       // of the dialogue, or of the screen
     TextEntry& entry() { return *entry_; }
     void showHelp();                       // or hides it
+    // What lies over the screens, for pictures, costs and words of all of it; Screen hides them all. False: there is no such thing now.
+    enum class Over : std::uint8_t { Screen, Help, Lock, Letters, Dialogue };
+    static constexpr std::pair<Over, const char*> kOvers[] = {{Over::Help, "help"}, {Over::Lock, "lock"}, {Over::Letters, "letters"}, {Over::Dialogue, "dialogue"}};
+    bool showOver(Over over);
+    std::vector<Sheet*> overSheets() const;
 
 protected:
     void resizeEvent(QResizeEvent*) override;

@@ -5,6 +5,6 @@
 namespace polyturn::hmi {
 
 // DIR/<screen>-<language>-<theme>.png; exit status.
-int saveScreenshots(Choices choices, QSize size, const QString& folder);
+int saveScreenshots(Choices choices, QSize size, const QString& folder, const QString& only = {});
 
 }  // namespace polyturn::hmi

@@ -264,10 +264,13 @@ void EditorPage::openContour() {
     show(contour_);
 }
 
-void EditorPage::showSample(int number) {
-    const char* const kPlaces[] = {"G71", "G0", "(CONTOUR DIA"};
-    const QTextCursor found = edit_->document()->find(kPlaces[std::clamp(number, 0, 2)]);
+void EditorPage::showSample(int number, bool keys) {
+    const char* const kPlaces[] = {"G71", "G0", "(CONTOUR DIA", "G71"};
+    const QTextCursor found = edit_->document()->find(kPlaces[std::clamp(number, 0, 3)]);
     edit_->setTextCursor(found.isNull() ? QTextCursor(edit_->document()) : found);
+    keyboard_ = keys;
+    layOut();
+    if (number == 3) return show(nullptr);
     if (number == 2) return openContour();
     openForm();
     if (number == 0) form_->table().choose(4);

@@ -57,7 +57,7 @@ public:
     void openForm();
     // The contour whose description stands at the cursor, or a new one.
     void openContour();
-    void showSample(int number);                   // for pictures: 0 a form, 1 the list of cycles, 2 the contour
+    void showSample(int number, bool keys = false);   // for pictures: 0 a form, 1 the list of cycles, 2 the contour, 3 the text, with keys for a finger
     bool covered() const { return over_ != nullptr; }
     CycleFormPage& form() { return *form_; }
     ContourPage& contour() { return *contour_; }

@@ -23,6 +23,7 @@ public:
     void readFolder(const QString& folder, const QString& choose = {});
     void readAgain() { readFolder(desk_.folder, chosen() ? chosen()->name : QString()); }
     void showPlaces();
+    bool atPlaces() const { return placesShown_; }
     void open();                              // the chosen folder or place
     const FileEntry* chosen() const;          // nullptr: nothing, or places are shown
     QString chosenPath() const;

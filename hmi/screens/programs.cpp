@@ -147,22 +147,26 @@ void Programs::show(Page page) {
 }
 
 // For pictures of all of it; the editor's are those of a program of the examples.
-// Behind them what is done with files, and a comparison of the folder's first two programs.
+// Behind them what is done with files, a comparison of the folder's first two programs, the editor's text without and with keys, the places.
 void Programs::turnTo(int page) {
-    files_->showMenu(page == 7);
-    if (page == 8) {
+    constexpr int kMenu = 7, kCompare = 8, kText = 9, kKeys = 10, kPlaces = 11;
+    if (files_->atPlaces()) files_->readAgain();
+    files_->showMenu(page == kMenu);
+    if (page == kCompare) {
         QStringList two;
         for (const FileEntry& one : files_->entries())
             if (!one.folder && !one.job && one.name.endsWith(".nc") && two.size() < 2) two << desk_.folder + "/" + one.name;
         if (two.size() == 2) return compare_->compare(two[0], two[1]), show(Page::Compare);
     }
-    if (page == 0 || page > 6) return show(Page::Files);
+    if (page == kPlaces) return show(Page::Files), files_->showPlaces();
+    const bool text = page == kText || page == kKeys;
+    if (page == 0 || (page > 6 && !text)) return show(Page::Files);
     if (page == 3) return show(Page::Restart);
     if (page < 3) return look(page == 1 ? DryRun::How::Check : DryRun::How::Drive);
     const QString sample = QString::fromStdString(text::share_folder()) + "/examples/programs/O0050.nc";
     if (!QFileInfo::exists(sample) || !editor_->open(sample, "fanuc")) return show(Page::Files);
     show(Page::Edit);
-    editor_->showSample(page - 4);
+    editor_->showSample(text ? 3 : page - 4, page == kKeys);
 }
 
 void Programs::resizeEvent(QResizeEvent*) { layOut(); }

@@ -30,7 +30,7 @@ public:
     void restore(const QString& state) override;
     void leave() override { desk_.draft = editor_->draft(); }
     std::vector<Sheet*> sheets() override;
-    int pages() const override { return files_->job() || (page_ != Page::Files && page_ != Page::Restart) ? 9 : 1; }
+    int pages() const override { return files_->job() || (page_ != Page::Files && page_ != Page::Restart) ? 12 : 1; }
     HelpTopic help() const override;
     void turnTo(int page) override;
     bool busy() const override { return dry_.running() || compare_->busy() || (page_ == Page::Edit && (editor_->opening() || editor_->checking())); }

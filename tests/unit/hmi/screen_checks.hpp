@@ -2,6 +2,12 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <QFile>
+#include <QRegularExpression>
+#include <QtTest/QTest>
+#include <functional>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -9,40 +15,86 @@
 
 namespace polyturn::hmi {
 
+// Everything that the screens say by themselves, in a language: a cell of a table that shows one of these shows a word of ours, no data.
+inline const std::set<QString>& ownWords(Tongue tongue) {
+    static std::map<Tongue, std::set<QString>> all;
+    std::set<QString>& out = all[tongue];
+    if (!out.empty()) return out;
+    static const QRegularExpression kSource("<source>([^<]*)</source>"), kTranslation("<translation>([^<]*)</translation>");
+    QFile file(QString("%1/hmi/translations/polyturn_%2.ts").arg(POLYTURN_SOURCE_DIR, tongue == Tongue::English ? QString("ru") : QString(codeOf(tongue))));
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+    for (auto found = (tongue == Tongue::English ? kSource : kTranslation).globalMatch(QString::fromUtf8(file.readAll())); found.hasNext();) {
+        QString text = found.next().captured(1);
+        out.insert(text.replace("&apos;", "'").replace("&quot;", "\"").replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&"));
+    }
+    return out;
+}
+
+// Of the programs' screen: what it shows just now, or all its pages that start no process.
+enum class ProgramPages : std::uint8_t { AsTheyAre, All };
+
+// Each page of each screen, then what lies over the screens.
+inline void eachPage(MainWindow& window, ProgramPages wanted, const std::function<void(const std::string& where, const std::vector<Sheet*>& sheets)>& look) {
+    const auto settled = [&](const std::function<bool()>& condition) {
+        for (int i = 0; i < 100 && !condition(); ++i) QTest::qWait(20);
+    };
+    for (std::size_t i = 0; i < window.screens().size(); ++i) {
+        window.showScreen(static_cast<int>(i));
+        const QString name = window.screen()->name(), before = window.screen()->state();
+        const bool programs = name == "programs", asItIs = programs && wanted == ProgramPages::AsTheyAre;
+        if (programs && !asItIs) {   // with a job in the list: without one there is only this page
+            window.screen()->restore(QString("0|") + POLYTURN_SOURCE_DIR + "/examples/jobs/shaft/shaft.job.toml");
+            settled([&] { return window.screen()->pages() > 1; });
+            EXPECT_GT(window.screen()->pages(), 1);
+        }
+        const int pages = asItIs ? 1 : name == "graphics" ? 2 : window.screen()->pages();   // its third one is a dry run, and so are
+        for (int page = 0; page < pages; ++page) {
+            if (programs && (page == 1 || page == 2)) continue;               // these of the programs
+            if (!asItIs) window.screen()->turnTo(page);
+            if (programs && !asItIs) settled([&] { return !window.screen()->busy(); });
+            window.screen()->refresh();
+            window.softKeys().show(window.screen()->keys());
+            std::vector<Sheet*> sheets = window.ownSheets();
+            for (Sheet* one : window.screen()->sheets()) sheets.push_back(one);
+            look(name.toStdString() + " " + std::to_string(page + 1), sheets);
+        }
+        if (!asItIs) window.screen()->turnTo(0);
+        if (!programs) window.screen()->restore(before);
+    }
+    for (const auto& [over, name] : MainWindow::kOvers) {
+        if (!window.showOver(over)) continue;
+        for (Sheet* one : window.overSheets()) one->refresh();
+        look(name, window.overSheets());
+    }
+    window.showOver(MainWindow::Over::Screen);
+}
+
 // Every text that does not fit, with where it stands; `looked` counts the sheets that were asked.
-inline std::vector<std::string> shortenedWords(MainWindow& window, int& looked) {
+inline std::vector<std::string> shortenedWords(MainWindow& window, int& looked, ProgramPages wanted = ProgramPages::AsTheyAre) {
     std::vector<std::string> found;
     looked = 0;
     for (const Tongue tongue : kTongues) {
         window.setTongue(tongue);
-        for (std::size_t i = 0; i < window.screens().size(); ++i) {
-            window.showScreen(static_cast<int>(i));
-            const bool starts = QString(window.screen()->name()) == "programs";   // its pages start processes
-            const QString before = window.screen()->state();
-            const int pages = starts ? 1 : QString(window.screen()->name()) == "graphics" ? 2 : window.screen()->pages();   // its third one too
-            for (int page = 0; page < pages; ++page) {
-                if (!starts) window.screen()->turnTo(page), window.screen()->refresh();
-                window.softKeys().show(window.screen()->keys());
-                std::vector<Sheet*> sheets = window.ownSheets();
-                for (Sheet* one : window.screen()->sheets()) sheets.push_back(one);
-                looked += static_cast<int>(sheets.size());
-                const std::string where = codeOf(tongue) + (", " + std::string(window.screen()->name())) + " " + std::to_string(page + 1) + ": ";
-                for (Sheet* sheet : sheets) {
-                    for (const QString& text : sheet->shortened()) found.push_back(where + text.toStdString());
-                    if (!sheet->isVisibleTo(&window)) continue;
-                    for (const QString& text : sheet->overlapping()) found.push_back(where + text.toStdString());
-                }
+        const std::set<QString>& own = ownWords(tongue);
+        eachPage(window, wanted, [&](const std::string& page, const std::vector<Sheet*>& sheets) {
+            looked += static_cast<int>(sheets.size());
+            const std::string where = codeOf(tongue) + (", " + page) + ": ";
+            for (Sheet* sheet : sheets) {
+                for (const QString& text : sheet->shortened()) found.push_back(where + text.toStdString());
+                for (const QString& text : sheet->shortenedData())
+                    if (own.count(text)) found.push_back(where + text.toStdString() + " (a word of ours)");
+                if (!sheet->isVisibleTo(&window)) continue;
+                for (const QString& text : sheet->overlapping()) found.push_back(where + text.toStdString());
             }
-            if (!starts) window.screen()->restore(before);
-        }
+        });
     }
     window.setTongue(Tongue::English);
     return found;
 }
 
-inline void noWordIsShortened(MainWindow& window) {
+inline void noWordIsShortened(MainWindow& window, ProgramPages wanted = ProgramPages::AsTheyAre) {
     int looked = 0;
-    const std::vector<std::string> found = shortenedWords(window, looked);
+    const std::vector<std::string> found = shortenedWords(window, looked, wanted);
     EXPECT_GE(looked, static_cast<int>(std::size(kTongues) * window.screens().size()));
     EXPECT_TRUE(found.empty()) << window.width() << "x" << window.height() << ": " << ::testing::PrintToString(found);
 }

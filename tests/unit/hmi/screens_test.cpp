@@ -52,7 +52,7 @@ TEST(Screens, NoWordIsShortenedOnAnyPanel) {
         window.resize(size);
         window.show();
         EXPECT_GE(window.screens().size(), 5u);
-        noWordIsShortened(window);
+        noWordIsShortened(window, ProgramPages::All);
     }
 }
 
@@ -65,21 +65,13 @@ TEST(Screens, NoWordIsLeftInEnglish) {
     static const QRegularExpression kLatin("[A-Za-z]{3,}"), kCyrillic("[\u0400-\u04FF]");
     const QStringList kEverywhere{"Polyturn", "Shift", "Space", "Enter", "DHCP", "USB"};
     std::size_t looked = 0;
-    for (std::size_t i = 0; i < window.screens().size(); ++i) {
-        window.showScreen(static_cast<int>(i));
-        const bool starts = QString(window.screen()->name()) == "programs";
-        for (int page = 0; page < (starts ? 1 : window.screen()->pages()); ++page) {
-            if (!starts) window.screen()->turnTo(page), window.screen()->refresh();
-            window.softKeys().show(window.screen()->keys());
-            std::vector<Sheet*> sheets = window.ownSheets();
-            for (Sheet* one : window.screen()->sheets()) sheets.push_back(one);
-            for (Sheet* sheet : sheets)
-                for (const QString& text : sheet->fixedWords()) {
-                    ++looked;
-                    EXPECT_TRUE(!kLatin.match(text).hasMatch() || kCyrillic.match(text).hasMatch() || kEverywhere.contains(text)) << window.screen()->name() << " " << page + 1 << ": " << text.toStdString();
-                }
-        }
-    }
+    eachPage(window, ProgramPages::All, [&](const std::string& where, const std::vector<Sheet*>& sheets) {
+        for (Sheet* sheet : sheets)
+            for (const QString& text : sheet->fixedWords()) {
+                ++looked;
+                EXPECT_TRUE(!kLatin.match(text).hasMatch() || kCyrillic.match(text).hasMatch() || kEverywhere.contains(text)) << where << ": " << text.toStdString();
+            }
+    });
     EXPECT_GT(looked, 300u);
     window.setTongue(Tongue::English);
 }

@@ -118,6 +118,18 @@ protected:
             window->screen()->turnTo(0);
             hearPaintedWords({});
         }
+        for (const auto& [over, name] : MainWindow::kOvers) {
+            if (!window->showOver(over)) continue;
+            QTest::qWait(ms);
+            std::vector<QString> texts;
+            for (Sheet* sheet : window->overSheets()) {
+                sheet->refresh();
+                for (const Item& item : sheet->items())
+                    if (item.kind == Item::Kind::Text && !item.text.isEmpty()) texts.push_back(item.text);
+            }
+            look(name, texts);
+        }
+        window->showOver(MainWindow::Over::Screen);
     }
     const QString shaft = QString(POLYTURN_SOURCE_DIR) + "/examples/jobs/shaft/shaft.job.toml";
 };
@@ -148,7 +160,7 @@ TEST_F(Words, AllFitOnEveryPanelWhileTheMachineWorks) {
     for (const QSize size : {QSize(1024, 768), QSize(1920, 1080)}) {
         window->resize(size);
         QTest::qWait(100);
-        noWordIsShortened(*window);
+        noWordIsShortened(*window, ProgramPages::All);
         for (const Tongue tongue : kTongues) {
             window->setTongue(tongue);
             hearPaintedWords([&](const QString& text, bool fits) { EXPECT_TRUE(fits) << size.width() << " " << codeOf(tongue) << ": " << text.toStdString(); });
