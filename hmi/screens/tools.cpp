@@ -70,7 +70,7 @@ Tools::Tools(Desk& desk)
     };
     picture_->onLifted = [this](std::int32_t tool) { carry(tool); };
     picture_->onDropped = [this](std::int32_t tool, const QPoint& at) { dropped(tool, at); };
-    list_->columns = {{word("No."), 0.55, kRight}, {word("Tool"), 2.0}, {word("Place"), 0.95}, {word("Life left"), 1.35}, {word("State"), 1.6}};
+    list_->columns = {{word("No."), 0.55, kRight}, {word("Tool"), 1.75}, {word("Place"), 0.85}, {word("Life left"), 1.3}, {word("State"), 2.0}};
     list_->rowUnits = 36;
     list_->textUnits = 14.5;
     list_->rows = [this] { return static_cast<int>(rows_.size()); };

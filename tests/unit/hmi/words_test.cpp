@@ -78,7 +78,7 @@ class Words : public Tasks {
 protected:
     void SetUp() override {
         Tasks::SetUp();
-        g_controller->run({"tools", "add", "1", "name=ROUGH_80", "type=1", "h=1", "kind=500", "life_kind=minutes", "life=60", "counter=52", "warning=5", "--instance", g_controller->name});
+        g_controller->run({"tools", "add", "1", "name=ROUGH_80", "type=1", "h=1", "kind=500", "life_kind=minutes", "life=60", "counter=58", "warning=5", "--instance", g_controller->name});
         g_controller->run({"tools", "load", "1", "1", "1", "--instance", g_controller->name});
         // An alarm for the book. What the test before has left may still be coming to its end: pressed until it is taken.
         ASSERT_TRUE(waitFor([&] { return window->desk().alarms.standing() || (g_controller->press("select L1=/nowhere/at/all.nc"), g_controller->press("cycle_start L1"), QTest::qWait(300), window->desk().alarms.standing()); }, 20));
