@@ -64,6 +64,7 @@ Element CornerStage::element_of(const Move& m) const {
 void CornerStage::move(const Move& m, const BlockContext& at) {
     if (failed_) return;
     if (m.beside) return holding_ ? waiting_.move(m, at) : down_->move(m, at);   // no move of the path
+    if (lose()) return;
     moved_ = true;
     if (holding_ && !reserved_) {
         if (on_contour(m)) {
@@ -169,8 +170,17 @@ void CornerStage::pass_waiting() {
     while (!calls.empty()) calls.pass_on(*down_);
 }
 
+// The move whose end the next line had to tell is never made.
+bool CornerStage::lose() {
+    if (!reserved_ || lost_ == Alarm{}) return false;
+    held_.at = lost_at_;
+    held_.call.letter = 'A';
+    fail(lost_);
+    return true;
+}
+
 void CornerStage::flush() {
-    if (!holding_ || failed_) return;
+    if (!holding_ || failed_ || lose()) return;
     holding_ = false;
     if (!reserved_ || kept_) down_->move(held_.move, held_.at);
     if (kept_) {
@@ -181,6 +191,11 @@ void CornerStage::flush() {
     }
     reserved_ = kept_ = false;
     pass_waiting();
+}
+
+void CornerStage::cut_off() {
+    if (holding_ && !reserved_ && held_.call.required) fail(Alarm::CornerWithoutNext);
+    else flush();
 }
 
 void CornerStage::block_done() {

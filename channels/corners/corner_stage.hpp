@@ -42,12 +42,16 @@ public:
     bool holding() const { return holding_; }
     void later(std::function<void()> told) { waiting_.control(std::move(told)); }   // while holding()
     void flush();                                     // the held move goes on without an element
+    void cut_off();                                   // something else than a contour follows: a fault where the element was asked for
     void block_done();                                // the block has been interpreted
 
     // A move whose end only the next block tells: what comes meanwhile waits, until insert() makes the move in front of it.
-    // A move that is held already stays so: the inserted one is the next of its contour.
-    void reserve() {
+    // A move that is held already stays so: the inserted one is the next of its contour. `lost`: the fault where it is never made, because
+    // another move or the end comes first; {}: then there was none.
+    void reserve(Alarm lost, const BlockContext& at) {
         if (holding_ && !reserved_) kept_ = true, earlier_.append(waiting_);
+        lost_ = lost;
+        if (lost != Alarm{}) lost_at_ = at;
         holding_ = reserved_ = true, idle_ = 0, moved_ = true;
     }
     bool reserved() const { return reserved_; }
@@ -100,6 +104,7 @@ private:
     Move element_between(const Move& a, const Move& b, const Corner& corner, const Move& model) const;
     void pass_waiting();
     void fail(Alarm alarm);
+    bool lose();
 
     Sink* down_ = nullptr;
     unsigned p_ = 0, q_ = 1;
@@ -112,6 +117,8 @@ private:
     compensation::HeldCalls waiting_;
     bool kept_ = false;            // a held move stands in front of the reserved one,
     compensation::HeldCalls earlier_;   // and what came between them
+    Alarm lost_{};                 // of the reserved move
+    BlockContext lost_at_;
     Alarm alarm_{};
 };
 

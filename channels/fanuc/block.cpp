@@ -284,6 +284,7 @@ bool Interpreter::act() {
     if (life_.mode && !(coded_groups_ & bit_of(GGroup::OneShot))) return life_group_block();
     words_used_ = false;
     // Settings, in the order of GGroup.
+    block_corner_ = {};
     constexpr std::uint32_t kLate = bit_of(GGroup::OneShot) | bit_of(GGroup::Motion) | bit_of(GGroup::MacroModal) | bit_of(GGroup::Surface);
     for (std::uint32_t left = coded_groups_ & ~kLate; left; left &= left - 1) {
         const GCode* row = coded_[static_cast<std::size_t>(__builtin_ctz(left))];

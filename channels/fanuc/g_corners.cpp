@@ -32,11 +32,16 @@ bool Interpreter::corner_word(const Word& word) {
     if (!corner_allowed(0)) return false;
     fault_column_ = fault_length_ = 0;
     if (size == 0) return true;
+    if (block_corner_.size > 0) {   // a line has one element at its end
+        fault_column_ = word.column, fault_length_ = word.length;
+        return core_.fail(Alarm::CornerWords, 0, std::string(text_of(word)));
+    }
     corners::Call call;
     call.shape = chamfer ? corners::Shape::ChamferLeg : corners::Shape::Rounding;
     call.size = size;
     call.required = true;
     if (chamfer && line) note_chamfer(size);
+    block_corner_ = call;
     return core_.corner(call);
 }
 
@@ -145,17 +150,17 @@ bool Interpreter::angle_line(AxisSet named) {
         corner[k] = from[k] + t * angle_dq_;
         const BlockContext here = core_.at;
         bool good = true;
-        core_.insert_reserved([&] {
+        core_.insert_reserved([&] {   // each line with the element at its own end
             core_.at = angle_at_;
-            good = core_.linear(corner);
+            good = core_.corner(angle_corner_) && core_.linear(corner);
         });
         core_.at = here;
-        return good;
+        return good && (block_corner_.size == 0 || core_.corner(block_corner_));
     }
     if (!has_p && !has_q) {
         if (core_.move_reserved()) return core_.fail(Alarm::AngleParallel, 'A');
-        angle_dp_ = dp, angle_dq_ = dq, angle_at_ = core_.at;
-        return core_.reserve_move();
+        angle_dp_ = dp, angle_dq_ = dq, angle_at_ = core_.at, angle_corner_ = block_corner_;
+        return core_.reserve_move(Alarm::AngleParallel);
     }
     if (has_p && has_q) return core_.fail(Alarm::CornerWords, 'A', "A");
     const double component = has_p ? dp : dq;

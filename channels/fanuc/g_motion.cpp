@@ -25,7 +25,11 @@ bool Interpreter::g_linear(const GCode&) {
     AxisSet named = 0;
     if (!read_axis_words(target_, &named)) return false;
     if (angle && !angle_line(named)) return false;
-    if (core_.move_reserved() && angle && !named) return true;   // its end comes with the next block
+    if (core_.move_reserved() && angle && !named) {   // its end comes with the next block
+        for (const char letter : {'I', 'K', 'R', 'C'})   // they stand at right angles to a line along an axis; here ,C and ,R can
+            if (block_.has(letter) && !(letter == 'C' && (axis_letters_ & letter_bit('C')))) return core_.fail(Alarm::CornerTaper, letter);
+        return true;
+    }
     if (core_.move_reserved()) return core_.fail(Alarm::AngleParallel, 'G');
     return follows_corner(target_, true) && lathe_corner(named) && core_.linear(target_);
 }

@@ -34,6 +34,8 @@ struct ModalState {
     double polar_radius_ = 0.0, polar_angle_ = 0.0;
     double angle_dp_ = 0.0, angle_dq_ = 0.0;   // direction of a line whose end the next block tells
     BlockContext angle_at_;
+    corners::Call angle_corner_;               // ,C or ,R at that line's end; of no size: none
+    corners::Call block_corner_;               // of the block that is read
     std::array<std::uint32_t, 8> corner_lines_{};  // of the newest blocks with a chamfer or corner R
     std::array<char, 8> corner_letters_{};         // its word; 0: ,C or ,R
     unsigned corner_count_ = 0;

@@ -312,7 +312,7 @@ public:
     bool corner(const corners::Call& call);               // at the end of the next move
     void corner_feed(double feed) { if (staged_) stage_->next_feed(feed); }   // own feed of an element that belongs to the next block; 0 its
     // The next block tells where this one ends (a line by its angle): what comes meanwhile waits for it.
-    bool reserve_move();
+    bool reserve_move(Alarm lost = {});                   // lost: where it is never made
     bool move_reserved() const { return staged_ && stage_->reserved(); }
     template <class Make> void insert_reserved(Make&& make) { stage_->insert(std::forward<Make>(make)); }
 

@@ -97,9 +97,9 @@ bool Core::corner(const corners::Call& call) {
     return true;
 }
 
-bool Core::reserve_move() {
+bool Core::reserve_move(Alarm lost) {
     if (!stage_corners()) return false;
-    stage_->reserve();
+    stage_->reserve(lost, at);
     return true;
 }
 
@@ -212,7 +212,7 @@ double Core::machine_now(unsigned i) const {
 void Core::suspend_compensation(AxisSet which) {
     int p = -1, q = -1;
     const AxisSet plane = plane_axes(p, q);
-    if (staged_) stage_->flush();
+    if (staged_) stage_->cut_off();
     if (!(which & plane)) {
         comp_->settle();
         return;
@@ -223,7 +223,7 @@ void Core::suspend_compensation(AxisSet which) {
 
 void Core::begin_cycle(CycleMoves how) {
     using Bypass = compensation::Compensator::Bypass;
-    if (staged_) stage_->flush();
+    if (staged_) stage_->cut_off();
     if (compensating_) comp_->bypass(how == CycleMoves::Plain ? Bypass::Plain : Bypass::Shifted);
 }
 
@@ -258,7 +258,7 @@ double Core::cut_shift(const AxisValues& a, const AxisValues& b, unsigned along,
 }
 
 void Core::drop_compensation_vector() {
-    if (staged_) stage_->flush();
+    if (staged_) stage_->cut_off();
     comp_->drop_vector();
 }
 

@@ -46,6 +46,25 @@ TEST(AngleOfALine, GivesTheMissingCoordinate) {
     }, {});
 }
 
+// Two lines by their angles: 45 degrees between them, so R2 begins 2 tan 22.5 = 0.828427 before the crossing at X80 Z-20.
+TEST(AngleOfALine, TakesACornerAtTheCrossing) {
+    const std::string two = "G98 F9 G0 X40. Z0\nG1 A135. ,R2.\nX80. Z-30. A180. ,C1.\nX90. A90.\n";
+    expect_rows({
+        {two, {R"("line":2)", R"("kind":"linear")", R"("pos":{"X":78.828427,"Z":-19.414214)"}},
+        {two, {R"("line":2)", R"("kind":"ccw")", R"("pos":{"X":80,"Z":-20.828427)", R"("radius":2)"}},
+        {two, {R"("line":3)", R"("pos":{"X":80,"Z":-29)"}},
+        {two, {R"("line":3)", R"("pos":{"X":82,"Z":-30)"}},
+        {"G98 F9 G0 X40. Z0\nG1 A135.\nX80. Z-30. A180. ,C1.\nX90. A90.\n", {R"("line":2)", R"("pos":{"X":80,"Z":-20)"}},   // the chamfer is that of its own line
+        {"G98 F9\nG1 Z-20. ,R2.\nG28 U0 W0\n", {R"("number":51,)", R"("line":2)"}},   // no contour follows
+        {"G98 F9\nG1 Z-20. ,R2.\nG90 X9. Z-30.\n", {R"("number":51,)", R"("line":2)"}},
+        {"G98 F9\nG1 A135.\nG0 X60. Z-20.\n", {R"("number":57,)", R"("line":2,)", R"("column":4)"}},   // the line would be left out
+        {"G98 F9\nG1 A135.\nG28 U0\n", {R"("number":57,)", R"("line":2,)"}},
+        {"G98 F9\nG1 A135.\nM30\n", {R"("number":57,)", R"("line":2,)"}},
+        {"G98 F9\nG1 Z-20. ,R2. ,C1.\nX9.\n", {R"("number":53,)", R"("column":15)"}},
+        {"G98 F9\nG1 A135. R2.\nX80. Z-30. A180.\n", {R"("number":54,)", R"("column":10)"}},
+    }, {});
+}
+
 TEST(Frames, MoveWhatIsProgrammed) {
     Play nct;
     nct.language = "nct";
