@@ -132,10 +132,7 @@ static bool tap_led(Core& core, const AxialHole& hole, SpindleTurn in) {
     return good && turn(core, SpindleTurn::Stop);
 }
 
-bool tap_axial(Core& core, const AxialHole& hole) {
-    if (!core.rapid(hole.approach)) return false;
-    const SpindleTurn in = core.path.spindle.turn;
-    if (in == SpindleTurn::Stop) return core.fail(Alarm::ThreadSpindleStopped);
+static bool tap_hole(Core& core, const AxialHole& hole, SpindleTurn in) {
     const SpindleTurn back = in == SpindleTurn::Cw ? SpindleTurn::Ccw : SpindleTurn::Cw;
     const bool rigid = hole.tap != AxialHole::Tap::Floating;
     if (hole.tap == AxialHole::Tap::Oriented) return tap_led(core, hole, in);
@@ -146,6 +143,16 @@ bool tap_axial(Core& core, const AxialHole& hole) {
                       level(core, hole, hole.approach[hole.axis], false);
     core.path.override_locked = locked;
     return good && turn(core, rigid ? SpindleTurn::Stop : in);
+}
+
+bool tap_axial(Core& core, const AxialHole& hole) {
+    if (!core.rapid(hole.approach)) return false;
+    const SpindleTurn in = core.path.spindle.turn;
+    if (in == SpindleTurn::Stop) return core.fail(Alarm::ThreadSpindleStopped);
+    core.taps(true);
+    const bool good = tap_hole(core, hole, in);
+    core.taps(false);
+    return good;
 }
 
 namespace {
@@ -231,11 +238,14 @@ bool drill_hole(Core& core, const Drilling& hole) {
 bool drill(Core& core, const Drilling& hole) {
     constexpr double kMostPecks = 100'000;
     if (hole.peck > 0 && std::fabs(hole.bottom - hole.r_level) / hole.peck > kMostPecks) return core.fail(Alarm::CycleValueIllegal, 'Q', "Q", hole.peck);
-    if (!hole.rigid) return drill_hole(core, hole);
+    const bool floating = hole.way_out == Drilling::Way::Tap && !hole.rigid;   // nothing ties the feed to the spindle but their two numbers
+    if (!hole.rigid && !floating) return drill_hole(core, hole);
     PathState& path = core.path;
     const bool locked = path.override_locked;
     path.override_locked = true;
+    if (floating) core.taps(true);
     const bool good = drill_hole(core, hole);
+    if (floating) core.taps(false);
     path.tap_pitch = 0;
     path.override_locked = locked;
     return good;

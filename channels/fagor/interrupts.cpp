@@ -30,6 +30,7 @@ bool Interpreter::interrupt(std::uint64_t serial, bool within, unsigned input) {
     interrupted_->path = core_.path;
     interrupted_->modal = modal_;
     take_machine();
+    if (within) core_.taps(false);   // of a tap that is broken off nobody else would end it
     modal_.modal_call = {};
     CallFrame frame;
     frame.kind = CallFrame::Kind::Subroutine;

@@ -195,7 +195,7 @@ void Interpreter::tell_control(bool group_ends) {
     if (modal_.stop_disabled || modal_.hold_disabled) bits |= kControlNoHold | kControlNoPlcStop;
     if (group_ends) bits |= kControlGroupEnds;
     if (modal_.spindle_override_program > 0) bits |= kControlOwnSpindleOverride;
-    core_.signal("CONTROL", bits);
+    core_.tell_control(bits);
 }
 
 // destination = expression, several separated by commas; a letter and a number do without the sign of equality.

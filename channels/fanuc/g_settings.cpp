@@ -48,7 +48,10 @@ bool Interpreter::g_feed_mode(const GCode& row) {
 
 bool Interpreter::g_exact_stop(const GCode& row) {
     core_.path.exact_stop_mode = row.tenths == 610 || row.tenths == 600;
-    core_.path.override_locked = row.tenths == 630;
+    core_.path.override_locked = row.tenths == 630 || (automatic_control_ & 2) != 0;   // #3004 outlasts G64
+    const std::uint32_t before = control_bits();
+    active_[static_cast<std::size_t>(GGroup::ExactStop)] = &row;
+    if (control_bits() != before) tell_control();
     return true;
 }
 

@@ -105,7 +105,10 @@ void Interpreter::keep_groups(const Inherited& was) {
     (void)stays(10, GGroup::ReturnLevel);
     if (stays(13, GGroup::Surface)) path.spindle.mode = was.path.spindle.mode, path.spindle.surface_m_min = was.path.spindle.surface_m_min;
     if (stays(14, GGroup::Zero)) core_.select_zero(was.path.zero_row);
-    if (stays(15, GGroup::ExactStop)) path.exact_stop_mode = was.path.exact_stop_mode, path.override_locked = was.path.override_locked;
+    if (stays(15, GGroup::ExactStop)) {
+        path.exact_stop_mode = was.path.exact_stop_mode, path.override_locked = was.path.override_locked;
+        if (control_bits() != 0) tell_control();   // G63
+    }
     if (stays(17, GGroup::Polar)) polar_ = polar;
     if (stays(11, GGroup::Scale)) frames_of_.scaling = frames.scaling;
     if (stays(22, GGroup::Mirror)) frames_of_.mirror = frames.mirror;

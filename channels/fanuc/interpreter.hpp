@@ -310,10 +310,13 @@ private:
     bool modal_variable(std::int64_t number, double& value);
     VariableStatus value_fault(std::int64_t number, double value);
     double mirrored_axes() const;     // #3007
+    std::uint32_t control_bits() const;
     void tell_control();              // #3003, #3004
     Flow jump(const char*& at, const char* end);
     bool written(std::int64_t number, double value, std::string_view comment);
     bool gather_arguments(LocalSet& arguments, std::size_t from_word);
+    double argument_step(char letter) const;
+    bool call_stands_first(std::size_t call);
     bool program_word(char letter, std::int64_t& program);
     bool call_count(std::int64_t& repeats);
     bool macro_words(std::int64_t& program, std::int64_t& repeats, LocalSet& arguments);
@@ -331,8 +334,6 @@ private:
     bool stroke_limits();
     void reload_settings();
     void end_one_block_shift();
-    double argument_step(char letter) const;
-    bool call_stands_first(std::size_t call);
     bool says_it_once();   // mefi
     bool too_many_words(const Word& word);
     void write_offset(OffsetTable table, std::int32_t number, OffsetField field, double value);

@@ -83,6 +83,7 @@ bool Interpreter::interrupt(std::uint64_t serial, bool within, unsigned) {
     if (comp && comp->act == &Interpreter::g_comp_on) interruption_.side = comp->tenths == 410 ? CompSide::Left : CompSide::Right;
     ended_ = false;
     interrupting_ = watch;
+    if (within && drilling_) core_.taps(false);   // of a tap that is broken off nobody else would end it
     if (!within) interruption_.end = core_.path.programmed;
     interruption_.begin = core_.path.programmed;
     if (!only_macros_) stand_where_interrupted();
@@ -162,7 +163,9 @@ bool Interpreter::return_from_interrupt(bool has_target, std::int64_t target) {
         const ResumeState& before = *interrupted_;
         const double parts = parts_;
         const Interrupting watch = interrupting_;
+        const std::uint32_t control = control_bits();
         modal() = before.modal;
+        if (control_bits() != control) tell_control();   // the machine has what the interrupt program has put off
         parts_ = parts;
         interrupting_ = watch;
         modal_calls_ = before.modal_calls;
@@ -172,6 +175,7 @@ bool Interpreter::return_from_interrupt(bool has_target, std::int64_t target) {
         path.plane = before.path.plane;
         path.exact_stop_mode = before.path.exact_stop_mode;
         path.override_locked = before.path.override_locked;
+        path.exact_stop_off = before.path.exact_stop_off;
         if (path.zero_row != before.path.zero_row) core_.select_zero(before.path.zero_row);
         interruption_.goes_on = interruption_.again;
         if (interruption_.again) path.programmed = interruption_.begin;   // the block is read again: increments count from its start

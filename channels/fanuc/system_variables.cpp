@@ -248,10 +248,15 @@ double Interpreter::mirrored_axes() const {
     return bits;
 }
 
-// #3003, #3004: single block, waiting for functions and feed hold are the kernel's, in path order.
-void Interpreter::tell_control() {
-    core_.signal("CONTROL", (single_block_off_ || hidden_ ? kControlNoSingleBlock : 0u) + (no_finish_wait_ ? kControlNoFinish : 0u) + ((automatic_control_ & 1) ? kControlNoHold : 0u));
+// #3003, #3004: single block, waiting for functions and feed hold are the kernel's, in path order. Where G63 taps a hold waits for G64:
+// the spindle would turn on under the tool that stands (the field's standard).
+std::uint32_t Interpreter::control_bits() const {
+    const GCode* mode = active_[static_cast<std::size_t>(GGroup::ExactStop)];
+    const bool taps = mode && mode->tenths == 630;
+    return (single_block_off_ || hidden_ ? kControlNoSingleBlock : 0u) + (no_finish_wait_ ? kControlNoFinish : 0u) + ((automatic_control_ & 1) || taps ? kControlNoHold : 0u);
 }
+
+void Interpreter::tell_control() { core_.tell_control(control_bits()); }
 
 VariableStatus Interpreter::value_fault(std::int64_t number, double value) {
     core_.fail(Alarm::VariableValue, 0, variable_name(number), value);

@@ -89,7 +89,7 @@ bool Interpreter::p_interrupts(Call& c) {   // ENABLE, DISABLE, CLRINT
     return true;
 }
 
-bool Interpreter::interrupt(std::uint64_t serial, bool, unsigned input) {
+bool Interpreter::interrupt(std::uint64_t serial, bool within, unsigned input) {
     const auto routine = routines_.find(static_cast<int>(input));
     if (routine == routines_.end() || !routine->second.enabled || core_.compensating()) return false;
     const std::string program = routine->second.program;
@@ -99,6 +99,7 @@ bool Interpreter::interrupt(std::uint64_t serial, bool, unsigned input) {
     const AxisValues begin = core_.path.programmed;   // increments of the interrupted block count from here
     for (unsigned i = 0; i < core_.view().axis_count; ++i)
         if (const auto now = core_.port().axis_taken_over(core_.view().axes[i].machine_axis)) core_.take_machine(i, *now);
+    if (within) core_.taps(false);   // of a tap that is broken off nobody else would end it
     if (lifts && !lift_from_contour(begin)) return fault(core_.fault()), false;   // it stands where it was stopped, and the alarm says why
     here_ = source_->next_position();
     if (!call_program(program, {}, 1, false)) return false;

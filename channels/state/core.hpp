@@ -321,6 +321,9 @@ public:
     bool dwell(double value, bool revolutions, std::string_view until = {});   // until: a signal that ends it early
     void signal(std::string_view name, double value) { emitted_ = true, sink_->signal(name, value, at); }
     void aux(char letter, double value, std::string_view text, bool drained, bool silent = false, ToolCallBy by = ToolCallBy::Type, std::string_view name = {});
+    void tell_control(std::uint32_t bits);                // ProgramControl: what the program takes out of the operator's hands
+    // A cycle taps from here on, or no more: a feed hold waits until the tool is out, the spindle's override rests.
+    void taps(bool on);
     // What a block says about the spindle is gathered and told once, by commit_spindle().
     // `spindle`: another one than the channel's, by its name; told at once or with the turn that follows in the block.
     bool named_spindle(unsigned spindle, double rpm);
@@ -417,6 +420,7 @@ private:
 
     MachineView* view_;
     std::array<int, 3> geo_{-1, -1, -1};   // places of X, Y, Z
+    std::uint32_t control_ = 0;            // as tell_control() said it
     Sink* sink_;    // out_, or the compensator in front of it
     Sink* out_;
     Sink* outermost_;                       // behind RouteSink

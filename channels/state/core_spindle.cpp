@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "channels/state/core.hpp"
+#include "ipc/image/interrupt_inputs.hpp"
 
 namespace polyturn::channels {
 
@@ -243,6 +244,17 @@ bool Core::spindle_ready(Alarm otherwise) {
         sink_->alarm({Alarm::SpindleMaybeStopped, {{}, at.line, 0, 0}, {static_cast<double>(s.spindle), 0.0}, {}}, at);
     }
     return true;
+}
+
+void Core::tell_control(std::uint32_t bits) {
+    control_ = bits;
+    signal("CONTROL", bits);
+}
+
+// The spindle turns on in a hold and would cut the thread away under the tool that stands (the field's standard; fagor_8037t part 2,
+// 9.6.3: "cannot be interrupted"). Programs that run beside the path have no hold of their own.
+void Core::taps(bool on) {
+    if (at.own_axis < 0) signal("CONTROL", on ? control_ | kControlNoHold | kControlOwnSpindleOverride : control_);
 }
 
 }  // namespace polyturn::channels

@@ -31,6 +31,61 @@ class Inputs(Run):
                 self.assertAlmostEqual(done.of("dwell")[0]["t"], 2.0, delta=0.1, msg=done.said())
 
 
+class Tapping(Run):
+    """With a floating holder nothing ties the feed to the spindle but their two numbers: what changes one of them cuts the thread away."""
+    TAP = "O1\nG98 G97 S300 M3\nG00 X0 Z5.\nG84 Z-10. R-3. F300\nG80\nG00 X60.\nM30\n"   # 12 mm at 5 mm/s, in and out
+
+    def setUp(self):
+        super().setUp()
+        self.write("O8300.nc", "O8300\nM99\n")
+
+    def test_a_feed_hold_waits_until_the_tap_is_out(self):
+        for after in (1.0, 3.5):   # on the way in, and out
+            with self.subTest(after):
+                done = self.run_it(self.TAP, scenario=f'[[at]]\nwhen = {{ ev = "move", line = 4, kind = "linear" }}\nafter = {after}\npress = "feed_hold L1"\n'
+                                                      '[[at]]\nt = 20.0\npress = "cycle_start L1"\n')
+                self.assertEqual(done.status, 0, done.said())
+                into, out = done.of("move", line=4, kind="linear")
+                self.assertAlmostEqual(into["end"] - into["t"], 2.4, delta=0.1, msg=done.said())
+                self.assertAlmostEqual(out["end"] - out["t"], 2.4, delta=0.1, msg=done.said())
+                self.assertGreaterEqual(done.of("move", line=6)[0]["end"], 20.0, "then it acts\n" + done.said())
+
+    def test_overrides_rest(self):
+        press = '[[at]]\nt = 0.0\npress = "{}"\n'
+        done = self.run_it(self.TAP, scenario=press.format("feed_override L1=50") + press.format("spindle_override S1=50"), trace=True)
+        self.assertEqual(done.status, 0, done.said())
+        trace = read_trace(self.folder / "trace.csv")
+        for way in done.of("move", line=4, kind="linear"):
+            self.assertAlmostEqual(way["end"] - way["t"], 2.4, delta=0.1, msg=done.said())
+            middle = (way["t"] + way["end"]) / 2
+            speed = min(zip(trace["t"], trace["S1.speed"]), key=lambda row: abs(row[0] - middle))[1]
+            self.assertAlmostEqual(abs(speed), 300.0, delta=3.0)
+
+
+    def test_g63_puts_off_a_hold_until_g64(self):
+        done = self.run_it("O1\nG98 G97 S300 M3\nG63\nG01 Z-10. F300\nG01 Z0 M4\nG64\nG00 X60.\nM30\n",
+                           scenario='[[at]]\nwhen = { ev = "move", line = 4 }\nafter = 1.0\npress = "feed_hold L1"\n[[at]]\nt = 20.0\npress = "cycle_start L1"\n')
+        self.assertEqual(done.status, 0, done.said())
+        for line in (4, 5):
+            [way] = done.of("move", line=line)
+            self.assertAlmostEqual(way["end"] - way["t"], 2.0, delta=0.1, msg=done.said())
+        self.assertGreaterEqual(done.of("move", line=7)[0]["end"], 20.0, done.said())
+
+    def test_an_override_that_3004_puts_off_stays_off_behind_g64(self):   # fanuc_lathe 6.3.4
+        done = self.run_it("O1\nG98\n#3004=2\nG64\nG01 Z-10. F600\n#3004=0\nG01 Z-20.\nM30\n", scenario='[[at]]\nt = 0.0\npress = "feed_override L1=50"\n')
+        self.assertEqual(done.status, 0, done.said())
+        for line, seconds in ((5, 1.0), (7, 2.0)):
+            [way] = done.of("move", line=line)
+            self.assertAlmostEqual(way["end"] - way["t"], seconds, delta=0.1, msg=done.said())
+
+    def test_what_an_interrupt_program_puts_off_comes_back_with_m99(self):   # fanuc_lathe 6.14: all is as before the interrupt
+        self.write("O8300.nc", "O8300\n#3004=1\nG04 X0.1\nM99\n")
+        done = self.run_it("O1115\nG98\nM96 P8300\nN10 G01 Z-40. F600\nM97\nN30 Z-100.\nM30\n", ["F6003#2=1", "F6003#3=0"],
+                           scenario='[[at]]\nt = 1.0\nset = "UINT L1=1"\n[[at]]\nt = 6.0\npress = "feed_hold L1"\n[[at]]\nt = 20.0\npress = "cycle_start L1"\n')
+        self.assertEqual(done.status, 0, done.said())
+        self.assertGreater(done.of("move", line=6)[0]["end"], 20.0, "the hold acts\n" + done.said())
+
+
 class BAxis(Run):
     def setUp(self):
         super().setUp()
