@@ -65,18 +65,36 @@ void Interpreter::fine_way(cycles::Drilling& hole) {
     }
 }
 
+bool Interpreter::tap_pitch(cycles::Drilling& hole) {
+    const double rpm = core_.path.spindle.rpm, feed = core_.path.feed;
+    if (!(rpm > 0)) return core_.fail(Alarm::SpindleStopped, 'G');
+    hole.pitch = core_.path.feed_mode == FeedMode::PerRevolution ? feed : feed / rpm;
+    return hole.pitch > 0 || core_.fail(Alarm::FeedMissing, 'F');
+}
+
+// Rigid tapping of fanuc (G84.2, M29 before G84, F5200#0). Where the machine's builder has said which code closes the spindle's loop
+// (N0823: M29), the axis leads the spindle, as in nct (the field's standard); otherwise nothing can, and the cycle turns a spindle that
+// stands and stops it again.
+bool Interpreter::rigid_form(const GCode& row) const {
+    if (row.tenths == 842) return true;
+    return (row.tenths == 840 || row.tenths == 880) && (last_m_ == 29 || params::bit(core_.view().table(), params::f5200, core_.view().channel, 0));
+}
+
+bool Interpreter::lead_spindle(cycles::Drilling& hole) {
+    const unsigned spindle = core_.path.spindle.spindle;
+    const auto code = spindle ? params::get(core_.view().table(), params::n0823_m_code_for_closing_s_loop, spindle) : 0;
+    if (code == 0) return true;
+    hole.rigid = true;
+    hole.closing_code = static_cast<double>(code);
+    return tap_pitch(hole);
+}
+
 // nct G84.2, G84.3: how the thread is cut and left (nct part 1 16.1, 16.4).
 bool Interpreter::begin_rigid_tap(cycles::Drilling& hole, bool left_hand) {
     const Settings::Tapping& tapping = settings_.tapping;
     hole.rigid = tapping.orients || tapping.code > 0;   // otherwise nothing closes the spindle's loop: it turns, the axis follows
     if (tapping.orients && !can_orient(core_.path.spindle.spindle)) return false;
-    if (hole.rigid) {
-        const double rpm = core_.path.spindle.rpm, feed = core_.path.feed;
-        const bool per_revolution = core_.path.feed_mode == FeedMode::PerRevolution;
-        if (!(rpm > 0)) return core_.fail(Alarm::SpindleStopped, 'G');
-        hole.pitch = per_revolution ? feed : feed / rpm;
-        if (!(hole.pitch > 0)) return core_.fail(Alarm::FeedMissing, 'F');
-    }
+    if (hole.rigid && !tap_pitch(hole)) return false;
     hole.orients = tapping.orients;
     hole.closing_code = tapping.code;
     hole.peck = drill_.q;
@@ -197,9 +215,9 @@ bool Interpreter::run_drilling() {
         case 890: hole.way_out = cycles::Drilling::Way::Feed; hole.dwells = dwell_word; bore_out(hole); break;
         default: return core_.fail(Alarm::NotBuilt, 'G', std::string(row.name));
     }
-    // Rigid tapping of fanuc (G84.2, M29 before G84, 5200#0): the cycle turns a spindle that stands, and stops it again.
-    const bool rigid_form = row.tenths == 842 || ((row.tenths == 840 || row.tenths == 880) && (last_m_ == 29 || params::bit(core_.view().table(), params::f5200, core_.view().channel, 0)));
-    const bool turns_spindle = !settings_.nct && rigid_form && core_.path.spindle.turn == SpindleTurn::Stop;
+    const bool rigid = !settings_.nct && rigid_form(row);
+    if (rigid && !lead_spindle(hole)) return false;
+    const bool turns_spindle = rigid && !hole.rigid && core_.path.spindle.turn == SpindleTurn::Stop;
     if (turns_spindle) {
         if (row.tenths == 842) core_.aux('M', 29, "M29", false);
         if (!core_.spindle_turn(SpindleTurn::Cw) || !core_.commit_spindle()) return false;

@@ -273,6 +273,9 @@ private:
     bool turning_cycles_available(const GCode& row);
     double fine_length(char letter) const;
     bool begin_rigid_tap(cycles::Drilling& hole, bool left_hand);
+    bool tap_pitch(cycles::Drilling& hole);
+    bool rigid_form(const GCode& row) const;
+    bool lead_spindle(cycles::Drilling& hole);
     void bore_out(cycles::Drilling& hole);
     void fine_way(cycles::Drilling& hole);
     bool bores_back(const GCode& row);

@@ -62,6 +62,24 @@ class Tapping(Run):
             self.assertAlmostEqual(abs(speed), 300.0, delta=3.0)
 
 
+    def test_a_rigid_tap_leads_the_spindle_where_its_loop_can_be_closed(self):   # fanuc_lathe 8.5: M29 S, then G84; N0823
+        done = self.run_it("O1\nG98 G97\nG00 X0 Z5.\nM29 S300\nG84 Z-10. R-3. F300\nG80\nM30\n", ["N0823 S1=29"], trace=True)
+        self.assertEqual(done.status, 0, done.said())
+        trace = read_trace(self.folder / "trace.csv")
+        for way in done.of("move", line=5, kind="linear"):
+            turned, before, start, steady = 0.0, None, None, []
+            for t, z, angle in zip(trace["t"], trace["A2.act"], trace["S1.angle"]):
+                if not way["t"] + 0.005 <= t <= way["end"]:
+                    continue
+                if before is None:
+                    before, start = angle, z
+                turned += (angle - before + 180.0) % 360.0 - 180.0
+                before = angle
+                if 0.45 < (t - way["t"]) / (way["end"] - way["t"]) < 0.55:   # between its accelerations
+                    steady.append(abs(turned) / 360.0 - abs(z - start))   # F / S: 1 mm a revolution; the two loops lag differently
+            self.assertLess(max(steady) - min(steady), 0.02)
+            self.assertAlmostEqual(abs(turned) / 360.0, 12.0, delta=0.1)
+
     def test_g63_puts_off_a_hold_until_g64(self):
         done = self.run_it("O1\nG98 G97 S300 M3\nG63\nG01 Z-10. F300\nG01 Z0 M4\nG64\nG00 X60.\nM30\n",
                            scenario='[[at]]\nwhen = { ev = "move", line = 4 }\nafter = 1.0\npress = "feed_hold L1"\n[[at]]\nt = 20.0\npress = "cycle_start L1"\n')
