@@ -149,6 +149,7 @@ bool Interpreter::length_word() const {
 
 Step Interpreter::nc_block() {
     jumped_ = called_ = wants_barrier_ = false;
+    ++doings_;
     const std::uint64_t moves_before = core_.moves();
     bool calls = false;
     if (!settings_.g_calls.empty() || !settings_.m_calls.empty() || !settings_.letter_calls.empty() || settings_.t_calls) {
@@ -283,8 +284,8 @@ bool Interpreter::act() {
     if (parameter_input_ && !(coded_groups_ & bit_of(GGroup::OneShot))) return g10_parameter_block();
     if (life_.mode && !(coded_groups_ & bit_of(GGroup::OneShot))) return life_group_block();
     words_used_ = false;
-    // Settings, in the order of GGroup.
     block_corner_ = {};
+    // Settings, in the order of GGroup.
     constexpr std::uint32_t kLate = bit_of(GGroup::OneShot) | bit_of(GGroup::Motion) | bit_of(GGroup::MacroModal) | bit_of(GGroup::Surface);
     for (std::uint32_t left = coded_groups_ & ~kLate; left; left &= left - 1) {
         const GCode* row = coded_[static_cast<std::size_t>(__builtin_ctz(left))];

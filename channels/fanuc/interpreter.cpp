@@ -269,8 +269,19 @@ void Interpreter::live_value_barrier() {
     if (core_.holds_block())
         core_.sink().alarm({Alarm::CompCornerCut, {files_->path(frames_.back().file), core_.at.line, 0, 0}, {}, {}}, core_.at);
     core_.at.statement = true;   // the block itself is still to come
+    note_polling();
     core_.sink().barrier(core_.at);
     core_.at.statement = false;
+}
+
+// Only the machine can end such a loop: where nothing there changes any more, a run in virtual time has to end (cli.md, section 5).
+void Interpreter::note_polling() {
+    const Polled here{frames_.back().file, source_->position().offset, column_, doings_};
+    const bool again = here == polled_;
+    polled_ = here;
+    if (again == polls_) return;
+    polls_ = again;
+    tell_control();
 }
 
 Step Interpreter::read_block() {

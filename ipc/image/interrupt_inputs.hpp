@@ -24,7 +24,8 @@ inline constexpr std::int32_t kFlagOutputs = 4;      // register CN_UOUT: #1100 
 inline constexpr std::int32_t kFlagOutputsWide = 5;  // register CN_UOUTW: #1133 as a whole number
 
 // What a program has taken out of the operator's hands (fanuc_lathe 6.3.4; fagor_8037t part 2, 12.3). NoPlcStop: CP_STOP waits too.
-// GroupEnds: blocks that single block took as one end here, so it stops here.
-enum ProgramControl : std::uint32_t { kControlNoSingleBlock = 1, kControlNoFinish = 2, kControlNoHold = 4, kControlNoPlcStop = 8, kControlGroupEnds = 16, kControlOwnSpindleOverride = 32 };
+// GroupEnds: blocks that single block took as one end here, so it stops here. Polls: it asks the machine for the same value again and
+// again and does nothing in between.
+enum ProgramControl : std::uint32_t { kControlNoSingleBlock = 1, kControlNoFinish = 2, kControlNoHold = 4, kControlNoPlcStop = 8, kControlGroupEnds = 16, kControlOwnSpindleOverride = 32, kControlPolls = 64 };
 
 }  // namespace polyturn

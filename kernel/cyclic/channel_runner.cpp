@@ -501,6 +501,11 @@ void ChannelRunner::publish(ChannelStatus& status) noexcept {
     core_.signals.set_nc(signals::cn_end(number_), state_ == ChannelState::Ended);
 }
 
+bool ChannelRunner::polls() const noexcept {
+    return (control_ & kControlPolls) && segment_ && state_ == ChannelState::Running && phase_ == Phase::None && cursor_ + 1 == segment_->path.head.load(std::memory_order_acquire) &&
+           static_cast<RecordKind>(record(cursor_).kind) == RecordKind::Barrier;
+}
+
 bool ChannelRunner::can_go_on() const noexcept {
     if (!segment_) return false;
     if (planner_ && !at_rest()) return true;
@@ -514,6 +519,7 @@ bool ChannelRunner::can_go_on() const noexcept {
     if (beside_program_.now()) return true;
     if (phase_ != Phase::None) return true;
     if (step_.stands == Stands::NoFeed) return feed_override > 0;  // a spindle may come up to speed
+    if (polls()) return false;
     // The ring itself, not what the last tick saw of it: a wait that has just opened is followed by records pushed since.
     return cursor_ < segment_->path.head.load(std::memory_order_acquire) || step_.stands == Stands::Moving;
 }

@@ -98,6 +98,8 @@ public:
     }
     // The program has set the spindle override: the operator's rests (fagor PRGSSO).
     bool own_spindle_override() const noexcept { return control_ & kControlOwnSpindleOverride; }
+    // The program only asks for a value of the machine, and asks again.
+    bool polls() const noexcept;
     std::uint32_t pressed_keys = 0; // ChannelKey, by the operator
     std::uint32_t keys = 0;         // ChannelKey as they act: the operator's and those that the PLC's marks hold
 

@@ -309,10 +309,11 @@ bool Machine::idle() noexcept {
     commands_.drain(core_.tick);
     if (switch_on_at_ >= 0) return false;
     if (!commands_.empty() || core_.store.question_open()) return false;
-    bool handshake = false;
+    bool handshake = false, polls = false;   // the PLC may yet give what a program asks for
     for (auto& channel : channels_) {
         if (channel->in_handshake()) handshake = true;
         else if (channel->can_go_on()) return false;
+        polls = polls || channel->polls();
     }
     for (std::uint32_t s = 0; s < core_.config.spindle_count; ++s)
         if (core_.spindles[s].exists() && !core_.spindles[s].settled()) return false;
@@ -320,7 +321,7 @@ bool Machine::idle() noexcept {
     for (std::uint32_t a = 0; a < core_.config.axis_count; ++a)
         if (core_.axes[a].exists() && ((core_.axes[a].moving() && !spindle_couplings_.follows(a)) || (jogs_[a].active() && !(core_.axes[a].beside && jogs_[a].stands())) || overlays_[a].jog.active() || core_.beside[a].asked || to_reference_[a] || core_.home_wish[a])) return false;
     const double quiet_s = static_cast<double>(plc_.quiet_ticks()) * core_.config.tick_s;
-    return !plc_.present() ? !handshake || plc_.dead() : quiet_s >= (handshake ? kHandshakeQuietS : kPlcQuietS);
+    return !plc_.present() ? !handshake || plc_.dead() : quiet_s >= (handshake || polls ? kHandshakeQuietS : kPlcQuietS);
 }
 
 }  // namespace polyturn::kernel

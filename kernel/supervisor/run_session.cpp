@@ -386,6 +386,9 @@ void RunSession::take_idle(double t_s) {
             case ChannelState::Dead:
                 track.alarmed = true;
                 continue;
+            case ChannelState::Running:   // it asks for a value that nothing changes any more, unless its feed is switched off
+                if (asks_in_vain(number)) reason = StopReason::Waiting;
+                break;
             default:
                 break;
         }
@@ -395,6 +398,12 @@ void RunSession::take_idle(double t_s) {
         text.pop_back();
         joiner_.plain(number, t_s, std::move(text));
     }
+}
+
+bool RunSession::asks_in_vain(unsigned number) {
+    const ChannelSegment* channel = controller_->channel(number);
+    const std::uint64_t at = controller_->kernel().path_tail[number - 1].tail.load(std::memory_order_acquire);
+    return channel && at < channel->path.head.load(std::memory_order_acquire) && static_cast<RecordKind>(channel->path.slot(at).kind) == RecordKind::Barrier;
 }
 
 bool RunSession::all_over() const {

@@ -72,6 +72,7 @@ private:
     void watch_progress();
     void end_if_over(const KernelEvent& event, double t_s);
     void watch_real_time();
+    bool asks_in_vain(unsigned number);
     bool all_over() const;
     bool start_is_planned() const;
     bool programs_may_stop() const;

@@ -31,6 +31,20 @@ class Inputs(Run):
                 self.assertAlmostEqual(done.of("dwell")[0]["t"], 2.0, delta=0.1, msg=done.said())
 
 
+    def test_a_loop_that_nobody_answers_ends_the_run(self):
+        for loop in ("WHILE[#1000EQ0]DO1\nEND1\n", "N10 IF[#1000EQ0]GOTO10\n"):
+            with self.subTest(loop):
+                done = self.run_it("O1\nG98\nG01 Z-5. F600\n" + loop + "M30\n")
+                self.assertEqual(done.status, 1, done.said())
+                self.assertEqual([stop["reason"] for stop in done.of("stop")], ["waiting"], done.said())
+        # Those that come to an end by themselves: by counting, by the clock.
+        for loop in ("#1=0\nWHILE[[#1000EQ0]AND[#1LT25000]]DO1\n#1=#1+1\nEND1\n", "#3001=0\nWHILE[[#1000EQ0]AND[#3001LT25000]]DO1\nEND1\n"):
+            with self.subTest(loop):
+                done = self.run_it("O1\n" + loop + "M30\n")
+                self.assertEqual(done.status, 0, done.said())
+                self.assertAlmostEqual(done.of("stop")[0]["t"], 25.0, delta=0.5, msg=done.said())
+
+
 class Tapping(Run):
     """With a floating holder nothing ties the feed to the spindle but their two numbers: what changes one of them cuts the thread away."""
     TAP = "O1\nG98 G97 S300 M3\nG00 X0 Z5.\nG84 Z-10. R-3. F300\nG80\nG00 X60.\nM30\n"   # 12 mm at 5 mm/s, in and out
