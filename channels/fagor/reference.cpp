@@ -8,14 +8,6 @@
 namespace polyturn::channels::fagor {
 namespace {
 
-constexpr std::string_view kHead =
-    "# G codes and variables of the language fagor\n"
-    "This page is printed from the tables in `channels/fagor/g_codes.cpp` and `variable_names.cpp` (`tools/update_references.sh`); a test sees\n"
-    "to it that both agree. A code or word that stands not here is an alarm that names it.\n"
-    "\n## G codes\n"
-    "| code | group | words of its own | block | holds | what it does |\n"
-    "| --- | --- | --- | --- | --- | --- |\n";
-
 std::string_view group_name(GGroup group) {
     switch (group) {
         case GGroup::Units: return "units";
@@ -38,12 +30,12 @@ std::string_view group_name(GGroup group) {
     return "";
 }
 
-std::string words_of(const GCode& row) {
+std::string words_of(const GCode& row, const ReferenceWords& words) {
     std::string text;
-    if (row.binds) text = fmt::format("{} directly behind", row.binds);
+    if (row.binds) text = fmt::format("{} {}", row.binds, words("directly behind"));
     for (const char letter : row.takes) {
         if (!text.empty()) text += ' ';
-        if (letter == 'x') text += "axes";
+        if (letter == 'x') text += words("axes");
         else text += letter;
     }
     return text;
@@ -61,18 +53,28 @@ std::string_view behind_name(Shape shape) {
     return "";
 }
 
+constexpr MCode kMCodes[] = {
+    {"M0", "Programmed stop: start goes on"},
+    {"M1", "Stop where optional stop is on"},
+    {"M2", "End of the program"},
+    {"M30", "End of the program, back to its beginning"},
+};
+
 }  // namespace
 
-std::string reference_page() {
-    std::string page(kHead);
+std::string reference_page(const ReferenceWords& words) {
+    std::string page = "# " + words("G codes, M codes and variables of the language fagor") + "\n" +
+                       words("This page is printed from the tables in `channels/fagor/g_codes.cpp` and `variable_names.cpp` (`tools/update_references.sh`); a test sees to it that both agree.") + "\n" +
+                       words("A code or word that stands not here is an alarm that names it.") + "\n";
+    page += "\n## " + words("G codes") + "\n" + reference_head(words, {"code", "group", "words of its own", "block", "holds", "what it does"});
     for (const GCode& row : g_codes())
-        page += fmt::format("| G{:02} | {} | {} | {} | {} | {} |\n", row.number, group_name(row.group), words_of(row), row.alone ? "alone" : "", row.modal ? "yes" : "", row.text);
-    page +=
-        "\n## Variables\nA *live* one is a value of the machine: reading it stops the preparation of blocks until the machine stands there.\n\n"
-        "| name | behind it | live | a program may write it |\n| --- | --- | --- | --- |\n";
+        page += fmt::format("| G{:02} | {} | {} | {} | {} | {} |\n", row.number, words(group_name(row.group)), words_of(row, words), row.alone ? words("alone") : "", row.modal ? words("yes") : "", words(row.text));
+    page += m_code_section(words, kMCodes);
+    page += "\n## " + words("Variables") + "\n" + words("A *live* one is a value of the machine: reading it stops the preparation of blocks until the machine stands there.") + "\n\n";
+    page += reference_head(words, {"name", "behind it", "live", "a program may write it"});
     for (std::size_t i = 0; i < variable_count(); ++i) {
         const VariableRow& row = variable_row(i);
-        page += fmt::format("| {} | {} | {} | {} |\n", row.name, behind_name(row.shape), row.live ? "yes" : "", row.writable ? "yes" : "");
+        page += fmt::format("| {} | {} | {} | {} |\n", row.name, words(behind_name(row.shape)), row.live ? words("yes") : "", row.writable ? words("yes") : "");
     }
     return page;
 }

@@ -2,8 +2,10 @@
 #pragma once
 #include <string>
 
+#include "channels/reference_words.hpp"
+
 namespace polyturn::channels::fagor {
 
-std::string reference_page();
+std::string reference_page(const ReferenceWords& words);
 
 }  // namespace polyturn::channels::fagor

@@ -33,35 +33,46 @@ std::string_view group_name(GGroup group) {
     return "";
 }
 
-std::string words_of(const GCode& row) {
+std::string words_of(const GCode& row, const ReferenceWords& words) {
     std::string text;
     for (const char letter : row.takes) {
         if (!text.empty()) text += ' ';
-        if (letter == 'x') text += "axes";
+        if (letter == 'x') text += words("axes");
         else text += letter;
     }
     return text;
 }
 
+// What Interpreter::m_after() acts on itself (functions.cpp).
+constexpr MCode kMCodes[] = {
+    {"M0", "Programmed stop: start goes on"},
+    {"M1", "Stop where optional stop is on"},
+    {"M2", "End of the program"},
+    {"M30", "End of the program, back to its beginning"},
+    {"M96", "Interrupt program on: P is the program"},
+    {"M97", "Interrupt program off"},
+    {"M98", "Call of a subprogram: P number or a name in angle brackets, L times"},
+    {"M99", "End of the subprogram, P: back to that block; in a main program from the beginning again"},
+    {"M198", "Call of a subprogram from outside (PT_EXTERNAL)"},
+};
+
 }  // namespace
 
-std::string reference_page() {
-    std::string page =
-        "# G codes of the fanuc family\n"
-        "This page is printed from the table in `channels/fanuc/g_codes.cpp` (`tools/update_references.sh`); a test sees to it that both agree.\n"
-        "A, B, C are the systems of F3401, N is nct, M is mefi. *Holds at cycle start* unless a parameter says otherwise. A code that is\n"
-        "*refused* is known and stops the program with alarm PT1032 and its name; every other code that stands not here is alarm 010.\n\n"
-        "| code | systems | group | words of its own | at cycle start | state | what it does |\n"
-        "| --- | --- | --- | --- | --- | --- | --- |\n";
+std::string reference_page(const ReferenceWords& words) {
+    std::string page = "# " + words("G and M codes of the fanuc family") + "\n" +
+                       words("This page is printed from the table in `channels/fanuc/g_codes.cpp` (`tools/update_references.sh`); a test sees to it that both agree.") + "\n" +
+                       words("A, B, C are the systems of F3401, N is nct, M is mefi. *Holds at cycle start* unless a parameter says otherwise.") + "\n" +
+                       words("A code that is *refused* is known and stops the program with alarm PT1032 and its name; every other code that stands not here is alarm 010.") + "\n\n";
+    page += "## " + words("G codes") + "\n" + reference_head(words, {"code", "systems", "group", "words of its own", "at cycle start", "state", "what it does"});
     for (const GCode& row : g_codes()) {
         static constexpr std::pair<GSystem, char> kSystems[] = {{kA, 'A'}, {kB, 'B'}, {kC, 'C'}, {kN, 'N'}, {kM, 'M'}};
         std::string systems;
         for (const auto& [bit, letter] : kSystems)
             if (row.systems & bit) systems += systems.empty() ? std::string(1, letter) : std::string(" ") + letter;
-        page += "| " + std::string(row.name) + " | " + systems + " | " + std::string(group_name(row.group)) + " | " + words_of(row) + " | " +
-                (row.at_reset ? "holds" : "") + " | " + (row.act ? "built" : "refused") + " | " + std::string(row.text) + " |\n";
+        page += "| " + std::string(row.name) + " | " + systems + " | " + words(group_name(row.group)) + " | " + words_of(row, words) + " | " +
+                (row.at_reset ? words("holds") : "") + " | " + words(row.act ? "built" : "refused") + " | " + words(row.text) + " |\n";
     }
-    return page;
+    return page + m_code_section(words, kMCodes);
 }
 
 }  // namespace polyturn::channels::fanuc

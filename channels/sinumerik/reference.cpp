@@ -10,16 +10,10 @@
 namespace polyturn::channels::sinumerik {
 namespace {
 
-constexpr std::string_view kHead =
-    "# Words of the language sinumerik\n"
-    "This page is printed from the tables in `channels/sinumerik/rows_*.cpp` and `geo_rows.cpp` (`tools/update_references.sh`); a test sees to\n"
-    "it that both agree. *Refused*: the word is known and stops the program with alarm PT1032 and its name. Groups and their numbers are those\n"
-    "of $P_GG and MD20150; a star marks what is active when the control is delivered; a code in italics acts in its block only.\n";
-
 std::string_view built(bool yes) { return yes ? "built" : "refused"; }
 
 // One row a group: what acts, what is only kept as a mode, and what is refused, in the order of the group's numbers.
-std::string g_table() {
+std::string g_table(const ReferenceWords& words) {
     std::map<unsigned, std::array<std::string, 3>> groups;
     const auto collect = [&](std::span<const GCode> rows) {
         for (const GCode& row : rows) {
@@ -31,16 +25,16 @@ std::string g_table() {
     };
     collect(program_g_codes());
     collect(geometry_g_codes());
-    std::string page = "\n## G commands\n| group | acts | kept as a mode, changes nothing | refused |\n| --- | --- | --- | --- |\n";
+    std::string page = "\n## " + words("G commands") + "\n" + reference_head(words, {"group", "acts", "kept as a mode, changes nothing", "refused"});
     for (const auto& [group, text] : groups) page += fmt::format("| {} | {} | {} | {} |\n", group, text[0], text[1], text[2]);
     return page;
 }
 
-std::string address_table() {
+std::string address_table(const ReferenceWords& words) {
     constexpr std::array<std::string_view, 4> kIndex{"", "a number", "an axis", "a spindle"};
-    std::string page = "\n## Addresses\n| address | in brackets or as extension | negative values | state |\n| --- | --- | --- | --- |\n";
+    std::string page = "\n## " + words("Addresses") + "\n" + reference_head(words, {"address", "in brackets or as extension", "negative values", "state"});
     for (const Address& row : addresses())
-        page += fmt::format("| {} | {} | {} | {} |\n", row.name, kIndex[static_cast<std::size_t>(row.index)], row.is_signed ? "yes" : "no", built(row.use != Address::Use::Refused));
+        page += fmt::format("| {} | {} | {} | {} |\n", row.name, words(kIndex[static_cast<std::size_t>(row.index)]), words(row.is_signed ? "yes" : "no"), words(built(row.use != Address::Use::Refused)));
     return page;
 }
 
@@ -57,7 +51,7 @@ std::string_view type_name(char letter) {
     }
 }
 
-std::string command_rows(std::span<const Command> rows) {
+std::string command_rows(std::span<const Command> rows, const ReferenceWords& words) {
     std::string page;
     for (const Command& row : rows) {
         std::string arguments;
@@ -67,23 +61,33 @@ std::string command_rows(std::span<const Command> rows) {
                 arguments += ", ...";
                 break;
             }
-            arguments += fmt::format("{}{}", i ? ", " : "", type_name(types[i]));
+            arguments += fmt::format("{}{}", i ? ", " : "", words(type_name(types[i])));
         }
-        const std::string count = row.least == row.most ? fmt::format("{}", row.most) : fmt::format("{} to {}", row.least, row.most);
-        page += fmt::format("| {} | {} | {} | {} | {} | {} |\n", row.name, row.function ? "function" : "procedure", count, arguments, row.own_block ? "own block" : "", built(row.act));
+        const std::string count = row.least == row.most ? fmt::format("{}", row.most) : fmt::format("{} {} {}", row.least, words("to"), row.most);
+        page += fmt::format("| {} | {} | {} | {} | {} | {} |\n", row.name, words(row.function ? "function" : "procedure"), count, arguments, row.own_block ? words("own block") : "", words(built(row.act)));
     }
     return page;
 }
 
+constexpr MCode kMCodes[] = {
+    {"M0", "Programmed stop: start goes on"},
+    {"M1", "Stop where optional stop is on"},
+    {"M2", "End of the program, or of the subprogram"},
+    {"M17", "End of the subprogram"},
+    {"M30", "End of the program, or of the subprogram"},
+};
+
 }  // namespace
 
-std::string reference_page() {
-    std::string page(kHead);
-    page += g_table() + address_table();
-    page += "\n## Functions and procedures\n| name | kind | arguments | their types | block | state |\n| --- | --- | --- | --- | --- | --- |\n";
-    page += command_rows(program_commands()) + command_rows(geometry_commands());
-    page += "\n## Words that begin a statement\n| word | state |\n| --- | --- |\n";
-    for (const Statement& row : statements()) page += fmt::format("| {} | {} |\n", row.name, built(row.act));
+std::string reference_page(const ReferenceWords& words) {
+    std::string page = "# " + words("Words of the language sinumerik") + "\n" +
+                       words("This page is printed from the tables in `channels/sinumerik/rows_*.cpp` and `geo_rows.cpp` (`tools/update_references.sh`); a test sees to it that both agree.") + "\n" +
+                       words("*Refused*: the word is known and stops the program with alarm PT1032 and its name. Groups and their numbers are those of $P_GG and MD20150; a star marks what is active when the control is delivered; a code in italics acts in its block only.") + "\n";
+    page += g_table(words) + m_code_section(words, kMCodes) + address_table(words);
+    page += "\n## " + words("Functions and procedures") + "\n" + reference_head(words, {"name", "kind", "arguments", "their types", "block", "state"});
+    page += command_rows(program_commands(), words) + command_rows(geometry_commands(), words);
+    page += "\n## " + words("Words that begin a statement") + "\n" + reference_head(words, {"word", "state"});
+    for (const Statement& row : statements()) page += fmt::format("| {} | {} |\n", row.name, words(built(row.act)));
     return page;
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 #include <string>
 
+#include "channels/reference_words.hpp"
+
 namespace polyturn::channels::sinumerik {
 
-std::string reference_page();
+std::string reference_page(const ReferenceWords& words);
 
 }  // namespace polyturn::channels::sinumerik

@@ -3,7 +3,10 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <map>
+#include <set>
 #include <sstream>
+#include <vector>
 
 #include "channels/fagor/reference.hpp"
 #include "channels/fanuc/g_codes.hpp"
@@ -13,28 +16,71 @@
 namespace polyturn::channels::testing {
 namespace {
 
-struct Page {
-    const char* language;
-    std::string (*print)();
+// A column of channels/reference_words.txt: 0 English, 1 to 3 the others.
+class WordsOf : public ReferenceWords {
+public:
+    explicit WordsOf(std::size_t column) : column_(column) {
+        if (!column) return;
+        std::ifstream file(std::string(POLYTURN_SOURCE_DIR) + "/channels/reference_words.txt");
+        for (std::string line; std::getline(file, line);) {
+            if (line.empty() || line[0] == '#') continue;
+            std::vector<std::string> cells(1);
+            for (const char c : line)
+                if (c == '|') cells.emplace_back();
+                else cells.back() += c;
+            if (cells.size() != 4) {
+                ADD_FAILURE() << line;
+                continue;
+            }
+            EXPECT_TRUE(known_.emplace(cells[0], cells[column]).second) << "twice: " << cells[0];
+        }
+    }
+    std::string operator()(std::string_view english) const override {
+        if (!column_ || english.empty()) return std::string(english);
+        used_.insert(std::string(english));
+        const auto found = known_.find(std::string(english));
+        EXPECT_TRUE(found != known_.end() && !found->second.empty()) << "channels/reference_words.txt has no: " << english;
+        return found == known_.end() ? std::string(english) : found->second;
+    }
+    std::set<std::string> unused() const {
+        std::set<std::string> out;
+        for (const auto& [english, other] : known_)
+            if (!used_.count(english)) out.insert(english);
+        return out;
+    }
+
+private:
+    std::size_t column_;
+    std::map<std::string, std::string> known_;
+    mutable std::set<std::string> used_;
 };
 
-class LanguageReference : public ::testing::TestWithParam<Page> {};
+struct Page {
+    const char* language;
+    std::string (*print)(const ReferenceWords&);
+};
+constexpr Page kPages[] = {{"fanuc", fanuc::reference_page}, {"fagor", fagor::reference_page}, {"sinumerik", sinumerik::reference_page}};
+constexpr const char* kEndings[] = {"", ".ru", ".cs", ".hu"};   // columns of the words
 
-TEST_P(LanguageReference, IsCurrent) {
-    const std::string path = std::string(POLYTURN_SOURCE_DIR) + "/docs/reference_" + GetParam().language + ".md";
-    if (std::getenv("POLYTURN_BLESS")) {
-        std::ofstream(path) << GetParam().print();
-        GTEST_SKIP() << "written: read the diff";
+TEST(LanguageReference, IsCurrentInEveryLanguage) {
+    for (std::size_t column = 0; column < std::size(kEndings); ++column) {
+        const WordsOf words(column);
+        for (const Page& page : kPages) {
+            SCOPED_TRACE(page.language + std::string(kEndings[column]));
+            const std::string path = std::string(POLYTURN_SOURCE_DIR) + "/docs/reference_" + page.language + kEndings[column] + ".md", printed = page.print(words);
+            if (std::getenv("POLYTURN_BLESS")) {
+                std::ofstream(path) << printed;
+                continue;
+            }
+            std::ifstream file(path);
+            std::stringstream text;
+            text << file.rdbuf();
+            EXPECT_EQ(text.str(), printed) << "run tools/update_references.sh";
+        }
+        for (const std::string& one : words.unused()) ADD_FAILURE() << "no page has: " << one;
     }
-    std::ifstream file(path);
-    std::stringstream text;
-    text << file.rdbuf();
-    EXPECT_EQ(text.str(), GetParam().print()) << "run tools/update_references.sh";
+    if (std::getenv("POLYTURN_BLESS")) GTEST_SKIP() << "written: read the diff";
 }
-
-INSTANTIATE_TEST_SUITE_P(All, LanguageReference, ::testing::Values(Page{"fanuc", fanuc::reference_page}, Page{"fagor", fagor::reference_page},
-                                                                   Page{"sinumerik", sinumerik::reference_page}),
-                         [](const auto& test) { return std::string(test.param.language); });
 
 TEST(FanucReference, NamesEveryCodeByItsNumber) {
     for (const fanuc::GCode& row : fanuc::g_codes()) {
