@@ -9,6 +9,7 @@
 
 #include "channels/program_files.hpp"
 #include "channels/state/core.hpp"
+#include "ipc/diagnosis/languages.hpp"
 
 namespace polyturn::channels {
 
@@ -76,9 +77,6 @@ public:
     virtual void interrupt_arrived() {}
 };
 
-// Whose alarm numbers a language speaks, by the name that --language takes.
-Dialect dialect_of(std::string_view language);
-std::string_view language_name(Dialect dialect);   // the other way round
 // By the name that --language takes; nothing for a language that is not built.
 std::unique_ptr<Language> make_language(std::string_view name, MachineView& view, Sink& sink, Port& port, ProgramFiles& files);
 std::unique_ptr<Language> make_fanuc(MachineView& view, Sink& sink, Port& port, ProgramFiles& files);

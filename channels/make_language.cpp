@@ -9,24 +9,6 @@
 
 namespace polyturn::channels {
 
-Dialect dialect_of(std::string_view language) {
-    if (language == "nct") return Dialect::Nct;
-    if (language == "fagor") return Dialect::Fagor;
-    if (language == "sinumerik") return Dialect::Sinumerik;
-    if (language == "mefi") return Dialect::Mefi;
-    return Dialect::Fanuc;
-}
-
-std::string_view language_name(Dialect dialect) {
-    switch (dialect) {
-        case Dialect::Nct: return "nct";
-        case Dialect::Fagor: return "fagor";
-        case Dialect::Sinumerik: return "sinumerik";
-        case Dialect::Mefi: return "mefi";
-        default: return "fanuc";
-    }
-}
-
 namespace {
 
 // The interpreter behind a machine whose X slide is inclined.

@@ -200,8 +200,10 @@ enum class UserLevel : std::uint32_t { None = 0, Operator, Setter, Maker };
 enum class OffsetTable : std::int32_t { Geometry = 0, Wear, SecondGeometry, Work };   // Work: a row and place of ChannelStore::zeros
 enum class OffsetField : std::int32_t { X = 0, Y, Z, R, T };
 
-// Operator's switches of a channel; block skip 1 to 10 are bits 8 to 17.
-enum ChannelKey : std::uint32_t { kKeySingleBlock = 1u << 0, kKeyOptionalStop = 1u << 1, kKeyDryRun = 1u << 2, kKeyMachineLock = 1u << 3, kKeyFirstPart = 1u << 4, kKeyRapid = 1u << 5, kKeySuperpose = 1u << 6, kKeyStopAfterPart = 1u << 7, kKeyBlockSkip1 = 1u << 8 };
+// Operator's switches of a channel; block skip 1 to 10 are bits 8 to 17. Told, not pressed, are: that it stops after this part, that its
+// waits are passed over (CP_NOWT), that cycle start drives backwards.
+enum ChannelKey : std::uint32_t { kKeySingleBlock = 1u << 0, kKeyOptionalStop = 1u << 1, kKeyDryRun = 1u << 2, kKeyMachineLock = 1u << 3, kKeyFirstPart = 1u << 4, kKeyRapid = 1u << 5, kKeySuperpose = 1u << 6, kKeyStopAfterPart = 1u << 7, kKeyBlockSkip1 = 1u << 8,
+                                  kKeyIgnoreWaits = 1u << 18, kKeyRetrace = 1u << 19 };
 
 enum AxisFlag : std::uint32_t { kReferenced = 1u << 0, kInPos = 1u << 1, kMoving = 1u << 2, kExists = 1u << 3, kDriveFault = 1u << 4, kRotary = 1u << 5, kDiameter = 1u << 6 };
 

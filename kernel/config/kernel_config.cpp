@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ipc/diagnosis/languages.hpp"
+
 namespace polyturn::kernel {
 namespace p = params;
 
@@ -92,8 +94,7 @@ ChannelConfig read_channel(const p::Table& t, unsigned l) {
     channel.measure_feed = p::get(t, p::n0319_t_meas_feed, l) * unit / 60.0;
     channel.rapid_key_factor = p::get(t, p::n0313_feed_mult, l);
     channel.feed_override_in_rapid = p::get(t, p::fg_rapidovr, l) != 0;
-    const auto language = p::get_text(t, p::pt_language, l);
-    channel.language = language == "sinumerik" ? Dialect::Sinumerik : language == "fagor" ? Dialect::Fagor : language == "nct" ? Dialect::Nct : language == "mefi" ? Dialect::Mefi : Dialect::Fanuc;
+    channel.language = dialect_of(p::get_text(t, p::pt_language, l));
     // The panel's switch has 120 % at its end, and MAXFOVR caps it (fagor part 1, 5.2).
     channel.fagor_feed_override_max = std::fmin(static_cast<double>(p::get(t, p::fg_maxfovr, l)), 120.0) / 100.0;
     channel.parts_wanted = p::get(t, p::n2308_no_of_parts_reqrd, l);

@@ -480,7 +480,9 @@ void ChannelRunner::publish(ChannelStatus& status) noexcept {
     status.blocks = blocks_;
     status.epoch = epoch_;
     status.stop_reason = static_cast<std::int32_t>(stop_reason_);
-    status.keys = keys | (stop_after_part_ ? kKeyStopAfterPart : 0u);   // told, not pressed: it ends by itself
+    // Told, not pressed: the first and the last end by themselves, the PLC may set the second one.
+    status.keys = keys | (stop_after_part_ ? kKeyStopAfterPart : 0u) | (core_.signals.plc(signals::cp_nowt(number_)) ? kKeyIgnoreWaits : 0u) | (retrace_ < 0 ? kKeyRetrace : 0u);
+    status.speaks = static_cast<std::uint32_t>(speaks());
     status.skipped = skipped_ ? 1 : 0;
     status.retrace = trail_.active() ? (trail_.direction() < 0 ? -1 : 1) : 0;
     status.wheel = wheel_ ? 1 : 0;

@@ -120,6 +120,8 @@ constexpr auto kHelp = std::to_array<Phrase>({
     {"drives backwards", "идёт назад по траектории", "jede zpět po dráze", "visszafelé halad a pályán"},
     {"drives forwards again", "снова идёт вперёд", "jede opět vpřed", "ismét előre halad"},
     {"driven by the handwheel", "ведёт маховичок", "vede ruční kolečko", "a kézikerék vezeti"},
+    {"cycle start drives backwards", "пуск поведёт назад", "start pojede zpět", "a start visszafelé hajt"},
+    {"passes its waits over", "ожидания пропускаются", "čekání se přeskakují", "a várakozásokat átlépi"},
     {"handwheel superposed", "маховичок наложен", "ruční kolečko superponováno", "rászuperponált kézikerék"},
     {"looks for the block of the restart", "ищет кадр повторного пуска", "hledá blok opětovného startu", "az újraindítás mondatát keresi"},
     {"at the block of the restart: cycle start approaches", "у кадра повторного пуска: пуск цикла начнёт подход", "u bloku opětovného startu: start cyklu zahájí nájezd", "az újraindítás mondatánál: a ciklusstart megközelíti"},

@@ -22,9 +22,6 @@ namespace polyturn::supervisor {
 
 namespace {
 
-constexpr std::pair<std::string_view, Dialect> kLanguages[] = {
-    {"fanuc", Dialect::Fanuc}, {"nct", Dialect::Nct}, {"fagor", Dialect::Fagor}, {"sinumerik", Dialect::Sinumerik}, {"mefi", Dialect::Mefi}};
-
 // "2=fanuc": channel and rest; without a number the channel is 0. A file name may hold a '=' of its own.
 std::pair<unsigned, std::string> program_of_channel(const std::string& words) {
     const auto at = words.find('=');
@@ -287,12 +284,6 @@ std::vector<std::string> JobPlan::machine_arguments() const {
 }
 
 std::optional<JobPlan> plan_job(const JobOptions& options, PlanFailure& failure) { return Planner(options, failure).plan(); }
-
-Dialect dialect_of(std::string_view language) {
-    for (const auto& [name, dialect] : kLanguages)
-        if (name == language) return dialect;
-    return Dialect::Polyturn;
-}
 
 std::string language_of(const params::Table& table, unsigned channel) { return std::string(params::get_text(table, params::pt_language, channel)); }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ipc/diagnosis/languages.hpp"
 #include "ipc/machine/load_machine.hpp"
 #include "ipc/machine/machine_config.hpp"
 #include "ipc/text/builder_messages.hpp"
@@ -62,7 +63,6 @@ std::optional<JobPlan> plan_job(const JobOptions& options, PlanFailure& failure)
 void print_diagnosis(const Diagnosis& diagnosis, Dialect dialect);
 // The same from an alarm event that a channel made.
 void print_alarm_event(std::string_view event_text, Dialect dialect);
-Dialect dialect_of(std::string_view language);  // Polyturn for a name that is none
 std::string language_of(const params::Table& table, unsigned channel);
 
 }  // namespace polyturn::supervisor

@@ -7,9 +7,11 @@
 #include <filesystem>
 #include <memory>
 
+#include "ipc/diagnosis/languages.hpp"
 #include "ipc/diagnosis/tongue.hpp"
 #include "ipc/machine/machine_config.hpp"
 #include "ipc/machine/machine_step.hpp"
+#include "ipc/machine/wait_name.hpp"
 #include "ipc/memory/segment.hpp"
 #include "kernel/supervisor/event_text.hpp"
 #include "kernel/supervisor/phrases.hpp"
@@ -45,6 +47,8 @@ std::string special_text(const ChannelStatus& channel) {
     const auto add = [&](std::string_view english) { out += "   ", out += say(english); };
     if (channel.retrace < 0) add("drives backwards");
     if (channel.retrace > 0) add("drives forwards again");
+    if ((channel.keys & kKeyRetrace) && channel.retrace >= 0) add("cycle start drives backwards");
+    if (channel.keys & kKeyIgnoreWaits) add("passes its waits over");
     if (channel.wheel) add("driven by the handwheel");
     if (channel.keys & kKeySuperpose) add("handwheel superposed");
     if (channel.restart == static_cast<std::uint32_t>(RestartState::Searching)) add("looks for the block of the restart");
@@ -161,6 +165,7 @@ Result<std::string> status_json(const std::string& instance) {
             "\"cutting\":{},\"rapid\":{},\"waiting\":{},\"retrace\":{},\"wheel\":{},\"superposed\":{},\"restart\":\"{}\"",
             i + 1, state_text(channel.state), mode_text(channel.mode), channel.line, number(channel.feed_override), number(channel.rapid_override),
             channel.wait_code, channel.parts, number(channel.cycle_s), number(channel.cutting_s), number(channel.rapid_s), number(channel.waiting_s), channel.retrace, channel.wheel != 0, (channel.keys & kKeySuperpose) != 0, restart_text(channel.restart));
+        channels += fmt::format(",\"language\":\"{}\",\"ignores_waits\":{}", language_name(static_cast<Dialect>(channel.speaks)), (channel.keys & kKeyIgnoreWaits) != 0);
         if (channel.tool) channels += fmt::format(",\"tool\":{},\"tool_offset\":{}", channel.tool, channel.tool_offset);   // of tool management
         if (p.shown_tool[i] > 0) channels += fmt::format(",\"active_tool\":{}", p.shown_tool[i]);
         if (channel.touched) channels += fmt::format(",\"touched\":\"A{}{}\",\"{}\":{}", std::abs(channel.touched), channel.touched < 0 ? '-' : '+', channel.touched_at > 2 ? "workpiece_setter" : "setter", channel.touched_at > 2 ? channel.touched_at - 2 : channel.touched_at);
@@ -192,7 +197,7 @@ Result<std::string> status_page(const std::string& instance) {
         out += fmt::format("  L{:<2} {:<12} {:<10} {}{}{}{}\n", i + 1, say(channel.state == static_cast<std::uint32_t>(ChannelState::Waiting) ? "waits" : state_text(channel.state)), mode_text(channel.mode),
                            p.program[i].empty() ? std::string(say("no program")) : std::filesystem::path(p.program[i]).filename().string(),
                            channel.line ? fmt::format(":{}", channel.line) : std::string(),
-                           channel.wait_code ? fmt::format(fmt::runtime(say("   waits at {}")), channel.wait_code) : std::string(), special_text(channel));
+                           channel.wait_code ? fmt::format(fmt::runtime(say("   waits at {}")), channel.wait_code > 0 ? wait_name(static_cast<Dialect>(channel.speaks), channel.wait_code) : std::to_string(channel.wait_code)) : std::string(), special_text(channel));
     }
     for (std::size_t i = 0; i < p.machine.last_axis; ++i) {
         const AxisConfig& config = p.machine.axes[i];

@@ -1,12 +1,13 @@
 #include "kernel/supervisor/stop_watch.hpp"
 
 #include "ipc/image/enums.hpp"
+#include "ipc/machine/wait_name.hpp"
 
 namespace polyturn::supervisor {
 namespace {
 
 std::string wait_text(const ChannelStatus& channel) {
-    std::string out = channel.wait_code > 0 ? "M" + std::to_string(channel.wait_code) : std::string();
+    std::string out = channel.wait_code > 0 ? wait_name(static_cast<Dialect>(channel.speaks), channel.wait_code) : std::string();
     for (unsigned other = 0; other < kMaxChannels; ++other)
         if (channel.wait_missing >> other & 1u) out += (out.empty() ? "L" : " L") + std::to_string(other + 1);
     return out;

@@ -328,6 +328,41 @@ TEST(Operator, MarksOfThePlcAreKeysAsLongAsTheyAreSet) {
     EXPECT_EQ(set(signals::m5008, 1), std::uint32_t{kKeyOptionalStop} | kKeySingleBlock);
 }
 
+// What screens show of the selected program, and of what has been chosen beside the keys.
+TEST(Operator, IsToldTheLanguageAndWhatIsChosenBesideTheKeys) {
+    TickRig rig([](params::Table& t, RunOptions&) { params::put_text(t, params::pt_language, "fanuc", 1); });
+    const auto told = [&] {
+        const auto status = std::make_unique<MachineStatus>();
+        EXPECT_TRUE(rig.kernel->status.read(*status));
+        return status->channels[0];
+    };
+    const auto speaks = [&] { return static_cast<Dialect>(told().speaks); };
+    rig.run(2);
+    EXPECT_EQ(speaks(), Dialect::Fanuc);
+    rig.command(CommandKind::Select, 1, static_cast<double>(Dialect::Sinumerik), 0, 0, 0, "PART.MPF");
+    rig.run(2);
+    EXPECT_EQ(speaks(), Dialect::Sinumerik) << "its job says so";
+    rig.command(CommandKind::Mode, 1, static_cast<double>(ChannelMode::Mdi));
+    rig.run(2);
+    EXPECT_EQ(speaks(), Dialect::Fanuc) << "a block by hand is the machine's";
+    rig.command(CommandKind::Mode, 1, static_cast<double>(ChannelMode::Auto));
+    rig.command(CommandKind::Select, 1, 0, 0, 0, 0, "O1.nc");
+    rig.run(2);
+    EXPECT_EQ(speaks(), Dialect::Fanuc);
+
+    EXPECT_EQ(told().keys & kKeyIgnoreWaits, 0u);
+    rig.command(CommandKind::IgnoreWaits, 1, 1);
+    rig.run(2);
+    EXPECT_NE(told().keys & kKeyIgnoreWaits, 0u);
+    EXPECT_EQ(rig.machine->channel(0).keys & kKeyIgnoreWaits, 0u) << "told, not pressed";
+    rig.command(CommandKind::IgnoreWaits, 1, 0);
+    rig.run(2);
+    EXPECT_EQ(told().keys & kKeyIgnoreWaits, 0u);
+    rig.command(CommandKind::SetSignal, 0, 1, 0, signals::cp_nowt(1), kSlotOfPlc);
+    rig.run(2);
+    EXPECT_NE(told().keys & kKeyIgnoreWaits, 0u) << "the PLC may choose it as well";
+}
+
 // INIT, START: the path comes in pieces; a program that runs goes on as it is.
 TEST(Operator, AProgramStartsThatOfAnotherChannel) {
     TickRig rig;

@@ -39,9 +39,17 @@ TEST(Retrace, DrivesBackToTheBeginningAndForwardToTheEnd) {
     ASSERT_NEAR(z, -20, 1e-9);
     ASSERT_GT(x, 10);
     Path path(rig);
+    const auto chosen = [&] {
+        const auto status = std::make_unique<MachineStatus>();
+        return rig.kernel->status.read(*status) && (status->channels[0].keys & kKeyRetrace);
+    };
+    EXPECT_FALSE(chosen());
     rig.command(CommandKind::Retrace, 1, 1);
+    rig.run(2);
+    EXPECT_TRUE(chosen()) << "the next start drives backwards: screens say so before it does";
     rig.start(1);
     rig.run_until_idle();
+    EXPECT_FALSE(chosen()) << "no further back";
     EXPECT_EQ(rig.state(1), ChannelState::Held);
     EXPECT_NEAR(rig.position(1), 0, 1e-9);
     EXPECT_NEAR(rig.position(2), 0, 1e-9);

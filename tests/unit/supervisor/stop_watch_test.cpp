@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "ipc/diagnosis/diagnosis.hpp"
 #include "ipc/image/enums.hpp"
 #include "ipc/machine/stop_causes.hpp"
 
@@ -61,6 +62,21 @@ TEST(StopWatch, LeavesOutWhatBelongsToEveryProgram) {
     EXPECT_EQ(shift.told[1].cause, "wait");
     EXPECT_EQ(shift.told[1].detail, "M503 L1 L3");
     EXPECT_DOUBLE_EQ(shift.told[1].seconds, 60);
+}
+
+// Marker 3 is no M3, and marker 100 of WAITE none at all.
+TEST(StopWatch, NamesAWaitAsTheLanguageOfTheProgramWritesIt) {
+    Shift shift;
+    shift.pass(5, ChannelState::Running);
+    shift.is->channels[1].speaks = static_cast<std::uint32_t>(Dialect::Sinumerik);
+    shift.is->channels[1].wait_code = 3, shift.is->channels[1].wait_missing = 1;
+    shift.pass(60, ChannelState::Waiting);
+    shift.is->channels[1].wait_code = 100;
+    shift.pass(60, ChannelState::Waiting);
+    shift.pass(1, ChannelState::Running);
+    ASSERT_EQ(shift.told.size(), 4u);
+    EXPECT_EQ(shift.told[0].detail, "WAITM(3) L1");
+    EXPECT_EQ(shift.told[2].detail, "WAITE L1");
 }
 
 TEST(StopWatch, TellsTheNextWaitAsAnotherStop) {

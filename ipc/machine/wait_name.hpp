@@ -1,0 +1,15 @@
+// A wait as the language of the program writes it: M501, or WAITM(3) and WAITE.
+#pragma once
+#include <string>
+
+#include "ipc/diagnosis/diagnosis.hpp"
+
+namespace polyturn {
+
+inline std::string wait_name(Dialect language, int code) {
+    constexpr int kProgramEnd = 100;   // of WAITE (kernel: WaitBoard::kProgramEnd)
+    if (language != Dialect::Sinumerik) return "M" + std::to_string(code);
+    return code == kProgramEnd ? "WAITE" : "WAITM(" + std::to_string(code) + ")";
+}
+
+}  // namespace polyturn
