@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QPdfWriter>
 #include <QTextDocument>
+#include <cmath>
 
 #include "polyturn/parameter_handles.hpp"
 
@@ -40,6 +41,15 @@ QString matchText(const SheetTool& tool) {
     return word("not entered");
 }
 
+std::vector<JobZero> compareZeros(const Live& live, const text::Job& job) {
+    return job_zeros(job, live.config(), [&](unsigned channel) { return live.connected() ? &live.store(channel) : nullptr; });
+}
+
+QString zeroText(const JobZero& zero) {
+    if (std::isnan(zero.entered)) return word("the machine does not have it");
+    return zero.same() ? word("entered") : word("entered: %1").arg(zero.entered, 0, 'f', 3);
+}
+
 QString sheetText(const Live& live, const text::Job& job) {
     QString html = QString("<h1>%1</h1><p>%2 &nbsp; %3</p>").arg(QString::fromStdString(job.name).toHtmlEscaped(), QString::fromStdString(live.instance()), QDateTime::currentDateTime().toString("dd.MM.yyyy HH:mm"));
     const auto cells = [](const QStringList& texts, const char* tag) {
@@ -54,6 +64,12 @@ QString sheetText(const Live& live, const text::Job& job) {
     for (const auto& [channel, program] : job.programs) rows += cells({QString("L%1").arg(channel), QFileInfo(QString::fromStdString(program.file)).fileName(), QString::fromStdString(program.language)}, "td");
     html += table(rows);
     if (job.stock) html += headline(word("Stock")) + "<p>" + QString::fromUtf8("⌀ %1 × %2 %3   %4").arg(job.stock->diameter).arg(job.stock->length).arg(unitWord("mm"), QString::fromStdString(job.stock->spindle)) + "</p>";
+    if (const auto zeros = compareZeros(live, job); !zeros.empty()) {
+        html += headline(word("Zeros"));
+        rows.clear();
+        for (const JobZero& one : zeros) rows += cells({QString("L%1").arg(one.channel), QString::fromStdString(one.system + " " + one.axis), QString::number(one.wanted, 'f', 3), zeroText(one)}, "td");
+        html += table(rows);
+    }
     html += headline(word("Tools that it needs"));
     rows = cells({word("Channel"), word("Station"), word("Wanted"), word("Mounted"), word("State")}, "th");
     for (const SheetTool& one : compareTools(live, job)) rows += cells({QString("L%1").arg(one.channel), QString::number(one.station), one.wanted, matchText(one), one.state.text}, "td");

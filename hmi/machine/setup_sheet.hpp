@@ -2,7 +2,7 @@
 #pragma once
 #include "hmi/machine/file_text.hpp"
 #include "hmi/machine/tool_words.hpp"
-#include "ipc/text/job.hpp"
+#include "ipc/machine/job_differences.hpp"
 
 namespace polyturn::hmi {
 
@@ -15,6 +15,9 @@ struct SheetTool {
 };
 std::vector<SheetTool> compareTools(const Live& live, const text::Job& job);
 QString matchText(const SheetTool& tool);
+// The zeros that the job names, beside those that are entered: selecting the job leaves them as they are.
+std::vector<JobZero> compareZeros(const Live& live, const text::Job& job);
+QString zeroText(const JobZero& zero);           // «-150.000», and beside it what is entered
 // What stands on it, as HTML; then on paper, which may take as long as a network takes: by a worker.
 QString sheetText(const Live& live, const text::Job& job);
 FileOutcome writeSheet(const QString& html, const QString& title, const QString& file, FileProgress& progress, const std::atomic<bool>& stop);

@@ -145,13 +145,14 @@ void FilesPage::open() {
     one->up ? readFolder(QDir::cleanPath(desk_.folder + "/.."), left) : readFolder(chosenPath());
 }
 
-FilesPage::Preview FilesPage::readPreview(const QString& path, bool job, Tongue tongue) {
+FilesPage::Preview FilesPage::readPreview(const QString& path, bool job, Tongue tongue, const std::string& machine) {
     Preview out;
     out.path = path;
     if (job) {
         const auto read = text::load_job(path.toStdString());
         if (!read) return out.fault = QString::fromStdString(text_in(read.diagnosis(), tongue)), out;
         out.job = std::make_shared<text::Job>(*read);
+        out.otherMachine = for_another_machine(*read, machine);
         for (const auto& [channel, program] : out.job->programs) out.there.push_back(QFileInfo::exists(QString::fromStdString(program.file)));
         return out;
     }
@@ -169,7 +170,7 @@ void FilesPage::look() {
     if (preview_.path == path && !path.isEmpty()) return;
     preview_ = {};
     if (!one || one->folder) return looker_.forget();
-    looker_.start([path, job = one->job, tongue = spoken()](const std::atomic<bool>&) { return readPreview(path, job, tongue); });
+    looker_.start([path, job = one->job, tongue = spoken(), machine = desk_.live.machineFolder()](const std::atomic<bool>&) { return readPreview(path, job, tongue, machine); });
     take();
 }
 
@@ -254,6 +255,17 @@ void FilesPage::composePreview(Writer& w) {
     }
 }
 
+QString FilesPage::jobDiffers() const {
+    if (!preview_.job) return {};
+    QStringList zeros;
+    for (const JobZero& one : compareZeros(desk_.live, *preview_.job))
+        if (!one.same()) zeros << QString("L%1 %2 %3").arg(one.channel).arg(QString::fromStdString(one.system), QString::fromStdString(one.axis));
+    QStringList out;
+    if (preview_.otherMachine) out << word("The job is for another machine: %1").arg(QFileInfo(QString::fromStdString(preview_.job->machine)).fileName());
+    if (!zeros.isEmpty()) out << word("Other zeros than the job's hold: %1").arg(zeros.join(", "));
+    return out.join(".  ");
+}
+
 // What a job is made of, and wanted against mounted tools.
 void FilesPage::composeJob(Writer& w, double y) {
     const Theme& t = theme();
@@ -289,6 +301,26 @@ void FilesPage::composeJob(Writer& w, double y) {
         headline(word("Parts"));
         w.text(QRectF(px(16), y, wide - px(32), px(26)), QString::number(job.parts_wanted), lettering(17), t.text);
         y += px(30);
+    }
+    if (preview_.otherMachine) {
+        y += px(8);
+        headline(word("Machine"));
+        w.data(QRectF(px(16), y, wide * 0.5, px(26)), QFileInfo(QString::fromStdString(job.machine)).fileName(), lettering(17), t.text);
+        w.sign(QRectF(wide * 0.55, y + px(3), px(20), px(20)), Sign::Warning, t.warn);
+        w.text(QRectF(wide * 0.55 + px(28), y, wide * 0.45 - px(44), px(26)), word("not this one"), lettering(14.5), t.text);
+        y += px(30);
+    }
+    if (const auto zeros = compareZeros(desk_.live, job); !zeros.empty()) {   // wanted against entered, which stays
+        y += px(8);
+        headline(word("Zeros"));
+        for (const JobZero& one : zeros) {
+            w.text(QRectF(px(16), y, px(50), px(24)), QString("L%1").arg(one.channel), lettering(15, true), t.text);
+            w.data(QRectF(px(66), y, wide * 0.3 - px(66), px(24)), QString::fromStdString(one.system + "  " + one.axis), lettering(15), t.text);
+            w.text(QRectF(wide * 0.3, y, wide * 0.23, px(24)), QString::number(one.wanted, 'f', 3), lettering(15), t.text, kRight);
+            w.sign(QRectF(wide * 0.55, y + px(3), px(18), px(18)), one.same() ? Sign::Good : Sign::Warning, one.same() ? t.good : t.warn);
+            w.text(QRectF(wide * 0.55 + px(28), y, wide * 0.45 - px(44), px(24)), zeroText(one), lettering(14.5), one.same() ? t.dim : t.text);
+            y += px(26);
+        }
     }
     if (job.tools.empty()) return;
     y += px(8);

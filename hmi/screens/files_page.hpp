@@ -32,6 +32,7 @@ public:
     bool isJob() const { return chosen() && chosen()->job; }
     const std::vector<FileEntry>& entries() const { return entries_; }
     const text::Job* job() const { return preview_.job.get(); }
+    QString jobDiffers() const;               // what the chosen job has otherwise than the controller; empty: nothing
     QString whyNotChanged() const;            // the chosen file is protected; empty: it may be edited
     QString where() const;                    // for the head
 
@@ -53,8 +54,9 @@ private:
         std::vector<bool> there;              // of its programs
         QStringList lines;
         bool readable = true;
+        bool otherMachine = false;            // the job names another one than that of the controller
     };
-    static Preview readPreview(const QString& path, bool job, Tongue tongue);
+    static Preview readPreview(const QString& path, bool job, Tongue tongue, const std::string& machine);
     void layOut();
     void take();                              // what workers have brought
     void look();                              // at the chosen file

@@ -79,7 +79,13 @@ int press_words(const CommandLine& line) {
     request["do"] = line.verb == Verb::Press ? "press" : line.verb == Verb::Set ? "set" : "release";
     request["words"] = line.words;
     request["folder"] = std::filesystem::current_path().string();  // programs are named from where the caller stands
-    return ask(line.instance.empty() ? "polyturn" : line.instance, request.dump(-1, ' ', false, Json::error_handler_t::replace)) ? 0 : 2;
+    std::string answer;
+    if (!ask(line.instance.empty() ? "polyturn" : line.instance, request.dump(-1, ' ', false, Json::error_handler_t::replace), &answer)) return 2;
+    const Json reply = Json::parse(answer, nullptr, false);
+    if (const auto notes = reply.find("notes"); notes != reply.end() && notes->is_array())   // what a selected job has otherwise
+        for (const Json& one : *notes)
+            if (one.is_string()) std::fputs((one.get<std::string>() + "\n").c_str(), stderr);
+    return 0;
 }
 
 int show_status(const CommandLine& line) {

@@ -40,6 +40,9 @@ constexpr auto kPhrases = std::to_array<Phrase>({
     // status
     {"{}: machine {}, {:.1f} s, {} alarms\n", "{}: станок {}, {:.1f} с, аварий {}\n", "{}: stroj {}, {:.1f} s, poruch {}\n", "{}: gép {}, {:.1f} s, {} hiba\n"},
     {"no program", "нет программы", "bez programu", "nincs program"},
+    {"the job is for the machine {}, and this controller runs {}", "задание для станка {}, а этот контроллер ведёт {}", "zakázka je pro stroj {}, a tento řadič řídí {}", "a munka a(z) {} géphez való, ez a vezérlő a(z) {} gépet hajtja"},
+    {"the job has {} = {:.4f}, entered is {:.4f}, and that holds", "в задании {} = {:.4f}, введено {:.4f}, и действует введённое", "zakázka má {} = {:.4f}, zadáno je {:.4f}, a to platí", "a munkában {} = {:.4f}, beírva {:.4f}, és a beírt érvényes"},
+    {"the job has {} = {:.4f}, which this machine does not have", "в задании {} = {:.4f}, у этого станка такого нет", "zakázka má {} = {:.4f}, tento stroj to nemá", "a munkában {} = {:.4f}, ennek a gépnek nincs ilyen"},
     {"   waits at {}", "   ждёт на {}", "   čeká na {}", "   vár itt: {}"},
     {"not referenced ", "без референта ", "bez reference ", "nem referált "},
     {"moves ", "движется ", "v pohybu ", "mozog "},

@@ -440,15 +440,19 @@ Result<Commands> parse_press(std::string_view words, const MachineConfig& machin
     return Press(*word, words.substr(name.size()), machine, folder).parse();
 }
 
-std::vector<std::string> parts_wanted(std::string_view words, const std::string& folder) {
+std::optional<text::Job> selected_job(std::string_view words, const std::string& folder) {
     words = trimmed(words);
-    if (words.substr(0, 7) != "select ") return {};
+    if (words.substr(0, 7) != "select ") return std::nullopt;
     const std::string_view file = trimmed(words.substr(7));
-    if (!text::is_job_file(file)) return {};
-    const auto job = text::load_job((std::filesystem::path(folder) / std::string(file)).string());
+    if (!text::is_job_file(file)) return std::nullopt;
+    auto job = text::load_job((std::filesystem::path(folder) / std::string(file)).string());
+    return job ? std::optional(std::move(*job)) : std::nullopt;
+}
+
+std::vector<std::string> parts_wanted(const text::Job& job) {
     std::vector<std::string> lines;
-    if (!job || job->parts_wanted == 0) return lines;
-    for (const auto& [channel, program] : job->programs) lines.push_back(fmt::format("N2308 L{}={}", channel, job->parts_wanted));
+    if (job.parts_wanted == 0) return lines;
+    for (const auto& [channel, program] : job.programs) lines.push_back(fmt::format("N2308 L{}={}", channel, job.parts_wanted));
     return lines;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -13,6 +14,7 @@
 #include "ipc/diagnosis/tongue.hpp"
 #include "ipc/machine/command_levels.hpp"
 #include "ipc/machine/config_check.hpp"
+#include "ipc/machine/job_differences.hpp"
 #include "ipc/machine/machine_step.hpp"
 #include "ipc/machine/store_requests.hpp"
 #include "ipc/params/param_file.hpp"
@@ -314,10 +316,11 @@ void StartSession::handle(RequestServer::Client client, const std::string& line)
         for (int look = 0; look < 20 && meets_a_program(); ++look) sleep_ms(10);
         if (meets_a_program())
             return server_.answer(client, refusal({Alarm::NotReady, {}, {}, "another program is selected only in reset or after the end"}));
-        if (!serve_commands(client, commands, who)) return;
+        const auto job = selected_job(text_at("words"), text_at("folder"));
+        if (!serve_commands(client, commands, who, job ? differences(*job) : std::vector<std::string>())) return;
         for (const Command& command : *commands)
             if (command.kind == static_cast<std::uint32_t>(CommandKind::Select)) job_language_[command.channel - 1] = static_cast<Dialect>(command.value);
-        if (const auto lines = parts_wanted(text_at("words"), text_at("folder")); !lines.empty()) serve_parameters(0, lines, false, who);
+        if (const auto lines = job ? parts_wanted(*job) : std::vector<std::string>(); !lines.empty()) serve_parameters(0, lines, false, who);
         return;
     }
     if (what == "release") return void(serve_commands(client, parse_release(text_at("words"), machine_), who));
@@ -353,7 +356,22 @@ void StartSession::handle(RequestServer::Client client, const std::string& line)
     server_.answer(client, refusal({Alarm::PressUnknown, {}, {}, what}));
 }
 
-bool StartSession::serve_commands(RequestServer::Client client, const Result<std::vector<Command>>& commands, const Who& who) {
+// What a job has otherwise than this controller, which goes on with its own.
+std::vector<std::string> StartSession::differences(const text::Job& job) const {
+    std::vector<std::string> out;
+    const std::string base = std::filesystem::absolute(std::filesystem::path(loaded_.params_file).replace_extension()).string();
+    if (for_another_machine(job, base)) out.push_back(fmt::format(fmt::runtime(say("the job is for the machine {}, and this controller runs {}")), job.machine, loaded_.params_file));
+    const auto store = std::make_unique<ChannelStore>();
+    for (const JobZero& zero : job_zeros(job, machine_, [&](unsigned channel) { return controller_->store().channels[channel - 1].read(*store) ? store.get() : nullptr; })) {
+        if (zero.same()) continue;
+        const std::string what = fmt::format("L{} {} {}", zero.channel, zero.system, zero.axis);
+        out.push_back(std::isnan(zero.entered) ? fmt::format(fmt::runtime(say("the job has {} = {:.4f}, which this machine does not have")), what, zero.wanted)
+                                               : fmt::format(fmt::runtime(say("the job has {} = {:.4f}, entered is {:.4f}, and that holds")), what, zero.wanted, zero.entered));
+    }
+    return out;
+}
+
+bool StartSession::serve_commands(RequestServer::Client client, const Result<std::vector<Command>>& commands, const Who& who, const std::vector<std::string>& notes) {
     if (!commands) return server_.answer(client, refusal(commands.diagnosis())), false;
     for (const Command& command : *commands)
         if (const UserLevel least = level_of(command); !may(client, who, least, std::string(level_words(command)))) return false;
@@ -362,7 +380,7 @@ bool StartSession::serve_commands(RequestServer::Client client, const Result<std
         command.user = who.user;
         controller_->send(command);
     }
-    server_.answer(client, "{\"ok\":true}");
+    server_.answer(client, notes.empty() ? std::string("{\"ok\":true}") : Json{{"ok", true}, {"notes", notes}}.dump(-1, ' ', false, Json::error_handler_t::replace));
     return true;
 }
 

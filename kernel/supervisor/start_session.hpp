@@ -10,6 +10,7 @@
 #include "ipc/machine/load_machine.hpp"
 #include "ipc/machine/machine_config.hpp"
 #include "ipc/text/builder_messages.hpp"
+#include "ipc/text/job.hpp"
 #include "kernel/supervisor/access.hpp"
 #include "kernel/supervisor/controller.hpp"
 #include "kernel/supervisor/event_joiner.hpp"
@@ -37,7 +38,8 @@ private:
     void process_died(std::size_t slot, int status);
     void revive();
     void handle(RequestServer::Client client, const std::string& line);
-    bool serve_commands(RequestServer::Client client, const Result<std::vector<Command>>& commands, const Who& who);   // false: refused
+    bool serve_commands(RequestServer::Client client, const Result<std::vector<Command>>& commands, const Who& who, const std::vector<std::string>& notes = {});   // false: refused
+    std::vector<std::string> differences(const text::Job& job) const;
     void serve_parameters(RequestServer::Client client, const std::vector<std::string>& lines, bool import, const Who& who);
     void serve_value(RequestServer::Client client, StoreRequest request, const Who& who);
     // start_session_store.cpp: operations of the store (tools, offsets, users, backups), logins.

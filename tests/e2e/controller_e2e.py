@@ -56,6 +56,26 @@ class Controller(LiveCase):
         self.press("cycle_start", "L1")
         self.wait_for(lambda: abs(at("A1") - 35) < 0.005, 10, "the slide to stand at X70")
 
+    def test_what_a_selected_job_has_otherwise_is_told_and_what_is_entered_holds(self):
+        self.write("part.nc", "G98 G0 X70. Z10.\nM30\n")
+        other = self.write("other.params", "N0304 A1=11000\n")
+        job = self.write("part.job.toml", f'machine = "{other}"\n[programs]\n1 = {{ file = "part.nc" }}\n[zeros]\n1 = {{ G54 = {{ X = 1.5, Z = -150.0 }}, G55 = {{ Z = -20.0 }} }}\n')
+        self.start()
+        self.press("machine_on")
+        done = self.polyturn("set", "zero L1 G55 Z=-20", "--instance", self.name)
+        self.assertEqual(done.status, 0, done.said())
+        done = self.polyturn("press", "--instance", self.name, "select", job)
+        self.assertEqual(done.status, 0, done.said())
+        self.assertIn("the job is for the machine", done.said())
+        self.assertIn("L1 G54 X = 1.5000, entered is 0.0000", done.said())
+        self.assertIn("L1 G54 Z = -150.0000, entered is 0.0000", done.said())
+        self.assertNotIn("G55", done.said())
+        done = self.polyturn("zeros", "list", "L1", "--instance", self.name, "--json")
+        self.assertNotIn("-150", done.out)
+        self.polyturn("set", "zero L1 G54 Z=-150", "--instance", self.name), self.polyturn("set", "zero L1 G54 X=1.5", "--instance", self.name)
+        done = self.polyturn("press", "--instance", self.name, "select", job)
+        self.assertNotIn("G54", done.said())
+
     def test_a_killed_controllers_program_is_not_its_successors(self):
         program = self.write("there.nc", "G98 G1 X100. F5000\nX80.\nX100.\nM30\n")
         for life in range(3):

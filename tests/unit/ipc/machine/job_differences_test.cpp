@@ -1,0 +1,60 @@
+// What a job brings beside its programs, against what the controller has.
+#include "ipc/machine/job_differences.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "ipc/machine/apply_setup.hpp"
+#include "ipc/machine/load_machine.hpp"
+#include "ipc/machine/work_zeros.hpp"
+
+namespace {
+
+using namespace polyturn;
+
+TEST(JobDifferences, ComparesEveryZeroOfTheJobWithTheEnteredOne) {
+    const LoadedMachine loaded = load_machine({});
+    ASSERT_TRUE(loaded.ok());
+    const MachineConfig machine = derive_machine_config(*loaded.table);
+    const auto store = std::make_unique<ChannelStore>();
+    clear_channel_store(*store);
+    store->zeros[*work_zero_row("G55") * kChannelAxes + find_axis(machine, 1, "Z")->slot] = -20;
+    text::Job job;
+    job.zeros[1]["G54"]["Z"] = -150, job.zeros[1]["G55"]["Z"] = -20, job.zeros[1]["G54"]["Q"] = 1, job.zeros[9]["G54"]["Z"] = 0;
+    const auto found = job_zeros(job, machine, [&](unsigned) { return store.get(); });
+    ASSERT_EQ(found.size(), 4u);
+    for (const JobZero& one : found) {
+        SCOPED_TRACE(one.system + " " + one.axis);
+        EXPECT_EQ(one.same(), one.channel == 1 && one.system == "G55");
+        EXPECT_EQ(std::isnan(one.entered), one.axis == "Q" || one.channel == 9) << "no such axis, no such channel";
+    }
+    EXPECT_FALSE(job_zeros(job, machine, [](unsigned) { return nullptr; }).front().same()) << "nothing is known";
+}
+
+TEST(JobDifferences, AnotherMachineHasOtherValues) {
+    const auto folder = std::filesystem::temp_directory_path() / ("job_differences_" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder / "a"), std::filesystem::create_directories(folder / "b"), std::filesystem::create_directories(folder / "c");
+    std::ofstream(folder / "a/machine.params") << "N0304 A1=10000\n";
+    std::ofstream(folder / "b/machine.params") << "N0304 A1=11000\n";
+    std::ofstream(folder / "c/machine.params") << "N0304 A1=10000\n";
+    const std::string running = (folder / "a/machine").string();
+    const auto other = [&](const std::string& named) {
+        text::Job job;
+        job.machine = named;
+        return for_another_machine(job, running);
+    };
+    EXPECT_FALSE(other(""));
+    EXPECT_FALSE(other((folder / "a").string()));
+    EXPECT_FALSE(other((folder / "a/machine.params").string()));
+    EXPECT_TRUE(other((folder / "b").string()));
+    EXPECT_FALSE(other((folder / "c").string())) << "a copy";
+    EXPECT_TRUE(other((folder / "nowhere").string()));
+    std::filesystem::remove_all(folder);
+}
+
+}  // namespace
