@@ -79,7 +79,7 @@ std::vector<HelpSlice> sliceHelp(const QString& markdown) {
             --i;
             const std::vector<double> shares = rows.size() > kMostSliceRows + 2 ? sharesOf(rows) : std::vector<double>();
             for (qsizetype from = 2; from == 2 || from < rows.size(); from += kMostSliceRows)
-                out.push_back({(rows.mid(0, 2) + rows.mid(from, kMostSliceRows)).join('\n') + '\n', shares, from > 2, {}});
+                out.push_back({(rows.mid(0, 2) + rows.mid(from, kMostSliceRows)).join('\n') + '\n', shares, from > 2, {}, from + kMostSliceRows >= rows.size()});
             continue;
         }
         if (const auto picture = kPicture.match(line); !fenced && picture.hasMatch()) {

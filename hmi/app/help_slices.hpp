@@ -11,7 +11,8 @@ struct HelpSlice {
     QString markdown;
     std::vector<double> shares;        // of a table: of the width, in percent; empty: no table
     bool goesOn = false;               // a table: begins in the slice before, so that its head is left out
-    QString picture;                   // the only thing in it: a picture, by its file; empty: none
+    QString picture = {};              // the only thing in it: a picture, by its file; empty: none
+    bool last = true;                  // a table: nothing of it follows
 };
 
 inline constexpr int kMostSliceLines = 24, kMostSliceRows = 6;

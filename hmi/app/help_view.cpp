@@ -7,15 +7,54 @@
 #include <QScroller>
 #include <QTextBlock>
 #include <QTextDocumentFragment>
+#include <QTextList>
 #include <QTextTable>
 #include <utility>
 
 #include "hmi/app/help_language.hpp"
+#include "hmi/widgets/finger_bars.hpp"
 #include "ipc/text/machine_path.hpp"
 
 namespace polyturn::hmi {
 namespace {
 constexpr int kFirstSlices = 2;   // laid out at once: what is seen first
+
+// Commands and programs: in the face of programs, set off from the text.
+void setCode(QTextDocument& document) {
+    const Theme& t = theme();
+    const auto isCode = [](const QTextBlock& block) { return block.isValid() && (block.blockFormat().hasProperty(QTextFormat::BlockCodeLanguage) || block.blockFormat().hasProperty(QTextFormat::BlockCodeFence) || block.blockFormat().nonBreakableLines()); };
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+        const bool code = isCode(block);
+        QTextCursor at(block);
+        if (code) {
+            QTextBlockFormat form = block.blockFormat();
+            form.setBackground(t.raised), form.setLeftMargin(px(16)), form.setNonBreakableLines(false);   // a long command is broken, not cut
+            form.setTopMargin(px(isCode(block.previous()) ? 0 : 4)), form.setBottomMargin(px(isCode(block.next()) ? 0 : 10));
+            at.setBlockFormat(form);
+        }
+        std::vector<std::pair<int, int>> runs;         // what is found first, for setting it changes the pieces
+        for (auto piece = block.begin(); !piece.atEnd(); ++piece)
+            if (code || piece.fragment().charFormat().fontFixedPitch()) runs.emplace_back(piece.fragment().position(), piece.fragment().length());
+        for (const auto& [from, length] : runs) {
+            at.setPosition(from);
+            at.setPosition(from + length, QTextCursor::KeepAnchor);
+            QTextCharFormat face;
+            face.setFont(lettering(14.5, false, Face::Program), QTextCharFormat::FontPropertiesSpecifiedOnly);
+            face.setFontFamilies({lettering(14.5, false, Face::Program).family()}), face.setFontFixedPitch(true);
+            at.mergeCharFormat(face);
+        }
+    }
+}
+
+bool hasEmptyHead(QTextTable& table) {
+    for (int column = 0; column < table.columns(); ++column) {
+        const QTextTableCell cell = table.cellAt(0, column);
+        QTextCursor at = cell.firstCursorPosition();
+        at.setPosition(cell.lastPosition(), QTextCursor::KeepAnchor);
+        if (!at.selectedText().simplified().remove(QChar::Nbsp).trimmed().isEmpty()) return false;
+    }
+    return true;
+}
 }
 
 // Beside the machines in a build tree, below /usr/share/doc where it is installed.
@@ -63,6 +102,7 @@ void HelpView::load(const QString& file, const QString& find, bool code) {
     colours.setColor(QPalette::Base, t.card), colours.setColor(QPalette::Text, t.text), colours.setColor(QPalette::Link, t.accent);
     text_->setPalette(colours);
     text_->setFont(lettering(16));
+    setFingerBars(*text_);
     text_->setSearchPaths({where});
     slices_ = sliceHelp(markdown);
     int found = sliceWith(slices_, find, code);
@@ -132,15 +172,22 @@ void HelpView::lay(std::size_t slice, bool above) {
     made.setUndoRedoEnabled(false);
     made.setDefaultFont(lettering(16));
     made.setMarkdown(own.markdown, QTextDocument::MarkdownFeatures(QTextDocument::MarkdownDialectGitHub) | QTextDocument::MarkdownNoHTML);   // «M98 <PROFILE>» is no tag that swallows what follows
+    setCode(made);
     for (QTextFrame* frame : made.rootFrame()->childFrames()) {
         auto* table = qobject_cast<QTextTable*>(frame);
-        if (!table || own.shares.empty()) continue;
-        if (own.goesOn && table->rows() > 1) table->removeRows(0, 1);
+        if (!table) continue;
+        const bool headless = !own.goesOn && hasEmptyHead(*table);
+        if ((own.goesOn || headless) && table->rows() > 1) table->removeRows(0, 1);
         QTextTableFormat format = table->format();
+        format.setBorder(1), format.setBorderBrush(theme().edge), format.setBorderCollapse(true), format.setCellPadding(px(5));
+        if (!own.goesOn) format.setTopMargin(px(6));
+        format.setBottomMargin(px(own.last ? 12 : 0));
+        if (own.goesOn || headless) format.setHeaderRowCount(0);
+        table->setFormat(format);
+        if (own.shares.empty()) continue;
         QList<QTextLength> widths;
         for (int c = 0; c < table->columns(); ++c) widths << QTextLength(QTextLength::PercentageLength, c < static_cast<int>(own.shares.size()) ? own.shares[static_cast<std::size_t>(c)] : 5);
         format.setColumnWidthConstraints(widths), format.setWidth(QTextLength(QTextLength::PercentageLength, 100));
-        if (own.goesOn) format.setHeaderRowCount(0);
         table->setFormat(format);
     }
     QScrollBar* bar = text_->verticalScrollBar();
@@ -148,11 +195,28 @@ void HelpView::lay(std::size_t slice, bool above) {
     const int stood = bar->value();
     QTextCursor at(document_);
     at.beginEditBlock();
+    // A paragraph of its own at the border of two slices; where a table is cut, the next piece stands right below.
+    const bool cut = above ? slice + 1 < slices_.size() && slices_[slice + 1].goesOn : own.goesOn;
     if (!above) {
         at.movePosition(QTextCursor::End);
-        if (!document_->isEmpty() && !own.goesOn) at.insertBlock(QTextBlockFormat(), QTextCharFormat());
+        if (!document_->isEmpty() && !cut) at.insertBlock(QTextBlockFormat(), QTextCharFormat());
+    } else if (!document_->isEmpty() && !cut) {
+        const QTextBlock first = document_->begin();
+        at.insertBlock(first.blockFormat(), first.charFormat());   // what stood first keeps its form, behind an empty paragraph
+        at.movePosition(QTextCursor::Start);
+        at.setBlockFormat(QTextBlockFormat());
     }
+    const int begins = at.position();
+    const QTextBlockFormat form = made.begin().blockFormat();
     at.insertFragment(QTextDocumentFragment(&made));
+    // The first paragraph of what is inserted takes the form of where it goes to.
+    const QTextBlock first = document_->findBlock(begins);
+    if (const QTextList* list = made.begin().textList()) {
+        if (QTextList* rest = first.next().textList(); !first.textList() && rest) rest->add(first);
+        else if (!first.textList()) QTextCursor(first).createList(list->format());
+    } else if (made.begin().length() > 1) {
+        QTextCursor(first).setBlockFormat(form);
+    }
     at.endEditBlock();
     if (above) {
         --begin_;

@@ -5,15 +5,23 @@
 
 namespace polyturn::hmi {
 
+QString referenceOf(Dialect language) { return language == Dialect::Fagor ? "reference_fagor.md" : language == Dialect::Sinumerik ? "reference_sinumerik.md" : "reference_fanuc.md"; }
+
 CodePlace placeOfCode(const QString& word, const QString& language) {
     static const QRegularExpression kCode("^([GM])0*(\\d+(?:\\.\\d+)?)$"), kName("^\\$?[A-Z][A-Z_0-9]{2,}$");
     const QString upper = word.toUpper();
-    const bool fagor = language == "fagor", sinumerik = language == "sinumerik";
-    const QString page = fagor ? "reference_fagor.md" : sinumerik ? "reference_sinumerik.md" : "reference_fanuc.md";
+    const Dialect speaks = dialect_of(language.toStdString());
+    const bool fagor = speaks == Dialect::Fagor, sinumerik = speaks == Dialect::Sinumerik;
+    const QString page = referenceOf(speaks);
     if (const auto code = kCode.match(upper); code.hasMatch()) {
         const QString number = code.captured(2);
-        if (code.captured(1) == "M" && number.toDouble() >= 100) return {"programmer.md", "Waiting"};
-        if (code.captured(1) == "M") return {"setup.md", "M" + number};
+        if (code.captured(1) == "M") {   // what ends, calls and stops programs is the language's own; the rest are waits and the PLC's
+            const std::initializer_list<int> fanuc = {0, 1, 2, 30, 96, 97, 98, 99, 198}, others = {0, 1, 2, 30}, sinumerik_own = {0, 1, 2, 17, 30};
+            const auto& own = fagor ? others : sinumerik ? sinumerik_own : fanuc;
+            if (std::find(own.begin(), own.end(), number.toInt()) != own.end()) return {page, "M" + number};
+            if (number.toDouble() >= 100) return {"programmer.md", "Waiting", false};
+            return {"setup.md", "M codes of the built-in PLC", false};
+        }
         return {page, "G" + (fagor && number.section('.', 0, 0).size() < 2 ? "0" : QString()) + number};
     }
     if ((fagor || sinumerik) && kName.match(upper).hasMatch()) return {page, upper};

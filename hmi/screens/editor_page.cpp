@@ -13,6 +13,7 @@
 #include "hmi/screens/contour_page.hpp"
 #include "hmi/screens/cycle_form_page.hpp"
 #include "hmi/text/retold.hpp"
+#include "hmi/widgets/finger_bars.hpp"
 #include "hmi/widgets/number_cells.hpp"
 
 namespace polyturn::hmi {
@@ -211,6 +212,7 @@ void EditorPage::refresh() {
         colours.setColor(QPalette::Base, t.card), colours.setColor(QPalette::Text, t.text), colours.setColor(QPalette::Highlight, t.accent), colours.setColor(QPalette::HighlightedText, t.onAccent);
         edit_->setPalette(colours);
         edit_->setFont(lettering(17, false, Face::Program));
+        setFingerBars(*edit_);
     }
     if (colours_) {
         const QWidget* seen = edit_->viewport();

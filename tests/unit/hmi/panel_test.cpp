@@ -211,7 +211,12 @@ TEST(CodeHelp, FindsThePlaceOfAWord) {
         {"G7.1 C20.", 4, "mefi", "reference_fanuc.md", "G7.1"},
         {"G1 X10", 1, "fagor", "reference_fagor.md", "G01"},
         {"CYCLE95(\"CONT\")", 3, "sinumerik", "reference_sinumerik.md", "CYCLE95"},
-        {"M30", 1, "fanuc", "setup.md", "M30"},
+        {"M30", 1, "fanuc", "reference_fanuc.md", "M30"},
+        {"M00", 1, "nct", "reference_fanuc.md", "M0"},
+        {"M17", 1, "sinumerik", "reference_sinumerik.md", "M17"},
+        {"M98 P1100", 1, "mefi", "reference_fanuc.md", "M98"},
+        {"M98", 1, "fagor", "setup.md", "M codes of the built-in PLC"},
+        {"M8", 1, "fanuc", "setup.md", "M codes of the built-in PLC"},
         {"M503 P12", 2, "fanuc", "programmer.md", "Waiting"},
         {"N10 G1 X40.", 8, "fanuc", "", ""},
     };

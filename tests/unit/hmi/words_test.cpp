@@ -232,6 +232,7 @@ TEST(WordSources, NoSentenceStandsOutsideTheWords) {
         QFile file(files.next());
         ASSERT_TRUE(file.open(QIODevice::ReadOnly));
         if (file.fileName().endsWith("/main.cpp") || file.fileName().endsWith("/screenshots.cpp")) continue;   // of the command line
+        if (file.fileName().endsWith("/finger_bars.cpp")) continue;   // a style sheet
         for (const QString& line : QString::fromUtf8(file.readAll()).split('\n')) {
             if (line.trimmed().startsWith("//") || line.contains("HelpTopic") || line.contains(".md\"") || line.contains("kFind[]")) continue;   // titles of the manual, which is English
             for (auto found = kLiteral.globalMatch(line); found.hasNext();) {

@@ -1,0 +1,7 @@
+// Scroll bars that a finger can take, in the colours of the screens: of what Qt itself scrolls (handbook, editor).
+#pragma once
+class QAbstractScrollArea;
+
+namespace polyturn::hmi {
+void setFingerBars(QAbstractScrollArea& area);   // again when the theme has changed
+}

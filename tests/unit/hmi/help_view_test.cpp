@@ -1,0 +1,85 @@
+// The handbook on the panel: paragraphs, commands and tables stand as the page has them, wherever it is opened.
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QScrollBar>
+#include <QTextBlock>
+#include <QTextTable>
+#include <set>
+
+#include "hmi/app/help_view.hpp"
+#include "tests/unit/hmi/controller.hpp"
+
+namespace polyturn::hmi {
+namespace {
+
+// Lines between fences, and headings, of a page.
+struct PageParts {
+    std::multiset<QString> code, headings;
+};
+PageParts partsOf(const QString& page) {
+    PageParts out;
+    QFile file(HelpView::folder() + "/" + page);
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << page.toStdString();
+    bool fenced = false;
+    for (const QString& line : QString::fromUtf8(file.readAll()).split('\n')) {
+        if (line.startsWith("```")) fenced = !fenced;
+        else if (fenced && !line.trimmed().isEmpty()) out.code.insert(line.simplified());
+        else if (!fenced && QRegularExpression("^#{1,6} ").match(line).hasMatch()) out.headings.insert(QString(line).remove(QRegularExpression("^#+ ")).remove('`').remove('*').simplified());
+    }
+    return out;
+}
+
+struct OpenPage {
+    HelpView view{nullptr};
+    explicit OpenPage(const HelpTopic& topic) {
+        view.resize(1100, 700);
+        view.show();
+        view.open(topic);
+        EXPECT_TRUE(waitFor([&] { return view.complete(); }, 20));
+    }
+    QTextDocument& document() const { return *view.text().document(); }
+};
+
+// From the beginning, and from a place in the middle: what stands above is then laid before what is there.
+TEST(HelpView, CommandsAndHeadingsStandByThemselves) {
+    for (const HelpTopic& topic : {HelpTopic{"setup.md", {}, {}}, HelpTopic{"setup.md", "The computer", {}}, HelpTopic{"setup.ru.md", "Компьютер", {}}, HelpTopic{"builder.md", "Part transfer", {}}}) {
+        SCOPED_TRACE((topic.page + " " + topic.find).toStdString());
+        PageParts wanted = partsOf(topic.page);
+        ASSERT_GT(wanted.code.size(), 20u);
+        const OpenPage page(topic);
+        for (QTextBlock block = page.document().begin(); block.isValid(); block = block.next()) {
+            const QString text = block.text().simplified();
+            if (const auto found = wanted.code.find(text); found != wanted.code.end()) {
+                if (block.begin().atEnd() || !block.begin().fragment().charFormat().fontFixedPitch()) continue;   // the same words in the text
+                EXPECT_GT(block.blockFormat().leftMargin(), 0) << text.toStdString();
+                wanted.code.erase(found);
+            }
+            if (const auto found = wanted.headings.find(text); found != wanted.headings.end() && block.blockFormat().headingLevel() > 0) wanted.headings.erase(found);
+        }
+        for (const QString& missing : wanted.code) ADD_FAILURE() << "not by itself: " << missing.toStdString();
+        for (const QString& missing : wanted.headings) ADD_FAILURE() << "no heading: " << missing.toStdString();
+    }
+}
+
+TEST(HelpView, TablesHaveNoEmptyHead) {
+    const OpenPage page({"operator.md", {}, "| | |\n| --- | --- |\n| Level | setter |\n| Unit | mm |\n"});
+    int tables = 0;
+    for (const QTextFrame* frame : page.document().rootFrame()->childFrames()) {
+        const auto* table = qobject_cast<const QTextTable*>(frame);
+        if (!table) continue;
+        ++tables;
+        QString head;
+        for (int column = 0; column < table->columns(); ++column) head += table->cellAt(0, column).firstCursorPosition().block().text();
+        EXPECT_FALSE(head.remove(QChar::Nbsp).trimmed().isEmpty());
+    }
+    EXPECT_GE(tables, 1);
+}
+
+TEST(HelpView, IsScrolledByAFinger) {
+    const OpenPage page({"setup.md", {}, {}});
+    EXPECT_GE(page.view.text().verticalScrollBar()->width(), px(28));
+}
+
+}  // namespace
+}  // namespace polyturn::hmi
