@@ -285,6 +285,12 @@ void MainWindow::composeTop(Writer& w) {
                (alarm->channel ? QString("L%1  ").arg(alarm->channel) : QString()) + alarm->number + "  " + alarm->text, lettering(14), t.text);
         if (more) w.text(QRectF(right - px(52), 0, px(44), h), QString("+%1").arg(more), lettering(14, true), t.bad, Qt::AlignRight | Qt::AlignVCenter);
         w.hit(box, kHitAlarm);
+    } else if (const AlarmEntry* note = live_.connected() ? alarms_.told(0) : nullptr) {   // of the machine's builder: it belongs to no channel's card
+        const QRectF box(left, px(6), right - left, h - px(12));
+        w.fill(box, t.card, px(6));
+        w.sign(QRectF(left + px(8), px(14), px(18), px(18)), Sign::Note, t.accent);
+        w.data(QRectF(left + px(34), 0, right - left - px(42), h), note->number + "  " + note->text, lettering(14), t.accent);
+        w.hit(box, kHitAlarm);
     } else {
         w.data(QRectF(left, 0, right - left, h), live_.connected() ? word(machine_step_text(live_.status().step).next) : QString::fromStdString(live_.whyNot()), lettering(14), t.dim);
     }

@@ -131,8 +131,16 @@ TEST_F(StandingAlarms, ANoteOfTheBuilderStandsAsLongAsItIsTold) {
     ASSERT_TRUE(waitFor([&] { return stands("PT0811"); }, 20));
     EXPECT_NE(book().told(0), nullptr);
     EXPECT_NE(live().status().machine_state, 0u);
+    const auto inTopBar = [&] {                // it belongs to no channel, so no card shows it
+        for (Sheet* sheet : window->ownSheets())
+            for (const Item& one : sheet->items())
+                if (one.text.contains("PT0811")) return true;
+        return false;
+    };
+    EXPECT_TRUE(waitFor(inTopBar, 5));
     ASSERT_TRUE(g_controller->set("PLC_NOTE=0"));
     EXPECT_TRUE(waitFor([&] { return !stands("PT0811"); }, 20));
+    EXPECT_TRUE(waitFor([&] { return !inTopBar(); }, 5));
     EXPECT_EQ(book().told(0), nullptr);
     g_controller->run({"release", "--instance", g_controller->name, "PLC_NOTE"});
 }
