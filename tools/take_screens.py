@@ -114,6 +114,8 @@ def main():
             time.sleep(6)
             for channel, wear in (("L1", "-0.02"), ("L2", "0.015")):
                 run("set", f"offset {channel} 3 geometry X=42.5"), run("set", f"offset {channel} 3 wear X={wear}")
+            for channel in ("L1", "L2"):   # as the job has them, so that workpiece and machine are not the same
+                run("set", f"zero {channel} G54 Z=-150")
             run("presetter", "calibrate", str(job / "gauge-pin.pgm"), "diameter=3", "x=50", "z=30", "--calibration", os.path.join(folder, "polyturn", f"presetter-{name}.json"))
             run("press", f"select L1={job}/wrong.nc")
             run("press", "cycle_start L1")

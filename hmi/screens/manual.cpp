@@ -194,18 +194,24 @@ void Manual::composeAxes(Writer& w) {
         double workpiece = 0;
         const bool known = live.workpiece(desk_.channel, static_cast<unsigned>(place), now.act, workpiece);
         const bool referenced = (now.flags & kReferenced) != 0 || axis.on_spindle;
-        w.text(QRectF(left, box.top() + px(6), room, box.height() * 0.55), lengthText(shownPlace(axis, now.act), decimals), lettering(33, true), referenced ? t.text : t.warn, kRight);
-        const QString beneath = !referenced ? word("not referenced") : known ? word("Workpiece") + "  " + lengthText(shownPlace(axis, workpiece), decimals) : word("Machine");
-        w.text(QRectF(left, box.top() + box.height() * 0.6, room - (axis.diameter ? px(26) : 0), box.height() * 0.32), beneath, lettering(15), referenced ? t.dim : t.warn, kRight);
-        if (axis.diameter) w.text(QRectF(left + room - px(20), box.top() + box.height() * 0.6, px(20), box.height() * 0.32), QString::fromUtf8("⌀"), lettering(16), t.dim, kRight);
+        // In the order of the overview: what the workpiece counts is the large one.
+        const double middle = left + room * 0.6, head = box.height() * 0.24, line = box.height() * 0.46;
+        const double begin = referenced ? left : std::min(left + px(130), middle - px(20));
+        const QColor colour = referenced ? t.text : t.warn;
+        w.text(QRectF(begin, box.top() + px(2), middle - begin, head), word("Workpiece"), lettering(12.5, false, Face::Condensed), t.dim, kRight);
+        w.text(QRectF(middle + px(8), box.top() + px(2), left + room - middle - px(8), head), word("Machine"), lettering(12.5, false, Face::Condensed), t.dim, kRight);
+        w.text(QRectF(begin, box.top() + head, middle - begin, line), known ? lengthText(shownPlace(axis, workpiece), decimals) : QString::fromUtf8("–"), lettering(room < px(330) ? 20 : 33, true), colour, kRight);
+        w.text(QRectF(middle + px(8), box.top() + head, left + room - middle - px(8), line), lengthText(shownPlace(axis, now.act), decimals), lettering(room < px(330) ? 14 : 19), referenced ? t.dim : t.warn, kRight);
+        if (!referenced) w.text(QRectF(left + px(152), box.top() + box.height() * 0.68, room - px(152) - (axis.diameter ? px(26) : 0), box.height() * 0.28), word("not referenced"), lettering(14), t.warn, kRight);
+        if (axis.diameter) w.text(QRectF(left + room - px(20), box.top() + box.height() * 0.68, px(20), box.height() * 0.28), QString::fromUtf8("⌀"), lettering(16), t.dim, kRight);
         if (!referenced) {
-            const QRectF key(left, box.top() + px(7), px(124), box.height() * 0.5);
+            const QRectF key(left, box.top() + px(7), std::min<double>(px(124), begin - left - px(6)), box.height() * 0.5);
             w.fill(key, t.raised, px(8));
             w.frame(key, t.edge, px(8), 1);
             w.text(key, word("Reference"), lettering(15, true), t.text, Qt::AlignCenter);
             w.hit(key, static_cast<int>(number) * 10 + 3);
         }
-        w.text(QRectF(left, box.top() + box.height() * 0.6, px(150), box.height() * 0.32), QString("A%1   %2 %3").arg(number).arg(now.velocity * 60, 0, 'f', 0).arg(unitWord(axis.rotary ? "deg/min" : "mm/min")), lettering(14), t.dim);
+        w.text(QRectF(left, box.top() + box.height() * 0.68, px(150), box.height() * 0.28), QString("A%1   %2 %3").arg(number).arg(now.velocity * 60, 0, 'f', 0).arg(unitWord(axis.rotary ? "deg/min" : "mm/min")), lettering(14), t.dim);
     }
     // steps, true lengths or angles whatever the axis shows
     bool linear = false, rotary = false;

@@ -159,5 +159,34 @@ TEST_F(Positions, SettersAreReadByTheirKeys) {
     ASSERT_TRUE(g_controller->press("mode L1=auto"));
 }
 
+// Who jogs by the largest number reads the same one on the overview and by hand: the workpiece's, and each column has its name.
+TEST_F(Positions, TheLargeNumberByHandIsTheWorkpiecesAsOnTheOverview) {
+    ASSERT_TRUE(g_controller->set("zero L1 G54 Z=-100"));
+    Operator hand(*window);
+    for (const char* name : {"overview", "manual"}) {
+        SCOPED_TRACE(name);
+        hand.screen(name);
+        const auto largest = [&] {
+            const double machine = live().status().axes[1].act;
+            double workpiece = 0;
+            if (!live().workpiece(1, 1, machine, workpiece) || std::abs(workpiece - machine) < 50) return false;
+            const QString wanted = lengthText(workpiece, 3), other = lengthText(machine, 3);
+            const Item* large = nullptr;
+            bool names = false, beside = false;
+            for (Sheet* sheet : window->screen()->sheets()) {
+                for (const Item& one : sheet->items()) {
+                    if (one.text == wanted && (!large || one.font.pixelSize() > large->font.pixelSize())) large = &one;
+                    names |= one.text == "Workpiece";
+                }
+                for (const Item& one : sheet->items())   // in the same row
+                    beside |= large && one.text == other && std::abs(one.box.center().y() - large->box.center().y()) < 12 && one.font.pixelSize() < large->font.pixelSize() && one.box.left() > large->box.left();
+            }
+            return names && beside;
+        };
+        EXPECT_TRUE(waitFor(largest, 10));
+    }
+    ASSERT_TRUE(g_controller->set("zero L1 G54 Z=0"));
+}
+
 }  // namespace
 }  // namespace polyturn::hmi
