@@ -4,6 +4,7 @@
 
 #include "hmi/text/tongues.hpp"
 #include "ipc/machine/start_words.hpp"
+#include "ipc/machine/wait_name.hpp"
 
 namespace polyturn::hmi {
 
@@ -34,12 +35,6 @@ QString modeWord(std::uint32_t mode) {
     return {};
 }
 
-QString waitName(const Live& live, unsigned channel, int code) {
-    constexpr int kProgramEnd = 100;   // of WAITE
-    if (params::get_text(live.table(), params::pt_language, channel) != "sinumerik") return QString("M%1").arg(code);
-    return code == kProgramEnd ? QString("WAITE") : QString("WAITM(%1)").arg(code);
-}
-
 QString waitWords(const Live& live, unsigned channel) {
     const ChannelStatus& status = live.channel(channel);
     if (status.wait_code == 0 && status.wait_missing == 0) return {};
@@ -47,7 +42,7 @@ QString waitWords(const Live& live, unsigned channel) {
     for (unsigned other = 1; other <= kMaxChannels; ++other)
         if (status.wait_missing >> (other - 1) & 1u) missing << QString("L%1").arg(other);
     const QString since = timeText(live.seconds(live.status().tick - status.wait_since));
-    const QString code = status.wait_code > 0 ? waitName(live, channel, status.wait_code) : word("a marker");
+    const QString code = status.wait_code > 0 ? fromView(wait_name(live.language(channel), status.wait_code)) : word("a marker");
     return missing.isEmpty() ? word("Waits at %1, all are there").arg(code) : word("Waits at %1 for %2, %3 so far").arg(code, missing.join(" "), since);
 }
 

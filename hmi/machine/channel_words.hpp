@@ -19,8 +19,6 @@ struct Plight {
     QString text;
 };
 Plight plight(const Live& live, const AlarmBook& alarms, unsigned channel);
-// A wait as the channel's language writes it: M501, or WAITM(3).
-QString waitName(const Live& live, unsigned channel, int code);
 QString waitWords(const Live& live, unsigned channel);      // «Waits at M503 for L2, 12 s»; empty: it waits for nobody
 QStringList startNeeds(const Live& live, unsigned channel); // each with what to do
 

@@ -10,6 +10,7 @@
 
 #include "hmi/text/retold.hpp"
 #include "hmi/text/tongues.hpp"
+#include "ipc/text/job.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -30,23 +31,28 @@ void DryRun::stop() {
     process_.release()->deleteLater();
 }
 
-void DryRun::begin(How how, const QString& job) {
-    how_ = how, job_ = job, in_.clear(), told_.clear(), failure_.clear(), channels_.clear(), faults_.clear();
+void DryRun::begin(How how, Wanted wanted) {
+    how_ = how, wanted_ = std::move(wanted), in_.clear(), told_.clear(), failure_.clear(), channels_.clear(), faults_.clear();
     ++version_;
 }
 
 // A line of what it was, then its events.
 QByteArray DryRun::record() const {
     if (running() || !any() || told_.size() > kMostTold) return {};
-    return QJsonDocument(QJsonObject{{"job", job_}, {"drive", how_ == How::Drive}}).toJson(QJsonDocument::Compact) + '\n' + told_;
+    QJsonObject languages;
+    for (const auto& [channel, language] : wanted_.languages) languages.insert(QString::number(channel), fromView(language_name(language)));
+    return QJsonDocument(QJsonObject{{"job", wanted_.file}, {"channel", static_cast<int>(wanted_.channel)}, {"drive", how_ == How::Drive}, {"languages", languages}}).toJson(QJsonDocument::Compact) + '\n' + told_;
 }
 
 void DryRun::replay(const QByteArray& record) {
     stop();
     const auto first = record.indexOf('\n');
     const QJsonObject about = QJsonDocument::fromJson(record.left(std::max<qsizetype>(0, first))).object();
-    begin(about.value("drive").toBool() ? How::Drive : How::Check, about.value("job").toString());
-    if (first < 0 || job_.isEmpty()) return;
+    Wanted wanted{about.value("job").toString(), static_cast<unsigned>(about.value("channel").toInt())};
+    const QJsonObject named = about.value("languages").toObject();
+    for (auto one = named.begin(); one != named.end(); ++one) wanted.languages[one.key().toUInt()] = dialect_of(one.value().toString().toStdString());
+    begin(about.value("drive").toBool() ? How::Drive : How::Check, std::move(wanted));
+    if (first < 0 || wanted_.file.isEmpty()) return;
     again_ = record.mid(first + 1), againAt_ = 0;
     replayPiece();
 }
@@ -65,12 +71,21 @@ void DryRun::replayPiece() {
     meet();
 }
 
-void DryRun::start(How how, const QString& job, const QString& like) {
+Dialect DryRun::language(unsigned channel, Dialect machine) const {
+    const auto named = wanted_.languages.find(channel);
+    return named == wanted_.languages.end() ? machine : named->second;
+}
+
+void DryRun::start(How how, Wanted wanted, const QString& like) {
     stop();
-    begin(how, job);
+    begin(how, std::move(wanted));
     process_ = std::make_unique<QProcess>();
     process_->setStandardErrorFile(QProcess::nullDevice());
-    QStringList arguments = how == How::Check ? QStringList{"check", job} : QStringList{"run", "--virtual", job};
+    QStringList arguments = how == How::Check ? QStringList{"check"} : QStringList{"run", "--virtual"};
+    const bool alone = !text::is_job_file(wanted_.file.toStdString());   // a job says itself what its programs are
+    arguments << (alone && wanted_.channel ? QString("L%1=%2").arg(wanted_.channel).arg(wanted_.file) : wanted_.file);
+    if (alone)
+        for (const auto& [channel, language] : wanted_.languages) arguments << "--language" << QString("%1=%2").arg(channel).arg(fromView(language_name(language)));
     if (!like.isEmpty()) arguments << "--like" << like;
     QObject::connect(process_.get(), &QProcess::readyReadStandardOutput, [this] { read(); });
     QObject::connect(process_.get(), &QProcess::finished, [this] { QTimer::singleShot(0, process_.get(), [this] { finish(); }); });

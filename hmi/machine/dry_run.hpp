@@ -11,6 +11,8 @@
 #include <optional>
 #include <vector>
 
+#include "ipc/diagnosis/languages.hpp"
+
 namespace polyturn::hmi {
 
 struct RunLine {          // one block, or a part of it
@@ -57,15 +59,23 @@ struct RunFault {
 class DryRun {
 public:
     enum class How : std::uint8_t { Check, Drive };
+    struct Wanted {
+        QString file;                                // a job, or a program
+        unsigned channel = 0;                        // that drives a program alone; 0: the first one
+        std::map<unsigned, Dialect> languages = {};  // of the channels for which one is named
+    };
     ~DryRun();
-    void start(How how, const QString& job, const QString& like);
+    void start(How how, Wanted wanted, const QString& like);
     void stop();
     // What it has told, as it came; and told again from there, a piece in each turn of the event loop. Empty: too much to be kept.
     QByteArray record() const;
     void replay(const QByteArray& record);
     bool running() const { return process_ != nullptr || !again_.isEmpty(); }
     bool any() const { return !channels_.empty() || !faults_.empty(); }
-    const QString& job() const { return job_; }
+    const Wanted& wanted() const { return wanted_; }
+    const QString& job() const { return wanted_.file; }
+    // In which the program of the channel is written; `machine`: where nothing else is said.
+    Dialect language(unsigned channel, Dialect machine) const;
     How how() const { return how_; }
     const QString& failure() const { return failure_; }   // the program could not be run at all
     const std::map<unsigned, RunChannel>& channels() const { return channels_; }
@@ -74,7 +84,7 @@ public:
     std::uint64_t version() const { return version_; }
 
 private:
-    void begin(How how, const QString& job);
+    void begin(How how, Wanted wanted);
     void read();
     void take(const QByteArray& line);
     void takeMove(RunChannel& own, const QJsonObject& event, double t, double end);
@@ -87,8 +97,9 @@ private:
     QByteArray told_, again_;       // all lines; those that are to be told again
     qsizetype againAt_ = 0;
     QObject turns_;                 // the turns that are still to come belong to it
-    QString job_, failure_;
+    QString failure_;
     How how_ = How::Check;
+    Wanted wanted_;
     std::map<unsigned, RunChannel> channels_;
     std::vector<RunFault> faults_;
     std::uint64_t version_ = 0;

@@ -171,11 +171,16 @@ FolderList listFolder(const QString& folder) {
             if (name == entry.name) entry.level = level;
         (entry.folder ? folders : entry.job ? jobs : rest).push_back(std::move(entry));
     }
-    for (const FileEntry& one : jobs)
+    for (FileEntry& one : jobs)
         if (const auto job = text::load_job(dir.filePath(one.name).toStdString()))
-            for (const auto& [channel, program] : job->programs)
-                for (FileEntry& file : rest)
-                    if (!program.language.empty() && dir.filePath(file.name) == QFileInfo(QString::fromStdString(program.file)).absoluteFilePath()) file.language = QString::fromStdString(program.language);
+            for (const auto& [channel, program] : job->programs) {
+                if (const Dialect named = dialect_of(program.language); named != Dialect::Polyturn) one.languages[channel] = named;
+                for (FileEntry& file : rest) {
+                    if (dir.filePath(file.name) != QFileInfo(QString::fromStdString(program.file)).absoluteFilePath()) continue;
+                    if (!program.language.empty()) file.language = QString::fromStdString(program.language);
+                    if (file.ofJob.isEmpty()) file.ofJob = dir.filePath(one.name);
+                }
+            }
     for (auto* part : {&folders, &jobs, &rest})
         for (FileEntry& one : *part) out.entries.push_back(std::move(one));
     return out;

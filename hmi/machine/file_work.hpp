@@ -9,8 +9,11 @@
 #include <atomic>
 #include <cerrno>
 #include <functional>
+#include <map>
 #include <memory>
 #include <vector>
+
+#include "ipc/diagnosis/languages.hpp"
 
 namespace polyturn::hmi {
 
@@ -21,6 +24,8 @@ struct FileEntry {
     qint64 size = 0;
     QDateTime changed;
     QString language = {};       // of a program, as the job beside it says
+    QString ofJob = {};          // of a program: the first job beside it that has it
+    std::map<unsigned, Dialect> languages = {};   // of a job: of its channels for which it names one
 };
 struct FolderList {
     QString folder;

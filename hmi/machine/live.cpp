@@ -266,14 +266,14 @@ double Live::upright(unsigned channel, unsigned place, double machine) const {
 // Between the selection of a program and its first block, and before the first program, no block tells what acts: the zeros with which its
 // language begins (kernel/supervisor/start_position.cpp). The tool is the one that the last program has left (ChannelView::toolShift).
 double Live::zeroAtRest(unsigned channel, unsigned place) const {
-    const std::string_view language = params::get_text(*table_, params::pt_language, channel);
+    const Dialect speaks = language(channel);
     const auto& zeros = stores_[channel - 1]->zeros;
     const auto of = [&](std::size_t row) { return zeros[row * kChannelAxes + place]; };
     const auto named = [&](const char* name) {
         const auto row = work_zero_row(name);
         return row ? of(*row) : 0.0;
     };
-    const double sum = language == "fanuc" || language == "nct" ? of(kZeroExternal) + of(kZeroG54) + of(kZeroShift) : language == "sinumerik" ? named("G500") : language == "mefi" ? named("G53") : 0.0;
+    const double sum = speaks == Dialect::Fanuc || speaks == Dialect::Nct ? of(kZeroExternal) + of(kZeroG54) + of(kZeroShift) : speaks == Dialect::Sinumerik ? named("G500") : speaks == Dialect::Mefi ? named("G53") : 0.0;
     const AxisConfig& axis = config_->axis(config_->channel(channel).axes[place]);
     return axis.diameter && !axis.rotary ? sum / 2 : sum;
 }

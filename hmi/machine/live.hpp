@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "ipc/diagnosis/languages.hpp"
 #include "ipc/image/block_pictures.hpp"
 #include "ipc/machine/angular_axes.hpp"
 #include "ipc/machine/machine_config.hpp"
@@ -50,6 +51,9 @@ public:
     const params::Table& table() const { return *table_; }
     const ChannelView& view(unsigned channel) const { return views_[channel - 1]; }
     const ChannelStatus& channel(unsigned number) const { return status_->channels[number - 1]; }
+    // In which its program is written: a job may say another one than PT_LANGUAGE. Blocks that the panel gives (MDI) are PT_LANGUAGE's.
+    Dialect language(unsigned channel) const { return static_cast<Dialect>(status_->channels[channel - 1].speaks); }
+    Dialect panelLanguage(unsigned channel) const { return dialect_of(params::get_text(*table_, params::pt_language, channel)); }
     const std::vector<unsigned>& channels() const { return channels_; }   // that exist
     double seconds(std::int64_t ticks) const { return static_cast<double>(ticks) * tickSeconds_; }
     std::int32_t nc(std::uint32_t slot) const { return inputs_->signal[slot]; }

@@ -2,7 +2,6 @@
 
 #include <QFileInfo>
 #include <QJsonObject>
-#include <QRegularExpression>
 #include <algorithm>
 
 #include "hmi/machine/channel_words.hpp"
@@ -44,8 +43,6 @@ void StopBook::take(const QJsonArray& stops) {
         StopEntry entry{QDateTime::fromString(one.value("utc").toString(), Qt::ISODateWithMs).toLocalTime(), static_cast<unsigned>(one.value("channel").toInt()), one.value("cause").toString(), one.value("number").toString(),
                         one.value("detail").toString(), QFileInfo(one.value("program").toString()).fileName(), static_cast<unsigned>(one.value("line").toInt()), one.value("seconds").toDouble(-1), false};
         if (entry.channel < 1 || entry.channel > kMaxChannels) continue;
-        static const QRegularExpression kCode("^M(\\d+)(?= |$)");   // the log has every wait as an M code
-        if (const auto code = kCode.match(entry.detail); entry.cause == "wait" && code.hasMatch()) entry.detail.replace(0, code.capturedLength(), waitName(live_, entry.channel, code.captured(1).toInt()));
         const bool newest = !(seen >> entry.channel & 1u);
         seen |= 1u << entry.channel;
         const auto state = static_cast<ChannelState>(live_.channel(entry.channel).state);

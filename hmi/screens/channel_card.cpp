@@ -83,7 +83,7 @@ private:
     double switchMarks(const QRectF& box, bool fewest = false) {
         QStringList marks;
         const auto add = [&](std::uint32_t bits, const char* mark) { if (status_.keys & bits) marks << mark; };
-        add(kKeyMachineLock, "MLK"), add(kKeyDryRun, "DRY");
+        add(kKeyMachineLock, "MLK"), add(kKeyDryRun, "DRY"), add(kKeyRetrace, "RTR"), add(kKeyIgnoreWaits, "NWT");
         if (!fewest) add(kKeySingleBlock, "SBL"), add(kKeyOptionalStop, "M01"), add(kAllBlockSkips, "SKP"), add(kKeyFirstPart, "FPT");
         if (marks.isEmpty()) return 0;
         while (marks.size() > 4) marks.removeLast();
@@ -134,6 +134,8 @@ private:
         } else {
             QString switches;
             const auto add = [&](bool on, const QString& text) { if (on) switches += (switches.isEmpty() ? "" : "   ") + text; };
+            add(status_.keys & kKeyRetrace, word("Start goes backwards"));
+            add(status_.keys & kKeyIgnoreWaits, word("Waits ignored"));
             add(status_.keys & kKeySingleBlock, word("Single block"));
             add(status_.keys & kKeyOptionalStop, word("Optional stop"));
             add(status_.keys & kKeyDryRun, word("Dry run"));

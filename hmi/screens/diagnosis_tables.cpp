@@ -130,7 +130,7 @@ void Diagnosis::fillVariables() {
     table_->rowUnits = 32;
     table_->nothing = search_.isEmpty() ? word("No variable of this channel has a value.") : word("No variable has this in its name.");
     auto lines = std::make_shared<std::vector<std::pair<QString, QString>>>();
-    const auto add = [&](const QString& name, double value) { lines->emplace_back(name, QString::fromStdString(params::variable_text(value, desk_.live.table(), desk_.channel))); };
+    const auto add = [&](const QString& name, double value) { lines->emplace_back(name, QString::fromStdString(params::variable_text(value, desk_.live.table(), desk_.channel, desk_.live.language(desk_.channel)))); };
     const VariableList& list = desk_.live.variables(desk_.channel);
     for (std::size_t i = 0; i < std::min<std::size_t>(list.count, list.rows.size()); ++i) {
         const NamedValue& row = list.rows[i];

@@ -187,7 +187,7 @@ void Graphics::startDry() {
     wanted_ = false, runBack_.reset();
     const QString file = QString::fromStdString(job_.file.empty() ? job_.program : job_.file);
     if (file.isEmpty()) return desk_.tell(word("No program is selected."), Told::Refused);
-    dryRun_.start(DryRun::How::Drive, file, QString::fromStdString(desk_.live.instance()));
+    dryRun_.start(DryRun::How::Drive, {file}, QString::fromStdString(desk_.live.instance()));
     dry_ = playing_ = true;
     dryTime_ = 0;
     playTo(-1);

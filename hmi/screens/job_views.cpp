@@ -8,6 +8,7 @@
 #include "hmi/screens/programs.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/time_shape.hpp"
+#include "ipc/machine/wait_name.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -32,6 +33,9 @@ void Programs::alignJob() {
     alignedVersion_ = dry_.version(), alignAt_ = now + kAlignEveryMs;
     aligned_.build(dry_.channels());
 }
+
+// As the program of the run writes it.
+QString Programs::waitName(unsigned channel, int code) const { return fromView(wait_name(dry_.language(channel, desk_.live.panelLanguage(channel)), code)); }
 
 void Programs::composeTogether(Writer& w) {
     const Theme& t = theme();
@@ -88,7 +92,7 @@ void Programs::composeTogether(Writer& w) {
             for (const unsigned number : here) {
                 w.sign(QRectF(left[number] + text, y + px(5), px(14), px(14)), all ? Sign::Wait : Sign::Alarm, colour);
                 const QString absent = all || number != here.front() ? QString() : "   " + word("never comes: %1").arg(missing.join(' '));
-                w.text(QRectF(left[number] + text + px(narrow ? 18 : 22), y, each - text - px(narrow ? 28 : 34), row), waitName(desk_.live, number, wait->code) + absent, lettering(narrow ? 13 : 14.5, true), colour);
+                w.text(QRectF(left[number] + text + px(narrow ? 18 : 22), y, each - text - px(narrow ? 28 : 34), row), waitName(number, wait->code) + absent, lettering(narrow ? 13 : 14.5, true), colour);
             }
             continue;
         }
@@ -172,7 +176,7 @@ void Programs::composeTime(Writer& w) {
             drawTimeShape(w, waits.shape, QRectF(at(wait.from), y, std::max(1.5, at(wait.to) - at(wait.from)), bar), waits.colour);
             w.line({at(wait.to), y - px(4)}, {at(wait.to), y + bar + px(4)}, t.wait, 1);
             if (lasts > longest) longest = lasts, longestChannel = number, worst = &wait;
-            if (at(wait.to) - at(wait.from) > px(44)) w.text(QRectF(at(wait.from), y + bar + px(2), at(wait.to) - at(wait.from), px(18)), waitName(desk_.live, number, wait.code), lettering(12.5), t.wait, Qt::AlignCenter);
+            if (at(wait.to) - at(wait.from) > px(44)) w.text(QRectF(at(wait.from), y + bar + px(2), at(wait.to) - at(wait.from), px(18)), waitName(number, wait.code), lettering(12.5), t.wait, Qt::AlignCenter);
         }
         // What it spends its time with; the rest are tool changes, M codes and what it does not run any more.
         struct Share {
@@ -207,7 +211,7 @@ void Programs::composeTime(Writer& w) {
     QString note = word("L%1 decides %2 of %3: what becomes shorter there shortens the cycle.").arg(most->first).arg(timeText(most->second), timeText(end));
     if (worst && longest > 0.5)
         note += " " + word("Longest wait: L%1 stands %2 s at %3 (line %4). Work moved from the channel that comes last to L%1 saves up to this time.")
-                          .arg(longestChannel).arg(longest, 0, 'f', 1).arg(waitName(desk_.live, longestChannel, worst->code)).arg(worst->at.line);
+                          .arg(longestChannel).arg(longest, 0, 'f', 1).arg(waitName(longestChannel, worst->code)).arg(worst->at.line);
     w.sign(QRectF(px(14), high - foot + px(14), px(24), px(24)), Sign::Note, t.accent);
     Item& item = w.text(QRectF(px(50), high - foot + px(8), wide - px(64), px(56)), note, lettering(15), t.text);
     item.wraps = true;

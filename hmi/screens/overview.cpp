@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "hmi/machine/code_help.hpp"
 #include "hmi/screens/channel_card.hpp"
 
 namespace polyturn::hmi {
@@ -67,8 +68,8 @@ void Overview::enlarge(bool on) {
 }
 
 void Overview::turnTo(int page) {
-    control_ = page == 1;
-    enlarge(page == 2);
+    page_ = page == 1 ? Keys::Control : page == 2 ? Keys::MoreControl : Keys::Channels;
+    enlarge(page == 3);
     if (desk_.keysChanged) desk_.keysChanged();
 }
 
@@ -96,11 +97,10 @@ bool Overview::key(QKeyEvent* event) {
     return true;
 }
 
-// The code that moves now, in the reference of the channel's language.
+// The code that moves now, in the reference of its program's language.
 HelpTopic Overview::help() const {
     const ChannelView& view = desk_.live.view(desk_.channel);
-    const std::string language(params::get_text(desk_.live.table(), params::pt_language, desk_.channel));
-    const QString page = language == "sinumerik" ? "reference_sinumerik.md" : language == "fagor" ? "reference_fagor.md" : "reference_fanuc.md";
+    const QString page = referenceOf(desk_.live.language(desk_.channel));
     const QString codes = QString::fromUtf8(view.picture.codes.data(), static_cast<int>(::strnlen(view.picture.codes.data(), view.picture.codes.size())));
     if (!view.known || codes.isEmpty()) return {"operator.md", "Overview:", {}};
     return {page, codes.section(' ', 0, 0), {}, true};
@@ -134,7 +134,7 @@ std::vector<SoftKey> Overview::keys() {
         {word("Reset %1").arg(name), press("reset " + name), Sign::Reset, there, false, true, inProgram ? word("Ends the program: press again") : QString()},
         {word("Single block %1").arg(name), press(QString("single_block %1=%2").arg(name, single ? "off" : "on")), Sign::Stop, there, single},
     };
-    if (control_) return addControlKeys(keys, there), keys;
+    if (page_ != Keys::Channels) return addControlKeys(keys, there), keys;
     const std::vector<SoftKey> all{
         {word("Start all"), press("cycle_start"), Sign::Run, there, false, false, anyBegins ? word("Starts all channels: press again") : QString()},   // one that goes on needs no question, one that begins does
         {word("Hold all"), press("feed_hold"), Sign::Hold, there},
@@ -144,7 +144,7 @@ std::vector<SoftKey> Overview::keys() {
              for (const unsigned one : desk_.live.channels()) each << QString("L%1=%2").arg(one).arg(allSingle ? "off" : "on");
              desk_.requests.press("single_block " + each.join(' '));
          }, Sign::Stop, there, allSingle},
-        {word("Program control"), [this] { control_ = true, desk_.keysChanged ? desk_.keysChanged() : void(); }, Sign::Right, there},
+        {word("Program control"), [this] { showKeys(Keys::Control); }, Sign::Right, there},
         {word("End with this part"), press(QString("stop_after_part") + (ends ? " off" : "")), Sign::Ended, there, ends, false, ends ? word("Parts go on: press again") : QString()},
     };
     keys.insert(keys.end(), all.begin(), all.end());
@@ -152,7 +152,7 @@ std::vector<SoftKey> Overview::keys() {
 }
 
 // Left by whatever way, the screen comes back with its first page.
-void Overview::hideEvent(QHideEvent*) { control_ = false; }
+void Overview::hideEvent(QHideEvent*) { page_ = Keys::Channels; }
 
 // The kernel takes machine lock between programs and at rest only (ChannelRunner::take_keys): pressed before, it would act later and unseen.
 bool Overview::takesMachineLock() const {
@@ -163,22 +163,37 @@ bool Overview::takesMachineLock() const {
     return true;
 }
 
+// The way back is chosen in a hold (ChannelRunner::retrace); a way that is chosen, or driven, can be turned round.
+bool Overview::takesRetrace() const {
+    const ChannelStatus& status = desk_.live.channel(desk_.channel);
+    const auto state = static_cast<ChannelState>(status.state);
+    const auto reason = static_cast<StopReason>(status.stop_reason);
+    return state == ChannelState::Held || (state == ChannelState::ProgramStop && (reason == StopReason::SingleBlock || reason == StopReason::Retrace));
+}
+
 // How programs of the channel are worked off. What makes the machine do something else than the program says is asked for twice; that the
 // axes go again as well.
 void Overview::addControlKeys(std::vector<SoftKey>& keys, bool there) {
     const QString name = QString("L%1").arg(desk_.channel);
     const std::uint32_t now = desk_.live.channel(desk_.channel).keys;
-    const auto onOff = [&](const char* text, const char* command, std::uint32_t bit, bool can, const QString& confirmOn = {}, const QString& confirmOff = {}) {
+    const auto onOff = [&](const char* text, const char* command, std::uint32_t bit, bool can, const QString& confirmOn = {}, const QString& confirmOff = {}, Sign sign = Sign::None) {
         const bool on = now & bit;
-        keys.push_back({word(text).arg(name), [this, words = QString("%1 %2=%3").arg(command, name, on ? "off" : "on")] { desk_.requests.press(words); }, Sign::None, can, on, false, on ? confirmOff : confirmOn});
+        keys.push_back({word(text).arg(name), [this, words = QString("%1 %2=%3").arg(command, name, on ? "off" : "on")] { desk_.requests.press(words); }, sign, can, on, false, on ? confirmOff : confirmOn});
     };
+    if (page_ == Keys::MoreControl) {
+        onOff(WORD("Path backwards %1"), "retrace", kKeyRetrace, there && takesRetrace(), word("Start goes back along the path: press again"), {}, Sign::Left);
+        onOff(WORD("Ignore waits %1"), "ignore_waits", kKeyIgnoreWaits, there, word("%1 waits for no other channel: press again").arg(name), {}, Sign::Wait);
+        keys.resize(9);
+        keys.push_back({word("Back"), [this] { showKeys(Keys::Channels); }, Sign::Left});
+        return;
+    }
     onOff(WORD("Optional stop %1"), "optional_stop", kKeyOptionalStop, there);
     const bool skips = now & kAllBlockSkips;   // the PLC has all levels; the key puts on the first one, and all off
     keys.push_back({word("Block skip %1").arg(name), [this, words = QString("block_skip %1=%2").arg(name).arg(skips ? 0 : 1)] { desk_.requests.press(words); }, Sign::None, there, skips});
     onOff(WORD("First part %1"), "first_part", kKeyFirstPart, there);
     onOff(WORD("Dry run %1"), "dry_run", kKeyDryRun, there, word("Other feeds than programmed: press again"));
     onOff(WORD("Machine lock %1"), "machine_lock", kKeyMachineLock, there && takesMachineLock(), word("The axes stand while the program runs: press again"), word("The axes move again: press again"));
-    keys.push_back({word("Back"), [this] { control_ = false, desk_.keysChanged ? desk_.keysChanged() : void(); }, Sign::Left});
+    keys.push_back({word("More"), [this] { showKeys(Keys::MoreControl); }, Sign::Right, there, (now & (kKeyRetrace | kKeyIgnoreWaits)) != 0});
 }
 
 }  // namespace polyturn::hmi

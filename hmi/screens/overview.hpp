@@ -19,7 +19,7 @@ public:
     std::vector<Sheet*> sheets() override;
     QString state() const override { return enlarged_ ? "1" : "0"; }
     void restore(const QString& state) override { enlarge(state == "1"); }
-    int pages() const override { return canEnlarge() ? 3 : 2; }   // the keys of program control; one card enlarged
+    int pages() const override { return canEnlarge() ? 4 : 3; }   // the two pages of keys of program control; one card enlarged
     void turnTo(int page) override;
     // Of many channels the chosen one has room for all its lines, the others are beside it.
     void enlarge(bool on);
@@ -35,9 +35,12 @@ private:
     void addControlKeys(std::vector<SoftKey>& keys, bool there);
     bool takesMachineLock() const;
     static constexpr std::size_t kMostFull = 3;   // channels whose cards leave nothing out
-    bool control_ = false;                 // keys of program control
     bool enlarged_ = false;
     unsigned laidFor_ = 0;                 // the channel that is enlarged
+    bool takesRetrace() const;
+    enum class Keys : std::uint8_t { Channels, Control, MoreControl };
+    void showKeys(Keys keys) { page_ = keys, desk_.keysChanged ? desk_.keysChanged() : void(); }
+    Keys page_ = Keys::Channels;           // of the soft keys: of program control there are more than one page has room for
     std::vector<FreeSheet*> cards_;
     FreeSheet* empty_;
     ProgramText programs_;

@@ -65,7 +65,7 @@ void Programs::keepRun() {
         const auto piece = desk_.kept.get("run", kLasting);
         if (!piece) return;                  // it is still being read
         back_ = false;
-        if (!piece->isEmpty()) dry_.replay(*piece), wanted_ = dry_.job(), show(dry_.how() == DryRun::How::Check ? Page::Together : Page::Time);
+        if (!piece->isEmpty()) dry_.replay(*piece), wanted_ = dry_.wanted(), show(dry_.how() == DryRun::How::Check ? Page::Together : Page::Time);
         keptVersion_ = dry_.running() ? 0 : dry_.version();
     }
     if (dry_.running() || keptVersion_ == dry_.version() || !dry_.any()) return;
@@ -77,8 +77,11 @@ void Programs::select() {
     const QString path = files_->chosenPath(), name = QFileInfo(path).fileName();
     if (!files_->isFile()) return;
     const bool job = files_->isJob();
-    desk_.requests.press(job ? "select " + path : QString("select L%1=%2").arg(desk_.channel).arg(path), [this, name, job](const Answer& answer) {
-        if (answer.ok) desk_.tell(job ? word("%1 is selected in its channels").arg(name) : word("%1 is selected in L%2").arg(name).arg(desk_.channel), Told::Good);
+    desk_.requests.press(job ? "select " + path : QString("select L%1=%2").arg(desk_.channel).arg(path), [this, name, path, job](const Answer& answer) {
+        if (!answer.ok) return;
+        const QString differs = job && files_->chosenPath() == path ? files_->jobDiffers() : QString();
+        if (!differs.isEmpty()) return desk_.tell(word("%1 is selected").arg(name) + ".  " + differs, Told::Note);
+        desk_.tell(job ? word("%1 is selected in its channels").arg(name) : word("%1 is selected in L%2").arg(name).arg(desk_.channel), Told::Good);
     });
 }
 
@@ -104,34 +107,71 @@ void Programs::takePrint() {
     desk_.tell(printer ? word("Printed: %1").arg(QFileInfo(printed_).fileName()) : word("Saved: %1").arg(QFileInfo(printed_).fileName()), Told::Good);
 }
 
-// In the language of the channel that runs it, or of the job beside it that names it; else of the channel that keys speak to.
+// In the language that the job beside it names, or of the channel in which it is selected; else of the channel that keys speak to.
+QString Programs::languageOf(const QString& program) const {
+    for (const FileEntry& one : files_->entries())
+        if (!one.language.isEmpty() && QDir::cleanPath(desk_.folder + "/" + one.name) == program) return one.language;
+    for (const unsigned channel : desk_.live.channels()) {
+        const auto& own = desk_.live.view(channel).programs;
+        if (!own.empty() && QString::fromStdString(own.front()) == program) return fromView(language_name(desk_.live.language(channel)));
+    }
+    return fromView(language_name(desk_.live.panelLanguage(desk_.channel)));
+}
+
 void Programs::edit() {
     const QString path = files_->chosenPath();
     if (!files_->isFile()) return;
     if (const QString why = files_->whyNotChanged(); !why.isEmpty()) return desk_.tell(why, Told::Refused);
     if (editor_->file() == path && editor_->changed()) return show(Page::Edit);   // goes on where it was left
-    std::string language(params::get_text(desk_.live.table(), params::pt_language, desk_.channel));
-    if (!files_->chosen()->language.isEmpty()) language = files_->chosen()->language.toStdString();
-    if (editor_->open(path, QString::fromStdString(language))) show(Page::Edit);
+    if (editor_->open(path, languageOf(path))) show(Page::Edit);
 }
 
+// The chosen file; from the editor the job beside it that has the program, else the program alone in its language.
+DryRun::Wanted Programs::wantedHere() const {
+    if (page_ != Page::Edit && page_ != Page::Files && !wanted_.file.isEmpty()) return wanted_;
+    const QString path = page_ == Page::Edit ? editor_->file() : files_->isFile() ? files_->chosenPath() : QString();
+    if (path.isEmpty()) return {};
+    const auto entryOf = [&](const QString& file) -> const FileEntry* {
+        for (const FileEntry& one : files_->entries())
+            if (!one.folder && QDir::cleanPath(desk_.folder + "/" + one.name) == file) return &one;
+        return nullptr;
+    };
+    const FileEntry* entry = entryOf(path);
+    if (page_ == Page::Edit && entry && !entry->ofJob.isEmpty()) return {entry->ofJob, 0, entryOf(entry->ofJob) ? entryOf(entry->ofJob)->languages : std::map<unsigned, Dialect>()};
+    if (entry && entry->job) return {path, 0, entry->languages};
+    DryRun::Wanted alone{path, desk_.channel};
+    if (const Dialect language = dialect_of((page_ == Page::Edit ? editor_->language() : languageOf(path)).toStdString()); language != Dialect::Polyturn) alone.languages[desk_.channel] = language;
+    return alone;
+}
+
+// Of the text in the editor, not of what its file has been.
 void Programs::look(DryRun::How how) {
-    if (files_->isFile()) wanted_ = files_->chosenPath();
-    if (wanted_.isEmpty()) return;
+    if (page_ == Page::Edit && editor_->changed()) {
+        afterSave_ = how;
+        return editor_->save();
+    }
+    wanted_ = wantedHere();
+    if (wanted_.file.isEmpty()) return;
     back_ = false;
     desk_.kept.put("run", {}, KeptPieces::Span::Lasting);   // not shown any more
     dry_.start(how, wanted_, desk_.live.connected() ? QString::fromStdString(desk_.live.instance()) : QString());
     show(how == DryRun::How::Check ? Page::Together : Page::Time);
 }
 
+void Programs::lookSaved() {
+    if (!afterSave_ || editor_->saving()) return;
+    const DryRun::How how = *std::exchange(afterSave_, std::nullopt);
+    if (page_ == Page::Edit && !editor_->changed()) look(how);   // else it could not be written, as has been told
+}
+
 // In the editor the manual's line of the word at the cursor.
 HelpTopic Programs::help() const {
     if (page_ == Page::Edit && editor_->contour().isVisible()) return {"operator.md", "Cycles as forms", {}};
     if (page_ == Page::Edit && editor_->form().isVisible()) {
-        if (const CodePlace place = placeOfCode(editor_->form().code(), editor_->language()); !place.page.isEmpty()) return {place.page, place.find, {}, true};
+        if (const CodePlace place = placeOfCode(editor_->form().code(), editor_->language()); !place.page.isEmpty()) return {place.page, place.find, {}, place.code};
     } else if (page_ == Page::Edit) {
         const QTextCursor at = editor_->edit().textCursor();
-        if (const CodePlace place = placeOfCode(wordAt(at.block().text(), at.positionInBlock()), editor_->language()); !place.page.isEmpty()) return {place.page, place.find, {}, true};
+        if (const CodePlace place = placeOfCode(wordAt(at.block().text(), at.positionInBlock()), editor_->language()); !place.page.isEmpty()) return {place.page, place.find, {}, place.code};
     }
     if (page_ == Page::Restart) return {"operator.md", "Beginning in the middle", {}};
     if (page_ == Page::Together) return {"programmer.md", "Waiting", {}};
@@ -227,7 +267,8 @@ std::vector<SoftKey> Programs::keys() {
         own.push_back({word("Back"), [this] { show(Page::Files); }, Sign::Left});
         return compare_->addKeys(own), own;
     }
-    const bool can = page_ == Page::Files ? file : !wanted_.isEmpty();
+    const bool can = page_ == Page::Files ? file : page_ == Page::Edit ? !editor_->file().isEmpty() : !wanted_.file.isEmpty();
+    const QString saves = page_ == Page::Edit && editor_->changed() ? word("Saves the text first: press again") : QString();
     bool runs = false, begins = false;
     for (const unsigned channel : desk_.live.channels()) {
         const auto state = static_cast<ChannelState>(desk_.live.channel(channel).state);
@@ -237,8 +278,8 @@ std::vector<SoftKey> Programs::keys() {
     }
     std::vector<SoftKey> keys{
         {word("Files"), [this] { show(Page::Files); }, Sign::Programs, true, page_ == Page::Files},
-        {word("Check, waits"), [this] { look(DryRun::How::Check); }, Sign::Overview, can, page_ == Page::Together},
-        {word("Dry run, timeline"), [this] { look(DryRun::How::Drive); }, Sign::Graphics, can, page_ == Page::Time},
+        {word("Check, waits"), [this] { look(DryRun::How::Check); }, Sign::Overview, can, page_ == Page::Together, false, saves},
+        {word("Dry run, timeline"), [this] { look(DryRun::How::Drive); }, Sign::Graphics, can, page_ == Page::Time, false, saves},
         {word("Restart in the middle"), [this] { show(Page::Restart); }, Sign::Left, there, page_ == Page::Restart},
         {word("Open folder"), [this] { files_->open(); }, Sign::Right, page_ == Page::Files && files_->isFolder()},
         {word("Places"), [this] { files_->showPlaces(); }, Sign::None, page_ == Page::Files},

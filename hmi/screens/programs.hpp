@@ -24,7 +24,7 @@ public:
     const char* name() const override { return "programs"; }
     std::vector<SoftKey> keys() override;
     void refresh() override;
-    void follow() override { restart_->follow(), editor_->follow(), takePrint(), keepRun(); }
+    void follow() override { restart_->follow(), editor_->follow(), lookSaved(), takePrint(), keepRun(); }
     bool key(QKeyEvent* event) override;
     QString state() const override;
     void restore(const QString& state) override;
@@ -55,9 +55,13 @@ private:
     void composeTime(Writer& w);
     void composeFaults(Writer& w, const QRectF& box);
     void alignJob();
+    QString waitName(unsigned channel, int code) const;
     void keepRun();                          // a run that is over; and brings back that of before a restart
     void show(Page page);
     void look(DryRun::How how);
+    void lookSaved();
+    DryRun::Wanted wantedHere() const;
+    QString languageOf(const QString& program) const;
 
     Page page_ = Page::Files;
     FreeSheet *head_, *view_;
@@ -65,7 +69,8 @@ private:
     ComparePage* compare_;
     RestartPage* restart_;
     EditorPage* editor_;
-    QString wanted_;                         // of a check or dry run
+    DryRun::Wanted wanted_;                  // of a check or dry run
+    std::optional<DryRun::How> afterSave_;   // that waits for the text to be written
     ProgramText texts_;
     Aside<FileOutcome> printing_;            // the setup sheet
     QString printed_;

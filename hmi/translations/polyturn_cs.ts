@@ -85,6 +85,11 @@
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
+        <source>%1 is selected</source>
+        <translation>Zvoleno: %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
         <source>%1 is selected in L%2</source>
         <translation>%1 zvolen v L%2</translation>
     </message>
@@ -122,6 +127,11 @@
         <location filename="../screens/tools_requests.cpp"/>
         <source>%1 stands in %2</source>
         <translation>%1 stojí v %2</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>%1 waits for no other channel: press again</source>
+        <translation>%1 nečeká na jiné kanály: znovu</translation>
     </message>
     <message>
         <location filename="../screens/settings_page.cpp"/>
@@ -1654,6 +1664,11 @@
         <translation>Hz</translation>
     </message>
     <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Ignore waits %1</source>
+        <translation>Bez čekání %1</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>In position</source>
         <translation>V poloze</translation>
@@ -2189,6 +2204,11 @@
         <translation>Zpráva</translation>
     </message>
     <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>More</source>
+        <translation>Další</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Most</source>
         <translation>Nejvíce</translation>
@@ -2609,6 +2629,11 @@
         <translation>Jiná úroveň</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Other zeros than the job's hold: %1</source>
+        <translation>Platí jiné nulové body než v zakázce: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Outline that protection guards: X -60:0 Z -20:5</source>
         <translation>Obrys pro ochranu: X -60:0 Z -20:5</translation>
@@ -2737,6 +2762,11 @@
         <location filename="../screens/system.cpp"/>
         <source>Password</source>
         <translation>Heslo</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Path backwards %1</source>
+        <translation>Po dráze zpět %1</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -3304,6 +3334,11 @@
         <translation>Uloženo: %1</translation>
     </message>
     <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Saves the text first: press again</source>
+        <translation>Nejprve uloží text: znovu</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis.cpp"/>
         <source>Scope</source>
         <translation>Osciloskop</translation>
@@ -3517,6 +3552,16 @@
         <location filename="../screens/overview.cpp"/>
         <source>Start all</source>
         <translation>Start všech</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Start goes back along the path: press again</source>
+        <translation>Start pojede po dráze zpět: znovu</translation>
+    </message>
+    <message>
+        <location filename="../screens/channel_card.cpp"/>
+        <source>Start goes backwards</source>
+        <translation>Start jede zpět</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
@@ -3802,6 +3847,11 @@
         <location filename="../screens/programs.cpp"/>
         <source>The job is being driven in virtual time</source>
         <translation>Zakázka běží ve virtuálním čase</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>The job is for another machine: %1</source>
+        <translation>Zakázka je pro jiný stroj: %1</translation>
     </message>
     <message>
         <location filename="../screens/stops_page.cpp"/>
@@ -4454,6 +4504,11 @@
         <translation>Čeká na spoušť</translation>
     </message>
     <message>
+        <location filename="../screens/channel_card.cpp"/>
+        <source>Waits ignored</source>
+        <translation>Čekání se ignorují</translation>
+    </message>
+    <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>Wanted</source>
         <translation>Požadováno</translation>
@@ -4667,6 +4722,11 @@
         <location filename="../screens/offsets.cpp"/>
         <source>Zero here</source>
         <translation>Nula zde</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>Zeros</source>
+        <translation>Nulové body</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -4887,6 +4947,16 @@
         <location filename="../widgets/magazine.cpp"/>
         <source>empty</source>
         <translation>prázdné</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>entered</source>
+        <translation>zadáno</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>entered: %1</source>
+        <translation>zadáno: %1</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -5189,6 +5259,11 @@
         <translation>bez reference</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>not this one</source>
+        <translation>není to tento</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>not watched</source>
         <translation>nesleduje se</translation>
@@ -5447,6 +5522,11 @@
         <location filename="../screens/alarms.cpp"/>
         <source>the machine</source>
         <translation>stroj</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>the machine does not have it</source>
+        <translation>stroj to nemá</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>

@@ -85,6 +85,11 @@
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
+        <source>%1 is selected</source>
+        <translation>Kiválasztva: %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
         <source>%1 is selected in L%2</source>
         <translation>%1 kiválasztva: L%2</translation>
     </message>
@@ -122,6 +127,11 @@
         <location filename="../screens/tools_requests.cpp"/>
         <source>%1 stands in %2</source>
         <translation>%1 itt áll: %2</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>%1 waits for no other channel: press again</source>
+        <translation>%1 nem vár más csatornára: újra</translation>
     </message>
     <message>
         <location filename="../screens/settings_page.cpp"/>
@@ -1654,6 +1664,11 @@
         <translation>Hz</translation>
     </message>
     <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Ignore waits %1</source>
+        <translation>Várakozás nélkül %1</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>In position</source>
         <translation>Pozícióban</translation>
@@ -2189,6 +2204,11 @@
         <translation>Üzenet</translation>
     </message>
     <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>More</source>
+        <translation>Tovább</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Most</source>
         <translation>Legnagyobb</translation>
@@ -2609,6 +2629,11 @@
         <translation>Másik szint</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Other zeros than the job's hold: %1</source>
+        <translation>Nem a munka nullpontjai érvényesek: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Outline that protection guards: X -60:0 Z -20:5</source>
         <translation>Védett körvonal: X -60:0 Z -20:5</translation>
@@ -2737,6 +2762,11 @@
         <location filename="../screens/system.cpp"/>
         <source>Password</source>
         <translation>Jelszó</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Path backwards %1</source>
+        <translation>Pályán vissza %1</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -3304,6 +3334,11 @@
         <translation>Mentve: %1</translation>
     </message>
     <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Saves the text first: press again</source>
+        <translation>Előbb elmenti a szöveget: újra</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis.cpp"/>
         <source>Scope</source>
         <translation>Oszcilloszkóp</translation>
@@ -3517,6 +3552,16 @@
         <location filename="../screens/overview.cpp"/>
         <source>Start all</source>
         <translation>Start mind</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Start goes back along the path: press again</source>
+        <translation>A start visszafelé visz a pályán: újra</translation>
+    </message>
+    <message>
+        <location filename="../screens/channel_card.cpp"/>
+        <source>Start goes backwards</source>
+        <translation>A start visszafelé visz</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
@@ -3802,6 +3847,11 @@
         <location filename="../screens/programs.cpp"/>
         <source>The job is being driven in virtual time</source>
         <translation>A munka virtuális időben fut</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>The job is for another machine: %1</source>
+        <translation>A munka másik géphez való: %1</translation>
     </message>
     <message>
         <location filename="../screens/stops_page.cpp"/>
@@ -4454,6 +4504,11 @@
         <translation>Indítójelre vár</translation>
     </message>
     <message>
+        <location filename="../screens/channel_card.cpp"/>
+        <source>Waits ignored</source>
+        <translation>Várakozások nélkül</translation>
+    </message>
+    <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>Wanted</source>
         <translation>Kívánt</translation>
@@ -4667,6 +4722,11 @@
         <location filename="../screens/offsets.cpp"/>
         <source>Zero here</source>
         <translation>Nulla itt</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>Zeros</source>
+        <translation>Nullpontok</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -4887,6 +4947,16 @@
         <location filename="../widgets/magazine.cpp"/>
         <source>empty</source>
         <translation>üres</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>entered</source>
+        <translation>beírva</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>entered: %1</source>
+        <translation>beírva: %1</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -5189,6 +5259,11 @@
         <translation>nincs referencia</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>not this one</source>
+        <translation>nem ez</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>not watched</source>
         <translation>nem figyelt</translation>
@@ -5447,6 +5522,11 @@
         <location filename="../screens/alarms.cpp"/>
         <source>the machine</source>
         <translation>a gép</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>the machine does not have it</source>
+        <translation>a gépnek nincs ilyen</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>

@@ -85,6 +85,11 @@
     </message>
     <message>
         <location filename="../screens/programs.cpp"/>
+        <source>%1 is selected</source>
+        <translation>Выбрано: %1</translation>
+    </message>
+    <message>
+        <location filename="../screens/programs.cpp"/>
         <source>%1 is selected in L%2</source>
         <translation>%1 выбрана в L%2</translation>
     </message>
@@ -122,6 +127,11 @@
         <location filename="../screens/tools_requests.cpp"/>
         <source>%1 stands in %2</source>
         <translation>%1 стоит в %2</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>%1 waits for no other channel: press again</source>
+        <translation>%1 не ждёт других каналов: ещё раз</translation>
     </message>
     <message>
         <location filename="../screens/settings_page.cpp"/>
@@ -1654,6 +1664,11 @@
         <translation>Гц</translation>
     </message>
     <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Ignore waits %1</source>
+        <translation>Без ожиданий %1</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>In position</source>
         <translation>В позиции</translation>
@@ -2189,6 +2204,11 @@
         <translation>Сообщение</translation>
     </message>
     <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>More</source>
+        <translation>Ещё</translation>
+    </message>
+    <message>
         <location filename="../screens/scope_page.cpp"/>
         <source>Most</source>
         <translation>Макс.</translation>
@@ -2609,6 +2629,11 @@
         <translation>Другой уровень</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Other zeros than the job's hold: %1</source>
+        <translation>Действуют не те нули, что в задании: %1</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>Outline that protection guards: X -60:0 Z -20:5</source>
         <translation>Контур для защиты: X -60:0 Z -20:5</translation>
@@ -2737,6 +2762,11 @@
         <location filename="../screens/system.cpp"/>
         <source>Password</source>
         <translation>Пароль</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Path backwards %1</source>
+        <translation>По пути назад %1</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -3304,6 +3334,11 @@
         <translation>Сохранено: %1</translation>
     </message>
     <message>
+        <location filename="../screens/programs.cpp"/>
+        <source>Saves the text first: press again</source>
+        <translation>Сначала сохранит текст: ещё раз</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis.cpp"/>
         <source>Scope</source>
         <translation>Осциллограф</translation>
@@ -3517,6 +3552,16 @@
         <location filename="../screens/overview.cpp"/>
         <source>Start all</source>
         <translation>Пуск всех</translation>
+    </message>
+    <message>
+        <location filename="../screens/overview.cpp"/>
+        <source>Start goes back along the path: press again</source>
+        <translation>Пуск поведёт по пути назад: ещё раз</translation>
+    </message>
+    <message>
+        <location filename="../screens/channel_card.cpp"/>
+        <source>Start goes backwards</source>
+        <translation>Пуск ведёт назад</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
@@ -3802,6 +3847,11 @@
         <location filename="../screens/programs.cpp"/>
         <source>The job is being driven in virtual time</source>
         <translation>Задание идёт в виртуальном времени</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>The job is for another machine: %1</source>
+        <translation>Задание для другого станка: %1</translation>
     </message>
     <message>
         <location filename="../screens/stops_page.cpp"/>
@@ -4454,6 +4504,11 @@
         <translation>Ждёт запуска</translation>
     </message>
     <message>
+        <location filename="../screens/channel_card.cpp"/>
+        <source>Waits ignored</source>
+        <translation>Ожидания не действуют</translation>
+    </message>
+    <message>
         <location filename="../machine/setup_sheet.cpp"/>
         <source>Wanted</source>
         <translation>Нужно</translation>
@@ -4667,6 +4722,11 @@
         <location filename="../screens/offsets.cpp"/>
         <source>Zero here</source>
         <translation>Нуль здесь</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>Zeros</source>
+        <translation>Нули</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -4887,6 +4947,16 @@
         <location filename="../widgets/magazine.cpp"/>
         <source>empty</source>
         <translation>пусто</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>entered</source>
+        <translation>введено</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>entered: %1</source>
+        <translation>введено: %1</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -5189,6 +5259,11 @@
         <translation>нет выхода в ноль</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>not this one</source>
+        <translation>не этот</translation>
+    </message>
+    <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>not watched</source>
         <translation>без учёта</translation>
@@ -5447,6 +5522,11 @@
         <location filename="../screens/alarms.cpp"/>
         <source>the machine</source>
         <translation>станок</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>the machine does not have it</source>
+        <translation>у станка такого нет</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>

@@ -69,7 +69,7 @@ TEST(DryRunZeros, APathGoesOnInTheSystemThatItBeganIn) {
     write("O1.nc", "O1\nG54 G98\nG0 X50. Z10.\nG55 G0 Z10.\nG1 Z5. F200.\nM30\n");
     write("two.job.toml", "name = \"two\"\n[programs]\n1 = { file = \"O1.nc\", language = \"fanuc\" }\n[zeros]\n1 = { G54 = { Z = -100.0 }, G55 = { Z = -300.0 } }\n");
     DryRun run;
-    run.start(DryRun::How::Drive, folder.filePath("two.job.toml"), {});
+    run.start(DryRun::How::Drive, {folder.filePath("two.job.toml")}, {});
     ASSERT_TRUE(waitFor([&] { return !run.running(); }, 60));
     ASSERT_EQ(run.channels().count(1), 1u) << run.failure().toStdString();
     const RunChannel& channel = run.channels().at(1);

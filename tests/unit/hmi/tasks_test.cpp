@@ -132,7 +132,11 @@ TEST_F(Tasks, HoldStaysInItsPlaceBesideTheSwitches) {
     ASSERT_EQ(switches.size(), 10);
     EXPECT_EQ(switches.mid(0, 4), first.mid(0, 4));
     EXPECT_EQ(switches[1], "Hold L1");
-    EXPECT_EQ(switches[9], "Back");
+    EXPECT_EQ(switches[9], "More");
+    hand.soft("More");
+    ASSERT_EQ(texts().size(), 10);
+    EXPECT_EQ(texts().mid(0, 4), first.mid(0, 4));
+    EXPECT_EQ(texts()[9], "Back");
     hand.screen("programs");
     hand.screen("overview");
     EXPECT_EQ(texts(), first);

@@ -1,0 +1,184 @@
+// A job may be in another language than PT_LANGUAGE: what screens say of its programs is in that of the job.
+#include <QFile>
+
+#include "hmi/screens/overview.hpp"
+#include "hmi/screens/programs.hpp"
+#include "tests/unit/hmi/tasks.hpp"
+
+namespace polyturn::hmi {
+namespace {
+
+// Two programs that meet at a marker, in a folder with the job that has them.
+class JobLanguage : public Tasks {
+protected:
+    void SetUp() override {
+        Tasks::SetUp();
+        if (HasFatalFailure()) return;
+        write("markers.job.toml", "name = \"markers\"\n[programs]\n1 = { file = \"FIRST.MPF\", language = \"sinumerik\" }\n2 = { file = \"SECOND.MPF\", language = \"sinumerik\" }\n[zeros]\n1 = { G54 = { Z = -150.0 } }\n");
+        write("FIRST.MPF", "N10 G90 G95\nN20 WAITM(3,1,2)\nN30 M30\n");
+        write("SECOND.MPF", "N10 G4 F60\nN20 WAITM(3,1,2)\nN30 M30\n");
+    }
+    void TearDown() override {
+        g_controller->press("reset");
+        g_controller->press("select " + QString(POLYTURN_SOURCE_DIR) + "/examples/jobs/shaft/shaft.job.toml");
+    }
+    void write(const QString& name, const char* text) {
+        QFile file(folder.filePath(name));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(text);
+    }
+    void choose(const QString& name) {
+        Programs& programs = screenOf<Programs>();
+        programs.restore("0|" + folder.filePath(name));
+        ASSERT_TRUE(waitFor([&] { return programs.filesPage().chosenPath() == folder.filePath(name); }, 5));
+    }
+    bool shown(const QString& text) const {
+        for (Sheet* sheet : window->screen()->sheets())
+            for (const Item& one : sheet->items())
+                if (one.text.contains(text)) return true;
+        return false;
+    }
+    QTemporaryDir folder;
+};
+
+TEST_F(JobLanguage, NamesItsWaitsAndOpensItsReference) {
+    ASSERT_TRUE(g_controller->press("reference all"));
+    ASSERT_TRUE(waitFor([&] { return static_cast<MachineStep>(live().status().step) == MachineStep::Ready; }));
+    for (const char* key : {"mode L1=auto", "mode L2=auto"}) ASSERT_TRUE(g_controller->press(key));
+    ASSERT_TRUE(g_controller->press("select " + folder.filePath("markers.job.toml")));
+    ASSERT_TRUE(waitFor([&] { return live().language(1) == Dialect::Sinumerik && live().language(2) == Dialect::Sinumerik; }, 10));
+    EXPECT_EQ(live().panelLanguage(1), Dialect::Fanuc) << "what is entered by hand stays the machine's";
+    ASSERT_TRUE(g_controller->press("cycle_start"));
+    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Waiting; }, 20)) << waitWords(live(), 1).toStdString();
+    EXPECT_TRUE(waitWords(live(), 1).contains("WAITM(3)")) << waitWords(live(), 1).toStdString();
+    EXPECT_FALSE(waitWords(live(), 1).contains("M3 "));
+    Operator hand(*window);
+    hand.screen("overview");
+    ASSERT_TRUE(waitFor([&] { return live().view(1).known; }, 10));
+    EXPECT_EQ(screenOf<Overview>().help().page, "reference_sinumerik.md");
+}
+
+// Its zeros are not taken over: what is entered holds, and the sheet and the line of the selection say so.
+TEST_F(JobLanguage, WhatItHasOtherwiseIsTold) {
+    ASSERT_TRUE(g_controller->set("zero L1 G54 Z=-20"));
+    choose("markers.job.toml");
+    Operator hand(*window);
+    hand.screen("programs");
+    EXPECT_TRUE(waitFor([&] { return shown("entered: -20.000"); }, 10));
+    hand.soft("Select job");
+    const auto told = [&](const QString& text) {
+        for (Sheet* sheet : window->ownSheets())
+            for (const Item& one : sheet->items())
+                if (one.text.contains(text)) return true;
+        return false;
+    };
+    EXPECT_TRUE(waitFor([&] { return told("L1 G54 Z"); }, 10));
+    ASSERT_TRUE(waitFor([&] { return !live().view(1).programs.empty() && QString::fromStdString(live().view(1).programs[0]).endsWith("FIRST.MPF"); }, 10));
+    EXPECT_DOUBLE_EQ(live().store(1).zeros[kZeroG54 * kChannelAxes + 1], -20.0);
+    ASSERT_TRUE(g_controller->set("zero L1 G54 Z=-150"));
+    EXPECT_TRUE(waitFor([&] { return shown("entered") && !shown("entered: "); }, 10));
+    ASSERT_TRUE(g_controller->set("zero L1 G54 Z=0"));
+}
+
+// The check of the job beside the machine, and the programs in the editor.
+TEST_F(JobLanguage, IsThatOfTheSynchronisedViewAndOfTheEditor) {
+    choose("markers.job.toml");
+    Programs& programs = screenOf<Programs>();
+    Operator hand(*window);
+    hand.screen("programs");
+    hand.soft("Check, waits");
+    ASSERT_TRUE(waitFor([&] { return !programs.dryRun().running() && programs.dryRun().any(); }, 20));
+    EXPECT_TRUE(programs.dryRun().faults().empty());
+    EXPECT_TRUE(waitFor([&] { return shown("WAITM(3)"); }, 5));
+    for (Sheet* sheet : window->screen()->sheets())
+        for (const Item& one : sheet->items()) EXPECT_NE(one.text, "M3");
+    choose("FIRST.MPF");
+    hand.soft("Files");
+    hand.soft("Edit");
+    EXPECT_EQ(programs.editor().language(), "sinumerik");
+}
+
+// Beside a program alone no job says it: the channel in which it is selected does.
+TEST_F(JobLanguage, IsThatOfTheChannelInWhichTheProgramIsSelected) {
+    ASSERT_TRUE(g_controller->press("select " + folder.filePath("markers.job.toml")));
+    ASSERT_TRUE(waitFor([&] { return live().language(1) == Dialect::Sinumerik && !live().view(1).programs.empty() && QString::fromStdString(live().view(1).programs[0]) == folder.filePath("FIRST.MPF"); }, 10));
+    ASSERT_TRUE(QFile::remove(folder.filePath("markers.job.toml")));
+    choose("FIRST.MPF");
+    Operator hand(*window);
+    hand.screen("programs");
+    hand.soft("Edit");
+    EXPECT_EQ(screenOf<Programs>().editor().language(), "sinumerik");
+}
+
+// Check and dry run from the editor are those of the text in it: it is saved first, and asked for; of the job that has the program.
+TEST_F(JobLanguage, CheckFromTheEditorIsOfWhatHasBeenTyped) {
+    choose("FIRST.MPF");
+    Programs& programs = screenOf<Programs>();
+    Operator hand(*window);
+    hand.screen("programs");
+    hand.soft("Edit");
+    EditorPage& editor = programs.editor();
+    ASSERT_TRUE(waitFor([&] { return editor.file() == folder.filePath("FIRST.MPF") && !editor.opening(); }, 5));
+    QTextCursor end(editor.edit().document());
+    editor.edit().setTextCursor(end);
+    QTest::keyClicks(&editor.edit(), "N5 G1 X1 X2 F1");
+    QTest::keyClick(&editor.edit(), Qt::Key_Return);
+    ASSERT_TRUE(editor.changed());
+    hand.soft("Check, waits");
+    EXPECT_TRUE(editor.changed()) << "asked first";
+    hand.soft("Check, waits");
+    ASSERT_TRUE(waitFor([&] { return !editor.changed() && !programs.dryRun().running() && programs.dryRun().any(); }, 20));
+    EXPECT_EQ(programs.dryRun().job(), folder.filePath("markers.job.toml"));
+    ASSERT_FALSE(programs.dryRun().faults().empty());
+    EXPECT_EQ(programs.dryRun().faults().front().at.line, 1u);
+    EXPECT_FALSE(editor.isVisible());
+}
+
+// A program that no job has is checked alone, in the channel that keys speak to.
+TEST_F(JobLanguage, AProgramAloneIsCheckedInTheChannelOfTheKeys) {
+    write("O7.nc", "O7\nN10 G0 X40. Z5.\nN20 M30\n");
+    choose("O7.nc");
+    Programs& programs = screenOf<Programs>();
+    Operator hand(*window);
+    hand.key(Qt::Key_2, Qt::ControlModifier);   // L2
+    ASSERT_EQ(window->desk().channel, 2u);
+    hand.screen("programs");
+    hand.soft("Edit");
+    ASSERT_TRUE(waitFor([&] { return programs.editor().file() == folder.filePath("O7.nc") && !programs.editor().opening(); }, 5));
+    hand.soft("Dry run, timeline");
+    ASSERT_TRUE(waitFor([&] { return !programs.dryRun().running() && programs.dryRun().any(); }, 20));
+    EXPECT_EQ(programs.dryRun().job(), folder.filePath("O7.nc"));
+    EXPECT_TRUE(programs.dryRun().channels().contains(2));
+    hand.key(Qt::Key_1, Qt::ControlModifier);
+}
+
+// The way back and waits that are passed over: chosen at the panel, and seen there.
+TEST_F(JobLanguage, TheWayBackAndTheWaitsArePressedAndSeen) {
+    startAndHoldJob();
+    Operator hand(*window);
+    hand.screen("overview");
+    hand.soft("Program control");
+    EXPECT_EQ(window->screen()->keys()[9].text, "More");
+    hand.soft("More");
+    hand.soft("Path backwards L1");
+    hand.soft("Path backwards L1");
+    EXPECT_TRUE(waitFor([&] { return (live().channel(1).keys & kKeyRetrace) && window->screen()->keys()[4].on; }, 10));
+    hand.soft("Path backwards L1");
+    EXPECT_TRUE(waitFor([&] { return !(live().channel(1).keys & kKeyRetrace); }, 10));
+    hand.soft("Ignore waits L1");
+    hand.soft("Ignore waits L1");
+    EXPECT_TRUE(waitFor([&] { return (live().channel(1).keys & kKeyIgnoreWaits) && window->screen()->keys()[5].on; }, 10));
+    EXPECT_TRUE(waitFor([&] { return shown("NWT") || shown("Waits ignored"); }, 5));
+    hand.soft("Ignore waits L1");
+    EXPECT_TRUE(waitFor([&] { return !(live().channel(1).keys & kKeyIgnoreWaits); }, 10));
+    hand.soft("Back");
+    EXPECT_EQ(window->screen()->keys()[4].text, "Start all");
+    ASSERT_TRUE(g_controller->press("reset"));
+    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Reset; }));
+    hand.soft("Program control");
+    hand.soft("More");
+    EXPECT_FALSE(window->screen()->keys()[4].enabled) << "a way back is chosen in a hold only";
+}
+
+}  // namespace
+}  // namespace polyturn::hmi
