@@ -9,6 +9,8 @@ namespace {
 
 constexpr double kMostLetters = 60;    // of a cell that are worth a wider column
 constexpr double kLeastLetters = 4;
+constexpr double kCellRoom = 4;        // letters: between a word and the lines beside it
+constexpr double kPageLetters = 104;   // of a line of the page on a panel of 1280
 
 bool rowOfTable(const QString& line) { return line.startsWith('|'); }
 
@@ -48,12 +50,13 @@ std::vector<double> sharesOf(const QStringList& rows) {
             for (const QString& one : text.split(' ')) word = std::max<double>(word, static_cast<double>(one.size()));
             auto& low = least[static_cast<std::size_t>(c)];
             auto& much = wanted[static_cast<std::size_t>(c)];
-            low = std::max(low, word + 2), much = std::max(much, std::min(kMostLetters, static_cast<double>(text.size()) + 2));
+            low = std::max(low, word + kCellRoom), much = std::max(much, std::min(kMostLetters, static_cast<double>(text.size()) + 2));
         }
     }
-    double sum = 0;
-    for (std::size_t c = 0; c < wanted.size(); ++c) sum += wanted[c] = std::max(wanted[c], least[c]);
-    for (double& one : wanted) one *= 100 / sum;
+    double words = 0, more = 0;
+    for (std::size_t c = 0; c < wanted.size(); ++c) words += least[c], more += wanted[c] = std::max(0.0, wanted[c] - least[c]);
+    const double spare = std::max(0.0, kPageLetters - words), all = words + (more > 0 ? spare : 0);
+    for (std::size_t c = 0; c < wanted.size(); ++c) wanted[c] = (least[c] + (more > 0 ? spare * wanted[c] / more : 0)) * 100 / all;
     return wanted;
 }
 

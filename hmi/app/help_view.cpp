@@ -19,8 +19,8 @@ namespace polyturn::hmi {
 namespace {
 constexpr int kFirstSlices = 2;   // laid out at once: what is seen first
 
-// Commands and programs: in the face of programs, set off from the text.
-void setCode(QTextDocument& document) {
+// Commands and programs: in the face of programs, set off from the text. Links: in the colour of the theme.
+void setForms(QTextDocument& document) {
     const Theme& t = theme();
     const auto isCode = [](const QTextBlock& block) { return block.isValid() && (block.blockFormat().hasProperty(QTextFormat::BlockCodeLanguage) || block.blockFormat().hasProperty(QTextFormat::BlockCodeFence) || block.blockFormat().nonBreakableLines()); };
     for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
@@ -32,9 +32,18 @@ void setCode(QTextDocument& document) {
             form.setTopMargin(px(isCode(block.previous()) ? 0 : 4)), form.setBottomMargin(px(isCode(block.next()) ? 0 : 10));
             at.setBlockFormat(form);
         }
-        std::vector<std::pair<int, int>> runs;         // what is found first, for setting it changes the pieces
+        std::vector<std::pair<int, int>> runs, links;   // what is found first, for setting it changes the pieces
         for (auto piece = block.begin(); !piece.atEnd(); ++piece)
             if (code || piece.fragment().charFormat().fontFixedPitch()) runs.emplace_back(piece.fragment().position(), piece.fragment().length());
+        for (auto piece = block.begin(); !piece.atEnd(); ++piece)
+            if (piece.fragment().charFormat().isAnchor()) links.emplace_back(piece.fragment().position(), piece.fragment().length());
+        for (const auto& [from, length] : links) {      // Qt takes the colour of its own palette, dark on dark
+            at.setPosition(from);
+            at.setPosition(from + length, QTextCursor::KeepAnchor);
+            QTextCharFormat colour;
+            colour.setForeground(t.accent);
+            at.mergeCharFormat(colour);
+        }
         for (const auto& [from, length] : runs) {
             at.setPosition(from);
             at.setPosition(from + length, QTextCursor::KeepAnchor);
@@ -159,7 +168,7 @@ bool HelpView::pictureReady(std::size_t slice) {
         return true;
     }
     if (!painting_.busy())
-        painting_.start([path = folder() + "/" + file, room = std::max(px(200), text_->viewport()->width() - 2 * px(18) - px(8))](const std::atomic<bool>&) {
+        painting_.start([path = folder() + "/" + file, room = std::max(px(200), text_->width() - px(kFingerBar) - 2 * px(18) - px(8))](const std::atomic<bool>&) {
             const QImage image(path);
             return image.width() > room ? image.scaledToWidth(room, Qt::SmoothTransformation) : image;
         }, 0);
@@ -172,14 +181,14 @@ void HelpView::lay(std::size_t slice, bool above) {
     made.setUndoRedoEnabled(false);
     made.setDefaultFont(lettering(16));
     made.setMarkdown(own.markdown, QTextDocument::MarkdownFeatures(QTextDocument::MarkdownDialectGitHub) | QTextDocument::MarkdownNoHTML);   // «M98 <PROFILE>» is no tag that swallows what follows
-    setCode(made);
+    setForms(made);
     for (QTextFrame* frame : made.rootFrame()->childFrames()) {
         auto* table = qobject_cast<QTextTable*>(frame);
         if (!table) continue;
         const bool headless = !own.goesOn && hasEmptyHead(*table);
         if ((own.goesOn || headless) && table->rows() > 1) table->removeRows(0, 1);
         QTextTableFormat format = table->format();
-        format.setBorder(1), format.setBorderBrush(theme().edge), format.setBorderCollapse(true), format.setCellPadding(px(5));
+        format.setBorder(1), format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid), format.setBorderBrush(theme().edge), format.setBorderCollapse(true), format.setCellPadding(px(5));
         if (!own.goesOn) format.setTopMargin(px(6));
         format.setBottomMargin(px(own.last ? 12 : 0));
         if (own.goesOn || headless) format.setHeaderRowCount(0);

@@ -8,7 +8,7 @@
 namespace polyturn::hmi {
 
 void setFingerBars(QAbstractScrollArea& area) {
-    constexpr int kWide = 30, kLeastHandle = 64;   // units: a finger's breadth
+    constexpr int kLeastHandle = 64;   // units
     const Theme& t = theme();
     for (QScrollBar* bar : {area.verticalScrollBar(), area.horizontalScrollBar()}) {
         const bool upright = bar->orientation() == Qt::Vertical;
@@ -18,7 +18,7 @@ void setFingerBars(QAbstractScrollArea& area) {
                                       "QScrollBar::handle:pressed { background: %9; }"
                                       "QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }"
                                       "QScrollBar::add-page, QScrollBar::sub-page { background: none; }")
-                                  .arg(t.bar.name(), wide).arg(px(kWide)).arg(t.dim.name()).arg(px(kWide) / 2 - px(6)).arg(px(5)).arg(along).arg(px(kLeastHandle)).arg(t.accent.name());
+                                  .arg(t.bar.name(), wide).arg(px(kFingerBar)).arg(t.dim.name()).arg(px(kFingerBar) / 2 - px(6)).arg(px(5)).arg(along).arg(px(kLeastHandle)).arg(t.accent.name());
         if (bar->styleSheet() != style) bar->setStyleSheet(style);
     }
 }

@@ -3,5 +3,6 @@
 class QAbstractScrollArea;
 
 namespace polyturn::hmi {
+inline constexpr int kFingerBar = 30;            // units: its width
 void setFingerBars(QAbstractScrollArea& area);   // again when the theme has changed
 }

@@ -76,9 +76,45 @@ TEST(HelpView, TablesHaveNoEmptyHead) {
     EXPECT_GE(tables, 1);
 }
 
+TEST(HelpView, LinksAreReadInBothThemes) {
+    for (const bool dark : {true, false}) {
+        dress(dark);
+        const OpenPage page({"programmer.md", {}, {}});
+        int links = 0;
+        for (QTextBlock block = page.document().begin(); block.isValid(); block = block.next())
+            for (auto piece = block.begin(); !piece.atEnd(); ++piece) {
+                if (!piece.fragment().charFormat().isAnchor()) continue;
+                ++links;
+                EXPECT_EQ(piece.fragment().charFormat().foreground().color(), theme().accent) << piece.fragment().text().toStdString();
+            }
+        EXPECT_GE(links, 3);
+    }
+    dress(true);
+}
+
 TEST(HelpView, IsScrolledByAFinger) {
     const OpenPage page({"setup.md", {}, {}});
     EXPECT_GE(page.view.text().verticalScrollBar()->width(), px(28));
+    const OpenPage pictures({"operator.md", {}, {}});
+    EXPECT_EQ(pictures.view.text().horizontalScrollBar()->maximum(), 0) << "pictures are no wider than the page beside the bar";
+}
+
+// Columns share the page so that no word of theirs is broken.
+TEST(HelpView, TablesGiveEveryColumnItsLongestWord) {
+    for (const char* name : {"reference_fanuc.md", "reference_fanuc.ru.md", "reference_fagor.cs.md", "reference_sinumerik.hu.md"}) {
+        SCOPED_TRACE(name);
+        QFile file(HelpView::folder() + "/" + name);
+        ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+        const QFontMetricsF letters(lettering(16));
+        const double page = px(1060) - 2 * px(18);
+        for (const HelpSlice& slice : sliceHelp(QString::fromUtf8(file.readAll())))
+            for (const QString& row : slice.shares.empty() ? QStringList() : slice.markdown.split('\n')) {
+                const QStringList cells = row.mid(1).split('|');
+                for (qsizetype c = 0; c < cells.size() && c < static_cast<qsizetype>(slice.shares.size()); ++c)
+                    for (const QString& word : QString(cells[c]).remove('*').remove('\\').split(' ', Qt::SkipEmptyParts))
+                        EXPECT_TRUE(word.contains("---") || letters.horizontalAdvance(word) + 2 * px(5) <= page * slice.shares[static_cast<std::size_t>(c)] / 100) << word.toStdString();
+            }
+    }
 }
 
 }  // namespace
