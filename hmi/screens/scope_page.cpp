@@ -214,8 +214,9 @@ void ScopePage::takeValues() {
     if (plot_.drawn()) valuesMs_ = time;   // else at once, when it is
     for (std::size_t trace = 0; trace < kScopeTraces; ++trace) {
         values_[trace] = {};
-        const ScopeSpan span = plot_.span(trace);
+        ScopeSpan span = plot_.span(trace);
         if (record_.samples().empty() || !span.any()) continue;
+        span.add(record_.samples().back().value[trace]);   // newer than what has been painted
         const double division = plot_.scale(trace).division;
         values_[trace] = {numberText(record_.samples().back().value[trace]), numberText(span.least), numberText(span.most), division > 0 ? ScopePlot::valueText(division, division) : QString()};
     }
