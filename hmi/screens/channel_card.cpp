@@ -290,7 +290,9 @@ private:
     }
 
     void parts() {
-        const double h = px(dense_ ? 22 : 48), top = size_.height() - h - px(dense_ ? 6 : 12);
+        const double foot = px(dense_ ? 6 : 12);
+        const bool headed = !dense_ || size_.height() - px(30) - foot >= y_ - gap();   // a dense card with fewer axes has room to say what the figures are
+        const double h = px(!dense_ ? 48 : headed ? 30 : 22), top = size_.height() - h - foot;
         if (top < y_ - gap()) return;
         y_ = top;
         rule();
@@ -305,7 +307,8 @@ private:
         for (int i = 0; i < 5; ++i) {
             const QRectF box(left_ + wide_ * i / 5, y_, wide_ / 5 - px(4), h);
             if (dense_) {
-                w_.text(box, values[i], lettering(13, true), t_.text);
+                if (headed) w_.text(QRectF(box.left(), box.top() + px(1), box.width() + px(3), px(13)), heads[i], lettering(10.5, false, Face::Condensed), t_.dim);
+                w_.text(QRectF(box.left(), box.bottom() - px(18), box.width(), px(18)), values[i], lettering(13, true), t_.text);
                 continue;
             }
             w_.text(QRectF(box.left(), box.top() + px(2), box.width(), px(17)), heads[i], lettering(12, false, Face::Condensed), t_.dim);

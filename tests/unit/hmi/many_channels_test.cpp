@@ -92,6 +92,7 @@ TEST(ManyChannelsCard, IsEnlargedByATouchAndByAKey) {
     Operator hand(window);
     touch(6);
     EXPECT_EQ(window.desk().channel, 6u);
+    EXPECT_TRUE(says(6, "Parts") && says(6, "Mean")) << "figures without a heading";
     EXPECT_FALSE(says(6, "Follow. error"));
     touch(6);
     for (const char* line : {"Follow. error", "Remaining", "Workpiece", "Machine", "To go"}) EXPECT_TRUE(says(6, line)) << line;
