@@ -81,6 +81,7 @@ void Interpreter::clear_modal() {
 }
 
 Result<void> Interpreter::start(FileId main) {
+    polled_ = {}, polls_ = false;   // as the machine begins it
     core_.compensation_reset();
     core_.fixture_off();
     core_.compensation_options(settings_.compensation);

@@ -285,7 +285,7 @@ void MainWindow::composeTop(Writer& w) {
                (alarm->channel ? QString("L%1  ").arg(alarm->channel) : QString()) + alarm->number + "  " + alarm->text, lettering(14), t.text);
         if (more) w.text(QRectF(right - px(52), 0, px(44), h), QString("+%1").arg(more), lettering(14, true), t.bad, Qt::AlignRight | Qt::AlignVCenter);
         w.hit(box, kHitAlarm);
-    } else if (const AlarmEntry* note = live_.connected() ? alarms_.told(0) : nullptr) {   // of the machine's builder: it belongs to no channel's card
+    } else if (const AlarmEntry* note = live_.connected() && static_cast<MachineStep>(live_.status().step) == MachineStep::Ready ? alarms_.told(0) : nullptr) {   // of the machine's builder: it belongs to no channel's card; what is to do next goes before it
         const QRectF box(left, px(6), right - left, h - px(12));
         w.fill(box, t.card, px(6));
         w.sign(QRectF(left + px(8), px(14), px(18), px(18)), Sign::Note, t.accent);

@@ -52,7 +52,9 @@ public:
     const ChannelView& view(unsigned channel) const { return views_[channel - 1]; }
     const ChannelStatus& channel(unsigned number) const { return status_->channels[number - 1]; }
     // In which its program is written: a job may say another one than PT_LANGUAGE. Blocks that the panel gives (MDI) are PT_LANGUAGE's.
-    Dialect language(unsigned channel) const { return static_cast<Dialect>(status_->channels[channel - 1].speaks); }
+    // Of what runs; a block by hand is in that of the machine (ChannelRunner::speaks). And of the selected program, whatever the mode.
+    Dialect language(unsigned channel) const { return static_cast<ChannelMode>(this->channel(channel).mode) == ChannelMode::Mdi ? panelLanguage(channel) : programLanguage(channel); }
+    Dialect programLanguage(unsigned channel) const { return static_cast<Dialect>(status_->channels[channel - 1].speaks); }
     Dialect panelLanguage(unsigned channel) const { return dialect_of(params::get_text(*table_, params::pt_language, channel)); }
     const std::vector<unsigned>& channels() const { return channels_; }   // that exist
     double seconds(std::int64_t ticks) const { return static_cast<double>(ticks) * tickSeconds_; }

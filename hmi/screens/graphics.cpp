@@ -79,8 +79,8 @@ void Graphics::findJob() {
         if (programs.empty()) continue;
         if (programs[0] == job_.program) return;
         live_.clear();
-        finding_.start([program = programs[0]](const std::atomic<bool>& stop) {
-            FoundJob out{program, {}, {}, {}};
+        finding_.start([program = programs[0], channel](const std::atomic<bool>& stop) {
+            FoundJob out{program, {}, {}, {}, channel};
             const QString wanted = QFileInfo(QString::fromStdString(program)).canonicalFilePath();
             const QDir folder(QFileInfo(QString::fromStdString(program)).absolutePath());
             for (const QFileInfo& file : folder.entryInfoList({"*.job.toml"}, QDir::Files)) {
@@ -187,7 +187,9 @@ void Graphics::startDry() {
     wanted_ = false, runBack_.reset();
     const QString file = QString::fromStdString(job_.file.empty() ? job_.program : job_.file);
     if (file.isEmpty()) return desk_.tell(word("No program is selected."), Told::Refused);
-    dryRun_.start(DryRun::How::Drive, {file}, QString::fromStdString(desk_.live.instance()));
+    DryRun::Wanted run{file};
+    if (job_.file.empty() && job_.channel) run.channel = job_.channel, run.languages[job_.channel] = desk_.live.programLanguage(job_.channel);
+    dryRun_.start(DryRun::How::Drive, run, QString::fromStdString(desk_.live.instance()));
     dry_ = playing_ = true;
     dryTime_ = 0;
     playTo(-1);

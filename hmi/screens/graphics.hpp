@@ -55,6 +55,7 @@ private:
         std::string program, file;         // asked for, and of the job that names it; empty: none does
         std::optional<text::JobStock> stock;
         std::map<unsigned, double> zeros;  // G54 Z of the job, by channel
+        unsigned channel = 0;              // in which the program is selected
     };
     CuttingScene& shown() { return dry_ ? drySide_ : live_; }
     void forget();

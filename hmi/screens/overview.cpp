@@ -26,7 +26,7 @@ void Overview::rebuilt() {
         auto* card = new FreeSheet(this);
         card->onCompose = [this, card, channel](Writer& w) { composeCard(w, QSizeF(card->size()), desk_, channel, programs_, canEnlarge() && !enlarged_ ? word("Touch again or Enter: enlarged") : QString()); };
         card->onTouched = [this, channel](int) {
-            if (desk_.channel == channel) return enlarge(!enlarged_);
+            if (desk_.channel == channel && canEnlarge()) return enlarge(!enlarged_);
             desk_.choose(channel), refresh();
         };
         card->show();
@@ -182,7 +182,7 @@ void Overview::addControlKeys(std::vector<SoftKey>& keys, bool there) {
     };
     if (page_ == Keys::MoreControl) {
         onOff(WORD("Path backwards %1"), "retrace", kKeyRetrace, there && takesRetrace(), word("Start goes back along the path: press again"), {}, Sign::Left);
-        onOff(WORD("Ignore waits %1"), "ignore_waits", kKeyIgnoreWaits, there, word("%1 waits for no other channel: press again").arg(name), {}, Sign::Wait);
+        onOff(WORD("Ignore waits %1"), "ignore_waits", kKeyIgnoreWaits, there, word("%1 waits for nobody, nobody waits for it: press again").arg(name), {}, Sign::Wait);
         keys.resize(9);
         keys.push_back({word("Back"), [this] { showKeys(Keys::Channels); }, Sign::Left});
         return;

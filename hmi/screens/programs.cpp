@@ -113,7 +113,7 @@ QString Programs::languageOf(const QString& program) const {
         if (!one.language.isEmpty() && QDir::cleanPath(desk_.folder + "/" + one.name) == program) return one.language;
     for (const unsigned channel : desk_.live.channels()) {
         const auto& own = desk_.live.view(channel).programs;
-        if (!own.empty() && QString::fromStdString(own.front()) == program) return fromView(language_name(desk_.live.language(channel)));
+        if (!own.empty() && QString::fromStdString(own.front()) == program) return fromView(language_name(desk_.live.programLanguage(channel)));
     }
     return fromView(language_name(desk_.live.panelLanguage(desk_.channel)));
 }
@@ -128,7 +128,7 @@ void Programs::edit() {
 
 // The chosen file; from the editor the job beside it that has the program, else the program alone in its language.
 DryRun::Wanted Programs::wantedHere() const {
-    if (page_ != Page::Edit && page_ != Page::Files && !wanted_.file.isEmpty()) return wanted_;
+    if ((page_ == Page::Together || page_ == Page::Time) && !wanted_.file.isEmpty()) return wanted_;
     const QString path = page_ == Page::Edit ? editor_->file() : files_->isFile() ? files_->chosenPath() : QString();
     if (path.isEmpty()) return {};
     const auto entryOf = [&](const QString& file) -> const FileEntry* {

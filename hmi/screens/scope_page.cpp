@@ -190,7 +190,11 @@ void ScopePage::showCircle(bool on) {
 void ScopePage::follow() {
     ScopeChoice now{};
     const bool first = next_ == 0;                 // what was before this look is not missed
-    if (desk_.live.scopeChoice(now) && (now.kind != choice_.kind || now.object != choice_.object)) choice_ = now, next_ = std::max(next_, now.first);
+    if (desk_.live.scopeChoice(now) && (now.kind != choice_.kind || now.object != choice_.object)) {
+        if (!first && record_.mode() == ScopeRecord::Mode::Triggered) record_.arm();   // half of it would be of another signal
+        else if (!first && record_.mode() != ScopeRecord::Mode::Stopped) record_.clear();
+        choice_ = now, next_ = std::max(next_, now.first);
+    }
     static thread_local std::vector<ScopeSample> fresh;
     if (first) next_ = choice_.first;
     if (!desk_.live.scopeSamples(next_, fresh) && !first) missed_ = true;

@@ -130,8 +130,8 @@
     </message>
     <message>
         <location filename="../screens/overview.cpp"/>
-        <source>%1 waits for no other channel: press again</source>
-        <translation>%1 nečeká na jiné kanály: znovu</translation>
+        <source>%1 waits for nobody, nobody waits for it: press again</source>
+        <translation>%1 na nikoho nečeká, nikdo na něj: stiskněte znovu</translation>
     </message>
     <message>
         <location filename="../screens/settings_page.cpp"/>

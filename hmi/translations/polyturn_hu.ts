@@ -130,8 +130,8 @@
     </message>
     <message>
         <location filename="../screens/overview.cpp"/>
-        <source>%1 waits for no other channel: press again</source>
-        <translation>%1 nem vár más csatornára: újra</translation>
+        <source>%1 waits for nobody, nobody waits for it: press again</source>
+        <translation>%1 senkire sem vár, rá sem vár senki: nyomja meg újra</translation>
     </message>
     <message>
         <location filename="../screens/settings_page.cpp"/>

@@ -130,8 +130,8 @@
     </message>
     <message>
         <location filename="../screens/overview.cpp"/>
-        <source>%1 waits for no other channel: press again</source>
-        <translation>%1 не ждёт других каналов: ещё раз</translation>
+        <source>%1 waits for nobody, nobody waits for it: press again</source>
+        <translation>%1 никого не ждёт, и его никто: нажмите ещё раз</translation>
     </message>
     <message>
         <location filename="../screens/settings_page.cpp"/>

@@ -482,7 +482,7 @@ void ChannelRunner::publish(ChannelStatus& status) noexcept {
     status.stop_reason = static_cast<std::int32_t>(stop_reason_);
     // Told, not pressed: the first and the last end by themselves, the PLC may set the second one.
     status.keys = keys | (stop_after_part_ ? kKeyStopAfterPart : 0u) | (core_.signals.plc(signals::cp_nowt(number_)) ? kKeyIgnoreWaits : 0u) | (retrace_ < 0 ? kKeyRetrace : 0u);
-    status.speaks = static_cast<std::uint32_t>(speaks());
+    status.speaks = static_cast<std::uint32_t>(job_language_ != Dialect::Polyturn ? job_language_ : core_.config.channels[index_].language);   // of the selected program, in MDI too
     status.skipped = skipped_ ? 1 : 0;
     status.retrace = trail_.active() ? (trail_.direction() < 0 ? -1 : 1) : 0;
     status.wheel = wheel_ ? 1 : 0;

@@ -121,7 +121,7 @@ constexpr auto kHelp = std::to_array<Phrase>({
     {"drives forwards again", "снова идёт вперёд", "jede opět vpřed", "ismét előre halad"},
     {"driven by the handwheel", "ведёт маховичок", "vede ruční kolečko", "a kézikerék vezeti"},
     {"cycle start drives backwards", "пуск поведёт назад", "start pojede zpět", "a start visszafelé hajt"},
-    {"passes its waits over", "ожидания пропускаются", "čekání se přeskakují", "a várakozásokat átlépi"},
+    {"passes its waits over, nobody waits for it", "ожидания пропускаются, его никто не ждёт", "čekání se přeskakují, nikdo na něj nečeká", "a várakozásokat átlépi, senki sem vár rá"},
     {"handwheel superposed", "маховичок наложен", "ruční kolečko superponováno", "rászuperponált kézikerék"},
     {"looks for the block of the restart", "ищет кадр повторного пуска", "hledá blok opětovného startu", "az újraindítás mondatát keresi"},
     {"at the block of the restart: cycle start approaches", "у кадра повторного пуска: пуск цикла начнёт подход", "u bloku opětovného startu: start cyklu zahájí nájezd", "az újraindítás mondatánál: a ciklusstart megközelíti"},

@@ -48,7 +48,7 @@ std::string special_text(const ChannelStatus& channel) {
     if (channel.retrace < 0) add("drives backwards");
     if (channel.retrace > 0) add("drives forwards again");
     if ((channel.keys & kKeyRetrace) && channel.retrace >= 0) add("cycle start drives backwards");
-    if (channel.keys & kKeyIgnoreWaits) add("passes its waits over");
+    if (channel.keys & kKeyIgnoreWaits) add("passes its waits over, nobody waits for it");
     if (channel.wheel) add("driven by the handwheel");
     if (channel.keys & kKeySuperpose) add("handwheel superposed");
     if (channel.restart == static_cast<std::uint32_t>(RestartState::Searching)) add("looks for the block of the restart");

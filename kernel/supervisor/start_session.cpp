@@ -317,7 +317,7 @@ void StartSession::handle(RequestServer::Client client, const std::string& line)
         if (meets_a_program())
             return server_.answer(client, refusal({Alarm::NotReady, {}, {}, "another program is selected only in reset or after the end"}));
         const auto job = selected_job(text_at("words"), text_at("folder"));
-        if (!serve_commands(client, commands, who, job ? differences(*job) : std::vector<std::string>())) return;
+        if (!serve_commands(client, commands, who, [&] { return job ? differences(*job) : std::vector<std::string>(); })) return;
         for (const Command& command : *commands)
             if (command.kind == static_cast<std::uint32_t>(CommandKind::Select)) job_language_[command.channel - 1] = static_cast<Dialect>(command.value);
         if (const auto lines = job ? parts_wanted(*job) : std::vector<std::string>(); !lines.empty()) serve_parameters(0, lines, false, who);
@@ -371,7 +371,7 @@ std::vector<std::string> StartSession::differences(const text::Job& job) const {
     return out;
 }
 
-bool StartSession::serve_commands(RequestServer::Client client, const Result<std::vector<Command>>& commands, const Who& who, const std::vector<std::string>& notes) {
+bool StartSession::serve_commands(RequestServer::Client client, const Result<std::vector<Command>>& commands, const Who& who, const std::function<std::vector<std::string>()>& notes) {
     if (!commands) return server_.answer(client, refusal(commands.diagnosis())), false;
     for (const Command& command : *commands)
         if (const UserLevel least = level_of(command); !may(client, who, least, std::string(level_words(command)))) return false;
@@ -380,7 +380,8 @@ bool StartSession::serve_commands(RequestServer::Client client, const Result<std
         command.user = who.user;
         controller_->send(command);
     }
-    server_.answer(client, notes.empty() ? std::string("{\"ok\":true}") : Json{{"ok", true}, {"notes", notes}}.dump(-1, ' ', false, Json::error_handler_t::replace));
+    const auto told = notes ? notes() : std::vector<std::string>();   // may read files: behind the permission and what was wanted
+    server_.answer(client, told.empty() ? std::string("{\"ok\":true}") : Json{{"ok", true}, {"notes", told}}.dump(-1, ' ', false, Json::error_handler_t::replace));
     return true;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <chrono>
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -38,7 +39,7 @@ private:
     void process_died(std::size_t slot, int status);
     void revive();
     void handle(RequestServer::Client client, const std::string& line);
-    bool serve_commands(RequestServer::Client client, const Result<std::vector<Command>>& commands, const Who& who, const std::vector<std::string>& notes = {});   // false: refused
+    bool serve_commands(RequestServer::Client client, const Result<std::vector<Command>>& commands, const Who& who, const std::function<std::vector<std::string>()>& notes = {});   // false: refused
     std::vector<std::string> differences(const text::Job& job) const;
     void serve_parameters(RequestServer::Client client, const std::vector<std::string>& lines, bool import, const Who& who);
     void serve_value(RequestServer::Client client, StoreRequest request, const Who& who);

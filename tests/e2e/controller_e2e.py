@@ -72,8 +72,14 @@ class Controller(LiveCase):
         self.assertNotIn("G55", done.said())
         done = self.polyturn("zeros", "list", "L1", "--instance", self.name, "--json")
         self.assertNotIn("-150", done.out)
-        self.polyturn("set", "zero L1 G54 Z=-150", "--instance", self.name), self.polyturn("set", "zero L1 G54 X=1.5", "--instance", self.name)
+        for entered in ("Z=-150", "X=1.5"):
+            done = self.polyturn("set", f"zero L1 G54 {entered}", "--instance", self.name)
+            self.assertEqual(done.status, 0, done.said())
+        zeros = lambda: self.polyturn("zeros", "list", "L1", "--instance", self.name, "--json").out
+        self.wait_for(lambda: "-150" in zeros() and "1.5" in zeros(), 10, "the zeros to be entered")
         done = self.polyturn("press", "--instance", self.name, "select", job)
+        self.assertEqual(done.status, 0, done.said())
+        self.assertIn("the job is for the machine", done.said())
         self.assertNotIn("G54", done.said())
 
     def test_a_killed_controllers_program_is_not_its_successors(self):

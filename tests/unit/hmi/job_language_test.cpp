@@ -20,6 +20,7 @@ protected:
     }
     void TearDown() override {
         g_controller->press("reset");
+        g_controller->press("ignore_waits L1=off");
         g_controller->press("select " + QString(POLYTURN_SOURCE_DIR) + "/examples/jobs/shaft/shaft.job.toml");
     }
     void write(const QString& name, const char* text) {

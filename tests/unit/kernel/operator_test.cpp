@@ -344,7 +344,8 @@ TEST(Operator, IsToldTheLanguageAndWhatIsChosenBesideTheKeys) {
     EXPECT_EQ(speaks(), Dialect::Sinumerik) << "its job says so";
     rig.command(CommandKind::Mode, 1, static_cast<double>(ChannelMode::Mdi));
     rig.run(2);
-    EXPECT_EQ(speaks(), Dialect::Fanuc) << "a block by hand is the machine's";
+    EXPECT_EQ(speaks(), Dialect::Sinumerik) << "the selected program stays what it is";
+    EXPECT_EQ(rig.machine->channel(0).speaks(), Dialect::Fanuc) << "a block by hand is the machine's";
     rig.command(CommandKind::Mode, 1, static_cast<double>(ChannelMode::Auto));
     rig.command(CommandKind::Select, 1, 0, 0, 0, 0, "O1.nc");
     rig.run(2);
