@@ -19,8 +19,8 @@ CodePlace placeOfCode(const QString& word, const QString& language) {
             const std::initializer_list<int> fanuc = {0, 1, 2, 30, 96, 97, 98, 99, 198}, others = {0, 1, 2, 30}, sinumerik_own = {0, 1, 2, 17, 30};
             const auto& own = fagor ? others : sinumerik ? sinumerik_own : fanuc;
             bool whole = false;
-            const int code = number.toInt(&whole);   // M6.1 is no M0
-            if (whole && std::find(own.begin(), own.end(), code) != own.end()) return {page, "M" + number};
+            const int which = number.toInt(&whole);   // M6.1 is no M0
+            if (whole && std::find(own.begin(), own.end(), which) != own.end()) return {page, "M" + number};
             if (number.toDouble() >= 100) return {"programmer.md", "Waiting", false};
             return {"setup.md", "M codes of the built-in PLC", false};
         }
