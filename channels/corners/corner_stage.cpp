@@ -216,7 +216,7 @@ void CornerStage::stop(const Stop& s, const BlockContext& at) {
         return;
     }
     flush();
-    down_->stop(s, at);
+    if (!failed_) down_->stop(s, at);   // the end that comes instead of the next line: its alarm, not the end
 }
 
 void CornerStage::barrier(const BlockContext& at) {

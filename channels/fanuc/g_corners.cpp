@@ -122,10 +122,15 @@ bool Interpreter::follows_corner(const AxisValues& target, bool line) {
     return true;
 }
 
-// A where no axis has this name, or ,A.
+// A where no axis, no spindle and no function has this name, or ,A.
 const Word* Interpreter::angle_word() const {
     if (comma_angle_ >= 0) return &block_.words[static_cast<std::size_t>(comma_angle_)];
-    return block_.has('A') && !(axis_letters_ & letter_bit('A')) ? &block_.word('A') : nullptr;
+    if (!block_.has('A') || (axis_letters_ & letter_bit('A'))) return nullptr;
+    for (const auto& [name, spindle] : settings_.spindle_addresses)
+        if (name == "A") return nullptr;   // turns the spindle there (N0817)
+    for (const char letter : settings_.aux_letters)
+        if (letter == 'A') return nullptr;
+    return &block_.word('A');
 }
 
 // An angle and the opposite one are the same line (programs are written both ways): the coordinates say which way it is driven.

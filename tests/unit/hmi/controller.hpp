@@ -1,6 +1,7 @@
 // A real controller for the HMI's tests, and an operator who counts what he does. Real time, on a computer that may be busy: the PLC
 // gets time, and what takes a while is waited for.
 #pragma once
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -89,6 +90,8 @@ public:
         QTest::qWait(std::max(60, askedBefore_ == text ? window_.softKeys().waits() + 20 : 0));
         askedBefore_ = text;
         const auto& keys = window_.softKeys().keys();
+        // An operator waits until the key is there and lit; on a late computer that takes a while.
+        waitFor([&] { return std::any_of(keys.begin(), keys.end(), [&](const auto& one) { return one.text == text && one.enabled; }); }, 5);
         for (std::size_t i = 0; i < keys.size(); ++i)
             if (keys[i].text == text) {
                 ASSERT_TRUE(keys[i].enabled) << text.toStdString();

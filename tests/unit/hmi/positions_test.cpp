@@ -162,6 +162,9 @@ TEST_F(Positions, SettersAreReadByTheirKeys) {
 // Who jogs by the largest number reads the same one on the overview and by hand: the workpiece's, and each column has its name.
 TEST_F(Positions, TheLargeNumberByHandIsTheWorkpiecesAsOnTheOverview) {
     ASSERT_TRUE(g_controller->set("zero L1 G54 Z=-100"));
+    g_controller->press("reset");
+    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Reset; }));
+    ASSERT_TRUE(g_controller->press("select L1=" + QString(POLYTURN_SOURCE_DIR) + "/examples/jobs/shaft/O1001.nc"));   // it begins with the zero as entered, whatever ran before
     Operator hand(*window);
     for (const char* name : {"overview", "manual"}) {
         SCOPED_TRACE(name);

@@ -62,7 +62,8 @@ public:
     QStringList in(const QString& text) const {
         static const QRegularExpression kCyrillic("[\u0400-\u04FF]");
         QStringList out;
-        if (text.startsWith('/')) return out;   // a path
+        static const QRegularExpression kZone("^[A-Z]\\w+(?:/[A-Z][\\w+-]*)+$");
+        if (text.startsWith('/') || kZone.match(text).hasMatch()) return out;   // a path; a time zone by the name that all computers know
         const bool russian = tongue_ == Tongue::Russian;
         for (const QString& one : tokensOf(text, russian ? 3 : 4))
             if (!names_.count(one) && !own_.count(one) && ((russian && !kCyrillic.match(text).hasMatch()) || english_.count(one))) out << one;
