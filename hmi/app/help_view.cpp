@@ -129,7 +129,7 @@ void HelpView::load(const QString& file, const QString& find, bool code) {
 }
 
 void HelpView::begin(std::size_t slice) {
-    turn_.stop(), painting_.forget();
+    turn_.stop(), painting_.forget(), pictures_.clear();
     toEnd_ = false;
     auto* document = new QTextDocument(text_);
     document->setUndoRedoEnabled(false);
@@ -161,10 +161,11 @@ void HelpView::layNext() {
 // Reading one takes longer than a turn may: aside. Without a file there is nothing to wait for.
 bool HelpView::pictureReady(std::size_t slice) {
     const QString& file = slices_[slice].picture;
-    const QUrl url(file);
-    if (file.isEmpty() || document_->resource(QTextDocument::ImageResource, url).isValid()) return true;
+    const QUrl url = document_->baseUrl().resolved(QUrl(file));   // under which the document looks; asked for it, it would read the file itself, at once and as it is
+    if (file.isEmpty() || pictures_.count(file)) return true;
     if (auto image = painting_.take()) {
         document_->addResource(QTextDocument::ImageResource, url, image->isNull() ? QImage(1, 1, QImage::Format_RGB32) : *image);
+        pictures_.insert(file);
         return true;
     }
     if (!painting_.busy())

@@ -5,6 +5,7 @@
 #include <QImage>
 #include <QTextBrowser>
 #include <QTimer>
+#include <set>
 
 #include "hmi/app/help_slices.hpp"
 #include "hmi/app/screen.hpp"
@@ -40,6 +41,7 @@ private:
     bool toEnd_ = false;                           // the end of the page has been asked for, and is still to come
     QTimer turn_;
     Aside<QImage> painting_;                       // a picture that is read from its file
+    std::set<QString> pictures_;                   // that the document has
 };
 
 }  // namespace polyturn::hmi

@@ -96,7 +96,11 @@ TEST(HelpView, IsScrolledByAFinger) {
     const OpenPage page({"setup.md", {}, {}});
     EXPECT_GE(page.view.text().verticalScrollBar()->width(), px(28));
     const OpenPage pictures({"operator.md", {}, {}});
-    EXPECT_EQ(pictures.view.text().horizontalScrollBar()->maximum(), 0) << "pictures are no wider than the page beside the bar";
+    std::string wide;
+    for (QTextBlock block = pictures.document().begin(); block.isValid(); block = block.next())
+        for (int line = 0; line < block.layout()->lineCount(); ++line)
+            if (const double width = block.layout()->lineAt(line).naturalTextWidth(); width > pictures.view.text().viewport()->width()) wide += std::to_string(width) + " of " + std::to_string(pictures.view.text().viewport()->width()) + ": " + block.text().left(60).toStdString() + "\n";
+    EXPECT_EQ(pictures.view.text().horizontalScrollBar()->maximum(), 0) << "nothing is wider than the page beside the bar\n" << wide;
 }
 
 // Columns share the page so that no word of theirs is broken.

@@ -368,6 +368,11 @@ TEST_F(PanelTasks, TotalsAreOfTheSameMomentAsTheCycle) {
         time.start();
         while (time.elapsed() < ms) QTest::qWait(16), totals.follow(live());
     };
+    const double storedBefore = live().table().numbers[power];   // may be ten seconds old, and what was since then comes with the next
+    ASSERT_TRUE(waitFor([&] {
+        follow(50);
+        return live().table().numbers[power] != storedBefore;
+    }, 30));
     follow(100);
     const double operated = totals.ms(operation), on = totals.ms(power), cycle = live().channel(1).cycle_s;
     const std::int64_t tick = live().status().tick;
