@@ -155,7 +155,11 @@ TEST_F(JobLanguage, AProgramAloneIsCheckedInTheChannelOfTheKeys) {
 
 // The way back and waits that are passed over: chosen at the panel, and seen there.
 TEST_F(JobLanguage, TheWayBackAndTheWaitsArePressedAndSeen) {
-    startAndHoldJob();
+    startJob();
+    ASSERT_TRUE(waitFor([&] { return live().channel(1).file == 0 && live().channel(1).line == 10 && (live().status().axes[0].flags & kMoving); })) << "N70, the face: no function is under way in it";
+    ASSERT_TRUE(g_controller->press("feed_hold"));
+    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Held && !(live().status().axes[0].flags & kMoving); }));
+    ASSERT_EQ(live().channel(1).line, 10u);
     Operator hand(*window);
     hand.screen("overview");
     hand.soft("Program control");
