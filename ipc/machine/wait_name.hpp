@@ -6,10 +6,11 @@
 
 namespace polyturn {
 
+inline constexpr int kWaitAtProgramEnd = 100;   // code of WAITE
+
 inline std::string wait_name(Dialect language, int code) {
-    constexpr int kProgramEnd = 100;   // of WAITE (kernel: WaitBoard::kProgramEnd)
     if (language != Dialect::Sinumerik) return "M" + std::to_string(code);
-    return code == kProgramEnd ? "WAITE" : "WAITM(" + std::to_string(code) + ")";
+    return code == kWaitAtProgramEnd ? "WAITE" : "WAITM(" + std::to_string(code) + ")";
 }
 
 }  // namespace polyturn

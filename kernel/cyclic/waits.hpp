@@ -12,6 +12,7 @@
 #include <cstdint>
 
 #include "ipc/capacities.hpp"
+#include "ipc/machine/wait_name.hpp"
 
 namespace polyturn::kernel {
 
@@ -31,7 +32,7 @@ public:
     };
 
     // Code of a wait for the end of the programs of its set, whatever those wait for themselves.
-    static constexpr std::int32_t kProgramEnd = 100;
+    static constexpr std::int32_t kProgramEnd = kWaitAtProgramEnd;
     void idle(ChannelSet set) noexcept { idle_ = set; }   // channels in which no program runs, told each tick
 
     // Channels count from 0 here.
