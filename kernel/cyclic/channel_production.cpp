@@ -17,7 +17,7 @@ void ChannelRunner::part_made() noexcept {
     const bool enough = config.parts_wanted > 0 && core_.totals.machined(index_) >= config.parts_wanted;
     if (enough) {
         ShortText text;
-        text << static_cast<std::int64_t>(core_.totals.machined(index_)) << " of " << static_cast<std::int64_t>(config.parts_wanted);
+        text << static_cast<std::int64_t>(core_.totals.machined(index_)) << "/" << static_cast<std::int64_t>(config.parts_wanted);
         core_.alarm(Alarm::PartsDone, number_, text.view(), 0, line_);
     }
     const bool last = std::exchange(stop_after_part_, false);
