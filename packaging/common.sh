@@ -39,11 +39,10 @@ install_packages() {
 
 jobs=$(nproc)
 
-# How a build folder is set up for the first time: a filled compiler cache is faster than precompiled headers and files
-# compiled together, and these are faster than an empty one (it cannot look into them).
+# How a build folder is set up for the first time: precompiled headers and several files in one unit, whether the compiler
+# cache is filled or not. A cache filled by an earlier state of the shared headers looks full and helps nothing; with these
+# settings it can look into precompiled headers too.
+export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
 first_build() {
-    local build=$1 kibibytes=0
-    [[ -e $build/CMakeCache.txt ]] && return
-    kibibytes=$(ccache --print-stats 2>/dev/null | awk '$1 == "cache_size_kibibyte" {print $2}')
-    ((${kibibytes:-0} > 300000)) && printf '%s' -DPOLYTURN_PCH=OFF || printf '%s' "-DPOLYTURN_PCH=ON -DPOLYTURN_UNITY=ON"
+    [[ -e $1/CMakeCache.txt ]] || printf '%s' "-DPOLYTURN_PCH=ON -DPOLYTURN_UNITY=ON"
 }
