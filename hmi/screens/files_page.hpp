@@ -20,6 +20,7 @@ public:
     Table& files() { return *files_; }
     TextPad& pad() { return *pad_; }
 
+    void follow() { take(); }   // what was read or done aside has come, whatever screen is shown
     void readFolder(const QString& folder, const QString& choose = {});
     void readAgain() { readFolder(desk_.folder, chosen() ? chosen()->name : QString()); }
     void showPlaces();

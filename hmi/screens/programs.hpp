@@ -24,7 +24,7 @@ public:
     const char* name() const override { return "programs"; }
     std::vector<SoftKey> keys() override;
     void refresh() override;
-    void follow() override { restart_->follow(), editor_->follow(), lookSaved(), takePrint(), keepRun(); }
+    void follow() override { files_->follow(), restart_->follow(), editor_->follow(), lookSaved(), takePrint(), keepRun(); }
     bool key(QKeyEvent* event) override;
     QString state() const override;
     void restore(const QString& state) override;
