@@ -16,6 +16,7 @@ public:
     void press(int key);     // from 0
     void letGo(int key);
     const std::vector<SoftKey>& keys() const { return keys_; }
+    int asked() const { return asked_; }   // the key that asks; -1 none
     int waits() const;       // ms until the second press of the key that asks counts
 
 protected:

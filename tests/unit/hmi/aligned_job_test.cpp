@@ -66,7 +66,7 @@ TEST(AlignedJob, ALongProgramIsShownToItsEndWithinAFrame) {
         job.build(channels);
         best = std::min(best, time.elapsed());
     }
-    EXPECT_LT(best, 50);
+    EXPECT_LT(best, 500) << "some milliseconds; with the square of its lines it would be minutes";
     const RunLine* last = job.line(channels, job.rows().back(), 2);
     ASSERT_NE(last, nullptr);
     EXPECT_EQ(last->line, 200'000u);

@@ -16,7 +16,8 @@
 
 namespace polyturn::hmi {
 
-inline bool waitFor(const std::function<bool()>& condition, int seconds = 60) {
+// How long only says when something is taken for lost: a computer that is taken away for seconds is no fault of the product.
+inline bool waitFor(const std::function<bool()>& condition, int seconds = 90) {
     QElapsedTimer time;
     time.start();
     while (!condition()) {
@@ -24,6 +25,13 @@ inline bool waitFor(const std::function<bool()>& condition, int seconds = 60) {
         QTest::qWait(20);
     }
     return true;
+}
+
+// Time for something to come, and a frame that shows it, whatever else the computer has to do.
+inline void frames(MainWindow& window, int ms = 60) {
+    QTest::qWait(ms);
+    window.frame();
+    QCoreApplication::processEvents();
 }
 
 class Controller {
@@ -40,7 +48,7 @@ public:
     void start() {
         const QStringList machine = machine_.isEmpty() ? QStringList() : QStringList{machine_};
         process_.start(program(), QStringList{"start"} << machine << QStringList{"--instance", name, "--store", folder.filePath("store"), "--no-hmi", "--set", "PT_PLC_CYCLE=100", "--set", "PT_LATE_MAX=1000"});
-        EXPECT_TRUE(waitFor([&] { return run({"status", "--instance", name}); }, 60));
+        EXPECT_TRUE(waitFor([&] { return run({"status", "--instance", name}); }));
     }
     void stop() {
         process_.terminate();
@@ -86,23 +94,30 @@ public:
         FAIL() << "there is no screen " << name;
     }
     void soft(const QString& text) {
-        // Keys are shown anew with the next frame; a question wants to be read before it is answered.
-        QTest::qWait(std::max(60, askedBefore_ == text ? window_.softKeys().waits() + 20 : 0));
-        askedBefore_ = text;
-        const auto& keys = window_.softKeys().keys();
+        SoftKeyBar& bar = window_.softKeys();
+        const auto& keys = bar.keys();
+        frames(window_);                     // keys are shown anew with the next one
         // An operator waits until the key is there and lit; on a late computer that takes a while.
-        waitFor([&] { return std::any_of(keys.begin(), keys.end(), [&](const auto& one) { return one.text == text && one.enabled; }); }, 5);
-        for (std::size_t i = 0; i < keys.size(); ++i)
-            if (keys[i].text == text) {
-                ASSERT_TRUE(keys[i].enabled) << text.toStdString();
-                return touch(&window_.softKeys(), static_cast<int>(i));
+        waitFor([&] { return std::any_of(keys.begin(), keys.end(), [&](const auto& one) { return one.text == text && one.enabled; }); });
+        for (int i = 0; i < static_cast<int>(keys.size()); ++i)
+            if (keys[static_cast<std::size_t>(i)].text == text) {
+                ASSERT_TRUE(keys[static_cast<std::size_t>(i)].enabled) << text.toStdString();
+                if (asking_ == text) {       // it asked before: a question is read before it is answered, and asked again when it has lapsed meanwhile
+                    while (!keys[static_cast<std::size_t>(i)].confirm.isEmpty() && (bar.asked() != i || bar.waits() > 0)) {
+                        if (bar.asked() != i) touch(&bar, i), --actions;
+                        QTest::qWait(bar.waits() + 10);
+                    }
+                }
+                touch(&bar, i);
+                asking_ = bar.asked() == i ? text : QString();
+                return;
             }
         FAIL() << "there is no key " << text.toStdString();
     }
 
 private:
     MainWindow& window_;
-    QString askedBefore_;   // the soft key of before
+    QString asking_;        // the soft key that wants its second press
 };
 
 }  // namespace polyturn::hmi

@@ -80,7 +80,7 @@ TEST_F(DiagnosisTasks, TheScopeMissesNothingThatWasBeforeIt) {
     QTest::qWait(9'500);                               // more than the ring of the kernel holds
     window->setTongue(Tongue::Czech);
     ScopePage& scope = screenOf<Diagnosis>().scope();
-    ASSERT_TRUE(waitFor([&] { return scope.record().samples().size() > 100; }, 20));
+    ASSERT_TRUE(waitFor([&] { return scope.record().samples().size() > 100; }));
     EXPECT_FALSE(scope.missed());
     window->setTongue(Tongue::English);
 }
@@ -94,13 +94,13 @@ TEST_F(DiagnosisTasks, TheScopeRecordsTheRunningMachineAtItsTicks) {
     hand.key(Qt::Key_Return);                    // trace 1
     ASSERT_TRUE(scope.choosing());
     hand.type("A2 Z comm"), hand.key(Qt::Key_Return);
-    ASSERT_TRUE(waitFor([&] { return scope.record().samples().size() > 300; }, 20));
+    ASSERT_TRUE(waitFor([&] { return scope.record().samples().size() > 300; }));
     const auto& samples = scope.record().samples();
     for (std::size_t i = 1; i < samples.size(); ++i) ASSERT_EQ(samples[i].tick, samples[i - 1].tick + 1);
-    EXPECT_TRUE(waitFor([&] { return samples.back().value[0] != samples.front().value[0]; }, 20)) << "the axis moves in this job";
+    EXPECT_TRUE(waitFor([&] { return samples.back().value[0] != samples.front().value[0]; })) << "the axis moves in this job";
     window->desk().folder = g_controller->folder.path();
     hand.soft("Export");
-    ASSERT_TRUE(waitFor([&] { return !scope.exported().isEmpty(); }, 10));
+    ASSERT_TRUE(waitFor([&] { return !scope.exported().isEmpty(); }));
     QFile file(scope.exported());
     ASSERT_TRUE(file.open(QIODevice::ReadOnly)) << scope.exported().toStdString();
     EXPECT_EQ(file.readLine(), "t,A2 Z commanded\n");
@@ -113,15 +113,15 @@ TEST_F(DiagnosisTasks, TheCircleThatWasDrivenIsJudged) {
     hand.soft("Circularity");
     hand.soft("Axes of L1");
     ScopePage& scope = screenOf<Diagnosis>().scope();
-    QTest::qWait(500);
+    frames(*window, 500);
     ASSERT_TRUE(g_controller->press("reference all"));
-    ASSERT_TRUE(waitFor([&] { return static_cast<MachineStep>(live().status().step) == MachineStep::Ready; }, 60));
+    ASSERT_TRUE(waitFor([&] { return static_cast<MachineStep>(live().status().step) == MachineStep::Ready; }));
     QFile file(g_controller->folder.filePath("circle.nc"));
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));
     file.write("O0003\nN10 G98 G0 U-20. W-20.\nN20 G1 U-.2 F600.\nN30 G2 U0 W-20. R10.\nN35 G2 U0 W20. R10.\nN40 M30\n");
     file.close();
     ASSERT_TRUE(g_controller->press("select L1=" + file.fileName()) && g_controller->press("cycle_start L1"));
-    EXPECT_TRUE(waitFor([&] { return scope.roundness().has_value(); }, 60));
+    EXPECT_TRUE(waitFor([&] { return scope.roundness().has_value(); }));
     ASSERT_TRUE(scope.roundness());
     EXPECT_NEAR(scope.roundness()->radius, 10, 0.01);
     EXPECT_LT(scope.roundness()->error(), 0.5);
@@ -143,7 +143,7 @@ TEST_F(DiagnosisTasks, VariablesOfAChannelAreThoseThatItsProgramHasWritten) {
             if (table.cell(row, 0).text == name) return table.cell(row, 1).text;
         return QString();
     };
-    EXPECT_TRUE(waitFor([&] { return value("#101") == "12.5" && value("#505") == "-3"; }, 20)) << value("#101").toStdString() << " " << value("#505").toStdString();
+    EXPECT_TRUE(waitFor([&] { return value("#101") == "12.5" && value("#505") == "-3"; })) << value("#101").toStdString() << " " << value("#505").toStdString();
     hand.soft("Timers, counters");
     EXPECT_GT(table.rows(), 10);
     hand.soft("Couplings"), hand.soft("Processes");

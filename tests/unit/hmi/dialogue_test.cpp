@@ -45,7 +45,7 @@ TEST_F(DialogueTasks, APatternIsChosenAndItsValuesEntered) {
     hand.key(Qt::Key_Escape);                         // put away, the program still waits
     EXPECT_FALSE(view().isVisible());
     EXPECT_EQ(state(1), ChannelState::ProgramStop);
-    QTest::qWait(60);
+    frames(*window, 60);
     hand.touch(window->ownSheets()[0], 5);
     ASSERT_TRUE(view().isVisible());
     hand.soft("INPUT");

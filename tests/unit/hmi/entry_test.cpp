@@ -77,7 +77,7 @@ TEST_F(Entry, EveryFieldIsEditedByTouchAloneAndByKeysAlone) {
         const bool starts = QString(window->screen()->name()) == "programs";
         for (int page = 0; page < (starts ? 1 : window->screen()->pages()); ++page) {
             if (!starts) window->screen()->turnTo(page);
-            QTest::qWait(120);
+            frames(*window, 120);
             walk(std::string(window->screen()->name()) + " " + std::to_string(page + 1));
         }
     }
@@ -100,13 +100,13 @@ TEST_F(Entry, ATextOfAParameterIsChangedByTouch) {
     hand.screen("parameters");
     auto& parameters = screenOf<Parameters>();
     parameters.find("PT_PROGRAM_FOLDERS");
-    ASSERT_TRUE(waitFor([&] { return parameters.table().rows() >= 1; }, 5));
+    ASSERT_TRUE(waitFor([&] { return parameters.table().rows() >= 1; }));
     parameters.refresh();
     ASSERT_EQ(parameters.detail().fields().size(), 1u);
     hand.touch(&parameters.detail(), parameters.detail().fields()[0].hit);
     for (const char letter : {'s', 'u', 'b'}) hand.touch(&window->entry().pad(), window->entry().pad().hitOf(letter));
     hand.key(Qt::Key_Return);
-    EXPECT_TRUE(waitFor([&] { return params::get_text(live().table(), params::pt_program_folders, 1) == "sub"; }, 10)) << params::get_text(live().table(), params::pt_program_folders, 1);
+    EXPECT_TRUE(waitFor([&] { return params::get_text(live().table(), params::pt_program_folders, 1) == "sub"; })) << params::get_text(live().table(), params::pt_program_folders, 1);
 }
 
 TEST(EntrySources, NoFieldIsDrawnByHand) {

@@ -43,7 +43,7 @@ protected:
         hand->soft("Edit");
         ASSERT_EQ(editor().file(), path());
     }
-    void TearDown() override { waitFor([this] { return !editor().checking(); }, 20); }
+    void TearDown() override { waitFor([this] { return !editor().checking(); }); }
     QString path() const { return folder.filePath("O0007.nc"); }
     // Screens are made anew with each language: asked for each time.
     EditorPage& editor() const {
@@ -92,7 +92,7 @@ TEST_F(Forms, AFaultStandsAtItsFieldAndIsNotWritten) {
     hand->touchCell(form.table(), 0, 2);
     hand->type("0"), hand->key(Qt::Key_Return);
     EXPECT_FALSE(form.faultText(0).isEmpty());
-    QTest::qWait(60);
+    frames(*window, 60);
     for (const SoftKey& key : window->softKeys().keys()) EXPECT_FALSE(key.text == "Write into the program" && key.enabled);
     hand->type("50/20"), hand->key(Qt::Key_Return);
     EXPECT_TRUE(form.faultText(0).isEmpty());
@@ -112,7 +112,7 @@ TEST_F(Forms, ANewCycleComesFromTheList) {
     ASSERT_FALSE(form.choosing());
     hand->soft("Write into the program");
     EXPECT_EQ(text(), QString(kProgram).replace("M30\n", "G76 P021060 Q50 R0.02\nG76 X17.55 Z-20. P1227 Q300 F2.\nM30\n"));
-    EXPECT_TRUE(waitFor([&] { return !editor().checking(); }, 20));
+    EXPECT_TRUE(waitFor([&] { return !editor().checking(); }));
     EXPECT_TRUE(editor().faults().empty()) << (editor().faults().empty() ? "" : editor().faults()[0].text.toStdString());
 }
 
@@ -125,7 +125,7 @@ TEST_F(Forms, ACallInBracketsIsAFormToo) {
     ASSERT_TRUE(editor().open(place, "sinumerik"));
     CycleFormPage& form = editor().form();
     const auto allFits = [&form] {
-        QTest::qWait(60);   // drawn with the next frame
+        frames(*window, 60);   // drawn with the next frame
         for (Sheet* one : form.sheets())
             for (const QString& text : one->shortened()) ADD_FAILURE() << text.toStdString();
     };
@@ -193,7 +193,7 @@ TEST_F(Forms, AContourIsEnteredChosenWrittenAndReadBack) {
     EXPECT_TRUE(written.endsWith("(CONTOUR END)\nM30\n")) << written.toStdString();
     EXPECT_TRUE(written.contains("(CONTOUR DIA Z0 X20 G1)\n(LINE A180)\n(CW T Z-30 X32 R8 SOL1)\n(BLOCKS)\nG1 X20. Z0.\n")) << written.toStdString();
     EXPECT_TRUE(written.contains("G2 X32. Z-30. R8.\n")) << written.toStdString();
-    EXPECT_TRUE(waitFor([&] { return !editor().checking(); }, 20));
+    EXPECT_TRUE(waitFor([&] { return !editor().checking(); }));
     EXPECT_TRUE(editor().faults().empty()) << (editor().faults().empty() ? "" : editor().faults()[0].text.toStdString());
     // Read back from one of its blocks, and taken further.
     cursor(static_cast<int>(written.left(written.indexOf("G2 X32")).count('\n')));

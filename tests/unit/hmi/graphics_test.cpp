@@ -70,7 +70,7 @@ TEST(DryRunZeros, APathGoesOnInTheSystemThatItBeganIn) {
     write("two.job.toml", "name = \"two\"\n[programs]\n1 = { file = \"O1.nc\", language = \"fanuc\" }\n[zeros]\n1 = { G54 = { Z = -100.0 }, G55 = { Z = -300.0 } }\n");
     DryRun run;
     run.start(DryRun::How::Drive, {folder.filePath("two.job.toml")}, {});
-    ASSERT_TRUE(waitFor([&] { return !run.running(); }, 60));
+    ASSERT_TRUE(waitFor([&] { return !run.running(); }));
     ASSERT_EQ(run.channels().count(1), 1u) << run.failure().toStdString();
     const RunChannel& channel = run.channels().at(1);
     ASSERT_EQ(channel.moves.size(), 3u);
@@ -87,16 +87,16 @@ class GraphicsTasks : public Tasks {};
 TEST_F(GraphicsTasks, BodiesStandWhereProtectionHasThem) {
     Graphics& screen = screenOf<Graphics>();
     window->showScreen(6);
-    ASSERT_TRUE(waitFor([&] { return screen.bodies().size() >= 4; }, 10)) << "two turrets and two chucks, guarded or not";
+    ASSERT_TRUE(waitFor([&] { return screen.bodies().size() >= 4; })) << "two turrets and two chucks, guarded or not";
     for (const ShownBody& body : screen.bodies()) EXPECT_FALSE(body.guarded);
     ASSERT_TRUE(g_controller->run({"params", "set", "N1901 L1=20", "--instance", g_controller->name}));
     ASSERT_TRUE(g_controller->run({"params", "set", "N1902 L1=70", "--instance", g_controller->name}));
     ASSERT_TRUE(g_controller->run({"params", "set", "N1906 L1=-290", "--instance", g_controller->name}));
     ASSERT_TRUE(g_controller->run({"params", "set", "N2000 L1=15", "--instance", g_controller->name}));
     const auto status = std::make_unique<GuardStatus>();
-    const bool published = waitFor([&] { return live().guard(*status) && status->count >= 3; }, 20);
+    const bool published = waitFor([&] { return live().guard(*status) && status->count >= 3; });
     ASSERT_TRUE(published) << "protection is on";
-    QTest::qWait(200);
+    frames(*window, 200);
     ASSERT_TRUE(live().guard(*status));
     const auto shown = [&](const GuardBox& box) {
         for (const ShownBody& body : screen.bodies()) {
@@ -126,14 +126,14 @@ TEST_F(GraphicsTasks, TheTravelEndsWhereTheKernelStopsTheAxis) {
         return nullptr;
     };
     const auto stood = [&] { return live().status().axes[1].cmd; };
-    ASSERT_TRUE(waitFor([&] { return stroke() && std::isfinite(stroke()->allowed.zHigh); }, 10));
+    ASSERT_TRUE(waitFor([&] { return stroke() && std::isfinite(stroke()->allowed.zHigh); }));
     const double end = std::round(stood()) + 3;
     ASSERT_TRUE(set(QString("N1002 A2=%1").arg(end)));
     ASSERT_TRUE(g_controller->press("mode L1=jog"));
     for (int i = 0; i < 40 && live().nc(signals::an_otp(2)) == 0; ++i) g_controller->press("jog A2+ 0.5s"), QTest::qWait(300);
-    ASSERT_TRUE(waitFor([&] { return live().nc(signals::an_otp(2)) != 0 && !(live().status().axes[1].flags & kMoving); }, 20)) << stood();
+    ASSERT_TRUE(waitFor([&] { return live().nc(signals::an_otp(2)) != 0 && !(live().status().axes[1].flags & kMoving); })) << stood();
     EXPECT_NEAR(stood(), end, 0.01);
-    QTest::qWait(200);
+    frames(*window, 200);
     const ShownBody* turret = nullptr;
     for (const ShownBody& body : screen.bodies())
         if (body.channel == 1) turret = &body;
@@ -143,14 +143,14 @@ TEST_F(GraphicsTasks, TheTravelEndsWhereTheKernelStopsTheAxis) {
     // A box that both axes must stay out of, as range 3 has it; open while one of them takes no part that the tip is beyond.
     EXPECT_TRUE(stroke()->forbidden.empty());
     for (const char* line : {"N1008 A1=-20", "N1009 A1=-60", "N1008 A2=-200", "N1009 A2=-260", "N1000 A1=00000101", "N1000 A2=00000101"}) ASSERT_TRUE(set(line)) << line;
-    ASSERT_TRUE(waitFor([&] { return stroke() && stroke()->forbidden.size() == 1; }, 20));
+    ASSERT_TRUE(waitFor([&] { return stroke() && stroke()->forbidden.size() == 1; }));
     const auto& [range, box] = stroke()->forbidden.front();
     EXPECT_EQ(range, 3u);
     EXPECT_NEAR(box.xHigh - box.xLow, 40, 0.02);
     EXPECT_NEAR(box.zHigh - box.zLow, 60, 0.02);
     ASSERT_TRUE(g_controller->press("mode L1=auto"));
     for (const char* line : {"N1000 A1=00000001", "N1000 A2=00000001", "N1002 A2=800"}) ASSERT_TRUE(set(line)) << line;
-    ASSERT_TRUE(waitFor([&] { return stroke() && stroke()->forbidden.empty(); }, 20));
+    ASSERT_TRUE(waitFor([&] { return stroke() && stroke()->forbidden.empty(); }));
 }
 
 TEST_F(GraphicsTasks, ADryRunIsPlayedBesideTheMachine) {
@@ -158,17 +158,17 @@ TEST_F(GraphicsTasks, ADryRunIsPlayedBesideTheMachine) {
     Graphics& screen = screenOf<Graphics>();
     Operator hand(*window);
     window->showScreen(6);
-    ASSERT_TRUE(waitFor([&] { return screen.scene().stock.any() && !screen.scene().trails.empty(); }, 20)) << "the job names the blank";
+    ASSERT_TRUE(waitFor([&] { return screen.scene().stock.any() && !screen.scene().trails.empty(); })) << "the job names the blank";
     const double blank = screen.scene().stock.outer();
     hand.soft("Simulation");
-    ASSERT_TRUE(waitFor([&] { return !screen.busy() && screen.dryTime() > 1; }, 60));
+    ASSERT_TRUE(waitFor([&] { return !screen.busy() && screen.dryTime() > 1; }));
     for (int i = 0; i < 4; ++i) hand.soft("Faster");
-    ASSERT_TRUE(waitFor([&] { return screen.scene().trails.size() == 2 && screen.scene().trails.at(1).points.size() > 30; }, 60));
+    ASSERT_TRUE(waitFor([&] { return screen.scene().trails.size() == 2 && screen.scene().trails.at(1).points.size() > 30; }));
     ASSERT_TRUE(waitFor([&] {
         for (double z = screen.scene().stock.left(); z < screen.scene().stock.right(); z += 1)
             if (screen.scene().stock.radiusAt(z) < blank - 0.5) return true;
         return false;
-    }, 60)) << "the part is cut";
+    })) << "the part is cut";
     // The turrets stand where their paths end.
     for (const ShownBody& body : screen.bodies())
         if (body.channel) {
@@ -187,7 +187,7 @@ TEST_F(GraphicsTasks, NoStalePixelIsLeftBehindWhatMoves) {
     window->showScreen(6);
     ASSERT_TRUE(g_controller->press("reference all"));
     startJob();
-    ASSERT_TRUE(waitFor([&] { return screen.bodies().size() >= 4 && !screen.scene().trails.empty(); }, 20));
+    ASSERT_TRUE(waitFor([&] { return screen.bodies().size() >= 4 && !screen.scene().trails.empty(); }));
     struct Watch : QObject {
         QRegion asked;
         bool eventFilter(QObject*, QEvent* event) override {
@@ -254,7 +254,7 @@ TEST_F(GraphicsTasks, PathsAndPartAreThereAgainAfterACrash) {
         QFile file(folder.filePath("again.ini.paths"));
         if (file.open(QIODevice::ReadOnly)) kept = KeptPaths::read(qUncompress(file.readAll()));
         return kept.channels.count(1) && kept.channels.at(1).points.size() > 60;
-    }, 60)) << graphicsOf(killed)->scene().trails.size();
+    })) << graphicsOf(killed)->scene().trails.size();
     const std::deque<TrailPoint> was = kept.channels.at(1).points;
     double least = 1e9;
     for (const double radius : kept.radii) least = std::min(least, radius);
@@ -263,12 +263,12 @@ TEST_F(GraphicsTasks, PathsAndPartAreThereAgainAfterACrash) {
     MainWindow again(choices);
     again.show();
     const CuttingScene& restored = graphicsOf(again)->scene();
-    ASSERT_TRUE(waitFor([&] { return restored.trails.count(1) && restored.trails.at(1).points.size() >= was.size(); }, 10));
+    ASSERT_TRUE(waitFor([&] { return restored.trails.count(1) && restored.trails.at(1).points.size() >= was.size(); }));
     for (std::size_t i = 0; i < was.size(); ++i) {
         EXPECT_NEAR(restored.trails.at(1).points[i].z, was[i].z, 1e-3);
         EXPECT_NEAR(restored.trails.at(1).points[i].x, was[i].x, 1e-3);
     }
-    ASSERT_TRUE(waitFor([&] { return restored.trails.at(1).points.size() > was.size(); }, 30)) << "it goes on";
+    ASSERT_TRUE(waitFor([&] { return restored.trails.at(1).points.size() > was.size(); })) << "it goes on";
     double now = restored.stock.outer();
     for (const double radius : restored.stock.radii()) now = std::min(now, radius);
     EXPECT_LE(now, least + 0.05) << "what was cut is cut";
@@ -323,25 +323,23 @@ TEST(DryRuns, AreShownAgainAfterARestart) {
             Operator hand(window);
             programsOf(window)->turnTo(0);
             programsOf(window)->filesPage().readFolder(QString(POLYTURN_SOURCE_DIR) + "/examples/jobs/shaft", "shaft.job.toml");
-            ASSERT_TRUE(waitFor([&] { return programsOf(window)->filesPage().isJob(); }, 10));
+            ASSERT_TRUE(waitFor([&] { return programsOf(window)->filesPage().isJob(); }));
             hand.soft(page);
             ASSERT_TRUE(waitFor([&] { return !programsOf(window)->busy() && programsOf(window)->dryRun().channels().size() == 2; }, 120)) << page;
-            QTest::qWait(600);
-            window.frame();
+            frames(window, 600);
             was = written(*programsOf(window));
             ASSERT_GT(was.size(), 30);
-            ASSERT_TRUE(waitFor([&] { return QFile::exists(choices.keptIn + ".run"); }, 10)) << "while it runs: a crash says nothing before it";
+            ASSERT_TRUE(waitFor([&] { return QFile::exists(choices.keptIn + ".run"); })) << "while it runs: a crash says nothing before it";
         }
         MainWindow again(choices);
         again.resize(1280, 800);
         again.show();
         EXPECT_EQ(again.screen(), programsOf(again)) << page;
-        ASSERT_TRUE(waitFor([&] { return !programsOf(again)->busy() && programsOf(again)->dryRun().channels().size() == 2; }, 10)) << page;
-        QTest::qWait(600);
-        again.frame();
+        ASSERT_TRUE(waitFor([&] { return !programsOf(again)->busy() && programsOf(again)->dryRun().channels().size() == 2; })) << page;
+        frames(again, 600);
         EXPECT_EQ(written(*programsOf(again)), was) << page;
         again.setTongue(Tongue::Czech);                // the screens are made anew
-        EXPECT_TRUE(waitFor([&] { return programsOf(again)->dryRun().channels().size() == 2; }, 10)) << page;
+        EXPECT_TRUE(waitFor([&] { return programsOf(again)->dryRun().channels().size() == 2; })) << page;
         again.setTongue(Tongue::English);
     }
 }

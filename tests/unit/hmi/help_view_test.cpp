@@ -36,7 +36,7 @@ struct OpenPage {
         view.resize(1100, 700);
         view.show();
         view.open(topic);
-        EXPECT_TRUE(waitFor([&] { return view.complete(); }, 20));
+        EXPECT_TRUE(waitFor([&] { return view.complete(); }));
     }
     QTextDocument& document() const { return *view.text().document(); }
 };

@@ -31,7 +31,7 @@ protected:
     void choose(const QString& name) {
         Programs& programs = screenOf<Programs>();
         programs.restore("0|" + folder.filePath(name));
-        ASSERT_TRUE(waitFor([&] { return programs.filesPage().chosenPath() == folder.filePath(name); }, 5));
+        ASSERT_TRUE(waitFor([&] { return programs.filesPage().chosenPath() == folder.filePath(name); }));
     }
     bool shown(const QString& text) const {
         for (Sheet* sheet : window->screen()->sheets())
@@ -47,15 +47,15 @@ TEST_F(JobLanguage, NamesItsWaitsAndOpensItsReference) {
     ASSERT_TRUE(waitFor([&] { return static_cast<MachineStep>(live().status().step) == MachineStep::Ready; }));
     for (const char* key : {"mode L1=auto", "mode L2=auto"}) ASSERT_TRUE(g_controller->press(key));
     ASSERT_TRUE(g_controller->press("select " + folder.filePath("markers.job.toml")));
-    ASSERT_TRUE(waitFor([&] { return live().language(1) == Dialect::Sinumerik && live().language(2) == Dialect::Sinumerik; }, 10));
+    ASSERT_TRUE(waitFor([&] { return live().language(1) == Dialect::Sinumerik && live().language(2) == Dialect::Sinumerik; }));
     EXPECT_EQ(live().panelLanguage(1), Dialect::Fanuc) << "what is entered by hand stays the machine's";
     ASSERT_TRUE(g_controller->press("cycle_start"));
-    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Waiting; }, 20)) << waitWords(live(), 1).toStdString();
+    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Waiting; })) << waitWords(live(), 1).toStdString();
     EXPECT_TRUE(waitWords(live(), 1).contains("WAITM(3)")) << waitWords(live(), 1).toStdString();
     EXPECT_FALSE(waitWords(live(), 1).contains("M3 "));
     Operator hand(*window);
     hand.screen("overview");
-    ASSERT_TRUE(waitFor([&] { return live().view(1).known; }, 10));
+    ASSERT_TRUE(waitFor([&] { return live().view(1).known; }));
     EXPECT_EQ(screenOf<Overview>().help().page, "reference_sinumerik.md");
 }
 
@@ -65,7 +65,7 @@ TEST_F(JobLanguage, WhatItHasOtherwiseIsTold) {
     choose("markers.job.toml");
     Operator hand(*window);
     hand.screen("programs");
-    EXPECT_TRUE(waitFor([&] { return shown("entered: -20.000"); }, 10));
+    EXPECT_TRUE(waitFor([&] { return shown("entered: -20.000"); }));
     hand.soft("Select job");
     const auto told = [&](const QString& text) {
         for (Sheet* sheet : window->ownSheets())
@@ -73,11 +73,11 @@ TEST_F(JobLanguage, WhatItHasOtherwiseIsTold) {
                 if (one.text.contains(text)) return true;
         return false;
     };
-    EXPECT_TRUE(waitFor([&] { return told("L1 G54 Z"); }, 10));
-    ASSERT_TRUE(waitFor([&] { return !live().view(1).programs.empty() && QString::fromStdString(live().view(1).programs[0]).endsWith("FIRST.MPF"); }, 10));
+    EXPECT_TRUE(waitFor([&] { return told("L1 G54 Z"); }));
+    ASSERT_TRUE(waitFor([&] { return !live().view(1).programs.empty() && QString::fromStdString(live().view(1).programs[0]).endsWith("FIRST.MPF"); }));
     EXPECT_DOUBLE_EQ(live().store(1).zeros[kZeroG54 * kChannelAxes + 1], -20.0);
     ASSERT_TRUE(g_controller->set("zero L1 G54 Z=-150"));
-    EXPECT_TRUE(waitFor([&] { return shown("entered") && !shown("entered: "); }, 10));
+    EXPECT_TRUE(waitFor([&] { return shown("entered") && !shown("entered: "); }));
     ASSERT_TRUE(g_controller->set("zero L1 G54 Z=0"));
 }
 
@@ -88,9 +88,9 @@ TEST_F(JobLanguage, IsThatOfTheSynchronisedViewAndOfTheEditor) {
     Operator hand(*window);
     hand.screen("programs");
     hand.soft("Check, waits");
-    ASSERT_TRUE(waitFor([&] { return !programs.dryRun().running() && programs.dryRun().any(); }, 20));
+    ASSERT_TRUE(waitFor([&] { return !programs.dryRun().running() && programs.dryRun().any(); }));
     EXPECT_TRUE(programs.dryRun().faults().empty());
-    EXPECT_TRUE(waitFor([&] { return shown("WAITM(3)"); }, 5));
+    EXPECT_TRUE(waitFor([&] { return shown("WAITM(3)"); }));
     for (Sheet* sheet : window->screen()->sheets())
         for (const Item& one : sheet->items()) EXPECT_NE(one.text, "M3");
     choose("FIRST.MPF");
@@ -102,7 +102,7 @@ TEST_F(JobLanguage, IsThatOfTheSynchronisedViewAndOfTheEditor) {
 // Beside a program alone no job says it: the channel in which it is selected does.
 TEST_F(JobLanguage, IsThatOfTheChannelInWhichTheProgramIsSelected) {
     ASSERT_TRUE(g_controller->press("select " + folder.filePath("markers.job.toml")));
-    ASSERT_TRUE(waitFor([&] { return live().language(1) == Dialect::Sinumerik && !live().view(1).programs.empty() && QString::fromStdString(live().view(1).programs[0]) == folder.filePath("FIRST.MPF"); }, 10));
+    ASSERT_TRUE(waitFor([&] { return live().language(1) == Dialect::Sinumerik && !live().view(1).programs.empty() && QString::fromStdString(live().view(1).programs[0]) == folder.filePath("FIRST.MPF"); }));
     ASSERT_TRUE(QFile::remove(folder.filePath("markers.job.toml")));
     choose("FIRST.MPF");
     Operator hand(*window);
@@ -119,7 +119,7 @@ TEST_F(JobLanguage, CheckFromTheEditorIsOfWhatHasBeenTyped) {
     hand.screen("programs");
     hand.soft("Edit");
     EditorPage& editor = programs.editor();
-    ASSERT_TRUE(waitFor([&] { return editor.file() == folder.filePath("FIRST.MPF") && !editor.opening(); }, 5));
+    ASSERT_TRUE(waitFor([&] { return editor.file() == folder.filePath("FIRST.MPF") && !editor.opening(); }));
     QTextCursor end(editor.edit().document());
     editor.edit().setTextCursor(end);
     QTest::keyClicks(&editor.edit(), "N5 G1 X1 X2 F1");
@@ -128,7 +128,7 @@ TEST_F(JobLanguage, CheckFromTheEditorIsOfWhatHasBeenTyped) {
     hand.soft("Check, waits");
     EXPECT_TRUE(editor.changed()) << "asked first";
     hand.soft("Check, waits");
-    ASSERT_TRUE(waitFor([&] { return !editor.changed() && !programs.dryRun().running() && programs.dryRun().any(); }, 20));
+    ASSERT_TRUE(waitFor([&] { return !editor.changed() && !programs.dryRun().running() && programs.dryRun().any(); }));
     EXPECT_EQ(programs.dryRun().job(), folder.filePath("markers.job.toml"));
     ASSERT_FALSE(programs.dryRun().faults().empty());
     EXPECT_EQ(programs.dryRun().faults().front().at.line, 1u);
@@ -145,9 +145,9 @@ TEST_F(JobLanguage, AProgramAloneIsCheckedInTheChannelOfTheKeys) {
     ASSERT_EQ(window->desk().channel, 2u);
     hand.screen("programs");
     hand.soft("Edit");
-    ASSERT_TRUE(waitFor([&] { return programs.editor().file() == folder.filePath("O7.nc") && !programs.editor().opening(); }, 5));
+    ASSERT_TRUE(waitFor([&] { return programs.editor().file() == folder.filePath("O7.nc") && !programs.editor().opening(); }));
     hand.soft("Dry run, timeline");
-    ASSERT_TRUE(waitFor([&] { return !programs.dryRun().running() && programs.dryRun().any(); }, 20));
+    ASSERT_TRUE(waitFor([&] { return !programs.dryRun().running() && programs.dryRun().any(); }));
     EXPECT_EQ(programs.dryRun().job(), folder.filePath("O7.nc"));
     EXPECT_TRUE(programs.dryRun().channels().contains(2));
     hand.key(Qt::Key_1, Qt::ControlModifier);
@@ -167,15 +167,15 @@ TEST_F(JobLanguage, TheWayBackAndTheWaitsArePressedAndSeen) {
     hand.soft("More");
     hand.soft("Path backwards L1");
     hand.soft("Path backwards L1");
-    EXPECT_TRUE(waitFor([&] { return (live().channel(1).keys & kKeyRetrace) && window->screen()->keys()[4].on; }, 10));
+    EXPECT_TRUE(waitFor([&] { return (live().channel(1).keys & kKeyRetrace) && window->screen()->keys()[4].on; }));
     hand.soft("Path backwards L1");
-    EXPECT_TRUE(waitFor([&] { return !(live().channel(1).keys & kKeyRetrace); }, 10));
+    EXPECT_TRUE(waitFor([&] { return !(live().channel(1).keys & kKeyRetrace); }));
     hand.soft("Ignore waits L1");
     hand.soft("Ignore waits L1");
-    EXPECT_TRUE(waitFor([&] { return (live().channel(1).keys & kKeyIgnoreWaits) && window->screen()->keys()[5].on; }, 10));
-    EXPECT_TRUE(waitFor([&] { return shown("NWT") || shown("Waits ignored"); }, 5));
+    EXPECT_TRUE(waitFor([&] { return (live().channel(1).keys & kKeyIgnoreWaits) && window->screen()->keys()[5].on; }));
+    EXPECT_TRUE(waitFor([&] { return shown("NWT") || shown("Waits ignored"); }));
     hand.soft("Ignore waits L1");
-    EXPECT_TRUE(waitFor([&] { return !(live().channel(1).keys & kKeyIgnoreWaits); }, 10));
+    EXPECT_TRUE(waitFor([&] { return !(live().channel(1).keys & kKeyIgnoreWaits); }));
     hand.soft("Back");
     EXPECT_EQ(window->screen()->keys()[4].text, "Start all");
     ASSERT_TRUE(g_controller->press("reset"));

@@ -51,8 +51,8 @@ TEST_P(ManyChannels, FitOnAPanel) {
     MainWindow window(choices);
     window.resize(1280, 800);
     window.show();
-    ASSERT_TRUE(waitFor([&] { return window.desk().live.connected() && window.desk().live.channels().size() == static_cast<std::size_t>(GetParam()); }, 60));
-    QTest::qWait(300);
+    ASSERT_TRUE(waitFor([&] { return window.desk().live.connected() && window.desk().live.channels().size() == static_cast<std::size_t>(GetParam()); }));
+    frames(window, 300);
     noWordIsShortened(window);
     for (const unsigned channel : window.desk().live.channels()) {   // each is touched in the overview
         window.showScreen(0);
@@ -78,7 +78,7 @@ TEST(ManyChannelsCard, IsEnlargedByATouchAndByAKey) {
     MainWindow window(choices);
     window.resize(1280, 800);
     window.show();
-    ASSERT_TRUE(waitFor([&] { return window.desk().live.connected() && window.desk().live.channels().size() == 8; }, 60));
+    ASSERT_TRUE(waitFor([&] { return window.desk().live.connected() && window.desk().live.channels().size() == 8; }));
     window.showScreen(0);
     const auto says = [&](unsigned channel, const QString& text) {
         for (const Item& item : window.screen()->sheets()[channel - 1]->items())

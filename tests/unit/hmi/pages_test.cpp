@@ -21,17 +21,17 @@ TEST_F(PageTasks, TheSpindleIsTurnedByHand) {
     hand.screen("manual");
     hand.soft("Wheel, tool, transfer");
     HandPage& page = screenOf<Manual>().hand();
-    ASSERT_TRUE(waitFor([&] { return live().plc(signals::cp_turretopen(1)) == 0; }, 20)) << "a turret on its way holds the spindle";
-    ASSERT_TRUE(waitFor([&] { return page.spindleBlock().startsWith("G97 S"); }, 20)) << page.spindleBlock().toStdString();
+    ASSERT_TRUE(waitFor([&] { return live().plc(signals::cp_turretopen(1)) == 0; })) << "a turret on its way holds the spindle";
+    ASSERT_TRUE(waitFor([&] { return page.spindleBlock().startsWith("G97 S"); })) << page.spindleBlock().toStdString();
     const QString name = "Spindle " + page.spindleBlock().mid(4);
     hand.soft(name);
-    QTest::qWait(300);
+    frames(*window, 300);
     EXPECT_LT(std::abs(live().status().spindles[0].speed), 1) << "one press must not turn it";
     hand.soft(name);
-    ASSERT_TRUE(waitFor([&] { return std::abs(live().status().spindles[0].speed) > 100; }, 20));
-    ASSERT_TRUE(waitFor([&] { return page.spindleBlock() == "M5" && state(1) != ChannelState::Running; }, 20));
+    ASSERT_TRUE(waitFor([&] { return std::abs(live().status().spindles[0].speed) > 100; }));
+    ASSERT_TRUE(waitFor([&] { return page.spindleBlock() == "M5" && state(1) != ChannelState::Running; }));
     hand.soft("Spindle stop");
-    EXPECT_TRUE(waitFor([&] { return std::abs(live().status().spindles[0].speed) < 1; }, 20));
+    EXPECT_TRUE(waitFor([&] { return std::abs(live().status().spindles[0].speed) < 1; }));
 }
 
 TEST_F(PageTasks, TheWheelTurnsAnAxisByKeysByTouchAndByTheDial) {
@@ -40,7 +40,7 @@ TEST_F(PageTasks, TheWheelTurnsAnAxisByKeysByTouchAndByTheDial) {
     hand.soft("Wheel, tool, transfer");
     HandPage& page = screenOf<Manual>().hand();
     hand.soft("Handwheel");
-    ASSERT_TRUE(waitFor([&] { return static_cast<ChannelMode>(live().channel(1).mode) == ChannelMode::Handwheel; }, 10));
+    ASSERT_TRUE(waitFor([&] { return static_cast<ChannelMode>(live().channel(1).mode) == ChannelMode::Handwheel; }));
     hand.key(Qt::Key_Down);                      // X, then Z
     ASSERT_EQ(page.axis(), 2u);
     const auto stands = [&] { return !(live().status().axes[1].flags & kMoving); };
@@ -50,13 +50,13 @@ TEST_F(PageTasks, TheWheelTurnsAnAxisByKeysByTouchAndByTheDial) {
     hand.touch(&page.wheel(), HandPage::kFactorHits + 2);   // a hundred clicks a click: 0.1 mm
     hand.key(Qt::Key_Right), hand.key(Qt::Key_Plus);
     hand.touch(&page.wheel(), HandPage::kPlusHit);
-    EXPECT_TRUE(waitFor([&] { return std::abs(place() - from - 0.3) < 1e-6; }, 10)) << place() - from;
+    EXPECT_TRUE(waitFor([&] { return std::abs(place() - from - 0.3) < 1e-6; })) << place() - from;
     const QRectF dial = page.wheel().boxOf(HandPage::kDialHit);
     const auto point = [&](double turn) { return (dial.center() + QPointF(std::cos(turn * 6.2831853), std::sin(turn * 6.2831853)) * dial.width() * 0.4).toPoint(); };
     QTest::mousePress(&page.wheel(), Qt::LeftButton, {}, point(0));
     for (int i = 1; i <= 25; ++i) QTest::mouseMove(&page.wheel(), point(-i / 100.0)), QTest::qWait(2);   // a quarter back
     QTest::mouseRelease(&page.wheel(), Qt::LeftButton, {}, point(-0.25));
-    EXPECT_TRUE(waitFor([&] { return stands() && place() < from - 2.0; }, 10)) << place() - from;
+    EXPECT_TRUE(waitFor([&] { return stands() && place() < from - 2.0; })) << place() - from;
     EXPECT_NEAR(place() - from, 0.3 - 2.5, 0.21);
     noWordIsShortened(*window);
 }
@@ -69,10 +69,10 @@ TEST_F(PageTasks, AToolIsCalledFromItsStation) {
     hand.touchCell(page.tools(), 4, 0);          // station 5
     EXPECT_EQ(page.toolBlock(), "T0505");
     hand.soft("Call T0505");
-    QTest::qWait(200);
+    frames(*window, 200);
     EXPECT_FALSE(live().view(1).known && live().view(1).picture.tool == 5) << "one press must not turn the turret";
     hand.soft("Call T0505");
-    EXPECT_TRUE(waitFor([&] { return live().view(1).known && live().view(1).picture.tool == 5; }, 20));
+    EXPECT_TRUE(waitFor([&] { return live().view(1).known && live().view(1).picture.tool == 5; }));
 }
 
 TEST_F(PageTasks, PartTransferGoesStepByStep) {
@@ -83,14 +83,15 @@ TEST_F(PageTasks, PartTransferGoesStepByStep) {
     HandPage& page = screenOf<Manual>().hand();
     const auto step = [&](int row) {
         hand.touchCell(page.steps(), row, 1);
+        const double lit = live().channel(2).lit_s;
         hand.soft("Do this step"), hand.soft("Do this step");
-        QTest::qWait(400);                       // the block has begun
-        EXPECT_TRUE(waitFor([&] { return state(2) != ChannelState::Running && state(2) != ChannelState::Waiting; }, 20));
+        EXPECT_TRUE(waitFor([&] { return live().channel(2).lit_s > lit; })) << "the block has begun";
+        EXPECT_TRUE(waitFor([&] { return state(2) != ChannelState::Running && state(2) != ChannelState::Waiting; }));
     };
     step(0), step(1);                            // M72 M11
-    EXPECT_TRUE(waitFor([&] { return live().plc(signals::sp_unclamped(2)) != 0; }, 20)) << "the counter chuck is open";
+    EXPECT_TRUE(waitFor([&] { return live().plc(signals::sp_unclamped(2)) != 0; })) << "the counter chuck is open";
     step(5);                                     // M10
-    EXPECT_TRUE(waitFor([&] { return live().plc(signals::sp_unclamped(2)) == 0; }, 20));
+    EXPECT_TRUE(waitFor([&] { return live().plc(signals::sp_unclamped(2)) == 0; }));
     step(11);                                    // M71
     hand.key(Qt::Key_1, Qt::ControlModifier);
 }
@@ -108,7 +109,7 @@ TEST_F(PageTasks, TheEditorMarksFaultsWhileOneTypes) {
     hand.soft("Edit");
     EditorPage& editor = programs.editor();
     ASSERT_EQ(editor.file(), file.fileName());
-    ASSERT_TRUE(waitFor([&] { return !editor.checking() && !editor.faults().empty(); }, 20));
+    ASSERT_TRUE(waitFor([&] { return !editor.checking() && !editor.faults().empty(); }));
     EXPECT_EQ(editor.faults().front().line, 3);
     EXPECT_GT(editor.faults().front().column, 0);
     EXPECT_FALSE(editor.edit().extraSelections().isEmpty());
@@ -117,7 +118,7 @@ TEST_F(PageTasks, TheEditorMarksFaultsWhileOneTypes) {
     editor.edit().setTextCursor(cursor);
     QTest::keyClick(&editor.edit(), Qt::Key_Backspace);
     ASSERT_EQ(editor.edit().document()->findBlockByNumber(2).text(), "N20 G1 X4.0 F200.");
-    EXPECT_TRUE(waitFor([&] { return !editor.checking() && editor.faults().empty(); }, 20)) << (editor.faults().empty() ? "" : editor.faults().front().text.toStdString());
+    EXPECT_TRUE(waitFor([&] { return !editor.checking() && editor.faults().empty(); })) << (editor.faults().empty() ? "" : editor.faults().front().text.toStdString());
     EXPECT_TRUE(editor.changed());
     hand.soft("Save");
     EXPECT_FALSE(editor.changed());
@@ -128,37 +129,37 @@ TEST_F(PageTasks, TheEditorMarksFaultsWhileOneTypes) {
 
 // What the PLC says of its machine, in the language of the screens: here the built-in one's first message.
 TEST_F(PageTasks, AMessageOfTheMachinesBuilderIsReadInTheReadersLanguage) {
-    for (const char* key : {"reset", "mode L1=mdi"}) ASSERT_TRUE(waitFor([&] { return g_controller->press(key); }, 20)) << key;
-    ASSERT_TRUE(waitFor([&] { return std::abs(live().status().spindles[0].speed) > 100 || (g_controller->press("mdi L1 G97 M3 S500"), QTest::qWait(500), false); }, 20));
+    for (const char* key : {"reset", "mode L1=mdi"}) ASSERT_TRUE(waitFor([&] { return g_controller->press(key); })) << key;
+    ASSERT_TRUE(waitFor([&] { return std::abs(live().status().spindles[0].speed) > 100 || (g_controller->press("mdi L1 G97 M3 S500"), QTest::qWait(500), false); }));
     const auto told = [&]() -> const AlarmEntry* {
         for (const AlarmEntry& one : window->desk().alarms.all())
             if (one.told && one.text.contains("the chuck must not open while the spindle turns")) return &one;
         return nullptr;
     };
-    ASSERT_TRUE(waitFor([&] { return told() || (g_controller->press("mdi L1 M11"), QTest::qWait(500), false); }, 20));
+    ASSERT_TRUE(waitFor([&] { return told() || (g_controller->press("mdi L1 M11"), QTest::qWait(500), false); }));
     EXPECT_EQ(told()->remedy, "Program M5 before M11.");
     const auto at = told() - window->desk().alarms.all().data();
     window->setTongue(Tongue::Russian);
     const AlarmEntry& entry = window->desk().alarms.all()[static_cast<std::size_t>(at)];
-    ASSERT_TRUE(waitFor([&] { return entry.told; }, 5));
+    ASSERT_TRUE(waitFor([&] { return entry.told; }));
     EXPECT_TRUE(entry.text.contains(QString::fromUtf8("патрон нельзя открыть при вращении шпинделя; причина: M11 до останова шпинделя"))) << entry.text.toStdString();
     EXPECT_EQ(entry.remedy, QString::fromUtf8("Запрограммируйте M5 перед M11."));
     window->setTongue(Tongue::English);
-    for (const char* key : {"reset", "mode L1=mdi", "mdi L1 M5", "reset"}) ASSERT_TRUE(waitFor([&] { return g_controller->press(key); }, 20)) << key;
+    for (const char* key : {"reset", "mode L1=mdi", "mdi L1 M5", "reset"}) ASSERT_TRUE(waitFor([&] { return g_controller->press(key); })) << key;
 }
 
 // Which spindle follows which, and since which M code of which channel.
 TEST_F(PageTasks, ACouplingTellsSinceWhichCode) {
-    for (const char* key : {"reset", "mode L2=mdi"}) ASSERT_TRUE(waitFor([&] { return g_controller->press(key); }, 20)) << key;
-    ASSERT_TRUE(waitFor([&] { return live().status().spindles[1].master == 1 || (g_controller->press("mdi L2 M60"), QTest::qWait(500), false); }, 20));
+    for (const char* key : {"reset", "mode L2=mdi"}) ASSERT_TRUE(waitFor([&] { return g_controller->press(key); })) << key;
+    ASSERT_TRUE(waitFor([&] { return live().status().spindles[1].master == 1 || (g_controller->press("mdi L2 M60"), QTest::qWait(500), false); }));
     Operator hand(*window);
     hand.screen("diagnosis");
     hand.soft("Couplings");
     Table& table = screenOf<Diagnosis>().table();
     const auto cell = [&](int column) { return table.rows() ? table.cell(0, column).text : QString(); };
-    EXPECT_TRUE(waitFor([&] { return cell(0) == "S2" && cell(1) == "S1"; }, 5)) << cell(0).toStdString();
+    EXPECT_TRUE(waitFor([&] { return cell(0) == "S2" && cell(1) == "S1"; })) << cell(0).toStdString();
     EXPECT_TRUE(cell(3).startsWith("M60 L2")) << cell(3).toStdString();
-    for (const char* key : {"mdi L2 M62", "reset"}) ASSERT_TRUE(waitFor([&] { return g_controller->press(key); }, 20)) << key;
+    for (const char* key : {"mdi L2 M62", "reset"}) ASSERT_TRUE(waitFor([&] { return g_controller->press(key); })) << key;
 }
 
 TEST_F(PageTasks, TheHelpKeyOpensThePageOfWhatIsChosen) {
@@ -174,15 +175,16 @@ TEST_F(PageTasks, TheHelpKeyOpensThePageOfWhatIsChosen) {
     hand.key(Qt::Key_H, Qt::ControlModifier);
     EXPECT_TRUE(window->help().text().toPlainText().startsWith("N0")) << window->help().text().toPlainText().left(80).toStdString();
     const auto place = [&] { return window->help().text().toPlainText().indexOf("The machine is its parameters"); };
-    ASSERT_TRUE(waitFor([&] { return place() >= 0; }, 5)) << "the manual's page of it";
+    ASSERT_TRUE(waitFor([&] { return place() >= 0; })) << "the manual's page of it";
     EXPECT_LT(place() - window->help().text().toPlainText().indexOf("Level"), 200) << "right below";
     hand.key(Qt::Key_Escape);
     // What the tests before have left may still be coming to its end: each key is pressed until it is taken.
-    for (const char* key : {"mode L1=auto", "select L1=/nowhere/at/all.nc"}) ASSERT_TRUE(waitFor([&] { return g_controller->press(key); }, 20)) << key;
+    for (const char* key : {"mode L1=auto", "select L1=/nowhere/at/all.nc"}) ASSERT_TRUE(waitFor([&] { return g_controller->press(key); })) << key;
     hand.screen("alarms");
-    ASSERT_TRUE(waitFor([&] { return window->desk().alarms.standing() || (g_controller->press("cycle_start L1"), QTest::qWait(300), window->desk().alarms.standing()); }, 20));
+    ASSERT_TRUE(waitFor([&] { return window->desk().alarms.standing() || (g_controller->press("cycle_start L1"), QTest::qWait(300), window->desk().alarms.standing()); }));
     const AlarmEntry alarm = *window->desk().alarms.standing();
-    QTest::qWait(100);
+    ASSERT_TRUE(waitFor([&] { return !screenOf<Alarms>().rows().empty(); }));
+    frames(*window, 100);
     hand.key(Qt::Key_Help);
     const QString text = window->help().text().toPlainText();
     EXPECT_TRUE(text.contains(alarm.number) && text.contains(alarm.remedy.left(20))) << text.left(200).toStdString();

@@ -18,10 +18,10 @@ class PanelTasks : public Tasks {};
 TEST_F(PanelTasks, TheLogOfStopsTellsWhenHowLongAndWhy) {
     startJob();
     ASSERT_TRUE(g_controller->press("feed_hold L1"));
-    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Held; }, 10));
+    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Held; }));
     QTest::qWait(3'000);
     ASSERT_TRUE(g_controller->press("cycle_start L1"));
-    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Running || state(1) == ChannelState::Waiting; }, 10));
+    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Running || state(1) == ChannelState::Waiting; }));
     Operator hand(*window);
     hand.screen("alarms");
     hand.soft("Log of stops");
@@ -31,7 +31,7 @@ TEST_F(PanelTasks, TheLogOfStopsTellsWhenHowLongAndWhy) {
             if (one.cause == "hold" && one.channel == 1 && one.seconds > 0 && !one.stands) return &one;
         return nullptr;
     };
-    ASSERT_TRUE(waitFor([&] { return held() != nullptr; }, 15)) << book.whyNot().toStdString();
+    ASSERT_TRUE(waitFor([&] { return held() != nullptr; })) << book.whyNot().toStdString();
     EXPECT_NEAR(held()->seconds, 3, 1.5);
     EXPECT_LT(held()->begin.secsTo(QDateTime::currentDateTime()), 30);
     EXPECT_TRUE(held()->program.endsWith(".nc")) << held()->program.toStdString();
@@ -40,7 +40,7 @@ TEST_F(PanelTasks, TheLogOfStopsTellsWhenHowLongAndWhy) {
     EXPECT_TRUE(std::any_of(sums.begin(), sums.end(), [](const StopSum& one) { return one.cause == "hold" && one.count >= 1 && one.seconds > 1; }));
     // One that still stands goes on counting; the reset of a running program is a stop too.
     ASSERT_TRUE(g_controller->press("reset"));
-    ASSERT_TRUE(waitFor([&] { return !book.all().empty() && book.all().front().stands && book.all().front().cause == "reset"; }, 15));
+    ASSERT_TRUE(waitFor([&] { return !book.all().empty() && book.all().front().stands && book.all().front().cause == "reset"; }));
     EXPECT_FALSE(g_controller->run({"stops", "--instance", g_controller->name, "--most", "0"})) << "bounded";
     EXPECT_TRUE(g_controller->run({"stops", "--instance", g_controller->name, "--json"}));
     noWordIsShortened(*window);
@@ -55,18 +55,18 @@ TEST_F(PanelTasks, AlarmsOutliveTheController) {
         if (std::any_of(all.begin(), all.end(), ofNight)) return true;
         g_controller->press("select L1=/nowhere/last/night.nc"), g_controller->press("cycle_start L1"), QTest::qWait(300);
         return false;
-    }, 20));
+    }));
     const auto told = std::count_if(window->desk().alarms.all().begin(), window->desk().alarms.all().end(), ofNight);
-    QTest::qWait(400);                                   // the store has it
+    frames(*window, 2'000);                                 // the store has it
     g_controller->stop();
-    ASSERT_TRUE(waitFor([&] { return !live().connected(); }, 10));
+    ASSERT_TRUE(waitFor([&] { return !live().connected(); }));
     g_controller->start();
-    ASSERT_TRUE(waitFor([&] { return live().connected(); }, 30));
+    ASSERT_TRUE(waitFor([&] { return live().connected(); }));
     hand.screen("alarms");
     hand.soft("History");
     Alarms& alarms = screenOf<Alarms>();
     const auto found = [&] { return std::find_if(alarms.rows().begin(), alarms.rows().end(), ofNight); };
-    ASSERT_TRUE(waitFor([&] { return found() != alarms.rows().end() && found()->told; }, 10)) << alarms.rows().size() << (alarms.rows().empty() ? QString() : alarms.rows().back().number + alarms.rows().back().place).toStdString();
+    ASSERT_TRUE(waitFor([&] { return found() != alarms.rows().end() && found()->told; })) << alarms.rows().size() << (alarms.rows().empty() ? QString() : alarms.rows().back().number + alarms.rows().back().place).toStdString();
     EXPECT_FALSE(found()->standing);
     EXPECT_FALSE(found()->remedy.isEmpty());
     EXPECT_EQ(std::count_if(alarms.rows().begin(), alarms.rows().end(), ofNight), told) << "each once";
@@ -77,12 +77,12 @@ TEST_F(PanelTasks, TheLogOfStopsOutlivesTheController) {
     Operator hand(*window);
     hand.screen("alarms");
     hand.soft("Log of stops");
-    ASSERT_TRUE(waitFor([&] { return !book.all().empty(); }, 15)) << "of the test before";
+    ASSERT_TRUE(waitFor([&] { return !book.all().empty(); })) << "of the test before";
     const std::size_t before = book.all().size();
     g_controller->stop();
-    ASSERT_TRUE(waitFor([&] { return !live().connected(); }, 10));
+    ASSERT_TRUE(waitFor([&] { return !live().connected(); }));
     g_controller->start();
-    ASSERT_TRUE(waitFor([&] { return live().connected() && book.all().size() >= before; }, 30));
+    ASSERT_TRUE(waitFor([&] { return live().connected() && book.all().size() >= before; }));
     for (const StopEntry& one : book.all()) EXPECT_GE(one.seconds, 0) << one.cause.toStdString() << ": a controlled end closes what stands";
 }
 
@@ -92,30 +92,30 @@ TEST_F(PanelTasks, AMeasuredPartCorrectsTheWear) {
     hand.soft("Measured parts");
     PartsPage& parts = screenOf<Offsets>().parts();
     hand.soft("New dimension");
-    ASSERT_TRUE(waitFor([&] { return parts.dimensions().size() == 1; }, 10));
+    ASSERT_TRUE(waitFor([&] { return parts.dimensions().size() == 1; }));
     const auto enter = [&](int column, const QString& text) {
         hand.touchCell(parts.table(), 0, column);
         hand.type(text), hand.key(Qt::Key_Return);
     };
     enter(PartsPage::kNominal, "40");
-    ASSERT_TRUE(waitFor([&] { return parts.dimensions()[0].value("nominal").toDouble() == 40; }, 10));
+    ASSERT_TRUE(waitFor([&] { return parts.dimensions()[0].value("nominal").toDouble() == 40; }));
     enter(PartsPage::kTool, "1");
     ASSERT_TRUE(g_controller->run({"tools", "add", "1", "name=PART_TOOL", "type=1", "h=17", "--instance", g_controller->name}));
     for (const char* value : {"40.01", "40.012", "40.014"}) {
         const int before = parts.dimensions()[0].value("measured").toInt();
         enter(PartsPage::kMeasured, value);
-        ASSERT_TRUE(waitFor([&] { return parts.dimensions()[0].value("measured").toInt() == before + 1; }, 10)) << value;
+        ASSERT_TRUE(waitFor([&] { return parts.dimensions()[0].value("measured").toInt() == before + 1; })) << value;
     }
     EXPECT_EQ(parts.dimensions()[0].value("deviations").toArray().size(), 3);
     EXPECT_NEAR(parts.dimensions()[0].value("trend").toDouble(), 0.002, 1e-9);
     const auto wear = [&] { return live().store(1).offsets[17].wear[0]; };
     const double before = wear();
     hand.soft("Accept proposal");
-    QTest::qWait(300);
+    frames(*window, 300);
     EXPECT_EQ(wear(), before) << "one press writes nothing";
     hand.soft("Accept proposal");
-    EXPECT_TRUE(waitFor([&] { return std::abs(wear() - before + 0.014) < 1e-9; }, 10)) << wear();
-    EXPECT_TRUE(waitFor([&] { return parts.dimensions()[0].value("measured").toInt() == 0; }, 10)) << "what was measured before says nothing about the next part";
+    EXPECT_TRUE(waitFor([&] { return std::abs(wear() - before + 0.014) < 1e-9; })) << wear();
+    EXPECT_TRUE(waitFor([&] { return parts.dimensions()[0].value("measured").toInt() == 0; })) << "what was measured before says nothing about the next part";
     noWordIsShortened(*window);
     g_controller->run({"tools", "delete", "1", "--instance", g_controller->name});
 }
@@ -133,9 +133,7 @@ TEST_F(PanelTasks, AnAnswerForAScreenThatIsGoneHurtsNobody) {
         }
     }
     window->setTongue(Tongue::English);
-    QTest::qWait(300);
-    EXPECT_TRUE(live().connected());
-    EXPECT_LT(window->desk().requests.waiting(), 3u);
+    EXPECT_TRUE(waitFor([&] { return live().connected() && window->desk().requests.waiting() < 3; }));
 }
 
 // The operating system's programs, played: they note what they were asked, one of them refuses.
@@ -160,32 +158,32 @@ TEST_F(PanelTasks, TheComputersSettingsAreChangedByItsProgramsOrRefusedInTheirWo
     hand.soft("The computer");
     SettingsPage& page = screenOf<System>().settings();
     using What = ComputerSetting::What;
-    ASSERT_TRUE(waitFor([&] { return !page.computer().busy(); }, 20));
+    ASSERT_TRUE(waitFor([&] { return !page.computer().busy(); }));
     EXPECT_EQ(page.computer().value(What::Zone), "Europe/Prague");
     EXPECT_EQ(page.computer().whyNot(What::Address), "Error: NetworkManager is not running.") << "said, in the system's words";
     EXPECT_FALSE(page.computer().whyNot(What::Wins1).isEmpty());
     EXPECT_EQ(page.computer().whyNot(What::Layout), "This computer runs without systemd") << "a sentence that each such computer says is said in the reader's language";
-    QTest::qWait(300);                           // the level has come
+    frames(*window, 300);                           // the level has come
     hand.touchCell(page.table(), 1, 2), hand.key(Qt::Key_Return);
     ASSERT_TRUE(window->entry().isVisible());
     for (int i = 0; i < 20; ++i) QTest::keyClick(window.get(), Qt::Key_Backspace);
     hand.type("Europe/Budapest"), hand.key(Qt::Key_Return);
     QFile asked(folder.filePath("asked"));
-    ASSERT_TRUE(waitFor([&] { return asked.open(QIODevice::ReadOnly) && asked.readAll().contains("timedatectl set-timezone Europe/Budapest") ? true : (asked.close(), false); }, 10)) << page.told().toStdString();
-    ASSERT_TRUE(waitFor([&] { return !page.computer().busy(); }, 20));
+    ASSERT_TRUE(waitFor([&] { return asked.open(QIODevice::ReadOnly) && asked.readAll().contains("timedatectl set-timezone Europe/Budapest") ? true : (asked.close(), false); })) << page.told().toStdString();
+    ASSERT_TRUE(waitFor([&] { return !page.computer().busy(); }));
     hand.touchCell(page.table(), 0, 2), hand.key(Qt::Key_Return);
     for (int i = 0; i < 30; ++i) QTest::keyClick(window.get(), Qt::Key_Backspace);
     hand.type("2026-01-31 06:00:00"), hand.key(Qt::Key_Return);
-    EXPECT_TRUE(waitFor([&] { return page.told().contains("Automatic time synchronization is enabled"); }, 10)) << page.told().toStdString();
+    EXPECT_TRUE(waitFor([&] { return page.told().contains("Automatic time synchronization is enabled"); })) << page.told().toStdString();
     hand.key(Qt::Key_Return);
     for (int i = 0; i < 30; ++i) QTest::keyClick(window.get(), Qt::Key_Backspace);
     hand.type("tomorrow"), hand.key(Qt::Key_Return);
     EXPECT_TRUE(page.told().contains("2026-01-31 06:00:00")) << "wrong text is refused before anybody is asked: " << page.told().toStdString();
-    ASSERT_TRUE(waitFor([&] { return !page.computer().busy(); }, 20));
+    ASSERT_TRUE(waitFor([&] { return !page.computer().busy(); }));
     hand.touchCell(page.table(), 12, 2), hand.key(Qt::Key_Return);   // time before a key repeats: numbers calculate here too
     for (int i = 0; i < 30; ++i) QTest::keyClick(window.get(), Qt::Key_Backspace);
     hand.type("+50/2"), hand.key(Qt::Key_Return);
-    EXPECT_TRUE(waitFor([&] { asked.close(); return asked.open(QIODevice::ReadOnly) && asked.readAll().contains("xset r rate 525 20"); }, 10)) << page.told().toStdString();
+    EXPECT_TRUE(waitFor([&] { asked.close(); return asked.open(QIODevice::ReadOnly) && asked.readAll().contains("xset r rate 525 20"); })) << page.told().toStdString();
     qputenv("PATH", path), qputenv("DISPLAY", display);
     noWordIsShortened(*window);
 }
@@ -235,11 +233,11 @@ TEST_F(PanelTasks, AParameterTellsWhoChangedItAndWhatTheFileHas) {
     const auto set = [&](const QString& line) { return g_controller->run({"params", "set", line, "--instance", g_controller->name}); };
     ASSERT_TRUE(set("N0304 A2=23000") && set("N0304 A2=23500"));
     screen.find("N0304");
-    ASSERT_TRUE(waitFor([&] { return screen.table().rows() >= 4; }, 5));
+    ASSERT_TRUE(waitFor([&] { return screen.table().rows() >= 4; }));
     hand.soft("Unlike the file");
-    ASSERT_TRUE(waitFor([&] { return screen.table().rows() == 1; }, 10)) << screen.table().rows();
+    ASSERT_TRUE(waitFor([&] { return screen.table().rows() == 1; })) << screen.table().rows();
     hand.soft("History");
-    ASSERT_TRUE(waitFor([&] { return screen.changes() == 2; }, 10)) << screen.changes();
+    ASSERT_TRUE(waitFor([&] { return screen.changes() == 2; })) << screen.changes();
     noWordIsShortened(*window);
     hand.screen("parameters");
     ASSERT_TRUE(set("N0304 A2=24000"));
@@ -254,11 +252,11 @@ TEST_F(PanelTasks, BitsShowAllOfTheirMeanings) {
         window->showScreen(5);
         Parameters& now = screenOf<Parameters>();
         now.find("N0106");
-        QTest::qWait(60);
+        frames(*window, 60);
         EXPECT_FALSE(now.pad().isVisible());
         EXPECT_GT(now.detail().height(), now.height() * 0.8);
         QTest::keyClick(window.get(), Qt::Key_5);
-        EXPECT_TRUE(waitFor([&] { return now.pad().isVisible(); }, 5)) << "a typed number is seen";
+        EXPECT_TRUE(waitFor([&] { return now.pad().isVisible(); })) << "a typed number is seen";
         now.pad().clear();
     }
     window->setTongue(Tongue::English);
@@ -268,15 +266,15 @@ TEST_F(PanelTasks, ABitIsTurnedOverByKeysAlone) {
     Operator hand(*window);
     hand.screen("parameters");
     screenOf<Parameters>().find("N1200");
-    QTest::qWait(60);
+    frames(*window, 60);
     const auto bits = [&] { return static_cast<unsigned>(live().table().numbers[params::find("N1200")->first_slot]); };
     const unsigned before = bits();
     for (int bit = 0; bit < 8; ++bit) hand.key(Qt::Key_Left);
     hand.key(Qt::Key_Right);
     hand.key(Qt::Key_Space);
-    ASSERT_TRUE(waitFor([&] { return bits() == (before ^ 2u); }, 10)) << bits();
+    ASSERT_TRUE(waitFor([&] { return bits() == (before ^ 2u); })) << bits();
     hand.key(Qt::Key_Space);
-    ASSERT_TRUE(waitFor([&] { return bits() == before; }, 10)) << bits();
+    ASSERT_TRUE(waitFor([&] { return bits() == before; })) << bits();
     hand.key(Qt::Key_Tab);                        // to the groups
     hand.key(Qt::Key_Down);
     EXPECT_EQ(screenOf<Parameters>().state().section('|', 0, 0), "1");
@@ -288,7 +286,7 @@ TEST_F(PanelTasks, ABitIsTurnedOverByTheSecondTouchOfIt) {
     hand.screen("parameters");
     Parameters& screen = screenOf<Parameters>();
     const auto bits = [&](const char* number) { return static_cast<unsigned>(live().table().numbers[params::find(number)->first_slot]); };
-    const auto find = [&](const char* number) { screen.find(number), QTest::qWait(60); };
+    const auto find = [&](const char* number) { screen.find(number), frames(*window); };
     constexpr int kFirstBit = 1;
     const unsigned one = bits("N1200"), other = bits("N0106");
     ASSERT_EQ(params::find("N1200")->bits.front().number, 0u);
@@ -300,16 +298,16 @@ TEST_F(PanelTasks, ABitIsTurnedOverByTheSecondTouchOfIt) {
     hand.touch(&screen.detail(), kFirstBit);
     hand.key(Qt::Key_Right), hand.key(Qt::Key_Left);          // keys have been at another bit
     hand.touch(&screen.detail(), kFirstBit);
-    QTest::qWait(500);
+    frames(*window, 500);
     EXPECT_EQ(bits("N1200"), one);
     EXPECT_EQ(bits("N0106"), other);
     hand.touch(&screen.detail(), kFirstBit);
-    ASSERT_TRUE(waitFor([&] { return bits("N1200") == (one ^ 1u); }, 10));
+    ASSERT_TRUE(waitFor([&] { return bits("N1200") == (one ^ 1u); }));
     hand.touch(&screen.detail(), kFirstBit);                  // what has turned it over chooses nothing
-    QTest::qWait(500);
+    frames(*window, 500);
     EXPECT_EQ(bits("N1200"), one ^ 1u);
     hand.touch(&screen.detail(), kFirstBit);
-    ASSERT_TRUE(waitFor([&] { return bits("N1200") == one; }, 10));
+    ASSERT_TRUE(waitFor([&] { return bits("N1200") == one; }));
 }
 
 // A word of the language shown finds a parameter, and so does the English one of a builder's document.
@@ -320,7 +318,7 @@ TEST_F(PanelTasks, SearchUnderstandsTheLanguageShownAndEnglish) {
         Parameters& screen = screenOf<Parameters>();
         for (const char* searched : {word, "in rapid moves", "N0304"}) {
             screen.find(searched);
-            EXPECT_TRUE(waitFor([&] { return screen.table().rows() > 0; }, 5)) << searched;
+            EXPECT_TRUE(waitFor([&] { return screen.table().rows() > 0; })) << searched;
         }
         window->showScreen(8);
         Diagnosis& diagnosis = screenOf<Diagnosis>();
@@ -337,20 +335,20 @@ TEST_F(PanelTasks, TheRelativeCounterGoesIntoAnOffset) {
     Offsets& offsets = screenOf<Offsets>();
     offsets.table().choose(7, 1);
     hand.soft("Relative zero");
-    QTest::qWait(300);
+    frames(*window, 300);
     ASSERT_TRUE(g_controller->press("mode L1=jog"));
     const double from = live().status().axes[0].cmd;
     ASSERT_TRUE(g_controller->press("jog A1+ 0.4s"));
-    ASSERT_TRUE(waitFor([&] { return std::abs(live().status().axes[0].cmd - from) > 0.2 && !(live().status().axes[0].flags & kMoving); }, 20));
+    ASSERT_TRUE(waitFor([&] { return std::abs(live().status().axes[0].cmd - from) > 0.2 && !(live().status().axes[0].flags & kMoving); }));
     const double way = 2 * (live().status().axes[0].cmd - from);   // the table has diameters
     const double before = live().store(1).offsets[8].geometry[0];
     hand.soft("Relative input");
-    QTest::qWait(200);
+    frames(*window, 200);
     EXPECT_EQ(live().store(1).offsets[8].geometry[0], before) << "one press writes nothing";
     hand.soft("Relative input");
-    EXPECT_TRUE(waitFor([&] { return std::abs(live().store(1).offsets[8].geometry[0] - way) < 0.05; }, 10)) << live().store(1).offsets[8].geometry[0] << " " << way;
+    EXPECT_TRUE(waitFor([&] { return std::abs(live().store(1).offsets[8].geometry[0] - way) < 0.05; })) << live().store(1).offsets[8].geometry[0] << " " << way;
     hand.soft("Undo");
-    EXPECT_TRUE(waitFor([&] { return std::abs(live().store(1).offsets[8].geometry[0] - before) < 1e-9; }, 10));
+    EXPECT_TRUE(waitFor([&] { return std::abs(live().store(1).offsets[8].geometry[0] - before) < 1e-9; }));
     ASSERT_TRUE(g_controller->press("mode L1=auto"));
 }
 
@@ -372,7 +370,7 @@ TEST_F(PanelTasks, TotalsAreOfTheSameMomentAsTheCycle) {
     ASSERT_TRUE(waitFor([&] {
         follow(50);
         return live().table().numbers[power] != storedBefore;
-    }, 30));
+    }));
     follow(100);
     const double operated = totals.ms(operation), on = totals.ms(power), cycle = live().channel(1).cycle_s;
     const std::int64_t tick = live().status().tick;
@@ -385,7 +383,7 @@ TEST_F(PanelTasks, TotalsAreOfTheSameMomentAsTheCycle) {
     ASSERT_TRUE(waitFor([&] {                                  // what is stored is the same: it only comes later
         follow(50);
         return std::abs(live().table().numbers[power] - totals.ms(power)) < 1'500;
-    }, 15));
+    }));
     QString shown;
     for (int row = 0; row < diagnosis.table().rows(); ++row)
         if (diagnosis.table().cell(row, 0).text == "Power on") shown = diagnosis.table().cell(row, 2).text;
@@ -394,7 +392,7 @@ TEST_F(PanelTasks, TotalsAreOfTheSameMomentAsTheCycle) {
         for (int row = 0; row < diagnosis.table().rows(); ++row)
             if (diagnosis.table().cell(row, 0).text == "Power on") return diagnosis.table().cell(row, 2).text != shown;
         return false;
-    }, 3)) << "it stands for ten seconds: " << shown.toStdString();
+    })) << "it stands for ten seconds: " << shown.toStdString();
     EXPECT_EQ(totals.ms(params::n2306_no_of_total_parts.first_slot), -1) << "no time";
 }
 
@@ -405,7 +403,7 @@ TEST_F(PanelTasks, CountersShowWhatTheySay) {
     hand.screen("diagnosis");
     Diagnosis& diagnosis = screenOf<Diagnosis>();
     diagnosis.turnTo(4);
-    ASSERT_TRUE(waitFor([&] { return params::get(live().table(), params::n2308_no_of_parts_reqrd, 1) == 77; }, 10));
+    ASSERT_TRUE(waitFor([&] { return params::get(live().table(), params::n2308_no_of_parts_reqrd, 1) == 77; }));
     bool found = false;
     for (int row = 0; row < diagnosis.table().rows(); ++row) {
         const QString title = diagnosis.table().cell(row, 0).text, value = diagnosis.table().cell(row, 2).text;

@@ -47,15 +47,15 @@ TEST_F(Positions, ContainToolOffsetAndNoseRadiusAsF3104Says) {
         SCOPED_TRACE(row.bits);
         runTo({QString("F3104 L1=") + row.bits});
         ASSERT_FALSE(HasFatalFailure());
-        EXPECT_TRUE(waitFor([&] { return std::abs(shownAt(1) - row.z) < 1e-6; }, 5)) << shownAt(1);
+        EXPECT_TRUE(waitFor([&] { return std::abs(shownAt(1) - row.z) < 1e-6; })) << shownAt(1);
         EXPECT_NEAR(shownAt(0), row.x, 1e-6);
     }
     // A reset ends compensation: the tool stands where it stands.
     g_controller->press("reset");
     ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Reset; }));
-    EXPECT_TRUE(waitFor([&] { return std::abs(shownAt(1) + 10.8) < 1e-6; }, 5)) << shownAt(1);
+    EXPECT_TRUE(waitFor([&] { return std::abs(shownAt(1) + 10.8) < 1e-6; })) << shownAt(1);
     // ... and cancels the tool offset (1.6): nothing is left that DAL could take off.
-    EXPECT_TRUE(waitFor([&] { return std::abs(shownAt(0) - 25.1) < 1e-6; }, 5)) << shownAt(0);
+    EXPECT_TRUE(waitFor([&] { return std::abs(shownAt(0) - 25.1) < 1e-6; })) << shownAt(0);
 }
 
 // fanuc_lathe 10.5: absolute displays are rectangular, the machine's show the axes. 30 degrees: X 30 (radius) is 34.641 of the slide,
@@ -64,19 +64,17 @@ TEST_F(Positions, AreAtRightAnglesWhereTheSlideIsInclined) {
     runTo({"F8210 L1=30", "F8200 L1=00000001"}, "O77\nG40 G98\nG0 X60. Z10.\nM0\nM30\n");
     ASSERT_FALSE(HasFatalFailure());
     const auto stands = [&](unsigned place, double at) { return std::abs(live().status().axes[place].act - at) < 2e-3; };
-    EXPECT_TRUE(waitFor([&] { return stands(0, 34.641) && stands(1, -7.321); }, 5)) << live().status().axes[0].act << " " << live().status().axes[1].act;
+    EXPECT_TRUE(waitFor([&] { return stands(0, 34.641) && stands(1, -7.321); })) << live().status().axes[0].act << " " << live().status().axes[1].act;
     EXPECT_NEAR(shownAt(0), 30.0, 2e-3);
     EXPECT_NEAR(shownAt(1), 10.0, 3e-3);   // of two axes
     // What is left of a block that has been stopped on its way, and what is there, are together where it ends: X 10 (a radius), Z 10.
     runTo({}, "O77\nG40 G98\nG0 X60. Z10.\nM0\nG1 X20. F200.\nM30\n");
     ASSERT_FALSE(HasFatalFailure());
     ASSERT_TRUE(g_controller->press("cycle_start L1"));
-    ASSERT_TRUE(waitFor([&] { return shownAt(0) < 28; }, 20));
+    ASSERT_TRUE(waitFor([&] { return shownAt(0) < 28; }));
     ASSERT_TRUE(g_controller->press("feed_hold L1"));
-    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Held && !(live().status().axes[0].flags & kMoving); }, 10));
-    QTest::qWait(300);
-    EXPECT_LT(live().toGo(1, 0), -1);
-    EXPECT_NEAR(shownAt(0) + live().toGo(1, 0), 10.0, 5e-3);
+    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Held && !(live().status().axes[0].flags & kMoving); }));
+    EXPECT_TRUE(waitFor([&] { return live().toGo(1, 0) < -1 && std::abs(shownAt(0) + live().toGo(1, 0) - 10.0) < 5e-3; }));
     EXPECT_NEAR(shownAt(1) + live().toGo(1, 1), 10.0, 5e-3);
     g_controller->press("reset");
     ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Reset; }));
@@ -90,7 +88,7 @@ TEST_F(Positions, AreAtRightAnglesWhereTheSlideIsInclined) {
     double x = 0;
     ASSERT_TRUE(live().fromZero(1, 0, live().status().axes[0].act, x));
     const double upright = x + live().view(1).picture.shift[0];
-    EXPECT_TRUE(waitFor([&] { return std::abs(live().store(1).zeros[3 * kChannelAxes] - 2 * upright) < 5e-3; }, 10)) << live().store(1).zeros[3 * kChannelAxes] << " is not " << 2 * upright;
+    EXPECT_TRUE(waitFor([&] { return std::abs(live().store(1).zeros[3 * kChannelAxes] - 2 * upright) < 5e-3; })) << live().store(1).zeros[3 * kChannelAxes] << " is not " << 2 * upright;
     EXPECT_GT(std::abs(2 * upright - 2 * live().status().axes[0].act), 1) << "the slide itself stands elsewhere";
     ASSERT_TRUE(g_controller->run({"params", "set", "F8200 L1=00000000", "--instance", g_controller->name}));
 }
@@ -101,9 +99,9 @@ TEST_F(Positions, KeepTheToolWhenAProgramIsSelected) {
     ASSERT_TRUE(g_controller->run({"offsets", "set", "L1", "9", "geometry", "X=40", "Z=30", "R=0", "T=3", "--instance", g_controller->name}));
     ASSERT_TRUE(g_controller->press("mode L1=mdi"));
     ASSERT_TRUE(g_controller->press("mdi L1 T0909"));
-    ASSERT_TRUE(waitFor([&] { return live().view(1).known && live().view(1).picture.geometry == 9; }, 30));
-    ASSERT_TRUE(waitFor([&] { return state(1) != ChannelState::Running && live().plc(signals::cp_turretopen(1)) == 0; }, 30));
-    QTest::qWait(100);
+    ASSERT_TRUE(waitFor([&] { return live().view(1).known && live().view(1).picture.geometry == 9; }));
+    ASSERT_TRUE(waitFor([&] { return state(1) != ChannelState::Running && live().plc(signals::cp_turretopen(1)) == 0; }));
+    frames(*window, 100);
     const double before = shownAt(1), tool = live().view(1).toolShift[1] - live().view(1).toolShown[1];
     ASSERT_GT(std::abs(tool), 1) << "the tool counts in what is shown";
     const QString path = g_controller->folder.filePath("O0078.nc");
@@ -112,7 +110,7 @@ TEST_F(Positions, KeepTheToolWhenAProgramIsSelected) {
     file.write("O78\nM30\n");
     file.close();
     ASSERT_TRUE(g_controller->press("select L1=" + path));
-    ASSERT_TRUE(waitFor([&] { return !live().view(1).known && !live().view(1).programs.empty() && QString::fromStdString(live().view(1).programs[0]).endsWith("O0078.nc"); }, 10));
+    ASSERT_TRUE(waitFor([&] { return !live().view(1).known && !live().view(1).programs.empty() && QString::fromStdString(live().view(1).programs[0]).endsWith("O0078.nc"); }));
     EXPECT_NEAR(shownAt(1), before, 1e-6);
 }
 
@@ -124,18 +122,18 @@ TEST_F(Positions, SettersAreReadByTheirKeys) {
     ASSERT_TRUE(run({"offsets", "set", "L1", "9", "geometry", "X=40", "Z=30", "R=0", "T=3"}));
     ASSERT_TRUE(g_controller->press("mode L1=mdi"));
     ASSERT_TRUE(g_controller->press("mdi L1 T0909"));
-    ASSERT_TRUE(waitFor([&] { return live().view(1).known && live().view(1).picture.geometry == 9; }, 30)) << live().view(1).picture.geometry;
-    ASSERT_TRUE(waitFor([&] { return state(1) != ChannelState::Running && live().plc(signals::cp_turretopen(1)) == 0; }, 30));
+    ASSERT_TRUE(waitFor([&] { return live().view(1).known && live().view(1).picture.geometry == 9; })) << live().view(1).picture.geometry;
+    ASSERT_TRUE(waitFor([&] { return state(1) != ChannelState::Running && live().plc(signals::cp_turretopen(1)) == 0; }));
     ASSERT_TRUE(g_controller->press("mode L1=jog"));
-    ASSERT_TRUE(waitFor([&] { return static_cast<ChannelMode>(live().channel(1).mode) == ChannelMode::Jog; }, 10));
+    ASSERT_TRUE(waitFor([&] { return static_cast<ChannelMode>(live().channel(1).mode) == ChannelMode::Jog; }));
     ASSERT_TRUE(run({"set", "CP_TMEAS L1=1"}));
     const auto touch = [&](int input) {
         ASSERT_TRUE(g_controller->press("jog A2- 3s"));
-        ASSERT_TRUE(waitFor([&] { return (live().status().axes[1].flags & kMoving) != 0; }, 10));
+        ASSERT_TRUE(waitFor([&] { return (live().status().axes[1].flags & kMoving) != 0; }));
         ASSERT_TRUE(run({"set", QString("input %1=1").arg(input)}));
-        ASSERT_TRUE(waitFor([&] { return live().channel(1).touched == -2 && live().channel(1).touched_at == (input == 5 ? 1u : 3u); }, 10));
+        ASSERT_TRUE(waitFor([&] { return live().channel(1).touched == -2 && live().channel(1).touched_at == (input == 5 ? 1u : 3u); }));
         ASSERT_TRUE(run({"release", QString("input %1").arg(input)}));
-        ASSERT_TRUE(waitFor([&] { return !(live().status().axes[1].flags & kMoving); }, 10));
+        ASSERT_TRUE(waitFor([&] { return !(live().status().axes[1].flags & kMoving); }));
     };
     Operator hand(*window);
     hand.screen("offsets");
@@ -147,14 +145,14 @@ TEST_F(Positions, SettersAreReadByTheirKeys) {
     hand.soft("Workpiece setter");
     hand.soft("Workpiece setter");
     const double zero = live().status().axes[1].skip - 30 - 3;
-    EXPECT_TRUE(waitFor([&] { return std::abs(live().store(1).zeros[2 * kChannelAxes + 1] - zero) < 1e-3; }, 10)) << live().store(1).zeros[2 * kChannelAxes + 1] << " is not " << zero;
+    EXPECT_TRUE(waitFor([&] { return std::abs(live().store(1).zeros[2 * kChannelAxes + 1] - zero) < 1e-3; })) << live().store(1).zeros[2 * kChannelAxes + 1] << " is not " << zero;
     touch(5);
     hand.soft("Tool offsets");
     hand.touchCell(offsets.table(), 10, 2);      // offset 11
     hand.soft("Tool setter");
     hand.soft("Tool setter");
     const double length = live().status().axes[1].skip - 12.5;
-    EXPECT_TRUE(waitFor([&] { return std::abs(live().store(1).offsets[11].geometry[2] - length) < 1e-3; }, 10)) << live().store(1).offsets[11].geometry[2] << " is not " << length;
+    EXPECT_TRUE(waitFor([&] { return std::abs(live().store(1).offsets[11].geometry[2] - length) < 1e-3; })) << live().store(1).offsets[11].geometry[2] << " is not " << length;
     ASSERT_TRUE(run({"release", "CP_TMEAS L1"}));
     ASSERT_TRUE(g_controller->press("mode L1=auto"));
 }

@@ -25,7 +25,7 @@ TEST(Screens, WaitForAControllerAndSaySo) {
     MainWindow window(nobody());
     window.resize(1280, 800);
     window.show();
-    QTest::qWait(50);
+    frames(window, 50);
     EXPECT_FALSE(window.desk().live.connected());
     speak(Tongue::Hungarian);
     const std::string why = window.desk().live.whyNot();   // in words and by the controller's name, not by that of a segment
@@ -39,7 +39,7 @@ TEST(Screens, WaitForAControllerAndSaySo) {
         const bool starts = QString(window.screen()->name()) == "programs";   // its pages start processes
         for (int page = 0; page < (starts ? 1 : window.screen()->pages()); ++page) {
             if (!starts) window.screen()->turnTo(page);
-            QTest::qWait(40);
+            frames(window, 40);
             for (Sheet* sheet : window.screen()->sheets())
                 if (const auto* table = dynamic_cast<Table*>(sheet); table && table->isEmpty()) { EXPECT_FALSE(table->whyEmpty().isEmpty()) << window.screen()->name() << " " << page + 1; }
         }
@@ -119,13 +119,13 @@ TEST(Screens, ShowTheSameAfterACrash) {
         for (std::size_t i = 0; i < window.screens().size(); ++i)
             if (QString(window.screens()[i]->name()) == name) window.showScreen(static_cast<int>(i));
     };
-    QTest::qWait(1'500);
+    frames(killed, 1'500);
     show(killed, "diagnosis");
     killed.screen()->turnTo(1);                  // within the screen: no other screen is shown behind it
     show(killed, "manual");
     killed.screen()->turnTo(1);
     const QString page = killed.screen()->state();
-    QTest::qWait(2'500);
+    frames(killed, 2'500);
     {
         MainWindow again(choices);
         EXPECT_STREQ(again.screen()->name(), "manual");

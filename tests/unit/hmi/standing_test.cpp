@@ -36,10 +36,10 @@ protected:
     }
     void stopAndOn(const std::function<void()>& look) {
         ASSERT_TRUE(g_controller->press("emergency_stop"));
-        ASSERT_TRUE(waitFor([&] { return live().status().machine_state == 0 && book().standing() != nullptr; }, 20));
+        ASSERT_TRUE(waitFor([&] { return live().status().machine_state == 0 && book().standing() != nullptr; }));
         look();
         ASSERT_TRUE(g_controller->press("machine_on"));
-        ASSERT_TRUE(waitFor([&] { return live().status().machine_state == 2; }, 20));
+        ASSERT_TRUE(waitFor([&] { return live().status().machine_state == 2; }));
     }
 };
 
@@ -54,7 +54,7 @@ TEST_F(StandingAlarms, AMessageOfTheProgramStandsUntilItGoesOn) {
     ASSERT_TRUE(g_controller->press("mode L1=auto"));
     ASSERT_TRUE(g_controller->press("select L1=" + file));
     ASSERT_TRUE(g_controller->press("cycle_start L1"));
-    ASSERT_TRUE(waitFor([&] { return now().kind == Plight::Kind::Stands && now().text.contains("CHECK THE INSERT"); }, 20)) << now().text.toStdString();
+    ASSERT_TRUE(waitFor([&] { return now().kind == Plight::Kind::Stands && now().text.contains("CHECK THE INSERT"); })) << now().text.toStdString();
     EXPECT_EQ(state(1), ChannelState::ProgramStop);
     EXPECT_EQ(book().standing(1), nullptr) << "it is no alarm";
     Operator hand(*window);
@@ -62,35 +62,35 @@ TEST_F(StandingAlarms, AMessageOfTheProgramStandsUntilItGoesOn) {
     EXPECT_TRUE(waitFor([&] {
         const auto& rows = screenOf<Alarms>().rows();
         return std::any_of(rows.begin(), rows.end(), [](const AlarmEntry& one) { return one.text.contains("CHECK THE INSERT"); });
-    }, 5)) << "it is on the page of what stands";
+    })) << "it is on the page of what stands";
     ASSERT_TRUE(g_controller->press("cycle_start L1"));
-    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Running; }, 20));
-    EXPECT_TRUE(waitFor([&] { return now().kind == Plight::Kind::None; }, 5)) << now().text.toStdString();
+    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::Running; }));
+    EXPECT_TRUE(waitFor([&] { return now().kind == Plight::Kind::None; })) << now().text.toStdString();
     g_controller->press("reset");
 }
 
 // An alarm is over with its channel's reset: a stop that comes later has other causes.
 TEST_F(StandingAlarms, WhatAResetHasEndedDoesNotComeBackWithAStop) {
     run("O7778\n#3000=7(INSERT BROKEN)\nM30\n");
-    ASSERT_TRUE(waitFor([&] { return stands("INSERT BROKEN"); }, 20)) << told();
+    ASSERT_TRUE(waitFor([&] { return stands("INSERT BROKEN"); })) << told();
     stopAndOn([&] { EXPECT_TRUE(stands("INSERT BROKEN")) << "nobody has reset its channel"; });
     EXPECT_TRUE(stands("INSERT BROKEN"));
     ASSERT_TRUE(g_controller->press("reset L1"));
-    ASSERT_TRUE(waitFor([&] { return !stands("INSERT BROKEN"); }, 20));
+    ASSERT_TRUE(waitFor([&] { return !stands("INSERT BROKEN"); }));
     stopAndOn([&] {
-        QTest::qWait(500);
+        frames(*window, 500);
         EXPECT_FALSE(stands("INSERT BROKEN"));
     });
 }
 
 TEST_F(StandingAlarms, ARefusedKeyIsShownForAWhileOnly) {
     ASSERT_TRUE(g_controller->press("mode L1=mdi"));
-    ASSERT_TRUE(waitFor([&] { return static_cast<ChannelMode>(live().channel(1).mode) == ChannelMode::Mdi; }, 20));
+    ASSERT_TRUE(waitFor([&] { return static_cast<ChannelMode>(live().channel(1).mode) == ChannelMode::Mdi; }));
     g_controller->press("cycle_start L1");
-    ASSERT_TRUE(waitFor([&] { return stands("PT0535"); }, 20));
-    EXPECT_TRUE(waitFor([&] { return !stands("PT0535"); }, 30));
+    ASSERT_TRUE(waitFor([&] { return stands("PT0535"); }));
+    EXPECT_TRUE(waitFor([&] { return !stands("PT0535"); }));
     stopAndOn([&] {
-        QTest::qWait(500);
+        frames(*window, 500);
         EXPECT_FALSE(stands("PT0535"));
     });
     ASSERT_TRUE(g_controller->press("mode L1=auto"));
@@ -103,21 +103,21 @@ TEST_F(StandingAlarms, TheAlarmOfADeadChannelStaysUntilItsReset) {
         if (one.name == "channel 2") pid = one.pid;
     ASSERT_GT(pid, 1);
     ASSERT_EQ(::kill(pid, SIGKILL), 0);
-    ASSERT_TRUE(waitFor([&] { return stands("PT0500"); }, 20));
+    ASSERT_TRUE(waitFor([&] { return stands("PT0500"); }));
     QTest::qWait(22'000);
     EXPECT_TRUE(stands("PT0500"));
     ASSERT_TRUE(g_controller->press("reset L2"));
-    ASSERT_TRUE(waitFor([&] { return state(2) == ChannelState::Reset; }, 30));
+    ASSERT_TRUE(waitFor([&] { return state(2) == ChannelState::Reset; }));
     ASSERT_TRUE(g_controller->press("reset L2"));   // of the one that has come for it
-    EXPECT_TRUE(waitFor([&] { return !stands("PT0500"); }, 20));
+    EXPECT_TRUE(waitFor([&] { return !stands("PT0500"); }));
 }
 
 // What the program says at its stop is found by the line, whatever else has been told meanwhile.
 TEST_F(StandingAlarms, TheMessageOfAStopIsFoundByItsLine) {
     run("O7779\nM0 (WAITS)\n#3006=1(TURN THE PART)\nM30\n");
-    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::ProgramStop; }, 20));
+    ASSERT_TRUE(waitFor([&] { return state(1) == ChannelState::ProgramStop; }));
     ASSERT_TRUE(g_controller->press("cycle_start L1"));
-    ASSERT_TRUE(waitFor([&] { return now().text.contains("TURN THE PART"); }, 20));
+    ASSERT_TRUE(waitFor([&] { return now().text.contains("TURN THE PART"); }));
     const AlarmEntry* said = book().toldAt(1, live().channel(1).line);
     ASSERT_NE(said, nullptr);
     EXPECT_TRUE(said->text.contains("TURN THE PART"));
@@ -128,7 +128,7 @@ TEST_F(StandingAlarms, TheMessageOfAStopIsFoundByItsLine) {
 // What the machine's builder tells stands as long as his PLC program tells it, and stops nothing by itself.
 TEST_F(StandingAlarms, ANoteOfTheBuilderStandsAsLongAsItIsTold) {
     ASSERT_TRUE(g_controller->set("PLC_NOTE=901"));
-    ASSERT_TRUE(waitFor([&] { return stands("PT0811"); }, 20));
+    ASSERT_TRUE(waitFor([&] { return stands("PT0811"); }));
     EXPECT_NE(book().told(0), nullptr);
     EXPECT_NE(live().status().machine_state, 0u);
     const auto inTopBar = [&] {                // it belongs to no channel, so no card shows it
@@ -139,8 +139,8 @@ TEST_F(StandingAlarms, ANoteOfTheBuilderStandsAsLongAsItIsTold) {
     };
     EXPECT_TRUE(waitFor(inTopBar, 5));
     ASSERT_TRUE(g_controller->set("PLC_NOTE=0"));
-    EXPECT_TRUE(waitFor([&] { return !stands("PT0811"); }, 20));
-    EXPECT_TRUE(waitFor([&] { return !inTopBar(); }, 5));
+    EXPECT_TRUE(waitFor([&] { return !stands("PT0811"); }));
+    EXPECT_TRUE(waitFor([&] { return !inTopBar(); }));
     EXPECT_EQ(book().told(0), nullptr);
     g_controller->run({"release", "--instance", g_controller->name, "PLC_NOTE"});
 }
@@ -150,7 +150,7 @@ TEST_F(StandingAlarms, ScreensThatComeLaterShowTheMachinesAlarmsOfThisStop) {
     stopAndOn([] {});
     QTest::qWait(3'000);                     // another stop, and not the same moment
     ASSERT_TRUE(g_controller->set("PLC_ESTOP=1"));
-    ASSERT_TRUE(waitFor([&] { return live().status().machine_state == 0; }, 20));
+    ASSERT_TRUE(waitFor([&] { return live().status().machine_state == 0; }));
     g_controller->press("machine_on");       // refused: the second alarm of the machine in this stop
     const auto ofMachine = [](const AlarmBook& of) {
         std::multiset<std::string> out;
@@ -158,19 +158,18 @@ TEST_F(StandingAlarms, ScreensThatComeLaterShowTheMachinesAlarmsOfThisStop) {
             if (one.standing && one.channel == 0) out.insert(one.number.toStdString());
         return out;
     };
-    EXPECT_TRUE(waitFor([&] { return ofMachine(book()).size() == 2; }, 20));
+    EXPECT_TRUE(waitFor([&] { return ofMachine(book()).size() == 2; }));
     const auto here = ofMachine(book());
     Choices choices;
     choices.instance = g_controller->name.toStdString();
     choices.language = "en", choices.theme = "dark";
     MainWindow later(choices);
     later.show();
-    EXPECT_TRUE(waitFor([&] { return ofMachine(later.desk().alarms) == here; }, 10)) << ofMachine(later.desk().alarms).size() << " of " << here.size();
+    EXPECT_TRUE(waitFor([&] { return ofMachine(later.desk().alarms) == here; })) << ofMachine(later.desk().alarms).size() << " of " << here.size();
     ASSERT_TRUE(g_controller->set("PLC_ESTOP=0"));
     g_controller->run({"release", "--instance", g_controller->name, "PLC_ESTOP"});
-    QTest::qWait(300);
-    ASSERT_TRUE(g_controller->press("machine_on"));
-    ASSERT_TRUE(waitFor([&] { return live().status().machine_state == 2; }, 20));
+    ASSERT_TRUE(waitFor([&] { return g_controller->press("machine_on"); }));
+    ASSERT_TRUE(waitFor([&] { return live().status().machine_state == 2; }));
 }
 
 // Drives that fail one after the other: the first one is the cause, and does not disappear behind the others. Last: the machine stays off.
@@ -181,7 +180,7 @@ TEST_F(StandingAlarms, TheFirstCauseStaysAmongThoseThatFollow) {
     };
     for (const char* axis : {"A1", "A2", "A3"}) {
         ASSERT_TRUE(g_controller->set(QString("drive %1=fault").arg(axis)));
-        ASSERT_TRUE(waitFor([&] { return stands(axis); }, 20)) << axis;
+        ASSERT_TRUE(waitFor([&] { return stands(axis); })) << axis;
     }
     EXPECT_TRUE(stands("A1") && stands("A2")) << told();
     EXPECT_GE(book().standingCount(), 3u);

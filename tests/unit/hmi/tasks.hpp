@@ -40,7 +40,7 @@ protected:
     // The same, held with its axes at rest: where something is measured by where they stand.
     void startAndHoldJob() {
         startJob();
-        QTest::qWait(300);
+        frames(*window, 300);
         ASSERT_TRUE(g_controller->press("feed_hold"));
         ASSERT_TRUE(waitFor([&] {
             const auto stands = [&](unsigned axis) { return !(live().status().axes[axis - 1].flags & kMoving); };

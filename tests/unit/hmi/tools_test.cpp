@@ -47,9 +47,9 @@ TEST_F(ToolTasks, AToolIsLoadedByKeysAlone) {
     hand.soft("Load");
     hand.key(Qt::Key_Right), hand.key(Qt::Key_Right);   // from station 1 to 3
     hand.key(Qt::Key_Return);
-    EXPECT_TRUE(waitFor([&] { return row(2).magazine == 1 && row(2).pot == 3; }, 10)) << row(2).magazine << "/" << row(2).pot;
+    EXPECT_TRUE(waitFor([&] { return row(2).magazine == 1 && row(2).pot == 3; })) << row(2).magazine << "/" << row(2).pot;
     hand.soft("Unload");
-    EXPECT_TRUE(waitFor([&] { return row(2).magazine == 0; }, 10));
+    EXPECT_TRUE(waitFor([&] { return row(2).magazine == 0; }));
 }
 
 TEST_F(ToolTasks, AToolIsDraggedFromTheListFromPlaceToPlaceAndBack) {
@@ -65,14 +65,14 @@ TEST_F(ToolTasks, AToolIsDraggedFromTheListFromPlaceToPlaceAndBack) {
     const auto station = [&](int number) { return tools.picture().boxOf(tools.picture().placeHit(number)).center().toPoint(); };
     const QPoint line = tools.list().cellBox(tools.rowOf(3), 1).center().toPoint();
     drag(&tools.list(), line, &tools.picture(), station(7));
-    ASSERT_TRUE(waitFor([&] { return row(3).magazine == 1 && row(3).pot == 7; }, 10)) << row(3).magazine << "/" << row(3).pot;
+    ASSERT_TRUE(waitFor([&] { return row(3).magazine == 1 && row(3).pot == 7; })) << row(3).magazine << "/" << row(3).pot;
     drag(&tools.picture(), station(7), &tools.picture(), station(9));
-    ASSERT_TRUE(waitFor([&] { return row(3).pot == 9; }, 10)) << row(3).pot;
+    ASSERT_TRUE(waitFor([&] { return row(3).pot == 9; })) << row(3).pot;
     drag(&tools.picture(), station(9), &tools.picture(), station(1));   // taken: the store refuses, it stays
-    QTest::qWait(400);
+    frames(*window, 400);
     EXPECT_EQ(row(3).pot, 9);
     drag(&tools.picture(), station(9), &tools.list(), tools.list().rect().center());
-    EXPECT_TRUE(waitFor([&] { return row(3).magazine == 0; }, 10));
+    EXPECT_TRUE(waitFor([&] { return row(3).magazine == 0; }));
 }
 
 TEST_F(ToolTasks, TheListIsFilteredByWhatIsTypedAndByState) {
@@ -89,7 +89,7 @@ TEST_F(ToolTasks, TheListIsFilteredByWhatIsTypedAndByState) {
     hand.soft("Filter"), hand.soft("Filter");    // not loaded, to be replaced
     EXPECT_EQ(tools.list().rows(), 0);
     ASSERT_TRUE(g_controller->run({"tools", "set", "2", "worn=1", "--instance", g_controller->name}));
-    EXPECT_TRUE(waitFor([&] { return tools.list().rows() == 1; }, 10));
+    EXPECT_TRUE(waitFor([&] { return tools.list().rows() == 1; }));
 }
 
 TEST_F(ToolTasks, DataAreEnteredAndWrongOnesRefused) {
@@ -101,13 +101,13 @@ TEST_F(ToolTasks, DataAreEnteredAndWrongOnesRefused) {
     ASSERT_EQ(tools.table().cell(4, 0).text, "Offset number");
     hand.touchCell(tools.table(), 4, 1);
     hand.type("23"), hand.key(Qt::Key_Return);
-    EXPECT_TRUE(waitFor([&] { return row(2).h_cell == 23; }, 10)) << row(2).h_cell;
+    EXPECT_TRUE(waitFor([&] { return row(2).h_cell == 23; })) << row(2).h_cell;
     hand.touchCell(tools.table(), 0, 1);
     hand.type("FIN"), hand.key(Qt::Key_Return);
-    EXPECT_TRUE(waitFor([&] { return toolName(row(2), 2) == "FIN"; }, 10)) << toolName(row(2), 2).toStdString();
+    EXPECT_TRUE(waitFor([&] { return toolName(row(2), 2) == "FIN"; })) << toolName(row(2), 2).toStdString();
     hand.touchCell(tools.table(), 4, 1);
     hand.type("5000"), hand.key(Qt::Key_Return);   // cells go to 999
-    QTest::qWait(400);
+    frames(*window, 400);
     EXPECT_EQ(row(2).h_cell, 23);
     noWordIsShortened(*window);
 }
@@ -118,7 +118,7 @@ TEST_F(ToolTasks, LifeTellsWhatStopsTheMachineFirst) {
     hand.screen("tools");
     Tools& tools = screenOf<Tools>();
     hand.soft("Life");
-    ASSERT_TRUE(waitFor([&] { return tools.table().rows() == 3; }, 10));
+    ASSERT_TRUE(waitFor([&] { return tools.table().rows() == 3; }));
     hand.soft("Pallets");
     hand.soft("Presetter");
     noWordIsShortened(*window);
@@ -136,8 +136,8 @@ TEST_F(ToolTasks, ReplaceAWornInsertFromMessageToRestartInTwelveActions) {
     ASSERT_TRUE(g_controller->run({"tools", "set", "1", "life=1", "counter=0", "warning=0", "--instance", g_controller->name}));
     ASSERT_TRUE(g_controller->press("select L1=" + g_controller->folder.filePath("tool_a.nc")) && g_controller->press("select L2=" + g_controller->folder.filePath("tool_b.nc")));
     ASSERT_TRUE(g_controller->press("cycle_start"));
-    ASSERT_TRUE(waitFor([&] { return (row(1).state & kToolWorn) != 0; }, 30)) << row(1).counter;
-    ASSERT_TRUE(waitFor([&] { return state(1) != ChannelState::Running && state(2) != ChannelState::Running; }, 30));
+    ASSERT_TRUE(waitFor([&] { return (row(1).state & kToolWorn) != 0; })) << row(1).counter;
+    ASSERT_TRUE(waitFor([&] { return state(1) != ChannelState::Running && state(2) != ChannelState::Running; }));
     Operator hand(*window);                      // the message is there: from here on it is the operator's turn
     hand.screen("alarms");
     hand.screen("tools");
@@ -146,13 +146,13 @@ TEST_F(ToolTasks, ReplaceAWornInsertFromMessageToRestartInTwelveActions) {
     EXPECT_EQ(tools.tool(), 1);
     hand.soft("New insert");
     hand.soft("New insert");                     // asked once more
-    ASSERT_TRUE(waitFor([&] { return !(row(1).state & kToolWorn) && row(1).counter == 0; }, 10));
+    ASSERT_TRUE(waitFor([&] { return !(row(1).state & kToolWorn) && row(1).counter == 0; }));
     hand.screen("overview");
     hand.soft("Reset all");
     hand.soft("Start all");
     hand.soft("Start all");                      // asked once more
     EXPECT_LE(hand.actions, 12);
-    EXPECT_TRUE(waitFor([&] { return row(1).counter == 1; }, 30)) << "the next part is made with the new insert";
+    EXPECT_TRUE(waitFor([&] { return row(1).counter == 1; })) << "the next part is made with the new insert";
     parameter("N2900=00000000");
 }
 

@@ -82,9 +82,9 @@ protected:
         g_controller->run({"tools", "add", "1", "name=ROUGH_80", "type=1", "h=1", "kind=500", "life_kind=minutes", "life=60", "counter=58", "warning=5", "--instance", g_controller->name});
         g_controller->run({"tools", "load", "1", "1", "1", "--instance", g_controller->name});
         // An alarm for the book. What the test before has left may still be coming to its end: pressed until it is taken.
-        ASSERT_TRUE(waitFor([&] { return window->desk().alarms.standing() || (g_controller->press("select L1=/nowhere/at/all.nc"), g_controller->press("cycle_start L1"), QTest::qWait(300), window->desk().alarms.standing()); }, 20));
+        ASSERT_TRUE(waitFor([&] { return window->desk().alarms.standing() || (g_controller->press("select L1=/nowhere/at/all.nc"), g_controller->press("cycle_start L1"), QTest::qWait(300), window->desk().alarms.standing()); }));
         g_controller->press("reset");
-        QTest::qWait(200);
+        frames(*window, 200);
         startJob();
         ASSERT_TRUE(waitFor([&] { return state(2) == ChannelState::Waiting || state(1) == ChannelState::Waiting; }));
     }
@@ -160,7 +160,7 @@ TEST_F(Words, NoneIsLeftInEnglish) {
 TEST_F(Words, AllFitOnEveryPanelWhileTheMachineWorks) {
     for (const QSize size : {QSize(1024, 768), QSize(1920, 1080)}) {
         window->resize(size);
-        QTest::qWait(100);
+        frames(*window, 100);
         noWordIsShortened(*window, ProgramPages::All);
         for (const Tongue tongue : kTongues) {
             window->setTongue(tongue);
@@ -171,7 +171,7 @@ TEST_F(Words, AllFitOnEveryPanelWhileTheMachineWorks) {
                 if (name != "graphics" && name != "diagnosis" && name != "tools") continue;   // with pictures
                 for (int page = 0; page < (name == "graphics" ? 2 : window->screen()->pages()); ++page) {
                     window->screen()->turnTo(page);
-                    QTest::qWait(20);
+                    frames(*window, 20);
                     window->grab();
                 }
             }
@@ -189,7 +189,7 @@ TEST_F(Words, ARefusalIsReadInTheLanguageOfTheScreens) {
         Answer answer;
         bool come = false;
         window->desk().requests.store(wrong, [&](const Answer& one) { answer = one, come = true; }, true);
-        ASSERT_TRUE(waitFor([&] { return come; }, 10));
+        ASSERT_TRUE(waitFor([&] { return come; }));
         EXPECT_FALSE(answer.ok);
         EXPECT_TRUE(kCyrillic.match(answer.text).hasMatch()) << answer.text.toStdString();
         EXPECT_TRUE(kCyrillic.match(answer.remedy).hasMatch()) << answer.remedy.toStdString();
