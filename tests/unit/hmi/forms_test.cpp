@@ -124,7 +124,7 @@ TEST_F(Forms, ACallInBracketsIsAFormToo) {
     file.close();
     ASSERT_TRUE(editor().open(place, "sinumerik"));
     CycleFormPage& form = editor().form();
-    const auto allFits = [&form] {
+    const auto allFits = [&form, this] {
         frames(*window, 60);   // drawn with the next frame
         for (Sheet* one : form.sheets())
             for (const QString& text : one->shortened()) ADD_FAILURE() << text.toStdString();
