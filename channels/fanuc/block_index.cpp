@@ -9,6 +9,7 @@ namespace polyturn::channels::fanuc {
 namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
+constexpr std::uint64_t kBytes = (std::uint64_t{1} << 48) - 1;
 constexpr std::uint64_t kNoEnd = std::numeric_limits<std::uint64_t>::max();
 
 }  // namespace
@@ -46,10 +47,13 @@ void BlockIndex::build(LineSource& source) {
         const TextPosition at = source.position();
         if (!line.empty() && line[0] == '%') {
             marks_.push_back({at.offset, at.line, -1, blocks_.size()});
-        } else if (const std::int64_t program = leading_number(line, 'O', true); program >= 0) {
-            marks_.push_back({at.offset, at.line, program, blocks_.size()});
-        } else if (const std::int64_t number = leading_number(line, 'N', false); number >= 0 && number <= std::numeric_limits<std::uint32_t>::max()) {
-            blocks_.push_back({static_cast<std::uint32_t>(number), at.line, at.offset});
+            continue;
+        }
+        if (const std::int64_t program = leading_number(line, 'O', true); program >= 0) marks_.push_back({at.offset, at.line, program, blocks_.size()});
+        for (std::size_t column = 0; column != std::string_view::npos; column = next_block(line, column)) {
+            const std::int64_t number = leading_number(line.substr(column), 'N', false);
+            if (number < 0 || number > std::numeric_limits<std::uint32_t>::max()) continue;
+            blocks_.push_back({static_cast<std::uint32_t>(number), at.line, (at.offset + column) & kBytes, column & 0xFFFFu});
         }
     }
     source.seek(now);
@@ -76,13 +80,13 @@ std::uint64_t BlockIndex::end_of(std::uint64_t begin) const {
     return kNoEnd;
 }
 
-std::optional<TextPosition> BlockIndex::block(std::int64_t number, std::uint64_t begin, std::uint64_t here) const {
+std::optional<TextPlace> BlockIndex::block(std::int64_t number, std::uint64_t begin, std::uint64_t here) const {
     if (number < 0 || number > std::numeric_limits<std::uint32_t>::max()) return std::nullopt;
-    const auto find = [&](std::uint64_t from, std::uint64_t until) -> std::optional<TextPosition> {
-        const Block wanted{static_cast<std::uint32_t>(number), 0, from};
+    const auto find = [&](std::uint64_t from, std::uint64_t until) -> std::optional<TextPlace> {
+        const Block wanted{static_cast<std::uint32_t>(number), 0, from & kBytes, 0};
         const auto found = std::lower_bound(blocks_.begin(), blocks_.end(), wanted);
-        if (found == blocks_.end() || found->number != wanted.number || found->offset >= until) return std::nullopt;
-        return TextPosition{found->offset, found->line};
+        if (found == blocks_.end() || found->number != wanted.number || found->byte >= until) return std::nullopt;
+        return TextPlace({found->byte - found->column, found->line}, found->column);
     };
     const std::uint64_t end = end_of(begin);
     if (const auto ahead = find(std::max(here, begin), end)) return ahead;

@@ -8,11 +8,11 @@
 #include <optional>
 #include <vector>
 
-#include "channels/text/line_source.hpp"
+#include "channels/fanuc/text_place.hpp"
 
 namespace polyturn::channels::fanuc {
 
-// The number behind `letter` at the beginning of a line, behind blanks and block skip signs; -1: another line.
+// The number behind `letter` at the beginning of a block, behind blanks and block skip signs; -1: another block.
 std::int64_t leading_number(std::string_view line, char letter, bool colon);
 
 class BlockIndex {
@@ -21,15 +21,15 @@ public:
     void build(LineSource& source);
     bool built() const { return built_; }
     // Block N of the program that begins at `begin`: the next one from `here` on, else the first one before it.
-    std::optional<TextPosition> block(std::int64_t number, std::uint64_t begin, std::uint64_t here) const;
+    std::optional<TextPlace> block(std::int64_t number, std::uint64_t begin, std::uint64_t here) const;
     std::optional<TextPosition> program(std::int64_t number) const;
 
 private:
     struct Block {
         std::uint32_t number, line;
-        std::uint64_t offset;
-        auto operator<=>(const Block& other) const { return number != other.number ? number <=> other.number : offset <=> other.offset; }
-        bool operator==(const Block&) const = default;
+        std::uint64_t byte : 48, column : 16;   // of the block; LineSource::kLongestLine
+        auto operator<=>(const Block& other) const { return number != other.number ? number <=> other.number : byte <=> other.byte; }
+        bool operator==(const Block& other) const { return number == other.number && byte == other.byte; }
     };
     struct Mark {
         std::uint64_t offset;

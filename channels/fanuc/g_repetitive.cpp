@@ -96,7 +96,7 @@ bool Interpreter::read_contour(cycles::Contour& contour, ContourText& text) {
         reader.variables_.begin_block(1);
         reader.reads_contour_ = true;
         reader.source_ = source_;
-        source_->seek(text.first);
+        reader.go_on_at(text.first);
         good = read_contour_blocks(recorder, reader, text);
         if (!good) core_.set_fault(reader.core_.fault());
         reader.variables_.undo().back_to(0);
@@ -155,7 +155,7 @@ bool Interpreter::read_contour_blocks(cycles::ContourRecorder& recorder, Interpr
             contour.elements.clear();
         }
         if (core.at.block == text.last && reader.frames_.size() == depth) {
-            text.behind = reader.source_->next_position();
+            text.behind = reader.place_behind(reader.column_);
             return true;
         }
     }
@@ -169,9 +169,7 @@ void Interpreter::after_contour(const ContourText& text) {
     const bool skips = settings_.nct ? text.directly && params::bit(core_.view().table(), params::n1611_turning_cyc_config, core_.view().channel, 1)
                                      : text.first.offset >= source_->next_position().offset;
     if (!skips) return;
-    source_->seek(text.behind);
-    jumped_ = true;
-    line_left_ = false;
+    go_on_at(text.behind);
 }
 
 bool Interpreter::g_stock_removal(const GCode& row) {
@@ -267,9 +265,7 @@ bool Interpreter::g_finishing(const GCode& row) {
     ContourText text;
     if (!read_contour(contour, text)) return false;
     finishing_ = {true, row.name, text.last, source_->next_position(), frames_.size(), core_.path.programmed};
-    source_->seek(text.first);
-    jumped_ = true;
-    line_left_ = false;
+    go_on_at(text.first);
     return true;
 }
 
@@ -282,9 +278,7 @@ bool Interpreter::end_finishing() {
     core_.end_cycle();
     if (!driven) return false;
     finishing_.active = false;
-    source_->seek(finishing_.resume);
-    jumped_ = true;
-    line_left_ = false;
+    go_on_at(finishing_.resume);
     return true;
 }
 

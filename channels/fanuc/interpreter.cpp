@@ -377,9 +377,9 @@ Step Interpreter::read_block() {
         program_number_ = static_cast<std::int64_t>(block_.value('O'));
     }
     blocks_begun_ = true;
+    behind_ = next_column;
     const Step step = nc_block();
     if (!jumped_ && !reread_) column_ = next_column;
-    else if (jumped_) line_left_ = false;
     return step;
 }
 
@@ -394,8 +394,8 @@ const BlockIndex& Interpreter::index_of(FileId file) {
     return *indexes_[file];
 }
 
-std::optional<TextPosition> Interpreter::find_block(std::int64_t number) {
-    return index_of(frames_.back().file).block(number, frames_.back().begin.offset, source_->next_position().offset);
+std::optional<TextPlace> Interpreter::find_block(std::int64_t number) {
+    return index_of(frames_.back().file).block(number, frames_.back().begin.offset, place_behind(behind_).byte());
 }
 
 bool Interpreter::jump_to(std::int64_t number) {
@@ -405,12 +405,20 @@ bool Interpreter::jump_to(std::int64_t number) {
     return true;
 }
 
-void Interpreter::go_to(TextPosition position) {
-    if (position.offset <= source_->position().offset) fresh_ = false;   // a loop asks the machine anew each time
-    source_->seek(position);
-    jumped_ = true;
-    line_left_ = false;
+void Interpreter::go_to(const TextPlace& place) {
+    if (place.offset <= source_->position().offset) fresh_ = false;   // a loop asks the machine anew each time
+    go_on_at(place);
 }
+
+// The block there is the next to be read.
+void Interpreter::go_on_at(const TextPlace& place) {
+    source_->seek(place);
+    jumped_ = true;
+    line_left_ = place.column != 0 && source_->next(line_) == LineSource::Status::Line;
+    if (line_left_) column_ = behind_ = place.column;
+}
+
+TextPlace Interpreter::place_behind(std::size_t column) const { return line_left_ ? TextPlace(source_->position(), column) : TextPlace(source_->next_position()); }
 
 std::optional<TextPosition> Interpreter::find_program_in(FileId file, std::int64_t number) { return index_of(file).program(number); }
 
@@ -445,12 +453,7 @@ bool Interpreter::enter_program(FileId file, std::int64_t number, std::int64_t r
     CallLevel frame;
     frame.file = file;
     if (const auto begin = find_program_in(file, number)) frame.begin = *begin;
-    if (line_left_) {
-        frame.resume = source_->position();
-        frame.resume_column = scanner_.stopped_at();
-    } else {
-        frame.resume = source_->next_position();
-    }
+    frame.resume = place_behind(behind_);
     frame.repeats = repeats - 1;
     frame.macro = arguments != nullptr;
     frame.by_code = by_code;
@@ -503,18 +506,9 @@ bool Interpreter::return_from(bool has_target, std::int64_t target) {
     if (done.modal_call) modal_calls_ = std::move(done.outer_modals);
     program_number_ = done.outer_program;
     source_ = &files_->source(frames_.back().file);
-    source_->seek(done.resume);
+    go_on_at(done.resume);
     blocks_begun_ = true;
-    jumped_ = true;
-    line_left_ = false;
-    if (has_target) return jump_to(target);
-    if (done.resume_column) {   // the call stood before a ';' in its line
-        if (source_->next(line_) == LineSource::Status::Line) {
-            column_ = done.resume_column;
-            line_left_ = true;
-        }
-    }
-    return true;
+    return has_target ? jump_to(target) : true;
 }
 
 bool Interpreter::block_skip(unsigned number) { return core_.port().block_skip(number); }

@@ -144,11 +144,13 @@ private:
     void finish(StopReason reason);
     void clear_modal();
     const BlockIndex& index_of(FileId file);
-    std::optional<TextPosition> find_block(std::int64_t number);
+    std::optional<TextPlace> find_block(std::int64_t number);
+    TextPlace place_behind(std::size_t column) const;   // `column` of the line in hand while it holds a further block, else the next line
+    void go_on_at(const TextPlace& place);
     std::optional<TextPosition> find_program_in(FileId file, std::int64_t number);
     bool read_line(LineSource::Status& status);
     bool jump_to(std::int64_t number);
-    void go_to(TextPosition position);
+    void go_to(const TextPlace& place);
     bool enter_program(FileId file, std::int64_t number, std::int64_t repeats, const LocalSet* arguments, bool by_code, bool modal);
     void look_whether_hidden();
     bool call_levels_left(bool macro, bool modal, char letter);
@@ -389,6 +391,7 @@ private:
     std::string_view line_;
     std::size_t column_ = 0;          // next byte of line_ to read
     bool line_left_ = false;          // line_ holds a further block
+    std::size_t behind_ = 0;          // and that one begins here, while the block before it acts
     bool tape_begun_ = false;         // a % was read
     bool ended_by_code_ = false;      // by M02 or M30
     bool blocks_begun_ = false;       // of the running program text

@@ -11,11 +11,11 @@
 
 #include "channels/dialogue.hpp"
 #include "channels/fanuc/g_codes.hpp"
+#include "channels/fanuc/text_place.hpp"
 #include "channels/fanuc/variables.hpp"
 #include "channels/program_files.hpp"
 #include "channels/state/core.hpp"
 #include "channels/text/byte_stream.hpp"
-#include "channels/text/line_source.hpp"
 
 namespace polyturn::channels::fanuc {
 
@@ -31,8 +31,7 @@ struct ModalCall {
 // A program that is being run: the main program, a subprogram or a macro.
 struct CallLevel {
     FileId file = 0;
-    TextPosition resume;             // where the caller goes on
-    std::size_t resume_column = 0;   // byte in that line
+    TextPlace resume;                // where the caller goes on
     TextPosition begin;              // first block of the program, for repetitions and jumps
     std::int64_t repeats = 0;        // calls still to come after this one
     bool macro = false;              // it has local variables of its own
@@ -48,7 +47,7 @@ struct CallLevel {
 
 struct Loop {
     std::uint8_t number = 0;
-    TextPosition at;
+    TextPlace at;
 };
 
 // The page that G65 H90 to H94 build; it is asked where the program ends that has built it.
@@ -98,7 +97,7 @@ struct BStep {
 };
 
 struct ContourText {
-    TextPosition first, behind;      // block P; the line behind block Q
+    TextPlace first, behind;         // block P; what follows block Q
     std::int64_t last = 0;           // Q
     bool directly = false;           // nothing stands between the cycle and block P
 };
@@ -113,7 +112,7 @@ struct Finishing {                // G70 drives the blocks P to Q
     bool active = false;
     std::string_view name;
     std::int64_t last = 0;        // Q
-    TextPosition resume;
+    TextPlace resume;
     std::size_t depth = 0;        // of frames_
     AxisValues start{};
 };

@@ -104,8 +104,7 @@ bool Interpreter::interrupt(std::uint64_t serial, bool within, unsigned) {
     if (const auto file = files_->find_number(interrupting_.program)) frame.file = *file;
     else frame.file = frames_.front().file;
     if (const auto begin = find_program_in(frame.file, interrupting_.program)) frame.begin = *begin;
-    frame.resume = line_left_ ? source_->position() : source_->next_position();
-    frame.resume_column = line_left_ ? column_ : 0;
+    frame.resume = place_behind(column_);
     frame.macro = settings_.interrupt.own_locals;
     frame.loops = loops_.size();
     frame.outer_program = program_number_;
@@ -155,9 +154,8 @@ bool Interpreter::return_from_interrupt(bool has_target, std::int64_t target) {
     if (done.macro) variables_.pop_locals();
     program_number_ = done.outer_program;
     source_ = &files_->source(frames_.back().file);
-    source_->seek(done.resume);
-    blocks_begun_ = jumped_ = state_changed_ = true;
-    line_left_ = false;
+    go_on_at(done.resume);
+    blocks_begun_ = state_changed_ = true;
     interruption_.running = false;
     if (!has_target) {
         const ResumeState& before = *interrupted_;
@@ -183,12 +181,7 @@ bool Interpreter::return_from_interrupt(bool has_target, std::int64_t target) {
         if (interruption_.side != CompSide::Off && core_.compensation(interruption_.side)) core_.compensation_resumes();
     }
     if (interrupting_.on) arm_interrupts(true);
-    if (has_target) return jump_to(target);
-    if (done.resume_column && source_->next(line_) == LineSource::Status::Line) {
-        column_ = done.resume_column;
-        line_left_ = true;
-    }
-    return true;
+    return has_target ? jump_to(target) : true;
 }
 
 }  // namespace polyturn::channels::fanuc

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <unordered_map>
 
-#include "channels/text/line_source.hpp"
+#include "channels/fanuc/text_place.hpp"
 
 namespace polyturn::channels::fanuc {
 
@@ -15,15 +15,15 @@ class JumpMemory {
 public:
     struct Place {
         std::uint32_t file = 0;
-        std::uint64_t from = 0, begin = 0;   // offsets in the text
+        std::uint64_t from = 0, begin = 0;   // bytes of the text
         std::int64_t number = 0;             // of the block or program; a loop's END: negative
         bool operator==(const Place&) const = default;
     };
-    const TextPosition* find(const Place& place) const {
+    const TextPlace* find(const Place& place) const {
         const auto found = known_.find(place);
         return found == known_.end() ? nullptr : &found->second;
     }
-    void remember(const Place& place, TextPosition to) {
+    void remember(const Place& place, TextPlace to) {
         if (known_.size() >= kMost) known_.clear();
         known_.emplace(place, to);
     }
@@ -37,7 +37,7 @@ private:
             return static_cast<std::size_t>(h ^ h >> 29);
         }
     };
-    std::unordered_map<Place, TextPosition, Hash> known_;
+    std::unordered_map<Place, TextPlace, Hash> known_;
 };
 
 }  // namespace polyturn::channels::fanuc

@@ -103,17 +103,16 @@ Step Interpreter::macro_statement(std::size_t from) {
     if (const std::uint8_t number = loop_word(line_.substr(from), ends); number && !ends && !loops_nest(number, from)) return fault(core_.fault());
     const char* at = line_.data() + from;
     const char* const end = line_.data() + line_.size();
+    const std::size_t next = next_block(line_, from);
+    line_left_ = next != std::string_view::npos;
+    behind_ = next;
     Flow flow = run_statement(at, end);
     if (flow == Flow::Done && !jumped_) {
         blanks(at, end);
         if (at != end && *at == '(') comment_text(at, end);
         blanks(at, end);
-        if (at != end && *at == ';') {
-            line_left_ = true;
-            column_ = static_cast<std::size_t>(at - line_.data()) + 1;
-        } else if (at != end) {
-            flow = flow_fault(Alarm::MacroFormat, at, std::string(at, end));
-        }
+        if (at != end && *at != ';') flow = flow_fault(Alarm::MacroFormat, at, std::string(at, end));
+        else column_ = next;
     }
     if (flow == Flow::NeedsBarrier) {
         read_value_barrier();
@@ -160,7 +159,7 @@ Interpreter::Flow Interpreter::run_statement(const char*& at, const char* end) {
     if (take(at, end, "GOTO")) return jump(at, end);
     if (take(at, end, "WHILE")) {
         bool holds = false;
-        const TextPosition here = source_->position();
+        const TextPlace here(source_->position(), column_);
         if (const Flow flow = condition(at, end, holds); flow != Flow::Done) return flow;
         if (!take(at, end, "DO")) return flow_fault(Alarm::MacroFormat, at, "WHILE without DO");
         std::uint8_t number = 0;
@@ -175,7 +174,7 @@ Interpreter::Flow Interpreter::run_statement(const char*& at, const char* end) {
         std::uint8_t number = 0;
         if (const Flow flow = loop_number(at, end, number); flow != Flow::Done) return flow;
         while (loops_.size() > frames_.back().loops && loops_.back().number == number) loops_.pop_back();
-        loops_.push_back({number, source_->position()});
+        loops_.push_back({number, TextPlace(source_->position(), column_)});
         return Flow::Done;
     }
     if (take(at, end, "END")) {
@@ -186,10 +185,8 @@ Interpreter::Flow Interpreter::run_statement(const char*& at, const char* end) {
         if (found == frames_.back().loops) return flow_fault(Alarm::DoEndMismatch, begin);
         const Loop loop = loops_[found - 1];
         loops_.resize(found - 1);   // loops inside were left by a jump
-        source_->seek(loop.at);
         fresh_ = false;   // the condition is asked of the machine anew
-        jumped_ = true;
-        line_left_ = false;
+        go_on_at(loop.at);
         return Flow::Done;
     }
     std::string letters;
@@ -219,7 +216,7 @@ Interpreter::Flow Interpreter::loop_number(const char*& at, const char* end, std
     return Flow::Done;
 }
 
-// The number of a loop that a line begins or ends, behind block number and skip signs: 0 neither. `ends`: it is an END.
+// The number of a loop that a block begins or ends, behind block number and skip signs: 0 neither. `ends`: it is an END.
 std::uint8_t Interpreter::loop_word(std::string_view line, bool& ends) {
     const char* at = line.data();
     const char* const end = at + line.size();
@@ -250,23 +247,29 @@ std::uint8_t Interpreter::loop_word(std::string_view line, bool& ends) {
 
 // Each DO from here on has its END, and they do not cross (fanuc_lathe 6.8). Looked at once for each place.
 bool Interpreter::loops_nest(std::uint8_t number, std::size_t from) {
-    const auto place = std::pair(frames_.back().file, source_->position().offset);
+    const auto place = std::pair(frames_.back().file, source_->position().offset + from);
     if (std::find(checked_loops_.begin(), checked_loops_.end(), place) != checked_loops_.end()) return true;
     const TextPosition here = source_->position();
     const auto column = static_cast<std::uint32_t>(from) + 1;
     std::array<std::uint8_t, 3> open{number};
     std::size_t depth = 1;
     bool crossed = false;
-    std::string_view line;
-    while (depth && !crossed && source_->next(line) == LineSource::Status::Line) {
+    kept_line_ = line_;   // reading on moves the window
+    std::string_view line = kept_line_;
+    std::uint32_t last_line = here.line;
+    for (std::size_t next = next_block(line, from); depth && !crossed; next = next_block(line, next)) {
+        if (next == std::string_view::npos) {
+            if (source_->next(line) != LineSource::Status::Line) break;
+            last_line = source_->position().line;
+            next = 0;
+        }
         bool ends = false;
-        const std::uint8_t word = loop_word(line, ends);
+        const std::uint8_t word = loop_word(line.substr(next), ends);
         if (!word) continue;
         if (ends) crossed = open[--depth] != word;
         else if (crossed = depth == open.size() || std::find(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(depth), word) != open.begin() + static_cast<std::ptrdiff_t>(depth); !crossed) open[depth++] = word;
     }
-    const std::uint32_t last_line = source_->position().line;
-    source_->seek(here);   // reading on has moved the window: the line in hand is read again
+    source_->seek(here);
     if (source_->next(line_) != LineSource::Status::Line) line_ = {};
     if (!crossed && !depth) {
         if (checked_loops_.size() < 256) checked_loops_.push_back(place);
@@ -280,24 +283,29 @@ bool Interpreter::loops_nest(std::uint8_t number, std::size_t from) {
 
 // Goes on behind END number.
 Interpreter::Flow Interpreter::skip_loop(std::uint8_t number, const char* from) {
-    const TextPosition back = source_->next_position();
+    const TextPlace back = place_behind(behind_);
     const std::size_t column = static_cast<std::size_t>(from - line_.data());
     const std::uint32_t at_line = source_->position().line;
-    const JumpMemory::Place place{frames_.back().file, back.offset, 0, -static_cast<std::int64_t>(number)};
-    if (const TextPosition* known = jumps_.find(place)) {
+    const JumpMemory::Place place{frames_.back().file, back.byte(), 0, -static_cast<std::int64_t>(number)};
+    if (const TextPlace* known = jumps_.find(place)) {
         go_to(*known);
         return Flow::Done;
     }
     kept_line_ = line_;   // searching moves the window
-    std::string_view line;
-    while (source_->next(line) == LineSource::Status::Line) {
-        bool ends = false;
-        if (loop_word(line, ends) == number && ends) {   // N120 END1, /END1 too
-            jumps_.remember(place, source_->next_position());
-            jumped_ = true;
-            line_left_ = false;
-            return Flow::Done;
+    std::string_view line = kept_line_;
+    for (std::size_t next = line_left_ ? behind_ : std::string_view::npos;;) {
+        if (next == std::string_view::npos) {
+            if (source_->next(line) != LineSource::Status::Line) break;
+            next = 0;
         }
+        bool ends = false;
+        const std::uint8_t word = loop_word(line.substr(next), ends);
+        next = next_block(line, next);
+        if (word != number || !ends) continue;   // N120 END1, /END1 too
+        const TextPlace found = next == std::string_view::npos ? TextPlace(source_->next_position()) : TextPlace(source_->position(), next);
+        jumps_.remember(place, found);
+        go_on_at(found);
+        return Flow::Done;
     }
     source_->seek(back);
     fault_column_ = static_cast<std::uint32_t>(column) + 1;
