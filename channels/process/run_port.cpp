@@ -106,7 +106,10 @@ bool RunPort::diameter_inverted(unsigned machine_axis) { return plc_->signal[sig
 unsigned RunPort::synchronous_master(unsigned machine_axis) { return static_cast<unsigned>(status_->axes[machine_axis].master); }
 
 StrokeFlags RunPort::stroke_flags(unsigned machine_axis) {
-    return polyturn::stroke_flags([&](std::uint32_t slot) { return plc_->signal[slot] != 0; }, channel_, machine_axis + 1);
+    StrokeFlags flags = polyturn::stroke_flags([&](std::uint32_t slot) { return plc_->signal[slot] != 0; }, channel_, machine_axis + 1);
+    // What a superimposed master will have added when the block begins, only the kernel knows then (nct part 2, 22.5).
+    flags.first_off = flags.first_off || status_->axes[machine_axis].added_master != 0;
+    return flags;
 }
 
 bool RunPort::second_geometry(unsigned axis) {

@@ -51,6 +51,10 @@ void StrokeGuard::update(const Core& core) noexcept {
             for (unsigned box = 0; box < 2; ++box)
                 if (boxed[box] && !axis.referenced) zone.in_box[box] = true, zone.box[box] = {0, 0};
             if (!(zone == channel.zones.axes[i])) channel.zones.axes[i] = zone, changed = true;
+            const bool grows = axis.added() != channel.added[i], grew = (channel.growing >> i & 1u) != 0;
+            channel.added[i] = axis.added();
+            channel.growing = grows ? channel.growing | 1u << i : channel.growing & ~(1u << i);
+            changed = changed || (grew && !grows && stroke.any());
         }
         channel.limited = limited;
         if (changed) ++channel.version;
@@ -72,8 +76,10 @@ double StrokeGuard::exit_of(unsigned l, const PathRecord& r, const Kinematics* k
     for (unsigned k = 0; k < r.axis_count; ++k) {
         const std::uint32_t a = r.axis[k];
         const bool own = a < kMaxAxes && place_[a] >= 0 && channel.axis[static_cast<unsigned>(place_[a])] == a && static_cast<unsigned>(place_[a]) < channel.zones.count;
-        slot[k] = own ? place_[a] : -1;
-        if (own) from[static_cast<unsigned>(slot[k])] = begin[k], places[static_cast<unsigned>(slot[k])] = end[k];
+        slot[k] = own && !(channel.growing >> static_cast<unsigned>(place_[a]) & 1u) ? place_[a] : -1;
+        if (slot[k] < 0) continue;
+        const auto place = static_cast<unsigned>(slot[k]);
+        from[place] = begin[k] + channel.added[place], places[place] = end[k] + channel.added[place];
     }
     if (!channel.limited) return kInfinity;
     if (static_cast<RecordKind>(r.kind) == RecordKind::Line && r.transform == 0) {
@@ -85,7 +91,7 @@ double StrokeGuard::exit_of(unsigned l, const PathRecord& r, const Kinematics* k
         (void)drives_at(r, kinematics, s, position);
         out = from;
         for (unsigned k = 0; k < r.axis_count; ++k)
-            if (slot[k] >= 0) out[static_cast<unsigned>(slot[k])] = position[k];
+            if (slot[k] >= 0) out[static_cast<unsigned>(slot[k])] = position[k] + channel.added[static_cast<unsigned>(slot[k])];
     };
     Places before = from, now;
     double s_before = 0;

@@ -39,6 +39,10 @@ private:
     struct Channel {
         StrokeZones zones;
         std::array<std::uint32_t, kChannelAxes> axis{};
+        // What superimposed masters have added: a record's positions do not hold it (nct part 2, 22.5). While it grows nobody can say
+        // where a record planned now will lead; guard_stroke() watches that axis.
+        std::array<double, kChannelAxes> added{};
+        std::uint32_t growing = 0;               // bit i: added[i] has changed with this tick
         bool limited = false;
         std::uint64_t version = 1;
     };

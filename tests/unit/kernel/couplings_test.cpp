@@ -205,6 +205,40 @@ TEST(Couplings, SuperimposedMotionAddsTheMastersWayWhileBothMove) {
     }
 }
 
+// nct_parameters_part2 22.5: the limit is kept by the machine position with what the master has added, also when that comes after the
+// block has been planned.
+TEST(Couplings, ASuperimposedAxisKeepsItsStrokeWithWhatIsAddedToIt) {
+    const auto limited = [](params::Table& t, RunOptions&) {
+        params::put(t, params::n2107_superimposed_master, 2, 4);
+        params::put(t, params::n1000_range_enable, 1, 4);
+        params::put(t, params::n1002_range1a_positive, 12, 4);
+        params::put(t, params::n1003_range1a_negative, -100, 4);
+    };
+    for (const double added : {-9.0, 9.0}) {
+        for (const bool planned_before : {false, true}) {
+            SCOPED_TRACE(testing::Message() << added << planned_before);
+            CoupledRig rig(limited);
+            rig.flag(signals::ap_sprpnr(4), true);
+            rig.run(5);
+            rig.push(1, rig.line(1, {0, added}, 30));
+            if (planned_before) {
+                rig.push(2, rig.dwell(2, 2));
+                rig.push(2, rig.line(2, {0, 20}, 20));
+                rig.start(2);
+            }
+            rig.start(1);
+            rig.run_until_idle();
+            if (!planned_before) {
+                rig.push(2, rig.line(2, {0, 20}, 20));
+                rig.start(2);
+                rig.run_until_idle();
+            }
+            EXPECT_NEAR(rig.position(4), added < 0 ? 20 + added : 12, 1e-9);
+            EXPECT_EQ(rig.alarmed(Alarm::StrokeLimit, 2), added > 0);
+        }
+    }
+}
+
 // nct_parameters_part2 22.5: out_C = own_C + s_C * (own_B + s_B * out_A), across channels and in one tick.
 TEST(Couplings, ASuperimposedAxisHandsOnWhatIsAddedToIt) {
     CoupledRig rig([](params::Table& t, RunOptions&) {
