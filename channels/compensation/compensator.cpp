@@ -2,17 +2,9 @@
 #include "channels/compensation/compensator.hpp"
 
 #include "channels/compensation/interference.hpp"
+#include "channels/compensation/left_block.hpp"
 
 namespace polyturn::channels::compensation {
-namespace {
-
-// These tell of the block behind the held one, whose own end stands: the tool comes to rest there. Behind any other error
-// nothing is known, and a block that ends at its normal could cut into an inner corner: it is not begun.
-bool leaves_held_block(Alarm alarm) {
-    return alarm == Alarm::CompArcStartEnd || alarm == Alarm::CompPlaneChanged || alarm == Alarm::CompArcCentre;
-}
-
-}  // namespace
 
 void Compensator::open(Sink& out, unsigned p, unsigned q, const Options& options) {
     *this = Compensator();

@@ -1,6 +1,7 @@
 #include "channels/corners/corner_stage.hpp"
 
 #include "channels/angles.hpp"
+#include "channels/compensation/left_block.hpp"
 
 namespace polyturn::channels::corners {
 namespace {
@@ -45,6 +46,8 @@ void start_at(Move& m, Vec point, double share, unsigned p, unsigned q) {
     if (m.feed_mode == FeedMode::InverseTime && share > 0) m.feed /= share;
     retell(m, share, p, q);
 }
+
+bool compensated(const BlockContext& at, bool held) { return held && at.comp != CompSide::Off; }
 
 }  // namespace
 
@@ -224,9 +227,11 @@ void CornerStage::barrier(const BlockContext& at) {
     down_->barrier(at);
 }
 
-// Behind an error nothing is known of the next move: the held one is not begun, as with compensation.
+// Behind an error nothing is known of the next move: the held one is not begun, as with compensation. That one is shown it, so that
+// the block before ends where it would have, and is driven.
 void CornerStage::alarm(const Diagnosis& diagnosis, const BlockContext& at) {
     if (diagnosis.severity() == Severity::Error) {
+        if (compensated(held_.at, holding_ && !reserved_) && !compensation::leaves_held_block(diagnosis.alarm)) down_->move(held_.move, held_.at);
         failed_ = true;
         holding_ = false;
         waiting_.clear();
@@ -236,6 +241,7 @@ void CornerStage::alarm(const Diagnosis& diagnosis, const BlockContext& at) {
 }
 
 void CornerStage::fail(Alarm alarm) {
+    if (compensated(held_.at, holding_ && !reserved_)) down_->move(held_.move, held_.at);
     alarm_ = alarm;
     failed_ = true;
     holding_ = false;

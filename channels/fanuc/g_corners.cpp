@@ -40,35 +40,37 @@ bool Interpreter::corner_word(const Word& word) {
     call.shape = chamfer ? corners::Shape::ChamferLeg : corners::Shape::Rounding;
     call.size = size;
     call.required = true;
-    if (chamfer && line) note_chamfer(size);
+    if (line) note_corner(size, !chamfer, 0);
     block_corner_ = call;
     return core_.corner(call);
 }
 
-// An inner chamfer must be as large as the nose is (fanuc_lathe 3.16); the next line tells whether it is an inner one.
-void Interpreter::note_chamfer(double size) {
+// An inner chamfer or corner R must be as large as the nose is (fanuc_lathe 3.16); the next line tells whether it is an inner one.
+void Interpreter::note_corner(double size, bool rounding, char letter) {
     int p = -1, q = -1;
     core_.plane_axes(p, q);
     const AxisValues& here = core_.path.programmed;
     const bool counts = core_.compensating() && core_.at.comp != CompSide::Off && p >= 0 && q >= 0;
-    chamfer_before_ = {counts, size, counts ? std::array{here[static_cast<std::size_t>(p)], here[static_cast<std::size_t>(q)]} : std::array<double, 2>{}, core_.at};
+    corner_before_ = {counts, rounding, letter, size, counts ? std::array{here[static_cast<std::size_t>(p)], here[static_cast<std::size_t>(q)]} : std::array<double, 2>{}, core_.at};
 }
 
-bool Interpreter::chamfer_has_room(const AxisValues& target) {
-    if (chamfer_before_.at.serial == core_.at.serial) return true;   // ,C is read before its own line is driven
-    const ChamferBefore chamfer = std::exchange(chamfer_before_, {});
+bool Interpreter::corner_has_room(const AxisValues& target) {
+    if (corner_before_.at.serial == core_.at.serial) return true;   // ,C is read before its own line is driven
+    const CornerBefore before = std::exchange(corner_before_, {});
     const ToolState& tool = core_.path.tool;
-    if (!chamfer.pending || (tool.geometry == 0 && tool.wear == 0) || chamfer.size >= std::fabs(tool.nose_radius) - 1e-9) return true;
+    if (!before.pending || (tool.geometry == 0 && tool.wear == 0) || before.size >= std::fabs(tool.nose_radius) - 1e-9) return true;
+    if (before.rounding && motion_->tenths > 10) return true;   // an arc follows: its end does not tell to which side it begins; compensation sees it
     int p = -1, q = -1;
     core_.plane_axes(p, q);
     const auto i = static_cast<std::size_t>(p), k = static_cast<std::size_t>(q);
     const AxisValues& corner = core_.path.programmed;
-    const double turn = (corner[i] - chamfer.from[0]) * (target[k] - corner[k]) - (corner[k] - chamfer.from[1]) * (target[i] - corner[i]);
+    const double turn = (corner[i] - before.from[0]) * (target[k] - corner[k]) - (corner[k] - before.from[1]) * (target[i] - corner[i]);
     const bool right = (core_.at.comp == CompSide::Right) == (tool.nose_radius >= 0);
     if (right ? turn >= 0 : turn <= 0) return true;   // an outer one
     (void)core_.fail(Alarm::CompCornerElement);
     Fault fault = core_.fault();
-    fault.block = chamfer.at;
+    fault.block = before.at;
+    fault.letter = before.letter;
     core_.set_fault(std::move(fault));
     return false;
 }
@@ -102,7 +104,7 @@ bool Interpreter::lathe_corner(AxisSet named) {
     call.size = std::fabs(size);
     call.letter = letter;
     call.required = true;
-    if (letter != 'R') note_chamfer(call.size);
+    note_corner(call.size, letter == 'R', letter);
     return core_.corner(call);
 }
 
@@ -110,7 +112,7 @@ bool Interpreter::lathe_corner(AxisSet named) {
 bool Interpreter::follows_corner(const AxisValues& target, bool line) {
     const CornerThen then = corner_then_;
     corner_then_ = {};
-    if (!chamfer_has_room(target)) return false;
+    if (!corner_has_room(target)) return false;
     if (!then.pending) return true;
     if (!line) return core_.fail(Alarm::CornerNotLine, 'G');
     const MachineView& view = core_.view();

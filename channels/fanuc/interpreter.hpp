@@ -240,8 +240,8 @@ private:
     bool corner_allowed(char letter);
     bool corner_word(const Word& word);
     bool lathe_corner(AxisSet named);
-    void note_chamfer(double size);
-    bool chamfer_has_room(const AxisValues& target);
+    void note_corner(double size, bool rounding, char letter);
+    bool corner_has_room(const AxisValues& target);
     bool follows_corner(const AxisValues& target, bool line);
     const Word* angle_word() const;
     bool angle_line(AxisSet named);

@@ -79,9 +79,10 @@ struct CornerThen {                // behind a chamfer or corner of the lathe's 
     char letter = 0;
 };
 
-struct ChamferBefore {              // the line before this one ends in a chamfer, and compensation is on
-    bool pending = false;
-    double size = 0;               // leg, mm
+struct CornerBefore {              // the line before this one ends in a chamfer or corner R, and compensation is on
+    bool pending = false, rounding = false;
+    char letter = 0;               // its word; 0: behind a comma
+    double size = 0;               // leg or radius, mm
     std::array<double, 2> from{};  // where that line began, in the plane
     BlockContext at;
 };

@@ -29,7 +29,7 @@ struct ModalState {
     LengthState length_;
     Plane plane_before_ = Plane::ZX;           // what G13.1 goes back to
     CornerThen corner_then_;
-    ChamferBefore chamfer_before_;
+    CornerBefore corner_before_;
     bool polar_ = false, polar_known_ = false;
     double polar_radius_ = 0.0, polar_angle_ = 0.0;
     double angle_dp_ = 0.0, angle_dq_ = 0.0;   // direction of a line whose end the next block tells
