@@ -186,7 +186,7 @@ private:
         toml_.each(*table, [&](const toml::key& name, const toml::node& value) {
             if (name == "X")
                 out.x = toml_.number(name, value);
-            else if (name == "Y")
+            else if (name == "Y" || name == "B")   // the offsets of a B axis with programs of its own stand in the Y column (fanuc_lathe 10.4)
                 out.y = toml_.number(name, value);
             else if (name == "Z")
                 out.z = toml_.number(name, value);
@@ -195,7 +195,7 @@ private:
             else if (name == "T") {
                 if (const auto tip = toml_.whole(name, value, 0, 9)) out.t = static_cast<double>(*tip);
             } else
-                toml_.unknown(name, "X, Y, Z, R (nose radius), T (tip direction)");
+                toml_.unknown(name, "X, Y, Z, B, R (nose radius), T (tip direction)");
         });
     }
 

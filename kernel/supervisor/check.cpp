@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "ipc/machine/wait_name.hpp"
 #include "ipc/text/read_file.hpp"
 #include "kernel/supervisor/child.hpp"
 #include "kernel/supervisor/event_text.hpp"
@@ -251,9 +252,10 @@ private:
         WaitPoint wait;
         const auto event = nlohmann::json::parse(line, nullptr, false);
         if (event.is_discarded()) return wait;
-        if (const auto code = event.find("code"); code != event.end())
+        if (const auto code = event.find("code"); code != event.end()) {
             wait.code = code->is_string() ? code->get<std::string>() : "M" + std::to_string(code->get<long>());
-        if (waits_at_markers(channel) && wait.code.starts_with('M')) wait.written = fmt::format("WAITM({})", wait.code.substr(1));
+            if (code->is_number_integer() && waits_at_markers(channel)) wait.written = wait_name(Dialect::Sinumerik, code->get<int>());
+        }
         if (const auto channels = event.find("channels"); channels != event.end() && channels->is_array())
             for (const auto& one : *channels)
                 if (one.is_number_integer() && one.get<int>() >= 1 && one.get<int>() <= static_cast<int>(kMaxChannels)) wait.set |= 1u << (one.get<int>() - 1);

@@ -92,6 +92,14 @@ TEST(Setup, WholeTablesMayStandInOneLineWithQuotedKeys) {
     EXPECT_EQ(setup.channel(1).offsets.at(5).geometry.x, -12.4);
 }
 
+// fanuc_lathe 10.4.2: an offset of the B axis, which stands in the Y column.
+TEST(Setup, GivesTheBAxisItsOffsets) {
+    std::vector<Diagnosis> diagnoses;
+    const text::Setup setup = parse_setup("[channel.1.offset.1]\ngeometry = { B = 3.0 }\n", "s.toml", diagnoses);
+    EXPECT_TRUE(diagnoses.empty());
+    EXPECT_EQ(setup.channel(1).offsets.at(1).geometry.y, 3.0);
+}
+
 struct Bad {
     const char* text;
     Alarm alarm;
