@@ -54,8 +54,10 @@ bool Interpreter::check_block() {
     if (m + s + h + others > 10) return fail(Alarm::FunctionsTooMany, "M S H T D F");   // sinumerik_part2 14
     if (const GCode* frame = block_.coded[kFrameGroup]; frame && block_.codes.size() > 1 && (frame->number < 9 || frame->number > 14))
         return fail(Alarm::OwnBlockNeeded, std::string(frame->name));   // frame commands (sinumerik_part2 13.2)
-    if (const GCode* pole = block_.coded[kFrameGroup]; pole && pole->number >= 12 && pole->number <= 14 && (block_.coded[kMotion] || block_.coded[kOneShot]))
-        return fail(Alarm::OwnBlockNeeded, std::string(pole->name));   // sinumerik_part1 10.3
+    // Poles, and the limits of G25 and G26: their axis words are no way (sinumerik_part1 10.3, sinumerik_part2 15.3.1).
+    if (const GCode* pole = block_.coded[kFrameGroup]; pole && pole->number >= 10 && pole->number <= 14 && (block_.coded[kMotion] || block_.coded[kOneShot]))
+        return fail(Alarm::OwnBlockNeeded, std::string(pole->name));
+    if (const GCode* dwell = block_.coded[kOneShot]; dwell && dwell->name == "G4" && axis_words() != 0) return fail(Alarm::OwnBlockNeeded, "G4");   // 15.7
     const std::size_t other = block_.words.size() + block_.codes.size();
     for (const auto& [command, call] : block_.procedures)
         if (command->own_block && (other > 0 || block_.procedures.size() > 1)) return fail(Alarm::OwnBlockNeeded, std::string(command->name));

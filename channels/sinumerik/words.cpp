@@ -98,17 +98,11 @@ bool Interpreter::parse_word() {
         value.axis = axis;
         return read_value(value) && add_word(std::move(value), begin);
     }
-    // FZ0.03: an address of several letters with a number behind it.
-    std::size_t letters = 0;
-    while (letters < word.size() && !is_digit(word[letters])) ++letters;
-    if (letters > 1 && letters < word.size()) {
-        const std::string_view head(word.data(), letters);
-        if (const Symbol short_symbol = find_symbol(head); short_symbol.kind == Symbol::Kind::Address) {
-            cursor_.advance(letters);
-            Word value;
-            value.address = &short_symbol.address();
-            return read_value(value) && add_word(std::move(value), begin);
-        }
+    if (word.size() > 2 && word.starts_with("FZ") && is_digit(word[2])) {   // FZ0.03: the only one that may go without its = (sinumerik_part1 8.12)
+        cursor_.advance(2);
+        Word value;
+        value.address = &find_symbol("FZ").address();
+        return read_value(value) && add_word(std::move(value), begin);
     }
     // A program by its name.
     if (block_.program.wanted) return syntax(begin, word);
@@ -229,8 +223,10 @@ bool Interpreter::parse_named_word(const char* begin, std::string_view name, con
             if (word.address->index == Address::Index::Axis && word.axis < 0) return fail_at(Alarm::AxisArgumentMissing, begin, name.size(), std::string(name));
             if (name == "AX") word.address = &kAxisAddress;
             if (name == "IP" && !to_interpolation_parameter(word)) return fail_at(Alarm::AxisKindWrong, begin, name.size(), axis_name(word.axis));
-            if (!word.address->valueless) return read_value(word) && add_word(std::move(word), begin);
-            return add_word(std::move(word), begin);
+            if (word.address->valueless) return add_word(std::move(word), begin);
+            // Behind several letters a value needs its = (sinumerik_part1 3.2.3): RND 2 is no rounding.
+            if (!cursor_.at_assign() && !cursor_.at_end() && !is_name_start(cursor_.peek())) return syntax(cursor_.at(), std::string(name) + " =");
+            return read_value(word) && add_word(std::move(word), begin);
         }
         case Symbol::Kind::Command: {
             const Command& command = symbol.command();

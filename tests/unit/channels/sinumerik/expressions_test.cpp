@@ -112,6 +112,11 @@ constexpr Wrong kWrong[] = {
     {"IF R1==5 GOTOF", "12080", 15},       // the condition does not hold: the mistake is one nevertheless
     {"SIN(5)", "12080", 1},                // its value goes nowhere
     {"MODAXVAL(C,5)", "12080", 1},
+    {"G1 X10 F100 RND 2", "12080", 17},    // an address of several letters needs its = (part 1, 3.2.3)
+    {"G1 X10 F100 RND -2", "12080", 17},
+    {"G1 X10 F100 RND2", "12550", 13},
+    {"G25 Z-10 G0 X5", "12080", 0},        // limits have a block of their own (part 2, 15.3.1)
+    {"G4 F1 G0 X5", "12080", 0},           // and a dwell (15.7)
     {"G0 X5 G111 Z0", "12080", 0},         // the pole has a block of its own (part 1, 10.3)
     {"TCARR=2", "12140", 1},
     {"IP[C]=2 G2 X5", "14092", 1},
