@@ -79,16 +79,21 @@ bool Interpreter::limit_surface_speed(bool said) {
 bool Interpreter::g_corner(const GCode& row) {
     modal_.corner = row.number;
     core_.path.exact_stop_mode = row.number == 7;
-    share_acceleration(100.0);
+    look_ahead(100.0, -1.0, -1.0);
     return true;
 }
 
 // G51 A: percent of the axes' own acceleration, until another corner function (7.4). A may be up to 255; the path
 // gets no more than the machine's own value all the same: what lies beyond N0400 its drives do not follow.
-void Interpreter::share_acceleration(double percent) {
-    if (percent == modal_.acceleration) return;
+// E: how far the path may leave a corner; B: a corner whose angle between its blocks is smaller is a square one.
+void Interpreter::look_ahead(double percent, double error_mm, double square_deg) {
+    if (percent != modal_.acceleration)
+        for (unsigned i = 0; i < core_.view().axis_count; ++i) core_.signal("ACC" + std::to_string(i), std::fmin(1.0, percent / 100.0));
+    if (error_mm != modal_.look_ahead_error) core_.signal("PATHTOL", error_mm);
+    if (square_deg != modal_.square_angle) core_.signal("SQUARE", square_deg < 0 ? -1.0 : 180.0 - square_deg);
     modal_.acceleration = percent;
-    for (unsigned i = 0; i < core_.view().axis_count; ++i) core_.signal("ACC" + std::to_string(i), std::fmin(1.0, percent / 100.0));
+    modal_.look_ahead_error = error_mm;
+    modal_.square_angle = square_deg;
 }
 
 bool Interpreter::g_look_ahead(const GCode& row) {
@@ -101,8 +106,7 @@ bool Interpreter::g_look_ahead(const GCode& row) {
     if ((settings_.look_ahead_kind & 0x8000) != 0 && settings_.interpolation_period == 1) return core_.fail(Alarm::FagorIncompatible, 'G', "FG.LOOKATYP FG.IPOTIME");
     if (modal_.feed_code == 95 || modal_.motion >= 33) return core_.fail(Alarm::FagorIncompatible, 'G', modal_.feed_code == 95 ? "G51 G95" : "G51 and a thread");
     modal_.corner = row.number;
-    modal_.look_ahead_error = distance('E');
-    share_acceleration(number('A') > 0 ? number('A') : 100.0);
+    look_ahead(number('A') > 0 ? number('A') : 100.0, distance('E'), has('B') ? number('B') : -1.0);
     core_.path.exact_stop_mode = false;
     return true;
 }

@@ -76,8 +76,9 @@ public:
     bool g_units(const GCode&), g_x_format(const GCode&), g_plane(const GCode&), g_plane_of_axes(const GCode&), g_distance(const GCode&);
     bool g_feed_mode(const GCode&), g_spindle_mode(const GCode&), g_corner(const GCode&), g_look_ahead(const GCode&);
     bool g_mirror(const GCode&), g_mirror_axes(const GCode&), g_scale(const GCode&);
-    void share_acceleration(double percent);
+    void look_ahead(double percent, double error_mm, double square_deg);
     bool g_comp(const GCode&), g_zone_limit(const GCode&), g_zone(const GCode&);
+    bool ends_reading() const;
     bool g_dwell(const GCode&), g_home(const GCode&), g_zero(const GCode&), g_zero_table(const GCode&), g_preset(const GCode&), g_polar_origin(const GCode&);
     bool g_linear(const GCode&), g_arc(const GCode&), g_thread(const GCode&), g_withdrawal(const GCode&), g_hard_stop(const GCode&);
     bool g_probe(const GCode&), g_inclined(const GCode&);

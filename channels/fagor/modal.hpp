@@ -55,8 +55,9 @@ struct Modal {
     bool lead_varies = false;         // the last thread block was a G34 with K
     AxisValues withdrawal{};          // G233, mm
     bool withdraws = false;
-    double look_ahead_error = 0.0;    // G51 E
     double acceleration = 100.0;      // G51 A, %
+    double look_ahead_error = -1.0;   // G51 E, mm; -1: no G51
+    double square_angle = -1.0;       // G51 B, degrees; -1: none
     int inclined = 0;                 // G46 S
     std::int64_t next_tool = -1, next_offset = -1;   // waiting for M06
     double probe_input = 1.0, probe_mode = 0.0;      // SELPRO, PRBMOD

@@ -20,6 +20,7 @@ struct PathAxis {
 struct PathLimits {
     std::array<PathAxis, kMaxAxes> axis{};   // by machine axis (from 0)
     double tolerance = 0.005;            // mm (deg): PT_PATH_TOL; 0: every corner is a stop
+    double square_turn = 4;              // rad: corners that turn by more are driven exactly (fagor G51 B); 4: none for this
     bool corner_by_axis_step = false;    // N0306 FDF: N0309 decides, not N0307 and N0308
     double corner_angle = 0;             // rad: N0307; 0 no ceiling
     double corner_feed = 0;              // mm/s: N0308

@@ -202,7 +202,8 @@ void PathMaker::join(Kept& a, Kept& b) {
     }
     if (junction == Junction::Blended && !threads) {
         if (!overlap) apply_junction_rules(blend_.sides, blend_.angle, *limits_, rules);   // N0306 to N0309 speak of feeds
-        if (blend_.angle > kStopMayBeFaster && stop_is_faster(a, b, rules)) junction = Junction::Stop;
+        if (!overlap && blend_.angle > limits_->square_turn) junction = Junction::Stop;
+        else if (blend_.angle > kStopMayBeFaster && stop_is_faster(a, b, rules)) junction = Junction::Stop;
     }
     if (threads && junction == Junction::Stop) b.move.flags &= ~std::uint32_t{kThreadChained};   // it begins anew behind the stop
     if (has(a.move, kThread) && !has(b.move, kThreadChained)) a.move.flags |= kThreadEnd;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "channels/path/quintic.hpp"
 
@@ -27,6 +28,7 @@ bool is_short_corner(const PathRecord& a, const PathRecord& b, bool begins, cons
     step = std::sqrt(step);   // rotary axes count as if degrees were millimetres: only ever too careful
     constexpr double kStraightOn = 1e-9;
     if (begins && step < kStraightOn) return false;
+    if (step > 2 * std::sin(std::min(limits.square_turn, std::numbers::pi) / 2)) return false;
     const double shorter = std::min(a.length, b.length);
     const double longer = std::max(a.length, b.length);
     if (smoothing.on) {

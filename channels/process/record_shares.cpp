@@ -1,7 +1,9 @@
 // Shares of an axis' own limits: VELO<place>, ACC<place>, JERK<place> for the path, OVRA<place> for the feed beside it, OVRS<number> for
-// the speed of a spindle; 1 is all of it. They hold from the next move on, until the program ends.
+// the speed of a spindle; 1 is all of it. PATHTOL is the tolerance of corners in mm, SQUARE the turn in degrees from which on a corner is
+// driven exactly; a negative value: as the machine has it. They hold from the next move on, until the program ends.
 #include <algorithm>
 #include <charconv>
+#include <numbers>
 
 #include "channels/process/record_sink.hpp"
 
@@ -15,6 +17,8 @@ bool RecordSink::takes_share(std::string_view name, double value) {
     };
     unsigned i = 0;
     if (number_behind("OVRS", i) && i <= kMaxSpindles) return shares_.spindle[i] = value, true;
+    if (name == "PATHTOL") return shares_.tolerance = value, limits_forgotten_ = true;
+    if (name == "SQUARE") return shares_.square_turn = value < 0 ? PathLimits{}.square_turn : value * std::numbers::pi / 180.0, limits_forgotten_ = true;
     if (number_behind("OVRA", i) && i < view_->axis_count) return shares_.beside[i] = value, true;
     for (const auto& [word, shares] : {std::pair{std::string_view("VELO"), &shares_.velocity}, std::pair{std::string_view("ACC"), &shares_.acceleration},
                                        std::pair{std::string_view("JERK"), &shares_.jerk}}) {
@@ -29,6 +33,8 @@ bool RecordSink::takes_share(std::string_view name, double value) {
 // No axis becomes faster than the machine lets it; a transformation keeps the machine's limits.
 const PathLimits& RecordSink::limits_of_path() {
     shared_limits_ = *drives_;
+    if (shares_.tolerance >= 0) shared_limits_.tolerance = shares_.tolerance;
+    shared_limits_.square_turn = shares_.square_turn;
     for (unsigned i = 0; i < view_->axis_count; ++i) {
         PathAxis& axis = shared_limits_.axis[view_->axes[i].machine_axis];
         const double v = std::min(1.0, shares_.velocity[i]);

@@ -70,7 +70,7 @@ TEST(PathMaker, ARightAngleBecomesABlendWithinTolerance) {
 }
 
 TEST(PathMaker, StopsWhereItMust) {
-    struct Row { const char* why; double turn; std::uint32_t first, second; double tolerance; bool stop; double feed = 1; };
+    struct Row { const char* why; double turn; std::uint32_t first, second; double tolerance; bool stop; double feed = 1, square = 400; };
     const Row rows[] = {
         {"corner", 90, 0, 0, 0.1, false},
         {"exact stop asked for", 90, kExactStop, 0, 0.005, true},
@@ -81,6 +81,8 @@ TEST(PathMaker, StopsWhereItMust) {
         {"nearly a reversal", 170, 0, 0, 0.005, true},
         {"sharp", 150, 0, 0, 0.5, false},
         {"faster by a stop", 150, 0, 0, 0.005, true, 100},
+        {"square corners from 80 degrees on", 90, 0, 0, 0.1, true, 1, 80},
+        {"square corners from 100 degrees on", 90, 0, 0, 0.1, false, 1, 100},
         {"rapid before", 90, kRapid, 0, 0.005, true},
         {"rapid behind", 90, 0, kRapid, 0.005, true},
         {"thread begins", 0, 0, kThread, 0.005, true},
@@ -94,6 +96,7 @@ TEST(PathMaker, StopsWhereItMust) {
         SCOPED_TRACE(row.why);
         PathLimits limits = easy_limits();
         limits.tolerance = row.tolerance;
+        limits.square_turn = row.square * std::numbers::pi / 180;
         const double turn = row.turn * std::numbers::pi / 180;
         const auto records = made(limits, [&](Program& p) {
             p.feed = row.feed;
