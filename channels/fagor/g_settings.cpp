@@ -245,11 +245,15 @@ bool Interpreter::g_zone(const GCode&) {
 
 // --- dwell, homing
 
+// G04 without K, or with K0, interrupts the preparation of blocks; with K it is a dwell (7.1).
+bool Interpreter::ends_reading() const { return !number_word_ || number_word_->value == 0; }
+
 bool Interpreter::g_dwell(const GCode&) {
     const bool alone = block_.count == (number_word_ ? 2u : 1u);
-    if (!number_word_ || number_word_->value == 0) {
+    if (ends_reading()) {
         if (!alone) return core_.fail(Alarm::FagorAlone, 'G', "G04");
         core_.mark_emitted();
+        core_.asks_at(frames_.back().file, line_at_.offset);
         core_.sink().barrier(core_.at);
         wants_barrier_ = true;
         return true;

@@ -71,6 +71,7 @@ void Interpreter::show_diameter() {
 }
 
 Result<void> Interpreter::start(FileId main) {
+    core_.begin_control();
     core_.compensation_reset();
     compensation::Options options;
     options.tips = &compensation::kTipsAround;
@@ -277,6 +278,7 @@ Step Interpreter::iso_block() {
         reread_ = true;
         return Step::AtBarrier;
     }
+    if (!(one_shot && one_shot->number == 4 && ends_reading())) core_.did();   // G04 alone leaves a loop that asks the machine where it was
     if (!(check_words() && act())) return fault(core_.fault());
     if (managed_serial_ == core_.at.serial) core_.mark_emitted();   // its T came before the barrier
     if (core_.transformation_failed()) return fault(core_.fault());

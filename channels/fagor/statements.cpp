@@ -103,14 +103,15 @@ Step Interpreter::statement_block() {
     const std::uint64_t moves_before = core_.moves();
     const char* at = line_.data() + block_.statement;
     const char* const end = line_.data() + block_.statement_end;
-    const bool waits_for_machine = (!fresh_ && mentions_live_value(at, end)) || axes_settle(at, end);
-    Flow flow = waits_for_machine ? Flow::NeedsBarrier : run_statement(at, end, false);
+    const bool asks = !fresh_ && mentions_live_value(at, end), settles = !asks && axes_settle(at, end);
+    Flow flow = asks || settles ? Flow::NeedsBarrier : run_statement(at, end, false);
     if (flow == Flow::Done) {
         blanks(at, end);
         if (at != end && !called_ && !jumped_) flow = flow_fault(Alarm::FagorStatement, at, static_cast<std::size_t>(end - at), std::string(at, end));
     }
     if (flow == Flow::NeedsBarrier) {
         reread_ = true;
+        if (!settles) core_.asks_at(frames_.back().file, line_at_.offset);
         live_value_barrier();
         if (core_.reads_ahead() && !core_.end_compensated_block(false, true, false)) return fault(core_.fault());
         return Step::AtBarrier;

@@ -9,6 +9,14 @@
 namespace polyturn::channels::fagor {
 namespace {
 constexpr double kPanelMost = 120.0;   // %, the end of the feed switch (part 1, 5.2)
+
+// A loop that asks for one of these comes to another answer although nothing else in the machine changes (Core::asks_at).
+bool goes_on_by_itself(Var var) {
+    switch (var) {
+        case Var::Clock: case Var::Time: case Var::Date: case Var::CycleTime: case Var::PlcTimer: case Var::SpindleAngle: case Var::SpindleTurnAngle: return true;
+        default: return false;
+    }
+}
 }
 
 Access Interpreter::variable_fault(Alarm alarm, std::string detail, double v0, double v1) {
@@ -38,6 +46,7 @@ Access Interpreter::write_value(const Target& target, double value) {
     if (!Values::exists(number)) return Access::Unknown;
     if (Values::of_maker(number) && !frames_.back().maker) return variable_fault(Alarm::FagorMakerParameter, target_name(target));
     double& cell = values_.parameter(number);
+    if (cell != value) core_.did();
     if (Values::is_local(number)) cell = value;
     else values_.write(cell, value);
     message_ = target_name(target);
@@ -53,6 +62,7 @@ Access Interpreter::read_named(const Target& target, double& value) {
     const int place = place_of(target.axis);
     const auto i = static_cast<std::size_t>(place < 0 ? 0 : place);
     const PathState& path = core_.path;
+    if (goes_on_by_itself(row.var)) core_.did();
     switch (row.var) {
         case Var::TableX: case Var::TableZ: case Var::TableTip: case Var::TableRadius: case Var::TableWearX: case Var::TableWearZ:
         case Var::NoseAngle: case Var::NoseWidth: case Var::CutAngle: case Var::ToolOffset: case Var::ToolFamily: case Var::ToolLife:
@@ -106,7 +116,7 @@ Access Interpreter::read_named(const Target& target, double& value) {
             value = core_.view().axes[i].rotary ? way : from_length_plain(way);
             return Access::Ok;
         }
-        case Var::Nothing: case Var::AdditiveZero: value = 0.0; return Access::Ok;
+        case Var::Nothing: case Var::AdditiveZero: value = core_.port().given_variable(target_name(target)).value_or(0.0); return Access::Ok;
         default: return read_state(target, value);
     }
 }

@@ -103,6 +103,7 @@ Access Interpreter::write_named(const Target& target, double value) {
     if (target.axis && place_of(target.axis) < 0) return Access::Unknown;
     if (!row.writable || (row.shape == Shape::AxisOrIndex && !target.has_index)) return Access::ReadOnly;
     if (row.live && !fresh_) return Access::NeedsBarrier;
+    core_.did();
     if (scanning_) {   // tables are shared: looking ahead writes none, and what depends on it is not known
         scan_over_ = true;
         return Access::Ok;

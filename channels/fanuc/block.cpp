@@ -149,7 +149,7 @@ bool Interpreter::length_word() const {
 
 Step Interpreter::nc_block() {
     jumped_ = called_ = wants_barrier_ = false;
-    ++doings_;
+    core_.did();
     const std::uint64_t moves_before = core_.moves();
     bool calls = false;
     if (!settings_.g_calls.empty() || !settings_.m_calls.empty() || !settings_.letter_calls.empty() || settings_.t_calls) {

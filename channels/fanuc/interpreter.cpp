@@ -81,7 +81,7 @@ void Interpreter::clear_modal() {
 }
 
 Result<void> Interpreter::start(FileId main) {
-    polled_ = {}, polls_ = false;   // as the machine begins it
+    core_.begin_control();
     core_.compensation_reset();
     core_.fixture_off();
     core_.compensation_options(settings_.compensation);
@@ -270,19 +270,9 @@ void Interpreter::live_value_barrier() {
     if (core_.holds_block())
         core_.sink().alarm({Alarm::CompCornerCut, {files_->path(frames_.back().file), core_.at.line, 0, 0}, {}, {}}, core_.at);
     core_.at.statement = true;   // the block itself is still to come
-    note_polling();
+    core_.asks_at(frames_.back().file, source_->position().offset, column_);
     core_.sink().barrier(core_.at);
     core_.at.statement = false;
-}
-
-// Only the machine can end such a loop: where nothing there changes any more, a run in virtual time has to end (cli.md, section 5).
-void Interpreter::note_polling() {
-    const Polled here{frames_.back().file, source_->position().offset, column_, doings_};
-    const bool again = here == polled_;
-    polled_ = here;
-    if (again == polls_) return;
-    polls_ = again;
-    tell_control();
 }
 
 Step Interpreter::read_block() {

@@ -316,19 +316,6 @@ private:
     VariableStatus value_fault(std::int64_t number, double value);
     double mirrored_axes() const;     // #3007
     std::uint32_t control_bits() const;
-    // A statement that waits for the machine: where it stands, and what had been done until then. Coming back to it with nothing done, the
-    // program polls.
-    struct Polled {
-        FileId file = 0;
-        std::uint64_t offset = 0;
-        std::size_t column = 0;
-        std::uint64_t doings = ~0ull;
-        bool operator==(const Polled&) const = default;
-    };
-    Polled polled_;
-    std::uint64_t doings_ = 0;        // blocks of words, variables written, clocks read
-    bool polls_ = false;              // said to the machine
-    void note_polling();
     void tell_control();              // #3003, #3004
     Flow jump(const char*& at, const char* end);
     bool written(std::int64_t number, double value, std::string_view comment);

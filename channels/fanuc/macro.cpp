@@ -383,7 +383,7 @@ Interpreter::Flow Interpreter::name_variables(const char*& at, const char* end) 
 
 // A variable is written: the channel sees it at once, the others when the record is executed.
 bool Interpreter::written(std::int64_t number, double value, std::string_view comment) {
-    ++doings_;
+    core_.did();
     if (number == 3000) {   // an alarm of the program's own
         message_ = comment;
         if (message_.empty()) message_ = "alarm of the program";

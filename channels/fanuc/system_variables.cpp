@@ -225,7 +225,7 @@ VariableStatus Interpreter::read_system(std::int64_t number, double& value) {
         value = port.interface_value(static_cast<std::int32_t>(number));
         return VariableStatus::Ok;
     }
-    ++doings_;   // time goes on by itself
+    core_.did();   // time goes on by itself
     const CalendarTime now = port.clock();
     switch (number) {
         case 3001: value = std::fmod(port.running_ms() + timer_ms_offset_, 2147483648.0); break;
@@ -254,7 +254,7 @@ double Interpreter::mirrored_axes() const {
 std::uint32_t Interpreter::control_bits() const {
     const GCode* mode = active_[static_cast<std::size_t>(GGroup::ExactStop)];
     const bool taps = mode && mode->tenths == 630;
-    return (single_block_off_ || hidden_ ? kControlNoSingleBlock : 0u) + (no_finish_wait_ ? kControlNoFinish : 0u) + ((automatic_control_ & 1) || taps ? kControlNoHold : 0u) + (polls_ ? kControlPolls : 0u);
+    return (single_block_off_ || hidden_ ? kControlNoSingleBlock : 0u) + (no_finish_wait_ ? kControlNoFinish : 0u) + ((automatic_control_ & 1) || taps ? kControlNoHold : 0u);
 }
 
 void Interpreter::tell_control() { core_.tell_control(control_bits()); }

@@ -47,6 +47,7 @@ void Interpreter::reset_modal() {
 void Interpreter::activate(unsigned group, unsigned number) { modal_.active[group] = static_cast<std::uint8_t>(number); }
 
 Result<void> Interpreter::start(FileId main) {
+    core_.begin_control();
     core_.compensation_reset();
     settings_ = read_settings(core_.view().table(), core_.view());
     if (auto wrong = reset_value_fault()) return std::move(*wrong);
@@ -140,6 +141,7 @@ Step Interpreter::step() {
 // The corner before it stays without its next block.
 void Interpreter::live_value_barrier() {
     if (core_.holds_block()) core_.sink().alarm({Alarm::CompCornerCut, {files_->path(levels_.back().file), core_.at.line, 0, 0}, {}, {}}, core_.at);
+    core_.asks_at(levels_.back().file, here_.offset);
     core_.sink().barrier(core_.at);
 }
 
@@ -293,6 +295,12 @@ bool Interpreter::run_statement() {
     return true;
 }
 
+// STOPRE and MSG leave a loop that waits for the machine where it was (Core::asks_at).
+bool Interpreter::does_anything() const {
+    const auto acts = [](const auto& one) { return one.first->act != &Interpreter::p_stopre && one.first->act != &Interpreter::p_msg; };
+    return !block_.words.empty() || !block_.codes.empty() || std::ranges::any_of(block_.procedures, acts);
+}
+
 Step Interpreter::after_block(bool ok) {
     reading_ = false;
     if (!ok) {
@@ -306,6 +314,7 @@ Step Interpreter::after_block(bool ok) {
         return Step::AtBarrier;
     }
     block_undo_.clear();
+    if (does_anything()) core_.did();
     if (core_.transformation_failed()) return fault(core_.fault());
     if (core_.reads_ahead()) {
         const bool counts = !called_ && !(block_.words.empty() && block_.codes.empty());

@@ -169,6 +169,7 @@ private:
     // reading and flow (interpreter.cpp)
     Step read_block();
     bool read_line();
+    bool does_anything() const;
     Step after_block(bool ok);
     bool run_statement();
     void expand_macros();

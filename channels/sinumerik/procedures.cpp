@@ -49,6 +49,7 @@ bool Interpreter::p_setal(Call& c) {
 
 bool Interpreter::p_stopre(Call&) {
     core_.mark_emitted();
+    core_.asks_at(levels_.back().file, here_.offset);
     core_.sink().barrier(core_.at);
     stop_reading();
     return true;

@@ -145,6 +145,7 @@ bool Interpreter::system_value(Value& value) {
     if (name == "$AC_MEA") return need_fresh() && (value = Value::of_int(core_.measured() != 0), true);
     if (name == "$A_YEAR" || name == "$A_MONTH" || name == "$A_DAY" || name == "$A_HOUR" || name == "$A_MINUTE" || name == "$A_SECOND") {
         if (!need_fresh()) return false;
+        core_.did();   // time goes on by itself
         const CalendarTime now = core_.port().clock();
         const int part = name == "$A_YEAR" ? now.year : name == "$A_MONTH" ? now.month : name == "$A_DAY" ? now.day : name == "$A_HOUR" ? now.hour : name == "$A_MINUTE" ? now.minute : now.second;
         return value = Value::of_int(part), true;
@@ -249,6 +250,7 @@ bool Interpreter::parse_system_assignment() {
 
 // `from`, `length`: where the name stands, `at`: the value.
 bool Interpreter::write_system(const std::string& name, const std::vector<Value>& indices, Value value, const char* from, std::size_t length, const char* at) {
+    core_.did();
     const auto key = [&] { return name + "[" + to_text(Value::of_int(std::nearbyint(indices[0].number))) + "]"; };
     if (name == "$TC_TP2" || name == "$TC_TP_MAX_VELO" || grinding_parameter(name)) {
         if (indices.size() != 1 || !indices[0].is_number()) return fail_at(Alarm::ArrayIndexMissing, from, length, name);

@@ -142,6 +142,7 @@ void Interpreter::undo(std::function<void()> back) {
 
 void Interpreter::store(const Reference& reference, Value value) {
     Value& cell = reference.cell();
+    if (cell.number != value.number || cell.text != value.text || value.frame) core_.did();
     undo([variable = reference.variable, element = reference.element, before = cell] { variable->cells[element] = before; });
     cell = std::move(value);
     written_.push_back({reference_name(reference), cell});

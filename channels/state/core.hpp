@@ -322,6 +322,11 @@ public:
     void signal(std::string_view name, double value) { emitted_ = true, sink_->signal(name, value, at); }
     void aux(char letter, double value, std::string_view text, bool drained, bool silent = false, ToolCallBy by = ToolCallBy::Type, std::string_view name = {});
     void tell_control(std::uint32_t bits);                // ProgramControl: what the program takes out of the operator's hands
+    // A statement that waits for a value of the machine, told before its barrier. Coming back to the same place with nothing done in between,
+    // the program polls: only the machine can end such a loop, and where nothing there changes any more a run in virtual time has to (cli.md 5).
+    void asks_at(std::uint16_t file, std::uint64_t offset, std::size_t column = 0);
+    void did() { ++doings_; }                             // words, a variable that has another value now, a clock read: next time is another time
+    void begin_control() { control_ = 0, asked_ = {}, polls_ = false; }   // as the machine begins a program
     // A cycle taps from here on, or no more: a feed hold waits until the tool is out, the spindle's override rests.
     void taps(bool on);
     // What a block says about the spindle is gathered and told once, by commit_spindle().
@@ -421,6 +426,16 @@ private:
     MachineView* view_;
     std::array<int, 3> geo_{-1, -1, -1};   // places of X, Y, Z
     std::uint32_t control_ = 0;            // as tell_control() said it
+    struct Asked {
+        std::uint16_t file = 0;
+        std::uint64_t offset = 0;
+        std::size_t column = 0;
+        std::uint64_t doings = ~0ull;
+        bool operator==(const Asked&) const = default;
+    };
+    Asked asked_;
+    std::uint64_t doings_ = 0;
+    bool polls_ = false;                   // said to the machine
     Sink* sink_;    // out_, or the compensator in front of it
     Sink* out_;
     Sink* outermost_;                       // behind RouteSink

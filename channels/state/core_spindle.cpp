@@ -248,7 +248,16 @@ bool Core::spindle_ready(Alarm otherwise) {
 
 void Core::tell_control(std::uint32_t bits) {
     control_ = bits;
-    signal("CONTROL", bits);
+    signal("CONTROL", control_ | (polls_ ? kControlPolls : 0u));
+}
+
+void Core::asks_at(std::uint16_t file, std::uint64_t offset, std::size_t column) {
+    const Asked here{file, offset, column, doings_};
+    const bool again = here == asked_;
+    asked_ = here;
+    if (again == polls_) return;
+    polls_ = again;
+    tell_control(control_);
 }
 
 // The spindle turns on in a hold and would cut the thread away under the tool that stands (the field's standard; fagor_8037t part 2,

@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
 """What only a running machine shows of the language fagor: stops that a program holds off, overrides, tapping, the probe (fagor_8037t)."""
+import csv
+import math
 import unittest
 
 from polyturn_runner import Case
@@ -82,6 +84,30 @@ class Fagor(Case):
             with self.subTest(corner):
                 done = self.run_program(f"{HEAD}{corner}\nG01 Z10 F3000\nM30\n", *slopes)
                 self.assertAlmostEqual(self.seconds(done, Z=10), 40 / 50 + 50 / acceleration, delta=0.03)
+
+    def test_g51_rounds_its_corners_within_e_and_leaves_those_below_b_square(self):   # part 1, 7.4
+        trace = self.folder / "trace.csv"
+        def nearest(corner):   # how far from the corner Z0 X40 the path stays
+            self.run_program(f"{HEAD}G152\n{corner}\nG01 X40 Z10 F1000\nZ0\nX60\nM30\n", "--trace", str(trace), "--trace-every", "1")
+            with open(trace, newline="", encoding="utf-8") as lines:
+                return min(math.hypot(float(row["A1.cmd"]) - 40, float(row["A2.cmd"])) for row in csv.DictReader(lines))
+        wide = nearest("G51 E0.1")
+        self.assertLess(wide, 0.1)
+        self.assertGreater(wide, 0.05)
+        self.assertLess(nearest("G51 E0.1\nG05"), 0.006)          # as the machine has it
+        self.assertLess(nearest("G51 E0.1 B100"), 0.0002)        # the blocks make an angle of 90 degrees
+        self.assertGreater(nearest("G51 E0.1 B80"), 0.05)
+
+    def test_a_loop_that_nobody_answers_ends_the_run(self):   # cli.md, section 5
+        for loop in ("N10 (IF (PLCMM200 EQ 0) GOTO N10)\n", "N10 G04\n(IF (PLCMM200 EQ 0) GOTO N10)\n"):
+            with self.subTest(loop):
+                done = self.run_program(f"{HEAD}G01 Z40 F3000\n{loop}M30\n", status=1)
+                self.assertEqual([stop["reason"] for stop in done.of("stop")], ["waiting"], done.said())
+        # Those that come to an end by themselves: by counting, by the clock.
+        for loop in ("(P100=0)\nN10 (P100=P100+1)\n(IF ((PLCMM200 EQ 0) AND (P100 LT 2000)) GOTO N10)\n", "N10 (IF ((PLCMM200 EQ 0) AND (CYTIME LT 2500)) GOTO N10)\n"):
+            with self.subTest(loop):
+                done = self.run_program(f"{HEAD}{loop}M30\n")
+                self.assertEqual([stop["reason"] for stop in done.of("stop")], ["M30"], done.said())
 
     def test_two_loaded_programs_do_not_define_one_subroutine(self):   # part 2, 12.5
         for name in ("701", "702"):

@@ -11,11 +11,11 @@ class SinumerikRun(Case):
     OUTER_TOOL = '[channel.1.tool.1]\nname = "ROUGH"\nedge.1 = { DP1 = 500, DP2 = 3 }\n'
     SIGNAL_BEHIND_M77 = "".join(f'[[at]]\nwhen = {{ ev = "aux", code = "M77" }}\nafter = {after}\nset = "INT1 L1={level}"\n' for after, level in ((2.0, 1), (2.2, 0)))
 
-    def run_one(self, text, scenario, *options):
+    def run_one(self, text, scenario, *options, status=0):
         program = self.write("PART.MPF", text)
         stimuli = self.write("scenario.toml", scenario)
         done = self.polyturn("run", "--virtual", "--variables", "--language", "sinumerik", "--set", "N1000=0", *options, "--scenario", stimuli, f"1={program}")
-        self.assertEqual(done.status, 0, done.said())
+        self.assertEqual(done.status, status, done.said())
         return done
 
     def test_an_input_lets_the_program_go_on(self):   # part 3, 8: RDISABLE
@@ -30,6 +30,15 @@ class SinumerikRun(Case):
             with self.subTest(loop):
                 done = self.run_one(HEAD + loop + "G4 F1\nM30\n", '[[at]]\nt = 2.0\nset = "$A_IN[2] L1=1"\n')
                 self.assertAlmostEqual(done.of("dwell")[0]["t"], 2.0, delta=0.1, msg=done.said())
+
+    def test_a_loop_that_nobody_answers_ends_the_run(self):   # cli.md, section 5
+        for loop in ("LB: IF $A_IN[2]==0 GOTOB LB\n", "WHILE $A_IN[2]==0\nENDWHILE\n", "REPEAT\nSTOPRE\nUNTIL $A_IN[2]==1\n"):
+            with self.subTest(loop):
+                done = self.run_one(HEAD + "G0 Z5\n" + loop + "M30\n", "", status=1)
+                self.assertEqual([stop["reason"] for stop in done.of("stop")], ["waiting"], done.said())
+        # Those that come to an end by themselves.
+        done = self.run_one(HEAD + "R1=0\nWHILE ($A_IN[2]==0) AND (R1<2000)\nR1=R1+1\nENDWHILE\nM30\n", "")
+        self.assertEqual([stop["reason"] for stop in done.of("stop")], ["M30"], done.said())
 
     def test_actions_go_on_while_reading_is_held(self):
         done = self.run_one(HEAD + "$AC_MARKER[1]=0\nID=1 EVERY $A_IN[1]==1 DO M8\nID=2 WHENEVER $A_IN[2]==0 DO RDISABLE\nG4 F1\nM30\n",
