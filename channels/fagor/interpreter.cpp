@@ -31,6 +31,7 @@ Interpreter::Interpreter(MachineView& view, Sink& sink, Port& port, ProgramFiles
     }
     for (std::size_t n = 0; n < kTools; ++n) values_.tool(ToolField::Offset, n) = static_cast<double>(n);   // a tool's own offset until TLFD says otherwise
     frames_.reserve(32);
+    core_.wait_for_spindle(true);   // G95 waits for a spindle that the PLC may start; the kernel tells if none turns
     modal_.diameter = core_.view().axis_by_role(PlaneRole::BasicX) >= 0 && view.axes[static_cast<std::size_t>(view.axis_by_role(PlaneRole::BasicX))].diameter;
     clear_modal();
     core_.path.zero_row = kZeroNone;

@@ -127,6 +127,14 @@ TEST(FagorBlock, RefusesByName) {
 }
 
 // The tip, not the centre of the nose, is what a program sees (8.2); a rapid move leaves the cut the radius before its end.
+// [5.2.2] no error of G95 is named, and the PLC may start the spindle: the block is read, and check says once what it does not know.
+TEST(FagorBlock, FeedPerRevolutionWaitsForASpindle) {
+    const Played played = play("G152 G95\nG01 X10 Z0 F0.2\nZ-5", fagor());
+    EXPECT_EQ(points(played), "10,0 10,-5");
+    EXPECT_EQ(played.errors, 0u) << played.events;
+    EXPECT_TRUE(played.has({"\"ev\":\"alarm\"", "\"severity\":\"warning\""})) << played.events;
+}
+
 TEST(FagorCompensation, BeginsAndEndsWhereItStands) {
     Play how = fagor({"FG.COMPMODE=1"});
     const auto with_nose = [&](std::string_view program, double tip) {
