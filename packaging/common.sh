@@ -42,7 +42,7 @@ jobs=$(nproc)
 # How a build folder is set up for the first time: precompiled headers and several files in one unit, whether the compiler
 # cache is filled or not. A cache filled by an earlier state of the shared headers looks full and helps nothing; with these
 # settings it can look into precompiled headers too.
-export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+export CCACHE_SLOPPINESS=pch_defines,time_macros
 first_build() {
     [[ -e $1/CMakeCache.txt ]] || printf '%s' "-DPOLYTURN_PCH=ON -DPOLYTURN_UNITY=ON"
 }
