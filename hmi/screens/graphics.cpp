@@ -9,6 +9,7 @@
 
 #include "hmi/machine/channel_words.hpp"
 #include "hmi/screens/graphics_look.hpp"
+#include "hmi/widgets/number_cells.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -30,7 +31,7 @@ Graphics::Graphics(Desk& desk) : Screen(desk), head_(new FreeSheet(this)) {
         w.text(QRectF(px(14), 0, px(200), head_->height()), word("Graphics"), lettering(20, true), t.text);
         double x = px(230);
         const std::size_t count = desk_.live.channels().size();
-        const double room = dry_ ? px(540) : px(240);
+        const double room = dry_ ? px(600) : px(240);
         const double step = std::min<double>(px(84), (head_->width() - room) / static_cast<double>(std::max<std::size_t>(1, count)));
         for (const unsigned channel : desk_.live.channels()) {
             const double stroke = step < px(80) ? px(12) : px(26);
@@ -44,6 +45,7 @@ Graphics::Graphics(Desk& desk) : Screen(desk), head_(new FreeSheet(this)) {
             w.fill(box, t.mark, px(6));
             w.sign(QRectF(box.left() + px(10), box.center().y() - px(10), px(20), px(20)), dryRun_.running() ? Sign::Wait : playing_ ? Sign::Run : Sign::Hold, t.accent);
             w.text(box.adjusted(px(38), 0, -px(10), 0), word("Simulation: %1 of %2").arg(timeText(dryTime_), timeText(dryRun_.end())), lettering(15, true), t.text);
+            w.text(QRectF(box.left() - px(60), 0, px(50), head_->height()), QString::fromUtf8("× %1").arg(drySpeed_, 0, 'f', 0), lettering(15, true), t.dim, kRight);   // how fast it is played
         } else if (count <= kFewChannels) {
             w.text(rest, word("Since the start of these screens; tips as points, without width and radius"), lettering(13.5), t.dim, Qt::AlignRight | Qt::AlignVCenter);
         }
@@ -321,7 +323,10 @@ void Graphics::refresh() {
     p.setRenderHint(QPainter::Antialiasing);
     p.setClipRect(QRectF(px(8), head_->height(), width() - px(16), height() - head_->height() - px(8)));
     for (auto& [channel, trail] : scene.trails)
-        if (trail.drawn != trail.points.size()) changed |= drawTrail(p, channel, trail).toAlignedRect();
+        if (trail.drawn != trail.points.size()) {
+            const QRectF drawn = drawTrail(p, channel, trail);
+            changed |= (drawn | drawNames(p, drawn)).toAlignedRect();
+        }
     if (!changed.isEmpty()) update(changed);
 }
 

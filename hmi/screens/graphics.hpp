@@ -15,6 +15,7 @@
 #include "hmi/machine/room_view.hpp"
 #include "hmi/machine/stroke_view.hpp"
 #include "hmi/screens/cutting_scene.hpp"
+#include "hmi/screens/path_names.hpp"
 
 namespace polyturn::hmi {
 
@@ -43,6 +44,8 @@ public:
     const std::vector<ShownStroke>& strokes() const { return strokes_; }
     const CuttingScene& scene() const { return dry_ ? drySide_ : live_; }
     double dryTime() const { return dryTime_; }
+    const std::map<unsigned, PathNames>& pathNames() const { return names_; }
+    std::vector<QRectF> labels() const;   // of tips and bodies
 
 protected:
     void resizeEvent(QResizeEvent*) override;
@@ -112,6 +115,8 @@ private:
     void drawNotes(QPainter& p, const QRegion& region);
     void drawStrokes(QPainter& p, const QRectF& area);
     QRectF drawTrail(QPainter& p, unsigned channel, Trail& trail);   // what is new in it; its place
+    QRectF nameBox(unsigned channel, const QPointF& place) const;
+    QRectF drawNames(QPainter& p, const QRectF& within);
     double aside(unsigned channel) const;  // to which side of the spindle axis its tip is drawn: 1 up, -1 down
     QString nameOf(const ShownBody& body) const;
 
@@ -137,6 +142,7 @@ private:
     std::map<unsigned, Played> dryAt_;
     QElapsedTimer clock_;
     QPixmap picture_;
+    std::map<unsigned, PathNames> names_;  // of channels, on the paths of the picture
     std::vector<BodyLook> bodyLooks_;
     std::map<unsigned, TipLook> tipLooks_;
     bool redraw_ = true;

@@ -15,6 +15,20 @@ namespace {
 constexpr double kSketchWide = 0.45;     // of the reach: a turret of which only that is known
 constexpr double kLargest = 2500;        // mm: what stands farther out (the head behind a chuck) does not make the picture smaller
 constexpr double kFarthest = 1e5;        // mm: drawn instead of infinity
+constexpr double kNameEvery = 220, kNamesApart = 110;   // of channels on their paths
+
+// A label that would lie on another one goes up or down until it does not, as far as there is room.
+void keepClear(QRectF& label, const std::vector<QRectF>& taken, const QRectF& area) {
+    const double step = label.height() + px(2);
+    constexpr int kFarthestStep = 16;   // as many as there are channels
+    for (int i = 0; i <= 2 * kFarthestStep; ++i) {
+        const int steps = i % 2 ? (i + 1) / 2 : -(i / 2);   // 0, 1, -1, 2, ...
+        const QRectF there = label.translated(0, steps * step);
+        if ((steps && !area.contains(there)) || std::any_of(taken.begin(), taken.end(), [&](const QRectF& one) { return one.intersects(there); })) continue;
+        label = there;
+        return;
+    }
+}
 }  // namespace
 
 // The part of the room that is shown: the blank with what is around it, or all bodies. In pixels: z to the right, x up.
@@ -71,13 +85,17 @@ QString Graphics::nameOf(const ShownBody& body) const {
 QRectF Graphics::drawTrail(QPainter& p, unsigned channel, Trail& trail) {
     if (trail.points.empty()) return {};
     const auto at = [&](std::size_t i) { return place(trail.points[i].z, trail.points[i].x); };
+    const QRectF area(px(8), head_->height(), width() - px(16), height() - head_->height() - px(8));
+    PathNames& names = names_[channel];
+    if (trail.drawn == 0) names.clear();
+    const std::size_t named = names.places().size();
     std::size_t i = std::max<std::size_t>(1, trail.drawn);
     QPainterPath cut, rapid;
     for (QPointF last = at(i - 1); i < trail.points.size(); ++i) {
         const TrailPoint& point = trail.points[i];
         const QPointF now = at(i);
         QPainterPath& path = point.rapid ? rapid : cut;
-        if (!point.begins) path.moveTo(last), path.lineTo(now);
+        if (!point.begins) path.moveTo(last), path.lineTo(now), names.goOn(last, now, px(kNameEvery), px(kNamesApart), area);
         last = now;
     }
     const QColor colour = colourOf(channel);
@@ -87,7 +105,32 @@ QRectF Graphics::drawTrail(QPainter& p, unsigned channel, Trail& trail) {
     p.setPen(QPen(colour, px(1.6)));
     p.drawPath(cut);
     trail.drawn = trail.points.size();
-    return (cut.boundingRect() | rapid.boundingRect()).adjusted(-px(4), -px(4), px(4), px(4));
+    QRectF out = (cut.boundingRect() | rapid.boundingRect()).adjusted(-px(4), -px(4), px(4), px(4));
+    for (std::size_t n = named; n < names.places().size(); ++n) out |= nameBox(channel, names.places()[n]);
+    return out;
+}
+
+QRectF Graphics::nameBox(unsigned channel, const QPointF& place) const {
+    const QFont font = lettering(11, true);
+    QRectF box(0, 0, wordsWidth(QString("L%1").arg(channel), font) + px(6), QFontMetricsF(font).height());
+    box.moveCenter(place);
+    return box;
+}
+
+// Which channel a path belongs to: over the paths, where they have been drawn within the area.
+QRectF Graphics::drawNames(QPainter& p, const QRectF& within) {
+    QRectF out;
+    for (const auto& [channel, names] : names_)
+        for (const QPointF& place : names.places()) {
+            const QRectF box = nameBox(channel, place);
+            if (!box.intersects(within)) continue;
+            p.setPen(QPen(colourOf(channel), 1)), p.setBrush(theme().card);
+            p.drawRoundedRect(box, px(3), px(3));
+            p.setFont(lettering(11, true));
+            paintWords(p, box, Qt::AlignCenter, QString("L%1").arg(channel));
+            out |= box.adjusted(-1, -1, 1, 1);
+        }
+    return out;
 }
 
 double Graphics::BodyLook::pen() const { return held ? px(3) : px(1.6); }
@@ -205,21 +248,37 @@ QRect Graphics::TipLook::pixels() const {
 
 QRegion Graphics::takeLooks() {
     QRegion out;
+    // Names of tips keep clear of each other, those of bodies of all that are there already.
+    const QRectF area(px(8), head_->height(), width() - px(16), height() - head_->height() - px(8));
+    std::vector<QRectF> taken;
+    std::map<unsigned, TipLook> tips;
+    for (const auto& [channel, trail] : shown().trails)
+        if (!trail.points.empty()) {
+            TipLook& tip = tips.emplace(channel, lookOf(channel, trail)).first->second;
+            keepClear(tip.label, taken, area), taken.push_back(tip.label);
+        }
     std::vector<BodyLook> bodies;
     for (const bool carriers : {false, true})   // carriers are drawn over what stands
         for (const ShownBody& body : bodies_)
             if ((body.kind == RoomBodies::Kind::Carrier) == carriers) bodies.push_back(lookOf(body));
+    for (BodyLook& body : bodies)
+        if (!body.label.isNull()) keepClear(body.label, taken, area), taken.push_back(body.label);
     for (std::size_t i = 0; i < std::max(bodies.size(), bodyLooks_.size()); ++i)
         out |= i >= bodies.size() ? bodyLooks_[i].pixels() : i >= bodyLooks_.size() ? bodies[i].pixels() : bodies[i].differing(bodyLooks_[i]);
     bodyLooks_ = std::move(bodies);
-    std::map<unsigned, TipLook> tips;
-    for (const auto& [channel, trail] : shown().trails)
-        if (!trail.points.empty()) tips.emplace(channel, lookOf(channel, trail));
     for (const auto& [channel, tip] : tips)
         if (const auto before = tipLooks_.find(channel); before == tipLooks_.end() || !(before->second == tip)) out |= tip.pixels();
     for (const auto& [channel, tip] : tipLooks_)
         if (const auto now = tips.find(channel); now == tips.end() || !(now->second == tip)) out |= tip.pixels();
     tipLooks_ = std::move(tips);
+    return out;
+}
+
+std::vector<QRectF> Graphics::labels() const {
+    std::vector<QRectF> out;
+    for (const auto& [channel, tip] : tipLooks_) out.push_back(tip.label);
+    for (const BodyLook& body : bodyLooks_)
+        if (!body.label.isNull()) out.push_back(body.label);
     return out;
 }
 
@@ -337,7 +396,9 @@ void Graphics::drawRoom() {
     const double axis = place(0, scene.zero().x).y();
     p.drawLine(QPointF(area.left(), axis), QPointF(area.right(), axis));
     drawStrokes(p, area);
+    std::erase_if(names_, [&](const auto& one) { return !scene.trails.contains(one.first); });
     for (auto& [channel, trail] : scene.trails) drawTrail(p, channel, trail);
+    drawNames(p, area);
 }
 
 // What the lines mean, at the foot, over everything: bodies may reach down there.

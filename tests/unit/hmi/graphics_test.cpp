@@ -81,6 +81,23 @@ TEST(DryRunZeros, APathGoesOnInTheSystemThatItBeganIn) {
     EXPECT_NEAR(*channel.zero, -100, 1e-6);
 }
 
+// Colour is not the only signal: a path bears the name of its channel, not too often, and never twice at a place it passes again.
+TEST(PathNames, StandAtEvenDistancesAndApartFromEachOther) {
+    const QRectF room(0, 0, 1000, 500);
+    PathNames names;
+    for (int x = 0; x < 900; x += 3) names.goOn(QPointF(x, 100), QPointF(x + 3, 100), 200, 100, room);
+    ASSERT_EQ(names.places().size(), 5u);
+    for (std::size_t i = 1; i < 5; ++i) EXPECT_NEAR(names.places()[i].x() - names.places()[i - 1].x(), 200, 1e-6);
+    names.goOn(QPointF(900, 130), QPointF(0, 130), 200, 100, room);   // the next pass, in one piece, 30 pixels beside
+    for (std::size_t i = 0; i < names.places().size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) EXPECT_GE(std::hypot(names.places()[i].x() - names.places()[j].x(), names.places()[i].y() - names.places()[j].y()), 100);
+    names.goOn(QPointF(0, 130), QPointF(-5000, 130), 200, 100, room);
+    for (const QPointF& place : names.places()) EXPECT_TRUE(room.contains(place));
+    names.clear();
+    names.goOn(QPointF(0, 0), QPointF(100, 0), 200, 100, room);
+    EXPECT_EQ(names.places().size(), 1u) << "a short path has one too";
+}
+
 class GraphicsTasks : public Tasks {};
 
 // Every box that protection publishes is in the picture, at the same place: both come from the same geometry.
@@ -169,6 +186,10 @@ TEST_F(GraphicsTasks, ADryRunIsPlayedBesideTheMachine) {
             if (screen.scene().stock.radiusAt(z) < blank - 0.5) return true;
         return false;
     })) << "the part is cut";
+    EXPECT_TRUE(waitFor([&] {
+        const auto& names = screen.pathNames();
+        return names.contains(1) && names.contains(2) && !names.at(1).places().empty() && !names.at(2).places().empty();
+    })) << "paths have the names of their channels";
     // The turrets stand where their paths end.
     for (const ShownBody& body : screen.bodies())
         if (body.channel) {

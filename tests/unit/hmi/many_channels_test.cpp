@@ -2,6 +2,7 @@
 #include <QFile>
 #include <QRegularExpression>
 
+#include "hmi/screens/graphics.hpp"
 #include "tests/unit/hmi/controller.hpp"
 #include "tests/unit/hmi/screen_checks.hpp"
 
@@ -90,6 +91,17 @@ TEST(ManyChannelsCard, IsEnlargedByATouchAndByAKey) {
         QTest::mouseClick(card, Qt::LeftButton, {}, card->rect().center());
     };
     Operator hand(window);
+    for (Screen* one : window.screens())   // all the turrets that were copied stand at one place: their names do not lie upon each other
+        if (auto* graphics = dynamic_cast<Graphics*>(one)) {
+            window.showScreen(6);
+            graphics->turnTo(1);   // the whole machine
+            ASSERT_TRUE(waitFor([&] { return graphics->labels().size() >= 8; }));
+            const auto labels = graphics->labels();
+            for (std::size_t i = 0; i < labels.size(); ++i)
+                for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(labels[i].intersects(labels[j])) << i << " " << j;
+            graphics->turnTo(0);
+            window.showScreen(0);
+        }
     touch(6);
     EXPECT_EQ(window.desk().channel, 6u);
     EXPECT_TRUE(says(6, "Parts") && says(6, "Mean")) << "figures without a heading";
