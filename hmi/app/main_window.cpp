@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "hmi/text/retold.hpp"
+#include "hmi/widgets/set_words.hpp"
 #include "hmi/widgets/table.hpp"
 #include "ipc/machine/machine_step.hpp"
 
@@ -252,7 +253,7 @@ void MainWindow::composeTop(Writer& w) {
     const QColor colour = live_.connected() ? colourOf(step) : t.bad;
     w.sign(QRectF(px(14), px(11), px(24), px(24)), live_.connected() ? signOf(step) : Sign::Alarm, colour);
     const QString state = live_.connected() ? word(machine_step_text(live_.status().step).text) : word("No controller answers");
-    w.text(QRectF(px(46), 0, px(330), h), state, lettering(16, true), colour);
+    w.text(QRectF(px(46), 0, px(330), h), state.left(1).toUpper() + state.mid(1), lettering(16, true), colour);
     double right = wide - px(8);
     const auto button = [&](int hit, const QString& text, Sign sign, double units) {
         const QRectF box(right - px(units), px(6), px(units), h - px(12));
@@ -281,9 +282,17 @@ void MainWindow::composeTop(Writer& w) {
         w.frame(box, t.bad, px(6), 1);
         w.sign(QRectF(left + px(8), px(14), px(18), px(18)), Sign::Alarm, t.bad);
         const std::size_t more = alarms_.standingCount() - 1;
-        w.data(QRectF(left + px(34), 0, right - left - px(more ? 90 : 42), h),
-               (alarm->channel ? QString("L%1  ").arg(alarm->channel) : QString()) + alarm->number + "  " + alarm->text, lettering(14), t.text);
-        if (more) w.text(QRectF(right - px(52), 0, px(44), h), QString("+%1").arg(more), lettering(14, true), t.bad, Qt::AlignRight | Qt::AlignVCenter);
+        w.sign(QRectF(right - px(26), px(14), px(18), px(18)), Sign::Right, t.dim);   // a touch opens it
+        if (more) w.text(QRectF(right - px(70), 0, px(42), h), QString("+%1").arg(more), lettering(14, true), t.bad, Qt::AlignRight | Qt::AlignVCenter);
+        const QString text = (alarm->channel ? QString("L%1  ").arg(alarm->channel) : QString()) + alarm->number + "  " + alarm->text;
+        const QRectF room(left + px(34), px(4), right - left - px(more ? 108 : 64), h - px(8));
+        if (wordsWidth(text, lettering(14)) <= room.width()) {
+            w.data(room, text, lettering(14), t.text);
+        } else {   // on two lines
+            const QFont small = lettering(12, false, Face::Condensed);
+            Item& item = w.text(room, wordsCutTo(text, small, room.size()), small, t.text);
+            item.wraps = true, item.data = true;
+        }
         w.hit(box, kHitAlarm);
     } else if (const AlarmEntry* note = live_.connected() && static_cast<MachineStep>(live_.status().step) == MachineStep::Ready ? alarms_.told(0) : nullptr) {   // of the machine's builder: it belongs to no channel's card; what is to do next goes before it
         const QRectF box(left, px(6), right - left, h - px(12));

@@ -65,6 +65,17 @@ const SetWords& setWords(const QString& text, const QFont& font, double wide, bo
 
 double wordsWidth(const QString& text, const QFont& font) { return setWords(text, font, -1, false).width; }
 
+QString wordsCutTo(const QString& text, const QFont& font, const QSizeF& room) {
+    const auto fits = [&](const QString& words) {
+        const SetWords& set = setWords(words, font, room.width(), true);
+        return set.height <= room.height() + 1 && set.width <= room.width() + QFontMetricsF(font).horizontalAdvance(' ');   // a space may hang over
+    };
+    if (fits(text)) return text;
+    for (qsizetype end = text.lastIndexOf(' '); end > 0; end = text.lastIndexOf(' ', end - 1))
+        if (const QString less = text.left(end).trimmed() + QChar(0x2026); fits(less)) return less;
+    return text;
+}
+
 void paintSetWords(QPainter& painter, const QRectF& box, int align, const QString& text, const QFont& font, bool wraps) {
     if (text.isEmpty()) return;
     const SetWords& words = setWords(text, font, box.width(), wraps);

@@ -31,5 +31,7 @@ void paintSetLines(QPainter& painter, const QRectF& box, int align, const SetWor
 void paintSetWords(QPainter& painter, const QRectF& box, int align, const QString& text, const QFont& font, bool wraps = false);
 // How wide a line is.
 double wordsWidth(const QString& text, const QFont& font);
+// As much of a text, set on several lines, as there is room for; with three dots where words had to go.
+QString wordsCutTo(const QString& text, const QFont& font, const QSizeF& room);
 
 }  // namespace polyturn::hmi

@@ -44,6 +44,21 @@ TEST(SetWords, AreThePixelsOfQt) {
     EXPECT_NE(painted([](QPainter& p) { paintSetWords(p, {10, 10, 300, 30}, Qt::AlignLeft, "Feed", lettering(15)); }), painted([](QPainter&) {})) << "something is painted at all";
 }
 
+TEST(SetWords, AreCutWhereTheRoomEndsAndSaySo) {
+    const QString text = "L1  PT0532  the axis X stands at the positive end of its travel: move it away by hand, or with the handwheel, then press Reset";
+    const QFont font = lettering(12.5);
+    const double line = setWords("Ag", font, 1000, true).height;
+    EXPECT_EQ(wordsCutTo(text, font, QSizeF(4000, line)), text);
+    for (const double wide : {150.0, 200.0, 280.0}) {
+        const QString one = wordsCutTo(text, font, QSizeF(wide, line)), two = wordsCutTo(text, font, QSizeF(wide, 2 * line + 3));
+        for (const QString& cut : {one, two}) {
+            EXPECT_TRUE(cut.endsWith(QChar(0x2026)) && text.startsWith(cut.chopped(1))) << cut.toStdString();
+            EXPECT_LE(setWords(cut, font, wide, true).height, (cut == one ? line : 2 * line + 3) + 1);
+        }
+        EXPECT_GT(two.size(), one.size() * 3 / 2);
+    }
+}
+
 // Each step changes some items at random; what has been painted over the picture of before is what is painted anew.
 TEST(Sheet, LeavesNoStalePixel) {
     std::mt19937 random(11);
