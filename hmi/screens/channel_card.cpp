@@ -5,6 +5,7 @@
 
 #include "hmi/machine/channel_words.hpp"
 #include "hmi/widgets/number_cells.hpp"
+#include "hmi/widgets/set_words.hpp"
 
 namespace polyturn::hmi {
 namespace {
@@ -277,11 +278,22 @@ private:
                     status_.block >= 0 ? QString("N%1").arg(status_.block) : QString("%1 %2").arg(word("line")).arg(status_.line), lettering(13), t_.dim, kRight);
         y_ += head;
         const auto running = static_cast<int>(status_.line);
-        const int first = running ? std::max(1, running - std::min(before, lines - 1)) : 1;
-        for (int i = 0; i < lines; ++i) {
-            const int number = first + i;
+        // The running block is shown whole: one that is longer than a line of a dense card has two, and the block before it goes.
+        const QFont bold = lettering(dense_ ? 12 : 13.5, true, Face::Program);
+        const bool two = dense_ && running && lines > 1 && wordsWidth(programs_.line(path, static_cast<std::uint32_t>(running)), bold) > wide_ - px(18);
+        const int first = running ? std::max(1, running - (two ? 0 : std::min(before, lines - 1))) : 1;
+        for (int i = 0, number = first; i < lines; ++i, ++number) {
             const bool here = number == running;
-            const QRectF box(left_, y_ + i * row, wide_, row);
+            const QRectF box(left_, y_ + i * row, wide_, here && two ? 2 * row : row);
+            if (here && two) {
+                w_.fill(box.adjusted(-px(4), 0, px(4), 0), t_.mark, px(4));
+                w_.sign(QRectF(box.left(), box.top() + (row - px(12)) / 2, px(12), px(12)), Sign::Run, t_.accent);
+                const QRectF words = box.adjusted(px(18), 0, 0, 0);
+                Item& item = w_.text(words, wordsCutTo(programs_.line(path, static_cast<std::uint32_t>(number)), bold, words.size()), bold, t_.text);
+                item.wraps = true, item.data = true;
+                ++i;
+                continue;
+            }
             if (here) w_.fill(box.adjusted(-px(4), 0, px(4), 0), t_.mark, px(4));
             if (here) w_.sign(QRectF(box.left(), box.center().y() - px(6), px(12), px(12)), Sign::Run, t_.accent);
             w_.data(box.adjusted(px(18), 0, 0, 0), programs_.line(path, static_cast<std::uint32_t>(number)), lettering(dense_ ? 12 : 13.5, here, Face::Program), here ? t_.text : t_.dim);
