@@ -19,6 +19,14 @@ double largest(const CompensationCurve& curve) {
     return out;
 }
 
+// A division that people count by: 1, 2 or 5 with zeros, not smaller than wanted.
+double roundDivision(double wanted) {
+    const double tenth = std::pow(10.0, std::floor(std::log10(std::max(wanted, 1e-9))));
+    for (const double one : {1.0, 2.0, 5.0})
+        if (one * tenth >= wanted * (1 - 1e-9)) return one * tenth;
+    return 10 * tenth;
+}
+
 }  // namespace
 
 CompensationPage::CompensationPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), curves_(new Table(this)), points_(new Table(this)), graph_(new FreeSheet(this)) {
@@ -73,6 +81,12 @@ const CompensationCurve* CompensationPage::chosen() const {
 
 QString CompensationPage::axisName(unsigned axis) const { return QString("A%1 %2").arg(axis).arg(fromView(desk_.live.config().axis(axis).name_text())); }
 
+// As it is stored: X as a radius.
+QString CompensationPage::unitOf(unsigned axis) const {
+    const AxisConfig& config = desk_.live.config().axis(axis);
+    return config.rotary ? QString(QChar(0xB0)) : config.diameter ? word("mm, radius") : unitWord("mm");
+}
+
 QString CompensationPage::title(const CompensationCurve& curve) const {
     switch (curve.kind) {
         case Kind::Pitch: return word("%1: pitch").arg(axisName(curve.moving));
@@ -109,18 +123,23 @@ void CompensationPage::composeGraph(Writer& w) {
     w.text(QRectF(px(14), px(8), wide - px(28), px(26)), title(*curve), lettering(16, true), t.text);
     w.text(QRectF(px(14), px(34), wide - px(28), px(22)), curve->on ? word("The machine works with it") : word("Switched off"), lettering(13.5), curve->on ? t.good : t.warn);
     const auto [first, last] = std::minmax_element(curve->points.begin(), curve->points.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
-    const double from = first->at, span = std::max(1e-9, last->at - from), most = std::max(largest(*curve), 1e-4) * 1.15;
-    const double left = px(84), right = wide - px(20), top = px(70), bottom = high - px(40), middle = (top + bottom) / 2;
+    const double from = first->at, span = std::max(1e-9, last->at - from);
+    const double division = roundDivision(std::max(largest(*curve), 1e-4) * 1.05 / 4), most = 4 * division;
+    const double left = px(84), right = wide - px(36), top = px(94), bottom = high - px(62), middle = (top + bottom) / 2;
     const auto place = [&](const CompensationCurve::Point& point) { return QPointF(left + (right - left) * (point.at - from) / span, middle - (bottom - top) / 2 * point.value / most); };
-    for (const double share : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
-        const double y = middle - (bottom - top) / 2 * share;
-        w.line({left, y}, {right, y}, share == 0 ? t.dim : t.edge, 1);
-        w.text(QRectF(px(4), y - px(10), left - px(12), px(20)), lengthText(most * share, 4), lettering(12.5), t.dim, kRight);
+    w.text(QRectF(px(14), px(60), wide - px(28), px(22)), QString("%1 (%2)").arg(word("Correction"), unitOf(curve->corrected ? curve->corrected : curve->moving)), lettering(13.5), t.dim);
+    for (int i = -4; i <= 4; ++i) {
+        const double y = middle - (bottom - top) / 2 * i / 4;
+        w.line({left, y}, {right, y}, i == 0 ? t.dim : t.edge, 1);
+        w.text(QRectF(px(4), y - px(10), left - px(12), px(20)), lengthText(division * i, 4), lettering(12.5), t.dim, kRight);
     }
-    for (int i = 0; i <= 4; ++i) {
-        const double x = left + (right - left) * i / 4;
-        w.text(QRectF(std::min<double>(x - px(50), wide - px(104)), bottom + px(6), px(100), px(20)), lengthText(from + span * i / 4, 1), lettering(12.5), t.dim, i == 0 ? int(Qt::AlignLeft | Qt::AlignVCenter) : i == 4 ? kRight : int(Qt::AlignCenter));
+    const double apart = roundDivision(span / 6);
+    for (double at = std::ceil(from / apart - 1e-6) * apart; at <= last->at + 1e-6 * apart; at += apart) {
+        const double x = left + (right - left) * (at - from) / span;
+        w.line({x, top}, {x, bottom}, t.edge, 1);
+        w.text(QRectF(x - px(40), bottom + px(6), px(80), px(20)), lengthText(std::round(at / apart) * apart + 0.0, apart < 1 ? 3 : 0), lettering(12.5), t.dim, Qt::AlignCenter);
     }
+    w.text(QRectF(left, bottom + px(30), right - left, px(22)), QString("%1 %2 (%3)").arg(word("Position"), axisName(curve->moving), unitOf(curve->moving)), lettering(13.5), t.dim, kRight);
     // A graph has some hundred places; of tables with thousands of points the least and greatest of each place are drawn.
     const std::size_t count = curve->points.size(), step = std::max<std::size_t>(1, count / 400);
     QPointF before = place(curve->points.front());

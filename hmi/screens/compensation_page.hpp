@@ -25,6 +25,7 @@ private:
     const CompensationCurve* chosen() const;
     QString title(const CompensationCurve& curve) const;
     QString axisName(unsigned axis) const;
+    QString unitOf(unsigned axis) const;
     void composeGraph(Writer& w);
 
     Desk& desk_;
