@@ -183,7 +183,7 @@ bool Offsets::appliedNow(const Value& value, double& applied, double& sum) const
     if (zeros_) {
         if (p.flags & kPictureNoShift) return false;
         applied = shown(axis, p.shift[place] - p.tool_shift[place]);
-        sum = store.zeros[place] + store.zeros[static_cast<std::size_t>(p.zero_row) * kChannelAxes + place] + store.zeros[kZeroShift * kChannelAxes + place];
+        sum = store.zeros[place] + (p.zero_row > 0 ? store.zeros[static_cast<std::size_t>(p.zero_row) * kChannelAxes + place] : 0.0) + store.zeros[kZeroShift * kChannelAxes + place];
         return true;
     }
     if (p.geometry <= 0 && p.wear <= 0) return false;
@@ -348,8 +348,8 @@ void Offsets::composeSide(Writer& w) {
         double applied = 0, sum = 0;
         const ChannelView& view = desk_.live.view(desk_.channel);
         const BlockPicture& p = view.picture;
-        const bool active = view.known && (zeros_ ? p.zero_row == static_cast<std::int32_t>(zeroRows_[static_cast<std::size_t>(table_->row())])
-                                                  : p.geometry == table_->row() + 1 || p.wear == table_->row() + 1);
+        const auto zeroActs = [&](std::size_t row) { return p.zero_row == static_cast<std::int32_t>(row) || row == kZeroExternal || row == kZeroShift; };   // these act with each of the others
+        const bool active = view.known && (zeros_ ? zeroActs(zeroRows_[static_cast<std::size_t>(table_->row())]) : p.geometry == table_->row() + 1 || p.wear == table_->row() + 1);
         if (active && appliedNow(*value, applied, sum)) {
             const bool same = std::abs(applied - sum) <= 5e-7;
             line(zeros_ ? word("All zeros together") : word("Geometry + wear"), lengthText(sum, value->decimals), t.text);

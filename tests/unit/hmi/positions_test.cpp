@@ -90,6 +90,20 @@ TEST_F(Positions, AreAtRightAnglesWhereTheSlideIsInclined) {
     const double upright = x + live().view(1).picture.shift[0];
     EXPECT_TRUE(waitFor([&] { return std::abs(live().store(1).zeros[3 * kChannelAxes] - 2 * upright) < 5e-3; })) << live().store(1).zeros[3 * kChannelAxes] << " is not " << 2 * upright;
     EXPECT_GT(std::abs(2 * upright - 2 * live().status().axes[0].act), 1) << "the slide itself stands elsewhere";
+    // The external zero and the work shift act with each of the others, whichever the program has chosen.
+    const auto says = [&](const QString& text) {
+        for (Sheet* sheet : window->screen()->sheets())
+            for (const Item& item : sheet->items())
+                if (item.text == text) return true;
+        return false;
+    };
+    for (const int row : {0, 7}) {
+        hand.touchCell(offsets.table(), row, 1);
+        EXPECT_TRUE(waitFor([&] { return says("All zeros together"); })) << row;
+        EXPECT_FALSE(says("Not in use by the running program")) << row;
+    }
+    hand.touchCell(offsets.table(), 4, 1);
+    EXPECT_TRUE(waitFor([&] { return says("Not in use by the running program"); }));
     ASSERT_TRUE(g_controller->run({"params", "set", "F8200 L1=00000000", "--instance", g_controller->name}));
 }
 
