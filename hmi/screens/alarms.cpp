@@ -17,7 +17,7 @@ Alarms::Alarms(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), table_(ne
     setFocusPolicy(Qt::StrongFocus);
     head_->onCompose = [this](Writer& w) {
         const Theme& t = theme();
-        static constexpr const char* kTitles[] = {WORD("What stands"), WORD("History"), WORD("Log of stops")};
+        static constexpr const char* kTitles[] = {WORD("Active alarms"), WORD("History"), WORD("Log of stops")};
         w.fill(QRectF(0, 0, head_->width(), head_->height()), t.window);
         w.text(QRectF(px(14), 0, head_->width() * 0.6, head_->height()), word(kTitles[static_cast<std::size_t>(page_)]), lettering(20, true), t.text);
     };
@@ -117,7 +117,7 @@ void Alarms::refresh() {
 
 std::vector<SoftKey> Alarms::keys() {
     const auto page = [this](Page wanted, const QString& text) { return SoftKey{text, [this, wanted] { showPage(wanted); }, Sign::None, true, page_ == wanted}; };
-    std::vector<SoftKey> keys{page(Page::Standing, word("What stands")), page(Page::History, word("History")), page(Page::Stops, word("Log of stops"))};
+    std::vector<SoftKey> keys{page(Page::Standing, word("Active alarms")), page(Page::History, word("History")), page(Page::Stops, word("Log of stops"))};
     if (page_ == Page::Stops) stops_->addKeys(keys);
     keys.resize(9);
     const ChannelStatus& status = desk_.live.channel(desk_.channel);

@@ -40,6 +40,7 @@ private:
     void layOut();
     void fillSignals();
     void fillAxes();
+    Table::Cell spindleCell(std::uint32_t number, int column) const;
     void fillCouplings();
     void fillVariables();
     void fillCounters();

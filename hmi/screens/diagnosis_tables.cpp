@@ -59,15 +59,19 @@ void Diagnosis::fillSignals() {
 }
 
 void Diagnosis::fillAxes() {
-    table_->columns = {{word("Axis"), 1}, {word("Channel"), 0.9}, {word("Commanded"), 1.5, Qt::AlignRight | Qt::AlignVCenter}, {word("Measured"), 1.5, Qt::AlignRight | Qt::AlignVCenter},
+    table_->columns = {{word("Axis"), 1}, {word("Channel"), 0.9}, {word("Commanded"), 1.5, Qt::AlignRight | Qt::AlignVCenter}, {word("Measured"), 1.5, Qt::AlignRight | Qt::AlignVCenter}, {word("Unit"), 0.8},
                        {word("Follow. error"), 1.2, Qt::AlignRight | Qt::AlignVCenter}, {word("Compensation"), 1.4, Qt::AlignRight | Qt::AlignVCenter},
                        {word("Torque"), 1.0, Qt::AlignRight | Qt::AlignVCenter}, {word("State"), 2.4}};
     table_->rowUnits = 34;
     auto axes = std::make_shared<std::vector<std::uint32_t>>();
     for (std::uint32_t a = 1; a <= desk_.live.config().last_axis; ++a)
         if (desk_.live.config().axis(a).exists()) axes->push_back(a);
-    table_->rows = [axes] { return static_cast<int>(axes->size()); };
-    table_->cell = [this, axes](int row, int column) -> Table::Cell {
+    auto spindles = std::make_shared<std::vector<std::uint32_t>>();
+    for (std::uint32_t s = 1; s <= desk_.live.config().last_spindle; ++s)
+        if (desk_.live.config().spindle(s).exists()) spindles->push_back(s);
+    table_->rows = [axes, spindles] { return static_cast<int>(axes->size() + spindles->size()); };
+    table_->cell = [this, axes, spindles](int row, int column) -> Table::Cell {
+        if (static_cast<std::size_t>(row) >= axes->size()) return spindleCell((*spindles)[static_cast<std::size_t>(row) - axes->size()], column);
         const std::uint32_t number = (*axes)[static_cast<std::size_t>(row)];
         const AxisConfig& axis = desk_.live.config().axis(number);
         const AxisStatus& now = desk_.live.status().axes[number - 1];
@@ -75,16 +79,17 @@ void Diagnosis::fillAxes() {
         const Theme& t = theme();
         // Its drive belongs to the spindle just now: the axis is nowhere.
         const bool turns = axis.on_spindle && desk_.live.nc(signals::sn_axis(axis.on_spindle)) == 0;
-        if (turns && column >= 2 && column <= 5) return {QString::fromUtf8("–"), t.faint};
-        if (turns && column > 6 && !(now.flags & kDriveFault)) return {word("turns as spindle S%1").arg(axis.on_spindle), t.dim};
+        if (turns && column >= 2 && column <= 6) return {QString::fromUtf8("–"), t.faint};
+        if (turns && column > 7 && !(now.flags & kDriveFault)) return {word("turns as spindle S%1").arg(axis.on_spindle), t.dim};
         switch (column) {
             case 0: return {QString("A%1  %2").arg(number).arg(fromView(axis.name_text())), t.text, Sign::None, true};
             case 1: return {axis.channel ? QString("L%1").arg(axis.channel) : QString(), t.dim};
             case 2: return {lengthText(shown(axis, now.cmd), decimals)};
             case 3: return {lengthText(shown(axis, now.act), decimals)};
-            case 4: return {lengthText(now.error, decimals), t.dim};
-            case 5: return {lengthText(now.compensation, decimals), t.dim};
-            case 6: return {QString("%1 %").arg(now.torque / 10, 0, 'f', 1), t.dim};
+            case 4: return {axis.rotary ? QString(QChar(0xB0)) : unitWord("mm") + (axis.diameter ? QString::fromUtf8(" ⌀") : QString()), t.dim};   // of both places; what stands behind it is a way of the axis
+            case 5: return {lengthText(now.error, decimals), t.dim};
+            case 6: return {lengthText(now.compensation, decimals), t.dim};
+            case 7: return {QString("%1 %").arg(now.torque / 10, 0, 'f', 1), t.dim};
             default:
                 if (now.flags & kDriveFault) return {word("Drive fault"), t.bad, Sign::Alarm, true};
                 if (!(now.flags & kReferenced) && !axis.on_spindle) return {word("not referenced"), t.warn, Sign::Warning};
@@ -92,6 +97,26 @@ void Diagnosis::fillAxes() {
                 return {now.flags & kInPos ? word("In position") : word("Not in position"), t.dim};
         }
     };
+}
+
+// Speeds, below the axes: as their drives are commanded and turn.
+Table::Cell Diagnosis::spindleCell(std::uint32_t number, int column) const {
+    constexpr std::uint32_t kReached = 1, kStands = 2;   // SpindleStatus::flags
+    const SpindleStatus& now = desk_.live.status().spindles[number - 1];
+    const Theme& t = theme();
+    const auto speed = [](double value) { return QString::number(std::round(value) + 0.0, 'f', 0); };   // + 0.0: no -0
+    switch (column) {
+        case 0: return {QString("S%1").arg(number), t.text, Sign::None, true};
+        case 1: return {now.owner ? QString("L%1").arg(now.owner) : QString(), t.dim};
+        case 2: return {speed(now.command)};
+        case 3: return {speed(now.speed)};
+        case 4: return {unitWord("1/min"), t.dim};
+        case 5: case 6: case 7: return {QString::fromUtf8("–"), t.faint};
+        default:
+            if (now.master) return {word("follows S%1").arg(now.master), t.accent};
+            if (now.flags & kStands && now.command == 0) return {word("Stands"), t.dim};
+            return now.flags & kReached ? Table::Cell{word("Speed reached"), t.good, Sign::Run} : Table::Cell{word("Speed not reached"), t.warn, Sign::Wait};
+    }
 }
 
 void Diagnosis::fillCouplings() {
@@ -177,7 +202,7 @@ void Diagnosis::fillCounters() {
             status(word("  of it cutting"), [](const ChannelStatus& s) { return timeText(s.cutting_s); });
             status(word("  of it rapid"), [](const ChannelStatus& s) { return timeText(s.rapid_s); });
             status(word("  of it waiting"), [](const ChannelStatus& s) { return timeText(s.waiting_s); });
-            status(word("Cycle last, mean"), [](const ChannelStatus& s) { return timeText(s.last_cycle_s) + "  /  " + timeText(s.mean_cycle_s); });
+            status(word("Cycle last, mean"), [](const ChannelStatus& s) { return s.cycles ? timeText(s.last_cycle_s) + "  /  " + timeText(s.mean_cycle_s) : QString::fromUtf8("–"); });
             status(word("Parts since the start"), [](const ChannelStatus& s) { return QString::number(s.parts); });
             parameter("N2301", word("Operation time"), l, scope), parameter("N2302", word("Cutting time"), l, scope), parameter("N2303", word("Interval meter"), l, scope), parameter("N2304", word("Part time"), l, scope);
             parameter("N2308", word("Parts wanted"), l, scope), parameter("N2306", word("Parts in all"), l, scope), parameter("N2307", word("Parts of this job"), l, scope);

@@ -51,15 +51,15 @@ HandPage::HandPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), 
         return tool ? Table::Cell{{}, toolWords(*tool).colour, toolWords(*tool).sign} : Table::Cell{};
     };
     tools_->onChosen = [this] { focus_ = 1; if (desk_.keysChanged) desk_.keysChanged(); };
-    steps_->columns = {{"", 0.6, kRight}, {word("Part transfer, step by step"), 4}, {"", 0.8}};
+    steps_->columns = {{"", 0.6, kRight}, {word("Part transfer, step by step"), 4}, {"", 1.2}};
     steps_->rowUnits = 34;
     steps_->textUnits = 14.5;
     steps_->rows = [] { return static_cast<int>(list().size()); };
-    steps_->cell = [](int row, int column) -> Table::Cell {
+    steps_->cell = [this](int row, int column) -> Table::Cell {
         const Step& one = list()[static_cast<std::size_t>(row)];
         if (column == 0) return {QString::number(row + 1), theme().dim};
         if (column == 1) return {word(one.title)};
-        return {one.code, theme().accent, one.code[0] ? Sign::None : Sign::Manual, true, Face::Program};
+        return {one.main ? QString("L%1 %2").arg(otherChannel()).arg(one.code) : QString(one.code), theme().accent, one.code[0] ? Sign::None : Sign::Manual, true, Face::Program};
     };
     steps_->onChosen = [this] { focus_ = 2; if (desk_.keysChanged) desk_.keysChanged(); };
 }
@@ -116,6 +116,7 @@ void HandPage::composeWheel(Writer& w) {
     if (focus_ == 0) w.frame(QRectF(0, 0, wide, high), t.accent, px(8), px(2));
     w.text(QRectF(px(14), px(8), wide - px(28), px(28)), word("Handwheel"), lettering(17, true), t.text);
     if (!desk_.live.connected()) return;
+    w.data(QRectF(wide / 2, px(8), wide / 2 - px(16), px(28)), channelTitle(desk_.live, desk_.channel), lettering(17, true), t.dim, kRight);
     const ChannelConfig& config = desk_.live.config().channel(desk_.channel);
     const double each = std::min<double>(px(84), (wide - px(24)) / std::max<std::size_t>(1, config.axis_count));
     for (unsigned place = 0; place < config.axis_count; ++place) {
@@ -175,8 +176,8 @@ void HandPage::composeState(Writer& w) {
         const SpindleStatus& now = desk_.live.status().spindles[s - 1];
         w.sign(QRectF(px(12), y + px(4), px(20), px(20)), open ? Sign::Warning : Sign::Lock, open ? t.warn : t.good);
         w.text(QRectF(px(42), y, px(40), px(28)), QString("S%1").arg(s), lettering(16, true), t.text);
-        w.text(QRectF(px(86), y, px(130), px(28)), open ? word("chuck open") : word("chuck holds"), lettering(15), open ? t.warn : t.good);
-        w.text(QRectF(px(216), y, state_->width() - px(228), px(28)), now.master ? word("follows S%1").arg(now.master) : QString("%1 %2").arg(now.speed, 0, 'f', 0).arg(unitWord("1/min")), lettering(15), now.master ? t.accent : t.dim, kRight);
+        w.text(QRectF(px(86), y, px(160), px(28)), open ? word("chuck open") : word("chuck holds"), lettering(15), open ? t.warn : t.good);
+        w.text(QRectF(px(246), y, state_->width() - px(258), px(28)), now.master ? word("follows S%1").arg(now.master) : QString("%1 %2").arg(now.speed, 0, 'f', 0).arg(unitWord("1/min")), lettering(15), now.master ? t.accent : t.dim, kRight);
         y += px(30);
     }
 }

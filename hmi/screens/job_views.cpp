@@ -213,7 +213,7 @@ void Programs::composeTime(Writer& w) {
         note += " " + word("Longest wait: L%1 stands %2 s at %3 (line %4). Work moved from the channel that comes last to L%1 saves up to this time.")
                           .arg(longestChannel).arg(longest, 0, 'f', 1).arg(waitName(longestChannel, worst->code)).arg(worst->at.line);
     w.sign(QRectF(px(14), high - foot + px(14), px(24), px(24)), Sign::Note, t.accent);
-    Item& item = w.text(QRectF(px(50), high - foot + px(8), wide - px(64), px(56)), note, lettering(15), t.text);
+    Item& item = w.text(QRectF(px(50), high - foot + px(16), wide - px(64), px(48)), note, lettering(15), t.text, Qt::AlignLeft | Qt::AlignTop);
     item.wraps = true;
 }
 

@@ -272,7 +272,7 @@ void Manual::composeSide(Writer& w) {
     const Plight now = plight(live, desk_.alarms, desk_.channel);
     const QColor colour = now.kind == Plight::Kind::Alarm ? t.bad : now.kind == Plight::Kind::Waits ? t.wait : now.kind == Plight::Kind::None ? t.dim : now.kind == Plight::Kind::Told ? t.accent : t.warn;
     w.sign(QRectF(px(14), hold + px(12), px(20), px(20)), now.kind == Plight::Kind::Alarm ? Sign::Alarm : now.kind == Plight::Kind::Waits ? Sign::Wait : now.kind == Plight::Kind::None ? Sign::Good : now.kind == Plight::Kind::Told ? Sign::Note : Sign::Warning, colour);
-    Item& words = w.text(QRectF(px(42), hold + px(10), wide - px(54), high - hold - px(20)), now.kind == Plight::Kind::None ? word("Nothing is missing") : now.text, lettering(15), t.text, Qt::AlignLeft | Qt::AlignTop);
+    Item& words = w.text(QRectF(px(42), hold + px(10), wide - px(54), high - hold - px(20)), now.kind == Plight::Kind::None ? word("Nothing is missing for a start") : now.text, lettering(15), t.text, Qt::AlignLeft | Qt::AlignTop);
     words.wraps = true, words.data = true;
 }
 

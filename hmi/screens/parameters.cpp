@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "hmi/widgets/number_cells.hpp"
+#include "hmi/widgets/set_words.hpp"
 #include "ipc/machine/load_machine.hpp"
 #include "ipc/params/tongue.hpp"
 #include "ipc/params/unit.hpp"
@@ -387,7 +388,12 @@ void Parameters::composeDetail(Writer& w) {
             if (bit.number == bit_) w.frame(box, t.accent, px(4), px(2));
             w.sign(QRectF(box.left() + px(5), box.center().y() - px(8), px(16), px(16)), on ? Sign::Good : Sign::None, t.good);
             w.data(QRectF(box.left() + px(26), box.top(), px(62), box.height()), QString("#%1 %2").arg(bit.number).arg(fromView(bit.name)), lettering(12.5, true, Face::Condensed), t.text);
-            Item& told = w.text(QRectF(box.left() + px(84), box.top(), box.width() - px(88), box.height()), bothMeanings(fromView(words.bits[bit.number])), lettering(each < px(40) ? 12 : 13, false, Face::Condensed), on ? t.text : t.dim);
+            const QRectF room(box.left() + px(84), box.top(), box.width() - px(88), box.height());
+            const QString both = bothMeanings(fromView(words.bits[bit.number]));
+            QFont font = lettering(each < px(40) ? 12 : 13, false, Face::Condensed);   // smaller where a language has a line more than there is room for
+            for (const double units : {12.0, 11.0})
+                if (setWords(both, font, room.width(), true).height > room.height()) font = lettering(units, false, Face::Condensed);
+            Item& told = w.text(room, wordsCutTo(both, font, room.size()), font, on ? t.text : t.dim);
             told.wraps = told.data = true;
             w.hit(box, kBitHits + bit.number);
             y += each;

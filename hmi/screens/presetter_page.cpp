@@ -233,10 +233,10 @@ void PresetterPage::composeResult(Writer& w) {
     for (const char* name : {"X", "Z", "R"}) {
         w.text(QRectF(px(12), y, px(26), px(22)), name, lettering(15, true), t.dim);
         w.text(QRectF(px(40), y, wide * 0.4, px(22)), lengthText(answer_.value(name).toDouble(), 4), lettering(16, true), t.text, kRight);
-        w.text(QRectF(wide * 0.55, y, wide * 0.45 - px(12), px(22)), QString::fromUtf8("± %1 %2").arg(answer_.value(QString(name) + "_error").toDouble(), 0, 'f', 4).arg(unitWord("mm")), lettering(14), t.dim, kRight);
+        w.text(QRectF(wide * 0.55, y, wide * 0.45 - px(12), px(22)), QString::fromUtf8("± %1 %2").arg(answer_.value(QString(name) + "_error").toDouble(), 0, 'f', 4).arg(*name == 'X' ? word("mm, radius") : unitWord("mm")), lettering(14), t.dim, kRight);
         y += px(22);
     }
-    w.text(QRectF(px(12), y, wide - px(24), px(22)), QString::fromUtf8("T %1     %2°").arg(answer_.value("T").toInt()).arg(answer_.value("included_deg").toDouble(), 0, 'f', 2), lettering(15), t.text);
+    w.text(QRectF(px(12), y, wide - px(24), px(22)), QString::fromUtf8("%1 %2     %3°").arg(word("Tip")).arg(answer_.value("T").toInt()).arg(answer_.value("included_deg").toDouble(), 0, 'f', 2), lettering(15), t.text);
     y += px(24);
     w.sign(QRectF(px(12), y + px(2), px(18), px(18)), written_ ? Sign::Good : Sign::Note, written_ ? t.good : t.accent);
     w.text(QRectF(px(36), y, wide - px(48), px(22)), written_ ? word("Entered") : word("Would be entered"), lettering(14.5, true), written_ ? t.good : t.accent);

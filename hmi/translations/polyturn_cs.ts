@@ -264,6 +264,11 @@
         <translation>Přijmout návrh</translation>
     </message>
     <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Active alarms</source>
+        <translation>Aktivní</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Active at the next T</source>
         <translation>Od dalšího T</translation>
@@ -2475,8 +2480,8 @@
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
-        <source>Nothing is missing</source>
-        <translation>Nic nechybí</translation>
+        <source>Nothing is missing for a start</source>
+        <translation>Ke startu nic nechybí</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -3504,9 +3509,19 @@
         <translation>Některé takty chybí</translation>
     </message>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Speed not reached</source>
+        <translation>Otáčky nedosaženy</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
         <source>Speed of the spindle</source>
         <translation>Otáčky vřetena</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Speed reached</source>
+        <translation>Otáčky dosaženy</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -3534,7 +3549,7 @@
         <translation>Stop vřetena</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Stands</source>
         <translation>Stojí</translation>
     </message>
@@ -4574,11 +4589,6 @@
         <translation>Co počítá životnost</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
-        <source>What stands</source>
-        <translation>Trvající</translation>
-    </message>
-    <message>
         <location filename="../screens/system.cpp"/>
         <source>What would change</source>
         <translation>Co by se změnilo</translation>
@@ -4846,12 +4856,12 @@
     <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>chuck holds</source>
-        <translation>drží</translation>
+        <translation>sklíčidlo drží</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>chuck open</source>
-        <translation>otevřené</translation>
+        <translation>sklíčidlo otevřené</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -4994,7 +5004,7 @@
         <translation>regulační odchylka</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>follows S%1</source>
         <translation>sleduje S%1</translation>
     </message>
@@ -5139,7 +5149,7 @@
         <translation>mm, průměr</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/compensation_page.cpp"/>
         <source>mm, radius</source>
         <translation>mm, poloměr</translation>
     </message>

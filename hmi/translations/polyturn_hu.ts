@@ -264,6 +264,11 @@
         <translation>Elfogadás</translation>
     </message>
     <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Active alarms</source>
+        <translation>Aktív hibák</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Active at the next T</source>
         <translation>A következő T-től</translation>
@@ -2475,8 +2480,8 @@
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
-        <source>Nothing is missing</source>
-        <translation>Semmi nem hiányzik</translation>
+        <source>Nothing is missing for a start</source>
+        <translation>Az indításhoz semmi sem hiányzik</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -3504,9 +3509,19 @@
         <translation>Néhány ütem kimaradt</translation>
     </message>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Speed not reached</source>
+        <translation>Fordulat nincs elérve</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
         <source>Speed of the spindle</source>
         <translation>Főorsó fordulatszáma</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Speed reached</source>
+        <translation>Fordulat elérve</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -3534,7 +3549,7 @@
         <translation>Főorsó állj</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Stands</source>
         <translation>Áll</translation>
     </message>
@@ -4574,11 +4589,6 @@
         <translation>Mit számol az élettartam</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
-        <source>What stands</source>
-        <translation>Fennálló</translation>
-    </message>
-    <message>
         <location filename="../screens/system.cpp"/>
         <source>What would change</source>
         <translation>Mi változna</translation>
@@ -4846,12 +4856,12 @@
     <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>chuck holds</source>
-        <translation>tart</translation>
+        <translation>tokmány tart</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>chuck open</source>
-        <translation>nyitva</translation>
+        <translation>tokmány nyitva</translation>
     </message>
     <message>
         <location filename="../../ipc/machine/start_words.hpp"/>
@@ -4994,7 +5004,7 @@
         <translation>követési hiba</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>follows S%1</source>
         <translation>követi: S%1</translation>
     </message>
@@ -5139,7 +5149,7 @@
         <translation>mm, átmérő</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/compensation_page.cpp"/>
         <source>mm, radius</source>
         <translation>mm, sugár</translation>
     </message>

@@ -264,6 +264,11 @@
         <translation>Принять</translation>
     </message>
     <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>Active alarms</source>
+        <translation>Активные</translation>
+    </message>
+    <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Active at the next T</source>
         <translation>Со следующего T</translation>
@@ -2475,8 +2480,8 @@
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
-        <source>Nothing is missing</source>
-        <translation>Всё готово</translation>
+        <source>Nothing is missing for a start</source>
+        <translation>Для пуска всё готово</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -3504,9 +3509,19 @@
         <translation>Часть тактов пропущена</translation>
     </message>
     <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Speed not reached</source>
+        <translation>Скорость не достигнута</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
         <source>Speed of the spindle</source>
         <translation>Частота вращения шпинделя</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>Speed reached</source>
+        <translation>Скорость достигнута</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -3534,7 +3549,7 @@
         <translation>Стоп шпинделя</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Stands</source>
         <translation>Стоит</translation>
     </message>
@@ -4574,11 +4589,6 @@
         <translation>Что считает ресурс</translation>
     </message>
     <message>
-        <location filename="../screens/alarms.cpp"/>
-        <source>What stands</source>
-        <translation>Активные</translation>
-    </message>
-    <message>
         <location filename="../screens/system.cpp"/>
         <source>What would change</source>
         <translation>Что изменится</translation>
@@ -4994,7 +5004,7 @@
         <translation>рассогласование</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../screens/diagnosis_tables.cpp"/>
         <source>follows S%1</source>
         <translation>следует за S%1</translation>
     </message>
@@ -5139,7 +5149,7 @@
         <translation>мм, диаметр</translation>
     </message>
     <message>
-        <location filename="../screens/scope_page.cpp"/>
+        <location filename="../screens/compensation_page.cpp"/>
         <source>mm, radius</source>
         <translation>мм, радиус</translation>
     </message>

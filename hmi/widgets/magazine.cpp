@@ -167,6 +167,11 @@ void Magazine::compose(Writer& w) {
         composeSpot(w, spot);
         w.hit(spot.box, placeHit(spot.place->pot));
     }
+    if (spots.size() == 1) {   // a spindle's place, or one for a tool of another size
+        const ToolRow* tool = toolOf(live_, spots.front().place->tool);
+        if (static_cast<PlaceKind>(spots.front().place->kind) == PlaceKind::Spindle) w.text(QRectF(0, spots.front().box.top() - px(38), width(), px(28)), word("Spindle"), lettering(17, true), t.text, Qt::AlignCenter);
+        w.text(QRectF(0, spots.front().box.bottom() + px(10), width(), px(28)), tool ? toolWords(*tool).text : word("empty"), lettering(17, true), tool ? toolWords(*tool).colour : t.dim, Qt::AlignCenter);
+    }
     if (carried) {
         const ToolRow* tool = toolOf(live_, carried);
         const QRectF box(px(8), height() - px(40), width() - px(16), px(34));
