@@ -200,7 +200,7 @@ void Manual::composeAxes(Writer& w) {
         const QColor colour = referenced ? t.text : t.warn;
         w.text(QRectF(begin, box.top() + px(2), middle - begin, head), word("Workpiece"), lettering(12.5, false, Face::Condensed), t.dim, kRight);
         w.text(QRectF(middle + px(8), box.top() + px(2), left + room - middle - px(8), head), word("Machine"), lettering(12.5, false, Face::Condensed), t.dim, kRight);
-        w.text(QRectF(begin, box.top() + head, middle - begin, line), known ? lengthText(shownPlace(axis, workpiece), decimals) : QString::fromUtf8("–"), lettering(room < px(330) ? 20 : 33, true), colour, kRight);
+        w.text(QRectF(begin, box.top() + head, middle - begin, line), known ? lengthText(shownPlace(axis, workpiece), decimals) : QString::fromUtf8("–"), lettering(room < px(330) ? 20 : box.height() < px(80) ? 27 : 33, true), colour, kRight);
         w.text(QRectF(middle + px(8), box.top() + head, left + room - middle - px(8), line), lengthText(shownPlace(axis, now.act), decimals), lettering(room < px(330) ? 14 : 19), referenced ? t.dim : t.warn, kRight);
         if (!referenced) w.text(QRectF(left + px(152), box.top() + box.height() * 0.68, room - px(152) - (axis.diameter ? px(26) : 0), box.height() * 0.28), word("not referenced"), lettering(14), t.warn, kRight);
         if (axis.diameter) w.text(QRectF(left + room - px(20), box.top() + box.height() * 0.68, px(20), box.height() * 0.28), QString::fromUtf8("⌀"), lettering(16), t.dim, kRight);
