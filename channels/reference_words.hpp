@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "ipc/text/own_m_codes.hpp"
+
 namespace polyturn::channels {
 
 // An English text of the tables in the language of the page; as it is where that is English. A table of them: channels/reference_words.txt.
@@ -14,12 +16,8 @@ public:
     virtual std::string operator()(std::string_view english) const { return std::string(english); }
 };
 
-struct MCode {
-    std::string_view name, text;
-};
-
 std::string reference_head(const ReferenceWords& words, std::initializer_list<std::string_view> columns);   // of a table
 // M codes that the language itself acts on.
-std::string m_code_section(const ReferenceWords& words, std::span<const MCode> codes);
+std::string m_code_section(const ReferenceWords& words, std::span<const text::OwnMCode> codes);
 
 }  // namespace polyturn::channels

@@ -53,13 +53,6 @@ std::string_view behind_name(Shape shape) {
     return "";
 }
 
-constexpr MCode kMCodes[] = {
-    {"M0", "Programmed stop: start goes on"},
-    {"M1", "Stop where optional stop is on"},
-    {"M2", "End of the program"},
-    {"M30", "End of the program, back to its beginning"},
-};
-
 }  // namespace
 
 std::string reference_page(const ReferenceWords& words) {
@@ -69,7 +62,7 @@ std::string reference_page(const ReferenceWords& words) {
     page += "\n## " + words("G codes") + "\n" + reference_head(words, {"code", "group", "words of its own", "block", "holds", "what it does"});
     for (const GCode& row : g_codes())
         page += fmt::format("| G{:02} | {} | {} | {} | {} | {} |\n", row.number, words(group_name(row.group)), words_of(row, words), row.alone ? words("alone") : "", row.modal ? words("yes") : "", words(row.text));
-    page += m_code_section(words, kMCodes);
+    page += m_code_section(words, text::own_m_codes(Dialect::Fagor));
     page += "\n## " + words("Variables") + "\n" + words("A *live* one is a value of the machine: reading it stops the preparation of blocks until the machine stands there.") + "\n\n";
     page += reference_head(words, {"name", "behind it", "live", "a program may write it"});
     for (std::size_t i = 0; i < variable_count(); ++i) {

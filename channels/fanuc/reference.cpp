@@ -43,19 +43,6 @@ std::string words_of(const GCode& row, const ReferenceWords& words) {
     return text;
 }
 
-// What Interpreter::m_after() acts on itself (functions.cpp).
-constexpr MCode kMCodes[] = {
-    {"M0", "Programmed stop: start goes on"},
-    {"M1", "Stop where optional stop is on"},
-    {"M2", "End of the program"},
-    {"M30", "End of the program, back to its beginning"},
-    {"M96", "Interrupt program on: P is the program"},
-    {"M97", "Interrupt program off"},
-    {"M98", "Call of a subprogram: P number or a name in angle brackets, L times"},
-    {"M99", "End of the subprogram, P: back to that block; in a main program from the beginning again"},
-    {"M198", "Call of a subprogram from outside (PT_EXTERNAL)"},
-};
-
 }  // namespace
 
 std::string reference_page(const ReferenceWords& words) {
@@ -72,7 +59,7 @@ std::string reference_page(const ReferenceWords& words) {
         page += "| " + std::string(row.name) + " | " + systems + " | " + words(group_name(row.group)) + " | " + words_of(row, words) + " | " +
                 (row.at_reset ? words("holds") : "") + " | " + words(row.act ? "built" : "refused") + " | " + words(row.text) + " |\n";
     }
-    return page + m_code_section(words, kMCodes);
+    return page + m_code_section(words, text::own_m_codes(Dialect::Fanuc));
 }
 
 }  // namespace polyturn::channels::fanuc

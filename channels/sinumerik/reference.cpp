@@ -69,21 +69,13 @@ std::string command_rows(std::span<const Command> rows, const ReferenceWords& wo
     return page;
 }
 
-constexpr MCode kMCodes[] = {
-    {"M0", "Programmed stop: start goes on"},
-    {"M1", "Stop where optional stop is on"},
-    {"M2", "End of the program, or of the subprogram"},
-    {"M17", "End of the subprogram"},
-    {"M30", "End of the program, or of the subprogram"},
-};
-
 }  // namespace
 
 std::string reference_page(const ReferenceWords& words) {
     std::string page = "# " + words("Words of the language sinumerik") + "\n" +
                        words("This page is printed from the tables in `channels/sinumerik/rows_*.cpp` and `geo_rows.cpp` (`tools/update_references.sh`); a test sees to it that both agree.") + "\n" +
                        words("*Refused*: the word is known and stops the program with alarm PT1032 and its name. Groups and their numbers are those of $P_GG and MD20150; a star marks what is active when the control is delivered; a code in italics acts in its block only.") + "\n";
-    page += g_table(words) + m_code_section(words, kMCodes) + address_table(words);
+    page += g_table(words) + m_code_section(words, text::own_m_codes(Dialect::Sinumerik)) + address_table(words);
     page += "\n## " + words("Functions and procedures") + "\n" + reference_head(words, {"name", "kind", "arguments", "their types", "block", "state"});
     page += command_rows(program_commands(), words) + command_rows(geometry_commands(), words);
     page += "\n## " + words("Words that begin a statement") + "\n" + reference_head(words, {"word", "state"});

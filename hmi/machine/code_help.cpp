@@ -3,6 +3,9 @@
 #include <QRegularExpression>
 #include <algorithm>
 
+#include "hmi/text/tongues.hpp"
+#include "ipc/text/own_m_codes.hpp"
+
 namespace polyturn::hmi {
 
 QString referenceOf(Dialect language) { return language == Dialect::Fagor ? "reference_fagor.md" : language == Dialect::Sinumerik ? "reference_sinumerik.md" : "reference_fanuc.md"; }
@@ -16,11 +19,8 @@ CodePlace placeOfCode(const QString& word, const QString& language) {
     if (const auto code = kCode.match(upper); code.hasMatch()) {
         const QString number = code.captured(2);
         if (code.captured(1) == "M") {   // what ends, calls and stops programs is the language's own; the rest are waits and the PLC's
-            const std::initializer_list<int> fanuc = {0, 1, 2, 30, 96, 97, 98, 99, 198}, others = {0, 1, 2, 30}, sinumerik_own = {0, 1, 2, 17, 30};
-            const auto& own = fagor ? others : sinumerik ? sinumerik_own : fanuc;
-            bool whole = false;
-            const int which = number.toInt(&whole);   // M6.1 is no M0
-            if (whole && std::find(own.begin(), own.end(), which) != own.end()) return {page, "M" + number};
+            const auto own = text::own_m_codes(speaks);
+            if (const QString code_name = "M" + number; std::any_of(own.begin(), own.end(), [&](const text::OwnMCode& one) { return fromView(one.name) == code_name; })) return {page, code_name};
             if (number.toDouble() >= 100) return {"programmer.md", "Waiting", false};
             return {"setup.md", "M codes of the built-in PLC", false};
         }
