@@ -10,6 +10,13 @@
 #include "polyturn/parameter_handles.hpp"
 
 namespace polyturn::hmi {
+namespace {
+
+StoreOf storesOf(const Live& live) {
+    return [&live](unsigned channel) { return live.connected() ? &live.store(channel) : nullptr; };
+}
+
+}  // namespace
 
 std::vector<SheetTool> compareTools(const Live& live, const text::Job& job) {
     std::vector<SheetTool> out;
@@ -41,16 +48,62 @@ QString matchText(const SheetTool& tool) {
     return word("not entered");
 }
 
-std::vector<JobZero> compareZeros(const Live& live, const text::Job& job) {
-    return job_zeros(job, live.config(), [&](unsigned channel) { return live.connected() ? &live.store(channel) : nullptr; });
+JobSheet readJobSheet(const QString& path, const std::string& machine, Tongue tongue) {
+    JobSheet out;
+    out.path = path;
+    auto read = text::load_job(path.toStdString());
+    if (!read) return out.fault = QString::fromStdString(text_in(read.diagnosis(), tongue)), out;
+    out.job = std::move(*read);
+    out.otherMachine = for_another_machine(out.job, machine);
+    if (out.job.setup.empty()) return out;
+    auto setup = text::load_setup(out.job.setup);
+    if (setup) out.setup = std::move(*setup);
+    else out.setupFault = QString::fromStdString(text_in(setup.diagnosis(), tongue));
+    return out;
 }
+
+std::vector<JobZero> compareZeros(const Live& live, const JobSheet& sheet) { return job_zeros(sheet.job, sheet.setup, live.config(), storesOf(live)); }
+std::vector<JobOffset> compareOffsets(const Live& live, const JobSheet& sheet) { return job_offsets(sheet.setup, live.config(), storesOf(live)); }
 
 QString zeroText(const JobZero& zero) {
     if (std::isnan(zero.entered)) return word("the machine does not have it");
     return zero.same() ? word("entered") : word("entered: %1").arg(zero.entered, 0, 'f', 3);
 }
 
-QString sheetText(const Live& live, const text::Job& job) {
+// Wear behind its word; a tip's direction has no fraction.
+QString offsetText(const JobOffset& offset, OffsetSide side, bool all) {
+    QString out;
+    bool wear = false;
+    for (const JobOffset::Value& one : offset.values) {
+        if (!all && one.same()) continue;
+        const double value = side == OffsetSide::Wanted ? one.wanted : one.entered;
+        if (std::isnan(value)) return word("the machine does not have it");
+        if (one.wear && !wear) out += (out.isEmpty() ? QString() : QString("   ")) + word("Wear");
+        wear |= one.wear;
+        out += (out.isEmpty() ? "" : "  ") + fromView(one.name) + " " + QString::number(value, 'f', one.name == "T" ? 0 : 3);
+    }
+    return out;
+}
+
+QString jobDiffers(const Live& live, const JobSheet& sheet) {
+    QStringList zeros, offsets, out;
+    for (const JobZero& one : compareZeros(live, sheet))
+        if (!one.same()) zeros << QString("L%1 %2 %3").arg(one.channel).arg(QString::fromStdString(one.system), QString::fromStdString(one.axis));
+    unsigned channel = 0;
+    for (const JobOffset& one : compareOffsets(live, sheet)) {
+        if (one.same()) continue;
+        offsets << (one.channel == channel ? QString::number(one.number) : QString("L%1 %2").arg(one.channel).arg(one.number));
+        channel = one.channel;
+    }
+    if (sheet.otherMachine) out << word("The job is for another machine: %1").arg(QFileInfo(QString::fromStdString(sheet.job.machine)).fileName());
+    if (!zeros.isEmpty()) out << word("Other zeros than the job's hold: %1").arg(zeros.join(", "));
+    if (!offsets.isEmpty()) out << word("Other offsets than the job's hold: %1").arg(offsets.join(", "));
+    if (!sheet.setupFault.isEmpty()) out << sheet.setupFault;
+    return out.join(".  ");
+}
+
+QString sheetText(const Live& live, const JobSheet& sheet) {
+    const text::Job& job = sheet.job;
     QString html = QString("<h1>%1</h1><p>%2 &nbsp; %3</p>").arg(QString::fromStdString(job.name).toHtmlEscaped(), QString::fromStdString(live.instance()), QDateTime::currentDateTime().toString("dd.MM.yyyy HH:mm"));
     const auto cells = [](const QStringList& texts, const char* tag) {
         QString out = "<tr>";
@@ -64,9 +117,10 @@ QString sheetText(const Live& live, const text::Job& job) {
     for (const auto& [channel, program] : job.programs) rows += cells({QString("L%1").arg(channel), QFileInfo(QString::fromStdString(program.file)).fileName(), QString::fromStdString(program.language)}, "td");
     html += table(rows);
     if (job.stock) html += headline(word("Stock")) + "<p>" + QString::fromUtf8("⌀ %1 × %2 %3   %4").arg(job.stock->diameter).arg(job.stock->length).arg(unitWord("mm"), QString::fromStdString(job.stock->spindle)) + "</p>";
-    if (const auto zeros = compareZeros(live, job); !zeros.empty()) {
+    if (sheet.otherMachine) html += headline(word("Machine")) + "<p>" + QFileInfo(QString::fromStdString(job.machine)).fileName().toHtmlEscaped() + ": " + word("not this one") + "</p>";
+    if (const auto zeros = compareZeros(live, sheet); !zeros.empty()) {
         html += headline(word("Zeros"));
-        rows.clear();
+        rows = cells({word("Channel"), word("Zero"), word("Wanted"), word("Entered")}, "th");
         for (const JobZero& one : zeros) rows += cells({QString("L%1").arg(one.channel), QString::fromStdString(one.system + " " + one.axis), QString::number(one.wanted, 'f', 3), zeroText(one)}, "td");
         html += table(rows);
     }
@@ -74,6 +128,14 @@ QString sheetText(const Live& live, const text::Job& job) {
     rows = cells({word("Channel"), word("Station"), word("Wanted"), word("Mounted"), word("State")}, "th");
     for (const SheetTool& one : compareTools(live, job)) rows += cells({QString("L%1").arg(one.channel), QString::number(one.station), one.wanted, matchText(one), one.state.text}, "td");
     html += table(rows);
+    if (const auto offsets = compareOffsets(live, sheet); !offsets.empty()) {
+        html += headline(word("Offsets"));
+        rows = cells({word("Channel"), word("No."), word("Wanted"), word("Entered")}, "th");
+        for (const JobOffset& one : offsets)
+            rows += cells({QString("L%1").arg(one.channel), QString::number(one.number), offsetText(one, OffsetSide::Wanted, true), one.same() ? word("entered") : offsetText(one, OffsetSide::Entered, false)}, "td");
+        html += table(rows);
+    }
+    if (!sheet.setupFault.isEmpty()) html += "<p>" + sheet.setupFault.toHtmlEscaped() + "</p>";
     if (job.parts_wanted) html += headline(word("Parts")) + QString("<p>%1</p>").arg(job.parts_wanted);
     return html;
 }

@@ -1,4 +1,4 @@
-// The setup sheet of a job: what it needs beside what is mounted, on the screen and on paper (PDF).
+// The setup sheet of a job: what it needs beside what is mounted and entered, on the screen and on paper (PDF).
 #pragma once
 #include "hmi/machine/file_text.hpp"
 #include "hmi/machine/tool_words.hpp"
@@ -15,11 +15,24 @@ struct SheetTool {
 };
 std::vector<SheetTool> compareTools(const Live& live, const text::Job& job);
 QString matchText(const SheetTool& tool);
-// The zeros that the job names, beside those that are entered: selecting the job leaves them as they are.
-std::vector<JobZero> compareZeros(const Live& live, const text::Job& job);
+// A job as its files have it now. Reading them may take as long as a network takes: by a worker.
+struct JobSheet {
+    QString path, fault;               // fault: the job cannot be read, nothing else is said
+    text::Job job;
+    text::Setup setup;                 // empty where the job names none
+    QString setupFault;                // why its setup file cannot be read; empty: it can
+    bool otherMachine = false;         // it names another one than that of the controller
+};
+JobSheet readJobSheet(const QString& path, const std::string& machine, Tongue tongue);
+// The zeros and offsets that the job and its setup file name, beside those that are entered: selecting the job leaves them as they are.
+std::vector<JobZero> compareZeros(const Live& live, const JobSheet& sheet);
 QString zeroText(const JobZero& zero);           // «-150.000», and beside it what is entered
-// What stands on it, as HTML; then on paper, which may take as long as a network takes: by a worker.
-QString sheetText(const Live& live, const text::Job& job);
+std::vector<JobOffset> compareOffsets(const Live& live, const JobSheet& sheet);
+enum class OffsetSide : std::uint8_t { Wanted, Entered };
+QString offsetText(const JobOffset& offset, OffsetSide side, bool all);   // «X 38.12  Z 27.05»; not all: only what is otherwise
+QString jobDiffers(const Live& live, const JobSheet& sheet);              // in one line; empty: nothing
+// What stands on it, as HTML; then on paper.
+QString sheetText(const Live& live, const JobSheet& sheet);
 FileOutcome writeSheet(const QString& html, const QString& title, const QString& file, FileProgress& progress, const std::atomic<bool>& stop);
 
 }  // namespace polyturn::hmi

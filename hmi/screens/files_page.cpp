@@ -7,7 +7,6 @@
 #include <QRegularExpression>
 #include <algorithm>
 
-#include "hmi/machine/setup_sheet.hpp"
 #include "hmi/widgets/number_cells.hpp"
 
 namespace polyturn::hmi {
@@ -36,7 +35,7 @@ int levelNumber(const QString& level) { return level == "maker" ? 3 : level == "
 }  // namespace
 
 FilesPage::FilesPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), files_(new Table(this)), view_(new FreeSheet(this)), state_(new FreeSheet(this)), pad_(new TextPad(this)) {
-    files_->columns = {{word("Name"), 5}, {word("Changed"), 2.2}, {word("Size"), 1.2, kRight}};
+    nameColumns();
     files_->rowUnits = 40;
     files_->textUnits = 16;
     files_->ofMachine = false;
@@ -60,6 +59,7 @@ FilesPage::FilesPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk)
     files_->onChosen = [this] { look(); };
     files_->onActivated = [this] { open(); };
     view_->onCompose = [this](Writer& w) { composePreview(w); };
+    view_->onTouched = [this](int) { turnSheet(); };
     state_->onCompose = [this](Writer& w) { composeState(w); };
     pad_->onText = [this](const QString& text) { if (name_.size() < 120) name_ += text, state_->refresh(); };
     pad_->onBackspace = [this] { name_.chop(1), state_->refresh(); };
@@ -84,7 +84,7 @@ QString FilesPage::whyNotChanged() const {
 }
 
 void FilesPage::readFolder(const QString& folder, const QString& choose) {
-    placesShown_ = false;
+    placesShown_ = false, nameColumns();
     choose_ = choose;
     const bool other = QDir(folder).absolutePath() != desk_.folder;
     desk_.folder = QDir(folder).absolutePath();
@@ -124,8 +124,14 @@ void FilesPage::take() {
     }
 }
 
+void FilesPage::nameColumns() {
+    if (placesShown_) files_->columns = {{word("Name"), 5}, {word("Kind"), 2.2}, {QString(), 1.2, kRight}};
+    else files_->columns = {{word("Name"), 5}, {word("Changed"), 2.2}, {word("Size"), 1.2, kRight}};
+}
+
 void FilesPage::showPlaces() {
     placesShown_ = true;
+    nameColumns();
     places_ = places(mounts(), placeFiles());
     places_.insert(places_.begin(), {word("Own folder"), QDir::homePath(), Place::Kind::Configured});
     preview_ = {};
@@ -149,11 +155,10 @@ FilesPage::Preview FilesPage::readPreview(const QString& path, bool job, Tongue 
     Preview out;
     out.path = path;
     if (job) {
-        const auto read = text::load_job(path.toStdString());
-        if (!read) return out.fault = QString::fromStdString(text_in(read.diagnosis(), tongue)), out;
-        out.job = std::make_shared<text::Job>(*read);
-        out.otherMachine = for_another_machine(*read, machine);
-        for (const auto& [channel, program] : out.job->programs) out.there.push_back(QFileInfo::exists(QString::fromStdString(program.file)));
+        auto sheet = std::make_shared<JobSheet>(readJobSheet(path, machine, tongue));
+        if (!sheet->fault.isEmpty()) return out.fault = sheet->fault, out;
+        for (const auto& [channel, program] : sheet->job.programs) out.there.push_back(QFileInfo::exists(QString::fromStdString(program.file)));
+        out.sheet = std::move(sheet);
         return out;
     }
     QFile file(path);
@@ -168,7 +173,7 @@ void FilesPage::look() {
     const FileEntry* one = chosen();
     const QString path = chosenPath();
     if (preview_.path == path && !path.isEmpty()) return;
-    preview_ = {};
+    preview_ = {}, sheetPage_ = 0;
     if (!one || one->folder) return looker_.forget();
     looker_.start([path, job = one->job, tongue = spoken(), machine = desk_.live.machineFolder()](const std::atomic<bool>&) { return readPreview(path, job, tongue, machine); });
     take();
@@ -242,7 +247,7 @@ void FilesPage::composePreview(Writer& w) {
         w.sign(QRectF(wide - px(38), y + px(4), px(22), px(22)), Sign::Lock, t.warn);
         w.text(QRectF(wide * 0.5, y, wide * 0.5 - px(46), px(28)), one->level == 3 ? word("only makers") : one->level == 2 ? word("only setters") : word("read-only"), lettering(14), t.warn, kRight);
     }
-    if (preview_.job) return composeJob(w, y);
+    if (preview_.sheet) return composeJob(w, y);
     w.data(QRectF(px(16), y, wide * 0.5 - px(20), px(28)), one->name, lettering(18, true), t.text);
     y += px(34);
     if (!preview_.readable) {
@@ -255,91 +260,124 @@ void FilesPage::composePreview(Writer& w) {
     }
 }
 
-QString FilesPage::jobDiffers() const {
-    if (!preview_.job) return {};
-    QStringList zeros;
-    for (const JobZero& one : compareZeros(desk_.live, *preview_.job))
-        if (!one.same()) zeros << QString("L%1 %2 %3").arg(one.channel).arg(QString::fromStdString(one.system), QString::fromStdString(one.axis));
-    QStringList out;
-    if (preview_.otherMachine) out << word("The job is for another machine: %1").arg(QFileInfo(QString::fromStdString(preview_.job->machine)).fileName());
-    if (!zeros.isEmpty()) out << word("Other zeros than the job's hold: %1").arg(zeros.join(", "));
-    return out.join(".  ");
-}
-
-// What a job is made of, and wanted against mounted tools.
-void FilesPage::composeJob(Writer& w, double y) {
+// What a job is made of; wanted against mounted tools, against zeros and offsets that are entered.
+std::vector<FilesPage::SheetLine> FilesPage::sheetLines(Writer& w) {
     const Theme& t = theme();
-    const double wide = view_->width(), high = view_->height();
-    const text::Job& job = *preview_.job;
-    w.data(QRectF(px(16), y, wide * 0.5 - px(20), px(34)), QString::fromStdString(job.name), lettering(24, true), t.text);
-    y += px(42);
-    const auto headline = [&](const QString& text) {
-        w.text(QRectF(px(16), y, wide - px(32), px(22)), text, lettering(13, false, Face::Condensed), t.dim);
-        y += px(24);
+    const double wide = view_->width(), middle = wide * 0.55;
+    const text::Job& job = preview_.sheet->job;
+    std::vector<SheetLine> out;
+    const auto headline = [&](const QString& text, const QString& wanted = {}, const QString& found = {}) {
+        out.push_back({px(30), [=, &w, &t](double y) {
+            w.text(QRectF(px(16), y + px(6), wide * 0.3, px(22)), text, lettering(13, false, Face::Condensed), t.dim);
+            if (!wanted.isEmpty()) w.text(QRectF(wide * 0.3, y + px(6), wide * 0.23, px(22)), wanted, lettering(13, false, Face::Condensed), t.dim, kRight);
+            if (!found.isEmpty()) w.text(QRectF(middle + px(28), y + px(6), wide - middle - px(44), px(22)), found, lettering(13, false, Face::Condensed), t.dim);
+        }, true});
     };
+    // One line: of whom, what is wanted, and beside a sign what is there.
+    const auto compared = [&](const QString& whose, const QString& what, const QString& wanted, Sign sign, const QColor& colour, const QString& found, bool plain) {
+        out.push_back({px(26), [=, &w, &t](double y) {
+            w.text(QRectF(px(16), y, px(50), px(24)), whose, lettering(15, true), t.text);
+            w.data(QRectF(px(66), y, wanted.isEmpty() ? middle - px(74) : wide * 0.3 - px(66), px(24)), what, lettering(15), t.text);
+            if (!wanted.isEmpty()) w.data(QRectF(wide * 0.3, y, wide * 0.23, px(24)), wanted, lettering(15), t.text, kRight);
+            w.sign(QRectF(middle, y + px(3), px(18), px(18)), sign, colour);
+            w.data(QRectF(middle + px(28), y, wide - middle - px(44), px(24)), found, lettering(14.5), plain ? t.dim : t.text);
+        }, false});
+    };
+    const auto judged = [&](bool same) { return std::pair(same ? Sign::Good : Sign::Warning, same ? t.good : t.warn); };
     headline(word("Programs"));
     std::size_t number = 0;
     for (const auto& [channel, program] : job.programs) {
-        const QString file = QString::fromStdString(program.file).section('/', -1);
-        w.text(QRectF(px(16), y, px(50), px(26)), QString("L%1").arg(channel), lettering(17, true), t.accent);
-        w.data(QRectF(px(66), y, wide * 0.5, px(26)), file, lettering(17), t.text);
-        w.data(QRectF(wide * 0.62, y, wide * 0.38 - px(16), px(26)), QString::fromStdString(program.language), lettering(14), t.dim, kRight);
-        if (number < preview_.there.size() && !preview_.there[number]) w.sign(QRectF(wide * 0.55, y + px(3), px(20), px(20)), Sign::Alarm, t.bad);
+        const bool lost = number < preview_.there.size() && !preview_.there[number];
         ++number;
-        y += px(30);
+        out.push_back({px(28), [=, &w, &t, channel = channel, program = program](double y) {
+            w.text(QRectF(px(16), y, px(50), px(26)), QString("L%1").arg(channel), lettering(17, true), t.accent);
+            w.data(QRectF(px(66), y, middle - px(74), px(26)), QString::fromStdString(program.file).section('/', -1), lettering(17), t.text);
+            if (lost) w.sign(QRectF(middle, y + px(3), px(20), px(20)), Sign::Alarm, t.bad);
+            if (lost) w.text(QRectF(middle + px(28), y, wide * 0.3, px(26)), word("it is not there"), lettering(14.5), t.text);
+            w.data(QRectF(wide * 0.8, y, wide * 0.2 - px(16), px(26)), QString::fromStdString(program.language), lettering(14), t.dim, kRight);
+        }, false});
     }
-    if (job.stock) {
-        y += px(8);
-        headline(word("Stock"));
-        const text::JobStock& stock = *job.stock;
-        w.text(QRectF(px(16), y, wide - px(32), px(26)), QString::fromUtf8("⌀ %1 × %2 %3").arg(stock.diameter).arg(stock.length).arg(unitWord("mm")) + (stock.bore > 0 ? QString::fromUtf8("   %1 ⌀ %2 %3").arg(word("bore")).arg(stock.bore).arg(unitWord("mm")) : QString()) +
-                                                                             "   " + QString::fromStdString(stock.spindle), lettering(17), t.text);
-        y += px(30);
-    }
-    if (job.parts_wanted) {
-        y += px(8);
-        headline(word("Parts"));
-        w.text(QRectF(px(16), y, wide - px(32), px(26)), QString::number(job.parts_wanted), lettering(17), t.text);
-        y += px(30);
-    }
-    if (preview_.otherMachine) {
-        y += px(8);
+    if (job.stock || job.parts_wanted)
+        out.push_back({px(62), [=, &w, &t, &job](double y) {
+            if (job.stock) {
+                const text::JobStock& stock = *job.stock;
+                w.text(QRectF(px(16), y + px(6), middle - px(24), px(22)), word("Stock"), lettering(13, false, Face::Condensed), t.dim);
+                w.text(QRectF(px(16), y + px(30), middle + px(4), px(26)), QString::fromUtf8("⌀ %1 × %2 %3").arg(stock.diameter).arg(stock.length).arg(unitWord("mm")) + (stock.bore > 0 ? QString::fromUtf8("   %1 ⌀ %2 %3").arg(word("bore")).arg(stock.bore).arg(unitWord("mm")) : QString()) +
+                                                                                    "   " + QString::fromStdString(stock.spindle), lettering(17), t.text);
+            }
+            if (!job.parts_wanted) return;
+            w.text(QRectF(middle + px(28), y + px(6), wide - middle - px(44), px(22)), word("Parts"), lettering(13, false, Face::Condensed), t.dim);
+            w.text(QRectF(middle + px(28), y + px(30), wide - middle - px(44), px(26)), QString::number(job.parts_wanted), lettering(17), t.text);
+        }, false});
+    if (preview_.sheet->otherMachine) {
         headline(word("Machine"));
-        w.data(QRectF(px(16), y, wide * 0.5, px(26)), QFileInfo(QString::fromStdString(job.machine)).fileName(), lettering(17), t.text);
-        w.sign(QRectF(wide * 0.55, y + px(3), px(20), px(20)), Sign::Warning, t.warn);
-        w.text(QRectF(wide * 0.55 + px(28), y, wide * 0.45 - px(44), px(26)), word("not this one"), lettering(14.5), t.text);
-        y += px(30);
+        compared({}, QFileInfo(QString::fromStdString(job.machine)).fileName(), {}, Sign::Warning, t.warn, word("not this one"), false);
     }
-    if (const auto zeros = compareZeros(desk_.live, job); !zeros.empty()) {   // wanted against entered, which stays
-        y += px(8);
-        headline(word("Zeros"));
+    if (const std::vector<SheetTool> tools = compareTools(desk_.live, job); !tools.empty()) {
+        headline(word("Tools that it needs"), {}, word("Mounted"));
+        for (const SheetTool& tool : tools) {
+            const bool same = tool.match == SheetTool::Match::Same, unknown = tool.match == SheetTool::Match::Unknown;
+            const bool usable = same && tool.state.sign != Sign::Alarm && tool.state.sign != Sign::Lock && tool.state.sign != Sign::Stop;
+            compared(QString("L%1").arg(tool.channel), QString("T%1   %2").arg(tool.station).arg(tool.wanted), {}, unknown ? Sign::None : usable ? Sign::Good : same ? tool.state.sign : Sign::Warning,
+                     usable ? t.good : same ? t.bad : t.warn, same && !usable ? tool.state.text : matchText(tool), usable || unknown);
+        }
+    }
+    if (const auto zeros = compareZeros(desk_.live, *preview_.sheet); !zeros.empty()) {
+        headline(word("Zeros"), word("Wanted"), word("Entered"));
         for (const JobZero& one : zeros) {
-            w.text(QRectF(px(16), y, px(50), px(24)), QString("L%1").arg(one.channel), lettering(15, true), t.text);
-            w.data(QRectF(px(66), y, wide * 0.3 - px(66), px(24)), QString::fromStdString(one.system + "  " + one.axis), lettering(15), t.text);
-            w.text(QRectF(wide * 0.3, y, wide * 0.23, px(24)), QString::number(one.wanted, 'f', 3), lettering(15), t.text, kRight);
-            w.sign(QRectF(wide * 0.55, y + px(3), px(18), px(18)), one.same() ? Sign::Good : Sign::Warning, one.same() ? t.good : t.warn);
-            w.text(QRectF(wide * 0.55 + px(28), y, wide * 0.45 - px(44), px(24)), zeroText(one), lettering(14.5), one.same() ? t.dim : t.text);
-            y += px(26);
+            const auto [sign, colour] = judged(one.same());
+            compared(QString("L%1").arg(one.channel), QString::fromStdString(one.system + "  " + one.axis), QString::number(one.wanted, 'f', 3), sign, colour, zeroText(one), one.same());
         }
     }
-    if (job.tools.empty()) return;
-    y += px(8);
-    headline(word("Tools that it needs"));
-    const std::vector<SheetTool> tools = compareTools(desk_.live, job);
-    for (std::size_t i = 0; i < tools.size(); ++i) {   // wanted against mounted
-        const SheetTool& tool = tools[i];
-        if (y + px(52) > high && i + 1 < tools.size()) {
-            w.text(QRectF(px(16), y, wide - px(32), px(24)), word("more: %1").arg(tools.size() - i), lettering(15), t.dim);
-            break;
+    if (const auto offsets = compareOffsets(desk_.live, *preview_.sheet); !offsets.empty()) {
+        headline(word("Offsets"), {}, word("Entered"));
+        for (const JobOffset& one : offsets) {   // of another one only the values that are otherwise
+            const auto [sign, colour] = judged(one.same());
+            compared(QString("L%1").arg(one.channel), QString("%1   %2").arg(one.number).arg(offsetText(one, OffsetSide::Wanted, one.same())), {}, sign, colour, one.same() ? word("entered") : offsetText(one, OffsetSide::Entered, false), one.same());
         }
-        const bool same = tool.match == SheetTool::Match::Same, unknown = tool.match == SheetTool::Match::Unknown;
-        const bool usable = same && tool.state.sign != Sign::Alarm && tool.state.sign != Sign::Lock && tool.state.sign != Sign::Stop;
-        w.text(QRectF(px(16), y, px(120), px(24)), QString("L%1   T%2").arg(tool.channel).arg(tool.station), lettering(15, true), t.text);
-        w.data(QRectF(px(140), y, wide * 0.34, px(24)), tool.wanted, lettering(15), t.text);
-        w.sign(QRectF(wide * 0.34 + px(150), y + px(3), px(18), px(18)), unknown ? Sign::None : usable ? Sign::Good : same ? tool.state.sign : Sign::Warning, usable ? t.good : same ? t.bad : t.warn);
-        w.data(QRectF(wide * 0.34 + px(176), y, wide * 0.66 - px(190), px(24)), same && !usable ? tool.state.text : matchText(tool), lettering(14.5), usable || unknown ? t.dim : t.text);
-        y += px(26);
     }
+    if (const QString fault = preview_.sheet->setupFault; !fault.isEmpty())
+        out.push_back({px(52), [=, &w, &t](double y) {
+            w.sign(QRectF(px(16), y + px(8), px(18), px(18)), Sign::Warning, t.warn);
+            Item& item = w.text(QRectF(px(44), y + px(6), wide - px(60), px(44)), fault, lettering(14.5), t.text, Qt::AlignLeft | Qt::AlignTop);
+            item.wraps = item.data = true;
+        }, false});
+    return out;
+}
+
+// Where it is longer than the sheet is high, its last line turns the page.
+void FilesPage::composeJob(Writer& w, double y) {
+    const Theme& t = theme();
+    const double wide = view_->width(), turn = px(34);
+    w.data(QRectF(px(16), y, wide * 0.5 - px(20), px(34)), QString::fromStdString(preview_.sheet->job.name), lettering(24, true), t.text);
+    y += px(36);
+    const std::vector<SheetLine> lines = sheetLines(w);
+    double all = 0;
+    for (const SheetLine& one : lines) all += one.high;
+    const double room = view_->height() - y - px(6);
+    std::vector<std::size_t> begins{0};
+    if (all > room)
+        for (std::size_t i = 0, first = 0; i < lines.size(); first = begins.back()) {
+            double used = 0;
+            for (i = first; i < lines.size() && used + lines[i].high <= room - turn; ++i) used += lines[i].high;
+            if (i == lines.size()) break;
+            while (i > first + 1 && lines[i - 1].head) --i;
+            begins.push_back(std::max(i, first + 1));
+        }
+    sheetPages_ = begins.size(), sheetPage_ %= sheetPages_;
+    const std::size_t end = sheetPage_ + 1 < sheetPages_ ? begins[sheetPage_ + 1] : lines.size();
+    for (std::size_t i = begins[sheetPage_]; i < end; ++i) lines[i].write(y), y += lines[i].high;
+    if (sheetPages_ == 1) return;
+    const QRectF key(px(8), view_->height() - turn - px(4), wide - px(16), turn);
+    w.fill(key, t.raised, px(6));
+    w.sign(QRectF(key.left() + px(10), key.center().y() - px(9), px(18), px(18)), Sign::Right, t.accent);
+    w.text(key.adjusted(px(38), 0, -px(70), 0), end < lines.size() ? word("Goes on") : word("From the beginning"), lettering(15), t.text);
+    w.text(key.adjusted(0, 0, -px(10), 0), QString("%1 / %2").arg(sheetPage_ + 1).arg(sheetPages_), lettering(15), t.dim, kRight);
+    w.hit(key, 1);
+}
+
+void FilesPage::turnSheet() {
+    if (preview_.sheet && sheetPages_ > 1) sheetPage_ = (sheetPage_ + 1) % sheetPages_, view_->refresh();
 }
 
 // What is being done, what has been taken, or the name that is entered.
@@ -463,6 +501,7 @@ bool FilesPage::key(QKeyEvent* event) {
         return true;
     }
     if (event->key() == Qt::Key_Escape && menu_) return showMenu(false), true;
+    if (event->key() == Qt::Key_Right && preview_.sheet) return turnSheet(), true;
     if (event->key() == Qt::Key_Backspace && !placesShown_ && !entries_.empty() && entries_.front().up) return files_->choose(0), open(), true;
     return files_->key(event);
 }

@@ -4,9 +4,9 @@
 #include "hmi/app/screen.hpp"
 #include "hmi/machine/aside.hpp"
 #include "hmi/machine/file_work.hpp"
+#include "hmi/machine/setup_sheet.hpp"
 #include "hmi/widgets/table.hpp"
 #include "hmi/widgets/text_pad.hpp"
-#include "ipc/text/job.hpp"
 
 namespace polyturn::hmi {
 
@@ -32,8 +32,7 @@ public:
     bool isFolder() const { return placesShown_ || (chosen() && chosen()->folder); }
     bool isJob() const { return chosen() && chosen()->job; }
     const std::vector<FileEntry>& entries() const { return entries_; }
-    const text::Job* job() const { return preview_.job.get(); }
-    QString jobDiffers() const;               // what the chosen job has otherwise than the controller; empty: nothing
+    const JobSheet* sheet() const { return preview_.sheet.get(); }   // of the chosen job; nullptr: it is being read, or is none
     QString whyNotChanged() const;            // the chosen file is protected; empty: it may be edited
     QString where() const;                    // for the head
 
@@ -51,18 +50,25 @@ private:
     enum class Naming : std::uint8_t { None, Rename, Folder };
     struct Preview {
         QString path, fault;
-        std::shared_ptr<text::Job> job;
+        std::shared_ptr<JobSheet> sheet;      // of a job that can be read
         std::vector<bool> there;              // of its programs
         QStringList lines;
         bool readable = true;
-        bool otherMachine = false;            // the job names another one than that of the controller
     };
     static Preview readPreview(const QString& path, bool job, Tongue tongue, const std::string& machine);
+    void nameColumns();
     void layOut();
     void take();                              // what workers have brought
     void look();                              // at the chosen file
     void composePreview(Writer& w);
     void composeJob(Writer& w, double y);
+    struct SheetLine {                        // of the setup sheet: how high it is, and what writes it there
+        int high = 0;
+        std::function<void(double y)> write;
+        bool head = false;                    // not the last one of a page
+    };
+    std::vector<SheetLine> sheetLines(Writer& w);
+    void turnSheet();                         // to the page behind, from the last to the first
     void composeState(Writer& w);
     void start(const QString& what, std::function<FileOutcome(const std::atomic<bool>&)> work);
     void put();
@@ -81,6 +87,7 @@ private:
     QString choose_, taken_, doing_, name_;
     Naming naming_ = Naming::None;
     Preview preview_;
+    std::size_t sheetPage_ = 0, sheetPages_ = 1;
     Aside<FolderList> reader_;
     Aside<Preview> looker_;
     Aside<FileOutcome> worker_;

@@ -79,17 +79,24 @@ void Programs::select() {
     const bool job = files_->isJob();
     desk_.requests.press(job ? "select " + path : QString("select L%1=%2").arg(desk_.channel).arg(path), [this, name, path, job](const Answer& answer) {
         if (!answer.ok) return;
-        const QString differs = job && files_->chosenPath() == path ? files_->jobDiffers() : QString();
-        if (!differs.isEmpty()) return desk_.tell(word("%1 is selected").arg(name) + ".  " + differs, Told::Note);
+        if (job) selected_.start([path, tongue = spoken(), machine = desk_.live.machineFolder()](const std::atomic<bool>&) { return readJobSheet(path, machine, tongue); });
         desk_.tell(job ? word("%1 is selected in its channels").arg(name) : word("%1 is selected in L%2").arg(name).arg(desk_.channel), Told::Good);
+        takeSelected();
     });
+}
+
+void Programs::takeSelected() {
+    const auto sheet = selected_.take();
+    if (!sheet || !sheet->fault.isEmpty()) return;   // the controller has read it: its answer counts
+    const QString differs = jobDiffers(desk_.live, *sheet);
+    if (!differs.isEmpty()) desk_.tell(word("%1 is selected").arg(QFileInfo(sheet->path).fileName()) + ".  " + differs, Told::Note);
 }
 
 // As a file beside the job, and to the printer where the computer has one.
 void Programs::print() {
-    if (!files_->job() || printing_.busy()) return;
+    if (!files_->sheet() || printing_.busy()) return;
     printed_ = files_->chosenPath().chopped(9) + "-setup.pdf";
-    printing_.start([html = sheetText(desk_.live, *files_->job()), title = QString::fromStdString(files_->job()->name), file = printed_](const std::atomic<bool>& stop) {
+    printing_.start([html = sheetText(desk_.live, *files_->sheet()), title = QString::fromStdString(files_->sheet()->job.name), file = printed_](const std::atomic<bool>& stop) {
         FileProgress progress;
         return writeSheet(html, title, file, progress, stop);
     });
@@ -292,7 +299,7 @@ std::vector<SoftKey> Programs::keys() {
         desk_.tell(word("The setup sheet is not written: stopped."), Told::Note);
         if (desk_.keysChanged) desk_.keysChanged();
     }, Sign::Stop});
-    else if (page_ == Page::Files && files_->job()) keys.push_back({word("Print setup sheet"), [this] { print(); }, Sign::Programs, true});
+    else if (page_ == Page::Files && files_->sheet()) keys.push_back({word("Print setup sheet"), [this] { print(); }, Sign::Programs, true});
     else if (page_ == Page::Files) keys.push_back({word("Edit"), [this] { edit(); }, Sign::Programs, file && !job, false, false,
                                                    editor_->changed() && editor_->file() != files_->chosenPath() ? word("Unsaved text goes: press again") : QString()});
     if (page_ == Page::Files) keys.push_back({word("Copy, delete ..."), [this] { files_->showMenu(true); }, Sign::Right});

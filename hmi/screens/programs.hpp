@@ -24,13 +24,13 @@ public:
     const char* name() const override { return "programs"; }
     std::vector<SoftKey> keys() override;
     void refresh() override;
-    void follow() override { files_->follow(), restart_->follow(), editor_->follow(), lookSaved(), takePrint(), keepRun(); }
+    void follow() override { files_->follow(), restart_->follow(), editor_->follow(), lookSaved(), takePrint(), takeSelected(), keepRun(); }
     bool key(QKeyEvent* event) override;
     QString state() const override;
     void restore(const QString& state) override;
     void leave() override { desk_.draft = editor_->draft(); }
     std::vector<Sheet*> sheets() override;
-    int pages() const override { return files_->job() || (page_ != Page::Files && page_ != Page::Restart) ? 12 : 1; }
+    int pages() const override { return files_->sheet() || (page_ != Page::Files && page_ != Page::Restart) ? 12 : 1; }
     HelpTopic help() const override;
     void turnTo(int page) override;
     bool busy() const override { return dry_.running() || compare_->busy() || (page_ == Page::Edit && (editor_->opening() || editor_->checking())); }
@@ -51,6 +51,7 @@ private:
     void edit();
     void print();
     void takePrint();
+    void takeSelected();
     void composeTogether(Writer& w);
     void composeTime(Writer& w);
     void composeFaults(Writer& w, const QRectF& box);
@@ -74,6 +75,7 @@ private:
     ProgramText texts_;
     Aside<FileOutcome> printing_;            // the setup sheet
     QString printed_;
+    Aside<JobSheet> selected_;               // what the job that has just been selected has otherwise, by its files as they are now
     DryRun dry_;
     AlignedJob aligned_;
     std::uint64_t alignedVersion_ = ~0ull, timeVersion_ = ~0ull;   // of the run: that they show

@@ -42,6 +42,7 @@ constexpr auto kPhrases = std::to_array<Phrase>({
     {"no program", "нет программы", "bez programu", "nincs program"},
     {"the job is for the machine {}, and this controller runs {}", "задание для станка {}, а этот контроллер ведёт {}", "zakázka je pro stroj {}, a tento řadič řídí {}", "a munka a(z) {} géphez való, ez a vezérlő a(z) {} gépet hajtja"},
     {"the job has {} = {:.4f}, entered is {:.4f}, and that holds", "в задании {} = {:.4f}, введено {:.4f}, и действует введённое", "zakázka má {} = {:.4f}, zadáno je {:.4f}, a to platí", "a munkában {} = {:.4f}, beírva {:.4f}, és a beírt érvényes"},
+    {"L{}: other offsets than in the job's setup are entered, and those hold: {}", "L{}: введены не те корректоры, что в наладке задания, и действуют введённые: {}", "L{}: zadány jsou jiné korekce než v seřízení zakázky, a ty platí: {}", "L{}: más korrekciók vannak beírva, mint a munka beállításában, és a beírtak érvényesek: {}"},
     {"the job has {} = {:.4f}, which this machine does not have", "в задании {} = {:.4f}, у этого станка такого нет", "zakázka má {} = {:.4f}, tento stroj to nemá", "a munkában {} = {:.4f}, ennek a gépnek nincs ilyen"},
     {"   waits at {}", "   ждёт на {}", "   čeká na {}", "   vár itt: {}"},
     {"not referenced ", "без референта ", "bez reference ", "nem referált "},

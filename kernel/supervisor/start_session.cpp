@@ -361,13 +361,24 @@ std::vector<std::string> StartSession::differences(const text::Job& job) const {
     std::vector<std::string> out;
     const std::string base = std::filesystem::absolute(std::filesystem::path(loaded_.params_file).replace_extension()).string();
     if (for_another_machine(job, base)) out.push_back(fmt::format(fmt::runtime(say("the job is for the machine {}, and this controller runs {}")), job.machine, loaded_.params_file));
+    text::Setup setup;
+    if (!job.setup.empty()) {
+        auto read = text::load_setup(job.setup);
+        if (read) setup = std::move(*read);
+        else out.push_back(text_in(read.diagnosis(), tongue_now()));
+    }
     const auto store = std::make_unique<ChannelStore>();
-    for (const JobZero& zero : job_zeros(job, machine_, [&](unsigned channel) { return controller_->store().channels[channel - 1].read(*store) ? store.get() : nullptr; })) {
+    const StoreOf store_of = [&](unsigned channel) { return controller_->store().channels[channel - 1].read(*store) ? store.get() : nullptr; };
+    for (const JobZero& zero : job_zeros(job, setup, machine_, store_of)) {
         if (zero.same()) continue;
         const std::string what = fmt::format("L{} {} {}", zero.channel, zero.system, zero.axis);
         out.push_back(std::isnan(zero.entered) ? fmt::format(fmt::runtime(say("the job has {} = {:.4f}, which this machine does not have")), what, zero.wanted)
                                                : fmt::format(fmt::runtime(say("the job has {} = {:.4f}, entered is {:.4f}, and that holds")), what, zero.wanted, zero.entered));
     }
+    std::map<unsigned, std::string> others;   // the screens' sheet and `status` show the numbers
+    for (const JobOffset& one : job_offsets(setup, machine_, store_of))
+        if (!one.same()) others[one.channel] += (others[one.channel].empty() ? "" : ", ") + std::to_string(one.number);
+    for (const auto& [channel, numbers] : others) out.push_back(fmt::format(fmt::runtime(say("L{}: other offsets than in the job's setup are entered, and those hold: {}")), channel, numbers));
     return out;
 }
 

@@ -59,7 +59,8 @@ class Controller(LiveCase):
     def test_what_a_selected_job_has_otherwise_is_told_and_what_is_entered_holds(self):
         self.write("part.nc", "G98 G0 X70. Z10.\nM30\n")
         other = self.write("other.params", "N0304 A1=11000\n")
-        job = self.write("part.job.toml", f'machine = "{other}"\n[programs]\n1 = {{ file = "part.nc" }}\n[zeros]\n1 = {{ G54 = {{ X = 1.5, Z = -150.0 }}, G55 = {{ Z = -20.0 }} }}\n')
+        job = self.write("part.job.toml", f'machine = "{other}"\nsetup = "part.setup.toml"\n[programs]\n1 = {{ file = "part.nc" }}\n[zeros]\n1 = {{ G54 = {{ X = 1.5, Z = -150.0 }}, G55 = {{ Z = -20.0 }} }}\n')
+        self.write("part.setup.toml", "[channel.1.offset.5]\ngeometry = { X = 40.5, T = 3 }\n[channel.1.offset.6]\ngeometry = { X = 0.0 }\n")
         self.start()
         self.press("machine_on")
         done = self.polyturn("set", "zero L1 G55 Z=-20", "--instance", self.name)
@@ -69,6 +70,7 @@ class Controller(LiveCase):
         self.assertIn("the job is for the machine", done.said())
         self.assertIn("L1 G54 X = 1.5000, entered is 0.0000", done.said())
         self.assertIn("L1 G54 Z = -150.0000, entered is 0.0000", done.said())
+        self.assertIn("L1: other offsets than in the job's setup are entered, and those hold: 5\n", done.said())
         self.assertNotIn("G55", done.said())
         done = self.polyturn("zeros", "list", "L1", "--instance", self.name, "--json")
         self.assertNotIn("-150", done.out)

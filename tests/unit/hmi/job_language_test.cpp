@@ -81,6 +81,49 @@ TEST_F(JobLanguage, WhatItHasOtherwiseIsTold) {
     ASSERT_TRUE(g_controller->set("zero L1 G54 Z=0"));
 }
 
+// So are offsets of its setup file; the line of the selection tells of the files as they are now, whatever the sheet has read before.
+TEST_F(JobLanguage, OtherOffsetsThanThoseOfItsSetupFileAreTold) {
+    write("offsets.job.toml", "name = \"offsets\"\nsetup = \"offsets.setup.toml\"\n[programs]\n1 = { file = \"FIRST.MPF\", language = \"sinumerik\" }\n");
+    write("offsets.setup.toml", "[channel.1.offset.27]\ngeometry = { X = 12.5 }\n");
+    ASSERT_TRUE(g_controller->set("offset L1 27 geometry X=12.5"));
+    choose("offsets.job.toml");
+    Operator hand(*window);
+    hand.screen("programs");
+    EXPECT_TRUE(waitFor([&] { return shown("X 12.500") && shown("entered"); }));
+    write("offsets.setup.toml", "[channel.1.offset.27]\ngeometry = { X = 13.75 }\n");
+    hand.soft("Select job");
+    const auto told = [&](const QString& text) {
+        for (Sheet* sheet : window->ownSheets())
+            for (const Item& one : sheet->items())
+                if (one.text.contains(text)) return true;
+        return false;
+    };
+    EXPECT_TRUE(waitFor([&] { return told("L1 27"); }));
+    EXPECT_DOUBLE_EQ(live().store(1).offsets[27].geometry[0], 12.5) << "what is entered holds";
+    ASSERT_TRUE(g_controller->set("offset L1 27 geometry X=0"));
+    const JobSheet sheet = readJobSheet(folder.filePath("offsets.job.toml"), live().machineFolder(), Tongue::English);
+    EXPECT_TRUE(waitFor([&] { return sheetText(live(), sheet).contains("X 13.750") && sheetText(live(), sheet).contains("X 0.000"); })) << sheetText(live(), sheet).toStdString();
+}
+
+// A sheet that is longer than its place: a touch on its last line, or the right key, turns the page.
+TEST_F(JobLanguage, ALongSheetIsTurned) {
+    QByteArray setup;
+    for (int offset = 1; offset <= 60; ++offset) setup += QString("[channel.1.offset.%1]\ngeometry = { X = %2 }\n").arg(offset).arg(500 + offset).toUtf8();
+    write("long.job.toml", "name = \"long\"\nsetup = \"long.setup.toml\"\n[programs]\n1 = { file = \"FIRST.MPF\", language = \"sinumerik\" }\n");
+    write("long.setup.toml", setup.constData());
+    choose("long.job.toml");
+    Operator hand(*window);
+    hand.screen("programs");
+    ASSERT_TRUE(waitFor([&] { return shown("Goes on") && shown("X 501.000"); }));
+    EXPECT_FALSE(shown("X 560.000"));
+    int turns = 0;
+    while (!shown("X 560.000") && turns < 20) hand.key(Qt::Key_Right), ++turns;
+    EXPECT_TRUE(shown("X 560.000") && shown("From the beginning"));
+    EXPECT_FALSE(shown("X 501.000"));
+    hand.key(Qt::Key_Right);
+    EXPECT_TRUE(shown("X 501.000"));
+}
+
 // The check of the job beside the machine, and the programs in the editor.
 TEST_F(JobLanguage, IsThatOfTheSynchronisedViewAndOfTheEditor) {
     choose("markers.job.toml");

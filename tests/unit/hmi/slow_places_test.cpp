@@ -188,7 +188,7 @@ TEST_F(SlowPlaces, SavingGoesOnBesideAndLeavesTheOldFileWhenItIsStopped) {
 TEST_F(SlowPlaces, TheSetupSheetIsWrittenBesideAndCanBeStopped) {
     write("part.job.toml", "name = \"part\"\n[programs]\n1 = { file = \"a.nc\", language = \"fanuc\" }\n");
     programs().filesPage().readFolder(folder.path(), "part.job.toml");
-    ASSERT_TRUE(waitFor([&] { return programs().filesPage().job() != nullptr && offered("Print setup sheet"); }));
+    ASSERT_TRUE(waitFor([&] { return programs().filesPage().sheet() != nullptr && offered("Print setup sheet"); }));
     {
         Device device;
         hand->soft("Print setup sheet");
