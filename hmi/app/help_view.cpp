@@ -18,6 +18,9 @@
 namespace polyturn::hmi {
 namespace {
 constexpr int kFirstSlices = 2;   // laid out at once: what is seen first
+// What Qt leaves free between two tables whose borders collapse, and the line that both draw: so far up goes the next piece of a table
+// that was cut, so that one line stands between them, as between all rows. The test measures it.
+constexpr double kBetweenTables = 4;
 
 // Commands and programs: in the face of programs, set off from the text. Links: in the colour of the theme.
 void setForms(QTextDocument& document) {
@@ -90,6 +93,8 @@ HelpView::HelpView(QWidget* parent) : QWidget(parent), head_(new FreeSheet(this)
     text_->setFrameShape(QFrame::NoFrame);
     text_->setFocusPolicy(Qt::NoFocus);            // keys come through the window
     text_->setOpenLinks(false);
+    // A table with long words is some pixels wider than the page: less than its margin hides nothing, and needs no bar over the text.
+    QObject::connect(text_->horizontalScrollBar(), &QScrollBar::rangeChanged, text_, [this](int, int most) { text_->setHorizontalScrollBarPolicy(most > px(18) ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff); });
     QObject::connect(text_, &QTextBrowser::anchorClicked, this, [this](const QUrl& url) {
         const QString file = QFileInfo(url.path()).fileName();
         if (file.endsWith(".md")) open({file, {}, {}});
@@ -190,7 +195,7 @@ void HelpView::lay(std::size_t slice, bool above) {
         if ((own.goesOn || headless) && table->rows() > 1) table->removeRows(0, 1);
         QTextTableFormat format = table->format();
         format.setBorder(1), format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid), format.setBorderBrush(theme().edge), format.setBorderCollapse(true), format.setCellPadding(px(5));
-        if (!own.goesOn) format.setTopMargin(px(6));
+        format.setTopMargin(own.goesOn ? -kBetweenTables : px(6));
         format.setBottomMargin(px(own.last ? 12 : 0));
         if (own.goesOn || headless) format.setHeaderRowCount(0);
         table->setFormat(format);

@@ -1,6 +1,7 @@
 // The handbook on the panel: paragraphs, commands and tables stand as the page has them, wherever it is opened.
 #include <gtest/gtest.h>
 
+#include <QAbstractTextDocumentLayout>
 #include <QFile>
 #include <QScrollBar>
 #include <QTextBlock>
@@ -74,6 +75,34 @@ TEST(HelpView, TablesHaveNoEmptyHead) {
         EXPECT_FALSE(head.remove(QChar::Nbsp).trimmed().isEmpty());
     }
     EXPECT_GE(tables, 1);
+}
+
+// A long table is laid out in pieces: between them stands one line, as between all rows, opened at once or from the middle.
+TEST(HelpView, PiecesOfATableStandAsCloseAsItsRows) {
+    for (const HelpTopic& topic : {HelpTopic{"reference_fanuc.md", {}, {}}, HelpTopic{"reference_fanuc.md", "G54", {}, true}}) {
+        SCOPED_TRACE(topic.find.toStdString());
+        const OpenPage page(topic);
+        const auto* layout = page.document().documentLayout();
+        const QTextTable* before = nullptr;
+        int joints = 0;
+        const auto rowTop = [&](const QTextTable& table, int row) { return layout->blockBoundingRect(table.cellAt(row, 0).firstCursorPosition().block()).top(); };
+        const auto lowest = [&](const QTextTable& table, int row) {
+            double out = 0;
+            for (int column = 0; column < table.columns(); ++column) out = std::max(out, layout->blockBoundingRect(table.cellAt(row, column).lastCursorPosition().block()).bottom());
+            return out;
+        };
+        for (const QTextFrame* frame : page.document().rootFrame()->childFrames()) {
+            const auto* table = qobject_cast<const QTextTable*>(frame);
+            if (!table) continue;
+            if (before && table->format().headerRowCount() == 0 && table->columns() == before->columns() && before->rows() > 1 && table->rows() > 1) {
+                const double within = rowTop(*table, 1) - lowest(*table, 0), between = rowTop(*table, 0) - lowest(*before, before->rows() - 1);
+                EXPECT_NEAR(between, within, 0.5) << table->cellAt(0, 0).firstCursorPosition().block().text().toStdString();
+                ++joints;
+            }
+            before = table;
+        }
+        EXPECT_GT(joints, 5);
+    }
 }
 
 TEST(HelpView, LinksAreReadInBothThemes) {
