@@ -143,7 +143,15 @@ private:
             add(status_.keys & kKeyMachineLock, word("Machine lock"));
             add(status_.keys & kKeyFirstPart, word("First part"));
             add(status_.keys & kAllBlockSkips, word("Block skip"));
-            w_.data(box.adjusted(px(12), 0, -px(6), 0), switches.isEmpty() ? hint_ : switches, lettering(13.5), t_.dim);
+            const QString codes = dense_ && switches.isEmpty() ? activeCodes() : QString();   // a dense card has no other room for them
+            if (!codes.isEmpty()) {
+                const double line = hint_.isEmpty() ? h : h / 2;
+                Item& item = w_.text(QRectF(box.left() + px(8), box.top(), box.width() - px(12), line), codes, lettering(12.5, false, Face::Condensed), t_.dim, Qt::AlignLeft | Qt::AlignVCenter);
+                item.wraps = hint_.isEmpty(), item.data = true;
+                if (!hint_.isEmpty()) w_.data(QRectF(box.left() + px(8), box.top() + line, box.width() - px(12), line), hint_, lettering(12.5, false, Face::Condensed), t_.faint);
+            } else {
+                w_.data(box.adjusted(px(12), 0, -px(6), 0), switches.isEmpty() ? hint_ : switches, lettering(13.5), t_.dim);
+            }
         }
         below(h);
     }
@@ -151,12 +159,12 @@ private:
     void axes() {
         const std::size_t count = config_.axis_count;
         const double head = px(dense_ ? 14 : 17), row = px(dense_ ? 22 : count > 4 ? 26 : 35);
-        const int columns = wide_ < px(320) ? 3 : 4;   // a narrow card leaves the following error out
-        const double name = px(34), first = (wide_ - name) * 0.34, other = (wide_ - name - first) / (columns - 1);
+        const bool narrow = wide_ < px(320);           // eight channels side by side: condensed figures
+        const double name = px(narrow ? 24 : 34), first = (wide_ - name) * (narrow ? 0.31 : 0.34), other = (wide_ - name - first) / 3;
         const double at[] = {left_ + name, left_ + name + first, left_ + name + first + other, left_ + name + first + 2 * other};
         const double wide[] = {first, other, other, other};
-        const QString heads[] = {word("Workpiece"), word("Machine"), word("To go"), word("Follow. error")};
-        for (int c = 0; c < columns; ++c) w_.text(QRectF(at[c], y_, wide[c], head), heads[c], lettering(11.5, false, Face::Condensed), t_.dim, kRight);
+        const QString heads[] = {word("Workpiece"), word("Machine"), word("To go"), narrow ? word("Lag") : word("Follow. error")};
+        for (int c = 0; c < 4; ++c) w_.text(QRectF(at[c], y_, wide[c], head), heads[c], lettering(11.5, false, Face::Condensed), t_.dim, kRight);
         y_ += head;
         for (std::size_t place = 0; place < count && y_ + row < size_.height(); ++place) {
             const AxisConfig& axis = live_.config().axis(config_.axes[place]);
@@ -168,18 +176,18 @@ private:
             // Its drive belongs to the spindle just now: the axis is nowhere.
             if (axis.on_spindle && live_.nc(signals::sn_axis(axis.on_spindle)) == 0) {
                 w_.text(QRectF(at[0], y_, wide[0], row), kDash, lettering(dense_ ? 16 : 20, true), t_.faint, kRight);
-                w_.text(QRectF(at[1], y_, at[columns - 1] + other - at[1], row), word("turns as spindle S%1").arg(axis.on_spindle), lettering(dense_ ? 12.5 : 14), t_.faint, kRight);
+                w_.text(QRectF(at[1], y_, at[3] + other - at[1], row), word("turns as spindle S%1").arg(axis.on_spindle), lettering(dense_ ? 12.5 : 14), t_.faint, kRight);
                 y_ += row;
                 continue;
             }
             double workpiece = 0;
             const bool known = live_.workpiece(channel_, static_cast<unsigned>(place), now.act, workpiece);
-            w_.text(QRectF(at[0], y_, wide[0], row), known ? lengthText(shownPlace(axis, workpiece), decimals) : kDash, lettering(dense_ ? 16 : wide_ < px(330) ? 17 : 24, true), t_.text, kRight);
-            const QFont small = lettering(wide_ < px(330) ? 12.5 : dense_ ? 13.5 : 16);
+            w_.text(QRectF(at[0], y_, wide[0], row), known ? lengthText(shownPlace(axis, workpiece), decimals) : kDash, narrow ? lettering(16, true, Face::Condensed) : lettering(dense_ ? 16 : 24, true), t_.text, kRight);
+            const QFont small = narrow ? lettering(13, false, Face::Condensed) : lettering(dense_ ? 13.5 : 16);
             w_.text(QRectF(at[1], y_, wide[1], row), referenced ? lengthText(shownPlace(axis, now.act), decimals) : word("no ref."), small, referenced ? t_.text : t_.warn, kRight);
             w_.text(QRectF(at[2], y_, wide[2], row), lengthText(shown(axis, live_.toGo(channel_, static_cast<unsigned>(place))), decimals), small,
                     view_.moves[place] ? t_.text : t_.faint, kRight);
-            if (columns == 4) w_.text(QRectF(at[3], y_, wide[3], row), lengthText(now.error, decimals), small, t_.dim, kRight);
+            w_.text(QRectF(at[3], y_, wide[3], row), lengthText(now.error, decimals), small, t_.dim, kRight);
             y_ += row;
         }
         y_ += gap();
@@ -241,6 +249,11 @@ private:
         return command;
     }
 
+    QString activeCodes() const {
+        const auto& codes = view_.picture.codes;
+        return view_.known ? QString::fromUtf8(codes.data(), static_cast<int>(::strnlen(codes.data(), codes.size()))) : QString();
+    }
+
     void tool() {
         const double h = px(dense_ ? 20 : 26);
         const BlockPicture& p = view_.picture;
@@ -259,8 +272,7 @@ private:
         below(h);
         if (dense_) return;
         const double lines = px(37);
-        const QString codes = view_.known ? QString::fromUtf8(p.codes.data(), static_cast<int>(::strnlen(p.codes.data(), p.codes.size()))) : QString();
-        Item& item = w_.text(QRectF(left_, y_, wide_, lines), codes, lettering(13.5, false, Face::Condensed), t_.dim, Qt::AlignLeft | Qt::AlignTop);
+        Item& item = w_.text(QRectF(left_, y_, wide_, lines), activeCodes(), lettering(13.5, false, Face::Condensed), t_.dim, Qt::AlignLeft | Qt::AlignTop);
         item.wraps = true, item.data = true;
         below(lines);
     }

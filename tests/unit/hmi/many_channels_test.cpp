@@ -105,6 +105,7 @@ TEST(ManyChannelsCard, IsEnlargedByATouchAndByAKey) {
     touch(6);
     EXPECT_EQ(window.desk().channel, 6u);
     EXPECT_TRUE(says(6, "Parts") && says(6, "Mean")) << "figures without a heading";
+    EXPECT_TRUE(says(6, "Lag")) << "the following error, under a word that fits";
     EXPECT_FALSE(says(6, "Follow. error"));
     touch(6);
     for (const char* line : {"Follow. error", "Remaining", "Workpiece", "Machine", "To go"}) EXPECT_TRUE(says(6, line)) << line;
