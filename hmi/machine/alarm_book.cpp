@@ -151,7 +151,7 @@ AlarmEntry AlarmBook::read(const QJsonObject& event) const {
     const QString severity = event.value("severity").toString();
     out.severity = severity == "error" ? Severity::Error : severity == "warning" ? Severity::Warning : Severity::Message;
     const QJsonValue number = event.value("number");
-    out.number = number.isDouble() ? QString::number(number.toInt()) : number.toString();
+    out.number = alarmNumberText(number.isDouble() ? QString::number(number.toInt()) : number.toString());
     out.refusal = isAlarm(out.number, Alarm::NotReady);
     static const QRegularExpression kBuilders("^(?:message|note) (\\d+) ");   // as alarms.csv has them in English
     if (isAlarm(out.number, Alarm::BuilderMessage) || isAlarm(out.number, Alarm::BuilderNote)) out.builder = kBuilders.match(out.text).captured(1).toInt();

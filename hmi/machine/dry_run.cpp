@@ -114,7 +114,7 @@ void DryRun::take(const QByteArray& line) {
     const RunLine at{event.value("file").toString().toStdString(), static_cast<std::uint32_t>(event.value("line").toInt())};
     if (what == "alarm") {
         const QJsonValue number = event.value("number");
-        const QString written = number.isDouble() ? QString::number(number.toInt()) : number.toString();
+        const QString written = alarmNumberText(number.isDouble() ? QString::number(number.toInt()) : number.toString());
         const QString place = at.line ? QString("%1:%2").arg(QFileInfo(event.value("file").toString()).fileName()).arg(at.line) : QString();
         faults_.push_back({channel, event.value("severity").toString() != "warning", written, retold(written, event.value("text").toString()).text, place, at});
         return;

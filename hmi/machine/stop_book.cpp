@@ -83,7 +83,7 @@ StopWords stopWords(const QString& cause) {
 
 QString stopDetail(const StopEntry& stop) {
     if (stop.number.isEmpty()) return stop.detail;
-    return stop.number + "  " + retold(stop.number, stop.detail).text;
+    return alarmNumberText(stop.number) + "  " + retold(stop.number, stop.detail).text;
 }
 
 }  // namespace polyturn::hmi

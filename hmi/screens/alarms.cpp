@@ -90,7 +90,11 @@ void Alarms::composeDetail(Writer& w) {
     const double wide = detail_->width(), high = detail_->height();
     w.fill(QRectF(0, 0, wide, high), t.window);
     w.fill(QRectF(0, px(6), wide, high - px(6)), t.card, px(8));
-    if (rows_.empty() || table_->row() >= static_cast<int>(rows_.size())) return;
+    if (rows_.empty() || table_->row() >= static_cast<int>(rows_.size())) {
+        Item& item = w.text(QRectF(px(20), px(20), wide - px(40), px(60)), page_ == Page::Standing ? word("What was told before stands in «History», what the machine stood still for in «Log of stops».") : QString(), lettering(15), t.dim, Qt::AlignLeft | Qt::AlignTop);
+        item.wraps = true;
+        return;
+    }
     const AlarmEntry& entry = rows_[static_cast<std::size_t>(table_->row())];
     w.fill(QRectF(0, px(6), px(5), high - px(6)), colourOf(entry.severity), px(2));
     w.sign(QRectF(px(16), px(18), px(26), px(26)), signOf(entry.severity), colourOf(entry.severity));

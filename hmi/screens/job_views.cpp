@@ -68,6 +68,7 @@ void Programs::composeTogether(Writer& w) {
             if (fault.at.line == line.line && fault.at.file == line.file && (!found || fault.error)) found = &fault;
         return found;
     };
+    std::map<unsigned, std::string> stands;   // in which file the line above stands: where another one begins, its name is beside
     for (int i = 0; i < visible && scroll_ + i < static_cast<int>(rows.size()); ++i) {
         const AlignedJob::Row& one = rows[static_cast<std::size_t>(scroll_ + i)];
         const double y = head + i * row;
@@ -104,9 +105,13 @@ void Programs::composeTogether(Writer& w) {
             const bool bad = fault != nullptr;
             const QColor colour = !bad ? t.text : fault->error ? t.bad : t.warn;
             const double at = left[number];
+            std::string& above = stands.try_emplace(number, channel.blocks.front().file).first->second;
+            const bool enters = !narrow && !bad && above != line.file;
+            above = line.file;
+            if (enters) w.data(QRectF(at + each - px(110), y, px(100), row), QFileInfo(QString::fromStdString(line.file)).fileName(), lettering(12, false, Face::Condensed), t.accent, kRight);
             if (bad) w.fill(QRectF(at + px(4), y + 1, each - px(8), row - 2), t.raised, px(4)), w.sign(QRectF(at + each - px(26), y + px(4), px(16), px(16)), fault->error ? Sign::Alarm : Sign::Warning, colour);
             w.text(QRectF(at + px(2), y, text - px(narrow ? 5 : 10), row), QString::number(line.line), lettering(narrow ? 11 : 12, false, narrow ? Face::Condensed : Face::Text), t.faint, kRight);
-            w.data(QRectF(at + text, y, each - text - px(bad ? 32 : narrow ? 4 : 10), row), texts_.line(line.file, line.line), lettering(narrow ? 11.5 : 13.5, bad, Face::Program), colour);
+            w.data(QRectF(at + text, y, each - text - px(enters ? 114 : bad ? 32 : narrow ? 4 : 10), row), texts_.line(line.file, line.line), lettering(narrow ? 11.5 : 13.5, bad, Face::Program), colour);
         }
     }
 }

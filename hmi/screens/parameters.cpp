@@ -16,6 +16,7 @@
 namespace polyturn::hmi {
 namespace {
 
+constexpr double kBitLetters = 35;   // in a line of a bit's meaning
 constexpr int kBitHits = 1;       // + number of the bit
 constexpr int kTextHit = 100;
 constexpr int kBitWaitsMs = 4'000;    // as long as a soft key waits for its second press
@@ -380,9 +381,14 @@ void Parameters::composeDetail(Writer& w) {
     if (bits) {   // each bit with what it means on and off; a touch chooses it, the next one turns it over
         const auto now = static_cast<unsigned>(value(*line));
         const double facts = px(90 + (row.acts != "yes" ? 36 : 0));   // beneath: what is told of every parameter
-        const double each = std::min<double>(px(62), (high - y - px(10) - facts) / static_cast<double>(std::max<std::size_t>(1, row.bits.size())));
+        // Shares of the height by the lines of the texts, about so many letters each: three lines must not be cut where others have one.
+        const auto linesOf = [&](const params::Bit& bit) { return std::max(2.0, std::ceil(static_cast<double>(bothMeanings(fromView(words.bits[bit.number])).size()) / kBitLetters)); };
+        double all = 0;
+        for (const params::Bit& bit : row.bits) all += linesOf(bit);
+        const double tall = std::min<double>(px(31), (high - y - px(10) - facts) / std::max(1.0, all));
         for (const params::Bit& bit : row.bits) {
             const bool on = now >> bit.number & 1u;
+            const double each = tall * linesOf(bit);
             const QRectF box(px(8), y, wide - px(16), each - px(2));
             w.fill(box, on ? t.mark : t.raised, px(4));
             if (bit.number == bit_) w.frame(box, t.accent, px(4), px(2));

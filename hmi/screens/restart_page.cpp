@@ -4,6 +4,7 @@
 #include <QKeyEvent>
 #include <QRegularExpression>
 #include <cmath>
+#include <limits>
 
 #include "hmi/machine/channel_words.hpp"
 #include "hmi/widgets/number_cells.hpp"
@@ -53,7 +54,7 @@ RestartPage::RestartPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(d
     pad_->field = [this]() -> std::optional<NumberPad::Field> {
         const auto channel = chosen();
         if (!channel) return std::nullopt;
-        return NumberPad::Field{word("L%1: restart at block").arg(*channel), {}, static_cast<double>(std::max<std::int64_t>(0, at(*channel).wanted)), 0};
+        return NumberPad::Field{word("L%1: restart at block").arg(*channel), {}, at(*channel).wanted < 0 ? std::numeric_limits<double>::quiet_NaN() : static_cast<double>(at(*channel).wanted), 0};
     };
     pad_->onInput = [this](double value) {
         if (const auto channel = chosen(); channel && value >= 0 && value == std::floor(value)) at(*channel).wanted = static_cast<std::int64_t>(value);
@@ -66,7 +67,7 @@ RestartPage::RestartPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(d
         w.fill(QRectF(0, 0, note_->width(), note_->height()), t.card, px(8));
         w.sign(QRectF(px(14), px(14), px(24), px(24)), Sign::Note, t.accent);
         Item& item = w.text(QRectF(px(50), px(10), note_->width() - px(62), note_->height() - px(20)),
-                            word("Touch a block twice, or Enter: the program restarts there. «Restart» reads to it without moving, with all waits replayed. Then start: the control shows what it will do. Start again: tool, functions, axes, and it cuts. Bring the axes to a free place first."),
+                            word("Touch one of these blocks twice, press Enter on it, or type its number: the program restarts there. «Restart» reads to it without moving, with all waits replayed. Then start: the control shows what it will do. Start again: tool, functions, axes, and it cuts. Bring the axes to a free place first."),
                             lettering(15.5), t.text, Qt::AlignLeft | Qt::AlignTop);
         item.wraps = true;
     };

@@ -115,6 +115,7 @@ void Tools::fillLife() {
         const LifeLine& line = life_[static_cast<std::size_t>(row)];
         const ToolRow* tool = toolOf(desk_.live, line.tool);
         if (!tool) return {};
+        const Table::Cell none{QString::fromUtf8("–"), t.faint};   // no forecast yet, or a life that is not watched
         const bool opens = row == 0 || life_[static_cast<std::size_t>(row - 1)].group != line.group;   // the first of its sisters tells of all
         switch (column) {
             case 0: return opens ? Table::Cell{line.group, line.first ? t.warn : t.text, line.first ? Sign::Warning : Sign::None, true} : Table::Cell{};
@@ -129,8 +130,8 @@ void Tools::fillLife() {
                 const StateWords state = toolWords(*tool);
                 return {state.text, state.colour, state.sign};
             }
-            case 5: return opens && line.parts >= 0 ? Table::Cell{QString::number(line.parts, 'f', 0), line.first ? t.warn : t.text, Sign::None, true} : Table::Cell{};
-            default: return opens && line.minutes >= 0 ? Table::Cell{timeText(line.minutes * 60), t.dim} : Table::Cell{};
+            case 5: return opens && line.parts >= 0 ? Table::Cell{QString::number(line.parts, 'f', 0), line.first ? t.warn : t.text, Sign::None, true} : opens ? none : Table::Cell{};
+            default: return opens && line.minutes >= 0 ? Table::Cell{timeText(line.minutes * 60), t.dim} : opens ? none : Table::Cell{};
         }
     };
     detail_->refresh();

@@ -1,5 +1,7 @@
 #include "hmi/text/retold.hpp"
 
+#include <algorithm>
+
 #include "hmi/text/tongues.hpp"
 
 namespace polyturn::hmi {
@@ -15,11 +17,14 @@ text::BuilderMessages& builderMessages() {
 
 void knowBuilderMessages(text::BuilderMessages messages) { builderMessages() = std::move(messages); }
 
+QString alarmNumberText(const QString& number) {
+    return !number.isEmpty() && number.size() < 3 && std::all_of(number.begin(), number.end(), [](QChar c) { return c.isDigit(); }) ? number.rightJustified(3, '0') : number;
+}
+
 RetoldWords retold(const QString& number, const QString& text) {
     if (number.isEmpty()) return {text, {}, false};
     std::string told = text.toStdString();
-    const std::string plain = number.toStdString();
-    const std::string padded = plain.size() < 3 ? std::string(3 - plain.size(), '0') + plain : plain;   // logs have numbers, tables have texts: 020
+    const std::string plain = number.toStdString(), padded = alarmNumberText(number).toStdString();   // logs have numbers, tables have texts: 020
     if (plain == alarm_number(Alarm::BuilderMessage, Dialect::Polyturn) || plain == alarm_number(Alarm::BuilderNote, Dialect::Polyturn)) told = builderMessages().told_in(std::move(told), static_cast<text::MessageLanguage>(spoken()));
     for (const Dialect dialect : {Dialect::Polyturn, Dialect::Fanuc, Dialect::Nct, Dialect::Fagor, Dialect::Sinumerik, Dialect::Mefi})
         for (const std::string& written : {plain, padded})

@@ -12,6 +12,8 @@ struct RetoldWords {
     bool found = false;      // no row of that number reads so: the text is as it was
 };
 RetoldWords retold(const QString& number, const QString& text);
+// As the control's manual writes it: 020, where a log has the number 20.
+QString alarmNumberText(const QString& number);
 // Those of the machine; without them those of the built-in PLC are known.
 void knowBuilderMessages(text::BuilderMessages messages);
 

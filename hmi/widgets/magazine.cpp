@@ -147,11 +147,13 @@ void Magazine::compose(Writer& w) {
         item.wraps = true;
         return;
     }
-    if (static_cast<PlaceKind>(spots.front().place->kind) == PlaceKind::Turret && spots.front().round) {
+    if (spots.front().round) {   // in the middle of a turret and of a chain: the chosen place, in letters that are read from afar
         const double side = std::min<double>(width(), height()), size = spots.front().box.width(), hub = side / 2 - size - px(10);
         const QPointF middle(width() / 2.0, height() / 2.0);
-        w.fill(QRectF(middle.x() - side / 2, middle.y() - side / 2, side, side), t.card, side / 2);
-        w.fill(QRectF(middle.x() - hub, middle.y() - hub, 2 * hub, 2 * hub), t.window, hub);
+        if (static_cast<PlaceKind>(spots.front().place->kind) == PlaceKind::Turret) {
+            w.fill(QRectF(middle.x() - side / 2, middle.y() - side / 2, side, side), t.card, side / 2);
+            w.fill(QRectF(middle.x() - hub, middle.y() - hub, 2 * hub, 2 * hub), t.window, hub);
+        }
         const ToolPlace* bright = chosen();
         const ToolRow* tool = bright ? toolOf(live_, bright->tool) : nullptr;
         w.text(QRectF(middle.x() - hub, middle.y() - px(62), 2 * hub, px(50)), bright ? QString::number(bright->pot) : QString(), lettering(40, true), t.text, Qt::AlignCenter);

@@ -2,6 +2,7 @@
 
 #include <QKeyEvent>
 #include <array>
+#include <cmath>
 
 #include "hmi/machine/channel_words.hpp"
 #include "hmi/text/tongues.hpp"
@@ -12,6 +13,9 @@ namespace {
 constexpr int kColumns = 5;
 constexpr std::array<const char*, 20> kKeys{"7", "8", "9", "/", "<", "4", "5", "6", "*", "C", "1", "2", "3", "-", "(", "0", ".", "", "+", ")"};
 constexpr int kInput = 100, kAdd = 101;
+
+double counted(const NumberPad::Field& field) { return std::isnan(field.present) ? 0.0 : field.present; }   // what is added to
+QString presentText(const NumberPad::Field& field) { return std::isnan(field.present) ? QString::fromUtf8("–") : lengthText(field.present, field.decimals); }
 
 }  // namespace
 
@@ -26,7 +30,7 @@ void NumberPad::enter(bool added) {
     const auto now = field ? field() : std::nullopt;
     const auto typed = entry();
     if (!now || !typed || !onInput) return;
-    const double value = added ? now->present + typed->value : typed->over(now->present);
+    const double value = added ? counted(*now) + typed->value : typed->over(counted(*now));
     text_.clear();
     onInput(value);
     refresh();
@@ -64,9 +68,9 @@ void NumberPad::compose(Writer& w) {
     w.data(line.adjusted(px(10), 0, -px(10), 0), text_ + QString::fromUtf8("▏"), lettering(21, true), t.text, Qt::AlignRight | Qt::AlignVCenter);
     const QRectF result(px(12), px(80), wide - px(24), px(24));
     if (now && text_.isEmpty()) {
-        w.text(result, QString("%1 %2").arg(lengthText(now->present, now->decimals), now->unit), lettering(15), t.dim, Qt::AlignRight | Qt::AlignVCenter);
+        w.text(result, QString("%1 %2").arg(presentText(*now), now->unit), lettering(15), t.dim, Qt::AlignRight | Qt::AlignVCenter);
     } else if (now && typed) {
-        w.text(result, QString::fromUtf8("%1 → %2 %3").arg(lengthText(now->present, now->decimals), lengthText(typed->over(now->present), now->decimals), now->unit), lettering(15, true), t.good,
+        w.text(result, QString::fromUtf8("%1 → %2 %3").arg(presentText(*now), lengthText(typed->over(counted(*now)), now->decimals), now->unit), lettering(15, true), t.good,
                Qt::AlignRight | Qt::AlignVCenter);
     } else if (!text_.isEmpty()) {
         w.text(result, word("not a number yet"), lettering(15), t.warn, Qt::AlignRight | Qt::AlignVCenter);

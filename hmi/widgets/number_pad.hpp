@@ -16,7 +16,7 @@ public:
 
     struct Field {
         QString title, unit;
-        double present = 0;
+        double present = 0;       // NaN: nothing stands there
         unsigned decimals = 3;
     };
     // What the number is for; empty: nothing is chosen.
