@@ -1244,7 +1244,7 @@
         <translation>Enter nebo druhý dotyk to změní.</translation>
     </message>
     <message>
-        <location filename="../screens/presetter_page.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Entered</source>
         <translation>Zapsáno</translation>
     </message>
@@ -1544,6 +1544,11 @@
         <translation>Přechod na posuv (úroveň R)</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>From the beginning</source>
+        <translation>Od začátku</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
         <source>From the start to the first hole</source>
         <translation>Od počátku k první díře</translation>
@@ -1582,6 +1587,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>Goes back to its own place</source>
         <translation>Vrací se na vlastní místo</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Goes on</source>
+        <translation>Dále</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -1834,7 +1844,7 @@
         <translation>Rozložení kláves</translation>
     </message>
     <message>
-        <location filename="../screens/tools.cpp"/>
+        <location filename="../screens/files_page.cpp"/>
         <source>Kind</source>
         <translation>Druh</translation>
     </message>
@@ -1872,6 +1882,11 @@
         <location filename="../screens/compensation_page.cpp"/>
         <source>L%1: volume along %2</source>
         <translation>L%1: prostorová podél %2</translation>
+    </message>
+    <message>
+        <location filename="../screens/channel_card.cpp"/>
+        <source>Lag</source>
+        <translation>Odchylka</translation>
     </message>
     <message>
         <location filename="../screens/settings_page.cpp"/>
@@ -2114,7 +2129,7 @@
         <translation>Konstanty MEFI</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Machine</source>
         <translation>Stroj</translation>
     </message>
@@ -2419,7 +2434,7 @@
         <translation>Žádná proměnná kanálu nemá hodnotu.</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>No.</source>
         <translation>Č.</translation>
     </message>
@@ -2544,7 +2559,7 @@
         <translation>Číslo korekce poloměru</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.hpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Offsets</source>
         <translation>Korekce</translation>
     </message>
@@ -2634,7 +2649,12 @@
         <translation>Jiná úroveň</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>Other offsets than the job's hold: %1</source>
+        <translation>Platí jiné korekce než v zakázce: %1</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Other zeros than the job's hold: %1</source>
         <translation>Platí jiné nulové body než v zakázce: %1</translation>
     </message>
@@ -3864,7 +3884,7 @@
         <translation>Zakázka běží ve virtuálním čase</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>The job is for another machine: %1</source>
         <translation>Zakázka je pro jiný stroj: %1</translation>
     </message>
@@ -4294,14 +4314,14 @@
         <translation>Moment</translation>
     </message>
     <message>
-        <location filename="../screens/restart_page.cpp"/>
-        <source>Touch a block twice, or Enter: the program restarts there. «Restart» reads to it without moving, with all waits replayed. Then start: the control shows what it will do. Start again: tool, functions, axes, and it cuts. Bring the axes to a free place first.</source>
-        <translation>Dotkněte se bloku dvakrát nebo Enter: program začne tam. «Restart» k němu čte bez pohybu a přehraje všechna čekání. Pak start: je vidět, co přijde. Znovu start: nástroj, funkce, osy a řeže se. Osy nejdřív odjeďte na volné místo.</translation>
-    </message>
-    <message>
         <location filename="../screens/overview.cpp"/>
         <source>Touch again or Enter: enlarged</source>
         <translation>Další dotek nebo Enter: zvětšit</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>Touch one of these blocks twice, press Enter on it, or type its number: the program restarts there. «Restart» reads to it without moving, with all waits replayed. Then start: the control shows what it will do. Start again: tool, functions, axes, and it cuts. Bring the axes to a free place first.</source>
+        <translation>Dotkněte se dvakrát jednoho z těchto bloků, stiskněte na něm Enter, nebo zadejte jeho číslo: program začne tam. «Restart» k němu čte bez pohybu a přehraje všechna čekání. Pak start: je vidět, co přijde. Znovu start: nástroj, funkce, osy a řeže se. Osy nejdřív odjeďte na volné místo.</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -4589,6 +4609,11 @@
         <translation>Co počítá životnost</translation>
     </message>
     <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>What was told before stands in «History», what the machine stood still for in «Log of stops».</source>
+        <translation>Co bylo hlášeno dříve, je v «Historii», proč stroj stál, v «Deníku zastavení».</translation>
+    </message>
+    <message>
         <location filename="../screens/system.cpp"/>
         <source>What would change</source>
         <translation>Co by se změnilo</translation>
@@ -4724,7 +4749,7 @@
         <translation>Z jeho konce</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Zero</source>
         <translation>Nula</translation>
     </message>
@@ -5074,6 +5099,11 @@
         <translation>č. vstupu</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>it is not there</source>
+        <translation>není tu</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>its way is added to the own one</source>
         <translation>její dráha se přičítá</translation>
@@ -5269,7 +5299,7 @@
         <translation>bez reference</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>not this one</source>
         <translation>není to tento</translation>
     </message>

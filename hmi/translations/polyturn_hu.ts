@@ -266,7 +266,7 @@
     <message>
         <location filename="../screens/alarms.cpp"/>
         <source>Active alarms</source>
-        <translation>Aktív hibák</translation>
+        <translation>Aktív riasztások</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
@@ -416,7 +416,7 @@
     <message>
         <location filename="../screens/manual.cpp"/>
         <source>As held</source>
-        <translation>Nyomva</translation>
+        <translation>Amíg nyomva</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -886,7 +886,7 @@
     <message>
         <location filename="../screens/job_views.cpp"/>
         <source>Decides the time</source>
-        <translation>Ez dönt</translation>
+        <translation>Kritikus út</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -1201,7 +1201,7 @@
     <message>
         <location filename="../screens/overview.cpp"/>
         <source>End with this part</source>
-        <translation>Vége e darabbal</translation>
+        <translation>Leállás a darab után</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -1244,7 +1244,7 @@
         <translation>Az Enter vagy második érintés átállítja.</translation>
     </message>
     <message>
-        <location filename="../screens/presetter_page.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Entered</source>
         <translation>Beírva</translation>
     </message>
@@ -1544,6 +1544,11 @@
         <translation>Gyorsból előtolásra (R szint)</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>From the beginning</source>
+        <translation>Elölről</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
         <source>From the start to the first hole</source>
         <translation>A kezdettől az első furatig</translation>
@@ -1582,6 +1587,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>Goes back to its own place</source>
         <translation>Visszatér a saját helyére</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Goes on</source>
+        <translation>Tovább</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -1806,7 +1816,7 @@
     <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>Jog keys</source>
-        <translation>Kézi gombok</translation>
+        <translation>Tengelygombok</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
@@ -1834,7 +1844,7 @@
         <translation>Kiosztás</translation>
     </message>
     <message>
-        <location filename="../screens/tools.cpp"/>
+        <location filename="../screens/files_page.cpp"/>
         <source>Kind</source>
         <translation>Fajta</translation>
     </message>
@@ -1861,7 +1871,7 @@
     <message>
         <location filename="../screens/job_views.cpp"/>
         <source>L%1 decides %2 of %3: what becomes shorter there shortens the cycle.</source>
-        <translation>L%1 dönt %2 időről (%3): ami ott rövidül, a ciklust rövidíti.</translation>
+        <translation>L%1 határoz meg %2 időt ebből: %3; ami ott rövidül, a ciklust rövidíti.</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -1872,6 +1882,11 @@
         <location filename="../screens/compensation_page.cpp"/>
         <source>L%1: volume along %2</source>
         <translation>L%1: térbeli, %2 mentén</translation>
+    </message>
+    <message>
+        <location filename="../screens/channel_card.cpp"/>
+        <source>Lag</source>
+        <translation>Köv. hiba</translation>
     </message>
     <message>
         <location filename="../screens/settings_page.cpp"/>
@@ -2114,7 +2129,7 @@
         <translation>MEFI-állandók</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Machine</source>
         <translation>Gép</translation>
     </message>
@@ -2419,14 +2434,14 @@
         <translation>A csatornának nincs értékkel bíró változója.</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>No.</source>
         <translation>Sz.</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Nobody has changed it since the store was begun.</source>
-        <translation>A tároló kezdete óta senki sem változtatta.</translation>
+        <translation>A napló kezdete óta senki sem változtatta.</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -2544,7 +2559,7 @@
         <translation>Sugárkorrekció száma</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.hpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Offsets</source>
         <translation>Korrekciók</translation>
     </message>
@@ -2634,7 +2649,12 @@
         <translation>Másik szint</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>Other offsets than the job's hold: %1</source>
+        <translation>Nem a munka korrekciói érvényesek: %1</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Other zeros than the job's hold: %1</source>
         <translation>Nem a munka nullpontjai érvényesek: %1</translation>
     </message>
@@ -2846,12 +2866,12 @@
     <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>Plain S means the counter spindle</source>
-        <translation>A sima S az ellenorsó</translation>
+        <translation>Szám nélküli S: az ellenorsó</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>Plain S means the main spindle</source>
-        <translation>A sima S a főorsó</translation>
+        <translation>Szám nélküli S: a főorsó</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -3864,7 +3884,7 @@
         <translation>A munka virtuális időben fut</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>The job is for another machine: %1</source>
         <translation>A munka másik géphez való: %1</translation>
     </message>
@@ -3916,7 +3936,7 @@
     <message>
         <location filename="../screens/tools_tables.cpp"/>
         <source>The pallet in a row goes with its program. «Exchange»: choose a row, press, choose the other row, press again.</source>
-        <translation>A paletta a programjával együtt cserél. «Csere»: válasszon sort, nyomja meg, válassza a másikat, nyomja meg újra.</translation>
+        <translation>A paletta a programjával együtt cserélődik. «Csere»: válasszon sort, nyomja meg, válassza a másikat, nyomja meg újra.</translation>
     </message>
     <message>
         <location filename="../screens/tools_tables.cpp"/>
@@ -4294,14 +4314,14 @@
         <translation>Nyomaték</translation>
     </message>
     <message>
-        <location filename="../screens/restart_page.cpp"/>
-        <source>Touch a block twice, or Enter: the program restarts there. «Restart» reads to it without moving, with all waits replayed. Then start: the control shows what it will do. Start again: tool, functions, axes, and it cuts. Bring the axes to a free place first.</source>
-        <translation>Érintse kétszer a mondatot, vagy Enter: a program onnan folytatja. Az «Újraindítás» mozgás nélkül olvas odáig, minden várakozással. Aztán indítás: látszik, mi jön. Újra indítás: szerszám, funkciók, tengelyek, és forgácsol. Előbb vigye szabad helyre a tengelyeket.</translation>
-    </message>
-    <message>
         <location filename="../screens/overview.cpp"/>
         <source>Touch again or Enter: enlarged</source>
         <translation>Még egy érintés vagy Enter: nagyítás</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>Touch one of these blocks twice, press Enter on it, or type its number: the program restarts there. «Restart» reads to it without moving, with all waits replayed. Then start: the control shows what it will do. Start again: tool, functions, axes, and it cuts. Bring the axes to a free place first.</source>
+        <translation>Érintse kétszer az egyik mondatot, nyomjon rajta Entert, vagy írja be a számát: a program onnan folytatja. Az «Újraindítás» mozgás nélkül olvas odáig, minden várakozással. Aztán indítás: látszik, mi jön. Újra indítás: szerszám, funkciók, tengelyek, és forgácsol. Előbb vigye szabad helyre a tengelyeket.</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -4501,7 +4521,7 @@
     <message>
         <location filename="../machine/channel_words.cpp"/>
         <source>Waits at %1 for %2, %3 so far</source>
-        <translation>%1: vár erre: %2, eddig %3</translation>
+        <translation>%1: %2 csatornára vár, %3 óta</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -4589,6 +4609,11 @@
         <translation>Mit számol az élettartam</translation>
     </message>
     <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>What was told before stands in «History», what the machine stood still for in «Log of stops».</source>
+        <translation>A korábbiak az «Előzmények», az állások okai az «Állásnapló» lapon vannak.</translation>
+    </message>
+    <message>
         <location filename="../screens/system.cpp"/>
         <source>What would change</source>
         <translation>Mi változna</translation>
@@ -4601,7 +4626,7 @@
     <message>
         <location filename="../screens/manual.cpp"/>
         <source>Wheel, tool, transfer</source>
-        <translation>Kerék, szerszám</translation>
+        <translation>Kézikerék, szerszám</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -4724,7 +4749,7 @@
         <translation>A végének Z-je</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Zero</source>
         <translation>Nullpont</translation>
     </message>
@@ -5074,6 +5099,11 @@
         <translation>bemenetszám</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>it is not there</source>
+        <translation>nincs meg</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>its way is added to the own one</source>
         <translation>az útja hozzáadódik</translation>
@@ -5269,7 +5299,7 @@
         <translation>nincs referencia</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>not this one</source>
         <translation>nem ez</translation>
     </message>
@@ -5596,12 +5626,12 @@
     <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>too large</source>
-        <translation>nagy</translation>
+        <translation>tűrés felett</translation>
     </message>
     <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>too small</source>
-        <translation>kicsi</translation>
+        <translation>tűrés alatt</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -5696,12 +5726,12 @@
     <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>«Measure» finds the tip and shows what would be entered. The gauge pin calibrates the camera first.</source>
-        <translation>A «Mérés» megkeresi a csúcsot, és mutatja, mi kerülne be. A kamerát előbb a mérőcsap kalibrálja.</translation>
+        <translation>A «Mérés» megkeresi a csúcsot, és megmutatja, mi kerülne be. Előbb kalibrálja a kamerát a mérőcsappal.</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
         <source>«Take» chooses what is copied or compared</source>
-        <translation>A «Felvesz» választja ki a másolandót</translation>
+        <translation>A «Felvesz» választja ki a másolandót vagy hasonlítandót</translation>
     </message>
     <message>
         <location filename="../text/tongues.cpp"/>

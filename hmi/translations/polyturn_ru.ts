@@ -886,7 +886,7 @@
     <message>
         <location filename="../screens/job_views.cpp"/>
         <source>Decides the time</source>
-        <translation>Решает время</translation>
+        <translation>Критический путь</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -1201,7 +1201,7 @@
     <message>
         <location filename="../screens/overview.cpp"/>
         <source>End with this part</source>
-        <translation>Конец с этой деталью</translation>
+        <translation>Стоп после детали</translation>
     </message>
     <message>
         <location filename="../machine/channel_words.cpp"/>
@@ -1244,7 +1244,7 @@
         <translation>Enter или второе касание меняет.</translation>
     </message>
     <message>
-        <location filename="../screens/presetter_page.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Entered</source>
         <translation>Введено</translation>
     </message>
@@ -1544,6 +1544,11 @@
         <translation>Переход на подачу (уровень R)</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>From the beginning</source>
+        <translation>С начала</translation>
+    </message>
+    <message>
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
         <source>From the start to the first hole</source>
         <translation>От начала до первого отверстия</translation>
@@ -1582,6 +1587,11 @@
         <location filename="../screens/tools_tables.cpp"/>
         <source>Goes back to its own place</source>
         <translation>Возвращается на своё место</translation>
+    </message>
+    <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>Goes on</source>
+        <translation>Дальше</translation>
     </message>
     <message>
         <location filename="../../ipc/params/parameters.csv"/>
@@ -1834,7 +1844,7 @@
         <translation>Раскладка</translation>
     </message>
     <message>
-        <location filename="../screens/tools.cpp"/>
+        <location filename="../screens/files_page.cpp"/>
         <source>Kind</source>
         <translation>Вид</translation>
     </message>
@@ -1861,7 +1871,7 @@
     <message>
         <location filename="../screens/job_views.cpp"/>
         <source>L%1 decides %2 of %3: what becomes shorter there shortens the cycle.</source>
-        <translation>L%1 определяет %2 из %3: что короче там, сокращает цикл.</translation>
+        <translation>L%1 определяет %2 из %3: что станет там короче, сократит цикл.</translation>
     </message>
     <message>
         <location filename="../screens/restart_page.cpp"/>
@@ -1872,6 +1882,11 @@
         <location filename="../screens/compensation_page.cpp"/>
         <source>L%1: volume along %2</source>
         <translation>L%1: объёмная вдоль %2</translation>
+    </message>
+    <message>
+        <location filename="../screens/channel_card.cpp"/>
+        <source>Lag</source>
+        <translation>Рассогл.</translation>
     </message>
     <message>
         <location filename="../screens/settings_page.cpp"/>
@@ -2114,7 +2129,7 @@
         <translation>Константы MEFI</translation>
     </message>
     <message>
-        <location filename="../screens/channel_card.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Machine</source>
         <translation>Станок</translation>
     </message>
@@ -2419,14 +2434,14 @@
         <translation>Ни у одной переменной канала нет значения.</translation>
     </message>
     <message>
-        <location filename="../screens/compensation_page.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>No.</source>
         <translation>№</translation>
     </message>
     <message>
         <location filename="../screens/offsets.cpp"/>
         <source>Nobody has changed it since the store was begun.</source>
-        <translation>С начала хранилища никто его не менял.</translation>
+        <translation>За всё время записи никто его не менял.</translation>
     </message>
     <message>
         <location filename="../screens/system.cpp"/>
@@ -2544,7 +2559,7 @@
         <translation>Номер корректора радиуса</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.hpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Offsets</source>
         <translation>Коррекции</translation>
     </message>
@@ -2634,7 +2649,12 @@
         <translation>Другой уровень</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
+        <source>Other offsets than the job's hold: %1</source>
+        <translation>Действуют не те корректоры, что в задании: %1</translation>
+    </message>
+    <message>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Other zeros than the job's hold: %1</source>
         <translation>Действуют не те нули, что в задании: %1</translation>
     </message>
@@ -2846,12 +2866,12 @@
     <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>Plain S means the counter spindle</source>
-        <translation>Простое S — противошпиндель</translation>
+        <translation>S без номера: противошпиндель</translation>
     </message>
     <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>Plain S means the main spindle</source>
-        <translation>Простое S — главный шпиндель</translation>
+        <translation>S без номера: главный шпиндель</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -3121,7 +3141,7 @@
     <message>
         <location filename="../screens/files_page.cpp"/>
         <source>Rename</source>
-        <translation>Имя</translation>
+        <translation>Переименовать</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
@@ -3511,7 +3531,7 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Speed not reached</source>
-        <translation>Скорость не достигнута</translation>
+        <translation>Обороты не набраны</translation>
     </message>
     <message>
         <location filename="../../ipc/forms/sinumerik_forms.cpp"/>
@@ -3521,7 +3541,7 @@
     <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>Speed reached</source>
-        <translation>Скорость достигнута</translation>
+        <translation>Обороты набраны</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
@@ -3864,7 +3884,7 @@
         <translation>Задание идёт в виртуальном времени</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>The job is for another machine: %1</source>
         <translation>Задание для другого станка: %1</translation>
     </message>
@@ -3986,7 +4006,7 @@
     <message>
         <location filename="../screens/system.cpp"/>
         <source>Then</source>
-        <translation>Потом</translation>
+        <translation>Станет</translation>
     </message>
     <message>
         <location filename="../screens/parts_page.cpp"/>
@@ -4294,14 +4314,14 @@
         <translation>Момент</translation>
     </message>
     <message>
-        <location filename="../screens/restart_page.cpp"/>
-        <source>Touch a block twice, or Enter: the program restarts there. «Restart» reads to it without moving, with all waits replayed. Then start: the control shows what it will do. Start again: tool, functions, axes, and it cuts. Bring the axes to a free place first.</source>
-        <translation>Коснитесь кадра дважды или Enter: программа начнёт с него. «Перезапуск» читает до него без движения, повторяя все ожидания. Затем пуск: видно, что будет. Ещё пуск: инструмент, функции, оси, и резание. Сначала отведите оси на свободное место.</translation>
-    </message>
-    <message>
         <location filename="../screens/overview.cpp"/>
         <source>Touch again or Enter: enlarged</source>
         <translation>Ещё касание или Enter: крупно</translation>
+    </message>
+    <message>
+        <location filename="../screens/restart_page.cpp"/>
+        <source>Touch one of these blocks twice, press Enter on it, or type its number: the program restarts there. «Restart» reads to it without moving, with all waits replayed. Then start: the control shows what it will do. Start again: tool, functions, axes, and it cuts. Bring the axes to a free place first.</source>
+        <translation>Коснитесь дважды одного из этих кадров, нажмите на нём Enter или введите номер: программа начнёт с него. «Перезапуск» читает до него без движения, повторяя все ожидания. Затем пуск: видно, что будет. Ещё пуск: инструмент, функции, оси, и резание. Сначала отведите оси на свободное место.</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -4589,6 +4609,11 @@
         <translation>Что считает ресурс</translation>
     </message>
     <message>
+        <location filename="../screens/alarms.cpp"/>
+        <source>What was told before stands in «History», what the machine stood still for in «Log of stops».</source>
+        <translation>Что было раньше, смотрите в «Журнале»; почему станок стоял — в «Журнале остановов».</translation>
+    </message>
+    <message>
         <location filename="../screens/system.cpp"/>
         <source>What would change</source>
         <translation>Что изменится</translation>
@@ -4596,12 +4621,12 @@
     <message>
         <location filename="../screens/hand_page.cpp"/>
         <source>Wheel in program</source>
-        <translation>Маховик в программе</translation>
+        <translation>Маховичок в программе</translation>
     </message>
     <message>
         <location filename="../screens/manual.cpp"/>
         <source>Wheel, tool, transfer</source>
-        <translation>Маховик, инструмент</translation>
+        <translation>Маховичок, инструмент</translation>
     </message>
     <message>
         <location filename="../screens/parameters.cpp"/>
@@ -4724,7 +4749,7 @@
         <translation>Z его торца</translation>
     </message>
     <message>
-        <location filename="../screens/offsets.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>Zero</source>
         <translation>Нуль</translation>
     </message>
@@ -5074,6 +5099,11 @@
         <translation>№ входа</translation>
     </message>
     <message>
+        <location filename="../screens/files_page.cpp"/>
+        <source>it is not there</source>
+        <translation>её нет</translation>
+    </message>
+    <message>
         <location filename="../screens/diagnosis_tables.cpp"/>
         <source>its way is added to the own one</source>
         <translation>её путь добавляется к своему</translation>
@@ -5269,7 +5299,7 @@
         <translation>нет выхода в ноль</translation>
     </message>
     <message>
-        <location filename="../screens/files_page.cpp"/>
+        <location filename="../machine/setup_sheet.cpp"/>
         <source>not this one</source>
         <translation>не этот</translation>
     </message>
@@ -5596,12 +5626,12 @@
     <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>too large</source>
-        <translation>велик</translation>
+        <translation>больше допуска</translation>
     </message>
     <message>
         <location filename="../screens/parts_page.cpp"/>
         <source>too small</source>
-        <translation>мал</translation>
+        <translation>меньше допуска</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>
@@ -5696,7 +5726,7 @@
     <message>
         <location filename="../screens/presetter_page.cpp"/>
         <source>«Measure» finds the tip and shows what would be entered. The gauge pin calibrates the camera first.</source>
-        <translation>«Измерить» находит вершину и показывает, что будет введено. Сначала камеру калибрует калибр.</translation>
+        <translation>«Измерить» находит вершину и показывает, что будет введено. Сначала откалибруйте камеру по калибру.</translation>
     </message>
     <message>
         <location filename="../screens/files_page.cpp"/>
