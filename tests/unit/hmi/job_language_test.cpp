@@ -33,12 +33,14 @@ protected:
         programs.restore("0|" + folder.filePath(name));
         ASSERT_TRUE(waitFor([&] { return programs.filesPage().chosenPath() == folder.filePath(name); }));
     }
-    bool shown(const QString& text) const {
-        for (Sheet* sheet : window->screen()->sheets())
+    static bool stands(const std::vector<Sheet*>& on, const QString& text) {
+        for (Sheet* sheet : on)
             for (const Item& one : sheet->items())
                 if (one.text.contains(text)) return true;
         return false;
     }
+    bool shown(const QString& text) const { return stands(window->screen()->sheets(), text); }
+    bool told(const QString& text) const { return stands(window->ownSheets(), text); }   // in the line of messages
     QTemporaryDir folder;
 };
 
@@ -67,12 +69,6 @@ TEST_F(JobLanguage, WhatItHasOtherwiseIsTold) {
     hand.screen("programs");
     EXPECT_TRUE(waitFor([&] { return shown("entered: -20.000"); }));
     hand.soft("Select job");
-    const auto told = [&](const QString& text) {
-        for (Sheet* sheet : window->ownSheets())
-            for (const Item& one : sheet->items())
-                if (one.text.contains(text)) return true;
-        return false;
-    };
     EXPECT_TRUE(waitFor([&] { return told("L1 G54 Z"); }));
     ASSERT_TRUE(waitFor([&] { return !live().view(1).programs.empty() && QString::fromStdString(live().view(1).programs[0]).endsWith("FIRST.MPF"); }));
     EXPECT_DOUBLE_EQ(live().store(1).zeros[kZeroG54 * kChannelAxes + 1], -20.0);
@@ -92,12 +88,6 @@ TEST_F(JobLanguage, OtherOffsetsThanThoseOfItsSetupFileAreTold) {
     EXPECT_TRUE(waitFor([&] { return shown("X 12.500") && shown("entered"); }));
     write("offsets.setup.toml", "[channel.1.offset.27]\ngeometry = { X = 13.75 }\n");
     hand.soft("Select job");
-    const auto told = [&](const QString& text) {
-        for (Sheet* sheet : window->ownSheets())
-            for (const Item& one : sheet->items())
-                if (one.text.contains(text)) return true;
-        return false;
-    };
     EXPECT_TRUE(waitFor([&] { return told("L1 27"); }));
     EXPECT_DOUBLE_EQ(live().store(1).offsets[27].geometry[0], 12.5) << "what is entered holds";
     ASSERT_TRUE(g_controller->set("offset L1 27 geometry X=0"));
