@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hmi/machine/round_step.hpp"
+
 namespace polyturn::hmi {
 
 void ScopeColumns::take(const ScopeRecord& record, double ticks, std::size_t count) {
@@ -59,18 +61,6 @@ ScopeSpan ScopeColumns::whole(std::size_t trace) const {
         if (spans_[i].any()) out.add(spans_[i].least), out.add(spans_[i].most);
     return out;
 }
-
-namespace {
-
-// The least of 1, 2, 5, 10 ... that is not less.
-double roundStep(double least) {
-    const double ten = std::pow(10.0, std::floor(std::log10(least)));
-    for (const double one : {1.0, 2.0, 5.0})
-        if (one * ten >= least * (1 - 1e-9)) return one * ten;
-    return 10 * ten;
-}
-
-}  // namespace
 
 ScopeScale scopeScale(const ScopeSpan& span, const ScopeScale& before, std::size_t trace) {
     if (!span.any()) return before;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hmi/machine/channel_words.hpp"
+#include "hmi/machine/round_step.hpp"
 #include "hmi/widgets/number_cells.hpp"
 
 namespace polyturn::hmi {
@@ -17,14 +18,6 @@ double largest(const CompensationCurve& curve) {
     double out = 0;
     for (const auto& point : curve.points) out = std::max(out, std::abs(point.value));
     return out;
-}
-
-// A division that people count by: 1, 2 or 5 with zeros, not smaller than wanted.
-double roundDivision(double wanted) {
-    const double tenth = std::pow(10.0, std::floor(std::log10(std::max(wanted, 1e-9))));
-    for (const double one : {1.0, 2.0, 5.0})
-        if (one * tenth >= wanted * (1 - 1e-9)) return one * tenth;
-    return 10 * tenth;
 }
 
 }  // namespace
@@ -124,7 +117,7 @@ void CompensationPage::composeGraph(Writer& w) {
     w.text(QRectF(px(14), px(34), wide - px(28), px(22)), curve->on ? word("The machine works with it") : word("Switched off"), lettering(13.5), curve->on ? t.good : t.warn);
     const auto [first, last] = std::minmax_element(curve->points.begin(), curve->points.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
     const double from = first->at, span = std::max(1e-9, last->at - from);
-    const double division = roundDivision(std::max(largest(*curve), 1e-4) * 1.05 / 4), most = 4 * division;
+    const double division = roundStep(std::max(largest(*curve), 1e-4) * 1.05 / 4), most = 4 * division;
     const double left = px(84), right = wide - px(36), top = px(94), bottom = high - px(62), middle = (top + bottom) / 2;
     const auto place = [&](const CompensationCurve::Point& point) { return QPointF(left + (right - left) * (point.at - from) / span, middle - (bottom - top) / 2 * point.value / most); };
     w.text(QRectF(px(14), px(60), wide - px(28), px(22)), QString("%1 (%2)").arg(word("Correction"), unitOf(curve->corrected ? curve->corrected : curve->moving)), lettering(13.5), t.dim);
@@ -133,7 +126,7 @@ void CompensationPage::composeGraph(Writer& w) {
         w.line({left, y}, {right, y}, i == 0 ? t.dim : t.edge, 1);
         w.text(QRectF(px(4), y - px(10), left - px(12), px(20)), lengthText(division * i, 4), lettering(12.5), t.dim, kRight);
     }
-    const double apart = roundDivision(span / 6);
+    const double apart = roundStep(span / 6);
     for (double at = std::ceil(from / apart - 1e-6) * apart; at <= last->at + 1e-6 * apart; at += apart) {
         const double x = left + (right - left) * (at - from) / span;
         w.line({x, top}, {x, bottom}, t.edge, 1);
