@@ -112,7 +112,7 @@ private:
     struct Shares {
         std::array<double, kChannelAxes> velocity, acceleration, jerk, beside;
         std::array<double, kMaxSpindles + 1> spindle;
-        double tolerance = -1, square_turn = 4;   // as in PathLimits; a negative tolerance: the machine's
+        double tolerance = -1, square_turn = PathLimits{}.square_turn;   // a negative tolerance: the machine's
         Shares() { velocity.fill(1.0), acceleration.fill(1.0), jerk.fill(1.0), beside.fill(1.0), spindle.fill(1.0); }
     };
     Shares shares_;
