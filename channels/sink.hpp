@@ -149,6 +149,7 @@ struct Spindle {
     SpindleApproach approach = SpindleApproach::Shortest;   // Position
     double way = 0.0;               // Position, Incremental: degrees; `value` is where it leads
     double feed_rpm = 0.0;          // Position: how fast; 0: in rapid
+    bool needs_loop = false;        // Position: no M code follows that closes the loop; an open one is a mistake
     std::array<double, 4> watch{};  // Watch: seconds, % to begin with, %, 1/min; NaN: the parameter's
     // Couple: `follower` (a machine axis from 0, or kMaxAxes + spindle from 0) makes `turns` for `master_turns` of `spindle`;
     // Uncouple: it is free again. cutter: its direction is the sign of `turns`, whichever way the master turns.

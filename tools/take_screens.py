@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Pictures of every screen with something on it: starts a controller with a chain and a matrix magazine beside its turrets, enters tools,
 measured parts, pallets, users and a table of compensation, makes pictures for the presetter and calibrates it, runs a program into an alarm, lets the two-channel job run
-and stand, then saves the screens; and last a program that asks, for its dialogue.
+and stand, then saves the screens; then a program that asks, for its dialogue, and last the machine with a counter spindle, for the part transfer.
 
   python3 tools/take_screens.py --bin build/dev/bin --out pictures [--lang en] [--theme dark] [--size 1280x800] [--only diagnosis-7]
 """
@@ -89,13 +89,25 @@ def main():
             file.write("\n" + "\n".join(PITCH) + "\n")
         (machine / "machine.compensation").write_text("".join(f"{10000 + i}={0.006 * math.sin(i / 4) + 0.0007 * (i - 10):.4f}\n" for i in range(21)), encoding="ascii")
         sets = [word for line in MACHINE for word in ("--set", line)]
-        with open(os.path.join(folder, "log"), "w") as log:
-            controller = subprocess.Popen([binary / "polyturn", "start", machine, "--instance", name, "--store", os.path.join(folder, "store"), "--no-hmi", *sets], stdout=log, stderr=subprocess.STDOUT)
-        try:
+
+        def start(machine, sets):
+            with open(os.path.join(folder, "log"), "a") as log:
+                started = subprocess.Popen([binary / "polyturn", "start", machine, "--instance", name, "--store", os.path.join(folder, f"store-{machine.name}"), "--no-hmi", *sets], stdout=log, stderr=subprocess.STDOUT)
             for _ in range(120):
                 if subprocess.run([binary / "polyturn", "status", "--instance", name], capture_output=True).returncode == 0:
                     break
                 time.sleep(0.5)
+            return started
+
+        def end(running):
+            running.terminate()
+            try:
+                running.wait(20)
+            except subprocess.TimeoutExpired:
+                running.kill()
+
+        controller = start(machine, sets)
+        try:
             tools = [("ROUGH_80", 1, 500, 1, 1, 60, 52), ("ROUGH_80", 1, 500, 1, 2, 60, 12), ("FINISH_35", 3, 510, 1, 3, 45, 44.2), ("GROOVE_3", 5, 520, 1, 5, 30, 4), ("THREAD_60", 7, 540, 1, 7, 0, 0),
                      ("DRILL_8", 9, 200, 2, 2, 90, 10), ("BORE_12", 11, 550, 2, 4, 90, 89), ("MILL_10", 13, 120, 3, 3, 60, 20), ("MILL_16", 15, 120, 3, 9, 60, 59), ("TAP_M8", 17, 240, 3, 14, 0, 0), ("PROBE", 19, 580, 4, 8, 0, 0),
                      ("DRILL_3", 21, 200, 4, 15, 40, 39), ("REAMER_10", 23, 250, 4, 22, 80, 1), ("SPARE_80", 1, 500, 0, 0, 60, 0)]
@@ -153,13 +165,21 @@ def main():
                 run("press", f"select L1={asks}/O0001.nc"), run("press", "cycle_start L1")
                 time.sleep(2)
                 done = pictures("dialogue")
+            if done == 0 and options.only in ("", "manual", "manual-2"):   # part transfer, on the machine that passes parts
+                end(controller)
+                controller = start(TOP / "examples/machines/transfer", [])
+                run("press", "machine_on")
+                time.sleep(3)
+                run("press", "reference", "all")
+                time.sleep(6)
+                run("press", "mdi L2 M72")
+                time.sleep(1)
+                run("press", "mdi L2 M11")
+                time.sleep(3)
+                done = pictures("manual-2")
             return done
         finally:
-            controller.terminate()
-            try:
-                controller.wait(20)
-            except subprocess.TimeoutExpired:
-                controller.kill()
+            end(controller)
             subprocess.run([binary / "polyturn", "clean"], capture_output=True)
 
 

@@ -206,10 +206,10 @@ bool Interpreter::m_before() {
     const double rpm = motion_->tenths == 10 && core_.path.feed_mode == FeedMode::PerMinute ? core_.path.feed / unit_ / 360.0 : 0.0;
     for (const auto& [name, spindle] : settings_.spindle_addresses) {
         if (name.size() != 1 || !block_.has(name[0]) || (axis_letters_ & letter_bit(name[0]))) continue;
-        if (!turn_spindle(spindle, block_.value(name[0]), !absolute_, rpm)) return false;
+        if (!turn_spindle(spindle, block_.value(name[0]), !absolute_, true, rpm)) return false;
     }
     for (unsigned i = 0; spindle_words_ && i < block_.count; ++i)
-        if (const Word& word = block_.words[i]; word.axis >= kSpindleWord && word.axis < kNamedSpindle && !turn_spindle(settings_.spindle_addresses[static_cast<std::size_t>(word.axis - kSpindleWord)].spindle, word.value, !absolute_, rpm))
+        if (const Word& word = block_.words[i]; word.axis >= kSpindleWord && word.axis < kNamedSpindle && !turn_spindle(settings_.spindle_addresses[static_cast<std::size_t>(word.axis - kSpindleWord)].spindle, word.value, !absolute_, true, rpm))
             return false;
     for (std::size_t n = 0; n < settings_.aux_letters.size(); ++n) {
         const char letter = settings_.aux_letters[n];
@@ -231,8 +231,8 @@ bool Interpreter::function_code(const Word& word, bool late) {
     if (code == settings_.interrupt.on || code == settings_.interrupt.off) return interrupt_code(word);
     if (late && code == 5 && !(core_.spindle_turn(SpindleTurn::Stop) && core_.commit_spindle())) return false;
     note_loop(code);
-    if (code == 19 && !(can_orient(spindle_of_codes()) && turn_spindle(spindle_of_codes(), 0.0, false))) return false;
-    if (const Settings::Indexing* turns = indexing_of(code); turns && !turn_spindle(turns->spindle, (code - turns->first + 1) * turns->angle, true)) return false;
+    if (code == 19 && !(can_orient(spindle_of_codes()) && turn_spindle(spindle_of_codes(), 0.0, false, false))) return false;
+    if (const Settings::Indexing* turns = indexing_of(code); turns && !turn_spindle(turns->spindle, (code - turns->first + 1) * turns->angle, true, true)) return false;
     const bool drains = is_draining(code) || (code == 5 && core_.frees_axis());
     char text[24];
     const auto end = fmt::format_to_n(text, sizeof text, "M{}", static_cast<std::int64_t>(code));

@@ -222,7 +222,7 @@ private:
     const Settings::Indexing* indexing_of(double code) const;
     void note_loop(double code);
     bool can_orient(unsigned spindle);
-    bool turn_spindle(unsigned spindle, double degrees, bool incremental, double rpm = 0);
+    bool turn_spindle(unsigned spindle, double degrees, bool incremental, bool closed, double rpm = 0);   // Core::spindle_angle
     // What the program knows of a spindle's position loop: at its start nothing, unless nobody else can have closed it.
     enum class SpindleLoop : std::uint8_t { Unknown, Open, Closed };
     struct TurnedSpindle {

@@ -40,14 +40,14 @@ bool Interpreter::can_orient(unsigned spindle) {
 }
 
 // Every spindle keeps its own angle; the core knows that of the channel's.
-bool Interpreter::turn_spindle(unsigned spindle, double degrees, bool incremental, double rpm) {
+bool Interpreter::turn_spindle(unsigned spindle, double degrees, bool incremental, bool closed, double rpm) {
     if (spindle == 0 || spindle > kMaxSpindles) return core_.fail(Alarm::SpindleMissing, 'M');
     TurnedSpindle& turned = turned_[spindle];
     if (turned.loop == SpindleLoop::Open) return core_.fail(Alarm::SpindleNotClosed, 'M', "S" + std::to_string(spindle));
     const bool own = spindle == core_.path.spindle.spindle;
     const double others = core_.path.spindle.angle_deg;
     if (!own) core_.path.spindle.angle_deg = turned.angle_deg;
-    const bool good = core_.spindle_angle(spindle, degrees, incremental, rpm);
+    const bool good = core_.spindle_angle(spindle, degrees, incremental, closed, rpm);
     const double angle = std::fmod(incremental ? turned.angle_deg + degrees : degrees, 360.0);
     turned.angle_deg = angle < 0 ? angle + 360.0 : angle;
     if (!own) core_.path.spindle.angle_deg = others;

@@ -120,6 +120,7 @@ void RecordSink::spindle(const Spindle& spindle, const BlockContext& at) {
         r.plane[0] = static_cast<std::uint8_t>(spindle.approach);
         r.shape[2] = spindle.way;
         r.feed = spindle.feed_rpm / 60.0;
+        r.mask = spindle.needs_loop;
         if (spindle.beside && spindle.spindle >= 1 && spindle.spindle <= kMaxSpindles) {
             r.flags |= kBesidePath;
             under_way_.spindle[spindle.spindle - 1u] = true;

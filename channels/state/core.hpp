@@ -341,8 +341,9 @@ public:
     // Until switched off, positions are told beside the path: nobody waits for them (SPOSA).
     void position_beside(bool on) { spindle_beside_ = on; }
     bool spindle_position(double degrees, SpindleApproach approach = SpindleApproach::Shortest);
-    // Another spindle than the one that S means, under its own address: absolute the shorter way, or by so much.
-    bool spindle_angle(unsigned spindle, double degrees, bool incremental, double feed_rpm = 0);   // 0: in rapid
+    // Another spindle than the one that S means: absolute the shorter way, or by so much. `closed`: its loop is closed already (a word under the
+    // spindle's own address, N0817), else the M code behind it closes it. feed_rpm 0: in rapid.
+    bool spindle_angle(unsigned spindle, double degrees, bool incremental, bool closed, double feed_rpm = 0);
     bool spindle_index(double way_deg);                   // turns the closed loop by so much, with its sign
     // An angle that is not taken modulo a turn; `way`: the loop is closed, turn it by so much.
     bool spindle_unwrapped(double degrees, std::optional<double> way_deg);
@@ -479,6 +480,7 @@ private:
     bool mode_changed_ = false, speed_changed_ = false, turn_changed_ = false, limit_changed_ = false;
     bool helix_in_plane_ = false;
     double position_feed_rpm_ = 0;
+    bool position_closed_ = false;
     bool named_speed_changed_ = false, named_turn_changed_ = false;
 };
 

@@ -97,13 +97,13 @@ bool Core::spindle_limit(double rpm) {
 
 bool Core::spindle_position(double degrees, SpindleApproach approach) { return spindle_to(degrees, approach, 0.0); }
 
-bool Core::spindle_angle(unsigned spindle, double degrees, bool incremental, double feed_rpm) {
-    position_feed_rpm_ = feed_rpm;
+bool Core::spindle_angle(unsigned spindle, double degrees, bool incremental, bool closed, double feed_rpm) {
+    position_feed_rpm_ = feed_rpm, position_closed_ = closed;
     const SpindleState meant = path.spindle;
     path.spindle.spindle = static_cast<decltype(path.spindle.spindle)>(spindle);
     const bool done = incremental ? spindle_to(path.spindle.angle_deg + degrees, SpindleApproach::Incremental, degrees) : spindle_to(degrees, SpindleApproach::Shortest, 0.0);
     if (spindle != meant.spindle) path.spindle = meant;   // the channel's own spindle goes on turning
-    position_feed_rpm_ = 0;
+    position_feed_rpm_ = 0, position_closed_ = false;
     return done;
 }
 
@@ -131,6 +131,7 @@ bool Core::spindle_to(double degrees, SpindleApproach approach, double way_deg, 
     told.mode_changed = true;
     told.beside = spindle_beside_;
     told.feed_rpm = position_feed_rpm_;
+    told.needs_loop = position_closed_;
     sink_->spindle(told, at);
     return true;
 }

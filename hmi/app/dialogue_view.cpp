@@ -103,6 +103,7 @@ bool DialogueView::follow() {
                                        : std::vector<Table::Column>{{word("Number"), 0.6}, {word("Name"), 3}};
         table_->choose(0);
         pad_->clear();
+        layOut();
     }
     return fresh;
 }
@@ -142,13 +143,22 @@ bool DialogueView::key(QKeyEvent* event) {
     return table_->key(event);
 }
 
-void DialogueView::resizeEvent(QResizeEvent*) {
+std::vector<Sheet*> DialogueView::sheets() {
+    if (asksValues()) return {head_, table_, pad_, place_};
+    return {head_, table_, place_};
+}
+
+void DialogueView::resizeEvent(QResizeEvent*) { layOut(); }
+
+// A page of keys alone has no field for figures: the axes stand at the top then.
+void DialogueView::layOut() {
     const int edge = px(8), head = px(48 + 22 * 8), pad = px(350);
     const int top = page_.note_count ? px(48) + px(22) * static_cast<int>(page_.note_count) + edge : px(52);
     head_->setGeometry(0, 0, width(), std::min(head, top));
     table_->setGeometry(edge, top, width() - pad - 3 * edge, height() - top - edge);
-    const int high = std::min(px(400), height() - top - px(120));
-    pad_->setGeometry(width() - pad - edge, top, pad, high);
+    const int high = asksValues() ? std::min(px(400), height() - top - px(120)) : -edge;
+    pad_->setVisible(asksValues());
+    pad_->setGeometry(width() - pad - edge, top, pad, std::max(0, high));
     place_->setGeometry(width() - pad - edge, top + high + edge, pad, height() - top - high - 2 * edge);
 }
 

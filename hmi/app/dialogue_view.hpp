@@ -18,7 +18,7 @@ public:
     void refresh();
     std::vector<SoftKey> keys();
     bool key(QKeyEvent* event);
-    std::vector<Sheet*> sheets() { return {head_, table_, pad_, place_}; }
+    std::vector<Sheet*> sheets();
     Table& table() { return *table_; }
     NumberPad& pad() { return *pad_; }
 
@@ -26,6 +26,7 @@ protected:
     void resizeEvent(QResizeEvent*) override;
 
 private:
+    void layOut();
     struct Key {
         int number;
         QString text;

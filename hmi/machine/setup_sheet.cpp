@@ -1,4 +1,5 @@
 #include "hmi/machine/setup_sheet.hpp"
+#include "hmi/text/dates.hpp"
 
 #include <QBuffer>
 #include <QDateTime>
@@ -104,7 +105,7 @@ QString jobDiffers(const Live& live, const JobSheet& sheet) {
 
 QString sheetText(const Live& live, const JobSheet& sheet) {
     const text::Job& job = sheet.job;
-    QString html = QString("<h1>%1</h1><p>%2 &nbsp; %3</p>").arg(QString::fromStdString(job.name).toHtmlEscaped(), QString::fromStdString(live.instance()), QDateTime::currentDateTime().toString("dd.MM.yyyy HH:mm"));
+    QString html = QString("<h1>%1</h1><p>%2 &nbsp; %3</p>").arg(QString::fromStdString(job.name).toHtmlEscaped(), QString::fromStdString(live.instance()), momentText(QDateTime::currentDateTime(), "HH:mm"));
     const auto cells = [](const QStringList& texts, const char* tag) {
         QString out = "<tr>";
         for (const QString& one : texts) out += QString("<%1 align='left'>%2</%1>").arg(tag, one.toHtmlEscaped());

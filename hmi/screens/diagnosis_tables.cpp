@@ -251,6 +251,10 @@ void Diagnosis::composeTicks(Writer& w) {
         if (cost[i]) first = std::min(first, i), last = i;
     }
     if (!all) return;
+    // The time that a tick has: a line that no bar may pass. Far from it, the scale still reaches to it, for the distance is what one looks for.
+    const double limit = 4 * std::log2(static_cast<double>(desk_.live.config().tick_us));   // in bars
+    const std::size_t longest = last;
+    last = std::max(last, std::min(cost.size() - 1, static_cast<std::size_t>(limit)));
     const double left = px(28), right = wide - px(24), top = px(60), bottom = high - px(64);
     const double each = (right - left) / static_cast<double>(last - first + 1);
     for (std::size_t i = first; i <= last; ++i) {
@@ -260,12 +264,17 @@ void Diagnosis::composeTicks(Writer& w) {
         w.fill(QRectF(x + 1, bottom - (bottom - top) * part, std::max(1.0, each - 2), (bottom - top) * part), t.accent);
     }
     w.line({left, bottom}, {right, bottom}, t.edge, 1);
+    const double at = left + each * (limit - static_cast<double>(first));
+    if (at - px(166) > left && at <= right) {
+        w.line({at, top}, {at, bottom}, t.warn, px(2));
+        w.text(QRectF(at - px(166), top, px(160), px(20)), word("the time of a tick"), lettering(13), t.warn, Qt::AlignRight | Qt::AlignVCenter);
+    }
     const auto microseconds = [](std::size_t i) { return QString("%1 %2").arg(std::exp2(static_cast<double>(i) / 4), 0, 'f', 0).arg(unitWord("us")); };
     w.text(QRectF(left, bottom + px(4), px(120), px(20)), microseconds(first), lettering(13), t.dim);
     w.text(QRectF(right - px(140), bottom + px(4), px(140), px(20)), microseconds(last + 1), lettering(13), t.dim, Qt::AlignRight | Qt::AlignVCenter);
     if (last - first >= 8) w.text(QRectF(left + (right - left) / 2 - px(70), bottom + px(4), px(140), px(20)), microseconds((first + last + 1) / 2), lettering(13), t.dim, Qt::AlignCenter);
     w.text(QRectF(left, top - px(22), right - left, px(20)), word("Highest bar: %1 of %2 ticks; both scales are logarithmic").arg(most).arg(all), lettering(13), t.dim);
-    w.text(QRectF(left, bottom + px(28), right - left, px(22)), word("longest below %1 of a tick of %2").arg(microseconds(last + 1), QString("%1 %2").arg(desk_.live.config().tick_us).arg(unitWord("us"))), lettering(14), t.text);
+    w.text(QRectF(left, bottom + px(28), right - left, px(22)), word("longest below %1 of a tick of %2").arg(microseconds(longest + 1), QString("%1 %2").arg(desk_.live.config().tick_us).arg(unitWord("us"))), lettering(14), t.text);
 }
 
 }  // namespace polyturn::hmi

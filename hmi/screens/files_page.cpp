@@ -7,6 +7,7 @@
 #include <QRegularExpression>
 #include <algorithm>
 
+#include "hmi/text/dates.hpp"
 #include "hmi/widgets/number_cells.hpp"
 
 namespace polyturn::hmi {
@@ -53,7 +54,7 @@ FilesPage::FilesPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk)
             return {one.up ? word("Up") : one.job ? one.name.chopped(9) : one.name, one.folder ? t.accent : one.job ? t.text : t.dim, one.up ? Sign::Up : closed ? Sign::Lock : one.folder ? Sign::Right : one.job ? Sign::Overview : Sign::Programs, one.job};
         }
         if (one.up || (one.folder && column == 2)) return {};
-        if (column == 1) return {one.changed.toString("dd.MM.yy HH:mm"), t.dim};
+        if (column == 1) return {momentText(one.changed, "HH:mm"), t.dim};
         return {QString("%1 %2").arg((one.size + 1023) / 1024).arg(unitWord("kB")), t.dim};
     };
     files_->onChosen = [this] { look(); };

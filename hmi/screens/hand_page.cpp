@@ -17,14 +17,6 @@ constexpr double kStandsBelow = 1;     // 1/min
 
 }  // namespace
 
-// docs/builder.md, part transfer: what the built-in PLC understands.
-const std::vector<HandPage::Step>& HandPage::list() {
-    static const std::vector<Step> kSteps{{WORD("Plain S means the counter spindle"), "M72", false}, {WORD("Its chuck opens"), "M11", false}, {WORD("It follows the main spindle"), "M61", false}, {WORD("Little torque for the slide"), "M66", false},
-                                          {WORD("Jog against the part"), "", false}, {WORD("Its chuck clamps"), "M10", false}, {WORD("Full torque"), "M67", false}, {WORD("The main chuck opens"), "M11", true},
-                                          {WORD("Jog: pull the part out"), "", false}, {WORD("The main chuck clamps"), "M10", true}, {WORD("The counter spindle is free"), "M62", false}, {WORD("Plain S means the main spindle"), "M71", false}};
-    return kSteps;
-}
-
 HandPage::HandPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), wheel_(new FreeSheet(this)), state_(new FreeSheet(this)), tools_(new Table(this)), steps_(new Table(this)) {
     wheel_->onCompose = [this](Writer& w) { composeWheel(w); };
     wheel_->onTouched = [this](int number) {
@@ -54,12 +46,14 @@ HandPage::HandPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), 
     steps_->columns = {{"", 0.6, kRight}, {word("Part transfer, step by step"), 4}, {"", 1.2}};
     steps_->rowUnits = 34;
     steps_->textUnits = 14.5;
-    steps_->rows = [] { return static_cast<int>(list().size()); };
+    steps_->nothing = word("This machine has no counter spindle.");
+    steps_->rows = [this] { return static_cast<int>(transfer_.size()); };
     steps_->cell = [this](int row, int column) -> Table::Cell {
-        const Step& one = list()[static_cast<std::size_t>(row)];
+        const TransferStep& one = transfer_[static_cast<std::size_t>(row)];
         if (column == 0) return {QString::number(row + 1), theme().dim};
         if (column == 1) return {word(one.title)};
-        return {one.main ? QString("L%1 %2").arg(otherChannel()).arg(one.code) : QString(one.code), theme().accent, one.code[0] ? Sign::None : Sign::Manual, true, Face::Program};
+        const bool jogged = one.code < 0;
+        return {jogged ? QString("L%1").arg(one.channel) : QString("L%1 M%2").arg(one.channel).arg(one.code), theme().accent, jogged ? Sign::Manual : Sign::None, true, Face::Program};
     };
     steps_->onChosen = [this] { focus_ = 2; if (desk_.keysChanged) desk_.keysChanged(); };
 }
@@ -69,10 +63,14 @@ unsigned HandPage::axis() const {
     return desk_.live.connected() && place_ < config.axis_count ? config.axes[place_] : 0;
 }
 
-unsigned HandPage::otherChannel() const {
-    for (const unsigned one : desk_.live.channels())
-        if (one != desk_.channel) return one;
-    return desk_.channel;
+const TransferStep* HandPage::chosenStep() const {
+    const auto row = static_cast<std::size_t>(steps_->row());
+    return row < transfer_.size() ? &transfer_[row] : nullptr;
+}
+
+bool HandPage::idle(unsigned channel) const {
+    const auto state = static_cast<ChannelState>(desk_.live.channel(channel).state);
+    return state != ChannelState::Running && state != ChannelState::Waiting;
 }
 
 void HandPage::turn(int clicks) {
@@ -220,13 +218,21 @@ QString HandPage::spindleBlock() const {
     return QString("G97 S%1 M3").arg(told ? std::lround(view.picture.speed) : kHandSpeed);
 }
 
+// A chuck is that of the spindle which the channel has chosen: with another one chosen, M11 would let the wrong part go.
 void HandPage::doStep() {
-    const Step& one = list()[static_cast<std::size_t>(steps_->row())];
-    if (one.code[0]) desk_.requests.press(QString("mdi L%1 %2").arg(one.main ? otherChannel() : desk_.channel).arg(one.code));
+    const TransferStep* step = chosenStep();
+    if (!step || step->code < 0) return;
+    if (const auto chosen = desk_.live.nc(signals::cn_ssel(step->channel)); step->spindle && chosen != static_cast<std::int32_t>(step->spindle))
+        return desk_.tell(word("Plain S of L%1 means S%2 now: M%3 would act on its chuck.").arg(step->channel).arg(chosen).arg(step->code), Told::Refused);
+    desk_.requests.press(QString("mdi L%1 M%2").arg(step->channel).arg(step->code));
 }
 
 void HandPage::refresh() {
     fillTools();
+    if (desk_.live.connected() && generation_ != desk_.live.generation()) {
+        generation_ = desk_.live.generation();
+        transfer_ = transferSteps(desk_.live.config(), desk_.live.table(), desk_.live.channels());
+    }
     tools_->focused = focus_ == 1, steps_->focused = focus_ == 2;
     for (Sheet* one : sheets()) one->refresh();
 }
@@ -266,12 +272,8 @@ std::vector<SoftKey> HandPage::keys(std::function<void()> back) {
     const auto press = [this](const QString& words) { return [this, words] { desk_.requests.press(words); }; };
     const bool superposes = (status.keys & kKeySuperpose) != 0;
     const QString block = there ? toolBlock() : QString(), turns = spindleBlock();
-    const Step& chosen = list()[static_cast<std::size_t>(steps_->row())];
-    const auto idle = [this](unsigned channel) {
-        const auto state = static_cast<ChannelState>(desk_.live.channel(channel).state);
-        return state != ChannelState::Running && state != ChannelState::Waiting;
-    };
-    const bool step = chosen.code[0] != 0 && idle(chosen.main ? otherChannel() : desk_.channel);
+    const TransferStep* chosen = chosenStep();
+    const bool step = there && chosen && chosen->code >= 0 && idle(chosen->channel);
     return {{word("Jog keys"), std::move(back), Sign::Left},
             {word("Handwheel"), press(QString("mode %1=handwheel").arg(name)), Sign::Manual, there, static_cast<ChannelMode>(status.mode) == ChannelMode::Handwheel},
             {word("Factor"), [this] { factor_ = factor_ >= 100 ? 1 : factor_ * 10, refresh(); }, Sign::None, there},

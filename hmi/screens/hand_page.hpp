@@ -2,6 +2,7 @@
 // step with the functions of the built-in lathe PLC. Each sends what a program would say, as a block by hand.
 #pragma once
 #include "hmi/app/screen.hpp"
+#include "hmi/machine/transfer_steps.hpp"
 #include "hmi/widgets/table.hpp"
 
 namespace polyturn::hmi {
@@ -32,24 +33,21 @@ private:
         int number = 0;
         std::int32_t tool = 0;
     };
-    struct Step {
-        const char* title;
-        const char* code;                        // empty: by jog
-        bool main;                               // in the channel of the main spindle
-    };
-    static const std::vector<Step>& list();
     void composeWheel(Writer& w);
     void composeState(Writer& w);
     void fillTools();
     void callTool();
+    const TransferStep* chosenStep() const;      // none: no counter spindle
     void doStep();
-    unsigned otherChannel() const;
+    bool idle(unsigned channel) const;
     unsigned spindleOf(unsigned channel) const { return desk_.live.config().channel(channel).default_spindle; }
 
     Desk& desk_;
     FreeSheet *wheel_, *state_;
     Table *tools_, *steps_;
     std::vector<Station> stations_;
+    std::vector<TransferStep> transfer_;
+    std::uint64_t generation_ = ~0ull;           // of the machine that transfer_ is of
     unsigned place_ = 0;                         // of the axis in the channel
     int factor_ = 1, focus_ = 0, turned_ = 0;    // focus: 0 wheel, 1 tools, 2 steps
     bool dialing_ = false;

@@ -6,6 +6,7 @@
 
 #include "hmi/machine/channel_words.hpp"
 #include "hmi/screens/channel_keys.hpp"
+#include "hmi/text/dates.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "ipc/machine/work_zeros.hpp"
 
@@ -265,7 +266,7 @@ void Offsets::askHistory() {
         for (const auto& entry : answer.object.value("history").toArray()) {
             const QJsonObject one = entry.toObject();
             const auto number = [&](const char* name) { return lengthText(one.value(name).toString().toDouble(), decimals); };
-            history_ << QString::fromUtf8("%1  %2: %3 → %4").arg(QDateTime::fromString(one.value("utc").toString(), Qt::ISODate).toLocalTime().toString("dd.MM. HH:mm"), one.value("who").toString(), number("old"), number("new"));
+            history_ << QString::fromUtf8("%1  %2: %3 → %4").arg(shortMomentText(QDateTime::fromString(one.value("utc").toString(), Qt::ISODate).toLocalTime(), "HH:mm"), one.value("who").toString(), number("old"), number("new"));
         }
         side_->refresh();
     }, true);

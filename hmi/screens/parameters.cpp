@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "hmi/text/dates.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/set_words.hpp"
 #include "ipc/machine/load_machine.hpp"
@@ -86,7 +87,7 @@ Parameters::Parameters(Desk& desk)
     table_->cell = [this](int row, int column) -> Table::Cell {
         if (page_ == Page::History) {
             const QJsonObject one = history_.at(row).toObject();
-            if (column == 0) return {QDateTime::fromString(one.value("utc").toString(), Qt::ISODate).toLocalTime().toString("dd.MM.yy HH:mm:ss"), theme().dim, Sign::None, false, Face::Condensed};
+            if (column == 0) return {momentText(QDateTime::fromString(one.value("utc").toString(), Qt::ISODate).toLocalTime(), "HH:mm:ss"), theme().dim, Sign::None, false, Face::Condensed};
             static constexpr const char* kNames[] = {"what", "who", "old", "new"};
             return {one.value(kNames[column - 1]).toString(), column == 4 ? theme().accent : theme().text, Sign::None, column == 4 || column == 1, column == 1 ? Face::Condensed : Face::Text};
         }

@@ -54,6 +54,7 @@ PresetterPage::PresetterPage(Desk& desk, QWidget* parent) : QWidget(parent), des
     values_->cell = [this](int row, int column) -> Table::Cell {
         static constexpr const char* kTitles[] = {WORD("Offset number"), WORD("Diameter of the pin"), WORD("X of its end, radius"), WORD("Z of its end")};
         if (column == 0) return {word(kTitles[row])};
+        if (row != kOffset && number_[kPinDiameter] <= 0) return {QString::fromUtf8("–"), theme().dim, Sign::None, true};
         return {lengthText(number_[row], row == 0 ? 0 : 3), theme().text, Sign::None, true};
     };
     values_->onChosen = [this] { onValues_ = true, pad_->clear(); };
@@ -65,6 +66,7 @@ PresetterPage::PresetterPage(Desk& desk, QWidget* parent) : QWidget(parent), des
         const int row = values_->row();
         number_[row] = row == kOffset ? std::clamp(std::round(value), 1.0, 999.0) : value;
         values_->refresh();
+        if (desk_.keysChanged) desk_.keysChanged();
     };
     result_->onCompose = [this](Writer& w) { composeResult(w); };
     readFolder(desk.folder.isEmpty() ? QDir::homePath() : desk.folder);
@@ -173,6 +175,13 @@ void PresetterPage::calibrate() {
     run({"presetter", "calibrate", chosen(), QString("diameter=%1").arg(number_[kPinDiameter], 0, 'f', 6), QString("x=%1").arg(number_[kPinX], 0, 'f', 6), QString("z=%1").arg(number_[kPinZ], 0, 'f', 6)}, false);
 }
 
+QString PresetterPage::pin() const { return QString("%1/%2/%3").arg(number_[kPinDiameter], 0, 'g', 12).arg(number_[kPinX], 0, 'g', 12).arg(number_[kPinZ], 0, 'g', 12); }
+
+void PresetterPage::setPin(const QString& kept) {
+    const QStringList parts = kept.split('/');
+    for (int i = 0; parts.size() == 3 && i < 3; ++i) number_[kPinDiameter + i] = parts[i].toDouble();
+}
+
 void PresetterPage::resizeEvent(QResizeEvent*) {
     const int edge = px(8), left = px(270), right = px(340), pad = px(350);
     files_->setGeometry(edge, 0, left, height() - edge);
@@ -260,7 +269,7 @@ void PresetterPage::addKeys(std::vector<SoftKey>& keys) {
     const bool ready = !chosen().isEmpty() && !process_ && desk_.live.connected();
     keys.push_back({word("Measure"), [this] { measure(false); }, Sign::None, ready});
     keys.push_back({word("Enter it"), [this] { measure(true); }, Sign::Good, ready && answer_.contains("entries") && !written_, false, false, word("Writes the offset: press again")});
-    keys.push_back({word("Calibrate"), [this] { calibrate(); }, Sign::None, ready, false, false, word("It is the gauge pin: press again")});
+    keys.push_back({word("Calibrate"), [this] { calibrate(); }, Sign::None, ready && number_[kPinDiameter] > 0, false, false, word("It is the gauge pin: press again")});
 }
 
 }  // namespace polyturn::hmi

@@ -28,6 +28,8 @@ public:
     Table& values() { return *values_; }
     void readFolder(const QString& folder);
     void propose() { measure(false); }   // writes nothing
+    QString pin() const;               // its diameter and end, to be kept over a restart
+    void setPin(const QString& kept);
     const QJsonObject& answer() const { return answer_; }
     const QString& failure() const { return failure_; }
     bool busy() const { return process_ != nullptr; }
@@ -65,7 +67,7 @@ private:
     QImage picture_;
     std::vector<QPoint> outline_;
     QRect room_;
-    double number_[4] = {1, 6, 50, 30};
+    double number_[4] = {1, 0, 0, 0};   // no gauge pin is known before somebody has entered it
     QJsonObject answer_;
     QByteArray out_, errors_;
     std::unique_ptr<QProcess> process_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hmi/machine/channel_words.hpp"
+#include "hmi/text/dates.hpp"
 #include "hmi/widgets/number_cells.hpp"
 #include "hmi/widgets/time_shape.hpp"
 
@@ -38,7 +39,7 @@ StopsPage::StopsPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk)
         const Theme& t = theme();
         const StopWords why = stopWords(stop.cause);
         switch (column) {
-            case 0: return {stop.begin.toString("dd.MM. HH:mm:ss"), t.dim};
+            case 0: return {shortMomentText(stop.begin, "HH:mm:ss"), t.dim};
             case 1: return {(stop.seconds < 0 ? QString::fromUtf8("–") : timeText(stop.seconds)) + (stop.stands ? QString::fromUtf8(" …") : QString()), t.text, Sign::None, stop.stands};   // "…": it goes on
             case 2: return {QString("L%1").arg(stop.channel), t.text, Sign::None, true};
             case 3: return {why.text, why.colour, why.sign};
@@ -125,7 +126,7 @@ void StopsPage::composePicture(Writer& w) {
             if (++drawn == 300) break;
         }
     }
-    w.text(QRectF(left, y + px(2), px(140), px(20)), now.addSecs(-static_cast<qint64>(period)).toString(book_.hours() < 48 ? "HH:mm" : "dd.MM."), lettering(12.5), t.dim);
+    w.text(QRectF(left, y + px(2), px(140), px(20)), now.addSecs(-static_cast<qint64>(period)).toString(book_.hours() < 48 ? QString("HH:mm") : shortDayForm()), lettering(12.5), t.dim);
     w.text(QRectF(right - px(140), y + px(2), px(140), px(20)), now.toString("HH:mm"), lettering(12.5), t.dim, kRight);
 }
 

@@ -124,7 +124,8 @@ void Tools::rebuilt() {
 
 void Tools::restore(const QString& state) {
     const QStringList parts = state.split(' ');
-    if (parts.size() != 2) return;
+    if (parts.size() < 2) return;
+    if (parts.size() > 2) presetter_->setPin(parts[2]);
     picture_->show(parts[1].toInt());
     if (parts[0].toInt() >= 0 && parts[0].toInt() <= static_cast<int>(Page::Presetter)) showPage(static_cast<Page>(parts[0].toInt()));
 }

@@ -42,7 +42,7 @@ public:
     bool key(QKeyEvent* event) override;
     void letGo() override { picture_->carried = 0; }
     bool typing() const override { return true; }
-    QString state() const override { return QString("%1 %2").arg(static_cast<int>(page_)).arg(picture_->shown()); }
+    QString state() const override { return QString("%1 %2 %3").arg(static_cast<int>(page_)).arg(picture_->shown()).arg(presetter_->pin()); }
     void restore(const QString& state) override;
     std::vector<Sheet*> sheets() override;
     int pages() const override { return kPages + std::max(0, static_cast<int>(magazines().size()) - 1) + 1; }   // the other magazines, what the presetter proposes

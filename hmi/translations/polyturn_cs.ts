@@ -1554,7 +1554,7 @@
         <translation>Od počátku k první díře</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>Full torque</source>
         <translation>Plný moment</translation>
     </message>
@@ -1734,7 +1734,7 @@
         <translation>Přichází z DHCP (N5108)</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>It follows the main spindle</source>
         <translation>Sleduje hlavní vřeteno</translation>
     </message>
@@ -1784,12 +1784,12 @@
         <translation>Bloky byly změněny ručně: zápis je nahradí.</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>Its chuck clamps</source>
         <translation>Jeho sklíčidlo upne</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>Its chuck opens</source>
         <translation>Jeho sklíčidlo se otevře</translation>
     </message>
@@ -1809,7 +1809,7 @@
         <translation>Ruční</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>Jog against the part</source>
         <translation>Přijet k dílu</translation>
     </message>
@@ -1819,7 +1819,7 @@
         <translation>Klávesy os</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>Jog: pull the part out</source>
         <translation>Vytáhnout díl</translation>
     </message>
@@ -2034,7 +2034,7 @@
         <translation>Řádek %1 popisu nelze přečíst: zde začíná nová kontura.</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>Little torque for the slide</source>
         <translation>Malý moment saní</translation>
     </message>
@@ -2864,14 +2864,19 @@
         <translation>Polohy děr na kružnici</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>Plain S means the counter spindle</source>
         <translation>Prosté S je protivřeteno</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>Plain S means the main spindle</source>
         <translation>Prosté S je hlavní vřeteno</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Plain S of L%1 means S%2 now: M%3 would act on its chuck.</source>
+        <translation>Prosté S v L%1 teď znamená S%2: M%3 by platilo pro jeho sklíčidlo.</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -3864,7 +3869,7 @@
         <translation>Kopie %1 nesouhlasila s odeslaným; původní soubor zůstal</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>The counter spindle is free</source>
         <translation>Protivřeteno je volné</translation>
     </message>
@@ -3909,12 +3914,12 @@
         <translation>Stroj s tím pracuje</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>The main chuck clamps</source>
         <translation>Hlavní sklíčidlo upne</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>The main chuck opens</source>
         <translation>Hlavní sklíčidlo se otevře</translation>
     </message>
@@ -4102,6 +4107,11 @@
         <location filename="../screens/editor_page.cpp"/>
         <source>This language has no cycles.</source>
         <translation>Tento jazyk nemá cykly.</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>This machine has no counter spindle.</source>
+        <translation>Tento stroj nemá protivřeteno.</translation>
     </message>
     <message>
         <location filename="../widgets/magazine.cpp"/>
@@ -5607,6 +5617,11 @@
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>the tailstock is neither back nor does it hold</source>
         <translation>koník není vzadu ani nedrží</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>the time of a tick</source>
+        <translation>čas taktu</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>

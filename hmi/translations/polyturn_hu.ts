@@ -1554,7 +1554,7 @@
         <translation>A kezdettől az első furatig</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>Full torque</source>
         <translation>Teljes nyomaték</translation>
     </message>
@@ -1734,7 +1734,7 @@
         <translation>DHCP adja (N5108)</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>It follows the main spindle</source>
         <translation>Követi a főorsót</translation>
     </message>
@@ -1784,12 +1784,12 @@
         <translation>A mondatokat kézzel módosították: az írás lecseréli őket.</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>Its chuck clamps</source>
         <translation>A tokmánya szorít</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>Its chuck opens</source>
         <translation>A tokmánya nyit</translation>
     </message>
@@ -1809,7 +1809,7 @@
         <translation>Kézi</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>Jog against the part</source>
         <translation>Kézzel a darabhoz</translation>
     </message>
@@ -1819,7 +1819,7 @@
         <translation>Tengelygombok</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>Jog: pull the part out</source>
         <translation>Kézzel: darab kihúzása</translation>
     </message>
@@ -2034,7 +2034,7 @@
         <translation>A leírás %1. sora nem olvasható: itt új kontúr kezdődik.</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>Little torque for the slide</source>
         <translation>Kis nyomaték a szánnak</translation>
     </message>
@@ -2864,14 +2864,19 @@
         <translation>Furatok helye körön</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>Plain S means the counter spindle</source>
         <translation>Szám nélküli S: az ellenorsó</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>Plain S means the main spindle</source>
         <translation>Szám nélküli S: a főorsó</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Plain S of L%1 means S%2 now: M%3 would act on its chuck.</source>
+        <translation>L%1 szám nélküli S szava most S%2: M%3 annak tokmányára hatna.</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -3864,7 +3869,7 @@
         <translation>A(z) %1 másolata nem egyezett; a korábbi fájl megmaradt</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>The counter spindle is free</source>
         <translation>Az ellenorsó szabad</translation>
     </message>
@@ -3909,12 +3914,12 @@
         <translation>A gép ezzel dolgozik</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>The main chuck clamps</source>
         <translation>A fő tokmány szorít</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>The main chuck opens</source>
         <translation>A fő tokmány nyit</translation>
     </message>
@@ -4102,6 +4107,11 @@
         <location filename="../screens/editor_page.cpp"/>
         <source>This language has no cycles.</source>
         <translation>Ebben a nyelvben nincsenek ciklusok.</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>This machine has no counter spindle.</source>
+        <translation>Ennek a gépnek nincs ellenorsója.</translation>
     </message>
     <message>
         <location filename="../widgets/magazine.cpp"/>
@@ -5607,6 +5617,11 @@
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>the tailstock is neither back nor does it hold</source>
         <translation>a szegnyereg sem hátul, sem szorítva</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>the time of a tick</source>
+        <translation>egy ütem ideje</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>

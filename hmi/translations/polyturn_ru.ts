@@ -1554,7 +1554,7 @@
         <translation>От начала до первого отверстия</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>Full torque</source>
         <translation>Полный момент</translation>
     </message>
@@ -1734,7 +1734,7 @@
         <translation>Приходит по DHCP (N5108)</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>It follows the main spindle</source>
         <translation>Он следует за главным</translation>
     </message>
@@ -1784,12 +1784,12 @@
         <translation>Кадры изменены вручную: запись их заменит.</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>Its chuck clamps</source>
         <translation>Его патрон зажимает</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>Its chuck opens</source>
         <translation>Его патрон открывается</translation>
     </message>
@@ -1809,7 +1809,7 @@
         <translation>Ручной</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>Jog against the part</source>
         <translation>Подвести к детали</translation>
     </message>
@@ -1819,7 +1819,7 @@
         <translation>Клавиши осей</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>Jog: pull the part out</source>
         <translation>Вытянуть деталь</translation>
     </message>
@@ -2034,7 +2034,7 @@
         <translation>Строка %1 описания не читается: здесь начинается новый контур.</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>Little torque for the slide</source>
         <translation>Малый момент суппорта</translation>
     </message>
@@ -2864,14 +2864,19 @@
         <translation>Места отверстий по окружности</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>Plain S means the counter spindle</source>
         <translation>S без номера: противошпиндель</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>Plain S means the main spindle</source>
         <translation>S без номера: главный шпиндель</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>Plain S of L%1 means S%2 now: M%3 would act on its chuck.</source>
+        <translation>S без номера в L%1 сейчас означает S%2: M%3 подействует на его патрон.</translation>
     </message>
     <message>
         <location filename="../screens/graphics.cpp"/>
@@ -3864,7 +3869,7 @@
         <translation>Копия %1 не совпала с отправленным; прежний файл остался</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>The counter spindle is free</source>
         <translation>Противошпиндель свободен</translation>
     </message>
@@ -3909,12 +3914,12 @@
         <translation>Станок работает с ним</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>The main chuck clamps</source>
         <translation>Главный патрон зажимает</translation>
     </message>
     <message>
-        <location filename="../screens/hand_page.cpp"/>
+        <location filename="../machine/transfer_steps.cpp"/>
         <source>The main chuck opens</source>
         <translation>Главный патрон открывается</translation>
     </message>
@@ -4102,6 +4107,11 @@
         <location filename="../screens/editor_page.cpp"/>
         <source>This language has no cycles.</source>
         <translation>В этом языке нет циклов.</translation>
+    </message>
+    <message>
+        <location filename="../screens/hand_page.cpp"/>
+        <source>This machine has no counter spindle.</source>
+        <translation>У этого станка нет противошпинделя.</translation>
     </message>
     <message>
         <location filename="../widgets/magazine.cpp"/>
@@ -5607,6 +5617,11 @@
         <location filename="../../ipc/machine/start_words.hpp"/>
         <source>the tailstock is neither back nor does it hold</source>
         <translation>задняя бабка ни отведена, ни прижата</translation>
+    </message>
+    <message>
+        <location filename="../screens/diagnosis_tables.cpp"/>
+        <source>the time of a tick</source>
+        <translation>время такта</translation>
     </message>
     <message>
         <location filename="../machine/tool_words.cpp"/>

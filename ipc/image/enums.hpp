@@ -15,7 +15,8 @@ enum class RecordKind : std::uint8_t {
     Aux,           // M, S or T to the PLC; done when the PLC has finished it
     SpindleMode,   // code: SpindleModeCode; value: 1/min or m/min or degrees; shape[0] limit 1/min (0 none),
                    // shape[1] machine coordinate of the turning axis at diameter 0, axis[0] that axis;
-                   // Position: plane[0] SpindleApproach, shape[2] way in degrees when Incremental (value is where it leads);
+                   // Position: plane[0] SpindleApproach, shape[2] way in degrees when Incremental (value is where it leads),
+                   // mask 1: its loop must be closed (no M code that closes it follows);
                    // Couple: `spindle` leads, axis[0] follows (kMaxAxes + spindle from 0, or an axis): shape[0] of its turns for shape[1]
                    // turns of the master, shape[2] phase in degrees (NaN: as it comes), mask 1: gear (N1800), axis[1] the axis of
                    // the helix (kNoHelix none), shape[3] degrees a millimetre of it; Uncouple: axis[0]

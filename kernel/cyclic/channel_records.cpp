@@ -415,7 +415,8 @@ bool ChannelRunner::position_spindle(const PathRecord& r) noexcept {
     if (phase_ != Phase::Spindle) {
         if (!take_spindle(r, number, false)) return false;
         const auto how = static_cast<SpindleApproach>(r.plane[0]);
-        if (!core_.spindles[number - 1].demand_position(how == SpindleApproach::Incremental ? r.shape[2] : r.value, how, r.feed)) {
+        const bool open = r.mask != 0 && core_.spindles[number - 1].loop() == SpindleUnit::Loop::Turning;   // the angle would wait for an M19 that never comes
+        if (open || !core_.spindles[number - 1].demand_position(how == SpindleApproach::Incremental ? r.shape[2] : r.value, how, r.feed)) {
             raise(Alarm::SpindleNotClosed, name_of('S', number - 1).view());
             return false;
         }

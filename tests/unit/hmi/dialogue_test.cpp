@@ -32,6 +32,7 @@ TEST_F(DialogueTasks, APatternIsChosenAndItsValuesEntered) {
     Operator hand(*window);
     EXPECT_EQ(view().title(), "HOLE");
     ASSERT_EQ(view().table().rows(), 2);
+    EXPECT_EQ(view().sheets().size(), 3u) << "a menu has no field for figures";
     noWordIsShortened(*window);
     ASSERT_TRUE(waitFor([&] { return view().channel() == 1; }));
     if (!view().isVisible()) hand.touch(window->ownSheets()[0], 5);   // another screen has put it away: the line at the top
@@ -39,6 +40,7 @@ TEST_F(DialogueTasks, APatternIsChosenAndItsValuesEntered) {
     hand.key(Qt::Key_Return);
     ASSERT_TRUE(waitFor([&] { return view().title() == "GRID"; }));
     EXPECT_EQ(view().table().cell(0, 1).text, "PITCH");
+    EXPECT_EQ(view().sheets().size(), 4u);
     hand.type("25/2"), hand.key(Qt::Key_Return);
     ASSERT_TRUE(waitFor([&] { return view().table().cell(0, 2).text.startsWith("12.5"); })) << "every screen sees it";
     hand.type("3"), hand.key(Qt::Key_Return);

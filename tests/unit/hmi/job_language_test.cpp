@@ -33,14 +33,8 @@ protected:
         programs.restore("0|" + folder.filePath(name));
         ASSERT_TRUE(waitFor([&] { return programs.filesPage().chosenPath() == folder.filePath(name); }));
     }
-    static bool stands(const std::vector<Sheet*>& on, const QString& text) {
-        for (Sheet* sheet : on)
-            for (const Item& one : sheet->items())
-                if (one.text.contains(text)) return true;
-        return false;
-    }
-    bool shown(const QString& text) const { return stands(window->screen()->sheets(), text); }
-    bool told(const QString& text) const { return stands(window->ownSheets(), text); }   // in the line of messages
+    bool shown(const QString& text) const { return standsOn(window->screen()->sheets(), text); }
+    bool told(const QString& text) const { return standsOn(window->ownSheets(), text); }   // in the line of messages
     QTemporaryDir folder;
 };
 

@@ -75,25 +75,33 @@ TEST_F(PageTasks, AToolIsCalledFromItsStation) {
     EXPECT_TRUE(waitFor([&] { return live().view(1).known && live().view(1).picture.tool == 5; }));
 }
 
+// Whichever channel is chosen: the steps are said by the turrets that take part.
 TEST_F(PageTasks, PartTransferGoesStepByStep) {
     Operator hand(*window);
     hand.screen("manual");
     hand.soft("Wheel, tool, transfer");
-    hand.key(Qt::Key_2, Qt::ControlModifier);    // the turret of the counter spindle
     HandPage& page = screenOf<Manual>().hand();
+    const auto choose = [&](int row) { hand.touchCell(page.steps(), row, 1); };
     const auto step = [&](int row) {
-        hand.touchCell(page.steps(), row, 1);
+        choose(row);
         const double lit = live().channel(2).lit_s;
         hand.soft("Do this step"), hand.soft("Do this step");
         EXPECT_TRUE(waitFor([&] { return live().channel(2).lit_s > lit; })) << "the block has begun";
         EXPECT_TRUE(waitFor([&] { return state(2) != ChannelState::Running && state(2) != ChannelState::Waiting; }));
     };
+    const auto isOpen = [&](unsigned spindle) { return live().plc(signals::sp_unclamped(spindle)) != 0; };
+    choose(1);                                   // M11 while plain S means the main spindle
+    hand.soft("Do this step"), hand.soft("Do this step");
+    EXPECT_TRUE(standsOn(window->ownSheets(), "means S1 now"));
+    frames(*window, 300);
+    EXPECT_FALSE(isOpen(1)) << "the main chuck holds a part";
+    EXPECT_FALSE(isOpen(2));
     step(0), step(1);                            // M72 M11
-    EXPECT_TRUE(waitFor([&] { return live().plc(signals::sp_unclamped(2)) != 0; })) << "the counter chuck is open";
+    EXPECT_TRUE(waitFor([&] { return isOpen(2); })) << "the counter chuck is open";
+    EXPECT_FALSE(isOpen(1));
     step(5);                                     // M10
-    EXPECT_TRUE(waitFor([&] { return live().plc(signals::sp_unclamped(2)) == 0; }));
+    EXPECT_TRUE(waitFor([&] { return !isOpen(2); }));
     step(11);                                    // M71
-    hand.key(Qt::Key_1, Qt::ControlModifier);
 }
 
 TEST_F(PageTasks, TheEditorMarksFaultsWhileOneTypes) {

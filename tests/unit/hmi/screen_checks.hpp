@@ -69,6 +69,13 @@ inline void eachPage(MainWindow& window, ProgramPages wanted, const std::functio
     window.showOver(MainWindow::Over::Screen);
 }
 
+inline bool standsOn(const std::vector<Sheet*>& sheets, const QString& text) {
+    for (const Sheet* sheet : sheets)
+        for (const Item& one : sheet->items())
+            if (one.text.contains(text)) return true;
+    return false;
+}
+
 // Every text that does not fit, with where it stands; `looked` counts the sheets that were asked.
 inline std::vector<std::string> shortenedWords(MainWindow& window, int& looked, ProgramPages wanted = ProgramPages::AsTheyAre) {
     std::vector<std::string> found;

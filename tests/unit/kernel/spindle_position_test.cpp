@@ -84,6 +84,28 @@ TEST_F(PositionedSpindle, RefusesAWayWithoutAClosedLoop) {
     EXPECT_TRUE(rig.alarmed(Alarm::SpindleNotClosed, 1));
 }
 
+// C90. under the address of N0817: nothing behind it closes the loop, as M19 does for its own angle.
+TEST_F(PositionedSpindle, RefusesAnAngleByItsNameWithoutAClosedLoop) {
+    PathRecord named = position(90);
+    named.mask = 1;
+    rig.push(1, named);
+    rig.start(1);
+    rig.run_until_idle();
+    EXPECT_TRUE(rig.alarmed(Alarm::SpindleNotClosed, 1));
+}
+
+TEST_F(PositionedSpindle, TurnsToAnAngleByItsNameWhenTheLoopIsClosed) {
+    rig.push(1, rig.aux(1, 'M', 19));
+    PathRecord named = position(90);
+    named.mask = 1;
+    rig.push(1, named);
+    rig.push(1, rig.dwell(1, 0.2));
+    rig.start(1);
+    rig.run_until_idle();
+    EXPECT_FALSE(rig.alarmed(Alarm::SpindleNotClosed, 1));
+    EXPECT_NEAR(true_turns() - std::floor(true_turns()), 90.0 / 360, 0.002);
+}
+
 TEST_F(PositionedSpindle, KnowsItsZeroPulseAfterTheFirstTimeAndTurnsTheShorterWay) {
     rig.push(1, rig.aux(1, 'M', 19));
     rig.push(1, rig.aux(1, 'M', 5));

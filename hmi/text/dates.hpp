@@ -1,0 +1,17 @@
+// A day as people write it in the language of the screens: 2026-11-23, 23.11.2026, 2026.11.23. Two orders of day and month are common in English, so its days
+// are written the one way that everybody reads alike (ISO 8601).
+#pragma once
+#include <QDateTime>
+
+#include "hmi/text/tongues.hpp"
+
+namespace polyturn::hmi {
+
+inline QString dayForm() { return spoken() == Tongue::English ? "yyyy-MM-dd" : spoken() == Tongue::Hungarian ? "yyyy.MM.dd" : "dd.MM.yyyy"; }
+inline QString shortDayForm() { return spoken() == Tongue::English ? "MM-dd" : spoken() == Tongue::Hungarian ? "MM.dd." : "dd.MM."; }   // of this year
+
+// `time`: "HH:mm", "HH:mm:ss".
+inline QString momentText(const QDateTime& when, const char* time) { return when.isValid() ? when.toString(dayForm() + ' ' + time) : QString(); }
+inline QString shortMomentText(const QDateTime& when, const char* time) { return when.isValid() ? when.toString(shortDayForm() + ' ' + time) : QString(); }
+
+}  // namespace polyturn::hmi
