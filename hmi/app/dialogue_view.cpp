@@ -54,7 +54,8 @@ DialogueView::DialogueView(Desk& desk, QWidget* parent) : QWidget(parent), desk_
         w.fill(QRectF(0, 0, place_->width(), place_->height()), t.window);
         w.fill(QRectF(0, 0, place_->width(), place_->height()), t.card, px(8));
         if (!channel_) return;
-        double y = px(8);
+        w.text(QRectF(px(14), px(6), place_->width() - px(28), px(20)), word("Workpiece"), lettering(13, false, Face::Condensed), t.dim, Qt::AlignRight | Qt::AlignVCenter);
+        double y = px(28);
         const MachineConfig& config = desk_.live.config();
         for (std::size_t i = 0; i < config.last_axis && y + px(28) <= place_->height(); ++i) {
             const AxisConfig& axis = config.axes[i];
@@ -98,9 +99,12 @@ bool DialogueView::follow() {
     const bool fresh = found != channel_ || next->serial != serial_;
     page_ = *next;
     channel_ = found, serial_ = page_.serial;
-    if (fresh) {
+    if (fresh || spoken_ != spoken()) {
+        spoken_ = spoken();
         table_->columns = asksValues() ? std::vector<Table::Column>{{word("Variable"), 0.8}, {word("Name"), 1.6}, {word("Value"), 1.2, Qt::AlignRight | Qt::AlignVCenter}}
                                        : std::vector<Table::Column>{{word("Number"), 0.6}, {word("Name"), 3}};
+    }
+    if (fresh) {
         table_->choose(0);
         pad_->clear();
         layOut();
@@ -120,7 +124,7 @@ std::vector<SoftKey> DialogueView::keys() {
     std::vector<SoftKey> out;
     for (const Key& key : pageKeys()) {
         if (out.size() == 9) break;   // the others stand in the list
-        out.push_back({key.text, [this, number = key.number] { answer(number); }, Sign::Run, channel_ != 0});
+        out.push_back({key.text, [this, number = key.number] { answer(number); }, Sign::None, channel_ != 0});
     }
     out.resize(9);
     out.push_back({word("Later"), [this] { hide(); if (desk_.keysChanged) desk_.keysChanged(); }, Sign::Left, true});

@@ -27,6 +27,7 @@ protected:
 
 private:
     void layOut();
+    Tongue spoken_ = Tongue::English;       // of the table's headings
     struct Key {
         int number;
         QString text;

@@ -127,8 +127,13 @@ void HelpView::load(const QString& file, const QString& find, bool code) {
     }
     begin(static_cast<std::size_t>(std::max(0, found)));
     if (found >= 0 && intro_.isEmpty() && text_->find(find, code ? QTextDocument::FindWholeWords | QTextDocument::FindCaseSensitively : QTextDocument::FindFlags())) {
-        const QRect at = text_->cursorRect();      // the place on top
-        text_->verticalScrollBar()->setValue(text_->verticalScrollBar()->value() + at.top() - px(12));
+        // The place on top, with the heading right above it: half a heading would be seen else.
+        const QTextCursor at = text_->textCursor();
+        const QTextTable* table = at.currentTable();
+        const QTextBlock above = !table ? at.block().previous() : table->cellAt(at).row() <= 1 ? text_->document()->findBlock(table->firstPosition() - 1) : QTextBlock();
+        const bool headed = above.isValid() && above.blockFormat().headingLevel() > 0;
+        const int top = text_->cursorRect(headed ? QTextCursor(above) : at).top();
+        text_->verticalScrollBar()->setValue(text_->verticalScrollBar()->value() + top - px(12));
     }
     head_->refresh();
 }

@@ -335,7 +335,7 @@ void MainWindow::composeLock(Writer& w) {
     w.fill(QRectF(0, 0, width(), height()), t.window);
     w.sign(QRectF(width() / 2.0 - px(40), height() / 2.0 - px(110), px(80), px(80)), Sign::Lock, t.accent);
     w.text(QRectF(0, height() / 2.0 - px(10), width(), px(50)), word("Locked for cleaning"), lettering(30, true), t.text, Qt::AlignCenter);
-    w.text(QRectF(0, height() / 2.0 + px(40), width(), px(36)), word("Touches and keys do nothing. The machine goes on.") + "  " + QString::number((lockedUntil_ - QDateTime::currentMSecsSinceEpoch()) / 1000 + 1) + " " + unitWord("s"),
+    w.text(QRectF(0, height() / 2.0 + px(40), width(), px(36)), word("Touches and keys do nothing. The machine goes on. Unlocks by itself in %1 s.").arg((lockedUntil_ - QDateTime::currentMSecsSinceEpoch()) / 1000 + 1),
            lettering(18), t.dim, Qt::AlignCenter);
 }
 

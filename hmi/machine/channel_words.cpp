@@ -95,6 +95,11 @@ QString timeText(double seconds) {
     return QString("%1:%2:%3").arg(whole / 3600).arg(whole / 60 % 60, 2, 10, QChar('0')).arg(whole % 60, 2, 10, QChar('0'));
 }
 
+QString hoursText(double seconds) {
+    const QString out = timeText(seconds);
+    return out.count(':') == 1 ? (out.size() < 5 ? "0:0" : "0:") + out : out;
+}
+
 QString lengthText(double value, unsigned decimals) {
     if (!std::isfinite(value)) return QString::fromUtf8("–");
     const QString out = QString::number(value, 'f', static_cast<int>(decimals));

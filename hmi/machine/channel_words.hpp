@@ -23,6 +23,7 @@ QString waitWords(const Live& live, unsigned channel);      // «Waits at M503 f
 QStringList startNeeds(const Live& live, unsigned channel); // each with what to do
 
 QString timeText(double seconds);                           // 1:02:03, 2:03
+QString hoursText(double seconds);       // always with hours: of counters, where 1:15 could be either
 QString lengthText(double value, unsigned decimals);
 // As displays show an axis: X as a diameter on a diameter axis.
 double shown(const AxisConfig& axis, double trueValue);

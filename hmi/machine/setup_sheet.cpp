@@ -71,19 +71,16 @@ QString zeroText(const JobZero& zero) {
     return zero.same() ? word("entered") : word("entered: %1").arg(zero.entered, 0, 'f', 3);
 }
 
-// Wear behind its word; a tip's direction has no fraction.
-QString offsetText(const JobOffset& offset, OffsetSide side, bool all) {
-    QString out;
-    bool wear = false;
+// A tip's direction has no fraction; wear that is 0 on both sides need not be told.
+QString offsetText(const JobOffset& offset, OffsetSide side, OffsetPart part, bool all) {
+    QStringList out;
     for (const JobOffset::Value& one : offset.values) {
-        if (!all && one.same()) continue;
+        if (one.wear != (part == OffsetPart::Wear) || (one.same() && (!all || (one.wear && one.wanted == 0)))) continue;
         const double value = side == OffsetSide::Wanted ? one.wanted : one.entered;
         if (std::isnan(value)) return word("the machine does not have it");
-        if (one.wear && !wear) out += (out.isEmpty() ? QString() : QString("   ")) + word("Wear");
-        wear |= one.wear;
-        out += (out.isEmpty() ? "" : "  ") + fromView(one.name) + " " + QString::number(value, 'f', one.name == "T" ? 0 : 3);
+        out << fromView(one.name) + " " + QString::number(value, 'f', one.name == "T" ? 0 : 3);
     }
-    return out;
+    return out.join("  ");
 }
 
 QString jobDiffers(const Live& live, const JobSheet& sheet) {
@@ -133,7 +130,11 @@ QString sheetText(const Live& live, const JobSheet& sheet) {
         html += headline(word("Offsets"));
         rows = cells({word("Channel"), word("No."), word("Wanted"), word("Entered")}, "th");
         for (const JobOffset& one : offsets)
-            rows += cells({QString("L%1").arg(one.channel), QString::number(one.number), offsetText(one, OffsetSide::Wanted, true), one.same() ? word("entered") : offsetText(one, OffsetSide::Entered, false)}, "td");
+            for (const OffsetPart part : {OffsetPart::Geometry, OffsetPart::Wear}) {
+                const QString wanted = offsetText(one, OffsetSide::Wanted, part, true), entered = offsetText(one, OffsetSide::Entered, part, false);
+                const QString number = part == OffsetPart::Wear ? QString("%1 %2").arg(one.number).arg(word("Wear")) : QString::number(one.number);
+                if (!wanted.isEmpty()) rows += cells({QString("L%1").arg(one.channel), number, wanted, entered.isEmpty() ? word("entered") : entered}, "td");
+            }
         html += table(rows);
     }
     if (!sheet.setupFault.isEmpty()) html += "<p>" + sheet.setupFault.toHtmlEscaped() + "</p>";

@@ -29,7 +29,8 @@ std::vector<JobZero> compareZeros(const Live& live, const JobSheet& sheet);
 QString zeroText(const JobZero& zero);           // «-150.000», and beside it what is entered
 std::vector<JobOffset> compareOffsets(const Live& live, const JobSheet& sheet);
 enum class OffsetSide : std::uint8_t { Wanted, Entered };
-QString offsetText(const JobOffset& offset, OffsetSide side, bool all);   // «X 38.12  Z 27.05»; not all: only what is otherwise
+enum class OffsetPart : std::uint8_t { Geometry, Wear };
+QString offsetText(const JobOffset& offset, OffsetSide side, OffsetPart part, bool all);   // «X 38.12  Z 27.05»; not all: only what is otherwise
 QString jobDiffers(const Live& live, const JobSheet& sheet);              // in one line; empty: nothing
 // What stands on it, as HTML; then on paper.
 QString sheetText(const Live& live, const JobSheet& sheet);

@@ -173,6 +173,7 @@ private:
             const bool referenced = (now.flags & kReferenced) != 0 || axis.on_spindle;
             const bool moving = (now.flags & kMoving) != 0;
             w_.text(QRectF(left_, y_, name, row), fromView(axis.name_text()), lettering(dense_ ? 15 : 19, true), moving ? t_.good : t_.text);
+            if (moving && !narrow) w_.sign(QRectF(left_ + name, y_ + (row - px(11)) / 2, px(11), px(11)), Sign::Run, t_.good);
             // Its drive belongs to the spindle just now: the axis is nowhere.
             if (axis.on_spindle && live_.nc(signals::sn_axis(axis.on_spindle)) == 0) {
                 w_.text(QRectF(at[0], y_, wide[0], row), kDash, lettering(dense_ ? 16 : 20, true), t_.faint, kRight);
@@ -187,7 +188,7 @@ private:
             w_.text(QRectF(at[1], y_, wide[1], row), referenced ? lengthText(shownPlace(axis, now.act), decimals) : word("no ref."), small, referenced ? t_.text : t_.warn, kRight);
             w_.text(QRectF(at[2], y_, wide[2], row), lengthText(shown(axis, live_.toGo(channel_, static_cast<unsigned>(place))), decimals), small,
                     view_.moves[place] ? t_.text : t_.faint, kRight);
-            w_.text(QRectF(at[3], y_, wide[3], row), lengthText(now.error, decimals), small, t_.dim, kRight);
+            w_.text(QRectF(at[3], y_, wide[3], row), lengthText(shown(axis, now.error), decimals), small, t_.dim, kRight);
             y_ += row;
         }
         y_ += gap();

@@ -84,11 +84,11 @@ void Diagnosis::fillAxes() {
         switch (column) {
             case 0: return {QString("A%1  %2").arg(number).arg(fromView(axis.name_text())), t.text, Sign::None, true};
             case 1: return {axis.channel ? QString("L%1").arg(axis.channel) : QString(), t.dim};
-            case 2: return {lengthText(shown(axis, now.cmd), decimals)};
-            case 3: return {lengthText(shown(axis, now.act), decimals)};
-            case 4: return {axis.rotary ? QString(QChar(0xB0)) : unitWord("mm") + (axis.diameter ? QString::fromUtf8(" ⌀") : QString()), t.dim};   // of both places; what stands behind it is a way of the axis
-            case 5: return {lengthText(now.error, decimals), t.dim};
-            case 6: return {lengthText(now.compensation, decimals), t.dim};
+            case 2: return {lengthText(shownPlace(axis, now.cmd), decimals)};
+            case 3: return {lengthText(shownPlace(axis, now.act), decimals)};
+            case 4: return {axis.rotary ? QString(QChar(0xB0)) : unitWord("mm") + (axis.diameter ? QString::fromUtf8(" ⌀") : QString()), t.dim};   // of the places and of the ways behind them
+            case 5: return {lengthText(shown(axis, now.error), decimals), t.dim};
+            case 6: return {lengthText(shown(axis, now.compensation), decimals), t.dim};
             case 7: return {QString("%1 %").arg(now.torque / 10, 0, 'f', 1), t.dim};
             default:
                 if (now.flags & kDriveFault) return {word("Drive fault"), t.bad, Sign::Alarm, true};
@@ -191,7 +191,7 @@ void Diagnosis::fillCounters() {
         const auto parameter = [&](const char* number, const QString& title, unsigned instance, const QString& scope) {
             const params::Row* row = params::find(number);
             if (!row) return;
-            if (row->unit == "ms") lines->push_back({title, scope, [this, slot = row->first_slot + instance - 1] { return timeText(std::max(0.0, totals_.ms(slot)) / 1000); }});
+            if (row->unit == "ms") lines->push_back({title, scope, [this, slot = row->first_slot + instance - 1] { return hoursText(std::max(0.0, totals_.ms(slot)) / 1000); }});
             else lines->push_back({title, scope, [this, row, instance] { return QString::fromStdString(params::value_text(*row, desk_.live.table(), instance, 0)); }});
         };
         parameter("N2300", word("Power on"), 1, {});
@@ -274,7 +274,10 @@ void Diagnosis::composeTicks(Writer& w) {
     w.text(QRectF(right - px(140), bottom + px(4), px(140), px(20)), microseconds(last + 1), lettering(13), t.dim, Qt::AlignRight | Qt::AlignVCenter);
     if (last - first >= 8) w.text(QRectF(left + (right - left) / 2 - px(70), bottom + px(4), px(140), px(20)), microseconds((first + last + 1) / 2), lettering(13), t.dim, Qt::AlignCenter);
     w.text(QRectF(left, top - px(22), right - left, px(20)), word("Highest bar: %1 of %2 ticks; both scales are logarithmic").arg(most).arg(all), lettering(13), t.dim);
-    w.text(QRectF(left, bottom + px(28), right - left, px(22)), word("longest below %1 of a tick of %2").arg(microseconds(longest + 1), QString("%1 %2").arg(desk_.live.config().tick_us).arg(unitWord("us"))), lettering(14), t.text);
+    std::uint64_t late = 0;
+    for (auto i = static_cast<std::size_t>(std::max(0.0, std::ceil(limit))); i < cost.size(); ++i) late += cost[i];
+    if (late) w.sign(QRectF(right - px(160), bottom + px(29), px(18), px(18)), Sign::Warning, t.warn), w.text(QRectF(right - px(138), bottom + px(28), px(138), px(22)), word("%1 too long").arg(late), lettering(14, true), t.warn);
+    w.text(QRectF(left, bottom + px(28), right - left - (late ? px(170) : 0), px(22)), word("longest below %1 of a tick of %2").arg(microseconds(longest + 1), QString("%1 %2").arg(desk_.live.config().tick_us).arg(unitWord("us"))), lettering(14), t.text);
 }
 
 }  // namespace polyturn::hmi

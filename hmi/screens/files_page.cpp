@@ -332,10 +332,14 @@ std::vector<FilesPage::SheetLine> FilesPage::sheetLines(Writer& w) {
     }
     if (const auto offsets = compareOffsets(desk_.live, *preview_.sheet); !offsets.empty()) {
         headline(word("Offsets"), {}, word("Entered"));
-        for (const JobOffset& one : offsets) {   // of another one only the values that are otherwise
-            const auto [sign, colour] = judged(one.same());
-            compared(QString("L%1").arg(one.channel), QString("%1   %2").arg(one.number).arg(offsetText(one, OffsetSide::Wanted, one.same())), {}, sign, colour, one.same() ? word("entered") : offsetText(one, OffsetSide::Entered, false), one.same());
-        }
+        for (const JobOffset& one : offsets)   // of another one only the values that are otherwise
+            for (const OffsetPart part : {OffsetPart::Geometry, OffsetPart::Wear}) {
+                const QString wanted = offsetText(one, OffsetSide::Wanted, part, one.same());
+                if (wanted.isEmpty()) continue;
+                const auto [sign, colour] = judged(one.same());
+                const QString what = part == OffsetPart::Wear ? QString("%1 %2   %3").arg(one.number).arg(word("Wear"), wanted) : QString("%1   %2").arg(one.number).arg(wanted);
+                compared(QString("L%1").arg(one.channel), what, {}, sign, colour, one.same() ? word("entered") : offsetText(one, OffsetSide::Entered, part, false), one.same());
+            }
     }
     if (const QString fault = preview_.sheet->setupFault; !fault.isEmpty())
         out.push_back({px(52), [=, &w, &t](double y) {

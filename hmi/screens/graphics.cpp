@@ -194,6 +194,7 @@ void Graphics::startDry() {
     dryRun_.start(DryRun::How::Drive, run, QString::fromStdString(desk_.live.instance()));
     dry_ = playing_ = true;
     dryTime_ = 0;
+    dryFrom_ = now_;
     playTo(-1);
     clock_.start();
     if (desk_.keysChanged) desk_.keysChanged();
@@ -209,6 +210,23 @@ void Graphics::followDry() {
         playing_ = false;
         if (desk_.keysChanged) desk_.keysChanged();
     }
+}
+
+// Where a channel comes from: events tell ends, so before its first one it stands where the machine stood when the simulation began.
+RunMove Graphics::comesFrom(unsigned channel, const RunChannel& run, std::size_t move) const {
+    if (move) return run.moves[move - 1];
+    RunMove out = run.moves[0];
+    const MachineConfig& config = desk_.live.config();
+    for (std::size_t i = 0; i < std::min<std::size_t>(static_cast<std::size_t>(run.axes.size()), out.machine.size()); ++i)
+        for (const std::uint16_t number : config.channel(channel).axis_numbers()) {
+            const AxisConfig& axis = config.axis(number);
+            if (QLatin1String(axis.name) != run.axes[static_cast<qsizetype>(i)]) continue;
+            const double way = out.machine[i] - dryFrom_.axes[number - 1u];
+            out.machine[i] -= way;
+            if (&axis == find_axis(config, channel, PlaneRole::BasicX)) out.x -= axis.diameter ? 2 * way : way;
+            if (&axis == find_axis(config, channel, PlaneRole::BasicZ)) out.z -= way;
+        }
+    return out;
 }
 
 // What the channels have done until then; backwards it begins anew. Carriers stand where the run's axes stand.
@@ -231,7 +249,7 @@ void Graphics::playTo(double seconds) {
         const auto partOf = [&](const RunMove& move) { return move.end > move.t ? std::clamp((dryTime_ - move.t) / (move.end - move.t), 0.0, 1.0) : 1.0; };
         for (; at.move < run.moves.size() && run.moves[at.move].t <= dryTime_; ++at.move, at.part = 0) {
             const RunMove& move = run.moves[at.move];
-            const RunMove& from = run.moves[at.move ? at.move - 1 : 0];
+            const RunMove from = comesFrom(channel, run, at.move);
             const double part = partOf(move), x0 = from.x * share, x1 = move.x * share;
             if (part > at.part && move.arc) {
                 const double radius = std::hypot(x0 - move.centreX, from.z - move.centreZ), begins = std::atan2(x0 - move.centreX, from.z - move.centreZ);
@@ -251,7 +269,7 @@ void Graphics::playTo(double seconds) {
         // Where its axes stand then.
         const std::size_t here = std::min(at.move, run.moves.size() - 1);
         const RunMove& move = run.moves[here];
-        const RunMove& from = run.moves[here ? here - 1 : 0];
+        const RunMove from = comesFrom(channel, run, here);
         const double part = partOf(move);
         now_.turrets[channel - 1].station = now_.turrets[channel - 1].stands_at = static_cast<std::uint32_t>(std::max(move.tool, 0));
         for (std::size_t i = 0; i < std::min<std::size_t>(static_cast<std::size_t>(run.axes.size()), move.machine.size()); ++i)

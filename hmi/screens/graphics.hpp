@@ -123,7 +123,7 @@ private:
     FreeSheet* head_;
     CuttingScene live_, drySide_;
     RoomView room_;
-    RoomNow now_;
+    RoomNow now_, dryFrom_;                // dryFrom_: as a simulation has begun
     std::vector<ShownBody> bodies_;
     std::vector<ShownStroke> strokes_;
     std::map<unsigned, double> cycle_;     // of the parts, by channel
@@ -139,6 +139,7 @@ private:
         std::size_t move = 0;
         double part = 0;                   // of it
     };
+    RunMove comesFrom(unsigned channel, const RunChannel& run, std::size_t move) const;
     std::map<unsigned, Played> dryAt_;
     QElapsedTimer clock_;
     QPixmap picture_;

@@ -57,6 +57,7 @@ void Graphics::bringBack() {
     if (!dryRun_.any() && !dryRun_.running()) return runBack_.reset();
     keptVersion_ = dryRun_.running() ? 0 : dryRun_.version();
     dry_ = true, playing_ = false, dryTime_ = 0;
+    dryFrom_ = now_;
     dryAt_.clear(), clock_.start();
     if (desk_.keysChanged) desk_.keysChanged();
 }

@@ -17,12 +17,14 @@ constexpr double kLargest = 2500;        // mm: what stands farther out (the hea
 constexpr double kFarthest = 1e5;        // mm: drawn instead of infinity
 constexpr double kNameEvery = 220, kNamesApart = 110;   // of channels on their paths
 
-// A label that would lie on another one goes up or down until it does not, as far as there is room.
-void keepClear(QRectF& label, const std::vector<QRectF>& taken, const QRectF& area) {
+// A label that would lie on another one goes up or down until it does not, as far as there is room. `outwards`, -1 up, 1 down: first all the way
+// there, for a name that goes past the tip of another tool looks like that one's; 0: whatever is nearer.
+void keepClear(QRectF& label, const std::vector<QRectF>& taken, const QRectF& area, int outwards) {
     const double step = label.height() + px(2);
     constexpr int kFarthestStep = 16;   // as many as there are channels
     for (int i = 0; i <= 2 * kFarthestStep; ++i) {
-        const int steps = i % 2 ? (i + 1) / 2 : -(i / 2);   // 0, 1, -1, 2, ...
+        const int nearest = i % 2 ? (i + 1) / 2 : -(i / 2);   // 0, 1, -1, 2, ...
+        const int steps = outwards == 0 ? nearest : i <= kFarthestStep ? outwards * i : -outwards * (i - kFarthestStep);
         const QRectF there = label.translated(0, steps * step);
         if ((steps && !area.contains(there)) || std::any_of(taken.begin(), taken.end(), [&](const QRectF& one) { return one.intersects(there); })) continue;
         label = there;
@@ -255,14 +257,14 @@ QRegion Graphics::takeLooks() {
     for (const auto& [channel, trail] : shown().trails)
         if (!trail.points.empty()) {
             TipLook& tip = tips.emplace(channel, lookOf(channel, trail)).first->second;
-            keepClear(tip.label, taken, area), taken.push_back(tip.label);
+            keepClear(tip.label, taken, area, tip.side < 0 ? 1 : -1), taken.push_back(tip.label);
         }
     std::vector<BodyLook> bodies;
     for (const bool carriers : {false, true})   // carriers are drawn over what stands
         for (const ShownBody& body : bodies_)
             if ((body.kind == RoomBodies::Kind::Carrier) == carriers) bodies.push_back(lookOf(body));
     for (BodyLook& body : bodies)
-        if (!body.label.isNull()) keepClear(body.label, taken, area), taken.push_back(body.label);
+        if (!body.label.isNull()) keepClear(body.label, taken, area, 0), taken.push_back(body.label);
     for (std::size_t i = 0; i < std::max(bodies.size(), bodyLooks_.size()); ++i)
         out |= i >= bodies.size() ? bodyLooks_[i].pixels() : i >= bodyLooks_.size() ? bodies[i].pixels() : bodies[i].differing(bodyLooks_[i]);
     bodyLooks_ = std::move(bodies);
@@ -305,7 +307,7 @@ void Graphics::paintEvent(QPaintEvent* event) {
         p.drawPolygon(QPolygonF({tip.at, tip.at + QPointF(size * 0.35, -tip.side * size), tip.at + QPointF(size, -tip.side * size * 0.35)}));
         QColor paper = t.card;
         paper.setAlpha(215);
-        p.setPen(Qt::NoPen), p.setBrush(paper);
+        p.setPen(QPen(colourOf(channel), px(1.4))), p.setBrush(paper);
         p.drawRoundedRect(tip.label, px(3), px(3));
         p.setPen(t.text), p.setFont(lettering(15, true));
         paintWords(p, tip.label, Qt::AlignCenter, tip.text);

@@ -46,7 +46,7 @@ HandPage::HandPage(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), 
     steps_->columns = {{"", 0.6, kRight}, {word("Part transfer, step by step"), 4}, {"", 1.2}};
     steps_->rowUnits = 34;
     steps_->textUnits = 14.5;
-    steps_->nothing = word("This machine has no counter spindle.");
+    steps_->nothing = word("No part transfer is set up on this machine: its channels choose no counter spindle.");
     steps_->rows = [this] { return static_cast<int>(transfer_.size()); };
     steps_->cell = [this](int row, int column) -> Table::Cell {
         const TransferStep& one = transfer_[static_cast<std::size_t>(row)];
@@ -137,7 +137,19 @@ void HandPage::composeWheel(Writer& w) {
     if (const unsigned number = axis()) {
         const AxisConfig& axis = desk_.live.config().axis(number);
         const AxisStatus& now = desk_.live.status().axes[number - 1];
-        w.text(QRectF(px(14), px(154), wide - px(28), px(48)), fromView(axis.name_text()) + "  " + lengthText(shown(axis, now.act), decimalsOf(desk_.live.config(), axis)), lettering(32, true), now.flags & kMoving ? t.good : t.text, kRight);
+        // As on the jog page: what the workpiece counts is the large one.
+        double workpiece = 0;
+        const bool known = desk_.live.workpiece(desk_.channel, place_, now.act, workpiece);
+        const unsigned decimals = decimalsOf(desk_.live.config(), axis);
+        const QString unit = (axis.diameter ? QString::fromUtf8("⌀ ") : QString()) + unitWord(axis.rotary ? "deg" : "mm");
+        const double middle = wide * 0.62;
+        w.text(QRectF(px(14), px(150), px(110), px(18)), unit, lettering(13), t.dim);
+        w.text(QRectF(px(14), px(150), middle - px(14), px(18)), word("Workpiece"), lettering(12.5, false, Face::Condensed), t.dim, kRight);
+        w.text(QRectF(middle, px(150), wide - middle - px(14), px(18)), word("Machine"), lettering(12.5, false, Face::Condensed), t.dim, kRight);
+        w.text(QRectF(px(14), px(166), px(60), px(42)), fromView(axis.name_text()), lettering(28, true), t.text);
+        if (now.flags & kMoving) w.sign(QRectF(px(58), px(178), px(16), px(16)), Sign::Run, t.good);
+        w.text(QRectF(px(74), px(166), middle - px(74), px(42)), known ? lengthText(shownPlace(axis, workpiece), decimals) : QString::fromUtf8("–"), lettering(30, true), t.text, kRight);
+        w.text(QRectF(middle, px(166), wide - middle - px(14), px(42)), lengthText(shownPlace(axis, now.act), decimals), lettering(18), t.dim, kRight);
     }
     // the dial: a finger turns it
     const double top = px(210), side = std::min(wide - px(150), high - top - px(12)), r = side / 2;

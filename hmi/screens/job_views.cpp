@@ -15,6 +15,17 @@ namespace {
 
 constexpr qint64 kAlignEveryMs = 250;     // while the run goes on
 
+// Whom a channel has waited for longest at a meeting: who has come to it last; 0: nobody else was there.
+unsigned lastToCome(const std::map<unsigned, RunChannel>& channels, unsigned waiting, const RunWait& meeting) {
+    constexpr double kSame_s = 0.02;   // those who meet go on within some ticks
+    unsigned out = 0;
+    double latest = meeting.from;
+    for (const auto& [number, channel] : channels)
+        for (const RunWait& wait : channel.waits)
+            if (number != waiting && wait.code == meeting.code && std::abs(wait.to - meeting.to) < kSame_s && wait.from > latest) latest = wait.from, out = number;
+    return out;
+}
+
 struct TimeLook {
     TimeShape shape;
     QColor colour;
@@ -214,9 +225,11 @@ void Programs::composeTime(Writer& w) {
     if (decides.empty()) return;
     const auto most = std::max_element(decides.begin(), decides.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
     QString note = word("L%1 decides %2 of %3: what becomes shorter there shortens the cycle.").arg(most->first).arg(timeText(most->second), timeText(end));
-    if (worst && longest > 0.5)
-        note += " " + word("Longest wait: L%1 stands %2 s at %3 (line %4). Work moved from the channel that comes last to L%1 saves up to this time.")
-                          .arg(longestChannel).arg(longest, 0, 'f', 1).arg(waitName(longestChannel, worst->code)).arg(worst->at.line);
+    if (worst && longest > 0.5) {
+        note += " " + word("Longest wait: L%1 stands %2 s at %3 (line %4).").arg(longestChannel).arg(longest, 0, 'f', 1).arg(waitName(longestChannel, worst->code)).arg(worst->at.line);
+        // What is moved shortens one and lengthens the other: at best both arrive in the middle.
+        if (const unsigned last = lastToCome(channels, longestChannel, *worst)) note += " " + word("Work moved from L%1 to L%2 saves up to %3 s.").arg(last).arg(longestChannel).arg(longest / 2, 0, 'f', 1);
+    }
     w.sign(QRectF(px(14), high - foot + px(14), px(24), px(24)), Sign::Note, t.accent);
     Item& item = w.text(QRectF(px(50), high - foot + px(16), wide - px(64), px(48)), note, lettering(15), t.text, Qt::AlignLeft | Qt::AlignTop);
     item.wraps = true;

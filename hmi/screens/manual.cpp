@@ -175,7 +175,8 @@ void Manual::composeAxes(Writer& w) {
         const QRectF box(0, top + static_cast<double>(place) * row, wide, row - px(8));
         w.fill(box, t.card, px(8));
         const bool here = number == chosenAxis();
-        w.frame(box, now.flags & kMoving ? t.good : here ? t.accent : t.edge, px(8), now.flags & kMoving || here ? px(2) : 1);
+        w.frame(box, here ? t.accent : now.flags & kMoving ? t.good : t.edge, px(8), now.flags & kMoving || here ? px(2) : 1);
+        if (now.flags & kMoving) w.sign(QRectF(box.left() + px(5), box.top() + px(5), px(16), px(16)), Sign::Run, t.good);
         const double keyWide = px(92), keyHigh = std::min<double>(box.height() - px(16), px(80)), keyTop = box.center().y() - keyHigh / 2;
         w.text(QRectF(box.left() + px(14), box.top(), px(60), box.height()), fromView(axis.name_text()), lettering(32, true), t.text);
         for (const bool positive : {false, true}) {

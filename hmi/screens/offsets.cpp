@@ -20,6 +20,11 @@ int placeOf(const Live& live, unsigned channel, char letter) {
     const AxisConfig* axis = find_axis(live.config(), channel, roleOf(letter));
     return axis && axis->slot != kNoSlot ? axis->slot : -1;
 }
+const QString kDiameter = QString::fromUtf8(" ⌀");
+bool inDiameter(const Live& live, unsigned channel, char letter) {
+    const AxisConfig* axis = find_axis(live.config(), channel, roleOf(letter));
+    return axis && axis->offset_diameter && !axis->rotary;
+}
 double cellValue(const OffsetCell& cell, char field) {
     switch (field) {
         case 'X': return cell.geometry[0];
@@ -55,7 +60,7 @@ Offsets::Offsets(Desk& desk) : Screen(desk), head_(new FreeSheet(this)), side_(n
     pad_->field = [this]() -> std::optional<NumberPad::Field> {
         const auto value = chosen();
         if (!value) return std::nullopt;
-        return NumberPad::Field{value->title, value->angle ? QString::fromUtf8("°") : value->decimals ? unitWord("mm") : QString(), value->present, value->decimals};
+        return NumberPad::Field{value->title, value->angle ? QString::fromUtf8("°") : value->decimals ? unitWord("mm") + (value->diameter ? kDiameter : QString()) : QString(), value->present, value->decimals};
     };
     pad_->onInput = [this](double now) {
         if (const auto value = chosen()) put(*value, now);
@@ -108,16 +113,17 @@ void Offsets::build() {
     if (zeros_) {
         for (std::size_t row = 0; row < kWorkZeros; ++row)
             if (!work_zero_name(row).empty() && (row <= kZeroShift || row - kZeroG541 <= kMostZeros || row > kZeroG541 + 300)) zeroRows_.push_back(row);
-        for (const std::uint16_t axis : live.config().channel(channel).axis_numbers()) table_->columns.push_back({fromView(live.config().axis(axis).name_text()), 1.2, kRight, true});
+        for (const std::uint16_t axis : live.config().channel(channel).axis_numbers()) table_->columns.push_back({fromView(live.config().axis(axis).name_text()) + (live.config().axis(axis).rotary ? QString::fromUtf8(" °") : live.config().axis(axis).diameter ? kDiameter : QString()), 1.2, kRight, true});
         table_->rows = [this] { return static_cast<int>(zeroRows_.size()); };
     } else {
+        const auto named = [&](const QString& what, char letter) { return QString("%1 %2").arg(what).arg(letter) + (inDiameter(live, channel, letter) ? kDiameter : QString()); };
         const auto add = [&](const QString& title, char field, double share) { table_->columns.push_back({title, share, kRight, true}), fields_.push_back(field); };
         for (const char letter : {'X', 'Y', 'Z'})
-            if (placeOf(live, channel, letter) >= 0) add(QString("%1 %2").arg(word("Geom.")).arg(letter), letter, 1.25);
+            if (placeOf(live, channel, letter) >= 0) add(named(word("Geom."), letter), letter, 1.25);
         add(word("Radius"), 'R', 1.0);
         add(word("Tip"), 'T', 0.65);
         for (const char letter : {'X', 'Y', 'Z'})
-            if (placeOf(live, channel, letter) >= 0) add(QString("%1 %2").arg(word("Wear")).arg(letter), static_cast<char>(letter + 32), 1.05);
+            if (placeOf(live, channel, letter) >= 0) add(named(word("Wear"), letter), static_cast<char>(letter + 32), 1.05);
         add(word("Wear R"), 'r', 1.0);
         table_->rows = [this] { return std::max<int>(0, desk_.live.config().channel(desk_.channel).offset_count); };
     }
@@ -158,7 +164,7 @@ std::optional<Offsets::Value> Offsets::valueAt(int row, int column) const {
         out.title = QString("L%1  %2  %3").arg(channel).arg(zeroTitle(name), axisName);
         out.present = store.zeros[zero * kChannelAxes + static_cast<std::size_t>(out.place)];
         out.decimals = decimalsOf(live.config(), axis);
-        out.angle = axis.rotary;
+        out.angle = axis.rotary, out.diameter = axis.diameter && !axis.rotary;
         return out;
     }
     const char field = fields_[static_cast<std::size_t>(column)];
@@ -170,6 +176,7 @@ std::optional<Offsets::Value> Offsets::valueAt(int row, int column) const {
     out.present = cellValue(store.offsets[static_cast<std::size_t>(row) + 1], field);
     out.decimals = letter == 'T' ? 0 : live.config().channel(channel).decimals();
     out.place = letter == 'R' || letter == 'T' ? -1 : placeOf(live, channel, letter);
+    out.diameter = out.place >= 0 && inDiameter(live, channel, letter);
     return out;
 }
 

@@ -42,7 +42,7 @@ private:
         QString title;
         double present = 0;
         unsigned decimals = 3;
-        bool angle = false;
+        bool angle = false, diameter = false;
         int place = -1;           // of its axis in the channel; -1 none
     };
     struct Change {

@@ -58,9 +58,8 @@ Tools::Tools(Desk& desk)
     side_->onCompose = [this](Writer& w) { composeSide(w); };
     side_->onTouched = [this](int) { if (page_ == Page::Pallets) askProgram(); };
     picture_->onChosen = [this] {
-        const ToolPlace* place = picture_->chosen();
         picture_->focused = true;
-        if (place && place->tool && !picture_->carried) chooseTool(place->tool);
+        followPlace();
         if (desk_.keysChanged) desk_.keysChanged();
     };
     picture_->onActivated = [this] {
@@ -158,7 +157,7 @@ void Tools::turnTo(int page) {
     const auto other = static_cast<std::size_t>(std::max(0, page - kPages + 1));   // behind the pages: the magazines but the first
     const bool magazine = page == 0 || (page >= kPages && other < all.size());
     showPage(magazine ? Page::Magazine : static_cast<Page>(std::min(page, kPages - 1)));
-    if (magazine && !all.empty()) picture_->show(all[page == 0 ? 0 : other]);
+    if (magazine && !all.empty()) showMagazine(all[page == 0 ? 0 : other]);
     if (!magazine && page >= kPages) presetter_->propose();
 }
 
@@ -171,6 +170,7 @@ void Tools::showPage(Page page) {
     table_->setVisible(!magazine && !own), side_->setVisible(page == Page::Data || page == Page::Pallets), pad_->setVisible(page == Page::Data || page == Page::Pallets);
     presetter_->setVisible(own);
     version_ = 0, lookAt_ = 0, taken_ = 0;
+    if (page == Page::Data && !chosen() && !rows_.empty()) tool_ = rows_.front();
     if (page == Page::Data) fillData();
     if (page == Page::Life) fillLife();
     if (page == Page::Pallets) fillPallets();
@@ -216,7 +216,16 @@ void Tools::fillList() {
         for (std::int32_t n = 1; n <= static_cast<std::int32_t>(kTools); ++n)
             if (const ToolRow* tool = toolOf(desk_.live, n); tool && passes(n, *tool)) rows_.push_back(n);
     list_->nothing = filter_ == Filter::All && search_.isEmpty() ? word("There are no tools yet: «New tool» on the page of tool data.") : word("No tool is like this.");
-    if (!chosen()) tool_ = rows_.empty() ? 0 : rows_.front();
+    if (!followPlace() && !chosen()) tool_ = rows_.empty() ? 0 : rows_.front();
+}
+
+// In the picture the keys act on what stands in the chosen place, and on nothing where it is empty. False: the list is where one chooses.
+bool Tools::followPlace() {
+    const ToolPlace* place = picture_->chosen();
+    if (page_ != Page::Magazine || !picture_->focused || picture_->carried || !place) return false;
+    if (place->tool) chooseTool(place->tool);
+    else tool_ = 0;
+    return true;
 }
 
 int Tools::rowOf(std::int32_t tool) const {
@@ -301,6 +310,7 @@ void Tools::composeDetail(Writer& w) {
         return;
     }
     const ToolRow* tool = chosen();
+    if (const ToolPlace* place = picture_->chosen(); !tool && place) w.text(QRectF(px(16), px(8), wide - px(32), px(28)), placeText(desk_.live, place->magazine, place->pot) + "  " + word("empty"), lettering(18, true), t.dim);
     if (!tool) return;
     const StateWords state = toolWords(*tool);
     w.fill(QRectF(0, 0, px(5), high), state.colour, px(2));
@@ -326,6 +336,7 @@ void Tools::composeDetail(Writer& w) {
 void Tools::showMagazine(std::int32_t magazine) {
     picture_->show(magazine);
     if (const ToolPlace* place = picture_->chosen()) picture_->choose(place->pot);
+    picture_->focused = true;
     version_ = 0, refresh();
     if (desk_.keysChanged) desk_.keysChanged();
 }

@@ -70,6 +70,7 @@ protected:
 
 private:
     void layOut();
+    bool followPlace();
     void fillList();
     void fillData();
     void fillLife();

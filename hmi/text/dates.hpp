@@ -7,8 +7,16 @@
 
 namespace polyturn::hmi {
 
-inline QString dayForm() { return spoken() == Tongue::English ? "yyyy-MM-dd" : spoken() == Tongue::Hungarian ? "yyyy.MM.dd" : "dd.MM.yyyy"; }
-inline QString shortDayForm() { return spoken() == Tongue::English ? "MM-dd" : spoken() == Tongue::Hungarian ? "MM.dd." : "dd.MM."; }   // of this year
+inline QString dayForm() { return spoken() == Tongue::English ? "yyyy-MM-dd" : spoken() == Tongue::Hungarian ? "yyyy.MM.dd." : "dd.MM.yyyy"; }
+inline QString shortDayForm() {   // of this year
+    switch (spoken()) {
+        case Tongue::English: return "MM-dd";
+        case Tongue::Hungarian: return "MM.dd.";
+        case Tongue::Russian: return "dd.MM";
+        case Tongue::Czech: break;
+    }
+    return "dd.MM.";
+}
 
 // `time`: "HH:mm", "HH:mm:ss".
 inline QString momentText(const QDateTime& when, const char* time) { return when.isValid() ? when.toString(dayForm() + ' ' + time) : QString(); }

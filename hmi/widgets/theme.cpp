@@ -8,9 +8,9 @@ namespace polyturn::hmi {
 namespace {
 
 const Theme kDark{true,      "#11161b", "#0b0f13", "#1a2128", "#252e37", "#323e4a", "#eef3f7", "#b0bdc9", "#94a3b1",
-                  "#4ea6ff", "#06121e", "#42c883", "#f5b83d", "#ff635c", "#b896ff", "#1f3a55"};
-const Theme kLight{false,     "#e6ebf0", "#d5dce3", "#ffffff", "#eef2f6", "#c3ccd5", "#141d26", "#44525f", "#5a6874",
-                   "#0a63bd", "#ffffff", "#127c3e", "#a06200", "#c42723", "#6d38b5", "#d7e8fa"};
+                  "#4ea6ff", "#06121e", "#42c883", "#f5b83d", "#ff7d77", "#b896ff", "#1f3a55"};
+const Theme kLight{false,     "#e6ebf0", "#d5dce3", "#ffffff", "#eef2f6", "#c3ccd5", "#141d26", "#44525f", "#525f6b",
+                   "#0858a8", "#ffffff", "#0e6a34", "#855100", "#b8221e", "#6d38b5", "#d7e8fa"};
 const Theme* g_theme = &kDark;
 double g_scale = 1.0;
 
